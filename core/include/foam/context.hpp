@@ -1,0 +1,52 @@
+// All that a running stage may touch of the world.
+#pragma once
+
+#include <foam/mesh.hpp>
+#include <foam/random.hpp>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace foam {
+
+enum class Severity { debug, info, warning, error };
+
+/// Handed to every stage call; belongs to that call. The methods are safe to call from parallel_for bodies.
+class Context {
+public:
+    virtual ~Context();
+
+    /// Seed of this call: derived from the recipe's seed and what the call works on, never from time or threads.
+    virtual std::uint64_t seed() const = 0;
+    /// True once the user has asked to stop.
+    virtual bool cancelled() const = 0;
+    /// Share of the work done, 0 to 1.
+    virtual void progress(double fraction) = 0;
+    /// A message for the user; goes to the manifest and the event log as a finding of this stage and link.
+    virtual void log(Severity severity, std::string_view message) = 0;
+    /// A figure for manifest and report, e.g. metric("triangles", 1200, "1").
+    virtual void metric(std::string_view name, double value, std::string_view unit) = 0;
+
+    /// Throws Error(cancelled) if cancelled(). Call it in loops that may take more than a tenth of a second.
+    void check_cancelled() const;
+    /// A generator of its own for each purpose.
+    Random random(std::string_view purpose) const { return Random(derive_seed(seed(), purpose)); }
+};
+
+/// A context that is never cancelled and forgets what it is told: for tests and in-process use.
+class QuietContext : public Context {
+public:
+    explicit QuietContext(std::uint64_t seed = 0);
+    ~QuietContext() override;
+    std::uint64_t seed() const override;
+    bool cancelled() const override;
+    void progress(double fraction) override;
+    void log(Severity severity, std::string_view message) override;
+    void metric(std::string_view name, double value, std::string_view unit) override;
+
+private:
+    std::uint64_t seed_;
+};
+
+} // namespace foam

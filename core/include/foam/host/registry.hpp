@@ -1,0 +1,79 @@
+// The stages a program knows, and the plugins they came from. An object that the application owns: no globals.
+#pragma once
+
+#include <foam/plugin.hpp>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace foam {
+
+/// A plugin file that was looked at, loaded or not.
+struct PluginRecord {
+    std::filesystem::path file;
+    std::string name, version, license;   ///< empty if it never came to that
+    std::vector<std::string> stages;
+    std::string rejection;                ///< empty if loaded; else why not, and what to do
+    bool loaded() const { return rejection.empty(); }
+};
+
+/// A stage that can be made.
+struct RegisteredStage {
+    StageKind kind;
+    StageInfo info;
+    StageFactory factory;
+    std::string plugin, plugin_version, license;
+};
+
+class Registry {
+public:
+    Registry();
+    ~Registry();
+    Registry(const Registry&) = delete;
+    Registry& operator=(const Registry&) = delete;
+
+    /// Loads one plugin: all its stages or none. Never throws for a bad plugin: the record says why. A file loaded already
+    /// is not loaded twice.
+    const PluginRecord& load(const std::filesystem::path& file);
+    /// Loads every *.so of a folder, in the order of their names; a folder that does not exist is skipped.
+    void load_directory(const std::filesystem::path& directory);
+    const std::vector<PluginRecord>& plugins() const { return plugins_; }
+
+    /// nullptr when there is none of that name.
+    const RegisteredStage* find(std::string_view stage) const;
+    /// All stages by name.
+    const std::map<std::string, RegisteredStage, std::less<>>& stages() const { return stages_; }
+    /// The first stage of that kind which handles a file name ending ("stl"; any case); nullptr if none does.
+    const RegisteredStage* find_for_extension(StageKind kind, std::string_view extension) const;
+    /// The nearest known stage name, for "did you mean"; empty if nothing is near.
+    std::string nearest(std::string_view stage) const;
+
+    /// A stage object of type T. Throws Error(usage) for an unknown name, another kind or bad parameters.
+    template <std::derived_from<Stage> T>
+    std::unique_ptr<T> make(std::string_view stage, const std::map<std::string, ParameterValue>& parameters = {}) const {
+        return std::unique_ptr<T>(static_cast<T*>(make_stage(stage, T::kind, parameters).release()));
+    }
+
+private:
+    std::unique_ptr<Stage> make_stage(std::string_view stage, StageKind kind,
+                                      const std::map<std::string, ParameterValue>& parameters) const;
+    std::string try_load(const std::filesystem::path& file, PluginRecord& record);
+
+    std::vector<PluginRecord> plugins_;
+    std::map<std::string, RegisteredStage, std::less<>> stages_;
+};
+
+/// Where plugins are looked for, in order: `extra`, FOAM_PLUGIN_PATH, the folder that belongs to this installation. Never
+/// the current directory.
+std::vector<std::filesystem::path> plugin_directories(const std::vector<std::filesystem::path>& extra = {});
+
+/// The smallest number of insertions, deletions, substitutions and swaps of neighbours between two words.
+std::size_t edit_distance(std::string_view a, std::string_view b);
+/// The candidate nearest to `word` if it is near enough to be a slip of the hand; else empty.
+std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates);
+
+} // namespace foam

@@ -1,0 +1,32 @@
+// A robot made of spheres: what writers get.
+#pragma once
+
+#include <foam/measure.hpp>
+#include <foam/robot.hpp>
+#include <foam/sphere.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace foam {
+
+/// The spheres of one link, or of one collision element of it (recipe: `per: collision`). Link frame, metres.
+struct SphereGroup {
+    std::string link;
+    /// What it stands for: the mesh references of the elements ("meshes/link0.stl") or the primitive's kind ("box").
+    std::vector<std::string> geometries;
+    /// Coarse to fine, as written: grown to cover if the guarantee is outer. tree.finest() are the link's spheres.
+    SphereTree tree;
+    /// Of the finest level.
+    Measures measures;
+};
+
+struct SphereModel {
+    std::string name;   ///< of the recipe
+    Guarantee guarantee = Guarantee::outer;
+    std::shared_ptr<const Robot> robot;
+    std::vector<SphereGroup> groups;   ///< in the order of the robot's links
+};
+
+} // namespace foam

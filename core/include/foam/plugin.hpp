@@ -1,0 +1,73 @@
+// What a plugin must say to be loaded. A whole plugin:
+//
+//     #include <foam/plugin.hpp>
+//     class Mine final : public foam::Spherizer { public: explicit Mine(const foam::Parameters&); … };
+//     FOAM_PLUGIN("spherize_mine", "1.0", "Apache-2.0") {
+//         enrol.add<Mine>({.name = "spherize.mine", .summary = "…", .parameters = {…}});
+//     }
+//
+// The boundary: a C envelope with C++ inside, for an exact match of compiler library, ABI epoch and sanitizers. An ELF note
+// holds the fingerprint; it is read before dlopen, since opening a mismatched library can abort the process. Only plain data
+// and core's own classes cross.
+#pragma once
+
+#include <foam/abi.hpp>
+#include <foam/stage.hpp>
+
+#include <concepts>
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace foam {
+
+using StageFactory = std::function<std::unique_ptr<Stage>(const Parameters&)>;
+
+/// Collects the stages of one plugin; they are taken over all or none.
+class Enrolment {
+public:
+    virtual ~Enrolment();
+    virtual void add_stage(StageKind kind, StageInfo info, StageFactory factory) = 0;
+
+    /// T is constructible from Parameters, or from nothing if it has none.
+    template <std::derived_from<Stage> T>
+    void add(StageInfo info) {
+        add_stage(T::kind, std::move(info), [](const Parameters& parameters) -> std::unique_ptr<Stage> {
+            if constexpr (std::constructible_from<T, const Parameters&>) {
+                return std::make_unique<T>(parameters);
+            } else {
+                return std::make_unique<T>();
+            }
+        });
+    }
+};
+
+} // namespace foam
+
+extern "C" {
+/// The C envelope that foam_plugin_v1() returns. `size` and `epoch` come first and never move.
+struct foam_plugin_envelope_v1 {
+    std::uint32_t size;
+    std::uint32_t epoch;
+    const char* fingerprint;
+    const char* name;
+    const char* version;
+    const char* license;
+    void (*enrol)(foam::Enrolment&);
+};
+}
+
+#define FOAM_PLUGIN(plugin_name, plugin_version, plugin_license)                                                       \
+    static void foam_plugin_enrol(foam::Enrolment& enrol);                                                             \
+    FOAM_ABI_NOTE                                                                                                      \
+    extern "C" __attribute__((visibility("default"))) const foam_plugin_envelope_v1* foam_plugin_v1() {                \
+        static const foam_plugin_envelope_v1 envelope{sizeof(foam_plugin_envelope_v1),                                 \
+                                                      FOAM_ABI_EPOCH,                                                  \
+                                                      FOAM_ABI_FINGERPRINT,                                            \
+                                                      plugin_name,                                                     \
+                                                      plugin_version,                                                  \
+                                                      plugin_license,                                                  \
+                                                      &foam_plugin_enrol};                                             \
+        return &envelope;                                                                                              \
+    }                                                                                                                  \
+    static void foam_plugin_enrol([[maybe_unused]] foam::Enrolment& enrol)

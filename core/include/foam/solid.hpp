@@ -1,0 +1,98 @@
+// A solid with the queries that spherizers, measures and proofs ask of it.
+#pragma once
+
+#include <foam/mesh.hpp>
+#include <foam/robot.hpp>
+#include <foam/sphere.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace foam {
+
+/// A point on a surface.
+struct SurfacePoint {
+    Vec3 point;
+    Vec3 normal;                  ///< unit, of the triangle; zero for a degenerate one
+    std::uint32_t triangle = 0;   ///< index into Solid::surface().triangles
+};
+
+/// The union of closed parts (meshes, primitives) in one frame, metres. Immutable; every query is const and thread-safe.
+/// A mesh that is not closed counts as the set of points whose generalised winding number (Jacobson et al. 2013) is above
+/// one half; the surface belongs to the solid.
+class Solid {
+public:
+    /// A part: a mesh as is, or a primitive at a pose.
+    struct Part {
+        std::shared_ptr<const Mesh> mesh;      ///< in the solid's frame; null for a primitive
+        std::optional<Primitive> primitive;
+        Pose pose;                             ///< of the primitive; ignored for a mesh
+    };
+
+    /// Builds the acceleration structures: O(n log n) in the triangles. Throws Error(geometry) if there is no triangle at
+    /// all or a vertex is not finite.
+    static std::shared_ptr<const Solid> make(std::vector<Part> parts);
+    static std::shared_ptr<const Solid> make(Mesh mesh);
+    ~Solid();
+    Solid(const Solid&) = delete;
+    Solid& operator=(const Solid&) = delete;
+
+    const std::vector<Part>& parts() const;
+    /// All triangles of all parts; primitives as meshes that enclose them. Overlaps are not resolved.
+    const Mesh& surface() const;
+    /// Index of the first triangle of each part in surface(), and one past the last: parts().size() + 1 values.
+    std::span<const std::uint32_t> part_offsets() const;
+    const Box& bounds() const;
+    /// Area of surface().
+    double area() const;
+    /// Volume of the union. Exact for one closed part that does not overlap itself and for one primitive; otherwise
+    /// integrated along rays or estimated with points, with a relative error of about 1e-3.
+    double volume() const;
+    /// False if a part is a mesh with holes, where inside is a matter of the winding number.
+    bool closed() const;
+
+    /// The nearest point of the surface, O(log n).
+    SurfacePoint closest(const Vec3& point) const;
+    /// Inside or on the surface.
+    bool contains(const Vec3& point) const;
+    /// Distance to the surface, negative inside.
+    double signed_distance(const Vec3& point) const;
+    /// `count` points uniform by area (stratified over the triangles), the same for the same seed.
+    std::vector<SurfacePoint> sample_surface(std::size_t count, std::uint64_t seed) const;
+
+    struct Interval {
+        double enter, leave;
+    };
+    /// The parts of the line origin + t · direction inside the solid, ascending and disjoint; direction need not be unit.
+    /// Precondition: closed().
+    std::vector<Interval> inside_along(const Vec3& origin, const Vec3& direction) const;
+
+private:
+    struct Data;
+    explicit Solid(std::unique_ptr<const Data> data);
+    std::unique_ptr<const Data> data_;
+};
+
+/// What a spherizer gets: the geometry of a link (or of one collision element), in the link's frame.
+class Shape {
+public:
+    /// `processed`: what the mesh filters made, closed where they promise so. `original`: the geometry as the URDF gives
+    /// it, which the spheres must cover.
+    Shape(std::string name, std::shared_ptr<const Solid> processed, std::shared_ptr<const Solid> original);
+    ~Shape();
+    Shape(const Shape&);
+    Shape& operator=(const Shape&) = delete;
+
+    const std::string& name() const { return name_; }
+    const Solid& processed() const { return *processed_; }
+    const Solid& original() const { return *original_; }
+
+private:
+    std::string name_;
+    std::shared_ptr<const Solid> processed_, original_;
+};
+
+} // namespace foam

@@ -1,0 +1,40 @@
+#include <foam/parallel.hpp>
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <exception>
+#include <mutex>
+
+namespace foam {
+
+void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
+    std::mutex mutex;
+    std::exception_ptr first;
+    std::size_t first_index = count;
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, count, 1),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+            for (std::size_t i = range.begin(); i != range.end(); ++i) {
+                try {
+                    body(i);
+                } catch (...) {
+                    const std::lock_guard lock(mutex);
+                    if (i < first_index) {
+                        first_index = i;
+                        first = std::current_exception();
+                    }
+                }
+            }
+        },
+        tbb::auto_partitioner());
+    if (first) {
+        std::rethrow_exception(first);
+    }
+}
+
+std::size_t thread_count() {
+    return static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+}
+
+} // namespace foam

@@ -1,0 +1,225 @@
+#include <foam/error.hpp>
+#include <foam/host/registry.hpp>
+
+#include "elf_note.hpp"
+
+#include <fmt/format.h>
+
+#include <dlfcn.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cctype>
+#include <regex>
+#include <set>
+
+namespace foam {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a stage declaration gets wrong; empty if nothing.
+std::string why_bad(const StageInfo& info) {
+    static const std::regex stage_name("[a-z][a-z0-9]*\\.[a-z][a-z0-9_]*");
+    if (!std::regex_match(info.name, stage_name)) {
+        return fmt::format("stage name '{}' is not of the form kind.method (lower case)", info.name);
+    }
+    if (info.summary.empty()) {
+        return fmt::format("stage '{}' has no summary", info.name);
+    }
+    std::set<std::string> names;
+    for (const Parameter& p : info.parameters) {
+        if (p.name.empty() || !names.insert(p.name).second) {
+            return fmt::format("stage '{}' declares parameter '{}' twice or without a name", info.name, p.name);
+        }
+        if (p.doc_text.empty()) {
+            return fmt::format("stage '{}': parameter '{}' has no doc sentence", info.name, p.name);
+        }
+        if (const std::string why = why_invalid(p, p.default_value); !why.empty()) {
+            return fmt::format("stage '{}': the default of parameter '{}' breaks its own declaration: {}", info.name, p.name,
+                               why);
+        }
+    }
+    return "";
+}
+
+class Collector final : public Enrolment {
+public:
+    void add_stage(StageKind kind, StageInfo info, StageFactory factory) override {
+        stages.push_back({kind, std::move(info), std::move(factory), "", "", ""});
+    }
+    std::vector<RegisteredStage> stages;
+};
+
+std::string writable_by_others(const fs::path& file) {
+    struct stat status {};
+    if (stat(file.c_str(), &status) != 0) {
+        return "there is no such file";
+    }
+    if (!S_ISREG(status.st_mode)) {
+        return "it is not a regular file";
+    }
+    if (status.st_mode & S_IWOTH) {
+        return fmt::format("everybody may write to it, so anybody's code could run; remedy: chmod o-w {}", file.string());
+    }
+    return "";
+}
+
+std::string lower(std::string_view text) {
+    std::string result(text);
+    std::transform(result.begin(), result.end(), result.begin(),
+                   [](unsigned char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c); });
+    return result;
+}
+
+} // namespace
+
+Registry::Registry() = default;
+Registry::~Registry() = default;
+
+const PluginRecord& Registry::load(const fs::path& file) {
+    std::error_code ignored;
+    fs::path canonical = fs::weakly_canonical(file, ignored);
+    if (canonical.empty()) {
+        canonical = file;
+    }
+    const auto known = std::find_if(plugins_.begin(), plugins_.end(), [&](const PluginRecord& r) { return r.file == canonical; });
+    if (known != plugins_.end()) {
+        return *known;
+    }
+    PluginRecord record;
+    record.file = canonical;
+    record.rejection = try_load(canonical, record);
+    plugins_.push_back(std::move(record));
+    return plugins_.back();
+}
+
+std::string Registry::try_load(const fs::path& file, PluginRecord& record) {
+    if (const std::string why = writable_by_others(file); !why.empty()) {
+        return why;
+    }
+    const ElfNote note = read_foam_note(file);
+    if (!note.problem.empty()) {
+        return note.problem;
+    }
+    if (!note.fingerprint) {
+        return "it is a shared library, but not a foam plugin (no FOAM_PLUGIN in it)";
+    }
+    const auto mismatch = [](std::string_view has) {
+        return fmt::format("it was built for [{}], this foam is [{}]; remedy: rebuild the plugin against this foam", has,
+                           FOAM_ABI_FINGERPRINT);
+    };
+    if (*note.fingerprint != FOAM_ABI_FINGERPRINT) {
+        return mismatch(*note.fingerprint);
+    }
+    // Never closed again: its code may live on in stage objects, exceptions and type information.
+    void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+    if (!handle) {
+        return fmt::format("the system cannot load it: {}", dlerror());
+    }
+    using Entry = const foam_plugin_envelope_v1* (*)();
+    const auto entry = reinterpret_cast<Entry>(dlsym(handle, "foam_plugin_v1"));
+    if (!entry) {
+        return "it has no entry point foam_plugin_v1; remedy: use the FOAM_PLUGIN macro";
+    }
+    const foam_plugin_envelope_v1* envelope = entry();
+    if (!envelope || envelope->size != sizeof(foam_plugin_envelope_v1) || envelope->epoch != FOAM_ABI_EPOCH ||
+        std::string_view(envelope->fingerprint) != FOAM_ABI_FINGERPRINT) {
+        return mismatch(envelope && envelope->size >= 16 ? envelope->fingerprint : "an unknown envelope");
+    }
+    record.name = envelope->name;
+    record.version = envelope->version;
+    record.license = envelope->license;
+    if (record.name.empty() || record.version.empty() || record.license.empty()) {
+        return "its name, version or license is empty; remedy: state all three in FOAM_PLUGIN";
+    }
+    Collector collector;
+    try {
+        envelope->enrol(collector);
+    } catch (const std::exception& error) {
+        return fmt::format("it threw while it enrolled its stages: {}", error.what());
+    } catch (...) {
+        return "it threw something that is no std::exception while it enrolled its stages";
+    }
+    if (collector.stages.empty()) {
+        return "it offers no stage";
+    }
+    std::set<std::string> names;
+    for (const RegisteredStage& stage : collector.stages) {
+        if (const std::string why = why_bad(stage.info); !why.empty()) {
+            return why;
+        }
+        if (const RegisteredStage* other = find(stage.info.name); other || !names.insert(stage.info.name).second) {
+            return fmt::format("stage '{}' exists already (plugin {}); remedy: give it another name", stage.info.name,
+                               other ? other->plugin : record.name);
+        }
+    }
+    for (RegisteredStage& stage : collector.stages) {
+        stage.plugin = record.name;
+        stage.plugin_version = record.version;
+        stage.license = record.license;
+        record.stages.push_back(stage.info.name);
+        stages_.emplace(stage.info.name, std::move(stage));
+    }
+    return "";
+}
+
+void Registry::load_directory(const fs::path& directory) {
+    std::vector<fs::path> files;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(directory, error)) {
+        if (entry.path().extension() == ".so") {
+            files.push_back(entry.path());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files) {
+        load(file);
+    }
+}
+
+const RegisteredStage* Registry::find(std::string_view stage) const {
+    const auto it = stages_.find(stage);
+    return it == stages_.end() ? nullptr : &it->second;
+}
+
+const RegisteredStage* Registry::find_for_extension(StageKind kind, std::string_view extension) const {
+    const std::string wanted = lower(extension);
+    for (const auto& [name, stage] : stages_) {
+        const auto& handled = stage.info.extensions;
+        if (stage.kind == kind && std::find(handled.begin(), handled.end(), wanted) != handled.end()) {
+            return &stage;
+        }
+    }
+    return nullptr;
+}
+
+std::string Registry::nearest(std::string_view stage) const {
+    std::vector<std::string> names;
+    for (const auto& [name, unused] : stages_) {
+        names.push_back(name);
+    }
+    return nearest_word(stage, names);
+}
+
+std::unique_ptr<Stage> Registry::make_stage(std::string_view name, StageKind kind,
+                                            const std::map<std::string, ParameterValue>& given) const {
+    const RegisteredStage* stage = find(name);
+    if (!stage) {
+        const std::string near = nearest(name);
+        throw Error(ErrorCode::usage, fmt::format("unknown stage '{}'{}", name,
+                                                  near.empty() ? "; `foam stages` lists them"
+                                                               : fmt::format("; did you mean '{}'?", near)));
+    }
+    if (stage->kind != kind) {
+        throw Error(ErrorCode::usage, fmt::format("stage '{}' is a {}, a {} is needed here", name, to_string(stage->kind),
+                                                  to_string(kind)));
+    }
+    try {
+        return stage->factory(Parameters(stage->info.parameters, given));
+    } catch (const Error& error) {
+        throw Error(error.code(), fmt::format("{}: {}", name, error.what()));
+    }
+}
+
+} // namespace foam
