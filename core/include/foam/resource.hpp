@@ -25,6 +25,12 @@ public:
     ResourceResolver(const ResourceResolver&);
     ResourceResolver& operator=(const ResourceResolver&);
 
+    /// This resolver with `folders` searched before its own.
+    ResourceResolver preceded_by(std::vector<std::filesystem::path> folders) const {
+        folders.insert(folders.end(), package_path_.begin(), package_path_.end());
+        return ResourceResolver(std::move(folders));
+    }
+
     /// `reference`: `package://PKG/rest`, `model://PKG/rest`, `file:///path`, a relative or absolute path.
     /// A package is looked for on the package path (DIR/PKG/rest; DIR/rest when DIR is called PKG or its package.xml names it
     /// so), then in `base` and its ancestors (DIR/PKG/rest). Relative paths start at `base`. Percent escapes are decoded.

@@ -1,0 +1,28 @@
+// What the guarantee asks of a spherizer's spheres, and the numbers that are written.
+#pragma once
+
+#include <foam/solid.hpp>
+#include <foam/sphere.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace foam {
+
+/// Volume that the spheres claim wrongly once the guarantee is kept, m³: outer: of the grown union; fitted: excess plus
+/// missing. Up to a constant of the solid, so fit for comparing spheres of one solid.
+double wrong_volume(const Solid& solid, std::vector<Sphere> spheres, Guarantee guarantee);
+
+/// Largest distance of the exposed surface of the spheres from the solid, once the guarantee is kept, m.
+double covered_protrusion(const Solid& solid, std::vector<Sphere> spheres, Guarantee guarantee);
+
+struct FinishedTree {
+    SphereTree tree;
+    double growth = 0;   ///< m; largest growth of a radius of the finest level
+};
+
+/// The tree with numbers fit for a file: centres on a decimal grid of about a millionth of the solid's size, radii grown so
+/// that every level keeps the guarantee, and rounded up on the same grid.
+FinishedTree finished_tree(const Solid& solid, SphereTree tree, Guarantee guarantee);
+
+} // namespace foam

@@ -1,0 +1,75 @@
+#include "debug.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cstring>
+
+namespace foam {
+
+Mesh link_mesh(const LinkWork& link, std::size_t stage) {
+    Mesh mesh;
+    for (const Element& element : link.elements) {
+        if (const Primitive* primitive = element.primitive()) {
+            append(mesh, transformed(enclosing_mesh(*primitive), element.source->origin));
+        } else {
+            const std::size_t last = std::min(stage, element.filtered.size());
+            append(mesh, transformed(last == 0 ? *element.raw : *element.filtered[last - 1], element.source->origin));
+        }
+    }
+    return mesh;
+}
+
+std::string folder_name(const std::string& link) {
+    std::string name;
+    for (const char c : link) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+        name += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+    return name.empty() || name.find_first_not_of('.') == std::string::npos ? "_" + name : name;
+}
+
+std::string to_ply(const Mesh& mesh) {
+    std::string bytes = fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double y\n"
+                                    "property double z\nelement face {}\nproperty list uchar uint vertex_indices\nend_header\n",
+                                    mesh.vertices.size(), mesh.triangles.size());
+    bytes.append(reinterpret_cast<const char*>(mesh.vertices.data()), mesh.vertices.size() * sizeof(Vec3));
+    for (const Triangle& triangle : mesh.triangles) {
+        bytes += '\3';
+        bytes.append(reinterpret_cast<const char*>(triangle.data()), sizeof triangle);
+    }
+    return bytes;
+}
+
+std::vector<std::filesystem::path> write_debug_meshes(const Workspace& workspace, const FinishedModel& finished,
+                                                      const RunDirectory& directory) {
+    std::vector<std::vector<std::filesystem::path>> files(finished.links.size());
+    parallel_for(finished.links.size(), [&](std::size_t l) {
+        workspace.check_cancelled();
+        const LinkWork& link = *finished.links[l].work;
+        const std::filesystem::path folder = std::filesystem::path("links") / folder_name(link.link->name);
+        const auto write = [&](std::size_t number, const std::string& stage, const Mesh& mesh) {
+            files[l].push_back(folder / fmt::format("{:02}-{}.ply", number, stage));
+            directory.write(files[l].back(), to_ply(mesh));
+        };
+        write(0, "original", link_mesh(link, 0));
+        const auto& filters = link.recipe.filters;
+        for (std::size_t f = 0; f < filters.size(); ++f) {
+            write(f + 1, filters[f].stage, link_mesh(link, f + 1));
+        }
+        Mesh spheres;
+        for (const Sphere& sphere : finished.links[l].spheres) {
+            Pose pose;
+            pose.translation = sphere.center;
+            append(spheres, transformed(enclosing_mesh({.kind = Primitive::Kind::sphere, .radius = sphere.radius}), pose));
+        }
+        write(filters.size() + 1, link.recipe.spherizer.stage, spheres);
+    });
+    std::vector<std::filesystem::path> all;
+    for (const auto& list : files) {
+        all.insert(all.end(), list.begin(), list.end());
+    }
+    return all;
+}
+
+} // namespace foam

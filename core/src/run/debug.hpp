@@ -1,0 +1,30 @@
+// What a person looks at: the mesh after every stage, and pictures.
+#pragma once
+
+#include "links.hpp"
+#include "run_directory.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace foam {
+
+/// links/<link>/<nn>-<stage>.ply: the link after each stage, link frame; spheres as closed meshes. Returns the files.
+std::vector<std::filesystem::path> write_debug_meshes(const Workspace& workspace, const FinishedModel& finished,
+                                                      const RunDirectory& directory);
+
+/// snapshots/robot.png and links/<link>/spheres.png (recipe: snapshots), links/<link>/stages.png (recipe: debug.snapshots).
+std::vector<std::filesystem::path> write_snapshots(const Workspace& workspace, const FinishedModel& finished,
+                                                   const RunDirectory& directory);
+
+/// The link after filter `stage` (0: as loaded), all elements in one mesh, link frame.
+Mesh link_mesh(const LinkWork& link, std::size_t stage);
+
+/// A link's name as a folder name: everything but letters, digits, '-', '_' and '.' replaced.
+std::string folder_name(const std::string& link);
+
+/// Binary little-endian PLY.
+std::string to_ply(const Mesh& mesh);
+
+} // namespace foam

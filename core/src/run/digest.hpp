@@ -1,0 +1,46 @@
+// Content digests: the name of a thing is what it holds.
+#pragma once
+
+#include <foam/host/recipe.hpp>
+#include <foam/mesh.hpp>
+#include <foam/sphere.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace foam {
+
+/// 128 bits of XXH3 as 32 hexadecimal digits.
+using Digest = std::string;
+
+/// Collects what a digest is made of. Every value is preceded by its length or kind, so that no two sequences of calls give
+/// the same bytes.
+class Hasher {
+public:
+    Hasher();
+    ~Hasher();
+    Hasher(const Hasher&) = delete;
+    Hasher& operator=(const Hasher&) = delete;
+
+    Hasher& add(std::string_view text);
+    Hasher& add(std::uint64_t value);
+    Hasher& add(double value);
+    Hasher& add(const Vec3& v);
+    Hasher& add(const Pose& pose);
+    Hasher& add(const Mesh& mesh);
+    Hasher& add(const Primitive& primitive);
+    /// A stage as it acts: name, revision, all parameters that affect its output, defaults included.
+    Hasher& add(const StageCall& call, const Registry& registry);
+    Digest finish() const;
+
+private:
+    void bytes(const void* data, std::size_t size);
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+Digest digest_of(std::string_view bytes);
+
+} // namespace foam

@@ -1,0 +1,63 @@
+#include "files.hpp"
+
+#include <foam/error.hpp>
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+namespace foam {
+namespace fs = std::filesystem;
+
+std::string read_file(const fs::path& file) {
+    std::error_code error;
+    if (fs::is_directory(file, error)) {
+        throw Error(ErrorCode::input, fmt::format("{}: this is a folder, a file is needed", file.string()));
+    }
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) {
+        throw Error(ErrorCode::input, fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
+    }
+    std::string bytes(std::istreambuf_iterator<char>(stream), {});
+    if (stream.bad()) {
+        throw Error(ErrorCode::input, fmt::format("{}: reading broke off: {}", file.string(), std::strerror(errno)));
+    }
+    return bytes;
+}
+
+void write_file(const fs::path& file, std::string_view bytes) {
+    const auto fail = [&](const std::string& why) {
+        throw Error(ErrorCode::output, fmt::format("{}: cannot be written: {}", file.string(), why));
+    };
+    std::error_code error;
+    if (file.has_parent_path()) {
+        fs::create_directories(file.parent_path(), error);
+        if (error) {
+            fail(error.message());
+        }
+    }
+    const fs::path temporary = file.string() + fmt::format(".partial-{}", getpid());
+    {
+        std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
+        stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        stream.close();
+        if (!stream) {
+            const std::string why = std::strerror(errno);
+            fs::remove(temporary, error);
+            fail(why);
+        }
+    }
+    fs::rename(temporary, file, error);
+    if (error) {
+        std::error_code ignored;
+        fs::remove(temporary, ignored);
+        fail(error.message());
+    }
+}
+
+} // namespace foam

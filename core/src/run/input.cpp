@@ -1,0 +1,123 @@
+#include "input.hpp"
+
+#include "files.hpp"
+
+#include <fmt/format.h>
+
+namespace foam {
+namespace fs = std::filesystem;
+namespace {
+
+fs::path recipe_folder(const Recipe& recipe) {
+    return recipe.file.empty() ? fs::current_path() : fs::absolute(recipe.file).parent_path();
+}
+
+/// The recipe's package path first, then the environment's.
+ResourceResolver resolver_of(const Recipe& recipe) {
+    if (recipe.package_path.empty()) {
+        return ResourceResolver::from_environment();
+    }
+    std::vector<fs::path> folders;
+    for (const std::string& folder : recipe.package_path) {
+        folders.push_back(recipe_folder(recipe) / folder);
+    }
+    return ResourceResolver::from_environment().preceded_by(std::move(folders));
+}
+
+std::string xml_escaped(const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+        switch (c) {
+        case '&': result += "&amp;"; break;
+        case '<': result += "&lt;"; break;
+        case '>': result += "&gt;"; break;
+        case '"': result += "&quot;"; break;
+        default: result += c;
+        }
+    }
+    return result;
+}
+
+/// A robot of one link whose collision geometry is the mesh.
+Robot robot_of_mesh(const fs::path& file, const std::string& reference) {
+    Robot robot;
+    robot.name = file.stem().string();
+    robot.root = robot.name;
+    robot.file = file;
+    robot.source = fmt::format("<?xml version=\"1.0\"?>\n"
+                               "<robot name=\"{0}\">\n"
+                               "  <link name=\"{0}\">\n"
+                               "    <visual>\n"
+                               "      <geometry><mesh filename=\"{1}\"/></geometry>\n"
+                               "    </visual>\n"
+                               "    <collision>\n"
+                               "      <geometry><mesh filename=\"{1}\"/></geometry>\n"
+                               "    </collision>\n"
+                               "  </link>\n"
+                               "</robot>\n",
+                               xml_escaped(robot.name), xml_escaped(reference));
+    Link link;
+    link.name = robot.name;
+    GeometryElement element;
+    element.geometry = MeshReference{reference, file, {1, 1, 1}};
+    link.collisions = {element};
+    link.visuals = {element};
+    robot.links = {link};
+    return robot;
+}
+
+std::string extension_of(const fs::path& file) {
+    const std::string extension = file.extension().string();
+    return extension.empty() ? "" : extension.substr(1);
+}
+
+} // namespace
+
+ResolvedResource resolve_input(const Recipe& recipe, std::string* chosen) {
+    const ResourceResolver resolver = resolver_of(recipe);
+    ResolvedResource all;
+    const auto& candidates = recipe.urdf.empty() ? recipe.mesh : recipe.urdf;
+    for (const std::string& candidate : candidates) {
+        ResolvedResource found = resolver.resolve(candidate, recipe_folder(recipe));
+        if (found.found()) {
+            if (chosen) {
+                *chosen = candidate;
+            }
+            return found;
+        }
+        all.tried.insert(all.tried.end(), found.tried.begin(), found.tried.end());
+    }
+    std::string message = recipe.input_where.file.empty() ? "" : recipe.input_where.text() + ": ";
+    message += fmt::format("none of the inputs [{}] exists. Looked at:", fmt::join(candidates, ", "));
+    for (const fs::path& place : all.tried) {
+        message += "\n  " + place.string();
+    }
+    message += "\nremedy: correct the path, or set FOAM_PACKAGE_PATH to the folder that holds the package";
+    throw Error(ErrorCode::input, message);
+}
+
+Input load_input(const Workspace& workspace) {
+    Input input;
+    input.file = resolve_input(workspace.recipe, &input.chosen).path;
+    const std::string text = read_file(input.file);
+    input.digest = digest_of(text);
+    if (workspace.recipe.urdf.empty()) {
+        input.robot = std::make_shared<const Robot>(robot_of_mesh(input.file, input.chosen));
+        return input;
+    }
+    const RegisteredStage* loader = workspace.registry.find_for_extension(StageKind::robot_loader, extension_of(input.file));
+    if (!loader) {
+        loader = workspace.registry.find_for_extension(StageKind::robot_loader, "urdf");
+    }
+    if (!loader) {
+        throw Error(ErrorCode::plugin, "no plugin can read URDF files; `foam plugins --why` says what was loaded and why not");
+    }
+    StageReport report;
+    input.robot = run_stage(workspace, loader->info.name, "", input.file.string(), input.digest, report, [&](Context& context) {
+        const auto stage = workspace.registry.make<RobotLoader>(loader->info.name);
+        return std::make_shared<const Robot>(stage->load(text, input.file, resolver_of(workspace.recipe), context));
+    });
+    return input;
+}
+
+} // namespace foam

@@ -1,0 +1,23 @@
+// From the recipe's candidates to a robot.
+#pragma once
+
+#include "workspace.hpp"
+
+#include <foam/robot.hpp>
+
+#include <memory>
+#include <string>
+
+namespace foam {
+
+struct Input {
+    std::string chosen;                      ///< the candidate, as written in the recipe
+    std::filesystem::path file;
+    std::shared_ptr<const Robot> robot;      ///< a single mesh becomes a robot of one link
+    Digest digest;                           ///< of the file
+};
+
+/// Takes the first candidate that resolves. Throws Error(input) naming every place tried, or what is wrong with the file.
+Input load_input(const Workspace& workspace);
+
+} // namespace foam

@@ -1,0 +1,65 @@
+// What happens during a run: timings, metrics and findings by link and stage, passed on to the observer as it happens.
+#pragma once
+
+#include <foam/host/run.hpp>
+
+#include <chrono>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace foam {
+
+/// Thread-safe.
+class Journal {
+public:
+    explicit Journal(Observer* observer);
+
+    /// The number of tasks of the run, for the share that is done. May grow.
+    void expect(std::size_t tasks);
+    void started(const std::string& link, const std::string& stage);
+    void finished(const std::string& link, const StageReport& report);
+    void progress(const std::string& link, const std::string& stage, double fraction);
+    void finding(Finding finding);
+    void emit(Event::Kind kind, const std::string& message = {});
+
+    double seconds() const;
+    /// In an order that does not depend on threads: by link, stage and text.
+    std::vector<Finding> findings() const;
+    /// One JSON object a line, in the order of time.
+    std::string events_jsonl() const;
+
+private:
+    void deliver(Event event);
+    double done_share(double running) const;
+
+    Observer* observer_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    mutable std::mutex mutex_;
+    std::size_t expected_ = 0, done_ = 0;
+    std::vector<Finding> findings_;
+    std::string events_;
+};
+
+/// The context of one stage call. Metrics are kept for the caller; findings go to the journal at once.
+class StageContext final : public Context {
+public:
+    StageContext(Journal& journal, std::string link, std::string stage, std::uint64_t seed, const std::atomic<bool>* cancel);
+    std::uint64_t seed() const override { return seed_; }
+    bool cancelled() const override { return cancel_ && cancel_->load(std::memory_order_relaxed); }
+    void progress(double fraction) override;
+    void log(Severity severity, std::string_view message) override;
+    void metric(std::string_view name, double value, std::string_view unit) override;
+    std::vector<StageReport::Metric> metrics() const;
+
+private:
+    Journal& journal_;
+    std::string link_, stage_;
+    std::uint64_t seed_;
+    const std::atomic<bool>* cancel_;
+    mutable std::mutex mutex_;
+    std::map<std::string, StageReport::Metric> metrics_;
+};
+
+} // namespace foam

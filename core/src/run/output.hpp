@@ -1,0 +1,22 @@
+// Writing the model, and the proof on what was written.
+#pragma once
+
+#include "links.hpp"
+#include "run_directory.hpp"
+
+#include <string>
+#include <vector>
+
+namespace foam {
+
+struct OutputFile {
+    std::string file;     ///< relative to the run directory
+    Digest digest;
+    std::size_t bytes = 0;
+};
+
+/// Writes every output of the recipe, reads it back as another program would, compares the spheres and runs the certificate
+/// on the numbers read. Throws Error(internal) if a proof that held in memory does not hold on the file.
+std::vector<OutputFile> write_outputs(const Workspace& workspace, const FinishedModel& finished, const RunDirectory& directory);
+
+} // namespace foam

@@ -1,0 +1,214 @@
+#include "prepare.hpp"
+
+#include "files.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <tuple>
+
+namespace foam {
+namespace {
+
+/// Where a task's result goes: element `element` of link `link`.
+struct Target {
+    std::size_t link, element;
+};
+
+/// A mesh file at a scale.
+struct LoadTask {
+    MeshReference reference;
+    std::vector<Target> targets;
+    std::shared_ptr<const Mesh> mesh;
+    InputFile file;
+    StageReport report;
+    std::optional<Error> error;
+};
+
+/// A chain of filters on a mesh.
+struct FilterTask {
+    std::shared_ptr<const Mesh> mesh;
+    std::vector<StageCall> filters;
+    Digest digest;
+    std::vector<Target> targets;
+    std::vector<std::shared_ptr<const Mesh>> results;
+    std::vector<StageReport> reports;
+    std::optional<Error> error;
+};
+
+/// Runs the tasks on all cores; keeps each one's error with it, but lets cancellation through.
+template <class Task, class Body> void run_all(std::vector<Task>& tasks, Body&& body) {
+    parallel_for(tasks.size(), [&](std::size_t i) {
+        try {
+            body(tasks[i]);
+        } catch (const Error& error) {
+            if (error.code() == ErrorCode::cancelled) {
+                throw;
+            }
+            tasks[i].error.emplace(error);
+        }
+    });
+}
+
+std::vector<LinkWork> links_to_do(const Workspace& workspace, const Robot& robot) {
+    std::vector<LinkWork> links;
+    for (const Link& link : robot.links) {
+        if (link.collisions.empty()) {
+            continue;
+        }
+        LinkWork work;
+        work.link = &link;
+        work.recipe = workspace.recipe.for_link(link.name);
+        work.report.link = link.name;
+        work.report.skipped = work.recipe.skip;
+        if (!work.recipe.skip) {
+            for (const GeometryElement& source : link.collisions) {
+                Element element;
+                element.source = &source;
+                const auto* mesh = std::get_if<MeshReference>(&source.geometry);
+                element.geometry = mesh ? mesh->uri : to_string(std::get<Primitive>(source.geometry).kind);
+                work.elements.push_back(std::move(element));
+            }
+        }
+        links.push_back(std::move(work));
+    }
+    return links;
+}
+
+std::vector<LoadTask> load_tasks(const std::vector<LinkWork>& links) {
+    std::map<std::tuple<std::string, double, double, double>, std::size_t> known;
+    std::vector<LoadTask> tasks;
+    for (std::size_t l = 0; l < links.size(); ++l) {
+        for (std::size_t e = 0; e < links[l].elements.size(); ++e) {
+            const auto* reference = std::get_if<MeshReference>(&links[l].elements[e].source->geometry);
+            if (!reference) {
+                continue;
+            }
+            const Vec3& s = reference->scale;
+            const auto [it, fresh] = known.try_emplace({reference->path.string(), s.x, s.y, s.z}, tasks.size());
+            if (fresh) {
+                tasks.emplace_back().reference = *reference;
+            }
+            tasks[it->second].targets.push_back({l, e});
+        }
+    }
+    return tasks;
+}
+
+void load(const Workspace& workspace, const std::vector<LinkWork>& links, LoadTask& task) {
+    const std::filesystem::path& path = task.reference.path;
+    const std::string& link = links[task.targets.front().link].link->name;
+    std::string extension = path.extension().string();
+    extension = extension.empty() ? "" : extension.substr(1);
+    const RegisteredStage* loader = workspace.registry.find_for_extension(StageKind::mesh_loader, extension);
+    if (!loader) {
+        throw Error(ErrorCode::input, fmt::format("link '{}': {}: no loader reads files that end in '.{}'; remedy: convert it to "
+                                                  "STL, OBJ, PLY, DAE, OFF or GLB",
+                                                  link, path.string(), extension));
+    }
+    const std::string bytes = read_file(path);
+    task.file = {path, digest_of(bytes), bytes.size()};
+    task.mesh = run_stage(workspace, loader->info.name, link, path.string(), task.file.digest, task.report, [&](Context& context) {
+        const Mesh mesh = workspace.registry.make<MeshLoader>(loader->info.name)->load(path, context);
+        return std::make_shared<const Mesh>(transformed(mesh, {}, task.reference.scale));
+    });
+    for (const Vec3& vertex : task.mesh->vertices) {
+        if (!is_finite(vertex)) {
+            throw Error(ErrorCode::input, fmt::format("link '{}': {}: a vertex is not finite after scaling", link, path.string()));
+        }
+    }
+}
+
+std::vector<FilterTask> filter_tasks(const Workspace& workspace, std::vector<LinkWork>& links) {
+    std::map<Digest, std::size_t> known;
+    std::vector<FilterTask> tasks;
+    for (std::size_t l = 0; l < links.size(); ++l) {
+        for (std::size_t e = 0; e < links[l].elements.size(); ++e) {
+            Element& element = links[l].elements[e];
+            if (!element.raw) {
+                if (const Primitive* primitive = element.primitive()) {
+                    element.digest = Hasher().add(*primitive).finish();
+                }
+                continue;
+            }
+            Hasher hasher;
+            hasher.add(*element.raw);
+            for (const StageCall& filter : links[l].recipe.filters) {
+                hasher.add(filter, workspace.registry);
+            }
+            element.digest = hasher.finish();
+            const auto [it, fresh] = known.try_emplace(element.digest, tasks.size());
+            if (fresh) {
+                FilterTask& task = tasks.emplace_back();
+                task.mesh = element.raw;
+                task.filters = links[l].recipe.filters;
+                task.digest = element.digest;
+            }
+            tasks[it->second].targets.push_back({l, e});
+        }
+    }
+    return tasks;
+}
+
+void filter(const Workspace& workspace, const std::vector<LinkWork>& links, FilterTask& task) {
+    const auto [l, e] = task.targets.front();
+    const std::string& link = links[l].link->name;
+    const std::string& input = links[l].elements[e].geometry;
+    std::shared_ptr<const Mesh> mesh = task.mesh;
+    for (const StageCall& call : task.filters) {
+        const Digest content = Hasher().add(*mesh).finish();
+        const Digest key = Hasher().add("filter").add(call, workspace.registry).add(workspace.recipe.seed).add(content).finish();
+        StageReport& report = task.reports.emplace_back();
+        if (auto cached = workspace.cache.mesh(key)) {
+            report.stage = call.stage;
+            report.cached = true;
+            workspace.journal.finished(link, report);
+            mesh = std::make_shared<const Mesh>(std::move(*cached));
+        } else {
+            mesh = run_stage(workspace, call.stage, link, input, content, report, [&](Context& context) {
+                const auto stage = workspace.registry.make<MeshFilter>(call.stage, call.given);
+                return std::make_shared<const Mesh>(stage->apply(*mesh, context));
+            });
+            workspace.cache.put(key, *mesh);
+        }
+        task.results.push_back(mesh);
+    }
+}
+
+} // namespace
+
+std::vector<LinkWork> prepare_links(const Workspace& workspace, const Robot& robot, std::vector<InputFile>& files) {
+    std::vector<LinkWork> links = links_to_do(workspace, robot);
+
+    std::vector<LoadTask> loads = load_tasks(links);
+    workspace.journal.expect(loads.size());
+    run_all(loads, [&](LoadTask& task) { load(workspace, links, task); });
+    for (const LoadTask& task : loads) {
+        files.push_back(task.file);
+        for (const auto [l, e] : task.targets) {
+            links[l].elements[e].raw = task.mesh;
+            links[l].report.stages.push_back(task.report);
+            if (task.error && !links[l].error) {
+                links[l].error.emplace(*task.error);
+            }
+        }
+    }
+
+    std::vector<FilterTask> chains = filter_tasks(workspace, links);
+    for (const FilterTask& task : chains) {
+        workspace.journal.expect(task.filters.size());
+    }
+    run_all(chains, [&](FilterTask& task) { filter(workspace, links, task); });
+    for (const FilterTask& task : chains) {
+        for (const auto [l, e] : task.targets) {
+            links[l].elements[e].filtered = task.results;
+            links[l].report.stages.insert(links[l].report.stages.end(), task.reports.begin(), task.reports.end());
+            if (task.error && !links[l].error) {
+                links[l].error.emplace(*task.error);
+            }
+        }
+    }
+    return links;
+}
+
+} // namespace foam

@@ -1,0 +1,46 @@
+// Loading and filtering: every distinct mesh once, every distinct chain of filters on it once.
+#pragma once
+
+#include "workspace.hpp"
+
+#include <foam/robot.hpp>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace foam {
+
+/// A collision element on its way through the filters. Meshes are in the element's own frame, scaled, in metres.
+struct Element {
+    const GeometryElement* source = nullptr;
+    std::string geometry;                                ///< mesh reference as written, or the primitive's kind
+    std::shared_ptr<const Mesh> raw;                     ///< null for a primitive
+    std::vector<std::shared_ptr<const Mesh>> filtered;   ///< after each filter; empty for a primitive
+    Digest digest;                                       ///< of raw geometry and filters, without the pose
+
+    const std::shared_ptr<const Mesh>& processed() const { return filtered.empty() ? raw : filtered.back(); }
+    const Primitive* primitive() const { return std::get_if<Primitive>(&source->geometry); }
+};
+
+struct InputFile {
+    std::filesystem::path file;
+    Digest digest;
+    std::size_t bytes = 0;
+};
+
+/// A link that is to become spheres.
+struct LinkWork {
+    const Link* link = nullptr;
+    Recipe::LinkRecipe recipe;
+    std::vector<Element> elements;
+    LinkReport report;
+    std::optional<Error> error;
+};
+
+/// One entry for every link with collision geometry, in the robot's order; errors are kept in the entry, except
+/// cancellation, which is thrown. `files`: the mesh files that were read.
+std::vector<LinkWork> prepare_links(const Workspace& workspace, const Robot& robot, std::vector<InputFile>& files);
+
+} // namespace foam

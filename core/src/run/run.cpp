@@ -1,0 +1,111 @@
+#include <foam/host/run.hpp>
+
+#include "debug.hpp"
+#include "input.hpp"
+#include "manifest.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <tbb/global_control.h>
+
+#include <optional>
+
+namespace foam {
+namespace {
+
+double cpu_seconds() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+bool all_certified(const FinishedModel& finished) {
+    for (const FinishedLink& link : finished.links) {
+        if (!link.work->report.measures.certified) {
+            return false;
+        }
+    }
+    return !finished.links.empty();
+}
+
+void fill_result(RunResult& result, const Journal& journal, const std::vector<LinkWork>& links, double cpu_begin) {
+    std::vector<Measures> measures;
+    for (const LinkWork& link : links) {
+        result.links.push_back(link.report);
+        if (!link.report.skipped && link.report.error.empty()) {
+            measures.push_back(link.report.measures);
+        }
+    }
+    result.total = total(measures);
+    result.findings = journal.findings();
+    result.seconds = journal.seconds();
+    result.cpu_seconds = cpu_seconds() - cpu_begin;
+}
+
+} // namespace
+
+RunResult run(const Recipe& recipe, const Registry& registry, const RunOptions& options) {
+    std::optional<tbb::global_control> threads;
+    if (options.threads > 0) {
+        threads.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
+    }
+    const double cpu_begin = cpu_seconds();
+    std::optional<RunDirectory> directory;
+    if (!options.out.empty()) {
+        directory.emplace(options.out);
+    }
+    Journal journal(options.observer);
+    const Cache cache(options.fresh ? std::filesystem::path() : options.cache.empty() ? Cache::default_folder() : options.cache);
+    const Workspace workspace{recipe, registry, options, journal, cache};
+
+    RunResult result;
+    journal.expect(1);
+    const Input input = load_input(workspace);
+    result.input = input.chosen;
+    result.input_file = input.file;
+    journal.emit(Event::Kind::run_started, input.file.string());
+
+    std::vector<InputFile> meshes;
+    std::vector<LinkWork> links = prepare_links(workspace, *input.robot, meshes);
+    if (links.empty()) {
+        throw Error(ErrorCode::input, fmt::format("{}: no link has collision geometry: there is nothing to turn into spheres",
+                                                  input.file.string()));
+    }
+    std::vector<Group> groups = spherize_links(workspace, links);
+    result.links_lost = handle_errors(workspace, links, groups);
+    FinishedModel finished = finish_links(workspace, input.robot, links, std::move(groups));
+    if (finished.links.empty()) {
+        throw Error(ErrorCode::input, fmt::format("{}: every link was skipped: there is nothing to write", input.file.string()));
+    }
+
+    std::vector<OutputFile> outputs;
+    if (directory) {
+        outputs = write_outputs(workspace, finished, *directory);
+        for (const OutputFile& output : outputs) {
+            result.files.emplace_back(output.file);
+        }
+        if (recipe.debug_meshes) {
+            const auto files = write_debug_meshes(workspace, finished, *directory);
+            result.files.insert(result.files.end(), files.begin(), files.end());
+        }
+        const auto pictures = write_snapshots(workspace, finished, *directory);
+        result.files.insert(result.files.end(), pictures.begin(), pictures.end());
+    }
+    result.certified = recipe.guarantee == Guarantee::outer && all_certified(finished);
+    fill_result(result, journal, links, cpu_begin);
+    if (directory) {
+        directory->write("recipe.resolved.yaml", to_yaml(recipe, registry, true));
+        directory->write("manifest.json", manifest_json(workspace, input, meshes, outputs, result));
+        journal.emit(Event::Kind::run_finished);
+        directory->write("events.jsonl", journal.events_jsonl());
+        workspace.check_cancelled();
+        directory->commit();
+    } else {
+        journal.emit(Event::Kind::run_finished);
+    }
+    result.model = std::move(finished.model);
+    return result;
+}
+
+} // namespace foam

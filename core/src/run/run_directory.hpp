@@ -1,0 +1,29 @@
+// The folder of a run: filled under a temporary name, then put in place in one step. An interrupted run leaves what was
+// there before.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace foam {
+
+class RunDirectory {
+public:
+    /// Makes the temporary folder beside `target`. Throws Error(output) if `target` exists and is neither empty nor a run
+    /// directory (one with a manifest.json): foreign files are never replaced.
+    explicit RunDirectory(std::filesystem::path target);
+    /// Removes the temporary folder, if commit() was not called.
+    ~RunDirectory();
+    RunDirectory(const RunDirectory&) = delete;
+    RunDirectory& operator=(const RunDirectory&) = delete;
+
+    /// `file` is relative to the folder.
+    void write(const std::filesystem::path& file, std::string_view bytes) const;
+    void commit();
+
+private:
+    std::filesystem::path target_, temporary_;
+    bool committed_ = false;
+};
+
+} // namespace foam

@@ -1,0 +1,64 @@
+// What the parts of a run share, and how they call stages.
+#pragma once
+
+#include "cache.hpp"
+#include "digest.hpp"
+#include "journal.hpp"
+
+#include <foam/error.hpp>
+#include <foam/host/run.hpp>
+#include <foam/parallel.hpp>
+#include <foam/stage.hpp>
+
+#include <exception>
+#include <memory>
+#include <string>
+
+namespace foam {
+
+/// Belongs to one run.
+struct Workspace {
+    const Recipe& recipe;
+    const Registry& registry;
+    const RunOptions& options;
+    Journal& journal;
+    const Cache& cache;
+
+    /// Throws Error(cancelled) once the user has asked to stop.
+    void check_cancelled() const {
+        if (options.cancel && options.cancel->load(std::memory_order_relaxed)) {
+            throw Error(ErrorCode::cancelled, "cancelled; nothing was written");
+        }
+    }
+};
+
+/// An Error that names stage, link and input, whatever was thrown. Cancellation stays cancellation.
+Error described(std::exception_ptr thrown, const std::string& stage, const std::string& link, const std::string& input);
+
+/// Runs `body(context)` as a task of the journal: timed, its metrics kept, what it throws described. `seed` should depend on
+/// what is worked on, not on where it stands, so that equal geometry gives equal results.
+template <class Body>
+auto run_stage(const Workspace& workspace, const std::string& stage, const std::string& link, const std::string& input,
+               const Digest& content, StageReport& report, Body&& body) {
+    workspace.check_cancelled();
+    workspace.journal.started(link, stage);
+    StageContext context(workspace.journal, link, stage, derive_seed(workspace.recipe.seed, stage + content),
+                         workspace.options.cancel);
+    const double begin = workspace.journal.seconds();
+    const auto close = [&] {
+        report.stage = stage;
+        report.seconds += workspace.journal.seconds() - begin;
+        report.metrics = context.metrics();
+        workspace.journal.finished(link, report);
+    };
+    try {
+        auto result = body(static_cast<Context&>(context));
+        close();
+        return result;
+    } catch (...) {
+        close();
+        throw described(std::current_exception(), stage, link, input);
+    }
+}
+
+} // namespace foam
