@@ -32,8 +32,11 @@ public:
     }
 
     /// `reference`: `package://PKG/rest`, `model://PKG/rest`, `file:///path`, a relative or absolute path.
-    /// A package is looked for on the package path (DIR/PKG/rest; DIR/rest when DIR is called PKG or its package.xml names it
-    /// so), then in `base` and its ancestors (DIR/PKG/rest). Relative paths start at `base`. Percent escapes are decoded.
+    /// A package is looked for on the package path, then in `base` and its ancestors: as DIR/PKG/rest, and as DIR/rest when
+    /// DIR is called PKG or its package.xml names it so; last in the folders one and two levels below the package path
+    /// (DIR/*/PKG/rest), where catkin workspaces have them. Relative paths start at `base`. In URIs percent escapes are
+    /// decoded; a name that holds the escape literally is found too. `..` is left to the file system, and may lead out of a
+    /// package, as in ROS: a reference can name any file that the user can read. Only regular files are found.
     ResolvedResource resolve(const std::string& reference, const std::filesystem::path& base) const;
 
 private:

@@ -55,7 +55,7 @@ struct Joint {
     Kind kind = Kind::fixed;
     std::string parent, child;   ///< link names
     Pose origin;
-    Vec3 axis{1, 0, 0};
+    Vec3 axis{1, 0, 0};   ///< unit, in the joint's frame
     double lower = 0, upper = 0;   ///< rad or m; meaningful for revolute and prismatic
 };
 
@@ -73,7 +73,9 @@ struct Robot {
 
 /// Joint values by name (rad or m); joints that are not named stay at zero, moved into their limits.
 using JointValues = std::map<std::string, double>;
-/// Pose of every link in the root link's frame, by link name. Links that the root does not reach are left out.
+/// Pose of every link in the root link's frame, by link name. Links that the root does not reach are left out. Values that
+/// are given are used as they are; planar, floating and fixed joints stay at their origin. Throws Error(usage) for a value
+/// of a joint that the robot does not have.
 std::map<std::string, Pose> link_poses(const Robot& robot, const JointValues& values = {});
 
 /// A closed, outward oriented mesh that encloses the primitive (round parts circumscribed), in its own frame.

@@ -1,10 +1,10 @@
 #include <foam/error.hpp>
 #include <foam/parameter.hpp>
+#include <foam/text.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 namespace foam {
 namespace {
@@ -15,12 +15,6 @@ Parameter make(std::string name, Parameter::Type type, ParameterValue default_va
     parameter.type = type;
     parameter.default_value = std::move(default_value);
     return parameter;
-}
-
-std::string number_text(double value) {
-    char buffer[64];
-    const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);
-    return {buffer, end};
 }
 
 std::string expectation(const Parameter& p) {

@@ -1,0 +1,16 @@
+// Numbers in texts, the same in every locale.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace foam {
+
+/// The shortest decimal text that reads back to exactly `value`.
+std::string number_text(double value);
+/// The value of a text that is one decimal number ("0.1", "+2", "-1e-3") and nothing else; nothing if it is not, or if
+/// the number is not finite ("nan", "inf", "1e999").
+std::optional<double> parse_number(std::string_view text);
+
+} // namespace foam

@@ -1,0 +1,175 @@
+#include "model.hpp"
+
+#include "geometry.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace foam::urdf {
+namespace {
+
+/// Elements by name, to say where a name was first used.
+using Names = std::map<std::string, const xml::Element*>;
+
+void require_new(Names& names, const std::string& name, const xml::Element& element, const Reader& reader) {
+    const auto [it, added] = names.emplace(name, &element);
+    if (!added) {
+        reader.fail(element,
+                    fmt::format("a second {} '{}'; the first is in line {}", element.name, name, it->second->line));
+    }
+}
+
+void refuse_xacro(const xml::Element& element, const Reader& reader) {
+    if (element.name.starts_with("xacro:")) {
+        reader.fail(element, fmt::format("<{}>: this is a xacro file; run xacro first: xacro IN.xacro > OUT.urdf",
+                                         element.name));
+    }
+    for (const auto& child : element.children) {
+        refuse_xacro(*child, reader);
+    }
+}
+
+void require_robot(const xml::Element& root, const Reader& reader) {
+    if (root.name == "sdf" || root.name == "mujoco") {
+        reader.fail(root, fmt::format("this is a{} file, not a URDF; convert it first",
+                                      root.name == "sdf" ? "n SDF" : " MuJoCo"));
+    }
+    if (root.name != "robot") {
+        reader.fail(root, fmt::format("the root element of a URDF is <robot>, not <{}>", root.name));
+    }
+}
+
+Link read_link(const xml::Element& element, const Reader& reader, Context& context) {
+    Link link{.name = reader.required(element, "name"), .collisions = {}, .visuals = {}};
+    for (const xml::Element* collision : element.children_named("collision")) {
+        link.collisions.push_back(read_geometry_element(*collision, reader));
+    }
+    for (const xml::Element* visual : element.children_named("visual")) {
+        try {
+            link.visuals.push_back(read_geometry_element(*visual, reader));
+        } catch (const Error& error) {
+            context.log(Severity::warning, fmt::format("a visual is left out of pictures: {}", error.what()));
+        }
+    }
+    return link;
+}
+
+Joint::Kind read_joint_kind(const xml::Element& element, const Reader& reader) {
+    using Kind = Joint::Kind;
+    static constexpr std::array<std::pair<const char*, Kind>, 6> kinds{{{"fixed", Kind::fixed},
+                                                                        {"revolute", Kind::revolute},
+                                                                        {"continuous", Kind::continuous},
+                                                                        {"prismatic", Kind::prismatic},
+                                                                        {"planar", Kind::planar},
+                                                                        {"floating", Kind::floating}}};
+    const std::string& type = reader.required(element, "type");
+    for (const auto& [name, kind] : kinds) {
+        if (type == name) {
+            return kind;
+        }
+    }
+    reader.fail(
+        element,
+        fmt::format("unknown joint type '{}'; known: fixed, revolute, continuous, prismatic, planar, floating", type));
+}
+
+std::string read_joint_end(const xml::Element& joint, const char* tag, const Names& links, const Reader& reader) {
+    const xml::Element* end = reader.only_child(joint, tag);
+    const std::string* name = joint.attribute("name");
+    if (!end) {
+        reader.fail(joint, fmt::format("joint '{}' has no <{}>", name ? *name : "", tag));
+    }
+    const std::string& link = reader.required(*end, "link");
+    if (!links.contains(link)) {
+        reader.fail(*end, fmt::format("joint '{}' names link '{}' as {}, but there is no such link", name ? *name : "",
+                                      link, tag));
+    }
+    return link;
+}
+
+void read_motion(Joint& joint, const xml::Element& element, const Reader& reader) {
+    if (const xml::Element* axis = reader.only_child(element, "axis"); axis && joint.kind != Joint::Kind::fixed) {
+        const Vec3 direction = reader.vector(*axis, "xyz").value_or(joint.axis);
+        if (direction == Vec3{} && joint.kind != Joint::Kind::floating) {
+            reader.fail(*axis, fmt::format("the axis of joint '{}' is zero", joint.name));
+        }
+        joint.axis = normalized(direction);
+    }
+    if (const xml::Element* limit = reader.only_child(element, "limit")) {
+        joint.lower = reader.number(*limit, "lower").value_or(0);
+        joint.upper = reader.number(*limit, "upper").value_or(0);
+    }
+}
+
+Joint read_joint(const xml::Element& element, const Names& links, const Reader& reader) {
+    Joint joint;
+    joint.name = reader.required(element, "name");
+    joint.kind = read_joint_kind(element, reader);
+    joint.parent = read_joint_end(element, "parent", links, reader);
+    joint.child = read_joint_end(element, "child", links, reader);
+    joint.origin = reader.origin(element);
+    read_motion(joint, element, reader);
+    return joint;
+}
+
+/// The link that is no joint's child. Links and joints must form one tree.
+std::string find_root(const Robot& robot, const xml::Element& root, const Names& joints, const Reader& reader) {
+    std::map<std::string, const Joint*> joint_above;
+    for (const Joint& joint : robot.joints) {
+        const auto [it, added] = joint_above.emplace(joint.child, &joint);
+        if (!added) {
+            reader.fail(*joints.at(joint.name), fmt::format("link '{}' is the child of two joints, '{}' and '{}'",
+                                                            joint.child, it->second->name, joint.name));
+        }
+    }
+    std::vector<std::string> roots;
+    for (const Link& link : robot.links) {
+        if (!joint_above.contains(link.name)) {
+            roots.push_back(link.name);
+        }
+    }
+    if (roots.size() > 1) {
+        reader.fail(
+            root, fmt::format("links '{}' and '{}' are both no joint's child ({} such links in all); join them to one "
+                              "tree",
+                              roots[0], roots[1], roots.size()));
+    }
+    Robot reached = robot;
+    reached.root = roots.empty() ? "" : roots.front();
+    const std::map<std::string, Pose> poses = link_poses(reached);
+    for (const Link& link : robot.links) {
+        if (!poses.contains(link.name)) {
+            reader.fail(*joints.at(joint_above.at(link.name)->name),
+                        fmt::format("the joints go round in a circle through link '{}'", link.name));
+        }
+    }
+    return roots.front();
+}
+
+} // namespace
+
+Robot read_robot(const xml::Element& root, const std::string& name, const Reader& reader, Context& context) {
+    require_robot(root, reader);
+    refuse_xacro(root, reader);
+    Robot robot;
+    const std::string* given = root.attribute("name");
+    robot.name = given && !given->empty() ? *given : name;
+    Names links, joints;
+    for (const xml::Element* element : root.children_named("link")) {
+        robot.links.push_back(read_link(*element, reader, context));
+        require_new(links, robot.links.back().name, *element, reader);
+    }
+    if (robot.links.empty()) {
+        reader.fail(root, "the robot has no links");
+    }
+    for (const xml::Element* element : root.children_named("joint")) {
+        robot.joints.push_back(read_joint(*element, links, reader));
+        require_new(joints, robot.joints.back().name, *element, reader);
+    }
+    robot.root = find_root(robot, root, joints, reader);
+    return robot;
+}
+
+} // namespace foam::urdf

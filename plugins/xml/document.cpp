@@ -1,0 +1,139 @@
+#include <xml/document.hpp>
+
+#include <expat.h>
+
+#include <limits>
+
+namespace foam::xml {
+namespace {
+
+constexpr std::size_t deepest_nesting = 200;
+
+/// Builds the elements while expat walks over the text. Exceptions must not pass through expat's C frames: the first
+/// complaint stops the parser and is thrown afterwards.
+class Builder {
+public:
+    explicit Builder(std::string_view text) : text_(text), parser_(XML_ParserCreate(nullptr)) {
+        XML_SetUserData(parser_, this);
+        XML_SetElementHandler(parser_, on_start, on_end);
+        XML_SetEntityDeclHandler(parser_, on_entity);
+        XML_SetSkippedEntityHandler(parser_, on_skipped);
+    }
+    ~Builder() { XML_ParserFree(parser_); }
+    Builder(const Builder&) = delete;
+    Builder& operator=(const Builder&) = delete;
+
+    std::unique_ptr<const Element> build(const std::string& label, ErrorCode code) {
+        if (text_.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()) / 2) {
+            throw Error(code, label + ": is larger than 1 GB");
+        }
+        if (text_.starts_with("\xFE\xFF") || text_.starts_with("\xFF\xFE")) {
+            throw Error(code, label + ": is UTF-16; convert it first: iconv -f UTF-16 -t UTF-8");
+        }
+        if (XML_Parse(parser_, text_.data(), static_cast<int>(text_.size()), 1) != XML_STATUS_OK) {
+            const std::string reason =
+                complaint_.empty() ? std::string("XML: ") + XML_ErrorString(XML_GetErrorCode(parser_)) : complaint_;
+            throw Error(code, label + ":" + std::to_string(XML_GetCurrentLineNumber(parser_)) + ":" +
+                                  std::to_string(XML_GetCurrentColumnNumber(parser_) + 1) + ": " + reason);
+        }
+        return std::move(root_);
+    }
+
+private:
+    static void on_start(void* self, const XML_Char* name, const XML_Char** attributes) {
+        static_cast<Builder*>(self)->start(name, attributes);
+    }
+    static void on_end(void* self, const XML_Char*) { static_cast<Builder*>(self)->end(); }
+    static void on_entity(void* self, const XML_Char* name, int, const XML_Char*, int, const XML_Char*, const XML_Char*,
+                          const XML_Char*, const XML_Char*) {
+        static_cast<Builder*>(self)->complain(std::string("the text declares an entity of its own, '") + name +
+                                              "'; write it out first: xmllint --noent");
+    }
+    static void on_skipped(void* self, const XML_Char* name, int) {
+        static_cast<Builder*>(self)->complain(std::string("unknown entity '") + name + "'");
+    }
+
+    std::size_t offset() const { return static_cast<std::size_t>(XML_GetCurrentByteIndex(parser_)); }
+    std::size_t length() const { return static_cast<std::size_t>(XML_GetCurrentByteCount(parser_)); }
+
+    void complain(std::string why) {
+        if (complaint_.empty()) {
+            complaint_ = std::move(why);
+            XML_StopParser(parser_, XML_FALSE);
+        }
+    }
+
+    void start(const XML_Char* name, const XML_Char** attributes) {
+        if (open_.size() == deepest_nesting) {
+            complain("elements are nested more than " + std::to_string(deepest_nesting) + " deep");
+            return;
+        }
+        auto element = std::make_unique<Element>();
+        element->name = name;
+        for (; *attributes; attributes += 2) {
+            element->attributes.emplace_back(attributes[0], attributes[1]);
+        }
+        element->start_tag = {offset(), offset() + length()};
+        element->line = static_cast<int>(XML_GetCurrentLineNumber(parser_));
+        Element* raw = element.get();
+        if (open_.empty()) {
+            root_ = std::move(element);
+        } else {
+            open_.back()->children.push_back(std::move(element));
+        }
+        open_.push_back(raw);
+    }
+
+    void end() {
+        if (!complaint_.empty()) {
+            return;
+        }
+        Element& element = *open_.back();
+        open_.pop_back();
+        const bool self_closing = text_.substr(element.start_tag.end - 2, 2) == "/>";
+        element.end_tag = self_closing ? element.start_tag.end : offset();
+        element.span = {element.start_tag.begin, self_closing ? element.start_tag.end : offset() + length()};
+    }
+
+    std::string_view text_;
+    XML_Parser parser_;
+    std::unique_ptr<Element> root_;
+    std::vector<Element*> open_;
+    std::string complaint_;
+};
+
+} // namespace
+
+const std::string* Element::attribute(std::string_view key) const {
+    for (const auto& [name_, value] : attributes) {
+        if (name_ == key) {
+            return &value;
+        }
+    }
+    return nullptr;
+}
+
+const Element* Element::child(std::string_view child_name) const {
+    for (const auto& candidate : children) {
+        if (candidate->name == child_name) {
+            return candidate.get();
+        }
+    }
+    return nullptr;
+}
+
+std::vector<const Element*> Element::children_named(std::string_view child_name) const {
+    std::vector<const Element*> result;
+    for (const auto& candidate : children) {
+        if (candidate->name == child_name) {
+            result.push_back(candidate.get());
+        }
+    }
+    return result;
+}
+
+std::unique_ptr<const Element> parse(std::string_view text, const std::string& label, ErrorCode code) {
+    return Builder(text).build(label, code);
+}
+
+} // namespace foam::xml
