@@ -1,0 +1,73 @@
+#include "run/run_directory.hpp"
+#include "run/files.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <foam/error.hpp>
+
+#include <gtest/gtest.h>
+
+namespace foam {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::size_t entries(const fs::path& folder) {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(RunDirectory, AppearsWholeOnCommit) {
+    const TemporaryFolder folder;
+    const fs::path target = folder.path() / "a" / "run";
+    {
+        RunDirectory run(target);
+        run.write("manifest.json", "{}");
+        run.write("links/base/0.ply", "ply");
+        EXPECT_FALSE(fs::exists(target));
+        run.commit();
+    }
+    EXPECT_EQ(read_file(target / "links/base/0.ply"), "ply");
+    EXPECT_EQ(entries(folder.path() / "a"), 1u) << "a temporary folder was left behind";
+}
+
+TEST(RunDirectory, WithoutCommitLeavesWhatWasThere) {
+    const TemporaryFolder folder;
+    const fs::path target = folder.path() / "run";
+    {
+        RunDirectory run(target);
+        run.write("manifest.json", "first");
+        run.commit();
+    }
+    {
+        RunDirectory run(target);
+        run.write("manifest.json", "second");
+    }
+    EXPECT_EQ(read_file(target / "manifest.json"), "first");
+    EXPECT_EQ(entries(folder.path()), 1u);
+}
+
+TEST(RunDirectory, ReplacesAnEarlierRunWhole) {
+    const TemporaryFolder folder;
+    const fs::path target = folder.path() / "run";
+    for (const char* content : {"first", "second"}) {
+        RunDirectory run(target);
+        run.write("manifest.json", content);
+        run.write(std::string(content) + ".urdf", "");
+        run.commit();
+    }
+    EXPECT_EQ(read_file(target / "manifest.json"), "second");
+    EXPECT_FALSE(fs::exists(target / "first.urdf"));
+    EXPECT_EQ(entries(folder.path()), 1u);
+}
+
+TEST(RunDirectory, NeverReplacesWhatIsNotARun) {
+    const TemporaryFolder folder;
+    write_file(folder.path() / "home" / "thesis.tex", "years of work");
+    EXPECT_THROW(RunDirectory(folder.path() / "home"), Error);
+    write_file(folder.path() / "file", "x");
+    EXPECT_THROW(RunDirectory(folder.path() / "file"), Error);
+    EXPECT_EQ(read_file(folder.path() / "home" / "thesis.tex"), "years of work");
+    EXPECT_EQ(entries(folder.path()), 2u);
+}
+
+} // namespace
+} // namespace foam
