@@ -1,0 +1,52 @@
+// OpenGL objects that free themselves.
+#pragma once
+
+#include "gl.hpp"
+
+#include <initializer_list>
+
+namespace foam::snapshot {
+
+/// A linked shader program; lives as long as its context.
+GLuint make_program(const Gl& gl, const char* vertex, const char* fragment);
+
+/// A colour texture, 8 bits a channel, with an optional depth texture, that can be drawn into.
+class Target {
+public:
+    /// Throws Error(output) if the driver cannot draw into it.
+    Target(const Gl& gl, int width, int height, bool with_depth);
+    ~Target();
+    Target(const Target&) = delete;
+    Target& operator=(const Target&) = delete;
+
+    /// Makes it what is drawn into, all transparent black and infinitely deep.
+    void begin() const;
+    GLuint colour() const { return colour_; }
+    GLuint depth() const { return depth_; }
+
+private:
+    const Gl& gl_;
+    int width_, height_;
+    GLuint framebuffer_ = 0, colour_ = 0, depth_ = 0;
+};
+
+/// Vertices of one draw call.
+class Vertices {
+public:
+    struct Attribute {
+        GLint components;
+        std::size_t offset; ///< bytes from the start of a vertex
+    };
+    /// `per_instance`: each entry is a whole instance's, not a corner's.
+    Vertices(const Gl& gl, const void* data, std::size_t bytes, std::size_t stride,
+             std::initializer_list<Attribute> attributes, bool per_instance);
+    ~Vertices();
+    Vertices(const Vertices&) = delete;
+    Vertices& operator=(const Vertices&) = delete;
+
+private:
+    const Gl& gl_;
+    GLuint array_ = 0, buffer_ = 0;
+};
+
+} // namespace foam::snapshot
