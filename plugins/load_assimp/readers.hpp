@@ -1,0 +1,24 @@
+// The formats: each reader adds the file's faces to the builder or throws Error(input).
+#pragma once
+
+#include "builder.hpp"
+#include "text.hpp"
+
+namespace foam::load_assimp {
+
+/// STL, binary or text. Binary coordinates are 32-bit, so nothing is lost in either.
+void read_stl(const Source& source, MeshBuilder& builder, Context& context);
+/// Wavefront OBJ: polygons; free-form surfaces, lines and points are left out, which is logged.
+void read_obj(const Source& source, MeshBuilder& builder, Context& context);
+/// Geomview OFF as text, with any of the prefixes C, N and ST.
+void read_off(const Source& source, MeshBuilder& builder, Context& context);
+/// PLY 1.0: text, little and big endian; polygons and triangle strips.
+void read_ply(const Source& source, MeshBuilder& builder, Context& context);
+
+/// Throws for what assimp would follow out of bounds: buffers, views, accessors, node loops.
+void check_gltf(const Source& source, const MeshBuilder& builder);
+void check_collada(const Source& source);
+/// COLLADA (unit applied, up-axis ignored) or glTF, checked before.
+void read_scene(const Source& source, MeshBuilder& builder, Context& context);
+
+} // namespace foam::load_assimp
