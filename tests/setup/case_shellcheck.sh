@@ -3,4 +3,4 @@
 set -euo pipefail
 command -v shellcheck >/dev/null || exit 77
 cd -- "$1"
-shellcheck -x foam .ci/run tests/setup/*.sh
+shellcheck -x foam .ci/run tests/setup/*.sh tests/embedded/*.sh
