@@ -1,0 +1,27 @@
+// The quadric error of Garland, Heckbert: Surface Simplification Using Quadric Error Metrics, SIGGRAPH 1997, section 3.
+#pragma once
+
+#include <foam/vector.hpp>
+
+namespace foam::simplify {
+
+/// Q(x) = xᵀ A x + 2 bᵀ x + c: the weighted sum of squared distances to planes.
+class Quadric {
+public:
+    /// weight · (n·x + d)² for the plane through `point` with the unit normal n.
+    static Quadric plane(const Vec3& point, const Vec3& normal, double weight);
+
+    Quadric& operator+=(const Quadric& other);
+    double error(const Vec3& x) const;
+    /// The point of least error. Where the planes leave a direction open, the one nearest to `near`.
+    Vec3 minimizer(const Vec3& near) const;
+
+private:
+    Vec3 times(const Vec3& x) const;
+
+    double xx_ = 0, xy_ = 0, xz_ = 0, yy_ = 0, yz_ = 0, zz_ = 0;
+    Vec3 b_;
+    double c_ = 0;
+};
+
+} // namespace foam::simplify

@@ -1,0 +1,64 @@
+#include "smoothing.hpp"
+
+#include <fmt/format.h>
+
+namespace foam::smooth {
+
+void Laplacian::step(std::vector<Vec3>& points) {
+    before_ = points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        points[i] += (around_.mean(before_, i) - before_[i]) * lambda_;
+    }
+}
+
+void Humphrey::step(std::vector<Vec3>& points) {
+    before_ = points;
+    away_.resize(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        points[i] = around_.mean(before_, i);
+        away_[i] = points[i] - (first_[i] * alpha_ + before_[i] * (1 - alpha_));
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        points[i] -= away_[i] * beta_ + around_.mean(away_, i) * (1 - beta_);
+    }
+}
+
+namespace {
+
+/// Vertices farther than `reach` from where they were are held there.
+void hold_back(std::vector<Vec3>& points, const std::vector<Vec3>& first, double reach) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double moved = distance(points[i], first[i]);
+        if (moved > reach) {
+            points[i] = first[i] + (points[i] - first[i]) * (reach / moved);
+        }
+    }
+}
+
+} // namespace
+
+Mesh smoothed(const Mesh& mesh, Method& method, const Limits& limits, Context& context) {
+    const bool closed = topology(mesh).closed();
+    const double volume = signed_volume(mesh);
+    const double reach = limits.move * bounds(mesh).diagonal();
+    Mesh result = mesh, next = mesh;
+    int done = 0;
+    for (; done < limits.iterations; ++done) {
+        context.check_cancelled();
+        method.step(next.vertices);
+        hold_back(next.vertices, mesh.vertices, reach);
+        if (closed && !(std::abs(signed_volume(next) - volume) <= limits.volume_change * std::abs(volume))) {
+            context.log(
+                Severity::info,
+                fmt::format("smoothing ended after {} of {} iterations: the next would change the volume by more "
+                            "than {:g} %; the mesh is too coarse for more",
+                            done, limits.iterations, 100 * limits.volume_change));
+            break;
+        }
+        result.vertices = next.vertices;
+    }
+    context.metric("iterations", done, "1");
+    return result;
+}
+
+} // namespace foam::smooth

@@ -1,0 +1,56 @@
+// Two ways to smooth a mesh by moving its vertices; the triangles stay.
+#pragma once
+
+#include "weights.hpp"
+
+#include <foam/context.hpp>
+
+namespace foam::smooth {
+
+/// One step of a method: new points from the present ones.
+class Method {
+public:
+    virtual ~Method() = default;
+    virtual void step(std::vector<Vec3>& points) = 0;
+};
+
+/// Laplacian smoothing: p ← p + λ (mean of the neighbours - p), all vertices at once. Shrinks.
+class Laplacian final : public Method {
+public:
+    Laplacian(const Neighbourhood& around, double lambda) : around_(around), lambda_(lambda) {}
+    void step(std::vector<Vec3>& points) override;
+
+private:
+    const Neighbourhood& around_;
+    double lambda_;
+    std::vector<Vec3> before_;
+};
+
+/// The HC algorithm of Vollmer, Mencl, Müller: Improved Laplacian Smoothing of Noisy Surface Meshes, Eurographics 1999,
+/// section 3 (HC: Humphrey's classes): a Laplacian step, after which every vertex is pushed back by a mean of what it
+/// and its neighbours have moved away from a mix of where they were and where they were at first.
+/// `alpha`: share of the first positions in that mix; `beta`: share of the vertex itself in the mean.
+class Humphrey final : public Method {
+public:
+    Humphrey(const Neighbourhood& around, std::vector<Vec3> first, double alpha, double beta)
+        : around_(around), first_(std::move(first)), alpha_(alpha), beta_(beta) {}
+    void step(std::vector<Vec3>& points) override;
+
+private:
+    const Neighbourhood& around_;
+    std::vector<Vec3> first_;
+    double alpha_, beta_;
+    std::vector<Vec3> before_, away_;
+};
+
+struct Limits {
+    int iterations = 0;
+    double move = 0; ///< farthest that a vertex may end from where it was, as a share of the diagonal of the box
+    double volume_change = 0; ///< largest |V - V₀| / |V₀| of a closed mesh
+};
+
+/// Steps of `method`, vertices held back at limits.move. Ends early, with a message, before a step that would take a
+/// closed mesh's volume out of its limits: a mesh too coarse for smoothing would lose its shape.
+Mesh smoothed(const Mesh& mesh, Method& method, const Limits& limits, Context& context);
+
+} // namespace foam::smooth
