@@ -1,0 +1,127 @@
+// Proof that a surface lies in a union of balls, or the worst gap by branch and bound.
+#include "geometry/cover.hpp"
+
+#include <foam/measure.hpp>
+
+namespace foam {
+namespace {
+
+using geometry::Balls;
+using geometry::Piece;
+
+/// Pieces with edges below this share of the extent are not split again: the gap they may hide, and the growth that
+/// closes them, is of that size.
+constexpr double smallest_piece = 1e-9;
+/// The gap is found to this relative accuracy, from above.
+constexpr double gap_accuracy = 1e-3;
+
+class Proof {
+public:
+    Proof(const Solid& solid, std::span<const Sphere> spheres, int depth)
+        : shrink_(std::ldexp(1.0, -depth)), most_halvings_(static_cast<std::uint32_t>(3 * depth)),
+          balls_(solid, spheres, most_halvings_) {}
+
+    Certificate run() {
+        certificate_.holds = true;
+        for (std::uint32_t i = 0; i < balls_.piece_count(); ++i) {
+            examine_triangle(i);
+        }
+        if (!certificate_.holds) {
+            certificate_.growth = std::max(certificate_.growth, proved_gap_);
+            certificate_.witness = balls_.to_solid(certificate_.witness);
+        }
+        return certificate_;
+    }
+
+private:
+    struct Waiting {
+        Piece piece;
+        std::size_t begin, end; // candidates among indices_
+    };
+
+    void examine_triangle(std::uint32_t i) {
+        const Piece whole = balls_.piece(i);
+        ++certificate_.pieces;
+        indices_.clear();
+        balls_.candidates(whole, indices_);
+        if (!indices_.empty() && balls_.holds(indices_[0], whole.corners)) {
+            return;
+        }
+        smallest_ = std::max(smallest_piece * balls_.extent(), shrink_ * geometry::longest_edge(whole.corners));
+        waiting_.assign(1, {whole, 0, indices_.size()});
+        while (!waiting_.empty()) {
+            const Waiting next = waiting_.back();
+            waiting_.pop_back();
+            indices_.resize(next.end);
+            if (next.piece.level == 0) {
+                examine(next);
+                continue;
+            }
+            ++certificate_.pieces;
+            balls_.candidates(next.piece, next.begin, next.end, indices_);
+            examine({next.piece, next.end, indices_.size()});
+        }
+    }
+
+    /// Covered, or too small to split, or not the worst anyway; otherwise its halves wait.
+    void examine(const Waiting& item) {
+        double upper = std::numeric_limits<double>::infinity(); // one ball must grow so much to hold the piece
+        std::array<double, 3> corner_gap{upper, upper, upper};
+        const std::array<Vec3, 3> corners{item.piece.corners.a, item.piece.corners.b, item.piece.corners.c};
+        for (std::size_t k = item.begin; k < item.end; ++k) {
+            if (balls_.holds(indices_[k], item.piece.corners)) {
+                return;
+            }
+            double worst = -std::numeric_limits<double>::infinity();
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double gap = balls_.gap(indices_[k], corners[c]);
+                corner_gap[c] = std::min(corner_gap[c], gap);
+                worst = std::max(worst, gap);
+            }
+            upper = std::min(upper, worst);
+        }
+        const std::size_t farthest =
+            static_cast<std::size_t>(std::max_element(corner_gap.begin(), corner_gap.end()) - corner_gap.begin());
+        const double lower = corner_gap[farthest];
+        if (lower > 0 && (certificate_.holds || lower > proved_gap_)) {
+            fail(item.piece, corners[farthest]);
+            proved_gap_ = lower;
+        }
+        if (!certificate_.holds && upper <= std::max(certificate_.growth, proved_gap_)) {
+            return;
+        }
+        const bool small =
+            geometry::longest_edge(item.piece.corners) <= smallest_ || item.piece.level >= most_halvings_;
+        if (small || !(upper - lower > gap_accuracy * upper)) {
+            fail(item.piece, corners[farthest]);
+            certificate_.growth = std::max(certificate_.growth, std::max(upper, 0.0));
+            return;
+        }
+        const auto [first, second] = geometry::halves(item.piece);
+        waiting_.push_back({second, item.begin, item.end});
+        waiting_.push_back({first, item.begin, item.end});
+    }
+
+    void fail(const Piece& piece, const Vec3& witness) {
+        certificate_.holds = false;
+        certificate_.witness = witness;
+        certificate_.triangle = piece.triangle;
+    }
+
+    double shrink_;
+    std::uint32_t most_halvings_;
+    Balls balls_;
+    double smallest_ = 0;
+    double proved_gap_ = 0; // of a corner that no ball holds
+    Certificate certificate_;
+    std::vector<Waiting> waiting_;
+    std::vector<std::uint32_t> indices_;
+};
+
+} // namespace
+
+Certificate certify(const Solid& solid, std::span<const Sphere> spheres, int depth) {
+    return Proof(solid, spheres, std::clamp(depth, 0, 60)).run();
+}
+
+} // namespace foam

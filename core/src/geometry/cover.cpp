@@ -1,0 +1,178 @@
+#include "geometry/cover.hpp"
+
+namespace foam::geometry {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Middle {
+    Vec3 point;
+    double radius; // of the piece about the point
+};
+
+Middle middle_of(const Corners& t) {
+    const Vec3 point = (t.a + t.b + t.c) / 3;
+    return {point, reach(point, t)};
+}
+
+} // namespace
+
+double reach(const Vec3& center, const Corners& t) {
+    return std::sqrt(std::max({squared_norm(t.a - center), squared_norm(t.b - center), squared_norm(t.c - center)}));
+}
+
+double longest_edge(const Corners& t) {
+    return std::sqrt(std::max({squared_norm(t.b - t.a), squared_norm(t.c - t.b), squared_norm(t.a - t.c)}));
+}
+
+std::pair<Piece, Piece> halves(const Piece& piece) {
+    const auto& [a, b, c] = piece.corners;
+    const double ab = squared_norm(b - a), bc = squared_norm(c - b), ca = squared_norm(a - c);
+    Piece first = piece, second = piece;
+    ++first.level;
+    ++second.level;
+    if (ab >= bc && ab >= ca) {
+        first.corners.b = second.corners.a = (a + b) * 0.5;
+    } else if (bc >= ca) {
+        first.corners.c = second.corners.b = (b + c) * 0.5;
+    } else {
+        first.corners.c = second.corners.a = (c + a) * 0.5;
+    }
+    return {first, second};
+}
+
+Balls::Balls(const Solid& solid, std::span<const Sphere> spheres, std::uint32_t most_halvings, double caution)
+    : origin_(solid.bounds().center()), extent_(0),
+      unit_(std::numeric_limits<double>::epsilon() * (most_halvings + 8) * caution),
+      triangles_(&solid.surface().triangles) {
+    vertices_.reserve(solid.surface().vertices.size());
+    for (const Vec3& v : solid.surface().vertices) {
+        vertices_.push_back(v - origin_);
+        extent_ = std::max(extent_, norm(vertices_.back()));
+    }
+    std::vector<Box> boxes(spheres.size());
+    for (std::size_t i = 0; i < spheres.size(); ++i) {
+        const Vec3 center = spheres[i].center - origin_;
+        centers_.push_back(is_finite(center) ? center : Vec3{});
+        radii_.push_back(is_finite(center) ? shrunk(static_cast<std::uint32_t>(i), spheres[i].radius) : -infinity);
+        boxes[i].add(centers_[i]);
+    }
+    bvh_ = Bvh(boxes, 8);
+    update_largest();
+}
+
+void Balls::update_largest() {
+    largest_.assign(bvh_.nodes().size(), 0);
+    for (std::size_t n = bvh_.nodes().size(); n-- > 0;) {
+        const BvhNode& node = bvh_.nodes()[n];
+        largest_[n] = node.leaf() ? -infinity : std::max(largest_[node.first], largest_[node.first + 1]);
+        for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+            largest_[n] = std::max(largest_[n], radii_[bvh_.order()[k]]);
+        }
+    }
+}
+
+double Balls::slack(double center_norm, double radius) const {
+    return unit_ * (extent_ + center_norm + radius);
+}
+
+double Balls::full_radius(std::uint32_t i, double wanted) const {
+    const double c = norm(centers_[i]);
+    return wanted + 2 * slack(c, 2 * wanted);
+}
+
+double Balls::shrunk(std::uint32_t i, double full_radius) const {
+    return std::isfinite(full_radius) ? full_radius - slack(norm(centers_[i]), std::abs(full_radius)) : -infinity;
+}
+
+void Balls::set_radius(std::uint32_t i, double full_radius) {
+    radii_[i] = shrunk(i, full_radius);
+    update_largest();
+}
+
+bool Balls::holds(std::uint32_t i, const Corners& t) const {
+    const double limit = radii_[i] > 0 ? radii_[i] * radii_[i] : -1;
+    return squared_norm(t.a - centers_[i]) <= limit && squared_norm(t.b - centers_[i]) <= limit &&
+           squared_norm(t.c - centers_[i]) <= limit;
+}
+
+Piece Balls::piece(std::uint32_t i) const {
+    const auto& [a, b, c] = (*triangles_)[i];
+    return {{vertices_[a], vertices_[b], vertices_[c]}, i, 0};
+}
+
+void Balls::candidates(const Piece& piece, std::vector<std::uint32_t>& result) const {
+    if (bvh_.nodes().empty()) {
+        return;
+    }
+    const Middle middle = middle_of(piece.corners);
+    const auto least_gap = [&](std::uint32_t n) {
+        return std::sqrt(squared_distance(bvh_.nodes()[n], middle.point)) - largest_[n];
+    };
+    const auto visit = [&](const double& limit, auto take) {
+        std::array<std::uint32_t, Bvh::max_depth> stack;
+        std::size_t size = 0;
+        stack[size++] = 0;
+        while (size > 0) {
+            const std::uint32_t n = stack[--size];
+            const BvhNode& node = bvh_.nodes()[n];
+            if (!(least_gap(n) <= limit)) {
+                continue;
+            }
+            for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+                take(bvh_.order()[k]);
+            }
+            if (!node.leaf()) {
+                const bool ordered = least_gap(node.first) <= least_gap(node.first + 1);
+                stack[size++] = node.first + (ordered ? 1 : 0);
+                stack[size++] = node.first + (ordered ? 0 : 1);
+            }
+        }
+    };
+    double nearest_gap = infinity;
+    std::uint32_t nearest = 0;
+    visit(nearest_gap, [&](std::uint32_t i) {
+        const double g = gap(i, middle.point);
+        if (g < nearest_gap || (g == nearest_gap && i < nearest)) {
+            nearest_gap = g;
+            nearest = i;
+        }
+    });
+    if (nearest_gap == infinity) {
+        return;
+    }
+    result.push_back(nearest);
+    if (holds(nearest, piece.corners)) {
+        return;
+    }
+    const double limit = nearest_gap + 2.001 * middle.radius + unit_ * extent_;
+    visit(limit, [&](std::uint32_t i) {
+        if (i != nearest && gap(i, middle.point) <= limit) {
+            result.push_back(i);
+        }
+    });
+}
+
+void Balls::candidates(const Piece& piece, std::size_t begin, std::size_t end,
+                       std::vector<std::uint32_t>& result) const {
+    const Middle middle = middle_of(piece.corners);
+    double nearest_gap = infinity;
+    std::size_t nearest = begin;
+    for (std::size_t k = begin; k < end; ++k) {
+        const double g = gap(result[k], middle.point);
+        if (g < nearest_gap) {
+            nearest_gap = g;
+            nearest = k;
+        }
+    }
+    const std::uint32_t first = result[nearest];
+    const double limit = nearest_gap + 2.001 * middle.radius + unit_ * extent_;
+    result.push_back(first);
+    for (std::size_t k = begin; k < end; ++k) {
+        if (k != nearest && gap(result[k], middle.point) <= limit) {
+            result.push_back(result[k]);
+        }
+    }
+}
+
+} // namespace foam::geometry

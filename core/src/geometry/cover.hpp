@@ -1,0 +1,87 @@
+// Pieces of triangles and the balls that may hold them: what proofs of cover and growth share.
+#pragma once
+
+#include "geometry/bvh.hpp"
+#include "geometry/triangle.hpp"
+
+#include <foam/solid.hpp>
+#include <foam/sphere.hpp>
+
+#include <span>
+#include <vector>
+
+namespace foam::geometry {
+
+/// A triangle, or what is left of it after halvings of its longest edge.
+struct Piece {
+    Corners corners;
+    std::uint32_t triangle = 0;
+    std::uint32_t level = 0; ///< halvings so far
+};
+
+/// The two halves, cut at the middle of the longest edge (Rivara 1984: the angles stay bounded).
+std::pair<Piece, Piece> halves(const Piece& piece);
+double longest_edge(const Corners& corners);
+
+/// Largest distance from a point to the corners, and so to any point of the triangle.
+double reach(const Vec3& center, const Corners& corners);
+
+/// Balls in coordinates relative to the surface's centre, with radii made smaller by more than all rounding errors.
+///
+/// Why no uncovered point passes. Let u = 2^-53, M the largest distance of a surface vertex from the centre, |c| that
+/// of a ball's centre, r its radius, L the most halvings. Subtracting the centre rounds each coordinate by at most u·M
+/// (u·|c|). Every halving rounds the middle by at most u·M and averages the errors of its ends, so a corner of a piece
+/// is within (L + 1)·u·M of where exact arithmetic puts it, in each coordinate; the exact pieces tile the triangle. The
+/// difference of a coordinate to the ball's centre is then off by less than (L + 2)·u·M + 2u·|c|, the distance by √3
+/// times that, and the rounding of the squares, their sum and the comparison adds less than 4u times the distance,
+/// which is at most r when the test passes. All that is below 2u·(L + 8)·(M + |c| + r) = slack. So if the test against
+/// r - slack passes, the exact corners lie in the exact ball, and the exact piece does by convexity.
+class Balls {
+public:
+    /// `caution`: multiplies the slack. Balls that are not finite, or not larger than the slack, hold nothing.
+    /// Holds references into `solid`, which must stay alive.
+    Balls(const Solid& solid, std::span<const Sphere> spheres, std::uint32_t most_halvings, double caution = 1);
+
+    std::size_t size() const { return centers_.size(); }
+    const Vec3& center(std::uint32_t i) const { return centers_[i]; }
+    /// Radius less slack; a ball whose radius is not above zero then holds nothing; -infinity if it is not finite.
+    double radius(std::uint32_t i) const { return radii_[i]; }
+    /// Radius and slack of a ball that just holds what is within `reach` of its centre: the inverse of radius().
+    double full_radius(std::uint32_t i, double reach) const;
+    /// Takes a new full radius; not finite: the ball holds nothing.
+    void set_radius(std::uint32_t i, double full_radius);
+
+    bool holds(std::uint32_t i, const Corners& corners) const;
+    /// How far `p` is outside ball `i`; negative inside.
+    double gap(std::uint32_t i, const Vec3& p) const { return distance(p, centers_[i]) - radii_[i]; }
+
+    /// The balls that may be the nearest to some point of the piece, or may hold it: ball i is left out only if another
+    /// ball j is so much nearer (|p - c_j| - r_j < |p - c_i| - r_i for every p of the piece) that it holds whatever i
+    /// holds. The one that is nearest to the piece's middle comes first. Appends to `result`.
+    void candidates(const Piece& piece, std::vector<std::uint32_t>& result) const;
+    /// The same, choosing from result[begin, end).
+    void candidates(const Piece& piece, std::size_t begin, std::size_t end, std::vector<std::uint32_t>& result) const;
+
+    /// Triangle `i` of the surface, relative to the centre.
+    Piece piece(std::uint32_t i) const;
+    std::size_t piece_count() const { return triangles_->size(); }
+    Vec3 to_solid(const Vec3& p) const { return p + origin_; }
+    double extent() const { return extent_; }
+
+private:
+    double slack(double center_norm, double radius) const;
+    double shrunk(std::uint32_t i, double full_radius) const;
+    void update_largest();
+
+    Vec3 origin_;
+    double extent_; // M
+    double unit_;   // 2u·(L + 8)·caution
+    const std::vector<Triangle>* triangles_;
+    std::vector<Vec3> vertices_;
+    std::vector<Vec3> centers_;
+    std::vector<double> radii_;
+    Bvh bvh_;                     // over the centres
+    std::vector<double> largest_; // radius below each node
+};
+
+} // namespace foam::geometry

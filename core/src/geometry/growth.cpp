@@ -1,0 +1,207 @@
+// Growth by the worst gap first, after which nothing is left uncovered.
+#include "geometry/growth.hpp"
+
+#include "geometry/exposure.hpp"
+
+#include <foam/error.hpp>
+#include <foam/measure.hpp>
+
+#include <queue>
+
+namespace foam {
+namespace geometry {
+namespace {
+
+/// A piece is given to one ball when some corner of it is uncovered by this share of what would close the whole piece.
+constexpr double fine_enough = 0.8;
+/// Pieces smaller than this share of the extent are not split: growing by their size costs nothing.
+constexpr double smallest_piece = 1e-8;
+/// As many of the nearest balls are compared by the volume they would add.
+constexpr std::size_t compared = 4;
+
+/// Best-first search: the queue's keys are upper bounds of the pieces' gaps, as balls only grow.
+class Growth {
+public:
+    Growth(const Solid& solid, std::vector<Sphere>& spheres, double quantum)
+        : spheres_(spheres), quantum_(quantum), balls_(solid, spheres, growth_halvings, growth_caution),
+          exposure_(solid, 48) {}
+
+    void run() {
+        for (std::uint32_t i = 0; i < balls_.piece_count(); ++i) {
+            enqueue(balls_.piece(i));
+        }
+        while (!queue_.empty()) {
+            const Entry entry = queue_.top();
+            queue_.pop();
+            const Bounds now = bounds(entry.piece);
+            if (now.held) {
+                continue;
+            }
+            if (now.upper < entry.gap && !queue_.empty() && now.upper < queue_.top().gap) {
+                push(entry.piece, now.upper); // others are worse by now
+                continue;
+            }
+            const bool small = longest_edge(entry.piece.corners) <= smallest_piece * balls_.extent() ||
+                               entry.piece.level >= growth_halvings;
+            if (small || now.lower >= fine_enough * now.upper) {
+                give(entry.piece);
+                continue;
+            }
+            const auto [first, second] = halves(entry.piece);
+            enqueue(first);
+            enqueue(second);
+        }
+    }
+
+private:
+    struct Entry {
+        double gap;
+        std::uint64_t number; // of its making: equal gaps are taken in order
+        Piece piece;
+        bool operator<(const Entry& other) const { return gap != other.gap ? gap < other.gap : number > other.number; }
+    };
+    struct Bounds {
+        bool held = false;
+        double lower = 0, upper = 0; // of the gap
+    };
+
+    void push(const Piece& piece, double gap) { queue_.push({gap, made_++, piece}); }
+
+    void enqueue(const Piece& piece) {
+        const Bounds b = bounds(piece);
+        if (!b.held) {
+            push(piece, b.upper);
+        }
+    }
+
+    Bounds bounds(const Piece& piece) {
+        candidates_.clear();
+        balls_.candidates(piece, candidates_);
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        const std::array<Vec3, 3> corners{piece.corners.a, piece.corners.b, piece.corners.c};
+        std::array<double, 3> corner_gap{infinity, infinity, infinity};
+        Bounds result{false, 0, infinity};
+        for (const std::uint32_t i : candidates_) {
+            if (balls_.holds(i, piece.corners)) {
+                return {true, 0, 0};
+            }
+            double worst = -infinity;
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double gap = balls_.gap(i, corners[c]);
+                corner_gap[c] = std::min(corner_gap[c], gap);
+                worst = std::max(worst, gap);
+            }
+            result.upper = std::min(result.upper, worst);
+        }
+        result.lower = *std::max_element(corner_gap.begin(), corner_gap.end());
+        return result;
+    }
+
+    /// Lets the ball grow that adds the least.
+    void give(const Piece& piece) {
+        std::vector<std::pair<double, std::uint32_t>> growths;
+        for (std::uint32_t i = 0; i < balls_.size(); ++i) {
+            if (std::isfinite(balls_.radius(i))) {
+                growths.push_back({reach(balls_.center(i), piece.corners) - balls_.radius(i), i});
+            }
+        }
+        const std::size_t count = std::min(compared, growths.size());
+        std::partial_sort(growths.begin(), growths.begin() + static_cast<std::ptrdiff_t>(count), growths.end());
+        double least = std::numeric_limits<double>::infinity();
+        std::uint32_t best = growths[0].second;
+        double best_radius = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::uint32_t i = growths[k].second;
+            const double radius = radius_to_hold(i, piece);
+            // A share of the plain growth settles ties between balls that add nothing yet.
+            const double whole =
+                radius * radius * radius - spheres_[i].radius * spheres_[i].radius * spheres_[i].radius;
+            const double cost = count == 1 ? 0 : exposure_.change(spheres_, i, radius) + 0.02 * whole;
+            if (cost < least) {
+                least = cost;
+                best = i;
+                best_radius = radius;
+            }
+        }
+        spheres_[best].radius = best_radius;
+        balls_.set_radius(best, best_radius);
+    }
+
+    double radius_to_hold(std::uint32_t i, const Piece& piece) const {
+        double radius = balls_.full_radius(i, reach(balls_.center(i), piece.corners));
+        return rounded_up(std::max(radius, spheres_[i].radius), quantum_);
+    }
+
+    std::vector<Sphere>& spheres_;
+    double quantum_;
+    Balls balls_;
+    Exposure exposure_;
+    std::priority_queue<Entry> queue_;
+    std::uint64_t made_ = 0;
+    std::vector<std::uint32_t> candidates_;
+};
+
+} // namespace
+
+double rounded_up(double radius, double quantum) {
+    if (!(quantum > 0) || !std::isfinite(radius)) {
+        return radius;
+    }
+    double steps = std::ceil(radius / quantum);
+    while (steps * quantum < radius) {
+        ++steps;
+    }
+    return steps * quantum;
+}
+
+void grow(const Solid& solid, std::vector<Sphere>& spheres, double quantum) {
+    Growth(solid, spheres, quantum).run();
+}
+
+} // namespace geometry
+
+namespace {
+
+void check_growable(const std::vector<Sphere>& spheres) {
+    for (const Sphere& s : spheres) {
+        if (is_finite(s.center) && std::isfinite(s.radius)) {
+            return;
+        }
+    }
+    throw Error(ErrorCode::geometry,
+                "there is no sphere with finite centre and radius that could grow to cover the solid");
+}
+
+/// Rounding up is all that can still be missing; the last resort is one ball around everything.
+void close_what_is_left(const Solid& solid, std::vector<Sphere>& spheres, double quantum) {
+    for (int round = 0; round < 3; ++round) {
+        if (certify(solid, spheres).holds) {
+            return;
+        }
+        geometry::grow(solid, spheres, quantum);
+    }
+    if (!certify(solid, spheres).holds) {
+        throw Error(ErrorCode::internal, "growth left a part of the surface uncovered");
+    }
+}
+
+} // namespace
+
+std::vector<Sphere> grown_to_cover(const Solid& solid, std::vector<Sphere> spheres, double quantum) {
+    check_growable(spheres);
+    for (Sphere& s : spheres) {
+        s.radius = geometry::rounded_up(s.radius, quantum);
+    }
+    std::vector<double> floor;
+    for (const Sphere& s : spheres) {
+        floor.push_back(s.radius);
+    }
+    if (!certify(solid, spheres).holds) {
+        geometry::grow(solid, spheres, quantum);
+        geometry::shrink(solid, spheres, floor, quantum);
+        close_what_is_left(solid, spheres, quantum);
+    }
+    return spheres;
+}
+
+} // namespace foam

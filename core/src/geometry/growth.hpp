@@ -1,0 +1,30 @@
+// Radii that cover a surface.
+#pragma once
+
+#include "geometry/cover.hpp"
+
+#include <foam/sphere.hpp>
+
+#include <vector>
+
+namespace foam::geometry {
+
+/// Halvings to which growth and shrinking look at pieces. certify() looks further.
+inline constexpr std::uint32_t growth_halvings = 120;
+/// Growth keeps twice the distance from rounding that proofs ask for.
+inline constexpr double growth_caution = 2;
+
+/// Radii that are multiples of `quantum`, rounded up; as they are if quantum is 0.
+double rounded_up(double radius, double quantum);
+
+/// Grows balls until every triangle is held, the worst gaps first, each by the ball that adds the least volume outside.
+void grow(const Solid& solid, std::vector<Sphere>& spheres, double quantum);
+
+/// The least radius with which ball `i` holds what the others leave uncovered; 0 if they leave nothing. `limit`: a
+/// radius with which it does.
+double needed_radius(Balls& balls, std::uint32_t i, double limit);
+
+/// Shrinks each sphere, the one that adds most outside first, to its needed radius, but not below `floor[i]`.
+void shrink(const Solid& solid, std::vector<Sphere>& spheres, const std::vector<double>& floor, double quantum);
+
+} // namespace foam::geometry

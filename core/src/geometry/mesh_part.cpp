@@ -1,0 +1,179 @@
+#include "geometry/mesh_part.hpp"
+
+namespace foam::geometry {
+
+MeshPart::MeshPart(const Mesh& mesh, const Reading& reading) : closed_(reading.closed) {
+    const std::size_t count = mesh.triangles.size();
+    std::vector<Box> boxes(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        for (const std::uint32_t corner : mesh.triangles[i]) {
+            boxes[i].add(mesh.vertices[corner]);
+        }
+        box_.add(boxes[i]);
+    }
+    const Vec3 center = box_.center();
+    bvh_ = Bvh(boxes);
+    items_.reserve(count);
+    for (const std::uint32_t i : bvh_.order()) {
+        const auto& [a, b, c] = mesh.triangles[i];
+        Item item{{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}, i, reading.facing[i] != Facing::ignored};
+        if (reading.facing[i] == Facing::flipped) {
+            std::swap(item.corners.b, item.corners.c);
+        }
+        items_.push_back(item);
+    }
+    for (const Item& item : items_) {
+        if (item.counts) {
+            signed_volume_ += dot(item.corners.a - center, cross(item.corners.b - center, item.corners.c - center)) / 6;
+        }
+    }
+    double largest = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        largest = std::max({largest, std::abs(box_.low[axis]), std::abs(box_.high[axis])});
+    }
+    tolerance_ = 8 * std::numeric_limits<double>::epsilon() * largest;
+    if (!closed_) {
+        compute_moments();
+    }
+}
+
+void MeshPart::closest(const Vec3& p, Nearest& nearest) const {
+    struct Waiting {
+        double squared_distance;
+        std::uint32_t node;
+    };
+    const std::vector<BvhNode>& nodes = bvh_.nodes();
+    std::array<Waiting, Bvh::max_depth> stack;
+    std::size_t size = 0;
+    stack[size++] = {squared_distance(nodes[0], p), 0};
+    while (size > 0) {
+        const Waiting waiting = stack[--size];
+        if (!(waiting.squared_distance < nearest.squared_distance)) {
+            continue;
+        }
+        const BvhNode& node = nodes[waiting.node];
+        if (!node.leaf()) {
+            const Waiting first{squared_distance(nodes[node.first], p), node.first};
+            const Waiting second{squared_distance(nodes[node.first + 1], p), node.first + 1};
+            const bool ordered = first.squared_distance <= second.squared_distance;
+            stack[size++] = ordered ? second : first; // the nearer one is looked at first
+            stack[size++] = ordered ? first : second;
+            continue;
+        }
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+            const Vec3 q = closest_on_triangle(items_[i].corners, p);
+            const double d2 = squared_norm(q - p);
+            if (d2 < nearest.squared_distance) {
+                nearest = {d2, q, items_[i].index};
+            }
+        }
+    }
+}
+
+bool MeshPart::touches(const Vec3& p, double distance) const {
+    Nearest nearest{std::nextafter(distance * distance, std::numeric_limits<double>::infinity())};
+    const double limit = nearest.squared_distance;
+    closest(p, nearest);
+    return nearest.squared_distance < limit;
+}
+
+bool MeshPart::contains(const Vec3& p) const {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(box_.low[axis] - tolerance_ <= p[axis] && p[axis] <= box_.high[axis] + tolerance_)) {
+            return false;
+        }
+    }
+    return winding(p) > 0.5 || touches(p, tolerance_);
+}
+
+double MeshPart::winding(const Vec3& p) const {
+    if (closed_) {
+        int result = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (winding_by_line(p, axis, result)) {
+                return result;
+            }
+        }
+    }
+    return winding_by_expansion(p);
+}
+
+template <class Visit> void MeshPart::visit_line(const Line& line, Visit visit) const {
+    const std::vector<BvhNode>& nodes = bvh_.nodes();
+    // Boxes are tested a little larger than they are, so that rounding never hides a triangle.
+    const double margin = tolerance_ + 1e-12 * (box_.diagonal() + norm(line.origin() - box_.center()));
+    const Vec3 o = line.origin(), d = line.direction();
+    const int u = (line.axis() + 1) % 3, v = (line.axis() + 2) % 3;
+    const bool aligned = line.axis_aligned();
+    const auto hit = [&](const BvhNode& node) {
+        if (aligned) {
+            return node.low[u] - margin <= o[u] && o[u] <= node.high[u] + margin && node.low[v] - margin <= o[v] &&
+                   o[v] <= node.high[v] + margin;
+        }
+        // Separating axes between a line and a box: the three cross products of the direction with the edges.
+        const Vec3 half = (node.high - node.low) * 0.5 + Vec3{margin, margin, margin};
+        const Vec3 c = cross(d, (node.low + node.high) * 0.5 - o);
+        const double ax = std::abs(d.x), ay = std::abs(d.y), az = std::abs(d.z);
+        return std::abs(c.x) <= ay * half.z + az * half.y && std::abs(c.y) <= az * half.x + ax * half.z &&
+               std::abs(c.z) <= ax * half.y + ay * half.x;
+    };
+    std::array<std::uint32_t, Bvh::max_depth> stack;
+    std::size_t size = 0;
+    stack[size++] = 0;
+    while (size > 0) {
+        const BvhNode& node = nodes[stack[--size]];
+        if (!hit(node)) {
+            continue;
+        }
+        if (!node.leaf()) {
+            stack[size++] = node.first + 1;
+            stack[size++] = node.first;
+            continue;
+        }
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+            double t = 0;
+            if (items_[i].counts) {
+                if (const int change = line.cross(items_[i].corners, t); change != 0) {
+                    visit(t, change);
+                }
+            }
+        }
+    }
+}
+
+bool MeshPart::winding_by_line(const Vec3& p, int axis, int& winding) const {
+    Vec3 direction{};
+    direction[axis] = 1;
+    int before = 0, total = 0;
+    visit_line(Line(p, direction), [&](double t, int change) {
+        before += t <= 0 ? change : 0;
+        total += change;
+    });
+    winding = before;
+    return total == 0;
+}
+
+void MeshPart::crossings(const Vec3& origin, const Vec3& direction, std::vector<Crossing>& result) const {
+    // Ties are broken consistently, so the changes sum to zero; only where rounding hits several edges at once they may
+    // not. A line a hair's breadth beside it then tells the same within rounding.
+    const double step = 1e-11 * box_.diagonal() + tolerance_;
+    Vec3 shifted = origin;
+    for (int attempt = 0; attempt < 8; ++attempt) {
+        result.clear();
+        int total = 0;
+        visit_line(Line(shifted, direction), [&](double t, int change) {
+            result.push_back({t, change});
+            total += change;
+        });
+        if (total == 0) {
+            break;
+        }
+        const double turn = 2.39996322972865332 * attempt; // the golden angle: a new direction every time
+        shifted = origin + step * (attempt + 1) * Vec3{std::cos(turn), std::sin(turn), std::cos(2 * turn + 1)};
+    }
+    std::sort(result.begin(), result.end(), [](const Crossing& a, const Crossing& b) {
+        return a.t != b.t ? a.t < b.t : a.change > b.change; // enter first: parts that touch become one
+    });
+}
+
+} // namespace foam::geometry

@@ -1,0 +1,36 @@
+// Points on surfaces.
+#include <foam/random.hpp>
+#include <foam/solid.hpp>
+
+namespace foam {
+
+/// One point in each of `count` equal shares of the area, in the order of the triangles, placed in its triangle by the
+/// map of Osada, Funkhouser, Chazelle, Dobkin 2002, equation 1.
+std::vector<SurfacePoint> Solid::sample_surface(std::size_t count, std::uint64_t seed) const {
+    const Mesh& mesh = surface();
+    std::vector<double> up_to; // area of the triangles up to and with this one
+    up_to.reserve(mesh.triangles.size());
+    double sum = 0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+        sum += norm(cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a])) / 2;
+        up_to.push_back(sum);
+    }
+    Random random(derive_seed(seed, "sample_surface"));
+    std::vector<SurfacePoint> points;
+    points.reserve(count);
+    std::size_t triangle = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double at = (static_cast<double>(i) + random.uniform()) / static_cast<double>(count) * sum;
+        while (triangle + 1 < up_to.size() && !(at < up_to[triangle])) {
+            ++triangle;
+        }
+        const auto& [ia, ib, ic] = mesh.triangles[triangle];
+        const Vec3 &a = mesh.vertices[ia], &b = mesh.vertices[ib], &c = mesh.vertices[ic];
+        const double root = std::sqrt(random.uniform()), v = random.uniform();
+        points.push_back({a + (b - a) * (root * (1 - v)) + (c - a) * (root * v), normalized(cross(b - a, c - a)),
+                          static_cast<std::uint32_t>(triangle)});
+    }
+    return points;
+}
+
+} // namespace foam

@@ -1,0 +1,173 @@
+#include "geometry/solid_data.hpp"
+
+#include <foam/error.hpp>
+
+#include <tbb/task_arena.h>
+
+#include <string>
+
+namespace foam {
+namespace {
+
+using geometry::Nearest;
+using geometry::PartQueries;
+using geometry::PrimitivePart;
+
+void check_mesh(const Mesh& mesh, std::size_t part) {
+    const std::string where = "part " + std::to_string(part) + " of the solid";
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        if (!is_finite(mesh.vertices[i])) {
+            throw Error(ErrorCode::geometry, "vertex " + std::to_string(i) + " in " + where +
+                                                 " is not finite; repair the mesh or leave its triangles out");
+        }
+    }
+    for (const Triangle& t : mesh.triangles) {
+        if (std::max({t[0], t[1], t[2]}) >= mesh.vertices.size()) {
+            throw Error(ErrorCode::geometry, "a triangle in " + where + " refers to a vertex that does not exist");
+        }
+    }
+}
+
+/// The part as a mesh in the solid's frame, wound outwards where that can be told.
+std::pair<Mesh, geometry::Reading> part_mesh(const Solid::Part& part, std::size_t index) {
+    if (part.primitive) {
+        geometry::check_primitive(*part.primitive);
+        Mesh mesh = transformed(enclosing_mesh(*part.primitive), part.pose);
+        check_mesh(mesh, index);
+        geometry::Reading reading{std::vector(mesh.triangles.size(), geometry::Facing::as_given), true};
+        return {std::move(mesh), std::move(reading)};
+    }
+    if (!part.mesh) {
+        throw Error(ErrorCode::geometry, "part " + std::to_string(index) +
+                                             " of the solid is neither a mesh nor a primitive; give it one of them");
+    }
+    check_mesh(*part.mesh, index);
+    return {*part.mesh, geometry::read_as_solid(*part.mesh)};
+}
+
+void add_part(geometry::SolidData& data, std::size_t index) {
+    const Solid::Part& part = data.parts[index];
+    auto [mesh, reading] = part_mesh(part, index);
+    if (mesh.triangles.empty()) {
+        data.offsets.push_back(data.offsets.back());
+        return;
+    }
+    std::optional<PrimitivePart> primitive;
+    if (part.primitive) {
+        primitive.emplace(*part.primitive, part.pose);
+    }
+    geometry::MeshPart queries(mesh, reading);
+    const Box box = queries.bounds();
+    data.queries.push_back({std::move(queries), std::move(primitive), box});
+    data.closed = data.closed && data.queries.back().closed();
+    data.box.add(box);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        if (reading.facing[i] == geometry::Facing::flipped) {
+            std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
+        }
+    }
+    append(data.surface, mesh);
+    data.offsets.push_back(static_cast<std::uint32_t>(data.surface.triangles.size()));
+}
+
+} // namespace
+
+Solid::Solid(std::unique_ptr<const Data> data) : data_(std::move(data)) {}
+Solid::~Solid() = default;
+
+std::shared_ptr<const Solid> Solid::make(std::vector<Part> parts) {
+    auto data = std::make_unique<Data>();
+    data->parts = std::move(parts);
+    data->offsets.push_back(0);
+    for (std::size_t i = 0; i < data->parts.size(); ++i) {
+        add_part(*data, i);
+    }
+    if (data->surface.triangles.empty()) {
+        throw Error(ErrorCode::geometry, "there is no triangle: a solid needs a mesh with triangles or a primitive");
+    }
+    data->area = surface_area(data->surface);
+    return std::shared_ptr<const Solid>(new Solid(std::move(data)));
+}
+
+std::shared_ptr<const Solid> Solid::make(Mesh mesh) {
+    return make(std::vector<Part>{{std::make_shared<const Mesh>(std::move(mesh)), std::nullopt, Pose{}}});
+}
+
+const std::vector<Solid::Part>& Solid::parts() const {
+    return data_->parts;
+}
+const Mesh& Solid::surface() const {
+    return data_->surface;
+}
+std::span<const std::uint32_t> Solid::part_offsets() const {
+    return data_->offsets;
+}
+const Box& Solid::bounds() const {
+    return data_->box;
+}
+double Solid::area() const {
+    return data_->area;
+}
+bool Solid::closed() const {
+    return data_->closed;
+}
+
+double Solid::volume() const {
+    // Isolated: a thread that waits inside must not take up another task that asks for the same volume.
+    std::call_once(data_->volume_once, [this] {
+        tbb::this_task_arena::isolate([this] { data_->volume = geometry::union_of_parts_volume(*data_, *this); });
+    });
+    return data_->volume;
+}
+
+SurfacePoint Solid::closest(const Vec3& point) const {
+    Nearest nearest{std::numeric_limits<double>::infinity()};
+    std::uint32_t triangle = 0;
+    std::size_t query = 0;
+    for (std::size_t part = 0; part + 1 < data_->offsets.size(); ++part) {
+        if (data_->offsets[part] == data_->offsets[part + 1]) {
+            continue;
+        }
+        const double before = nearest.squared_distance;
+        data_->queries[query++].mesh.closest(point, nearest);
+        if (nearest.squared_distance < before) {
+            triangle = data_->offsets[part] + nearest.triangle;
+        }
+    }
+    const auto& [a, b, c] = data_->surface.triangles[triangle];
+    const std::vector<Vec3>& v = data_->surface.vertices;
+    return {nearest.point, normalized(cross(v[b] - v[a], v[c] - v[a])), triangle};
+}
+
+bool Solid::contains(const Vec3& point) const {
+    for (const PartQueries& part : data_->queries) {
+        if (part.contains(point)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+double Solid::signed_distance(const Vec3& point) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const PartQueries& part : data_->queries) {
+        if (part.primitive) {
+            least = std::min(least, part.primitive->signed_distance(point));
+            continue;
+        }
+        Nearest nearest{std::numeric_limits<double>::infinity()};
+        part.mesh.closest(point, nearest);
+        const double distance = std::sqrt(nearest.squared_distance);
+        if (distance < least || least < 0) {
+            least = std::min(least, part.mesh.contains(point) ? -distance : distance);
+        }
+    }
+    return least;
+}
+
+Shape::Shape(std::string name, std::shared_ptr<const Solid> processed, std::shared_ptr<const Solid> original)
+    : name_(std::move(name)), processed_(std::move(processed)), original_(std::move(original)) {}
+Shape::~Shape() = default;
+Shape::Shape(const Shape&) = default;
+
+} // namespace foam

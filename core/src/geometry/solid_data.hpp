@@ -1,0 +1,56 @@
+// What a Solid holds.
+#pragma once
+
+#include "geometry/mesh_part.hpp"
+#include "geometry/primitive.hpp"
+
+#include <foam/solid.hpp>
+
+#include <mutex>
+
+namespace foam::geometry {
+
+/// One part of the union, ready for queries.
+struct PartQueries {
+    MeshPart mesh; ///< of a primitive: its tessellation
+    std::optional<PrimitivePart> primitive;
+    Box box; ///< of the tessellation
+
+    bool closed() const { return primitive.has_value() || mesh.closed(); }
+    bool contains(const Vec3& p) const { return primitive ? primitive->signed_distance(p) <= 0 : mesh.contains(p); }
+    /// Of one part on its own.
+    double volume() const { return primitive ? primitive->volume() : mesh.signed_volume(); }
+};
+
+struct SolidData {
+    std::vector<Solid::Part> parts;
+    Mesh surface;
+    std::vector<std::uint32_t> offsets;
+    Box box;
+    double area = 0;
+    bool closed = true;
+    std::vector<PartQueries> queries;
+
+    mutable std::once_flag volume_once;
+    mutable double volume = 0;
+};
+
+/// Where the winding number of a mesh part, or the inside of a primitive, begins and ends along a line: pieces of a
+/// piece-wise constant function. Appends to `pieces`.
+struct WindingPiece {
+    double enter, leave;
+    int winding;
+};
+void winding_along(const PartQueries& part, const Vec3& origin, const Vec3& direction, std::vector<Crossing>& scratch,
+                   std::vector<WindingPiece>& pieces);
+/// The union of intervals: sorted, disjoint; those that touch become one.
+void unite(std::vector<Solid::Interval>& intervals);
+
+/// volume.cpp
+double union_of_parts_volume(const SolidData& data, const Solid& solid);
+
+} // namespace foam::geometry
+
+namespace foam {
+struct Solid::Data : geometry::SolidData {};
+} // namespace foam
