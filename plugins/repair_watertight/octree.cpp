@@ -55,22 +55,16 @@ Octree::Octree(const Mesh& mesh, std::size_t leaves, Context& context) {
         offsets_ = {0};
         triangles_.clear();
         for (std::size_t k = 0; k < frontier.size(); ++k) {
-            const auto first = static_cast<std::uint32_t>(nodes_.size());
-            const Node parent = nodes_[frontier[k]];
-            nodes_[frontier[k]].state = State::split;
-            nodes_[frontier[k]].first_child = first;
+            const std::uint32_t first = split(frontier[k]);
             for (std::uint32_t child = 0; child < 8; ++child) {
-                Node node{0, State::enclosed, static_cast<std::uint8_t>(parent.level + 1),
-                          child_place(parent.place, static_cast<int>(child))};
                 const std::vector<std::uint32_t>& list = dealt[k][child];
                 if (!list.empty()) {
-                    node.state = State::occupied;
-                    node.first_child = static_cast<std::uint32_t>(next.size());
+                    nodes_[first + child].state = State::occupied;
+                    nodes_[first + child].first_child = static_cast<std::uint32_t>(next.size());
                     next.push_back(first + child);
                     triangles_.insert(triangles_.end(), list.begin(), list.end());
                     offsets_.push_back(static_cast<std::uint32_t>(triangles_.size()));
                 }
-                nodes_.push_back(node);
             }
         }
         frontier = std::move(next);
@@ -111,6 +105,23 @@ std::span<const std::uint32_t> Octree::triangles_at(const Cell& cell) const {
 Cell Octree::low_cell(const Node& node) const {
     const int shift = depth_ - node.level;
     return {node.place[0] << shift, node.place[1] << shift, node.place[2] << shift};
+}
+
+Vec3 Octree::center(const Node& node) const {
+    const Cell& place = node.place;
+    return Vec3{place[0] + 0.5, place[1] + 0.5, place[2] + 0.5} * std::ldexp(1.0, -node.level);
+}
+
+std::uint32_t Octree::split(std::uint32_t leaf) {
+    const auto first = static_cast<std::uint32_t>(nodes_.size());
+    const Node parent = nodes_[leaf];
+    nodes_[leaf].state = State::split;
+    nodes_[leaf].first_child = first;
+    for (int child = 0; child < 8; ++child) {
+        nodes_.push_back(
+            {0, State::enclosed, static_cast<std::uint8_t>(parent.level + 1), child_place(parent.place, child)});
+    }
+    return first;
 }
 
 } // namespace foam::watertight

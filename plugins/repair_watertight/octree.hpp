@@ -4,6 +4,7 @@
 
 #include <foam/context.hpp>
 #include <foam/mesh.hpp>
+#include <foam/solid.hpp>
 
 #include <array>
 #include <cstdint>
@@ -19,6 +20,7 @@ enum class State : std::uint8_t {
     split,    ///< has eight children
     occupied, ///< touched by a triangle; of the finest level
     enclosed, ///< empty and not reached from outside
+    filled,   ///< empty, and inside by its winding number
     outside,  ///< empty and reached from outside
 };
 
@@ -48,6 +50,9 @@ public:
     std::span<const std::uint32_t> triangles_at(const Cell& cell) const;
     /// The lowest cell of a leaf, and how many cells long it is.
     Cell low_cell(const Node& node) const;
+    Vec3 center(const Node& node) const;
+    /// Gives an empty leaf eight empty children; returns the first.
+    std::uint32_t split(std::uint32_t leaf);
     std::int32_t cells_across(const Node& node) const { return std::int32_t{1} << (depth_ - node.level); }
 
 private:
@@ -58,6 +63,10 @@ private:
     std::vector<std::uint32_t> offsets_; // of the k-th occupied leaf (its first_child is k) in triangles_
     std::vector<std::uint32_t> triangles_;
 };
+
+/// Marks as filled the empty leaves that lie inside of an open `solid` (generalised winding number above one half), so
+/// that flood fill through a hole does not turn the solid into a thin shell. Leaves on both sides are split.
+void fill_openings(Octree& octree, const Solid& solid, Context& context);
 
 /// Marks as outside every empty leaf that can be reached from beyond the root across faces of empty leaves.
 void flood_from_outside(Octree& octree);

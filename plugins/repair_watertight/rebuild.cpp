@@ -30,13 +30,19 @@ struct Frame {
 
 } // namespace
 
-Mesh rebuilt(const Mesh& mesh, std::size_t leaves, Context& context) {
+Mesh rebuilt(const Mesh& mesh, const RebuildOptions& options, Context& context) {
     const Frame frame(bounds(mesh));
     Mesh input = mesh;
     for (Vec3& p : input.vertices) {
         p = frame.in(p);
     }
-    Octree octree(input, leaves, context);
+    Octree octree(input, options.leaves, context);
+    if (options.fill_openings) {
+        const std::shared_ptr<const Solid> solid = Solid::make(input);
+        if (!solid->closed()) {
+            fill_openings(octree, *solid, context);
+        }
+    }
     flood_from_outside(octree);
     context.metric("occupied_cells", static_cast<double>(octree.occupied()), "1");
     const VoxelSurface voxels = voxel_surface(octree, context);

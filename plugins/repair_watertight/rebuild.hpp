@@ -8,8 +8,14 @@
 
 namespace foam::watertight {
 
-/// A closed, outward, 2-manifold surface around the triangles of `mesh` at the resolution of an octree of `leaves`
-/// occupied cells; cavities are filled. Precondition: at least one triangle with an area.
-Mesh rebuilt(const Mesh& mesh, std::size_t leaves, Context& context);
+struct RebuildOptions {
+    std::size_t leaves = 0; ///< least number of occupied cells of the octree
+    bool fill_openings =
+        false; ///< the inside of a mesh with holes is solid, too, not only what flood fill cannot reach
+};
+
+/// A closed, outward, 2-manifold surface around the triangles of `mesh`; cavities are filled. Precondition: at least
+/// one triangle with an area.
+Mesh rebuilt(const Mesh& mesh, const RebuildOptions& options, Context& context);
 
 } // namespace foam::watertight

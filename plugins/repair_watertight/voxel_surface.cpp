@@ -72,7 +72,7 @@ private:
 
     void collect_faces() {
         for (const Node& node : octree_.nodes()) {
-            if (node.state == State::occupied || node.state == State::enclosed) {
+            if (node.state == State::occupied || node.state == State::filled) {
                 for (std::size_t axis = 0; axis < 3; ++axis) {
                     collect_side(node, {axis, -1});
                     collect_side(node, {axis, 1});
