@@ -41,9 +41,9 @@ std::optional<double> Reader::number(const xml::Element& element, std::string_vi
     if (!element.attribute(attribute)) {
         return {};
     }
-    const std::string_view text = required(element, attribute);
-    const std::size_t first = std::min(text.find_first_not_of(" \t\r\n"), text.size());
-    return parse(element, attribute, text.substr(first, text.find_last_not_of(" \t\r\n") + 1 - first));
+    const std::string& text = required(element, attribute);
+    const std::vector<std::string_view> pieces = words(text);
+    return parse(element, attribute, pieces.size() == 1 ? pieces.front() : text);
 }
 
 double Reader::required_number(const xml::Element& element, std::string_view attribute) const {
@@ -55,22 +55,14 @@ std::optional<Vec3> Reader::vector(const xml::Element& element, std::string_view
     if (!element.attribute(attribute)) {
         return {};
     }
-    const std::string_view text = required(element, attribute);
-    Vec3 result;
-    int count = 0;
-    for (std::size_t begin = 0; (begin = text.find_first_not_of(" \t\r\n", begin)) != std::string_view::npos; ++count) {
-        const std::size_t end = std::min(text.find_first_of(" \t\r\n", begin), text.size());
-        const double value = parse(element, attribute, text.substr(begin, end - begin));
-        if (count < 3) {
-            result[count] = value;
-        }
-        begin = end;
-    }
-    if (count != 3) {
+    const std::string& text = required(element, attribute);
+    const std::vector<std::string_view> pieces = words(text);
+    if (pieces.size() != 3) {
         fail(element,
-             fmt::format("<{} {}=\"{}\"> expects three numbers, got {}", element.name, attribute, text, count));
+             fmt::format("<{} {}=\"{}\"> expects three numbers, got {}", element.name, attribute, text, pieces.size()));
     }
-    return result;
+    return Vec3{parse(element, attribute, pieces[0]), parse(element, attribute, pieces[1]),
+                parse(element, attribute, pieces[2])};
 }
 
 const xml::Element* Reader::only_child(const xml::Element& element, std::string_view name) const {

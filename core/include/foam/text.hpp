@@ -1,9 +1,10 @@
-// Numbers in texts, the same in every locale.
+// Numbers and words in texts, the same in every locale.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace foam {
 
@@ -12,5 +13,7 @@ std::string number_text(double value);
 /// The value of a text that is one decimal number ("0.1", "+2", "-1e-3") and nothing else; nothing if it is not, or if
 /// the number is not finite ("nan", "inf", "1e999").
 std::optional<double> parse_number(std::string_view text);
+/// The pieces of a text between spaces, tabs and line ends; views into `text`.
+std::vector<std::string_view> words(std::string_view text);
 
 } // namespace foam

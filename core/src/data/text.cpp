@@ -1,5 +1,6 @@
 #include <foam/text.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -22,6 +23,17 @@ std::optional<double> parse_number(std::string_view text) {
         return {};
     }
     return value;
+}
+
+std::vector<std::string_view> words(std::string_view text) {
+    constexpr std::string_view blank = " \t\r\n";
+    std::vector<std::string_view> result;
+    for (std::size_t begin = 0; (begin = text.find_first_not_of(blank, begin)) != std::string_view::npos;) {
+        const std::size_t end = std::min(text.find_first_of(blank, begin), text.size());
+        result.push_back(text.substr(begin, end - begin));
+        begin = end;
+    }
+    return result;
 }
 
 } // namespace foam

@@ -1,0 +1,45 @@
+// The ways to lay out a model in JSON.
+#pragma once
+
+#include <foam/model.hpp>
+#include <foam/text.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace foam {
+
+using Json = nlohmann::ordered_json; // groups of a link stay in their order
+using SpheresByLink = std::map<std::string, std::vector<Sphere>>;
+
+/// foam's own: schemas/spheres.schema.json.
+std::string write_links_layout(const SphereModel& model);
+SpheresByLink read_links_layout(const Json& document);
+
+/// The database of Coumar et al. 2025: {"link::mesh": {"<branch>": {"<depth>": {mean, best, worst, spheres}}}}.
+std::string write_original_layout(const SphereModel& model);
+/// The same of a single mesh: a list of {mean, best, worst, spheres, link}, one for each depth. Throws Error(output) if
+/// the model has more groups than one.
+std::string write_original_mesh_layout(const SphereModel& model);
+/// Reads both.
+SpheresByLink read_original_layout(const Json& document);
+
+/// A JSON string; bytes that are no UTF-8 become U+FFFD.
+inline std::string json_text(const std::string& text) {
+    return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// JSON knows no infinity and no NaN: null stands for what could not be measured.
+inline std::string json_number(double value) {
+    return std::isfinite(value) ? number_text(value) : "null";
+}
+
+inline std::string json_point(const Vec3& point) {
+    return fmt::format("[{}, {}, {}]", number_text(point.x), number_text(point.y), number_text(point.z));
+}
+
+} // namespace foam

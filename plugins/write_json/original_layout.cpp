@@ -1,0 +1,103 @@
+// The layout of the first foam's database, for programs that read it. Its figures of a tree level - mean, best and
+// worst distance from a sphere to the mesh - are known here of the finest level alone (mean and largest protrusion);
+// the others are null. A link and mesh that occur several times get "#2", "#3"… behind the mesh, where the first foam
+// lost all but one.
+#include "layout.hpp"
+
+#include <foam/error.hpp>
+
+#include <algorithm>
+
+namespace foam {
+namespace {
+
+std::string depth_object(const SphereGroup& group, std::size_t depth, const std::string& more,
+                         const std::string& indent) {
+    std::vector<std::string> spheres;
+    for (const Sphere& s : group.tree.levels[depth].spheres) {
+        spheres.push_back(
+            fmt::format("{}  {{\"origin\": {}, \"radius\": {}}}", indent, json_point(s.center), number_text(s.radius)));
+    }
+    const bool finest = depth + 1 == group.tree.levels.size();
+    return fmt::format("{{{}\"mean\": {}, \"best\": null, \"worst\": {}, \"spheres\": [\n{}\n{}]}}", more,
+                       finest ? json_number(group.measures.protrusion_mean) : "null",
+                       finest ? json_number(group.measures.protrusion_max) : "null", fmt::join(spheres, ",\n"), indent);
+}
+
+/// The largest number of children that a sphere has.
+std::size_t branch_of(const SphereTree& tree) {
+    std::size_t branch = 1;
+    for (const SphereTree::Level& level : tree.levels) {
+        std::map<std::uint32_t, std::size_t> children;
+        for (const std::uint32_t parent : level.parents) {
+            branch = std::max(branch, ++children[parent]);
+        }
+    }
+    return branch;
+}
+
+std::string geometry_of(const SphereGroup& group) {
+    return fmt::format("{}", fmt::join(group.geometries, "+"));
+}
+
+} // namespace
+
+std::string write_original_layout(const SphereModel& model) {
+    require_writable(model);
+    std::map<std::string, int> uses;
+    std::vector<std::string> members;
+    for (const SphereGroup& group : model.groups) {
+        std::string key = group.link + "::" + geometry_of(group);
+        if (const int use = ++uses[key]; use > 1) {
+            key += fmt::format("#{}", use);
+        }
+        std::vector<std::string> depths;
+        for (std::size_t depth = 0; depth < group.tree.levels.size(); ++depth) {
+            depths.push_back(fmt::format("      \"{}\": {}", depth, depth_object(group, depth, "", "      ")));
+        }
+        members.push_back(fmt::format("  {}: {{\n    \"{}\": {{\n{}\n    }}\n  }}", json_text(key),
+                                      branch_of(group.tree), fmt::join(depths, ",\n")));
+    }
+    return fmt::format("{{\n{}\n}}\n", fmt::join(members, ",\n"));
+}
+
+std::string write_original_mesh_layout(const SphereModel& model) {
+    require_writable(model);
+    if (model.groups.size() != 1) {
+        throw Error(
+            ErrorCode::output,
+            fmt::format("layout: foam_mesh holds one mesh, and the model has {} groups of spheres; use layout: foam",
+                        model.groups.size()));
+    }
+    const SphereGroup& group = model.groups.front();
+    std::vector<std::string> depths;
+    for (std::size_t depth = 0; depth < group.tree.levels.size(); ++depth) {
+        depths.push_back("  " + depth_object(group, depth, fmt::format("\"link\": {}, ", json_text(group.link)), "  "));
+    }
+    return fmt::format("[\n{}\n]\n", fmt::join(depths, ",\n"));
+}
+
+SpheresByLink read_original_layout(const Json& document) {
+    SpheresByLink result;
+    const auto add = [&](const std::string& link, const Json& spheres) {
+        for (const Json& s : spheres) {
+            const Json& origin = s.at("origin");
+            result[link].push_back(
+                {{origin.at(0).get<double>(), origin.at(1).get<double>(), origin.at(2).get<double>()},
+                 s.at("radius").get<double>()});
+        }
+    };
+    if (document.is_array()) {
+        add(document.back().at("link").get<std::string>(), document.back().at("spheres"));
+        return result;
+    }
+    for (const auto& [key, branches] : document.items()) {
+        const Json& depths = branches.begin().value();
+        // Keys are texts: "10" comes before "9".
+        const std::string finest = std::to_string(depths.size() - 1);
+        add(key.substr(0, key.rfind("::")), depths.at(finest).at("spheres"));
+    }
+    return result;
+}
+
+} // namespace foam

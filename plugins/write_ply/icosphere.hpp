@@ -1,0 +1,12 @@
+// Triangulated unit spheres.
+#pragma once
+
+#include <foam/mesh.hpp>
+
+namespace foam {
+
+/// The icosahedron with every triangle split into four, `subdivisions` times, all vertices on the unit sphere:
+/// 20 · 4^subdivisions triangles.
+Mesh icosphere(int subdivisions);
+
+} // namespace foam

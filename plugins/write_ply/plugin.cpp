@@ -1,0 +1,250 @@
+// write.ply: spheres as a point set or as surfaces, in ASCII PLY (Turk 1994, "The PLY polygon file format").
+//
+// form: points   element vertex: x, y, z, radius, link - a point a sphere
+// form: surface  element vertex and face: the spheres as icospheres, for viewers, the robot standing in its zero pose;
+//                element sphere: x, y, z, radius, link
+//
+// `link` is an index into the "comment link INDEX NAME" lines; control characters and % in names are percent-encoded
+// there.
+#include "icosphere.hpp"
+
+#include <foam/error.hpp>
+#include <foam/plugin.hpp>
+#include <foam/text.hpp>
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace foam {
+namespace {
+
+std::string encoded(std::string_view name) {
+    std::string result;
+    for (const char c : name) {
+        const unsigned char byte = static_cast<unsigned char>(c);
+        result += byte < 0x20 || byte == 0x7F || c == '%' ? fmt::format("%{:02X}", byte) : std::string(1, c);
+    }
+    return result;
+}
+
+std::string decoded(std::string_view text) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        unsigned int byte = 0;
+        if (text[i] == '%' && i + 2 < text.size() &&
+            std::from_chars(text.data() + i + 1, text.data() + i + 3, byte, 16).ec == std::errc{}) {
+            result += static_cast<char>(byte);
+            i += 2;
+        } else {
+            result += text[i];
+        }
+    }
+    return result;
+}
+
+std::string header_of(const std::vector<LinkSpheres>& links) {
+    std::string text = "ply\nformat ascii 1.0\ncomment spheres in link frames, metres\n";
+    for (std::size_t i = 0; i < links.size(); ++i) {
+        text += fmt::format("comment link {} {}\n", i, encoded(links[i].link));
+    }
+    return text;
+}
+
+constexpr std::string_view sphere_properties = "property double x\nproperty double y\nproperty double z\n"
+                                               "property double radius\nproperty int link\n";
+
+std::string sphere_rows(const std::vector<LinkSpheres>& links) {
+    std::string text;
+    for (std::size_t i = 0; i < links.size(); ++i) {
+        for (const Sphere& s : links[i].spheres) {
+            text += number_text(s.center.x) + ' ' + number_text(s.center.y) + ' ' + number_text(s.center.z) + ' ' +
+                    number_text(s.radius) + ' ' + std::to_string(i) + '\n';
+        }
+    }
+    return text;
+}
+
+std::size_t count(const std::vector<LinkSpheres>& links) {
+    std::size_t result = 0;
+    for (const LinkSpheres& link : links) {
+        result += link.spheres.size();
+    }
+    return result;
+}
+
+std::string as_points(const std::vector<LinkSpheres>& links) {
+    return header_of(links) + fmt::format("element vertex {}\n{}end_header\n", count(links), sphere_properties) +
+           sphere_rows(links);
+}
+
+std::string as_surface(const std::vector<LinkSpheres>& links, const std::map<std::string, Pose>& poses,
+                       int subdivisions, Context& context) {
+    const Mesh unit = icosphere(subdivisions);
+    const std::size_t spheres = count(links);
+    std::string vertices, faces;
+    std::size_t first = 0;
+    for (const LinkSpheres& link : links) {
+        context.check_cancelled();
+        const auto pose = poses.find(link.link);
+        for (const Sphere& s : link.spheres) {
+            const Vec3 center = pose == poses.end() ? s.center : pose->second * s.center;
+            for (const Vec3& direction : unit.vertices) {
+                const Vec3 p = center + direction * s.radius;
+                vertices += number_text(p.x) + ' ' + number_text(p.y) + ' ' + number_text(p.z) + '\n';
+            }
+            for (const auto& [a, b, c] : unit.triangles) {
+                faces += fmt::format("3 {} {} {}\n", first + a, first + b, first + c);
+            }
+            first += unit.vertices.size();
+        }
+    }
+    return header_of(links) +
+           fmt::format("element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
+                       "element face {}\nproperty list uchar int vertex_indices\nelement sphere {}\n{}end_header\n",
+                       spheres * unit.vertices.size(), spheres * unit.triangles.size(), spheres, sphere_properties) +
+           vertices + faces + sphere_rows(links);
+}
+
+/// Reads what write() makes: lines and words of an ASCII PLY.
+class PlyReader {
+public:
+    explicit PlyReader(std::string_view text) : rest_(text) {}
+
+    std::map<std::string, std::vector<Sphere>> read() {
+        read_header();
+        std::map<std::string, std::vector<Sphere>> result;
+        for (const auto& [element, rows] : elements_) {
+            for (std::size_t row = 0; row < rows; ++row) {
+                const std::string_view text = line();
+                if (element == elements_.back().first) {
+                    read_sphere(text, result);
+                }
+            }
+        }
+        return result;
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& why) const {
+        throw Error(ErrorCode::output, fmt::format("PLY:{}: {}", line_number_, why));
+    }
+
+    std::string_view line() {
+        ++line_number_;
+        const std::size_t end = rest_.find('\n');
+        if (end == std::string_view::npos) {
+            fail("the file ends too early");
+        }
+        const std::string_view result = rest_.substr(0, end);
+        rest_.remove_prefix(end + 1);
+        return result;
+    }
+
+    static std::string_view word(std::string_view& text) {
+        const std::size_t end = std::min(text.find(' '), text.size());
+        const std::string_view result = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        return result;
+    }
+
+    std::size_t whole_number(std::string_view text) const {
+        std::size_t value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error != std::errc{} || end != text.data() + text.size()) {
+            fail(fmt::format("'{}' is not a count or an index", text));
+        }
+        return value;
+    }
+
+    /// The spheres are the rows of the last element in both forms.
+    void read_header() {
+        if (line() != "ply" || line() != "format ascii 1.0") {
+            fail("not an ASCII PLY file");
+        }
+        for (std::string_view text = line(); text != "end_header"; text = line()) {
+            const std::string_view keyword = word(text);
+            if (keyword == "element") {
+                const std::string name(word(text));
+                elements_.emplace_back(name, whole_number(text));
+            } else if (keyword == "comment" && word(text) == "link") {
+                const std::size_t index = whole_number(word(text));
+                names_[index] = decoded(text);
+            }
+        }
+        if (elements_.empty()) {
+            fail("the header names no element");
+        }
+    }
+
+    void read_sphere(std::string_view text, std::map<std::string, std::vector<Sphere>>& result) const {
+        std::array<double, 4> values{};
+        for (double& value : values) {
+            const std::string_view number = word(text);
+            const std::optional<double> parsed = parse_number(number);
+            if (!parsed) {
+                fail(fmt::format("'{}' is not a finite number", number));
+            }
+            value = *parsed;
+        }
+        const auto name = names_.find(whole_number(text));
+        if (name == names_.end()) {
+            fail(fmt::format("no comment names link {}", text));
+        }
+        result[name->second].push_back({{values[0], values[1], values[2]}, values[3]});
+    }
+
+    std::string_view rest_;
+    int line_number_ = 0;
+    std::vector<std::pair<std::string, std::size_t>> elements_;
+    std::map<std::size_t, std::string> names_;
+};
+
+class PlyWriter final : public Writer {
+public:
+    explicit PlyWriter(const Parameters& parameters)
+        : surface_(parameters.text("form") == "surface"),
+          subdivisions_(static_cast<int>(parameters.integer("subdivisions"))),
+          level_(static_cast<int>(parameters.integer("level"))) {}
+
+    std::string write(const SphereModel& model, Context& context) const override {
+        const std::vector<LinkSpheres> links = spheres_by_link(model, level_);
+        if (!surface_) {
+            return as_points(links);
+        }
+        const auto poses = model.robot ? link_poses(*model.robot) : std::map<std::string, Pose>{};
+        return as_surface(links, poses, subdivisions_, context);
+    }
+
+    std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override {
+        return PlyReader(bytes).read();
+    }
+
+private:
+    bool surface_;
+    int subdivisions_, level_;
+};
+
+} // namespace
+} // namespace foam
+
+FOAM_PLUGIN("write_ply", "1.0", "Apache-2.0") {
+    using foam::Parameter;
+    enrol.add<foam::PlyWriter>(
+        {.name = "write.ply",
+         .summary =
+             "Writes the spheres of all links, each in its link's frame, as a PLY point set or as surfaces to look at.",
+         .reference = "Turk 1994, The PLY polygon file format",
+         .parameters = {Parameter::choice("form", {"points", "surface"}, "points")
+                            .doc("points: one vertex with a radius a sphere; surface: triangles.")
+                            .source("The smaller file, which holds all there is."),
+                        Parameter::integer("subdivisions", 2)
+                            .bounds(0, 5)
+                            .doc("How often the 20 triangles of an icosahedron are split into four, for form: surface.")
+                            .source("320 triangles look round at the size of a robot link."),
+                        Parameter::integer("level", -1)
+                            .bounds(-1, 32)
+                            .doc("Level of the sphere trees that is written: 0 the bounding spheres, -1 the finest.")
+                            .source("The finest level is the one that is measured and proved.")},
+         .extensions = {"ply"}});
+}

@@ -1,0 +1,105 @@
+// What every writer promises, asked of all that are built.
+#include "models.hpp"
+
+#include <gmock/gmock.h>
+
+namespace foam::test {
+namespace {
+
+/// Calls test(name, writer) for every writer with default parameters and for every value of its choices.
+template <class Test> void for_each_writer(const Test& test) {
+    Registry registry;
+    registry.load_directory(FOAM_TEST_PLUGINS);
+    int count = 0;
+    for (const auto& [name, stage] : registry.stages()) {
+        if (stage.kind != StageKind::writer) {
+            continue;
+        }
+        SCOPED_TRACE(name);
+        ++count;
+        test(name, *registry.make<Writer>(name));
+        for (const Parameter& parameter : stage.info.parameters) {
+            for (const std::string& choice : parameter.choices) {
+                SCOPED_TRACE(parameter.name + ": " + choice);
+                test(name + " " + choice, *registry.make<Writer>(name, {{parameter.name, choice}}));
+            }
+        }
+    }
+    EXPECT_GE(count, 4);
+}
+
+/// A model that every layout can hold: one link, one group.
+SphereModel plain_model() {
+    SphereTree tree = flat_tree(awkward_spheres());
+    return model_of(chain_of({"only"}), {group_of("only", {"a.stl"}, tree)});
+}
+
+TEST(WriterContract, GivesTheSameSpheresBack) {
+    QuietContext context;
+    for_each_writer([&](const std::string&, const Writer& writer) {
+        const SphereModel model = plain_model();
+        EXPECT_EQ(writer.read(writer.write(model, context)), spheres_of(model));
+    });
+}
+
+TEST(WriterContract, GivesAwkwardModelsBackOrRefusesThem) {
+    QuietContext context;
+    int read_back = 0;
+    for_each_writer([&](const std::string&, const Writer& writer) {
+        const SphereModel model = awkward_model();
+        std::string bytes;
+        try {
+            bytes = writer.write(model, context);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::output);
+            return;
+        }
+        EXPECT_EQ(writer.read(bytes), spheres_of(model));
+        ++read_back;
+    });
+    EXPECT_GE(read_back, 6);
+}
+
+TEST(WriterContract, EqualModelsGiveEqualBytes) {
+    QuietContext one(1), two(2);
+    for_each_writer([&](const std::string&, const Writer& writer) {
+        EXPECT_EQ(writer.write(plain_model(), one), writer.write(plain_model(), two));
+    });
+}
+
+TEST(WriterContract, RefusesSpheresThatNoReaderTakes) {
+    for (const Sphere& bad :
+         {Sphere{{0, 0, 0}, 0}, Sphere{{0, 0, 0}, -1}, Sphere{{NAN, 0, 0}, 1}, Sphere{{0, 0, 0}, INFINITY}}) {
+        for_each_writer([&](const std::string&, const Writer& writer) {
+            SphereModel model = plain_model();
+            model.groups[0].tree.levels.back().spheres[2] = bad;
+            EXPECT_THAT(refusal(writer, model), testing::HasSubstr("sphere 2 of link 'only'"));
+        });
+    }
+}
+
+TEST(WriterContract, RefusesLinksWithoutSpheres) {
+    for_each_writer([&](const std::string&, const Writer& writer) {
+        SphereModel model = plain_model();
+        model.groups[0].tree.levels.clear();
+        EXPECT_THAT(refusal(writer, model), testing::HasSubstr("link 'only' has no spheres"));
+    });
+}
+
+TEST(WriterContract, ReadingGarbageIsAnError) {
+    QuietContext context;
+    for_each_writer([&](const std::string&, const Writer& writer) {
+        const std::string good = writer.write(plain_model(), context);
+        for (const std::string& bad :
+             {std::string(), std::string("\0\1\2", 3), std::string("hello\n"), good.substr(0, good.size() / 2)}) {
+            try {
+                EXPECT_NE(writer.read(bad), spheres_of(plain_model()));
+            } catch (const Error& error) {
+                EXPECT_EQ(error.code(), ErrorCode::output);
+            }
+        }
+    });
+}
+
+} // namespace
+} // namespace foam::test
