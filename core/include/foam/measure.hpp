@@ -17,15 +17,18 @@ struct Measures {
     double area = 0;               ///< of ∂S, m²
     double volume = 0;             ///< vol(S), m³
     double covered = 0;            ///< area of ∂S inside U / area of ∂S
-    double gap = 0;                ///< max over ∂S of the distance to U, m
-    double excess = 0;             ///< vol(U \ S) / vol(S)
+    double gap = 0;                ///< max over ∂S of the distance to U, m: from above, to 0.1 %; infinite without spheres
+    double excess = 0;             ///< vol(U \ S) / vol(S); infinite if vol(S) = 0 (surfaces without inside)
     double excess_error = 0;       ///< standard error of excess
-    double missing = 0;            ///< vol(S \ U) / vol(S)
+    double missing = 0;            ///< vol(S \ U) / vol(S); 0 if vol(S) = 0
     double missing_error = 0;      ///< standard error of missing
     double exposed_area = 0;       ///< of ∂U outside S, m²
     double protrusion_max = 0;     ///< distance from the exposed surface of U to S, m
     double protrusion_mean = 0;    ///< area-weighted mean of it, m
     bool certified = false;        ///< gap = 0 is proved
+    double excess_volume = 0;      ///< vol(U \ S), m³
+    double missing_volume = 0;     ///< vol(S \ U), m³
+    double excess_volume_error = 0, missing_volume_error = 0;   ///< standard errors, m³
 };
 
 struct MeasureOptions {
@@ -37,7 +40,8 @@ struct MeasureOptions {
     std::size_t directions_per_sphere = 1'000;
 };
 
-/// Same seed, same numbers, on any number of threads. `certified` comes from certify().
+/// Same seed, same numbers, on any number of threads. `certified` and `gap` come from certify(). Spheres that are not finite
+/// or have no radius count as absent.
 Measures measure(const Solid& solid, std::span<const Sphere> spheres, const MeasureOptions& options = {});
 /// Over a robot: counts and volumes add up, gap and protrusion_max are maxima, covered and protrusion_mean are weighted by
 /// area, certified holds for all.
