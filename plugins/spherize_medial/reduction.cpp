@@ -1,0 +1,85 @@
+#include "reduction.hpp"
+
+#include "enclosing_ball.hpp"
+
+#include <algorithm>
+
+namespace foam::medial {
+
+std::vector<std::uint32_t> assign(std::span<const Vec3> points, std::span<const Sphere> balls) {
+    std::vector<std::uint32_t> owner(points.size(), 0);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < balls.size(); ++i) {
+            const double gap = distance(points[p], balls[i].center) - balls[i].radius;
+            if (gap < least) {
+                least = gap;
+                owner[p] = static_cast<std::uint32_t>(i);
+            }
+        }
+    }
+    return owner;
+}
+
+std::vector<std::vector<Vec3>> grouped(std::span<const Vec3> points, std::span<const std::uint32_t> owner,
+                                       std::size_t count) {
+    std::vector<std::vector<Vec3>> groups(count);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        groups[owner[p]].push_back(points[p]);
+    }
+    return groups;
+}
+
+namespace {
+
+/// Gives each empty group the half of the group with the greatest ball that lies farthest along its longest direction.
+void refill(std::vector<std::vector<Vec3>>& groups, std::vector<Sphere>& balls) {
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        if (!groups[i].empty()) {
+            continue;
+        }
+        std::size_t widest = 0;
+        for (std::size_t j = 1; j < groups.size(); ++j) {
+            widest = balls[j].radius > balls[widest].radius ? j : widest;
+        }
+        std::vector<Vec3>& from = groups[widest];
+        if (from.size() < 2 || !(balls[widest].radius > 0)) {
+            return;   // all points are balls of their own
+        }
+        const Vec3 center = balls[widest].center;
+        const Vec3 far = *std::max_element(from.begin(), from.end(), [&](const Vec3& a, const Vec3& b) {
+            return squared_norm(a - center) < squared_norm(b - center);
+        });
+        const auto half = std::stable_partition(from.begin(), from.end(), [&](const Vec3& p) {
+            return dot(p - center, far - center) <= 0;
+        });
+        groups[i].assign(half, from.end());
+        from.erase(half, from.end());
+        balls[widest] = enclosing_ball(from);
+        balls[i] = enclosing_ball(groups[i]);
+    }
+}
+
+} // namespace
+
+std::vector<Sphere> fitted(std::span<const Vec3> points, std::vector<Sphere> balls, const Columns& columns,
+                           int rounds) {
+    std::vector<Sphere> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < rounds; ++round) {
+        auto groups = grouped(points, assign(points, balls), balls.size());
+        for (std::size_t i = 0; i < balls.size(); ++i) {
+            balls[i] = enclosing_ball(groups[i]);
+        }
+        refill(groups, balls);
+        const double cost = columns.outside(balls);
+        if (!(cost < least)) {
+            break;
+        }
+        least = cost;
+        best = balls;
+    }
+    return best.empty() ? balls : best;
+}
+
+} // namespace foam::medial

@@ -1,0 +1,191 @@
+#include "spherizer.hpp"
+
+#include "stock.hpp"
+
+#include <foam/error.hpp>
+#include <foam/parallel.hpp>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace foam::medial {
+namespace {
+
+constexpr double surface_resolution = 4e-3;   ///< of pieces of the surface, in units of its extent
+
+/// Improves and closes a cover of the whole surface, ball by ball.
+std::vector<Sphere> closed_cover(const Stock& stock, std::vector<Sphere> balls, bool optimise, Context& context) {
+    Uncovered uncovered(stock.surface(), surface_resolution);
+    return simplex(std::move(balls), uncovered, stock.columns(), {.sweeps = optimise ? 3 : 1, .evaluations = optimise ? 48 : 0},
+                   context);
+}
+
+/// The spheres of a level and which of the points each must hold.
+struct Level {
+    std::vector<Sphere> balls;
+    std::vector<std::uint32_t> parents;
+    std::vector<std::vector<Vec3>> points;
+};
+
+/// Shares `count` out in proportion to `weights`, at least one each, largest remainders first.
+std::vector<std::size_t> shares(std::size_t count, const std::vector<double>& weights) {
+    std::vector<std::size_t> result(weights.size(), 1);
+    const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+    // One by one to whom is owed most (Webster's method): monotone in `count`.
+    for (std::size_t given = weights.size(); given < count; ++given) {
+        std::size_t most = 0;
+        for (std::size_t i = 1; i < weights.size(); ++i) {
+            const auto owed = [&](std::size_t k) {
+                return (total > 0 ? weights[k] : 1.0) / (2.0 * static_cast<double>(result[k]) + 1);
+            };
+            most = owed(i) > owed(most) ? i : most;
+        }
+        ++result[most];
+    }
+    return result;
+}
+
+/// How many balls each parent may have: `branch` without a budget, else its share of the level's by cost.
+std::vector<std::size_t> children(const Level& above, std::size_t level, const Budget& budget, const Settings& settings,
+                                  const Columns& columns) {
+    if (!budget.max_spheres) {
+        return std::vector<std::size_t>(above.balls.size(), settings.branch);
+    }
+    const double wanted =
+        std::pow(static_cast<double>(*budget.max_spheres), static_cast<double>(level) / static_cast<double>(settings.depth));
+    const std::size_t count =
+        level == settings.depth ? *budget.max_spheres : std::max<std::size_t>(1, static_cast<std::size_t>(wanted));
+    std::vector<double> weights;
+    for (const Sphere& ball : above.balls) {
+        weights.push_back(columns.outside(std::span(&ball, 1)));
+    }
+    return shares(count, weights);
+}
+
+Level next_level(Stock& stock, const Level& above, std::size_t level, const Budget& budget, const Settings& settings,
+                 Context& context) {
+    const auto counts = children(above, level, budget, settings, stock.columns());
+    const bool optimise = settings.optimise && level <= settings.deepest_optimised_level;
+    Level result;
+    for (std::size_t i = 0; i < above.balls.size(); ++i) {
+        if (above.points[i].empty()) {   // of no use but to the proof of the level above: stays as it is
+            result.balls.push_back(above.balls[i]);
+            result.parents.push_back(static_cast<std::uint32_t>(i));
+            continue;
+        }
+        stock.axis().refine_region(settings.min_spheres, settings.error_factor, above.points[i], context);
+        const std::vector<std::size_t> count{counts[i]};
+        const Region region(above.points[i], stock.axis().touching(above.points[i]), count, stock.columns(), settings,
+                            context);
+        for (const Sphere& ball : solve(stock, region, counts[i], optimise, settings, context)) {
+            result.balls.push_back(ball);
+            result.parents.push_back(static_cast<std::uint32_t>(i));
+        }
+        context.progress(static_cast<double>(i + 1) / static_cast<double>(above.balls.size()));
+    }
+    result.balls = closed_cover(stock, std::move(result.balls), optimise, context);
+    result.points = grouped(stock.points(), assign(stock.points(), result.balls), result.balls.size());
+    return result;
+}
+
+Level first_level(const Stock& stock, const Region& region, std::size_t count, const Settings& settings,
+                  Context& context) {
+    Level result;
+    if (count == 1) {
+        result.balls = {stock.bounding()};
+    } else {
+        const bool optimise = settings.optimise && settings.deepest_optimised_level >= 1;
+        result.balls = solve(stock, region, count, optimise, settings, context);
+        result.balls = closed_cover(stock, std::move(result.balls), optimise, context);
+    }
+    result.parents.assign(result.balls.size(), 0);
+    result.points = grouped(stock.points(), assign(stock.points(), result.balls), result.balls.size());
+    return result;
+}
+
+std::size_t first_count(const Budget& budget, const Settings& settings) {
+    if (!budget.max_spheres) {
+        return settings.branch;
+    }
+    const double wanted =
+        std::pow(static_cast<double>(*budget.max_spheres), 1.0 / static_cast<double>(settings.depth));
+    return settings.depth == 1 ? *budget.max_spheres : std::max<std::size_t>(1, static_cast<std::size_t>(wanted + 1e-9));
+}
+
+SphereTree::Level in_world(const Frame& frame, const Level& level) {
+    SphereTree::Level result;
+    for (const Sphere& ball : level.balls) {
+        result.spheres.push_back(frame.sphere_to_world(ball));
+    }
+    result.parents = level.parents;
+    return result;
+}
+
+SphereTree tree(const Stock& stock, const Level& first) {
+    SphereTree result;
+    result.levels.push_back({{stock.frame().sphere_to_world(stock.bounding())}, {}});
+    result.levels.push_back(in_world(stock.frame(), first));
+    return result;
+}
+
+/// Geometry that is a single point.
+SphereTree point_tree(const Shape& shape) {
+    const Vec3 p = shape.original().bounds().center();
+    const double magnitude = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    return flat_tree({Sphere{p, 1e-12 + 1e-15 * magnitude}});
+}
+
+} // namespace
+
+MedialSpherizer::MedialSpherizer(const Parameters& parameters) : settings_(parameters) {}
+MedialSpherizer::~MedialSpherizer() = default;
+
+SphereTree MedialSpherizer::spherize(const Shape& shape, const Budget& budget, Context& context) const {
+    return spherize_each(shape, std::span(&budget, 1), context).front();
+}
+
+std::vector<SphereTree> MedialSpherizer::spherize_each(const Shape& shape, std::span<const Budget> budgets,
+                                                       Context& context) const {
+    std::vector<SphereTree> trees(budgets.size());
+    if (!(shape.original().bounds().diagonal() > 0)) {
+        context.log(Severity::warning, shape.name() + " has no extent: one sphere at its place");
+        trees.assign(budgets.size(), point_tree(shape));
+        return trees;
+    }
+    std::map<int, std::vector<std::size_t>> by_tier;
+    for (std::size_t i = 0; i < budgets.size(); ++i) {
+        const std::size_t finest = budgets[i].max_spheres.value_or(settings_.branch);
+        by_tier[Stock::tier(finest)].push_back(i);
+    }
+    for (const auto& [tier, indices] : by_tier) {
+        Stock stock(shape, tier, settings_, context);
+        std::vector<std::size_t> counts;
+        for (const std::size_t i : indices) {
+            counts.push_back(first_count(budgets[i], settings_));
+        }
+        std::sort(counts.begin(), counts.end());
+        counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
+        const Region region(stock.points(), stock.medial(), counts, stock.columns(), settings_, context);
+        std::vector<Level> first(indices.size());
+        parallel_for(indices.size(), [&](std::size_t n) {
+            first[n] = first_level(stock, region, first_count(budgets[indices[n]], settings_), settings_, context);
+        });
+        for (std::size_t n = 0; n < indices.size(); ++n) {
+            trees[indices[n]] = tree(stock, first[n]);
+            if (settings_.depth == 1) {
+                continue;
+            }
+            // Refining for the regions of one tree must not change the next: the axis starts anew.
+            Stock own(shape, tier, settings_, context);
+            Level level = first[n];
+            for (std::size_t depth = 2; depth <= settings_.depth; ++depth) {
+                level = next_level(own, level, depth, budgets[indices[n]], settings_, context);
+                trees[indices[n]].levels.push_back(in_world(own.frame(), level));
+            }
+        }
+    }
+    return trees;
+}
+
+} // namespace foam::medial

@@ -1,0 +1,24 @@
+// The stage spherize.medial.
+#pragma once
+
+#include "settings.hpp"
+
+#include <foam/stage.hpp>
+
+namespace foam::medial {
+
+class MedialSpherizer final : public Spherizer {
+public:
+    explicit MedialSpherizer(const Parameters& parameters);
+    ~MedialSpherizer() override;
+
+    SphereTree spherize(const Shape& shape, const Budget& budget, Context& context) const override;
+    /// Budgets of similar size share cover points, columns, medial axis and reductions.
+    std::vector<SphereTree> spherize_each(const Shape& shape, std::span<const Budget> budgets,
+                                          Context& context) const override;
+
+private:
+    Settings settings_;
+};
+
+} // namespace foam::medial

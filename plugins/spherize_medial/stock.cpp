@@ -1,0 +1,159 @@
+#include "stock.hpp"
+
+#include "enclosing_ball.hpp"
+
+#include <algorithm>
+
+namespace foam::medial {
+namespace {
+
+std::vector<Corners> local_surface(const Mesh& surface, const Frame& frame) {
+    std::vector<Vec3> vertices;
+    vertices.reserve(surface.vertices.size());
+    for (const Vec3& v : surface.vertices) {
+        vertices.push_back(frame.to_local(v));
+    }
+    std::vector<Corners> result;
+    result.reserve(surface.triangles.size());
+    for (const auto& [a, b, c] : surface.triangles) {
+        result.push_back({vertices[a], vertices[b], vertices[c]});
+    }
+    return result;
+}
+
+Sphere bounding_ball(const std::vector<Corners>& surface) {
+    std::vector<Vec3> corners;
+    corners.reserve(3 * surface.size());
+    for (const Corners& t : surface) {
+        corners.insert(corners.end(), t.begin(), t.end());
+    }
+    return enclosing_ball(corners);
+}
+
+std::size_t detail(std::size_t count, int tier) {
+    return count << static_cast<unsigned>(tier);
+}
+
+constexpr std::size_t first_limit = 16;   ///< largest count of tier 0; each next tier's is four times as large
+constexpr int last_tier = 5;
+
+/// Balls of the medial axis from which neighbours are merged: enough for good choices, few enough to try them all. By tier
+/// and not by count, so that one sweep of merging is the same for all counts.
+std::size_t merge_start(std::size_t count) {
+    return first_limit << (2 * static_cast<unsigned>(Stock::tier(count)) + 2);
+}
+
+} // namespace
+
+int Stock::tier(std::size_t count) {
+    int result = 0;
+    while (result < last_tier && count > first_limit << (2 * static_cast<unsigned>(result))) {
+        ++result;
+    }
+    return result;
+}
+
+Stock::Stock(const Shape& shape, int tier, const Settings& settings, Context& context) :
+    frame_(principal_frame(shape.original().surface())),
+    surface_(local_surface(shape.original().surface(), frame_)), bounding_(bounding_ball(surface_)),
+    points_(cover_points(shape.original(), frame_,
+                         {detail(settings.cover_points, tier), settings.cover_per_triangle},
+                         derive_seed(context.seed(), "cover"))),
+    columns_(shape, frame_, detail(1000, tier)) {
+    const Solid& solid = shape.processed();
+    std::vector<Vec3> sites = cover_points(solid, frame_, {detail(settings.cover_points, tier), 1},
+                                           derive_seed(context.seed(), "medial axis"));
+    const double step = columns_.step();
+    axis_ = std::make_unique<MedialAxis>(std::move(sites), [&solid, this, step](const Sphere& sphere) {
+        // The surface is a radius away from a vertex of the diagram: next to that, columns are fine enough.
+        if (solid.closed() && sphere.radius > 1.5 * step) {
+            return columns_.inside(sphere.center);
+        }
+        return solid.contains(frame_.to_world(sphere.center));
+    });
+    axis_->refine(detail(settings.init_spheres, tier), points_, context);
+    if (axis_->spheres().empty()) {
+        context.log(Severity::warning, "no medial sphere lies inside " + shape.name() +
+                                           ": its surface bounds no volume; covering it by balls around groups of its "
+                                           "points");
+    }
+}
+
+Region::Region(std::vector<Vec3> points, std::span<const Sphere> medial, std::span<const std::size_t> counts,
+               const Columns& columns, const Settings& settings, Context& context) :
+    points_(std::move(points)), columns_(columns) {
+    const std::size_t largest = *std::max_element(counts.begin(), counts.end());
+    const auto keep = [&](std::size_t count, std::vector<Sphere> balls) {
+        if (!balls.empty()) {
+            raw_[count].push_back(std::move(balls));
+        }
+    };
+    std::vector<Sphere> start;
+    if (!medial.empty() && (settings.expand || settings.merge || settings.burst)) {
+        Expand expand(points_, medial);
+        if (settings.expand) {
+            for (const std::size_t count : counts) {
+                context.check_cancelled();
+                keep(count, expand.cover(count));
+            }
+        }
+        start = expand.cover(merge_start(largest));
+    }
+    if (settings.merge && !start.empty()) {
+        const auto merged = merge(points_, start, columns, context);
+        for (const std::size_t count : counts) {
+            keep(count, merged[std::min(count, merged.size()) - 1]);
+        }
+    }
+    if (settings.burst && !start.empty()) {
+        for (const std::size_t count : counts) {
+            keep(count, burst(points_, start, count, columns, context));
+        }
+    }
+    const auto divided = divide(points_, largest, columns, context);
+    for (const std::size_t count : counts) {
+        keep(count, divided[std::min(count, divided.size()) - 1]);
+    }
+}
+
+std::vector<std::vector<Sphere>> Region::candidates(std::size_t count) const {
+    std::vector<std::vector<Sphere>> result;
+    for (std::vector<Sphere> balls : raw_.at(count)) {
+        balls.resize(std::min(count, points_.size()), Sphere{balls[0].center, -1e9});   // holds nothing: fitted() moves it
+        result.push_back(fitted(points_, std::move(balls), columns_, 4));
+    }
+    std::stable_sort(result.begin(), result.end(), [&](const auto& a, const auto& b) {
+        return columns_.outside(a) < columns_.outside(b);
+    });
+    return result;
+}
+
+std::vector<Sphere> solve(const Stock& stock, const Region& region, std::size_t count, bool optimise,
+                          const Settings& settings, Context& context) {
+    auto candidates = region.candidates(count);
+    if (!optimise) {
+        return candidates.front();
+    }
+    const Columns& columns = stock.columns();
+    if (settings.optimiser == Settings::Optimiser::balance) {
+        return balance(region.points(), candidates.front(), settings.balance_excess, columns, context);
+    }
+    if (settings.optimiser == Settings::Optimiser::simplex) {
+        return candidates.front();
+    }
+    constexpr std::size_t tried = 2;
+    const DescentOptions options{.directions = settings.tester_points};
+    std::vector<Sphere> best = candidates.front();
+    double least = columns.outside(best);
+    for (std::size_t i = 0; i < std::min(tried, candidates.size()); ++i) {
+        auto balls = variational(region.points(), candidates[i], columns, options, context);
+        const double cost = columns.outside(balls);
+        if (cost < least) {
+            least = cost;
+            best = std::move(balls);
+        }
+    }
+    return best;
+}
+
+} // namespace foam::medial

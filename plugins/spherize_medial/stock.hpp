@@ -1,0 +1,72 @@
+// What all counts of one shape share: frame, cover points, columns, medial axis and the reductions of it.
+#pragma once
+
+#include "columns.hpp"
+#include "cover_points.hpp"
+#include "medial_axis.hpp"
+#include "optimise.hpp"
+#include "reduction.hpp"
+#include "settings.hpp"
+
+#include <foam/context.hpp>
+#include <foam/solid.hpp>
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace foam::medial {
+
+/// Part of the surface with the medial spheres that concern it, and what the reductions make of them.
+class Region {
+public:
+    /// `counts`: the numbers of balls that will be asked for, all of one tier.
+    Region(std::vector<Vec3> points, std::span<const Sphere> medial, std::span<const std::size_t> counts,
+           const Columns& columns, const Settings& settings, Context& context);
+
+    /// Covers of the region's points by at most `count` balls, the cheapest first. Precondition: one of the counts.
+    std::vector<std::vector<Sphere>> candidates(std::size_t count) const;
+    const std::vector<Vec3>& points() const { return points_; }
+
+private:
+    std::vector<Vec3> points_;
+    const Columns& columns_;
+    std::map<std::size_t, std::vector<std::vector<Sphere>>> raw_;   ///< by count, one a reduction
+};
+
+class Stock {
+public:
+    /// `tier` 0 is for the smallest counts; each next has twice the points, columns and medial spheres.
+    Stock(const Shape& shape, int tier, const Settings& settings, Context& context);
+
+    Stock(const Stock&) = delete;   // the medial axis refers to the columns
+    Stock& operator=(const Stock&) = delete;
+
+    /// The tier whose detail suits that many balls.
+    static int tier(std::size_t count);
+
+    const Frame& frame() const { return frame_; }
+    const std::vector<Vec3>& points() const { return points_; }
+    const std::vector<Corners>& surface() const { return surface_; }
+    const Columns& columns() const { return columns_; }
+    std::vector<Sphere> medial() const { return axis_->spheres(); }
+    MedialAxis& axis() { return *axis_; }
+    /// Smallest ball around the whole surface.
+    Sphere bounding() const { return bounding_; }
+
+private:
+    Frame frame_;
+    std::vector<Corners> surface_;
+    Sphere bounding_;
+    std::vector<Vec3> points_;
+    Columns columns_;
+    std::unique_ptr<MedialAxis> axis_;
+};
+
+/// The cheapest cover of a region found by reducing and (if `optimise`) improving; exactly `count` balls, fewer only where
+/// the region has not that many points. Shared objects are only read: safe from several threads.
+std::vector<Sphere> solve(const Stock& stock, const Region& region, std::size_t count, bool optimise,
+                          const Settings& settings, Context& context);
+
+} // namespace foam::medial
