@@ -28,7 +28,7 @@ void expect_sound(const Mesh& mesh, std::size_t count) {
             ASSERT_GT(sphere.radius, 0);
         }
     }
-    EXPECT_LT(largest_gap(shape.original(), tree.finest()), 0.01 * shape.original().bounds().diagonal());
+    EXPECT_LE(largest_gap(shape.original(), tree.finest()), 0.01 * shape.original().bounds().diagonal());
 }
 
 } // namespace
@@ -88,14 +88,14 @@ TEST(SpherizeMedialRobustness, OpenAndFlatSurfaces) {
 }
 
 TEST(SpherizeMedialRobustness, SurfaceWithoutInsideIsSaidSo) {
-    Mesh sheet;
-    sheet.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.1}, {0, 1, 0}};
-    sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
+    Mesh needle;
+    needle.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+    needle.triangles = {{0, 1, 2}};
     ListeningContext context;
-    const auto tree = medial()->spherize(shape_of(sheet, "sheet"), at_most(3), context);
+    const auto tree = medial()->spherize(shape_of(needle, "needle"), at_most(3), context);
     EXPECT_EQ(tree.finest().size(), 3u);
     ASSERT_FALSE(context.messages.empty());
-    EXPECT_NE(context.messages[0].find("no medial sphere lies inside sheet"), std::string::npos) << context.messages[0];
+    EXPECT_NE(context.messages[0].find("no medial sphere lies inside needle"), std::string::npos) << context.messages[0];
 }
 
 TEST(SpherizeMedialRobustness, NeedleAndPoint) {
