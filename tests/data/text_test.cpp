@@ -1,0 +1,53 @@
+// Numbers and words.
+#include <foam/random.hpp>
+#include <foam/text.hpp>
+
+#include <gmock/gmock.h>
+
+#include <bit>
+#include <clocale>
+#include <cmath>
+
+namespace foam {
+namespace {
+
+TEST(Text, NumbersComeBackExactly) {
+    Random random(1);
+    for (int i = 0; i < 20'000; ++i) {
+        const double value = std::bit_cast<double>(random.bits());
+        if (std::isfinite(value)) {
+            const std::optional<double> back = parse_number(number_text(value));
+            ASSERT_TRUE(back) << number_text(value);
+            EXPECT_EQ(std::bit_cast<std::uint64_t>(*back), std::bit_cast<std::uint64_t>(value));
+        }
+    }
+    EXPECT_EQ(number_text(0.1), "0.1");
+    EXPECT_EQ(number_text(-0.0), "-0");
+}
+
+TEST(Text, OnlyWholeFiniteNumbersAreRead) {
+    EXPECT_EQ(parse_number("+1.5e1"), 15);
+    EXPECT_EQ(parse_number("-.5"), -0.5);
+    EXPECT_EQ(parse_number("5."), 5);
+    for (const char* text :
+         {"", "+", "-", "+-1", "++1", " 1", "1 ", "1,5", "0x10", "nan", "inf", "-infinity", "1e999", "1f", "."}) {
+        EXPECT_FALSE(parse_number(text)) << "'" << text << "'";
+    }
+}
+
+TEST(Text, TheLocaleDoesNotMatter) {
+    if (!std::setlocale(LC_ALL, "de_DE.UTF-8")) {
+        GTEST_SKIP() << "the locale de_DE.UTF-8 is not installed";
+    }
+    EXPECT_EQ(number_text(0.5), "0.5");
+    EXPECT_EQ(parse_number("0.5"), 0.5);
+    std::setlocale(LC_ALL, "C");
+}
+
+TEST(Text, Words) {
+    EXPECT_THAT(words("  a\tbc\r\nd "), testing::ElementsAre("a", "bc", "d"));
+    EXPECT_THAT(words(" \n"), testing::IsEmpty());
+}
+
+} // namespace
+} // namespace foam
