@@ -45,6 +45,8 @@ struct Parameter {
 const char* to_string(Parameter::Type type);
 /// The shortest text that reads back to the same value; locale-independent.
 std::string to_text(const ParameterValue& value);
+/// What a value must be: "an integer between 1 and 8", "one of fast, exact".
+std::string expectation(const Parameter& parameter);
 /// Why `value` is not allowed for `parameter` ("expects an integer between 1 and 8, got 9"); empty if it is.
 /// An integer is accepted for a number.
 std::string why_invalid(const Parameter& parameter, const ParameterValue& value);

@@ -17,19 +17,6 @@ Parameter make(std::string name, Parameter::Type type, ParameterValue default_va
     return parameter;
 }
 
-std::string expectation(const Parameter& p) {
-    const bool whole = p.type == Parameter::Type::integer;
-    std::string text = whole ? "an integer" : "a number";
-    if (p.low && p.high) {
-        text += fmt::format(" between {} and {}", number_text(*p.low), number_text(*p.high));
-    } else if (p.low) {
-        text += fmt::format(" of at least {}", number_text(*p.low));
-    } else if (p.high) {
-        text += fmt::format(" of at most {}", number_text(*p.high));
-    }
-    return text;
-}
-
 const char* kind_of(const ParameterValue& value) {
     static constexpr const char* names[] = {"true/false", "integer", "number", "text"};
     return names[value.index()];
@@ -105,42 +92,51 @@ std::string to_text(const ParameterValue& value) {
     return std::get<std::string>(value);
 }
 
-std::string why_invalid(const Parameter& p, const ParameterValue& value) {
-    const auto wrong = [&](std::string_view expected) {
-        if (std::holds_alternative<std::string>(value)) {
-            return fmt::format("expects {}, got \"{}\"", expected, std::get<std::string>(value));
-        }
-        return fmt::format("expects {}, got {}", expected, to_text(value));
-    };
+std::string expectation(const Parameter& p) {
     switch (p.type) {
-    case Parameter::Type::boolean:
-        return std::holds_alternative<bool>(value) ? "" : wrong("true or false");
-    case Parameter::Type::text:
-        return std::holds_alternative<std::string>(value) ? "" : wrong("text");
-    case Parameter::Type::choice: {
-        const std::string* text = std::get_if<std::string>(&value);
-        for (const std::string& choice : p.choices) {
-            if (text && *text == choice) {
-                return "";
-            }
-        }
-        return wrong(fmt::format("one of {}", fmt::join(p.choices, ", ")));
-    }
+    case Parameter::Type::boolean: return "true or false";
+    case Parameter::Type::text: return "text";
+    case Parameter::Type::choice: return fmt::format("one of {}", fmt::join(p.choices, ", "));
     case Parameter::Type::integer:
-    case Parameter::Type::number: {
-        double number = 0;
-        if (const std::int64_t* i = std::get_if<std::int64_t>(&value)) {
-            number = static_cast<double>(*i);
-        } else if (const double* d = std::get_if<double>(&value); d && p.type == Parameter::Type::number) {
-            number = *d;
-        } else {
-            return wrong(expectation(p));
+    case Parameter::Type::number: break;
+    }
+    std::string text = p.type == Parameter::Type::integer ? "an integer" : "a number";
+    if (p.low && p.high) {
+        text += fmt::format(" between {} and {}", number_text(*p.low), number_text(*p.high));
+    } else if (p.low) {
+        text += fmt::format(" of at least {}", number_text(*p.low));
+    } else if (p.high) {
+        text += fmt::format(" of at most {}", number_text(*p.high));
+    }
+    return text;
+}
+
+std::string why_invalid(const Parameter& p, const ParameterValue& value) {
+    const std::string* text = std::get_if<std::string>(&value);
+    const auto in_bounds = [&](double number) {
+        return number >= p.low.value_or(number) && number <= p.high.value_or(number);   // false for NaN
+    };
+    bool valid = false;
+    switch (p.type) {
+    case Parameter::Type::boolean: valid = std::holds_alternative<bool>(value); break;
+    case Parameter::Type::text: valid = text != nullptr; break;
+    case Parameter::Type::choice:
+        valid = text && std::find(p.choices.begin(), p.choices.end(), *text) != p.choices.end();
+        break;
+    case Parameter::Type::integer:
+    case Parameter::Type::number:
+        if (const std::int64_t* whole = std::get_if<std::int64_t>(&value)) {
+            valid = in_bounds(static_cast<double>(*whole));
+        } else if (const double* real = std::get_if<double>(&value); real && p.type == Parameter::Type::number) {
+            valid = in_bounds(*real);
         }
-        const bool inside = number >= p.low.value_or(number) && number <= p.high.value_or(number);
-        return inside ? "" : wrong(expectation(p));
+        break;
     }
+    if (valid) {
+        return "";
     }
-    return "";
+    const char* quote = text ? "\"" : "";
+    return fmt::format("expects {}, got {}{}{}", expectation(p), quote, to_text(value), quote);
 }
 
 Parameters::Parameters() = default;

@@ -43,7 +43,7 @@ struct StageCall {
 /// Overrides for the links that a glob names ("*finger"): parameters of stages of the chain, or skip.
 struct LinkOverride {
     std::string glob;
-    bool skip = false;
+    std::optional<bool> skip;
     std::vector<StageCall> stages;                 ///< merged into the chain's stages of the same name
     std::optional<std::size_t> min_spheres, max_spheres;
     Location where;

@@ -1,0 +1,222 @@
+#include "check.hpp"
+#include "format.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace foam::reading {
+namespace {
+
+bool is_safe(char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '-' ||
+           c == '.' || c == '+' || c == '=';
+}
+
+/// The recipe's file name without its ending, fit for a folder.
+std::string default_name(const std::filesystem::path& file) {
+    std::string name = file.stem().string().substr(0, 100);
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return !is_safe(c); }, '_');
+    name.erase(0, std::min(name.find_first_not_of(".-"), name.size()));
+    return name.empty() ? "recipe" : name;
+}
+
+/// Words that stand one level deeper than where people look for them first.
+void refuse_unknown_top_level_keys(const Value& root, const Checking& checking) {
+    static constexpr std::pair<std::string_view, std::string_view> homes[] = {
+        {"spheres", "budget: {spheres: …}"},  {"max_protrusion", "budget: {max_protrusion: …}"},
+        {"urdf", "robot: {urdf: …}"},         {"pose", "snapshots: {pose: …}"},
+        {"size", "snapshots: {size: …}"},     {"renderer", "snapshots: {renderer: …}"},
+        {"skip", "links: {…: {skip: true}}"}, {"min_spheres", "links: {…: {min_spheres: …}}"},
+        {"meshes", "debug: {meshes: true}"},  {"max_spheres", "links: {…: {max_spheres: …}}"},
+    };
+    std::vector<std::string> known = top_level_structures();
+    for (const Parameter& p : top_level_values()) {
+        known.push_back(p.name);
+    }
+    Value rest;
+    rest.kind = Value::Kind::map;
+    for (const Key& key : root.keys) {
+        const auto home =
+            std::find_if(std::begin(homes), std::end(homes), [&](const auto& h) { return h.first == key.text; });
+        if (home != std::end(homes)) {
+            checking.findings.error(
+                key.where, "unknown-key",
+                fmt::format("{} does not stand at the top level; remedy: write {}", in_quotes(key.text), home->second));
+        } else if (checking.registry.find(key.text)) {
+            checking.findings.error(
+                key.where, "unknown-key",
+                fmt::format("stage {} does not stand at the top level; remedy: write it as an item of "
+                            "'stages' (or of 'outputs', if it writes)",
+                            in_quotes(key.text)));
+        } else {
+            rest.keys.push_back(key);
+        }
+    }
+    refuse_unknown_keys(rest, "", known, checking.findings);
+}
+
+void check_version(const Value& root, Findings& findings) {
+    const Value* version = root.find("foam");
+    if (!version) {
+        findings.error(
+            {root.where.source, 1, 1}, "missing-key",
+            fmt::format("the version of the recipe format is missing; remedy: begin with 'foam: {}'", format_version));
+    } else if (!version->is(Value::Kind::integer) || version->whole != format_version) {
+        findings.error(
+            version->where, "version",
+            fmt::format("this foam reads recipe format {}, the recipe says {}; remedy: write 'foam: {}' and run "
+                        "`foam check`",
+                        format_version, version->description(), format_version));
+    }
+}
+
+void check_name(const Value& root, const std::filesystem::path& file, const std::string& suffix, const Value* given,
+                Recipe& recipe, Findings& findings) {
+    if (!given) {
+        recipe.name = default_name(file);
+    } else if (const std::string why = why_no_folder_name(recipe.name); given->is(Value::Kind::text) && !why.empty()) {
+        findings.error(given->where, "bad-name",
+                       fmt::format("'name' is the name of the run's folder; {} {}", in_quotes(recipe.name), why));
+    }
+    recipe.name += suffix;
+    if (const std::string why = why_no_folder_name(recipe.name);
+        !suffix.empty() && !why.empty() && !findings.any_error()) {
+        findings.error(root.where, "bad-name",
+                       fmt::format("the sweep makes the name {}, which {}", in_quotes(recipe.name), why));
+    }
+}
+
+/// Above what an integer of a stage can be: the seed is any 64-bit number.
+bool read_large_seed(const Value& value, std::uint64_t& seed) {
+    const char* end = value.text.data() + value.text.size();
+    const auto [stop, error] = std::from_chars(value.text.data(), end, seed);
+    return value.is(Value::Kind::number) && error == std::errc() && stop == end;
+}
+
+void check_plain_values(const Value& root, Recipe& recipe, Findings& findings) {
+    std::map<std::string, std::string> words;
+    for (const Parameter& p : top_level_values()) {
+        const Value* value = root.find(p.name);
+        if (!value || (p.name == "seed" && read_large_seed(*value, recipe.seed))) {
+            continue;
+        }
+        if (p.name == "guarantee" && value->is(Value::Kind::text) && value->text == "inner") {
+            findings.error(
+                value->where, "unsupported",
+                "guarantee: inner (all spheres inside the geometry) is not available with this version; remedy: "
+                "use outer (covers the geometry, proved) or fitted");
+        } else if (const auto read = read_value(*value, p, "", findings)) {
+            if (p.name == "seed") {
+                recipe.seed = static_cast<std::uint64_t>(std::get<std::int64_t>(*read));
+            } else {
+                words[p.name] = std::get<std::string>(*read);
+            }
+        }
+    }
+    recipe.name = words["name"];
+    recipe.per_link = words["per"] != "collision";
+    recipe.guarantee = words["guarantee"] == "fitted" ? Guarantee::fitted : Guarantee::outer;
+    recipe.on_error = words["on_error"] == "skip"       ? OnError::skip
+                      : words["on_error"] == "fallback" ? OnError::fallback
+                                                        : OnError::stop;
+}
+
+void check_input(const Value& root, Recipe& recipe, Findings& findings) {
+    const Value* robot = root.find("robot");
+    const Value* mesh = root.find("mesh");
+    if (!robot && !mesh) {
+        findings.error({root.where.source, 1, 1}, "missing-key",
+                       "there is no input; remedy: write 'robot: {urdf: FILE}' or 'mesh: FILE'");
+        return;
+    }
+    const Key& key = *root.find_key(robot ? "robot" : "mesh");
+    recipe.input_where = findings.locate(key.where);
+    if (robot && mesh) {
+        findings.error(root.find_key("mesh")->where, "conflict",
+                       "both 'robot' and 'mesh' are given; remedy: delete one");
+    }
+    if (mesh) {
+        recipe.mesh = read_texts(*mesh, "mesh", findings);
+    }
+    if (robot && expect_map(*robot, "robot", "robot: {urdf: FILE}", findings)) {
+        refuse_unknown_keys(*robot, "robot", {"urdf"}, findings);
+        if (const Value* urdf = robot->find("urdf")) {
+            recipe.urdf = read_texts(*urdf, "urdf", findings);
+        } else {
+            findings.error(robot->where, "missing-key", "'robot' needs 'urdf'; remedy: write robot: {urdf: FILE}");
+        }
+    }
+}
+
+void check_budget(const Value& budget, Recipe& recipe, Findings& findings) {
+    if (!expect_map(budget, "budget", "budget: {spheres: 22}", findings)) {
+        return;
+    }
+    const auto values = read_values(budget, budget_values(), "budget", {}, findings);
+    if (const auto it = values.find("spheres"); it != values.end()) {
+        recipe.budget_spheres = static_cast<std::size_t>(std::get<std::int64_t>(it->second));
+    }
+    if (const auto it = values.find("max_protrusion"); it != values.end()) {
+        recipe.budget_max_protrusion = std::get<double>(it->second);
+    }
+}
+
+void check_debug(const Value& debug, Recipe& recipe, Findings& findings) {
+    if (!expect_map(debug, "debug", "debug: {meshes: true, snapshots: true}", findings)) {
+        return;
+    }
+    for (const auto& [key, value] : read_values(debug, debug_values(), "debug", {}, findings)) {
+        (key == "meshes" ? recipe.debug_meshes : recipe.debug_snapshots) = std::get<bool>(value);
+    }
+}
+
+} // namespace
+
+std::string why_no_folder_name(std::string_view name) {
+    if (name.empty()) {
+        return "is empty";
+    }
+    if (name.front() == '.' || name.front() == '-') {
+        return fmt::format("begins with '{}'", name.front());
+    }
+    if (!std::all_of(name.begin(), name.end(), is_safe)) {
+        return "holds other characters than letters, digits, _ - + = and .";
+    }
+    return name.size() > 200 ? "is longer than 200 characters" : "";
+}
+
+Recipe check_recipe(const Value& root, const std::filesystem::path& file, const std::string& suffix,
+                    const Checking& checking) {
+    Recipe recipe;
+    Findings& findings = checking.findings;
+    recipe.file = file;
+    check_version(root, findings);
+    refuse_unknown_top_level_keys(root, checking);
+    check_plain_values(root, recipe, findings);
+    check_name(root, file, suffix, root.find("name"), recipe, findings);
+    check_input(root, recipe, findings);
+    if (const Value* path = root.find("package_path")) {
+        recipe.package_path = read_texts(*path, "package_path", findings);
+    }
+    if (const Value* plugins = root.find("plugins")) {
+        recipe.plugins = read_texts(*plugins, "plugins", findings);
+    }
+    if (const Value* budget = root.find("budget")) {
+        check_budget(*budget, recipe, findings);
+    }
+    if (const Value* debug = root.find("debug")) {
+        check_debug(*debug, recipe, findings);
+    }
+    check_stages(root.find("stages"), root, recipe, checking);
+    if (const Value* links = root.find("links")) {
+        check_links(*links, recipe, checking);
+    }
+    check_outputs(root.find("outputs"), root, recipe, checking);
+    check_snapshots(root.find("snapshots"), root, recipe, checking);
+    return recipe;
+}
+
+} // namespace foam::reading

@@ -1,0 +1,122 @@
+// links: what is different for some of them.
+#include "check.hpp"
+#include "format.hpp"
+
+#include <foam/error.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foam::reading {
+namespace {
+
+std::vector<std::string> chain_of(const Recipe& recipe) {
+    std::vector<std::string> names;
+    for (const StageCall& filter : recipe.filters) {
+        names.push_back(filter.stage);
+    }
+    if (!recipe.spherizer.stage.empty()) {
+        names.push_back(recipe.spherizer.stage);
+    }
+    return names;
+}
+
+/// A set that is opened and not closed matches nothing, which nobody means.
+bool is_whole_glob(std::string_view glob) {
+    for (std::size_t open = glob.find('['); open != std::string_view::npos; open = glob.find('[', open + 1)) {
+        const std::size_t close = glob.find(']', open + 2);
+        if (close == std::string_view::npos) {
+            return false;
+        }
+        open = close;
+    }
+    return true;
+}
+
+void read_stage_override(const Key& key, const Value& value, const Recipe& recipe, LinkOverride& link,
+                         const Checking& checking) {
+    const std::vector<std::string> chain = chain_of(recipe);
+    StageItem item;
+    item.name = key;
+    item.call = {key.text, {}, checking.findings.locate(key.where)};
+    item.parameters = value.is(Value::Kind::null) ? nullptr : &value;
+    item.stage = checking.registry.find(key.text);
+    if (item.stage && std::find(chain.begin(), chain.end(), key.text) == chain.end()) {
+        checking.findings.error(
+            key.where, "unknown-stage",
+            fmt::format("stage {} is not in the chain of 'stages', so it cannot be changed for a link{}",
+                        in_quotes(key.text), suggestion(key.text, chain)));
+        return;
+    }
+    if (!item.stage) {
+        std::vector<std::string> known = chain;
+        for (const Parameter& p : link_values()) {
+            known.push_back(p.name);
+        }
+        checking.findings.error(
+            key.where, "unknown-key",
+            fmt::format("unknown key {} in links{}", in_quotes(key.text), suggestion(key.text, known)));
+        return;
+    }
+    read_stage_parameters(item, {}, checking);
+    link.stages.push_back(std::move(item.call));
+}
+
+LinkOverride read_override(const Key& glob, const Value& map, const Recipe& recipe, const Checking& checking) {
+    LinkOverride link;
+    link.glob = glob.text;
+    link.where = checking.findings.locate(glob.where);
+    if (glob.text.empty() || !is_whole_glob(glob.text)) {
+        checking.findings.error(
+            glob.where, "bad-glob",
+            fmt::format("{} names no link; remedy: give a name, * and ? stand for any characters, [a-z] "
+                        "for one of a set",
+                        in_quotes(glob.text)));
+    }
+    const std::vector<Parameter> declared = link_values();
+    for (std::size_t i = 0; i < map.keys.size(); ++i) {
+        const Key& key = map.keys[i];
+        const auto p =
+            std::find_if(declared.begin(), declared.end(), [&](const Parameter& d) { return d.name == key.text; });
+        if (p == declared.end()) {
+            read_stage_override(key, map.items[i], recipe, link, checking);
+            continue;
+        }
+        const auto read = read_value(map.items[i], *p, glob.text, checking.findings);
+        if (read && key.text == "skip") {
+            link.skip = std::get<bool>(*read);
+        } else if (read) {
+            (key.text == "min_spheres" ? link.min_spheres : link.max_spheres) =
+                static_cast<std::size_t>(std::get<std::int64_t>(*read));
+        }
+    }
+    return link;
+}
+
+} // namespace
+
+void check_links(const Value& links, Recipe& recipe, const Checking& checking) {
+    if (!expect_map(links, "links", "links: {\"*finger\": {skip: true}}", checking.findings)) {
+        return;
+    }
+    for (std::size_t i = 0; i < links.keys.size(); ++i) {
+        if (expect_map(links.items[i], links.keys[i].text, "{skip: true} or {stage.name: {parameter: value}}",
+                       checking.findings)) {
+            recipe.links.push_back(read_override(links.keys[i], links.items[i], recipe, checking));
+        }
+    }
+    // Limits that contradict each other, as far as names without wildcards show it; for_link() finds the rest.
+    for (const LinkOverride& link : recipe.links) {
+        try {
+            if (link.glob.find_first_of("*?[") == std::string::npos || (link.min_spheres && link.max_spheres)) {
+                recipe.for_link(link.glob);
+            }
+        } catch (const Error& error) {
+            const Key& key = *links.find_key(link.glob);
+            checking.findings.error(key.where, "conflict", error.what());
+        }
+    }
+}
+
+} // namespace foam::reading

@@ -1,0 +1,104 @@
+#include "findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foam {
+
+std::string Location::text() const {
+    return line > 0 ? fmt::format("{}:{}:{}", file, line, column) : file;
+}
+
+std::string Diagnostic::text() const {
+    return fmt::format("{}: {}[{}]: {}", where.text(), level == Level::error ? "error" : "warning", code, message);
+}
+
+bool RecipeResult::ok() const {
+    return std::none_of(diagnostics.begin(), diagnostics.end(),
+                        [](const Diagnostic& d) { return d.level == Diagnostic::Level::error; });
+}
+
+namespace reading {
+namespace {
+
+constexpr std::size_t most_findings = 500;
+
+} // namespace
+
+Findings::Findings(std::string file) : file_(std::move(file)) {}
+
+void Findings::error(const Place& place, std::string code, std::string message) {
+    any_error_ = true;
+    add(Diagnostic::Level::error, place, std::move(code), std::move(message));
+}
+
+void Findings::warning(const Place& place, std::string code, std::string message) {
+    add(Diagnostic::Level::warning, place, std::move(code), std::move(message));
+}
+
+Location Findings::locate(const Place& place) const {
+    return place.source == 0 ? Location{file_, place.line, place.column} : Location{"--set", place.source, 1};
+}
+
+void Findings::add(Diagnostic::Level level, const Place& place, std::string code, std::string message) {
+    Key key{place.source, place.line, place.column, code, message};
+    if (seen_.contains(key)) {
+        return; // each point of a sweep is checked; what they share is told once
+    }
+    if (list_.size() >= most_findings) {
+        ++left_out_;
+        return;
+    }
+    seen_.insert(key);
+    list_.emplace_back(std::move(key), Diagnostic{level, locate(place), std::move(code), std::move(message)});
+}
+
+std::vector<Diagnostic> Findings::take() {
+    std::stable_sort(list_.begin(), list_.end(), [](const auto& a, const auto& b) {
+        const auto place = [](const Key& key) {
+            return std::tuple(std::get<0>(key), std::get<1>(key), std::get<2>(key));
+        };
+        return place(a.first) < place(b.first);
+    });
+    std::vector<Diagnostic> result;
+    for (auto& [key, diagnostic] : list_) {
+        result.push_back(std::move(diagnostic));
+    }
+    if (left_out_ > 0) {
+        Diagnostic rest;
+        rest.where.file = file_;
+        rest.code = "too-many";
+        rest.message = fmt::format("{} more findings; correct these first", left_out_);
+        result.push_back(std::move(rest));
+    }
+    return result;
+}
+
+std::string in_quotes(std::string_view text) {
+    constexpr std::size_t most = 60;
+    std::string result = "'";
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const bool starts_character = (byte & 0xC0U) != 0x80U;
+        if (result.size() > most && starts_character) {
+            return result + "…'";
+        }
+        if (byte < 0x20 || byte == 0x7F) {
+            result += fmt::format("\\x{:02x}", byte);
+        } else {
+            result += text[i];
+        }
+    }
+    return result + "'";
+}
+
+std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
+    if (const std::string near = word.size() < 200 ? nearest_word(word, known) : ""; !near.empty()) {
+        return fmt::format("; did you mean {}?", in_quotes(near));
+    }
+    return !known.empty() && known.size() <= 20 ? fmt::format("; known: {}", fmt::join(known, ", ")) : "";
+}
+
+} // namespace reading
+} // namespace foam

@@ -1,0 +1,46 @@
+// Collects what is wrong with a recipe, with the place of each finding.
+#pragma once
+
+#include <foam/host/recipe.hpp>
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace foam::reading {
+
+/// A place in one of the texts that make up a recipe. Source 0: the file; n: the n-th `--set`.
+struct Place {
+    int source = 0, line = 0, column = 0;
+};
+
+class Findings {
+public:
+    explicit Findings(std::string file);
+
+    void error(const Place& place, std::string code, std::string message);
+    void warning(const Place& place, std::string code, std::string message);
+    bool any_error() const { return any_error_; }
+    Location locate(const Place& place) const;
+    /// In the order of the text, each once. After a few hundred the rest is only counted.
+    std::vector<Diagnostic> take();
+
+private:
+    void add(Diagnostic::Level level, const Place& place, std::string code, std::string message);
+
+    using Key = std::tuple<int, int, int, std::string, std::string>; // source, line, column, code, message
+    std::string file_;
+    std::set<Key> seen_;
+    std::vector<std::pair<Key, Diagnostic>> list_;
+    std::size_t left_out_ = 0;
+    bool any_error_ = false;
+};
+
+/// `text` in single quotes, fit for a message: shortened, control characters escaped.
+std::string in_quotes(std::string_view text);
+/// "; did you mean 'x'?" for the nearest of `known`; else what is known, or nothing if that is too much.
+std::string suggestion(std::string_view word, const std::vector<std::string>& known);
+
+} // namespace foam::reading

@@ -1,0 +1,56 @@
+#include "format.hpp"
+
+#include <algorithm>
+
+namespace foam::reading {
+
+std::vector<Parameter> top_level_values() {
+    return {
+        Parameter::text("name", "").doc("Name of the run's folder; absent: the recipe's file name without its ending."),
+        Parameter::integer("seed", 0).at_least(0).doc("Seed of all random choices."),
+        Parameter::choice("per", {"link", "collision"}, "link")
+            .doc("Spherize each link as one solid, or every collision element on its own."),
+        Parameter::choice("guarantee", {"outer", "fitted"}, "outer")
+            .doc("outer: nothing of the geometry sticks out of the spheres, proved; fitted: neither side is promised."),
+        Parameter::choice("on_error", {"stop", "skip", "fallback"}, "stop")
+            .doc("When a link fails: stop the run, leave the link out, or stand its bounding sphere in for it."),
+    };
+}
+
+std::vector<Parameter> budget_values() {
+    return {
+        Parameter::integer("spheres", 1).at_least(1).unit("1").doc("Number of spheres over the whole robot."),
+        Parameter::number("max_protrusion", 0)
+            .at_least(0)
+            .unit("m")
+            .doc("Largest distance by which spheres may stand out of the geometry, as far as the number of spheres "
+                 "allows."),
+    };
+}
+
+std::vector<Parameter> link_values() {
+    return {
+        Parameter::boolean("skip", false).doc("Leave these links without spheres."),
+        Parameter::integer("min_spheres", 1).at_least(1).unit("1").doc("Fewest spheres of each of these links."),
+        Parameter::integer("max_spheres", 1).at_least(1).unit("1").doc("Most spheres of each of these links."),
+    };
+}
+
+std::vector<Parameter> debug_values() {
+    return {
+        Parameter::boolean("meshes", false).doc("Write every link's mesh after each stage."),
+        Parameter::boolean("snapshots", false).doc("Write a picture of every link after each stage."),
+    };
+}
+
+bool is_optional(const std::string& key) {
+    static constexpr const char* keys[] = {"name", "spheres", "max_protrusion", "skip", "min_spheres", "max_spheres"};
+    return std::find(std::begin(keys), std::end(keys), key) != std::end(keys);
+}
+
+std::vector<std::string> top_level_structures() {
+    return {"foam",   "robot", "mesh",    "package_path", "plugins", "stages",
+            "budget", "links", "outputs", "snapshots",    "debug",   "sweep"};
+}
+
+} // namespace foam::reading

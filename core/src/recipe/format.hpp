@@ -1,0 +1,29 @@
+// The keys of the recipe format: one declaration for reader, writer and schema.
+#pragma once
+
+#include <foam/parameter.hpp>
+
+#include <string>
+#include <vector>
+
+namespace foam::reading {
+
+/// Version of the format, the value of the key `foam`.
+inline constexpr int format_version = 1;
+/// The renderer of snapshots when the recipe names none.
+inline constexpr const char* default_renderer = "snapshot.osmesa";
+/// Pictures are at most this many pixels wide and high.
+inline constexpr int smallest_picture = 16, largest_picture = 16384;
+
+/// Keys with a plain value. An empty default means: the key may be absent, see its doc sentence.
+std::vector<Parameter> top_level_values(); ///< name, seed, per, guarantee, on_error
+std::vector<Parameter> budget_values();    ///< spheres, max_protrusion
+std::vector<Parameter> link_values();      ///< skip, min_spheres, max_spheres
+std::vector<Parameter> debug_values();     ///< meshes, snapshots
+/// The keys above whose absence is not the same as any value.
+bool is_optional(const std::string& key);
+
+/// Keys with a list or map: robot, mesh, stages, …
+std::vector<std::string> top_level_structures();
+
+} // namespace foam::reading

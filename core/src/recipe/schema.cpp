@@ -1,0 +1,226 @@
+// JSON Schema of recipes: for editors and for checks by other tools.
+#include "format.hpp"
+
+#include <foam/host/recipe.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace foam {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using namespace reading;
+
+Json as_json(const ParameterValue& value) {
+    return std::visit([](const auto& v) { return Json(v); }, value);
+}
+
+/// A bound without a fraction is written as an integer.
+Json as_json(double bound) {
+    constexpr double exact = 9007199254740992.0; // 2^53
+    const bool whole =
+        bound >= -exact && bound <= exact && bound == static_cast<double>(static_cast<std::int64_t>(bound));
+    return whole ? Json(static_cast<std::int64_t>(bound)) : Json(bound);
+}
+
+std::string describe(const Parameter& p) {
+    std::string text = p.doc_text;
+    if (!p.unit_text.empty() && p.unit_text != "1") {
+        text += " Unit: " + p.unit_text + ".";
+    }
+    return p.source_text.empty() ? text : text + " Default from: " + p.source_text + ".";
+}
+
+Json schema_of(const Parameter& p) {
+    Json schema;
+    schema["description"] = describe(p);
+    switch (p.type) {
+    case Parameter::Type::boolean:
+        schema["type"] = "boolean";
+        break;
+    case Parameter::Type::integer:
+        schema["type"] = "integer";
+        schema["minimum"] = std::numeric_limits<std::int64_t>::min();
+        schema["maximum"] = std::numeric_limits<std::int64_t>::max();
+        break;
+    case Parameter::Type::number:
+        schema["type"] = "number";
+        break;
+    case Parameter::Type::text:
+        schema["type"] = "string";
+        break;
+    case Parameter::Type::choice:
+        schema["enum"] = p.choices;
+        break;
+    }
+    if (p.low) {
+        schema["minimum"] = as_json(*p.low);
+    }
+    if (p.high) {
+        schema["maximum"] = as_json(*p.high);
+    }
+    if (!is_optional(p.name)) {
+        schema["default"] = as_json(p.default_value);
+    }
+    return schema;
+}
+
+Json object(Json properties) {
+    return {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
+}
+
+Json properties_of(const std::vector<Parameter>& parameters) {
+    Json properties = Json::object();
+    for (const Parameter& p : parameters) {
+        properties[p.name] = schema_of(p);
+    }
+    return properties;
+}
+
+Json reference(const std::string& definition) {
+    return {{"$ref", "#/$defs/" + definition}};
+}
+
+/// The parameters of a stage; null stands for none.
+Json parameters_of(const RegisteredStage& stage) {
+    Json properties = properties_of(stage.info.parameters);
+    Json schema;
+    schema["description"] = stage.info.summary + (stage.info.reference.empty() ? "" : " " + stage.info.reference);
+    schema["type"] = {"object", "null"};
+    if (stage.kind == StageKind::writer) {
+        Json file = {{"description", "File to write, relative to the run's folder."},
+                     {"type", "string"},
+                     {"pattern", "^(?!/)(?!(.*/)?\\.\\.(/|$))[^\\\\]*[^/\\\\]$"}};
+        if (stage.info.extensions.empty()) {
+            schema["type"] = "object";
+            schema["required"] = {"file"};
+        }
+        properties["file"] = std::move(file);
+    }
+    schema["properties"] = std::move(properties);
+    schema["additionalProperties"] = false;
+    return schema;
+}
+
+/// "stage" or {stage: {parameters}}, of the kinds given.
+Json stage_item(const Registry& registry, std::initializer_list<StageKind> kinds) {
+    Json names = Json::array(), properties = Json::object();
+    for (const auto& [name, stage] : registry.stages()) {
+        if (std::find(kinds.begin(), kinds.end(), stage.kind) != kinds.end()) {
+            if (stage.kind != StageKind::writer || !stage.info.extensions.empty()) {
+                names.push_back(name);
+            }
+            properties[name] = reference(name);
+        }
+    }
+    Json map = object(std::move(properties));
+    map["minProperties"] = 1;
+    map["maxProperties"] = 1;
+    Json alternatives = Json::array({std::move(map)});
+    if (!names.empty()) {
+        alternatives.push_back({{"enum", std::move(names)}});
+    }
+    return {{"anyOf", std::move(alternatives)}};
+}
+
+Json link_schema(const Registry& registry) {
+    Json properties = properties_of(link_values());
+    for (const auto& [name, stage] : registry.stages()) {
+        if (stage.kind == StageKind::mesh_filter || stage.kind == StageKind::spherizer) {
+            properties[name] = reference(name);
+        }
+    }
+    return object(std::move(properties));
+}
+
+Json texts(const char* description) {
+    const Json text = {{"type", "string"}, {"minLength", 1}};
+    return {{"description", description},
+            {"anyOf", Json::array({text, {{"type", "array"}, {"items", text}, {"minItems", 1}}})}};
+}
+
+Json snapshot_schema() {
+    const Json pixels = {{"type", "integer"}, {"minimum", smallest_picture}, {"maximum", largest_picture}};
+    Json properties;
+    properties["size"] = {{"description", "Width and height of the robot's picture in pixels."},
+                          {"type", "array"},
+                          {"items", pixels},
+                          {"minItems", 2},
+                          {"maxItems", 2},
+                          {"default", {1280, 960}}};
+    properties["pose"] = {
+        {"description", "Joint values of the robot's picture, rad or m; joints not named are at zero."},
+        {"type", "object"},
+        {"additionalProperties", {{"type", "number"}}}};
+    properties["renderer"] = reference("renderer");
+    return {{"description", "Pictures of the robot and its links."},
+            {"anyOf", Json::array({{{"type", "boolean"}}, object(std::move(properties))})},
+            {"default", false}};
+}
+
+Json top_level(const Registry& registry) {
+    Json p;
+    p["foam"] = {{"description", "Version of the recipe format."}, {"const", format_version}};
+    const Json values = properties_of(top_level_values());
+    for (const auto& [key, schema] : values.items()) {
+        p[key] = schema;
+    }
+    p["name"]["pattern"] = "^(?![-.])[A-Za-z0-9_.+=-]{1,200}$";
+    p["seed"]["maximum"] = std::numeric_limits<std::uint64_t>::max();
+    p["robot"] = object({{"urdf", texts("URDF files, the first that exists is taken: a path relative to the recipe, "
+                                        "package://PACKAGE/PATH or file:///PATH.")}});
+    p["robot"]["required"] = {"urdf"};
+    p["mesh"] = texts("Mesh files, the first that exists is taken; references as for a URDF.");
+    p["package_path"] = texts("Folders to look for packages in, before those of the environment.");
+    p["plugins"] = texts("Plugin files to load, relative to the recipe.");
+    p["stages"] = {{"description", "Mesh filters in order, then one spherizer."},
+                   {"type", "array"},
+                   {"items", reference("chain stage")},
+                   {"contains", reference("spherizer")},
+                   {"minContains", 1},
+                   {"maxContains", 1}};
+    p["budget"] = object(properties_of(budget_values()));
+    p["links"] = {
+        {"description", "What is different for the links that a name or glob (* ? [a-z]) matches; later ones win."},
+        {"type", "object"},
+        {"propertyNames", {{"minLength", 1}}},
+        {"additionalProperties", link_schema(registry)}};
+    p["outputs"] = {{"description", "Files to write; absent: NAME.urdf (robots) and NAME.json."},
+                    {"type", "array"},
+                    {"items", reference("writer")}};
+    p["snapshots"] = snapshot_schema();
+    p["debug"] = object(properties_of(debug_values()));
+    p["sweep"] = {
+        {"description", "Values to run through: a path of keys and its values; several make all combinations."},
+        {"type", "object"},
+        {"minProperties", 1},
+        {"propertyNames", {{"not", {{"pattern", "^(foam|name|sweep)(\\.|$)"}}}}},
+        {"additionalProperties", {{"type", "array"}, {"minItems", 1}, {"uniqueItems", true}}}};
+    return p;
+}
+
+} // namespace
+
+std::string recipe_schema(const Registry& registry) {
+    Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "foam recipe"}};
+    schema.update(object(top_level(registry)));
+    schema["required"] = {"foam"};
+    // A sweep may bring the input or the stages, so only without one can their absence be told from here.
+    const Json one_input = {{"oneOf", Json::array({{{"required", {"robot"}}}, {{"required", {"mesh"}}}})},
+                            {"required", {"stages"}}};
+    schema["anyOf"] = Json::array({{{"required", {"sweep"}}}, one_input});
+    Json& definitions = schema["$defs"];
+    definitions["chain stage"] = stage_item(registry, {StageKind::mesh_filter, StageKind::spherizer});
+    definitions["spherizer"] = stage_item(registry, {StageKind::spherizer});
+    definitions["renderer"] = stage_item(registry, {StageKind::renderer});
+    definitions["writer"] = stage_item(registry, {StageKind::writer});
+    for (const auto& [name, stage] : registry.stages()) {
+        definitions[name] = parameters_of(stage);
+    }
+    return schema.dump(2) + "\n";
+}
+
+} // namespace foam
