@@ -74,6 +74,9 @@ Cleaned clean(const Mesh& mesh, Context& context) {
     check(mesh);
     Cleaned result;
     result.all = welded(mesh);
+    if (!result.all.triangles.empty()) {
+        check_extents(result.all);
+    }
     Mesh solid{result.all.vertices, {}};
     for (const Triangle& t : result.all.triangles) {
         if (!is_degenerate(corners(result.all, t))) {
@@ -93,7 +96,6 @@ Cleaned clean(const Mesh& mesh, Context& context) {
         context.log(Severity::info, fmt::format("{} triangles repeat others", with_area - solid.triangles.size()));
     }
     result.distinct = welded(solid);
-    check_extents(result.distinct);
     return result;
 }
 

@@ -42,6 +42,7 @@ private:
     Mesh repaired(const Cleaned& cleaned, Context& context) const {
         if (keep_closed_) {
             if (std::optional<Mesh> closed = kept(cleaned, context)) {
+                context.log(Severity::debug, "closed already: not rebuilt");
                 return std::move(*closed);
             }
         }

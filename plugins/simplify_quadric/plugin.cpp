@@ -12,8 +12,12 @@ namespace {
 void check_indices(const Mesh& mesh) {
     for (const Triangle& t : mesh.triangles) {
         for (const std::uint32_t corner : t) {
-            if (corner >= mesh.vertices.size() || !is_finite(mesh.vertices[corner])) {
-                throw Error(ErrorCode::geometry, "the mesh has vertices that are missing or not finite");
+            if (corner >= mesh.vertices.size()) {
+                throw Error(ErrorCode::geometry, fmt::format("a triangle refers to vertex {}, but there are only {}",
+                                                             corner, mesh.vertices.size()));
+            }
+            if (!is_finite(mesh.vertices[corner])) {
+                throw Error(ErrorCode::geometry, fmt::format("vertex {} of the mesh is not finite", corner));
             }
         }
     }

@@ -20,8 +20,8 @@ void check(const Mesh& mesh) {
     }
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
         const Vec3& p = mesh.vertices[i];
-        // Sums over neighbours must stay finite.
-        if (!(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) < 1e150)) {
+        // Cubes of coordinates must stay finite.
+        if (!is_finite(p) || std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > 1e90) {
             throw Error(ErrorCode::geometry, fmt::format("vertex {} of the mesh is not finite or too far away", i));
         }
     }

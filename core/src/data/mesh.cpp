@@ -27,7 +27,9 @@ double signed_volume(const Mesh& mesh) {
     const Vec3 center = mesh.vertices.empty() ? Vec3{} : bounds(mesh).center();
     double sum = 0;
     for (const auto& [a, b, c] : mesh.triangles) {
-        sum += dot(mesh.vertices[a] - center, cross(mesh.vertices[b] - center, mesh.vertices[c] - center));
+        // Differences of corners first: exact enough for triangles that are small against the whole.
+        const Vec3& p = mesh.vertices[a];
+        sum += dot(p - center, cross(mesh.vertices[b] - p, mesh.vertices[c] - p));
     }
     return sum / 6;
 }
