@@ -1,8 +1,9 @@
-// Walks the recipes in tests/recipes: bad ones have exactly the findings written beside them, good ones have none and
-// survive being written and read again.
+// Walks the recipes in tests/recipes: bad ones have exactly the findings written beside them (FOAM_TEST_UPDATE=1 writes
+// them anew: read the difference), good ones have none and survive being written and read again.
 #include "support.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 
 namespace foam::test {
@@ -28,7 +29,7 @@ RecipeResult read_relative(const fs::path& file, Registry& registry) {
 
 TEST(RecipeFiles, BadOnesHaveExactlyTheirFindings) {
     const auto files = recipes_in("bad");
-    EXPECT_FALSE(files.empty());
+    EXPECT_GE(files.size(), 30U);
     for (const fs::path& file : files) {
         SCOPED_TRACE(file.filename().string());
         Registry registry;
@@ -37,13 +38,17 @@ TEST(RecipeFiles, BadOnesHaveExactlyTheirFindings) {
         EXPECT_FALSE(result.ok());
         EXPECT_TRUE(result.recipes.empty());
         fs::path expected = file;
-        EXPECT_EQ(text_of(result.diagnostics), read_file(expected.replace_extension(".expected")));
+        expected.replace_extension(".expected");
+        if (std::getenv("FOAM_TEST_UPDATE")) {
+            std::ofstream(expected, std::ios::binary) << text_of(result.diagnostics);
+        }
+        EXPECT_EQ(text_of(result.diagnostics), read_file(expected));
     }
 }
 
 TEST(RecipeFiles, GoodOnesHaveNoFinding) {
     const auto files = recipes_in("good");
-    EXPECT_FALSE(files.empty());
+    EXPECT_GE(files.size(), 7U);
     for (const fs::path& file : files) {
         SCOPED_TRACE(file.filename().string());
         Registry registry;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace foam {
 namespace {
@@ -100,13 +101,17 @@ std::string expectation(const Parameter& p) {
     case Parameter::Type::integer:
     case Parameter::Type::number: break;
     }
+    const auto bound = [](double value) {
+        const bool whole = std::abs(value) < 1e15 && std::floor(value) == value;
+        return whole ? fmt::format("{}", static_cast<std::int64_t>(value)) : number_text(value);
+    };
     std::string text = p.type == Parameter::Type::integer ? "an integer" : "a number";
     if (p.low && p.high) {
-        text += fmt::format(" between {} and {}", number_text(*p.low), number_text(*p.high));
+        text += fmt::format(" between {} and {}", bound(*p.low), bound(*p.high));
     } else if (p.low) {
-        text += fmt::format(" of at least {}", number_text(*p.low));
+        text += fmt::format(" of at least {}", bound(*p.low));
     } else if (p.high) {
-        text += fmt::format(" of at most {}", number_text(*p.high));
+        text += fmt::format(" of at most {}", bound(*p.high));
     }
     return text;
 }

@@ -36,8 +36,8 @@ std::string why_bad(const StageInfo& info) {
             return fmt::format("stage '{}': parameter '{}' has no doc sentence", info.name, p.name);
         }
         if (const std::string why = why_invalid(p, p.default_value); !why.empty()) {
-            return fmt::format("stage '{}': the default of parameter '{}' breaks its own declaration: {}", info.name, p.name,
-                               why);
+            return fmt::format("stage '{}': the default of parameter '{}' breaks its own declaration: {}", info.name,
+                               p.name, why);
         }
     }
     return "";
@@ -60,7 +60,8 @@ std::string writable_by_others(const fs::path& file) {
         return "it is not a regular file";
     }
     if (status.st_mode & S_IWOTH) {
-        return fmt::format("everybody may write to it, so anybody's code could run; remedy: chmod o-w {}", file.string());
+        return fmt::format("everybody may write to it, so anybody's code could run; remedy: chmod o-w {}",
+                           file.string());
     }
     return "";
 }
@@ -83,7 +84,8 @@ const PluginRecord& Registry::load(const fs::path& file) {
     if (canonical.empty()) {
         canonical = file;
     }
-    const auto known = std::find_if(plugins_.begin(), plugins_.end(), [&](const PluginRecord& r) { return r.file == canonical; });
+    const auto known =
+        std::find_if(plugins_.begin(), plugins_.end(), [&](const PluginRecord& r) { return r.file == canonical; });
     if (known != plugins_.end()) {
         return *known;
     }
@@ -106,8 +108,8 @@ std::string Registry::try_load(const fs::path& file, PluginRecord& record) {
         return "it is a shared library, but not a foam plugin (no FOAM_PLUGIN in it)";
     }
     const auto mismatch = [](std::string_view has) {
-        return fmt::format("it was built for [{}], this foam is [{}]; remedy: rebuild the plugin against this foam", has,
-                           FOAM_ABI_FINGERPRINT);
+        return fmt::format("it was built for [{}], this foam is [{}]; remedy: rebuild the plugin against this foam",
+                           has, FOAM_ABI_FINGERPRINT);
     };
     if (*note.fingerprint != FOAM_ABI_FINGERPRINT) {
         return mismatch(*note.fingerprint);
@@ -195,11 +197,18 @@ const RegisteredStage* Registry::find_for_extension(StageKind kind, std::string_
 }
 
 std::string Registry::nearest(std::string_view stage) const {
-    std::vector<std::string> names;
+    const auto method_of = [](std::string_view name) { return std::string(name.substr(name.find('.') + 1)); };
+    std::vector<std::string> names, methods;
     for (const auto& [name, unused] : stages_) {
         names.push_back(name);
+        methods.push_back(method_of(name));
     }
-    return nearest_word(stage, names);
+    if (const std::string near = nearest_word(stage, names); !near.empty()) {
+        return near;
+    }
+    // Without its kind, or with another: "watertight", "mesh.watertight".
+    const auto method = std::find(methods.begin(), methods.end(), nearest_word(method_of(stage), methods));
+    return method == methods.end() ? "" : names[static_cast<std::size_t>(method - methods.begin())];
 }
 
 std::unique_ptr<Stage> Registry::make_stage(std::string_view name, StageKind kind,
@@ -212,8 +221,8 @@ std::unique_ptr<Stage> Registry::make_stage(std::string_view name, StageKind kin
                                                                : fmt::format("; did you mean '{}'?", near)));
     }
     if (stage->kind != kind) {
-        throw Error(ErrorCode::usage, fmt::format("stage '{}' is a {}, a {} is needed here", name, to_string(stage->kind),
-                                                  to_string(kind)));
+        throw Error(ErrorCode::usage, fmt::format("stage '{}' is a {}, a {} is needed here", name,
+                                                  to_string(stage->kind), to_string(kind)));
     }
     try {
         return stage->factory(Parameters(stage->info.parameters, given));

@@ -56,7 +56,7 @@ void read_stage_override(const Key& key, const Value& value, const Recipe& recip
         }
         checking.findings.error(
             key.where, "unknown-key",
-            fmt::format("unknown key {} in links{}", in_quotes(key.text), suggestion(key.text, known)));
+            fmt::format("unknown key {} in link {}{}", in_quotes(key.text), link.glob, suggestion(key.text, known)));
         return;
     }
     read_stage_parameters(item, {}, checking);
@@ -83,7 +83,7 @@ LinkOverride read_override(const Key& glob, const Value& map, const Recipe& reci
             read_stage_override(key, map.items[i], recipe, link, checking);
             continue;
         }
-        const auto read = read_value(map.items[i], *p, glob.text, checking.findings);
+        const auto read = read_value(map.items[i], *p, "link " + glob.text, checking.findings);
         if (read && key.text == "skip") {
             link.skip = std::get<bool>(*read);
         } else if (read) {

@@ -92,16 +92,18 @@ void add_output(const Value& value, Recipe& recipe, const Checking& checking) {
         return;
     }
     const std::string file = output_file(item, recipe, checking);
-    for (const OutputCall& other : recipe.outputs) {
-        if (!file.empty() && collide(file, other.file)) {
-            checking.findings.error(item.name.where, "duplicate-file",
-                                    fmt::format("output file {} collides with {} of line {}; remedy: rename one",
-                                                in_quotes(file), in_quotes(other.file), other.writer.where.line));
-        }
+    if (file.empty()) {
+        return;
     }
-    if (!file.empty()) {
+    const auto other = std::find_if(recipe.outputs.begin(), recipe.outputs.end(),
+                                    [&](const OutputCall& output) { return collide(file, output.file); });
+    if (other == recipe.outputs.end()) {
         recipe.outputs.push_back({std::move(item.call), file});
+        return;
     }
+    checking.findings.error(item.name.where, "duplicate-file",
+                            fmt::format("output file {} collides with {} of line {}; remedy: rename one",
+                                        in_quotes(file), in_quotes(other->file), other->writer.where.line));
 }
 
 void add_default_outputs(const Value& root, Recipe& recipe, const Checking& checking) {

@@ -59,6 +59,9 @@ std::string remedy(const Value& value, const Parameter& p) {
         if (value.is(Value::Kind::number) && std::isnan(value.real)) {
             return "; remedy: write a finite number that a double can hold";
         }
+        if (value.is(Value::Kind::number) && p.type == Parameter::Type::integer && std::abs(value.real) > 9e15) {
+            return "; remedy: write a number of at most 64 bits";
+        }
         return value.is(Value::Kind::text) ? number_remedy(value, p) : "";
     case Parameter::Type::text:
         return value.is_scalar() && !value.is(Value::Kind::null)
@@ -105,11 +108,11 @@ std::optional<ParameterValue> read_value(const Value& value, const Parameter& p,
                                          Findings& findings) {
     const std::string name = owner.empty() ? in_quotes(p.name) : fmt::format("{} of {}", in_quotes(p.name), owner);
     std::optional<ParameterValue> result = convert(value, p);
-    const bool right_type = result.has_value();
-    if (right_type && why_invalid(p, *result).empty()) {
+    if (result && why_invalid(p, *result).empty()) {
         return result;
     }
-    const char* code = !right_type ? "wrong-type" : is_numeric(p) ? "out-of-bounds" : "unknown-choice";
+    const bool too_large = is_numeric(p) && value.is(Value::Kind::number) && std::floor(value.real) == value.real;
+    const char* code = !result && !too_large ? "wrong-type" : is_numeric(p) ? "out-of-bounds" : "unknown-choice";
     findings.error(value.where, code,
                    fmt::format("{} expects {}, got {}{}", name, expectation(p), value.description(), remedy(value, p)));
     return std::nullopt;
@@ -136,7 +139,14 @@ std::map<std::string, ParameterValue> read_values(const Value& map, const std::v
 void refuse_unknown_keys(const Value& map, std::string_view owner, const std::vector<std::string>& known,
                          Findings& findings) {
     for (const Key& key : map.keys) {
-        if (std::find(known.begin(), known.end(), key.text) == known.end()) {
+        if (std::find(known.begin(), known.end(), key.text) != known.end()) {
+            continue;
+        }
+        const std::size_t colon = key.text.find(':');
+        if (std::find(known.begin(), known.end(), key.text.substr(0, colon)) != known.end()) {
+            findings.error(key.where, "unknown-key",
+                           fmt::format("unknown key {}; remedy: put a blank behind the ':'", in_quotes(key.text)));
+        } else {
             findings.error(key.where, "unknown-key",
                            fmt::format("unknown key {}{}{}{}", in_quotes(key.text), owner.empty() ? "" : " in ", owner,
                                        suggestion(key.text, known)));

@@ -43,6 +43,26 @@ public:
         return {source_, mark.line + 1, column};
     }
 
+    /// Whether the quoted text that begins at the mark is closed: yaml-cpp takes the end of the file for its end.
+    bool is_closed_quote(const YAML::Mark& mark) const {
+        const std::size_t begin = offset(mark);
+        const char quote = begin < text_.size() ? text_[begin] : ' ';
+        if (quote != '"' && quote != '\'') {
+            return true; // a block text, or behind a tag
+        }
+        for (std::size_t i = begin + 1; i < text_.size(); ++i) {
+            if (quote == '"' && text_[i] == '\\') {
+                ++i;
+            } else if (text_[i] == quote) {
+                if (quote == '"' || i + 1 >= text_.size() || text_[i + 1] != quote) {
+                    return true;
+                }
+                ++i; // '' within single quotes is one quote
+            }
+        }
+        return false;
+    }
+
     bool indented_by_tab(int index) const {
         const std::string_view text = line(index);
         const std::size_t tab = text.find('\t');
@@ -50,6 +70,11 @@ public:
     }
 
 private:
+    std::size_t offset(const YAML::Mark& mark) const {
+        const std::size_t line_index = static_cast<std::size_t>(mark.line);
+        return line_index < starts_.size() ? starts_[line_index] + static_cast<std::size_t>(mark.column) : text_.size();
+    }
+
     std::string_view line(int index) const {
         const std::size_t i = static_cast<std::size_t>(index);
         if (index < 0 || i >= starts_.size()) {
@@ -93,7 +118,9 @@ public:
     }
     void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
         refuse_alias(place_(mark));
-        OnNull(mark, 0);
+        Value value;
+        value.where = place_(mark);
+        add(std::move(value), true);
     }
     void OnAnchor(const YAML::Mark& mark, const std::string& name) override {
         findings_.error(
@@ -109,6 +136,10 @@ public:
             return;
         }
         check_tag(tag, where);
+        if (!place_.is_closed_quote(mark)) {
+            findings_.error(where, "syntax", "this quoted text is never closed; remedy: add the closing quote");
+            throw Stop{};
+        }
         Value value;
         value.kind = Value::Kind::text;
         value.where = where;
@@ -145,8 +176,11 @@ private:
 
     void check_tag(const std::string& tag, const Place& where) {
         if (tag != "?" && tag != "!" && !tag.empty()) {
-            findings_.error(where, "tag",
-                            fmt::format("tags such as {} are not part of recipes; remedy: delete it", in_quotes(tag)));
+            constexpr std::string_view core = "tag:yaml.org,2002:";
+            const std::string shown = tag.starts_with(core) ? "!!" + tag.substr(core.size()) : tag;
+            findings_.error(
+                where, "tag",
+                fmt::format("tags such as {} are not part of recipes; remedy: delete it", in_quotes(shown)));
         }
     }
 
@@ -169,7 +203,8 @@ private:
         add(std::move(value));
     }
 
-    void add(Value value) {
+    /// `refused`: a finding says already that the value cannot be used; nothing more is to be said about it.
+    void add(Value value, bool refused = false) {
         if (events_left_-- == 0) {
             findings_.error(value.where, "syntax", "the YAML parser does not get on here; remedy: correct this line");
             throw Stop{};
@@ -180,13 +215,19 @@ private:
         }
         Frame& frame = frames_.back();
         if (frame.value.is(Value::Kind::list)) {
+            if (refused) {
+                return;
+            }
             frame.value.items.push_back(std::move(value));
         } else if (!frame.has_key) {
             frame.has_key = true;
-            take_key(frame, value);
+            frame.drop = true;
+            if (!refused) {
+                take_key(frame, value);
+            }
         } else {
             frame.has_key = false;
-            if (!frame.drop) {
+            if (!frame.drop && !refused) {
                 frame.value.keys.push_back(std::move(frame.key));
                 frame.value.items.push_back(std::move(value));
             }
@@ -195,7 +236,6 @@ private:
 
     void take_key(Frame& frame, const Value& value) {
         frame.key = {value.text, value.where};
-        frame.drop = true;
         if (!value.is_scalar() || value.is(Value::Kind::null)) {
             findings_.error(
                 value.where, "wrong-type",
@@ -232,6 +272,7 @@ std::string explain(const std::string& message) {
         {"end of sequence flow not found", "this '[' is never closed, or a ',' is missing in it; remedy: complete it"},
         {"illegal EOF in scalar", "a quoted text is never closed; remedy: add the closing quote"},
         {"illegal block entry", "a '- ' that does not belong here; remedy: begin the list in a line of its own"},
+        {"illegal flow end", "a ']' or '}' that closes nothing; remedy: delete it"},
         {"unknown token", "no YAML value begins with this character; remedy: put the text in quotes"},
     };
     for (const auto& [theirs, ours] : table) {
