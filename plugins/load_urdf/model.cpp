@@ -97,7 +97,8 @@ void read_motion(Joint& joint, const xml::Element& element, const Reader& reader
         }
         joint.axis = normalized(direction);
     }
-    if (const xml::Element* limit = reader.only_child(element, "limit")) {
+    const bool limited = joint.kind == Joint::Kind::revolute || joint.kind == Joint::Kind::prismatic;
+    if (const xml::Element* limit = reader.only_child(element, "limit"); limit && limited) {
         joint.lower = reader.number(*limit, "lower").value_or(0);
         joint.upper = reader.number(*limit, "upper").value_or(0);
     }
@@ -114,38 +115,41 @@ Joint read_joint(const xml::Element& element, const Names& links, const Reader& 
     return joint;
 }
 
-/// The link that is no joint's child. Links and joints must form one tree.
-std::string find_root(const Robot& robot, const xml::Element& root, const Names& joints, const Reader& reader) {
-    std::map<std::string, const Joint*> joint_above;
+/// The joint above every link that has one.
+std::map<std::string, const Joint*> joints_above(const Robot& robot, const Names& joints, const Reader& reader) {
+    std::map<std::string, const Joint*> result;
     for (const Joint& joint : robot.joints) {
-        const auto [it, added] = joint_above.emplace(joint.child, &joint);
+        const auto [it, added] = result.emplace(joint.child, &joint);
         if (!added) {
             reader.fail(*joints.at(joint.name), fmt::format("link '{}' is the child of two joints, '{}' and '{}'",
                                                             joint.child, it->second->name, joint.name));
         }
     }
+    return result;
+}
+
+/// Finds the link that is no joint's child. Links and joints must form one tree below it.
+void find_root(Robot& robot, const xml::Element& element, const Names& joints, const Reader& reader) {
+    const std::map<std::string, const Joint*> above = joints_above(robot, joints, reader);
     std::vector<std::string> roots;
     for (const Link& link : robot.links) {
-        if (!joint_above.contains(link.name)) {
+        if (!above.contains(link.name)) {
             roots.push_back(link.name);
         }
     }
     if (roots.size() > 1) {
-        reader.fail(
-            root, fmt::format("links '{}' and '{}' are both no joint's child ({} such links in all); join them to one "
-                              "tree",
-                              roots[0], roots[1], roots.size()));
+        reader.fail(element, fmt::format("links '{}' and '{}' are both no joint's child ({} such links in all); join "
+                                         "them to one tree",
+                                         roots[0], roots[1], roots.size()));
     }
-    Robot reached = robot;
-    reached.root = roots.empty() ? "" : roots.front();
-    const std::map<std::string, Pose> poses = link_poses(reached);
+    robot.root = roots.empty() ? "" : roots.front();
+    const std::map<std::string, Pose> reached = link_poses(robot);
     for (const Link& link : robot.links) {
-        if (!poses.contains(link.name)) {
-            reader.fail(*joints.at(joint_above.at(link.name)->name),
+        if (!reached.contains(link.name) || roots.empty()) {
+            reader.fail(*joints.at(above.at(link.name)->name),
                         fmt::format("the joints go round in a circle through link '{}'", link.name));
         }
     }
-    return roots.front();
 }
 
 } // namespace
@@ -168,7 +172,7 @@ Robot read_robot(const xml::Element& root, const std::string& name, const Reader
         robot.joints.push_back(read_joint(*element, links, reader));
         require_new(joints, robot.joints.back().name, *element, reader);
     }
-    robot.root = find_root(robot, root, joints, reader);
+    find_root(robot, root, joints, reader);
     return robot;
 }
 
