@@ -15,6 +15,10 @@ namespace {
 /// The part of the unit cube's edge that the longest extent takes: the surface does not touch the cube.
 constexpr double filled = 0.998;
 
+/// Distances from the input, in cells: small against the error of the resolution itself; sheets need room for two
+/// sides.
+constexpr double off_solids = 0.005, off_sheets = 0.1;
+
 /// Between the mesh's frame and the unit cube.
 struct Frame {
     Vec3 center;
@@ -37,21 +41,27 @@ Mesh rebuilt(const Mesh& mesh, const RebuildOptions& options, Context& context) 
         p = frame.in(p);
     }
     Octree octree(input, options.leaves, context);
-    if (options.fill_openings) {
-        const std::shared_ptr<const Solid> solid = Solid::make(input);
-        if (!solid->closed()) {
-            fill_openings(octree, *solid, context);
-        }
+    const std::shared_ptr<const Solid> solid = Solid::make(input);
+    if (options.fill_openings && !solid->closed()) {
+        fill_openings(octree, *solid, context);
     }
     flood_from_outside(octree);
     context.metric("occupied_cells", static_cast<double>(octree.occupied()), "1");
     const VoxelSurface voxels = voxel_surface(octree, context);
+    const Nearby nearby(input, voxels, octree);
 
     // Thin curved sheets could end inside out if their two sides came too near to each other: then stay further off.
-    for (double stand_off = 0.02; stand_off < 0.5; stand_off *= 2) {
+    for (double factor = 1; factor < 8; factor *= 2) {
         VoxelSurface surface = voxels;
-        project(surface, input, octree, {.stand_off = stand_off * octree.cell_size()}, context);
+        const ProjectOptions distances = {.off_solids = factor * off_solids, .off_sheets = factor * off_sheets};
+        const double sheets = project(surface, nearby, *solid, octree.cell_size(), distances, context);
         if (signed_volume(surface.mesh) > 0) {
+            if (sheets > 0.01) {
+                context.log(
+                    Severity::info,
+                    fmt::format("about {:.0f} % of the surface has no inside: it became a solid about {:.3g} m thick",
+                                100 * sheets, 2 * distances.off_sheets * octree.cell_size() * frame.scale));
+            }
             for (Vec3& p : surface.mesh.vertices) {
                 p = frame.out(p);
             }
