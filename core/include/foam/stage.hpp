@@ -106,12 +106,12 @@ public:
 
 /// What a plugin says of a stage.
 struct StageInfo {
-    std::string name;                     ///< "kind.method", e.g. "repair.watertight"
-    std::string summary;                  ///< one sentence
-    std::string reference;                ///< the paper or document the method follows; may be empty
+    std::string name{};                   ///< "kind.method", e.g. "repair.watertight"
+    std::string summary{};                ///< one sentence
+    std::string reference{};              ///< the paper or document the method follows; may be empty
     int revision = 1;                     ///< raise it when the same input gives another output: old cache entries are then left
-    std::vector<Parameter> parameters;
-    std::vector<std::string> extensions;  ///< loaders and writers: file name endings, lower case, no dot
+    std::vector<Parameter> parameters{};
+    std::vector<std::string> extensions{}; ///< loaders and writers: file name endings, lower case, no dot
 };
 
 } // namespace foam

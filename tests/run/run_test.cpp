@@ -1,0 +1,215 @@
+// Whole runs on small robots: what comes out, what is said when a stage fails, what is left behind.
+#include "run/files.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <foam/error.hpp>
+#include <foam/host/run.hpp>
+#include <foam/measure.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace foam {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+constexpr const char* two_links = R"(<?xml version="1.0"?>
+<robot name="two">
+  <!-- the base -->
+  <link name="base"><collision><origin xyz="0 0 0.1"/><geometry><box size="0.4 0.2 0.2"/></geometry></collision></link>
+  <link name="tip"><collision><geometry><cylinder radius="0.05" length="0.3"/></geometry></collision></link>
+  <joint name="j" type="fixed"><origin xyz="0 0 0.3"/><parent link="base"/><child link="tip"/></joint>
+</robot>
+)";
+
+class Run : public ::testing::Test {
+protected:
+    Run() {
+        registry.load_directory(FOAM_TEST_PLUGINS);
+        registry.load(FOAM_TEST_MISBEHAVING);
+        write_file(folder.path() / "two.urdf", two_links);
+    }
+
+    Recipe recipe(const std::string& rest) {
+        const auto result = parse_recipe("foam: 1\nname: two\nrobot: {urdf: two.urdf}\n" + rest, folder.path() / "two.yaml", registry);
+        for (const Diagnostic& finding : result.diagnostics) {
+            ADD_FAILURE() << finding.text();
+        }
+        return result.recipes.at(0);
+    }
+    RunOptions options(const std::string& out = "out") const {
+        RunOptions o;
+        o.out = folder.path() / out;
+        o.fresh = true;
+        return o;
+    }
+    std::string failure(const std::string& rest) {
+        try {
+            run(recipe(rest), registry, options());
+        } catch (const Error& error) {
+            code = error.code();
+            return error.what();
+        }
+        return "no error";
+    }
+
+    TemporaryFolder folder;
+    Registry registry;
+    ErrorCode code = ErrorCode::internal;
+};
+
+TEST_F(Run, WritesACertifiedRobotWithinItsBudget) {
+    const RunResult result = run(recipe("stages: [spherize.grid]\nbudget: {spheres: 12}\n"), registry, options());
+    EXPECT_TRUE(result.certified);
+    EXPECT_EQ(result.total.spheres, 12u);
+    EXPECT_EQ(result.total.gap, 0);
+    const auto writer = registry.make<Writer>("write.urdf");
+    const auto spheres = writer->read(read_file(folder.path() / "out/two.urdf"));
+    ASSERT_EQ(spheres.size(), 2u);
+    EXPECT_EQ(spheres.at("base").size() + spheres.at("tip").size(), 12u);
+    for (const char* file : {"two.json", "manifest.json", "events.jsonl", "recipe.resolved.yaml"}) {
+        EXPECT_TRUE(fs::exists(folder.path() / "out" / file)) << file;
+    }
+    EXPECT_THAT(read_file(folder.path() / "out/two.urdf"), HasSubstr("<!-- the base -->"));
+}
+
+TEST_F(Run, GrowsWhatASpherizerLeavesOpen) {
+    const RunResult result = run(recipe("stages: [spherize.misbehaving: {how: small, link: base}]\n"), registry, options());
+    EXPECT_TRUE(result.certified);
+    EXPECT_GT(result.links[0].growth, 0.1);
+    EXPECT_LT(result.links[1].growth, 1e-4);
+}
+
+TEST_F(Run, FittedLeavesTheSpheresAsTheyAre) {
+    const RunResult result =
+        run(recipe("stages: [spherize.misbehaving: {how: small, link: base}]\nguarantee: fitted\n"), registry, options());
+    EXPECT_FALSE(result.certified);
+    EXPECT_GT(result.links[0].measures.gap, 0.1);
+    EXPECT_LT(result.links[0].measures.covered, 0.9);
+}
+
+TEST_F(Run, NamesStageLinkAndInputOfAFailure) {
+    EXPECT_EQ(failure("stages: [spherize.misbehaving: {how: error, link: tip}]\n"),
+              "stage 'spherize.misbehaving', link 'tip', input 'cylinder': this shape is not to my taste");
+    EXPECT_EQ(code, ErrorCode::geometry);
+    EXPECT_EQ(failure("stages: [spherize.misbehaving: {how: exception, link: tip}]\n"),
+              "stage 'spherize.misbehaving', link 'tip', input 'cylinder': the stage failed with an exception of its own: "
+              "index out of range");
+    EXPECT_EQ(code, ErrorCode::plugin);
+    EXPECT_THAT(failure("stages: [spherize.misbehaving: {how: integer, link: tip}]\n"), HasSubstr("threw something that is no"));
+    EXPECT_FALSE(fs::exists(folder.path() / "out"));
+}
+
+TEST_F(Run, ABrokenContractIsFound) {
+    EXPECT_THAT(failure("stages: [spherize.misbehaving: {how: nothing, link: base}]\n"), HasSubstr("it returned no spheres"));
+    EXPECT_THAT(failure("stages: [spherize.misbehaving: {how: nan, link: base}]\n"), HasSubstr("not finite"));
+    EXPECT_THAT(failure("stages: [spherize.misbehaving: {how: parents, link: base}]\n"), HasSubstr("parent index of level 1"));
+    EXPECT_THAT(failure("stages: [spherize.misbehaving: {how: many, link: base}]\nbudget: {spheres: 4}\n"),
+                HasSubstr("returned 1000 spheres where at most 1 were asked for"));
+}
+
+TEST_F(Run, ALostLinkIsOnlyLostOnRequest) {
+    const std::string chain = "stages: [spherize.misbehaving: {how: error, link: tip}]\n";
+    const RunResult skipped = run(recipe(chain + "on_error: skip\n"), registry, options());
+    EXPECT_TRUE(skipped.links_lost);
+    EXPECT_THAT(skipped.links[1].error, HasSubstr("not to my taste"));
+    EXPECT_THAT(read_file(folder.path() / "out/two.urdf"), HasSubstr("<cylinder"));
+
+    const RunResult fallback = run(recipe(chain + "on_error: fallback\n"), registry, options());
+    EXPECT_FALSE(fallback.links_lost);
+    EXPECT_TRUE(fallback.certified);
+    EXPECT_EQ(fallback.links[1].measures.spheres, 1u);
+    ASSERT_FALSE(fallback.findings.empty());
+    EXPECT_THAT(fallback.findings[0].message, HasSubstr("one enclosing sphere stands in for the link"));
+}
+
+TEST_F(Run, ABudgetBelowOneSphereALinkIsRefused) {
+    EXPECT_THAT(failure("stages: [spherize.grid]\nbudget: {spheres: 1}\n"), HasSubstr("budget.spheres: 1 is not enough"));
+    EXPECT_EQ(code, ErrorCode::recipe);
+}
+
+TEST_F(Run, SkippedLinksKeepTheirGeometry) {
+    const RunResult result = run(recipe("stages: [spherize.grid]\nlinks: {tip: {skip: true}}\n"), registry, options());
+    EXPECT_TRUE(result.links[1].skipped);
+    EXPECT_FALSE(result.links_lost);
+    EXPECT_THAT(read_file(folder.path() / "out/two.urdf"), HasSubstr("<cylinder"));
+}
+
+TEST_F(Run, SameBytesOnOneAndFourThreads) {
+    const Recipe r = recipe("stages: [spherize.octree]\nbudget: {spheres: 20}\n");
+    RunOptions one = options("one"), four = options("four");
+    one.threads = 1;
+    four.threads = 4;
+    run(r, registry, one);
+    run(r, registry, four);
+    for (const char* file : {"two.urdf", "two.json"}) {
+        EXPECT_EQ(read_file(folder.path() / "one" / file), read_file(folder.path() / "four" / file)) << file;
+    }
+}
+
+TEST_F(Run, TheResolvedRecipeGivesTheSameBytes) {
+    run(recipe("stages: [spherize.grid]\nbudget: {spheres: 9}\n"), registry, options("first"));
+    const auto resolved = read_recipe(folder.path() / "first/recipe.resolved.yaml", registry);
+    ASSERT_TRUE(resolved.ok()) << (resolved.diagnostics.empty() ? "" : resolved.diagnostics[0].text());
+    run(resolved.recipes.at(0), registry, options("second"));
+    EXPECT_EQ(read_file(folder.path() / "first/two.urdf"), read_file(folder.path() / "second/two.urdf"));
+}
+
+TEST_F(Run, TheCacheGivesTheSameBytesAndSaysSo) {
+    const Recipe r = recipe("stages: [spherize.grid]\nbudget: {spheres: 9}\n");
+    RunOptions o = options("first");
+    o.fresh = false;
+    o.cache = folder.path() / "cache";
+    const RunResult first = run(r, registry, o);
+    o.out = folder.path() / "second";
+    const RunResult second = run(r, registry, o);
+    EXPECT_EQ(read_file(folder.path() / "first/two.urdf"), read_file(folder.path() / "second/two.urdf"));
+    EXPECT_FALSE(first.links[0].stages.back().cached);
+    EXPECT_TRUE(second.links[0].stages.back().cached);
+}
+
+TEST_F(Run, CancellationLeavesTheFormerRunAsItWas) {
+    run(recipe("stages: [spherize.grid]\n"), registry, options());
+    const std::string before = read_file(folder.path() / "out/manifest.json");
+    std::atomic<bool> cancel = false;
+    RunOptions o = options();
+    o.cancel = &cancel;
+    const Recipe endless = recipe("stages: [spherize.misbehaving: {how: waits, link: tip}]\n");
+    std::thread stopper([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        cancel = true;
+    });
+    try {
+        run(endless, registry, o);
+        ADD_FAILURE() << "the run ended by itself";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::cancelled);
+    }
+    stopper.join();
+    EXPECT_EQ(read_file(folder.path() / "out/manifest.json"), before);
+    for (const auto& entry : fs::directory_iterator(folder.path())) {
+        EXPECT_THAT(entry.path().filename().string(), ::testing::Not(HasSubstr("partial")));
+    }
+}
+
+TEST_F(Run, NoInputThatExists) {
+    const auto result = parse_recipe("foam: 1\nname: x\nrobot: {urdf: [package://no_such/a.urdf, b.urdf]}\nstages: [spherize.grid]\n",
+                                     folder.path() / "x.yaml", registry);
+    ASSERT_TRUE(result.ok());
+    try {
+        run(result.recipes.at(0), registry, options());
+        ADD_FAILURE() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::input);
+        EXPECT_THAT(error.what(), HasSubstr("none of the inputs [package://no_such/a.urdf, b.urdf] exists"));
+        EXPECT_THAT(error.what(), HasSubstr((folder.path() / "b.urdf").string()));
+        EXPECT_THAT(error.what(), HasSubstr("remedy"));
+    }
+}
+
+} // namespace
+} // namespace foam
