@@ -43,7 +43,7 @@ def link0():
     hump = [((-0.1520, 0, 0.017), 0.050, 0.014, 4), ((-0.1400, 0, 0.022), 0.056, 0.018, 4),
             ((-0.1150, 0, 0.034), 0.059, 0.032, 3.5), ((-0.0800, 0, 0.050), 0.060, 0.047, 3.5),
             ((-0.0450, 0, 0.062), 0.058, 0.060, 3), ((-0.0100, 0, 0.066), 0.050, 0.062, 3)]
-    parts.append(loft("rear", hump, 20, Y, steps=3, first=X, last=X, caps=(True, False)))   # its end is hidden
+    parts.append(loft("rear", hump, 20, Y, steps=3, first=X, last=X))
     lobe = [(0.0035, 0.001), (0.0175, 0.001), (0.0175, 0.010), (0.0150, 0.012), (0.0035, 0.012)]
     for name, x, y in (("foot_left", -0.120, 0.062), ("foot_right", -0.120, -0.062)):
         parts.append(revolve(name, lobe, 16, loop=True).moved(x, y, 0))
@@ -52,12 +52,15 @@ def link0():
     return parts
 
 
-def shoulder(prefix, seam=0.0):
-    """What links 1 and 2 share, in the frame of link 1: the tube comes up z and turns into a housing along y."""
+def shoulder(prefix, foot):
+    """What links 1 and 2 share, in the frame of link 1: the tube comes up z and turns into a housing along y.
+
+    foot: whether the bend is closed where it stands in the tube.
+    """
     spine = [((0, 0, -0.150), 0.0530, 0.0530, 2), ((0, -0.002, -0.120), 0.0550, 0.0560, 2),
              ((0, -0.022, -0.078), 0.0540, 0.0600, 2.2), ((0, -0.048, -0.040), 0.0520, 0.0580, 2.3),
              ((0, -0.066, -0.002), 0.0480, 0.0480, 2.3)]
-    return [loft(f"{prefix}_bend", spine, 20, X, steps=3, first=Z, caps=(False, True), seam=seam),   # both ends hidden
+    return [loft(f"{prefix}_bend", spine, 20, X, steps=3, first=Z, caps=(foot, True)),
             housing(f"{prefix}_housing", "y", (0, 0, 0), -0.1290, -0.0035),
             seal(f"{prefix}_seal", "y", (0, 0, 0), -0.0030, 0.0500)]
 
@@ -67,13 +70,13 @@ def link1():
             (TUBE, -0.140), (0, -0.140)]
     mark = loft("lettering", [((0.040, -0.030, -0.060), 0.010, 0.016, 5), ((0.0545, -0.030, -0.060), 0.009, 0.015, 5)],
                 16, Y, steps=1)
-    return [revolve("tube", tube, 28), *shoulder("shoulder"), mark]
+    return [revolve("tube", tube, 28), *shoulder("shoulder", True), mark]
 
 
 def link2():
     """The shoulder turned by a quarter: (x, y, z) of link 1 becomes (x, z, -y)."""
     tube = tube_with_t_junctions("tube", TUBE, [-0.130, -0.150], [-0.168, -0.194], 20)
-    parts = [tube, *shoulder("arm"), seal("tube_seal", "z", (0, 0, 0), -0.172, TUBE)]
+    parts = [tube, *shoulder("arm", False), seal("tube_seal", "z", (0, 0, 0), -0.172, TUBE)]
     return [part.mapped(lambda v: (v[0], v[2], -v[1])) for part in parts]
 
 
@@ -83,7 +86,7 @@ def link3():
     spine = [((0, 0, -0.085), 0.0530, 0.0530, 2), ((0.006, 0.006, -0.060), 0.0550, 0.0550, 2),
              ((0.030, 0.026, -0.030), 0.0550, 0.0540, 2.1), ((0.058, 0.046, -0.008), 0.0520, 0.0500, 2.2),
              ((0.0800, 0.056, 0.004), 0.0440, 0.0440, 2.2)]
-    return [revolve("tube", tube, 28), loft("elbow", spine, 20, Y, steps=3, first=Z, caps=(False, True)),
+    return [revolve("tube", tube, 28), loft("elbow", spine, 20, Y, steps=3, first=Z),
             housing("elbow_housing", "y", (0, 0, 0), 0, 0.1075).mapped(lambda v: (v[0], 0.1110 - v[1], -v[2])),
             seal("elbow_seal", "z", (0, 0, 0), 0.0, 0.0500)]
 
@@ -150,8 +153,7 @@ def link7():
     slant = math.sqrt(0.5)
     lug = [((0.016, 0.016, 0.0800), 0.0340, 0.0170, 4), ((0.036, 0.036, 0.0830), 0.0370, 0.0160, 4),
            ((0.050, 0.050, 0.0850), 0.0330, 0.0130, 4), ((0.0625, 0.0625, 0.0860), 0.0240, 0.0105, 3.5)]
-    lug = loft("lug", lug, 20, (slant, -slant, 0), steps=3, first=(slant, slant, 0), last=(slant, slant, 0),
-               caps=(False, True))
+    lug = loft("lug", lug, 20, (slant, -slant, 0), steps=3, first=(slant, slant, 0), last=(slant, slant, 0))
     buttons = [to_axis(revolve(f"button_{i}", [(0, -0.004), (0.0075, -0.004), (0.0075, 0.002), (0.0060, 0.003),
                                                (0, 0.003)], 16), "z", place)
                for i, place in enumerate(((0.0440, 0.0620, 0.0960), (0.0620, 0.0440, 0.0960)))]
