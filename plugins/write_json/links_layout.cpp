@@ -20,13 +20,26 @@ const char* guarantee_text(Guarantee guarantee) {
 }
 
 std::string measures_object(const Measures& m) {
-    return fmt::format("{{\"spheres\": {}, \"area\": {}, \"volume\": {}, \"covered\": {}, \"gap\": {}, \"excess\": {}, "
-                       "\"excess_error\": {}, \"missing\": {}, \"missing_error\": {}, \"exposed_area\": {}, "
-                       "\"protrusion_max\": {}, \"protrusion_mean\": {}, \"certified\": {}}}",
-                       m.spheres, json_number(m.area), json_number(m.volume), json_number(m.covered),
-                       json_number(m.gap), json_number(m.excess), json_number(m.excess_error), json_number(m.missing),
-                       json_number(m.missing_error), json_number(m.exposed_area), json_number(m.protrusion_max),
-                       json_number(m.protrusion_mean), m.certified);
+    const std::pair<const char*, double> figures[] = {{"area", m.area},
+                                                      {"volume", m.volume},
+                                                      {"covered", m.covered},
+                                                      {"gap", m.gap},
+                                                      {"excess", m.excess},
+                                                      {"excess_error", m.excess_error},
+                                                      {"excess_volume", m.excess_volume},
+                                                      {"excess_volume_error", m.excess_volume_error},
+                                                      {"missing", m.missing},
+                                                      {"missing_error", m.missing_error},
+                                                      {"missing_volume", m.missing_volume},
+                                                      {"missing_volume_error", m.missing_volume_error},
+                                                      {"exposed_area", m.exposed_area},
+                                                      {"protrusion_max", m.protrusion_max},
+                                                      {"protrusion_mean", m.protrusion_mean}};
+    std::string text = fmt::format("{{\"spheres\": {}", m.spheres);
+    for (const auto& [name, value] : figures) {
+        text += fmt::format(", \"{}\": {}", name, json_number(value));
+    }
+    return text + fmt::format(", \"certified\": {}}}", m.certified);
 }
 
 std::string level_array(const SphereTree::Level& level) {

@@ -11,7 +11,6 @@ namespace foam {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::Contains;
 using testing::ElementsAre;
 
 class Resources : public testing::Test {
@@ -126,9 +125,11 @@ TEST_F(Resources, EnvironmentInItsOrder) {
     unsetenv("FOAM_PACKAGE_PATH");
     unsetenv("ROS_PACKAGE_PATH");
     unsetenv("AMENT_PREFIX_PATH");
+    const fs::path foam = root() / "foam", ros = root() / "ros", share = root() / "ament/share", rest = "pkg/a.stl";
     EXPECT_THAT(resource.tried,
-                ElementsAre(root() / "foam/pkg/a.stl", root() / "ros/pkg/a.stl", root() / "ament/share/pkg/a.stl",
-                            fs::path("/elsewhere/pkg/a.stl"), fs::path("/pkg/a.stl")));
+                ElementsAre(foam / rest, ros / rest, share / rest, fs::path("/elsewhere") / rest, fs::path("/") / rest,
+                            foam / "*" / rest, foam / "*/*" / rest, ros / "*" / rest, ros / "*/*" / rest,
+                            share / "*" / rest, share / "*/*" / rest));
 }
 
 } // namespace

@@ -55,6 +55,18 @@ TEST(LoadUrdf, KeepsNamesLinesAndSource) {
     EXPECT_EQ(robot.links[0].collisions[0].line, 5);
 }
 
+TEST(LoadUrdf, ReadsByteOrderMarksAndOtherEncodings) {
+    ListeningContext context;
+    EXPECT_EQ(
+        load_text("\xEF\xBB\xBF<?xml version='1.0'?>\n<robot name='\xC3\xA9'><link name='a'/></robot>", context).name,
+        "\xC3\xA9");
+    EXPECT_EQ(
+        load_text("<?xml version='1.0' encoding='ISO-8859-1'?><robot name='\xE9'><link name='a'/></robot>", context)
+            .name,
+        "\xC3\xA9");
+    EXPECT_TRUE(context.messages.empty()) << context.messages.front();
+}
+
 TEST(LoadUrdf, ReadsJoints) {
     const Robot robot = load_text(R"(<robot name="r"><link name="a"/><link name="b"/><link name="c"/>
         <joint name="j" type="revolute"><parent link="a"/><child link="b"/><origin xyz="0 0 1"/><axis xyz="0 0 2"/>

@@ -134,7 +134,16 @@ public:
         }
     }
 
-    /// In the folders below `directory`, `levels` deep.
+    /// In the folders one and two levels below `directory`; the list of places shows them as "*".
+    void try_workspace(const fs::path& directory, const std::string& package, const std::string& rest) {
+        try_below(directory, package, rest, 2);
+        if (!found()) {
+            result_.tried.push_back(tidy(absolute_path(directory)) / "*" / package / rest);
+            result_.tried.push_back(tidy(absolute_path(directory)) / "*" / "*" / package / rest);
+        }
+    }
+
+private:
     void try_below(const fs::path& directory, const std::string& package, const std::string& rest, int levels) {
         for (const fs::path& folder : found() || levels == 0 ? std::vector<fs::path>{} : visible_folders(directory)) {
             if (is_folder(folder / package) || package_name(folder) == package) {
@@ -144,7 +153,6 @@ public:
         }
     }
 
-private:
     ResolvedResource result_;
 };
 
@@ -166,7 +174,11 @@ void search_package(Search& search, std::string_view location, const std::vector
     if (slash == 0 || slash == std::string_view::npos) {
         return; // no package, or a package and no file
     }
-    for (const std::string& text : {percent_decoded(location), std::string(location)}) {
+    std::vector<std::string> readings{percent_decoded(location)};
+    if (readings.front() != location) {
+        readings.emplace_back(location);
+    }
+    for (const std::string& text : readings) {
         const std::string package = text.substr(0, text.find('/'));
         // Not fs::path's "/", which would take "package://PKG//rest" for the absolute path "/rest".
         const std::string rest = text.substr(std::min(text.find_first_not_of('/', package.size()), text.size()));
@@ -177,7 +189,7 @@ void search_package(Search& search, std::string_view location, const std::vector
             search.try_package(directory, package, rest);
         }
         for (const fs::path& directory : package_path) {
-            search.try_below(directory, package, rest, 2);
+            search.try_workspace(directory, package, rest);
         }
     }
 }
