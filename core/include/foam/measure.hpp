@@ -65,8 +65,16 @@ struct Certificate {
 /// is on the safe side: an uncovered point never passes.
 Certificate certify(const Solid& solid, std::span<const Sphere> spheres, int depth = 40);
 
-/// Spheres grown by about the least that makes certify() hold; centres stay. `quantum` > 0: radii are rounded up to
-/// multiples of it. Precondition: at least one sphere.
+/// Spheres grown by about the least that makes certify() hold; centres stay, and no sphere becomes smaller. Of the spheres
+/// that could close a gap the one grows that adds least outside the solid; then what grew is taken back as far as the others
+/// allow. `quantum` > 0: radii are rounded up to multiples of it. What is covered already stays as it is. Throws
+/// Error(geometry) if no sphere is finite.
 std::vector<Sphere> grown_to_cover(const Solid& solid, std::vector<Sphere> spheres, double quantum = 0);
+
+/// The same, but spheres become smaller too: first it grows them to cover if need be, then every sphere, the one that adds
+/// most outside first, shrinks to the least radius that keeps certify() true given the others, but not below what fits into
+/// the solid at its centre, which adds nothing. No radius can then be made smaller on its own. A sphere outside the solid
+/// that nothing needs ends with radius 0.
+std::vector<Sphere> tightened_to_cover(const Solid& solid, std::vector<Sphere> spheres, double quantum = 0);
 
 } // namespace foam

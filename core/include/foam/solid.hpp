@@ -22,7 +22,9 @@ struct SurfacePoint {
 
 /// The union of closed parts (meshes, primitives) in one frame, metres. Immutable; every query is const and thread-safe.
 /// A mesh that is not closed counts as the set of points whose generalised winding number (Jacobson et al. 2013) is above
-/// one half; the surface belongs to the solid.
+/// one half; the surface belongs to the solid. Raw meshes are read as their authors must have meant them: inside-out meshes
+/// and bodies are turned, patches with mixed winding made consistent, doubled and double-sided faces counted once; a
+/// double-sided sheet has no inside. Shells of one winding unite, a shell wound inwards in another is a cavity.
 class Solid {
 public:
     /// A part: a mesh as is, or a primitive at a pose.
@@ -41,7 +43,8 @@ public:
     Solid& operator=(const Solid&) = delete;
 
     const std::vector<Part>& parts() const;
-    /// All triangles of all parts; primitives as meshes that enclose them. Overlaps are not resolved.
+    /// All triangles of all parts, in order, wound outwards where that can be told; primitives as meshes that enclose them.
+    /// Overlaps are not resolved, defects stay.
     const Mesh& surface() const;
     /// Index of the first triangle of each part in surface(), and one past the last: parts().size() + 1 values.
     std::span<const std::uint32_t> part_offsets() const;
@@ -54,11 +57,12 @@ public:
     /// False if a part is a mesh with holes, where inside is a matter of the winding number.
     bool closed() const;
 
-    /// The nearest point of the surface, O(log n).
+    /// The nearest point of surface(), O(log n): for a round primitive it lies on the tessellation.
     SurfacePoint closest(const Vec3& point) const;
     /// Inside or on the surface.
     bool contains(const Vec3& point) const;
-    /// Distance to the surface, negative inside.
+    /// Distance to the surface, negative inside. Primitives are exact. Inside a union it is the depth in the part that holds the
+    /// point deepest: never more than the distance to the union's surface.
     double signed_distance(const Vec3& point) const;
     /// `count` points uniform by area (stratified over the triangles), the same for the same seed.
     std::vector<SurfacePoint> sample_surface(std::size_t count, std::uint64_t seed) const;

@@ -54,11 +54,45 @@ Balls::Balls(const Solid& solid, std::span<const Sphere> spheres, std::uint32_t 
     for (std::size_t i = 0; i < spheres.size(); ++i) {
         const Vec3 center = spheres[i].center - origin_;
         centers_.push_back(is_finite(center) ? center : Vec3{});
+        given_centers_.push_back(spheres[i].center);
+        full_radii_.push_back(spheres[i].radius);
         radii_.push_back(is_finite(center) ? shrunk(static_cast<std::uint32_t>(i), spheres[i].radius) : -infinity);
         boxes[i].add(centers_[i]);
     }
     bvh_ = Bvh(boxes, 8);
     update_largest();
+    find_round_parts(solid);
+}
+
+void Balls::find_round_parts(const Solid& solid) {
+    for (std::size_t i = 0; i < solid.parts().size(); ++i) {
+        const Solid::Part& part = solid.parts()[i];
+        if (!part.primitive ||
+            (part.primitive->kind != Primitive::Kind::sphere && part.primitive->kind != Primitive::Kind::capsule)) {
+            continue;
+        }
+        const double half = part.primitive->kind == Primitive::Kind::capsule ? part.primitive->length / 2 : 0;
+        const Vec3 center = part.pose.translation, along = part.pose.rotate({0, 0, half});
+        round_parts_.push_back({solid.part_offsets()[i], solid.part_offsets()[i + 1], center - origin_ - along,
+                                center - origin_ + along, center, part.primitive->radius});
+    }
+}
+
+double Balls::radius_around(std::uint32_t i, const RoundPart& part) const {
+    if (part.from == part.to && given_centers_[i] == part.center) {
+        return part.radius;
+    }
+    const double away = std::max(distance(centers_[i], part.from), distance(centers_[i], part.to));
+    return full_radius(i, away + part.radius);
+}
+
+bool Balls::held(const RoundPart& part) const {
+    for (std::uint32_t i = 0; i < size(); ++i) {
+        if (std::isfinite(radii_[i]) && full_radii_[i] >= radius_around(i, part)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 void Balls::update_largest() {
@@ -86,6 +120,7 @@ double Balls::shrunk(std::uint32_t i, double full_radius) const {
 }
 
 void Balls::set_radius(std::uint32_t i, double full_radius) {
+    full_radii_[i] = full_radius;
     radii_[i] = shrunk(i, full_radius);
     update_largest();
 }

@@ -26,6 +26,15 @@ double longest_edge(const Corners& corners);
 /// Largest distance from a point to the corners, and so to any point of the triangle.
 double reach(const Vec3& center, const Corners& corners);
 
+/// A ball or capsule among the solid's parts: all points within `radius` of the segment between two points. One ball
+/// that holds it is known in closed form, tighter than its tessellation.
+struct RoundPart {
+    std::uint32_t begin, end; ///< its triangles in the surface
+    Vec3 from, to;            ///< relative to the surface's centre
+    Vec3 center;              ///< in the solid's frame
+    double radius;
+};
+
 /// Balls in coordinates relative to the surface's centre, with radii made smaller by more than all rounding errors.
 ///
 /// Why no uncovered point passes. Let u = 2^-53, M the largest distance of a surface vertex from the centre, |c| that
@@ -52,6 +61,11 @@ public:
     void set_radius(std::uint32_t i, double full_radius);
 
     bool holds(std::uint32_t i, const Corners& corners) const;
+    const std::vector<RoundPart>& round_parts() const { return round_parts_; }
+    /// The full radius with which ball `i` holds the part: rounded up, but exact for a ball about the same centre.
+    double radius_around(std::uint32_t i, const RoundPart& part) const;
+    /// Whether one ball holds the part.
+    bool held(const RoundPart& part) const;
     /// How far `p` is outside ball `i`; negative inside.
     double gap(std::uint32_t i, const Vec3& p) const { return distance(p, centers_[i]) - radii_[i]; }
 
@@ -72,6 +86,7 @@ private:
     double slack(double center_norm, double radius) const;
     double shrunk(std::uint32_t i, double full_radius) const;
     void update_largest();
+    void find_round_parts(const Solid& solid);
 
     Vec3 origin_;
     double extent_; // M
@@ -80,6 +95,9 @@ private:
     std::vector<Vec3> vertices_;
     std::vector<Vec3> centers_;
     std::vector<double> radii_;
+    std::vector<Vec3> given_centers_; // in the solid's frame
+    std::vector<double> full_radii_;
+    std::vector<RoundPart> round_parts_;
     Bvh bvh_;                     // over the centres
     std::vector<double> largest_; // radius below each node
 };

@@ -5,6 +5,12 @@
 #include <numbers>
 
 namespace foam::geometry {
+namespace {
+
+/// Areas of radii that differ by less than this share count as the same.
+constexpr double noticeable = 0.01;
+
+} // namespace
 
 Exposure::Exposure(const Solid& solid, std::size_t directions)
     : solid_(solid), directions_(fibonacci_directions(directions)) {}
@@ -29,9 +35,23 @@ double Exposure::area(std::span<const Sphere> balls, std::size_t i, double radiu
            static_cast<double>(directions_.size());
 }
 
-double Exposure::change(std::span<const Sphere> balls, std::size_t i, double radius) const {
+GrowthCost::GrowthCost(const Solid& solid, std::size_t count) : exposure_(solid, 48), before_(count), after_(count) {}
+
+double GrowthCost::area(std::span<const Sphere> balls, std::size_t i, double radius, Known& known) const {
+    if (!(std::abs(radius - known.radius) <= noticeable * radius)) {
+        known = {radius, exposure_.area(balls, i, radius)};
+    }
+    return known.area;
+}
+
+double GrowthCost::of(std::span<const Sphere> balls, std::size_t i, double radius) {
     const double from = balls[i].radius;
-    return (radius - from) * (area(balls, i, from) + area(balls, i, radius)) / 2;
+    if (after_[i].radius == from) {
+        before_[i] = after_[i]; // it has grown to what was tried last
+    }
+    const double area_before = area(balls, i, from, before_[i]);
+    const bool little = radius - from <= noticeable * from;
+    return (radius - from) * (little ? area_before : (area_before + area(balls, i, radius, after_[i])) / 2);
 }
 
 } // namespace foam::geometry

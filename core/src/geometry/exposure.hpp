@@ -12,16 +12,34 @@ namespace foam::geometry {
 /// The derivative of vol(U \ S) by a radius is the area of that ball's surface outside all other balls and outside S.
 class Exposure {
 public:
+    /// `directions`: Fibonacci points a ball.
     Exposure(const Solid& solid, std::size_t directions);
 
     /// Area of ball `i` with radius `radius` outside the other balls and outside the solid, m².
     double area(std::span<const Sphere> balls, std::size_t i, double radius) const;
-    /// Volume that ball `i` adds outside when it grows (takes away when it shrinks) from its radius to `radius`, m³.
-    double change(std::span<const Sphere> balls, std::size_t i, double radius) const;
 
 private:
     const Solid& solid_;
     std::vector<Vec3> directions_;
+};
+
+/// What growth adds outside, with areas remembered: an area is looked up again only when its own ball has changed by a
+/// noticeable share. Neighbours that grow meanwhile make it an estimate, good enough to choose by.
+class GrowthCost {
+public:
+    GrowthCost(const Solid& solid, std::size_t count);
+
+    /// Volume that ball `i` adds outside when it grows to `radius`, m³, by the trapezoidal rule.
+    double of(std::span<const Sphere> balls, std::size_t i, double radius);
+
+private:
+    struct Known {
+        double radius = -1, area = 0;
+    };
+    double area(std::span<const Sphere> balls, std::size_t i, double radius, Known& known) const;
+
+    Exposure exposure_;
+    std::vector<Known> before_, after_;
 };
 
 } // namespace foam::geometry

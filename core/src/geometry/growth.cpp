@@ -24,11 +24,18 @@ class Growth {
 public:
     Growth(const Solid& solid, std::vector<Sphere>& spheres, double quantum)
         : spheres_(spheres), quantum_(quantum), balls_(solid, spheres, growth_halvings, growth_caution),
-          exposure_(solid, 48) {}
+          cost_(solid, spheres.size()) {}
 
     void run() {
+        std::vector<char> held(balls_.piece_count(), 0);
+        for (const RoundPart& part : balls_.round_parts()) {
+            close_round_part(part);
+            std::fill(held.begin() + part.begin, held.begin() + part.end, balls_.held(part));
+        }
         for (std::uint32_t i = 0; i < balls_.piece_count(); ++i) {
-            enqueue(balls_.piece(i));
+            if (!held[i]) {
+                enqueue(balls_.piece(i));
+            }
         }
         while (!queue_.empty()) {
             const Entry entry = queue_.top();
@@ -74,6 +81,27 @@ private:
         }
     }
 
+    /// Where a ball needs less to hold the part whole than the part's tessellation stands out from it, it grows by
+    /// that.
+    void close_round_part(const RoundPart& part) {
+        constexpr double tessellation = 0.005;
+        double least = tessellation * part.radius;
+        std::uint32_t best = 0;
+        double best_radius = 0;
+        for (std::uint32_t i = 0; i < balls_.size(); ++i) {
+            const double radius = rounded_up(balls_.radius_around(i, part), quantum_);
+            if (std::isfinite(balls_.radius(i)) && radius - spheres_[i].radius < least) {
+                least = radius - spheres_[i].radius;
+                best = i;
+                best_radius = radius;
+            }
+        }
+        if (best_radius > spheres_[best].radius) {
+            spheres_[best].radius = best_radius;
+            balls_.set_radius(best, best_radius);
+        }
+    }
+
     Bounds bounds(const Piece& piece) {
         candidates_.clear();
         balls_.candidates(piece, candidates_);
@@ -116,7 +144,7 @@ private:
             // A share of the plain growth settles ties between balls that add nothing yet.
             const double whole =
                 radius * radius * radius - spheres_[i].radius * spheres_[i].radius * spheres_[i].radius;
-            const double cost = count == 1 ? 0 : exposure_.change(spheres_, i, radius) + 0.02 * whole;
+            const double cost = count == 1 ? 0 : cost_.of(spheres_, i, radius) + 0.02 * whole;
             if (cost < least) {
                 least = cost;
                 best = i;
@@ -135,7 +163,7 @@ private:
     std::vector<Sphere>& spheres_;
     double quantum_;
     Balls balls_;
-    Exposure exposure_;
+    GrowthCost cost_;
     std::priority_queue<Entry> queue_;
     std::uint64_t made_ = 0;
     std::vector<std::uint32_t> candidates_;
@@ -172,7 +200,7 @@ void check_growable(const std::vector<Sphere>& spheres) {
                 "there is no sphere with finite centre and radius that could grow to cover the solid");
 }
 
-/// Rounding up is all that can still be missing; the last resort is one ball around everything.
+/// Rounding is all that can still be in the way.
 void close_what_is_left(const Solid& solid, std::vector<Sphere>& spheres, double quantum) {
     for (int round = 0; round < 3; ++round) {
         if (certify(solid, spheres).holds) {
@@ -185,23 +213,47 @@ void close_what_is_left(const Solid& solid, std::vector<Sphere>& spheres, double
     }
 }
 
+void round_up(std::vector<Sphere>& spheres, double quantum) {
+    for (Sphere& s : spheres) {
+        s.radius = geometry::rounded_up(s.radius, quantum);
+    }
+}
+
 } // namespace
 
 std::vector<Sphere> grown_to_cover(const Solid& solid, std::vector<Sphere> spheres, double quantum) {
     check_growable(spheres);
-    for (Sphere& s : spheres) {
-        s.radius = geometry::rounded_up(s.radius, quantum);
-    }
+    round_up(spheres, quantum);
     std::vector<double> floor;
     for (const Sphere& s : spheres) {
         floor.push_back(s.radius);
     }
     if (!certify(solid, spheres).holds) {
         geometry::grow(solid, spheres, quantum);
-        geometry::shrink(solid, spheres, floor, quantum);
+        geometry::shrink(solid, spheres, floor, quantum, {});
         close_what_is_left(solid, spheres, quantum);
     }
     return spheres;
+}
+
+std::vector<Sphere> tightened_to_cover(const Solid& solid, std::vector<Sphere> spheres, double quantum) {
+    spheres = grown_to_cover(solid, std::move(spheres), quantum);
+    std::vector<double> floor;
+    for (const Sphere& s : spheres) {
+        const double fits = is_finite(s.center) ? -solid.signed_distance(s.center) : 0;
+        floor.push_back(std::min(s.radius, std::max(0.0, fits)));
+    }
+    // Whether to give up whole spheres or to share among all depends on the case: the smaller union is kept.
+    std::vector<Sphere> best;
+    for (const bool drop_first : {false, true}) {
+        std::vector<Sphere> tight = spheres;
+        geometry::shrink(solid, tight, floor, quantum, {drop_first, 8});
+        close_what_is_left(solid, tight, quantum);
+        if (best.empty() || union_volume(tight) < union_volume(best)) {
+            best = std::move(tight);
+        }
+    }
+    return best;
 }
 
 } // namespace foam

@@ -24,7 +24,14 @@ void grow(const Solid& solid, std::vector<Sphere>& spheres, double quantum);
 /// radius with which it does.
 double needed_radius(Balls& balls, std::uint32_t i, double limit);
 
+/// How shrinking goes about it.
+struct ShrinkPlan {
+    bool drop_first = false; ///< begin with the spheres that nothing needs: to the floor at once
+    int rounds = 1;          ///< in all but the last only a part of the way, so that neighbours share what they give up
+};
+
 /// Shrinks each sphere, the one that adds most outside first, to its needed radius, but not below `floor[i]`.
-void shrink(const Solid& solid, std::vector<Sphere>& spheres, const std::vector<double>& floor, double quantum);
+void shrink(const Solid& solid, std::vector<Sphere>& spheres, const std::vector<double>& floor, double quantum,
+            const ShrinkPlan& plan);
 
 } // namespace foam::geometry

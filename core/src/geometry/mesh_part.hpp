@@ -56,11 +56,16 @@ private:
     };
     /// Far-field expansion of a node (winding.cpp).
     struct Moments {
-        Vec3 center{}, normal{};
-        double trace = 0;
-        std::array<double, 6> second{}; // xx, yy, zz, xy + yx, yz + zy, zx + xz
-        double radius = 0;
-        bool none = true;
+        Vec3 center{};                  ///< about which the moments are taken
+        double radius = -1;             ///< of the node's triangles about it; negative: none that counts
+        Vec3 normal{};                  ///< ∫ n
+        std::array<double, 6> second{}; ///< of the form ∫ (n·r)(y·r): xx, yy, zz, xy, yz, zx
+        double trace = 0;               ///< ∫ n·y
+        Vec3 third_trace{};             ///< ∫ 2 (n·y) y + n |y|²
+        std::array<double, 10> third{}; ///< of ∫ (n·r)(y·r)²: xxx, yyy, zzz, xxy, xxz, yyx, yyz, zzx, zzy, xyz
+
+        void add(const Corners& corners);
+        double winding(const Vec3& r, double r2) const;
     };
 
     template <class Visit> void visit_line(const Line& line, Visit visit) const;

@@ -19,6 +19,7 @@ std::vector<SurfacePoint> Solid::sample_surface(std::size_t count, std::uint64_t
     std::vector<SurfacePoint> points;
     points.reserve(count);
     std::size_t triangle = 0;
+    double first = random.uniform(), second = random.uniform();
     for (std::size_t i = 0; i < count; ++i) {
         const double at = (static_cast<double>(i) + random.uniform()) / static_cast<double>(count) * sum;
         while (triangle + 1 < up_to.size() && !(at < up_to[triangle])) {
@@ -26,7 +27,11 @@ std::vector<SurfacePoint> Solid::sample_surface(std::size_t count, std::uint64_t
         }
         const auto& [ia, ib, ic] = mesh.triangles[triangle];
         const Vec3 &a = mesh.vertices[ia], &b = mesh.vertices[ib], &c = mesh.vertices[ic];
-        const double root = std::sqrt(random.uniform()), v = random.uniform();
+        first += 0.7548776662466927;
+        first -= first >= 1 ? 1 : 0;
+        second += 0.5698402909980532;
+        second -= second >= 1 ? 1 : 0;
+        const double root = std::sqrt(first), v = second;
         points.push_back({a + (b - a) * (root * (1 - v)) + (c - a) * (root * v), normalized(cross(b - a, c - a)),
                           static_cast<std::uint32_t>(triangle)});
     }

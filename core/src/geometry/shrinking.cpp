@@ -15,9 +15,13 @@ class Need {
 public:
     Need(const Balls& balls, std::uint32_t ball) : balls_(balls), ball_(ball) {}
 
-    double run(double limit) {
+    /// Leaves out the triangles with skip[i] != 0.
+    double run(double limit, const std::vector<char>& skip) {
         std::vector<std::pair<double, std::uint32_t>> order;
         for (std::uint32_t i = 0; i < balls_.piece_count(); ++i) {
+            if (skip[i]) {
+                continue;
+            }
             const Piece piece = balls_.piece(i);
             const double far = reach(center(), piece.corners);
             if (far - longest_edge(piece.corners) > limit) {
@@ -107,11 +111,28 @@ private:
 
 double needed_radius(Balls& balls, std::uint32_t i, double limit) {
     balls.set_radius(i, -std::numeric_limits<double>::infinity());
-    const double need = Need(balls, i).run(limit);
-    return need > 0 ? balls.full_radius(i, need) : 0;
+    const auto need_of = [&](const std::vector<char>& skip) {
+        const double need = Need(balls, i).run(limit, skip);
+        return need > 0 ? balls.full_radius(i, need) : 0;
+    };
+    // Round parts that another ball holds need nothing. Those that this one can hold may be held whole or by pieces.
+    std::vector<char> held(balls.piece_count(), 0), whole(balls.piece_count(), 0);
+    double around = 0;
+    for (const RoundPart& part : balls.round_parts()) {
+        const bool by_another = balls.held(part);
+        const double radius = balls.radius_around(i, part);
+        const bool by_this = !by_another && radius <= limit;
+        around = by_this ? std::max(around, radius) : around;
+        std::fill(held.begin() + part.begin, held.begin() + part.end, by_another);
+        std::fill(whole.begin() + part.begin, whole.begin() + part.end, by_another || by_this);
+    }
+    const double need = need_of(held);
+    return around > 0 && around < need ? std::min(need, std::max(around, need_of(whole))) : need;
 }
 
-void shrink(const Solid& solid, std::vector<Sphere>& spheres, const std::vector<double>& floor, double quantum) {
+void shrink(const Solid& solid, std::vector<Sphere>& spheres, const std::vector<double>& floor, double quantum,
+            const ShrinkPlan& plan) {
+    constexpr double part_of_the_way = 1.0 / 3;
     Balls balls(solid, spheres, growth_halvings, growth_caution);
     const Exposure exposure(solid, 48);
     std::vector<double> outside(spheres.size(), 0);
@@ -124,10 +145,18 @@ void shrink(const Solid& solid, std::vector<Sphere>& spheres, const std::vector<
     }
     std::stable_sort(order.begin(), order.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return outside[a] > outside[b]; });
-    for (const std::uint32_t i : order) {
-        const double need = std::max(needed_radius(balls, i, spheres[i].radius), floor[i]);
-        spheres[i].radius = std::min(spheres[i].radius, rounded_up(need, quantum));
-        balls.set_radius(i, spheres[i].radius);
+    for (int round = plan.drop_first ? 0 : 1; round <= plan.rounds; ++round) {
+        const double way = round < plan.rounds ? part_of_the_way : 1;
+        for (const std::uint32_t i : order) {
+            const double now = spheres[i].radius;
+            const double need = std::max(needed_radius(balls, i, now), floor[i]);
+            double wanted = way < 1 ? now - way * (now - need) : need;
+            if (round == 0) {
+                wanted = need == floor[i] ? need : now;
+            }
+            spheres[i].radius = std::min(now, rounded_up(wanted, quantum));
+            balls.set_radius(i, spheres[i].radius);
+        }
     }
 }
 
