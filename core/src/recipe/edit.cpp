@@ -61,9 +61,6 @@ private:
 
     std::string set_key(Value& map, std::string_view rest) const {
         const std::string key = key_of(map, rest);
-        if (key.empty()) {
-            return "a key is empty";
-        }
         const std::string_view after = rest_after(rest, key);
         const bool known = map.find_key(key) != nullptr;
         if (after.empty() && value_.is(Value::Kind::null)) {
@@ -156,7 +153,7 @@ private:
 } // namespace
 
 std::string set_by_path(Value& root, std::string_view path, const Value& value, const Registry& registry) {
-    if (path.empty() || path.front() == '.' || path.back() == '.') {
+    if (path.empty() || path.front() == '.' || path.back() == '.' || path.find("..") != std::string_view::npos) {
         return "the path is not of the form key.key";
     }
     return Editor(path, value, registry).set(root, path);

@@ -119,7 +119,7 @@ RecipeResult finish(std::vector<Recipe> recipes, Findings& findings) {
 } // namespace
 
 RecipeResult read_recipe(const fs::path& file, Registry& registry, const std::vector<Setting>& settings) {
-    Findings findings(file.string());
+    Findings findings(file.empty() ? "recipe" : file.string());
     std::vector<Recipe> recipes;
     if (const auto text = read_text(file, findings)) {
         recipes = read_tree(*text, file, registry, settings, findings);

@@ -36,8 +36,7 @@ std::size_t character_length(std::string_view text, std::size_t at) {
 bool check_text(const std::string& text, int source, Findings& findings) {
     if (text.size() > most_bytes) {
         findings.error({source, 0, 0}, "too-large",
-                       fmt::format("the text has {} bytes, a recipe has at most {}; is this file a recipe?",
-                                   text.size(), most_bytes));
+                       fmt::format("the text has more than {} bytes; is this file a recipe?", most_bytes));
         return false;
     }
     int line = 1, column = 1;
