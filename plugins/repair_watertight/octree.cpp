@@ -107,11 +107,6 @@ Cell Octree::low_cell(const Node& node) const {
     return {node.place[0] << shift, node.place[1] << shift, node.place[2] << shift};
 }
 
-Vec3 Octree::center(const Node& node) const {
-    const Cell& place = node.place;
-    return Vec3{place[0] + 0.5, place[1] + 0.5, place[2] + 0.5} * std::ldexp(1.0, -node.level);
-}
-
 std::uint32_t Octree::split(std::uint32_t leaf) {
     const auto first = static_cast<std::uint32_t>(nodes_.size());
     const Node parent = nodes_[leaf];

@@ -50,7 +50,6 @@ public:
     std::span<const std::uint32_t> triangles_at(const Cell& cell) const;
     /// The lowest cell of a leaf, and how many cells long it is.
     Cell low_cell(const Node& node) const;
-    Vec3 center(const Node& node) const;
     /// Gives an empty leaf eight empty children; returns the first.
     std::uint32_t split(std::uint32_t leaf);
     std::int32_t cells_across(const Node& node) const { return std::int32_t{1} << (depth_ - node.level); }

@@ -5,21 +5,46 @@
 namespace foam::watertight {
 namespace {
 
-enum class Side : char { outside, inside, both };
+/// A place on the grid of half cells of the finest level: corners and middles of all leaves are on it.
+using Place = Cell;
+/// The eight corners of a leaf, then its middle.
+using Probes = std::array<Place, 9>;
 
-/// Where a leaf's corners and its middle lie.
-Side side_of(const Node& node, const Solid& solid) {
-    const double size = std::ldexp(1.0, -node.level);
-    const Vec3 low = Vec3{double(node.place[0]), double(node.place[1]), double(node.place[2])} * size;
-    const bool middle = solid.contains(low + Vec3{0.5, 0.5, 0.5} * size);
+Probes probes_of(const Octree& octree, const Node& node) {
+    const Cell low = octree.low_cell(node);
+    const std::int32_t half = octree.cells_across(node); // half the leaf, in half cells
+    Probes probes{};
     for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 step = Vec3{double(corner & 1), double(corner >> 1 & 1), double(corner >> 2 & 1)} * size;
-        if (solid.contains(low + step) != middle) {
-            return Side::both;
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto a = static_cast<std::size_t>(axis);
+            probes[static_cast<std::size_t>(corner)][a] = 2 * (low[a] + (corner >> axis & 1) * half);
         }
     }
-    return middle ? Side::inside : Side::outside;
+    probes[8] = {2 * low[0] + half, 2 * low[1] + half, 2 * low[2] + half};
+    return probes;
 }
+
+/// Which places lie inside of a solid; each is asked for once, though neighbouring leaves share them.
+class Insides {
+public:
+    Insides(std::vector<Place> places, const Octree& octree, const Solid& solid) : places_(std::move(places)) {
+        std::sort(places_.begin(), places_.end());
+        places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
+        inside_.resize(places_.size());
+        parallel_for(places_.size(), [&](std::size_t i) {
+            const Place& p = places_[i];
+            inside_[i] = solid.contains(Vec3{double(p[0]), double(p[1]), double(p[2])} * (octree.cell_size() / 2));
+        });
+    }
+    bool at(const Place& place) const {
+        return inside_[static_cast<std::size_t>(std::lower_bound(places_.begin(), places_.end(), place) -
+                                                places_.begin())];
+    }
+
+private:
+    std::vector<Place> places_;
+    std::vector<char> inside_;
+};
 
 } // namespace
 
@@ -32,18 +57,25 @@ void fill_openings(Octree& octree, const Solid& solid, Context& context) {
     }
     while (!open.empty()) {
         context.check_cancelled();
-        std::vector<Side> sides(open.size());
-        parallel_for(open.size(), [&](std::size_t k) { sides[k] = side_of(octree.nodes()[open[k]], solid); });
+        std::vector<Place> places;
+        for (const std::uint32_t i : open) {
+            const Probes probes = probes_of(octree, octree.nodes()[i]);
+            places.insert(places.end(), probes.begin(), probes.end());
+        }
+        const Insides insides(std::move(places), octree, solid);
         std::vector<std::uint32_t> next;
-        for (std::size_t k = 0; k < open.size(); ++k) {
-            Node& node = octree.nodes()[open[k]];
-            if (sides[k] == Side::both && node.level < octree.depth()) {
-                const std::uint32_t first = octree.split(open[k]);
+        for (const std::uint32_t i : open) {
+            const Probes probes = probes_of(octree, octree.nodes()[i]);
+            const bool middle = insides.at(probes[8]);
+            const bool mixed =
+                std::any_of(probes.begin(), probes.end(), [&](const Place& p) { return insides.at(p) != middle; });
+            if (mixed && octree.nodes()[i].level < octree.depth()) {
+                const std::uint32_t first = octree.split(i);
                 for (std::uint32_t child = 0; child < 8; ++child) {
                     next.push_back(first + child);
                 }
-            } else if (sides[k] == Side::inside || (sides[k] == Side::both && solid.contains(octree.center(node)))) {
-                node.state = State::filled;
+            } else if (middle) {
+                octree.nodes()[i].state = State::filled;
             }
         }
         open = std::move(next);
