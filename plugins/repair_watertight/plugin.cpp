@@ -95,14 +95,12 @@ FOAM_PLUGIN("repair_watertight", "1.0", "Apache-2.0") {
                      .source("manifold_leaves of Coumar et al., Foam, 2025"),
                  Parameter::boolean("fill_openings", true)
                      .doc("The inside of a mesh with holes (generalised winding number above one half) becomes solid, "
-                          "too; otherwise flood "
-                          "fill enters by every hole wider than a cell and leaves a thin shell.")
+                          "too; otherwise flood fill enters by every hole wider than a cell and leaves a thin shell.")
                      .source(
                          "foam judges spheres by that inside (Jacobson et al. 2013); the paper has flood fill alone"),
                  Parameter::boolean("keep_closed", true)
                      .doc("Do not rebuild a mesh that turning triangles and splitting vertices makes closed and "
-                          "2-manifold: "
-                          "rebuilding loses detail finer than a cell and fills cavities.")
+                          "2-manifold: rebuilding loses detail finer than a cell and fills cavities.")
                      .source("the original rebuilds always and inflates closed meshes by about 20 %"),
              },
          .extensions = {}});

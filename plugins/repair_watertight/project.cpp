@@ -131,8 +131,7 @@ private:
         }
     }
 
-    /// Of the two diagonals of a face, the one whose triangles agree better with the input: their middles lie nearer to
-    /// it.
+    /// Of the two diagonals of a face, the one that agrees better with the input: whose middle lies nearer to it.
     void improve_diagonals() {
         std::vector<char> change(surface_.quads.size(), 0);
         parallel_for(surface_.quads.size(), [&](std::size_t i) {

@@ -15,8 +15,8 @@ namespace {
 /// The part of the unit cube's edge that the longest extent takes: the surface does not touch the cube.
 constexpr double filled = 0.998;
 
-/// Distances from the input, in cells: small against the error of the resolution itself; sheets need room for two
-/// sides.
+/// Distances from the input, in cells. Solids: small against the error of the resolution itself. Sheets: room for both
+/// sides where they are curved.
 constexpr double off_solids = 0.005, off_sheets = 0.1;
 
 /// Between the mesh's frame and the unit cube.

@@ -122,8 +122,7 @@ FOAM_PLUGIN("smooth", "1.0", "Apache-2.0") {
                      .source("trimesh filter_laplacian"),
                  Parameter::choice("weights", {"uniform", "cotangent"}, "uniform")
                      .doc("Neighbours count alike, or by the cotangents of the angles opposite of the edge, which "
-                          "keeps the "
-                          "spacing of the vertices.")
+                          "keeps the spacing of the vertices.")
                      .source("uniform as in trimesh filter_laplacian"),
                  max_move(),
                  volume_tolerance(),
