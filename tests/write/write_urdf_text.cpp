@@ -101,6 +101,23 @@ TEST(WriteUrdf, ReadsSpheresAsOthersWriteThem) {
               (std::map<std::string, std::vector<Sphere>>{{"a", {{{0, 0, 0}, 1}, {{0, 0, 0}, 2}, {{1, 2, 3}, 0.5}}}}));
 }
 
+TEST(WriteUrdf, SaysThatRelativeMeshPathsAreKept) {
+    class Listener final : public QuietContext {
+    public:
+        void log(Severity, std::string_view message) override { messages.emplace_back(message); }
+        std::vector<std::string> messages;
+    } context;
+    auto robot = std::make_shared<Robot>();
+    robot->file = "/none/robot.urdf";
+    robot->source =
+        "<robot><link name='a'><visual><geometry><mesh filename='package://p/v.dae'/></geometry></visual>"
+        "<collision><geometry><mesh filename='gone.stl'/></geometry></collision></link>"
+        "<link name='b'><collision><geometry><mesh filename='kept.stl'/></geometry></collision></link></robot>";
+    const SphereModel model = model_of(robot, {group_of("a", {}, flat_tree(awkward_spheres()))});
+    writer("write_urdf", "write.urdf")->write(model, context);
+    EXPECT_THAT(context.messages, testing::ElementsAre(HasSubstr("the first: 'kept.stl'")));
+}
+
 TEST(WriteUrdf, SaysWhatStandsInTheWay) {
     EXPECT_THROW(written("<robot><link name='b'/></robot>"), Error);
     EXPECT_THROW(written(""), Error);
