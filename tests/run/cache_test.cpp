@@ -79,7 +79,8 @@ TEST(Files, AnErrorNamesTheFileAndTheReason) {
         }
         return std::string("no error");
     };
-    EXPECT_EQ(message(folder.path() / "none"), (folder.path() / "none").string() + ": cannot be read: No such file or directory");
+    EXPECT_EQ(message(folder.path() / "none"),
+              (folder.path() / "none").string() + ": cannot be read: No such file or directory");
     EXPECT_EQ(message(folder.path()), folder.path().string() + ": this is a folder, a file is needed");
 }
 

@@ -1,5 +1,5 @@
-#include "run/run_directory.hpp"
 #include "run/files.hpp"
+#include "run/run_directory.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <foam/error.hpp>

@@ -35,7 +35,8 @@ protected:
     }
 
     Recipe recipe(const std::string& rest) {
-        const auto result = parse_recipe("foam: 1\nname: two\nrobot: {urdf: two.urdf}\n" + rest, folder.path() / "two.yaml", registry);
+        const auto result =
+            parse_recipe("foam: 1\nname: two\nrobot: {urdf: two.urdf}\n" + rest, folder.path() / "two.yaml", registry);
         for (const Diagnostic& finding : result.diagnostics) {
             ADD_FAILURE() << finding.text();
         }
@@ -78,15 +79,16 @@ TEST_F(Run, WritesACertifiedRobotWithinItsBudget) {
 }
 
 TEST_F(Run, GrowsWhatASpherizerLeavesOpen) {
-    const RunResult result = run(recipe("stages: [spherize.misbehaving: {how: small, link: base}]\n"), registry, options());
+    const RunResult result =
+        run(recipe("stages: [spherize.misbehaving: {how: small, link: base}]\n"), registry, options());
     EXPECT_TRUE(result.certified);
     EXPECT_GT(result.links[0].growth, 0.1);
     EXPECT_LT(result.links[1].growth, 1e-4);
 }
 
 TEST_F(Run, FittedLeavesTheSpheresAsTheyAre) {
-    const RunResult result =
-        run(recipe("stages: [spherize.misbehaving: {how: small, link: base}]\nguarantee: fitted\n"), registry, options());
+    const RunResult result = run(
+        recipe("stages: [spherize.misbehaving: {how: small, link: base}]\nguarantee: fitted\n"), registry, options());
     EXPECT_FALSE(result.certified);
     EXPECT_GT(result.links[0].measures.gap, 0.1);
     EXPECT_LT(result.links[0].measures.covered, 0.9);
@@ -96,18 +98,22 @@ TEST_F(Run, NamesStageLinkAndInputOfAFailure) {
     EXPECT_EQ(failure("stages: [spherize.misbehaving: {how: error, link: tip}]\n"),
               "stage 'spherize.misbehaving', link 'tip', input 'cylinder': this shape is not to my taste");
     EXPECT_EQ(code, ErrorCode::geometry);
-    EXPECT_EQ(failure("stages: [spherize.misbehaving: {how: exception, link: tip}]\n"),
-              "stage 'spherize.misbehaving', link 'tip', input 'cylinder': the stage failed with an exception of its own: "
-              "index out of range");
+    EXPECT_EQ(
+        failure("stages: [spherize.misbehaving: {how: exception, link: tip}]\n"),
+        "stage 'spherize.misbehaving', link 'tip', input 'cylinder': the stage failed with an exception of its own: "
+        "index out of range");
     EXPECT_EQ(code, ErrorCode::plugin);
-    EXPECT_THAT(failure("stages: [spherize.misbehaving: {how: integer, link: tip}]\n"), HasSubstr("threw something that is no"));
+    EXPECT_THAT(failure("stages: [spherize.misbehaving: {how: integer, link: tip}]\n"),
+                HasSubstr("threw something that is no"));
     EXPECT_FALSE(fs::exists(folder.path() / "out"));
 }
 
 TEST_F(Run, ABrokenContractIsFound) {
-    EXPECT_THAT(failure("stages: [spherize.misbehaving: {how: nothing, link: base}]\n"), HasSubstr("it returned no spheres"));
+    EXPECT_THAT(failure("stages: [spherize.misbehaving: {how: nothing, link: base}]\n"),
+                HasSubstr("it returned no spheres"));
     EXPECT_THAT(failure("stages: [spherize.misbehaving: {how: nan, link: base}]\n"), HasSubstr("not finite"));
-    EXPECT_THAT(failure("stages: [spherize.misbehaving: {how: parents, link: base}]\n"), HasSubstr("parent index of level 1"));
+    EXPECT_THAT(failure("stages: [spherize.misbehaving: {how: parents, link: base}]\n"),
+                HasSubstr("parent index of level 1"));
     EXPECT_THAT(failure("stages: [spherize.misbehaving: {how: many, link: base}]\nbudget: {spheres: 4}\n"),
                 HasSubstr("returned 1000 spheres where at most 1 were asked for"));
 }
@@ -128,7 +134,8 @@ TEST_F(Run, ALostLinkIsOnlyLostOnRequest) {
 }
 
 TEST_F(Run, ABudgetBelowOneSphereALinkIsRefused) {
-    EXPECT_THAT(failure("stages: [spherize.grid]\nbudget: {spheres: 1}\n"), HasSubstr("budget.spheres: 1 is not enough"));
+    EXPECT_THAT(failure("stages: [spherize.grid]\nbudget: {spheres: 1}\n"),
+                HasSubstr("budget.spheres: 1 is not enough"));
     EXPECT_EQ(code, ErrorCode::recipe);
 }
 
@@ -197,8 +204,9 @@ TEST_F(Run, CancellationLeavesTheFormerRunAsItWas) {
 }
 
 TEST_F(Run, NoInputThatExists) {
-    const auto result = parse_recipe("foam: 1\nname: x\nrobot: {urdf: [package://no_such/a.urdf, b.urdf]}\nstages: [spherize.grid]\n",
-                                     folder.path() / "x.yaml", registry);
+    const auto result =
+        parse_recipe("foam: 1\nname: x\nrobot: {urdf: [package://no_such/a.urdf, b.urdf]}\nstages: [spherize.grid]\n",
+                     folder.path() / "x.yaml", registry);
     ASSERT_TRUE(result.ok());
     try {
         run(result.recipes.at(0), registry, options());

@@ -64,7 +64,8 @@ FinishedTree finished_tree(const Solid& solid, SphereTree tree, Guarantee guaran
     FinishedTree result;
     for (SphereTree::Level& level : tree.levels) {
         for (Sphere& sphere : level.spheres) {
-            sphere.center = {grid.nearest(sphere.center.x), grid.nearest(sphere.center.y), grid.nearest(sphere.center.z)};
+            sphere.center = {grid.nearest(sphere.center.x), grid.nearest(sphere.center.y),
+                             grid.nearest(sphere.center.z)};
         }
         const std::vector<Sphere> before = level.spheres;
         if (guarantee == Guarantee::outer) {

@@ -18,11 +18,11 @@ double covered_protrusion(const Solid& solid, std::vector<Sphere> spheres, Guara
 
 struct FinishedTree {
     SphereTree tree;
-    double growth = 0;   ///< m; largest growth of a radius of the finest level
+    double growth = 0; ///< m; largest growth of a radius of the finest level
 };
 
-/// The tree with numbers fit for a file: centres on a decimal grid of about a millionth of the solid's size, radii grown so
-/// that every level keeps the guarantee, and rounded up on the same grid.
+/// The tree with numbers fit for a file: centres on a decimal grid of about a millionth of the solid's size, radii
+/// grown so that every level keeps the guarantee, and rounded up on the same grid.
 FinishedTree finished_tree(const Solid& solid, SphereTree tree, Guarantee guarantee);
 
 } // namespace foam

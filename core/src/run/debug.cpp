@@ -23,16 +23,18 @@ Mesh link_mesh(const LinkWork& link, std::size_t stage) {
 std::string folder_name(const std::string& link) {
     std::string name;
     for (const char c : link) {
-        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+                           c == '_' || c == '.';
         name += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
     }
     return name.empty() || name.find_first_not_of('.') == std::string::npos ? "_" + name : name;
 }
 
 std::string to_ply(const Mesh& mesh) {
-    std::string bytes = fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double y\n"
-                                    "property double z\nelement face {}\nproperty list uchar uint vertex_indices\nend_header\n",
-                                    mesh.vertices.size(), mesh.triangles.size());
+    std::string bytes =
+        fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double y\n"
+                    "property double z\nelement face {}\nproperty list uchar uint vertex_indices\nend_header\n",
+                    mesh.vertices.size(), mesh.triangles.size());
     bytes.append(reinterpret_cast<const char*>(mesh.vertices.data()), mesh.vertices.size() * sizeof(Vec3));
     for (const Triangle& triangle : mesh.triangles) {
         bytes += '\3';
@@ -61,7 +63,8 @@ std::vector<std::filesystem::path> write_debug_meshes(const Workspace& workspace
         for (const Sphere& sphere : finished.links[l].spheres) {
             Pose pose;
             pose.translation = sphere.center;
-            append(spheres, transformed(enclosing_mesh({.kind = Primitive::Kind::sphere, .radius = sphere.radius}), pose));
+            append(spheres,
+                   transformed(enclosing_mesh({.kind = Primitive::Kind::sphere, .radius = sphere.radius}), pose));
         }
         write(filters.size() + 1, link.recipe.spherizer.stage, spheres);
     });

@@ -14,7 +14,8 @@ namespace foam {
 std::vector<std::filesystem::path> write_debug_meshes(const Workspace& workspace, const FinishedModel& finished,
                                                       const RunDirectory& directory);
 
-/// snapshots/robot.png and links/<link>/spheres.png (recipe: snapshots), links/<link>/stages.png (recipe: debug.snapshots).
+/// snapshots/robot.png and links/<link>/spheres.png (recipe: snapshots), links/<link>/stages.png (recipe:
+/// debug.snapshots).
 std::vector<std::filesystem::path> write_snapshots(const Workspace& workspace, const FinishedModel& finished,
                                                    const RunDirectory& directory);
 

@@ -38,7 +38,7 @@ Hasher& Hasher::add(std::uint64_t value) {
 }
 
 Hasher& Hasher::add(double value) {
-    value += 0.0;   // -0 and 0 are one value
+    value += 0.0; // -0 and 0 are one value
     bytes(&value, sizeof value);
     return *this;
 }

@@ -15,8 +15,8 @@ namespace foam {
 /// 128 bits of XXH3 as 32 hexadecimal digits.
 using Digest = std::string;
 
-/// Collects what a digest is made of. Every value is preceded by its length or kind, so that no two sequences of calls give
-/// the same bytes.
+/// Collects what a digest is made of. Every value is preceded by its length or kind, so that no two sequences of calls
+/// give the same bytes.
 class Hasher {
 public:
     Hasher();

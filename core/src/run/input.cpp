@@ -28,11 +28,20 @@ std::string xml_escaped(const std::string& text) {
     std::string result;
     for (const char c : text) {
         switch (c) {
-        case '&': result += "&amp;"; break;
-        case '<': result += "&lt;"; break;
-        case '>': result += "&gt;"; break;
-        case '"': result += "&quot;"; break;
-        default: result += c;
+        case '&':
+            result += "&amp;";
+            break;
+        case '<':
+            result += "&lt;";
+            break;
+        case '>':
+            result += "&gt;";
+            break;
+        case '"':
+            result += "&quot;";
+            break;
+        default:
+            result += c;
         }
     }
     return result;
@@ -105,18 +114,21 @@ Input load_input(const Workspace& workspace) {
         input.robot = std::make_shared<const Robot>(robot_of_mesh(input.file, input.chosen));
         return input;
     }
-    const RegisteredStage* loader = workspace.registry.find_for_extension(StageKind::robot_loader, extension_of(input.file));
+    const RegisteredStage* loader =
+        workspace.registry.find_for_extension(StageKind::robot_loader, extension_of(input.file));
     if (!loader) {
         loader = workspace.registry.find_for_extension(StageKind::robot_loader, "urdf");
     }
     if (!loader) {
-        throw Error(ErrorCode::plugin, "no plugin can read URDF files; `foam plugins --why` says what was loaded and why not");
+        throw Error(ErrorCode::plugin,
+                    "no plugin can read URDF files; `foam plugins --why` says what was loaded and why not");
     }
     StageReport report;
-    input.robot = run_stage(workspace, loader->info.name, "", input.file.string(), input.digest, report, [&](Context& context) {
-        const auto stage = workspace.registry.make<RobotLoader>(loader->info.name);
-        return std::make_shared<const Robot>(stage->load(text, input.file, resolver_of(workspace.recipe), context));
-    });
+    input.robot =
+        run_stage(workspace, loader->info.name, "", input.file.string(), input.digest, report, [&](Context& context) {
+            const auto stage = workspace.registry.make<RobotLoader>(loader->info.name);
+            return std::make_shared<const Robot>(stage->load(text, input.file, resolver_of(workspace.recipe), context));
+        });
     return input;
 }
 

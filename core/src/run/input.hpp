@@ -11,13 +11,14 @@
 namespace foam {
 
 struct Input {
-    std::string chosen;                      ///< the candidate, as written in the recipe
+    std::string chosen; ///< the candidate, as written in the recipe
     std::filesystem::path file;
-    std::shared_ptr<const Robot> robot;      ///< a single mesh becomes a robot of one link
-    Digest digest;                           ///< of the file
+    std::shared_ptr<const Robot> robot; ///< a single mesh becomes a robot of one link
+    Digest digest;                      ///< of the file
 };
 
-/// Takes the first candidate that resolves. Throws Error(input) naming every place tried, or what is wrong with the file.
+/// Takes the first candidate that resolves. Throws Error(input) naming every place tried, or what is wrong with the
+/// file.
 Input load_input(const Workspace& workspace);
 
 } // namespace foam

@@ -10,22 +10,32 @@ namespace {
 
 const char* to_string(Event::Kind kind) {
     switch (kind) {
-    case Event::Kind::run_started: return "run_started";
-    case Event::Kind::task_started: return "task_started";
-    case Event::Kind::task_finished: return "task_finished";
-    case Event::Kind::progress: return "progress";
-    case Event::Kind::finding: return "finding";
-    case Event::Kind::run_finished: return "run_finished";
+    case Event::Kind::run_started:
+        return "run_started";
+    case Event::Kind::task_started:
+        return "task_started";
+    case Event::Kind::task_finished:
+        return "task_finished";
+    case Event::Kind::progress:
+        return "progress";
+    case Event::Kind::finding:
+        return "finding";
+    case Event::Kind::run_finished:
+        return "run_finished";
     }
     return "";
 }
 
 const char* to_string(Severity severity) {
     switch (severity) {
-    case Severity::debug: return "debug";
-    case Severity::info: return "info";
-    case Severity::warning: return "warning";
-    case Severity::error: return "error";
+    case Severity::debug:
+        return "debug";
+    case Severity::info:
+        return "info";
+    case Severity::warning:
+        return "warning";
+    case Severity::error:
+        return "error";
     }
     return "";
 }

@@ -45,7 +45,8 @@ private:
 /// The context of one stage call. Metrics are kept for the caller; findings go to the journal at once.
 class StageContext final : public Context {
 public:
-    StageContext(Journal& journal, std::string link, std::string stage, std::uint64_t seed, const std::atomic<bool>* cancel);
+    StageContext(Journal& journal, std::string link, std::string stage, std::uint64_t seed,
+                 const std::atomic<bool>* cancel);
     std::uint64_t seed() const override { return seed_; }
     bool cancelled() const override { return cancel_ && cancel_->load(std::memory_order_relaxed); }
     void progress(double fraction) override;

@@ -79,9 +79,10 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
             out.geometries.push_back(link.elements[e].geometry);
         }
         const auto solid = solid_of(link, groups[g].elements);
-        FinishedTree finished = run_stage(workspace, "cover", out.link, out.geometries.front(), "", report, [&](Context&) {
-            return finished_tree(*solid, std::move(groups[g].tree), workspace.recipe.guarantee);
-        });
+        FinishedTree finished =
+            run_stage(workspace, "cover", out.link, out.geometries.front(), "", report, [&](Context&) {
+                return finished_tree(*solid, std::move(groups[g].tree), workspace.recipe.guarantee);
+            });
         out.tree = std::move(finished.tree);
         growth[g] = finished.growth;
         StageReport measuring;
@@ -122,10 +123,12 @@ bool handle_errors(const Workspace& workspace, std::vector<LinkWork>& links, std
         if (workspace.recipe.on_error == OnError::stop) {
             throw *links[l].error;
         }
-        const std::vector<Vec3> points = workspace.recipe.on_error == OnError::fallback ? vertices_of(links[l]) : std::vector<Vec3>{};
+        const std::vector<Vec3> points =
+            workspace.recipe.on_error == OnError::fallback ? vertices_of(links[l]) : std::vector<Vec3>{};
         if (points.empty()) {
             links[l].report.error = message;
-            workspace.journal.finding({Severity::error, links[l].link->name, "", "the link keeps its collision geometry: " + message});
+            workspace.journal.finding(
+                {Severity::error, links[l].link->name, "", "the link keeps its collision geometry: " + message});
             lost = true;
             continue;
         }

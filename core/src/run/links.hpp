@@ -16,7 +16,7 @@ namespace foam {
 struct FinishedLink {
     const LinkWork* work = nullptr;
     std::shared_ptr<const Solid> solid;
-    std::vector<Sphere> spheres;   ///< of all its groups, finest level
+    std::vector<Sphere> spheres; ///< of all its groups, finest level
 };
 
 struct FinishedModel {
@@ -28,8 +28,8 @@ struct FinishedModel {
 FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Robot> robot, std::vector<LinkWork>& links,
                            std::vector<Group> groups);
 
-/// Deals with links that failed: stop throws the first error; skip leaves their geometry as it was; fallback gives them one
-/// enclosing sphere of their vertices, if they could be loaded. Returns true if a link was lost.
+/// Deals with links that failed: stop throws the first error; skip leaves their geometry as it was; fallback gives them
+/// one enclosing sphere of their vertices, if they could be loaded. Returns true if a link was lost.
 bool handle_errors(const Workspace& workspace, std::vector<LinkWork>& links, std::vector<Group>& groups);
 
 } // namespace foam

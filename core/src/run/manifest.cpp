@@ -10,7 +10,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const char* text(Severity severity) {
-    return severity == Severity::error ? "error" : severity == Severity::warning ? "warning" : severity == Severity::info ? "info" : "debug";
+    return severity == Severity::error     ? "error"
+           : severity == Severity::warning ? "warning"
+           : severity == Severity::info    ? "info"
+                                           : "debug";
 }
 
 Json to_json(const Measures& m) {
@@ -69,7 +72,8 @@ Json plugins_used(const Workspace& workspace, const RunResult& result) {
     for (const std::string& stage : stages) {
         const RegisteredStage* found = workspace.registry.find(stage);
         if (found && names.insert(found->plugin).second) {
-            used.push_back({{"plugin", found->plugin}, {"version", found->plugin_version}, {"license", found->license}});
+            used.push_back(
+                {{"plugin", found->plugin}, {"version", found->plugin_version}, {"license", found->license}});
         }
     }
     return used;
@@ -91,7 +95,8 @@ std::string manifest_json(const Workspace& workspace, const Input& input, const 
                          {"digest", input.digest}};
     manifest["mesh_files"] = Json::array();
     for (const InputFile& mesh : meshes) {
-        manifest["mesh_files"].push_back({{"file", mesh.file.string()}, {"digest", mesh.digest}, {"bytes", mesh.bytes}});
+        manifest["mesh_files"].push_back(
+            {{"file", mesh.file.string()}, {"digest", mesh.digest}, {"bytes", mesh.bytes}});
     }
     manifest["plugins"] = plugins_used(workspace, result);
     manifest["outputs"] = Json::array();
@@ -106,8 +111,10 @@ std::string manifest_json(const Workspace& workspace, const Input& input, const 
     }
     manifest["findings"] = Json::array();
     for (const Finding& finding : result.findings) {
-        manifest["findings"].push_back(
-            {{"severity", text(finding.severity)}, {"link", finding.link}, {"stage", finding.stage}, {"message", finding.message}});
+        manifest["findings"].push_back({{"severity", text(finding.severity)},
+                                        {"link", finding.link},
+                                        {"stage", finding.stage},
+                                        {"message", finding.message}});
     }
     manifest["threads"] = thread_count();
     manifest["seconds"] = result.seconds;

@@ -10,13 +10,14 @@
 namespace foam {
 
 struct OutputFile {
-    std::string file;     ///< relative to the run directory
+    std::string file; ///< relative to the run directory
     Digest digest;
     std::size_t bytes = 0;
 };
 
-/// Writes every output of the recipe, reads it back as another program would, compares the spheres and runs the certificate
-/// on the numbers read. Throws Error(internal) if a proof that held in memory does not hold on the file.
-std::vector<OutputFile> write_outputs(const Workspace& workspace, const FinishedModel& finished, const RunDirectory& directory);
+/// Writes every output of the recipe, reads it back as another program would, compares the spheres and runs the
+/// certificate on the numbers read. Throws Error(internal) if a proof that held in memory does not hold on the file.
+std::vector<OutputFile> write_outputs(const Workspace& workspace, const FinishedModel& finished,
+                                      const RunDirectory& directory);
 
 } // namespace foam

@@ -102,19 +102,22 @@ void load(const Workspace& workspace, const std::vector<LinkWork>& links, LoadTa
     extension = extension.empty() ? "" : extension.substr(1);
     const RegisteredStage* loader = workspace.registry.find_for_extension(StageKind::mesh_loader, extension);
     if (!loader) {
-        throw Error(ErrorCode::input, fmt::format("link '{}': {}: no loader reads files that end in '.{}'; remedy: convert it to "
-                                                  "STL, OBJ, PLY, DAE, OFF or GLB",
-                                                  link, path.string(), extension));
+        throw Error(ErrorCode::input,
+                    fmt::format("link '{}': {}: no loader reads files that end in '.{}'; remedy: convert it to "
+                                "STL, OBJ, PLY, DAE, OFF or GLB",
+                                link, path.string(), extension));
     }
     const std::string bytes = read_file(path);
     task.file = {path, digest_of(bytes), bytes.size()};
-    task.mesh = run_stage(workspace, loader->info.name, link, path.string(), task.file.digest, task.report, [&](Context& context) {
-        const Mesh mesh = workspace.registry.make<MeshLoader>(loader->info.name)->load(path, context);
-        return std::make_shared<const Mesh>(transformed(mesh, {}, task.reference.scale));
-    });
+    task.mesh = run_stage(
+        workspace, loader->info.name, link, path.string(), task.file.digest, task.report, [&](Context& context) {
+            const Mesh mesh = workspace.registry.make<MeshLoader>(loader->info.name)->load(path, context);
+            return std::make_shared<const Mesh>(transformed(mesh, {}, task.reference.scale));
+        });
     for (const Vec3& vertex : task.mesh->vertices) {
         if (!is_finite(vertex)) {
-            throw Error(ErrorCode::input, fmt::format("link '{}': {}: a vertex is not finite after scaling", link, path.string()));
+            throw Error(ErrorCode::input,
+                        fmt::format("link '{}': {}: a vertex is not finite after scaling", link, path.string()));
         }
     }
 }
@@ -157,7 +160,8 @@ void filter(const Workspace& workspace, const std::vector<LinkWork>& links, Filt
     std::shared_ptr<const Mesh> mesh = task.mesh;
     for (const StageCall& call : task.filters) {
         const Digest content = Hasher().add(*mesh).finish();
-        const Digest key = Hasher().add("filter").add(call, workspace.registry).add(workspace.recipe.seed).add(content).finish();
+        const Digest key =
+            Hasher().add("filter").add(call, workspace.registry).add(workspace.recipe.seed).add(content).finish();
         StageReport& report = task.reports.emplace_back();
         if (auto cached = workspace.cache.mesh(key)) {
             report.stage = call.stage;

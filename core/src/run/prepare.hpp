@@ -15,10 +15,10 @@ namespace foam {
 /// A collision element on its way through the filters. Meshes are in the element's own frame, scaled, in metres.
 struct Element {
     const GeometryElement* source = nullptr;
-    std::string geometry;                                ///< mesh reference as written, or the primitive's kind
-    std::shared_ptr<const Mesh> raw;                     ///< null for a primitive
-    std::vector<std::shared_ptr<const Mesh>> filtered;   ///< after each filter; empty for a primitive
-    Digest digest;                                       ///< of raw geometry and filters, without the pose
+    std::string geometry;                              ///< mesh reference as written, or the primitive's kind
+    std::shared_ptr<const Mesh> raw;                   ///< null for a primitive
+    std::vector<std::shared_ptr<const Mesh>> filtered; ///< after each filter; empty for a primitive
+    Digest digest;                                     ///< of raw geometry and filters, without the pose
 
     const std::shared_ptr<const Mesh>& processed() const { return filtered.empty() ? raw : filtered.back(); }
     const Primitive* primitive() const { return std::get_if<Primitive>(&source->geometry); }

@@ -16,7 +16,9 @@ namespace {
 double cpu_seconds() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+    const auto seconds = [](const timeval& t) {
+        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
@@ -56,7 +58,9 @@ RunResult run(const Recipe& recipe, const Registry& registry, const RunOptions& 
         directory.emplace(options.out);
     }
     Journal journal(options.observer);
-    const Cache cache(options.fresh ? std::filesystem::path() : options.cache.empty() ? Cache::default_folder() : options.cache);
+    const Cache cache(options.fresh           ? std::filesystem::path()
+                      : options.cache.empty() ? Cache::default_folder()
+                                              : options.cache);
     const Workspace workspace{recipe, registry, options, journal, cache};
 
     RunResult result;
@@ -69,14 +73,16 @@ RunResult run(const Recipe& recipe, const Registry& registry, const RunOptions& 
     std::vector<InputFile> meshes;
     std::vector<LinkWork> links = prepare_links(workspace, *input.robot, meshes);
     if (links.empty()) {
-        throw Error(ErrorCode::input, fmt::format("{}: no link has collision geometry: there is nothing to turn into spheres",
-                                                  input.file.string()));
+        throw Error(ErrorCode::input,
+                    fmt::format("{}: no link has collision geometry: there is nothing to turn into spheres",
+                                input.file.string()));
     }
     std::vector<Group> groups = spherize_links(workspace, links);
     result.links_lost = handle_errors(workspace, links, groups);
     FinishedModel finished = finish_links(workspace, input.robot, links, std::move(groups));
     if (finished.links.empty()) {
-        throw Error(ErrorCode::input, fmt::format("{}: every link was skipped: there is nothing to write", input.file.string()));
+        throw Error(ErrorCode::input,
+                    fmt::format("{}: every link was skipped: there is nothing to write", input.file.string()));
     }
 
     std::vector<OutputFile> outputs;

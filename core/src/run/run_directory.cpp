@@ -33,9 +33,10 @@ RunDirectory::RunDirectory(fs::path target) : target_(fs::absolute(target).lexic
         target_ = target_.parent_path();
     }
     if (!replaceable(target_)) {
-        throw Error(ErrorCode::output, fmt::format("{}: exists, but is not the folder of a run (no manifest.json in it), so it is "
-                                                   "left alone; remedy: choose another folder with --out, or remove it",
-                                                   target_.string()));
+        throw Error(ErrorCode::output,
+                    fmt::format("{}: exists, but is not the folder of a run (no manifest.json in it), so it is "
+                                "left alone; remedy: choose another folder with --out, or remove it",
+                                target_.string()));
     }
     temporary_ = target_.parent_path() / fmt::format(".{}.partial-{}", target_.filename().string(), getpid());
     std::error_code error;
@@ -58,16 +59,18 @@ void RunDirectory::write(const fs::path& file, std::string_view bytes) const {
 }
 
 void RunDirectory::commit() {
-    // An existing run changes places with the new one in one step, so that there is a whole run under the name at any time.
+    // An existing run changes places with the new one in one step, so that there is a whole run under the name at any
+    // time.
     const bool exchange = fs::exists(target_);
     if (renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), exchange ? RENAME_EXCHANGE : 0) != 0) {
         std::error_code error;
-        if (exchange) {   // a file system without the exchange operation
+        if (exchange) { // a file system without the exchange operation
             fs::remove_all(target_, error);
         }
         fs::rename(temporary_, target_, error);
         if (error) {
-            throw Error(ErrorCode::output, fmt::format("{}: cannot be put in place: {}", target_.string(), error.message()));
+            throw Error(ErrorCode::output,
+                        fmt::format("{}: cannot be put in place: {}", target_.string(), error.message()));
         }
         committed_ = true;
         return;

@@ -83,7 +83,8 @@ Figure stages_figure(const Recipe& recipe, const FinishedLink& link) {
     for (std::size_t stage = 0; stage <= filters.size(); ++stage) {
         const auto mesh = shared_mesh(*link.work, stage);
         Panel panel;
-        panel.caption = fmt::format("{} ({} triangles)", stage == 0 ? "original" : filters[stage - 1].stage, mesh->triangles.size());
+        panel.caption = fmt::format("{} ({} triangles)", stage == 0 ? "original" : filters[stage - 1].stage,
+                                    mesh->triangles.size());
         panel.meshes.push_back({mesh, Pose{}, false});
         figure.panels.push_back(std::move(panel));
     }
@@ -104,7 +105,8 @@ std::vector<std::filesystem::path> write_snapshots(const Workspace& workspace, c
     if (!recipe.snapshots && !recipe.debug_snapshots) {
         return {};
     }
-    workspace.journal.expect((recipe.snapshots ? 1 + finished.links.size() : 0) + (recipe.debug_snapshots ? finished.links.size() : 0));
+    workspace.journal.expect((recipe.snapshots ? 1 + finished.links.size() : 0) +
+                             (recipe.debug_snapshots ? finished.links.size() : 0));
     Album album(workspace, directory);
     if (recipe.snapshots) {
         album.add("snapshots/robot.png", "", robot_figure(recipe, finished));

@@ -16,11 +16,11 @@ struct ShapeWork {
     std::unique_ptr<Shape> shape;
     StageCall spherizer;
     Digest digest;
-    std::string link, input;                      ///< of the first group, for messages
+    std::string link, input; ///< of the first group, for messages
     std::vector<std::size_t> groups;
-    std::size_t least = 1, most = 1;              ///< bounds of the count
-    std::map<std::size_t, SphereTree> trees;      ///< by the number of spheres they have
-    std::map<std::size_t, std::size_t> asked;     ///< count asked for → count got
+    std::size_t least = 1, most = 1;          ///< bounds of the count
+    std::map<std::size_t, SphereTree> trees;  ///< by the number of spheres they have
+    std::map<std::size_t, std::size_t> asked; ///< count asked for → count got
     CostCurve curve;
     StageReport report;
     std::optional<Error> error;
@@ -63,7 +63,8 @@ Pose relative_pose(const Group& group, const LinkWork& link, std::size_t element
     return element == group.elements.front() ? Pose{} : group.frame.inverse() * link.elements[element].source->origin;
 }
 
-std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::vector<LinkWork>& links, std::vector<Group>& groups) {
+std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::vector<LinkWork>& links,
+                                       std::vector<Group>& groups) {
     std::map<Digest, std::size_t> known;
     std::vector<ShapeWork> shapes;
     for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -109,12 +110,15 @@ void build_shape(const std::vector<LinkWork>& links, const std::vector<Group>& g
 
 /// A spherizer's promise, checked: spheres, finite, no more than asked for.
 void check_tree(const SphereTree& tree, const Budget& budget) {
-    const auto broken = [](const std::string& what) { throw Error(ErrorCode::plugin, "the spherizer broke its contract: " + what); };
+    const auto broken = [](const std::string& what) {
+        throw Error(ErrorCode::plugin, "the spherizer broke its contract: " + what);
+    };
     if (tree.levels.empty() || tree.finest().empty()) {
         broken("it returned no spheres");
     }
     if (budget.max_spheres && tree.finest().size() > *budget.max_spheres) {
-        broken(fmt::format("it returned {} spheres where at most {} were asked for", tree.finest().size(), *budget.max_spheres));
+        broken(fmt::format("it returned {} spheres where at most {} were asked for", tree.finest().size(),
+                           *budget.max_spheres));
     }
     for (std::size_t l = 0; l < tree.levels.size(); ++l) {
         const SphereTree::Level& level = tree.levels[l];
@@ -124,7 +128,8 @@ void check_tree(const SphereTree& tree, const Budget& budget) {
             }
         }
         if (l == 0 ? !level.parents.empty() : level.parents.size() != level.spheres.size()) {
-            broken(fmt::format("level {} has {} spheres and {} parents", l, level.spheres.size(), level.parents.size()));
+            broken(
+                fmt::format("level {} has {} spheres and {} parents", l, level.spheres.size(), level.parents.size()));
         }
         for (const std::uint32_t parent : level.parents) {
             if (parent >= tree.levels[l - 1].spheres.size()) {
@@ -170,8 +175,8 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
     if (missing.empty()) {
         return;
     }
-    const std::vector<SphereTree> trees =
-        run_stage(workspace, work.spherizer.stage, work.link, work.input, work.digest, work.report, [&](Context& context) {
+    const std::vector<SphereTree> trees = run_stage(
+        workspace, work.spherizer.stage, work.link, work.input, work.digest, work.report, [&](Context& context) {
             const auto stage = workspace.registry.make<Spherizer>(work.spherizer.stage, work.spherizer.given);
             std::vector<SphereTree> made = stage->spherize_each(*work.shape, budgets, context);
             if (made.size() != budgets.size()) {
@@ -207,7 +212,8 @@ template <class Body> void for_each_shape(std::vector<ShapeWork>& shapes, Body&&
 }
 
 /// Makes the curves know the counts asked for: spherize, cover, measure what is claimed wrongly.
-void explore(const Workspace& workspace, std::vector<ShapeWork>& shapes, const std::vector<std::vector<std::size_t>>& counts) {
+void explore(const Workspace& workspace, std::vector<ShapeWork>& shapes,
+             const std::vector<std::vector<std::size_t>>& counts) {
     for (std::size_t s = 0; s < shapes.size(); ++s) {
         workspace.journal.expect(counts[s].empty() ? 0 : 1);
     }
@@ -227,14 +233,16 @@ void explore(const Workspace& workspace, std::vector<ShapeWork>& shapes, const s
     parallel_for(points.size(), [&](std::size_t i) {
         workspace.check_cancelled();
         const ShapeWork& work = shapes[points[i].shape];
-        points[i].cost = wrong_volume(work.shape->original(), work.trees.at(points[i].count).finest(), workspace.recipe.guarantee);
+        points[i].cost =
+            wrong_volume(work.shape->original(), work.trees.at(points[i].count).finest(), workspace.recipe.guarantee);
     });
     for (const Point& point : points) {
         shapes[point.shape].curve.set(point.count, point.cost);
     }
 }
 
-std::vector<Claim> claims_of(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups, std::size_t total, bool known_only) {
+std::vector<Claim> claims_of(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups, std::size_t total,
+                             bool known_only) {
     std::vector<Claim> claims;
     for (const Group& group : groups) {
         const ShapeWork& work = shapes[group.shape];
@@ -245,15 +253,16 @@ std::vector<Claim> claims_of(const std::vector<ShapeWork>& shapes, const std::ve
     return claims;
 }
 
-/// The count of every group (0 for those with an error) so that the robot has `total` spheres at the least wrong volume. The
-/// curves are explored where the allocation goes, until it only rests on known counts.
-std::vector<std::size_t> share_spheres(const Workspace& workspace, std::vector<ShapeWork>& shapes, const std::vector<Group>& groups,
-                                       std::size_t total) {
+/// The count of every group (0 for those with an error) so that the robot has `total` spheres at the least wrong
+/// volume. The curves are explored where the allocation goes, until it only rests on known counts.
+std::vector<std::size_t> share_spheres(const Workspace& workspace, std::vector<ShapeWork>& shapes,
+                                       const std::vector<Group>& groups, std::size_t total) {
     std::vector<std::vector<std::size_t>> wanted(shapes.size());
     for (std::size_t s = 0; s < shapes.size(); ++s) {
         // A first look at small counts and, on large budgets, at multiples of the fair share.
         const std::size_t fair = std::max<std::size_t>(1, total / std::max<std::size_t>(1, groups.size()));
-        for (const std::size_t count : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{4}, fair, 2 * fair, 4 * fair}) {
+        for (const std::size_t count :
+             {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{4}, fair, 2 * fair, 4 * fair}) {
             wanted[s].push_back(std::clamp(count, shapes[s].least, std::min(shapes[s].most, total)));
         }
         std::sort(wanted[s].begin(), wanted[s].end());
@@ -280,7 +289,8 @@ std::vector<std::size_t> share_spheres(const Workspace& workspace, std::vector<S
             }
             const std::size_t count = counts[c++];
             // The neighbours too: the next round then knows whether one more or less pays.
-            for (std::size_t near = std::max(work.least, count - 1); near <= std::min({work.most, total, count + 1}); ++near) {
+            for (std::size_t near = std::max(work.least, count - 1); near <= std::min({work.most, total, count + 1});
+                 ++near) {
                 if (!work.asked.contains(near)) {
                     wanted[group.shape].push_back(near);
                     settled &= near != count;
@@ -298,8 +308,10 @@ std::vector<std::size_t> share_spheres(const Workspace& workspace, std::vector<S
             continue;
         }
         if (sum < total) {
-            workspace.journal.finding({Severity::warning, "", "", fmt::format("{} of {} spheres are used: the spherizer has no use "
-                                                                              "for more on these links", sum, total)});
+            workspace.journal.finding({Severity::warning, "", "",
+                                       fmt::format("{} of {} spheres are used: the spherizer has no use "
+                                                   "for more on these links",
+                                                   sum, total)});
         }
         std::vector<std::size_t> result(groups.size(), 0);
         std::size_t c = 0;
@@ -318,7 +330,8 @@ std::size_t count_for_protrusion(const Workspace& workspace, ShapeWork& work, do
     const auto protrusion = [&](std::size_t count) {
         workspace.journal.expect(1);
         compute_trees(workspace, work, {count});
-        return covered_protrusion(work.shape->original(), work.trees.at(work.asked.at(count)).finest(), workspace.recipe.guarantee);
+        return covered_protrusion(work.shape->original(), work.trees.at(work.asked.at(count)).finest(),
+                                  workspace.recipe.guarantee);
     };
     const std::size_t most = std::min(work.most, std::max(work.least, protrusion_limit));
     std::size_t low = work.least, high = work.least;
@@ -343,7 +356,8 @@ std::size_t count_for_protrusion(const Workspace& workspace, ShapeWork& work, do
     return work.asked.at(high);
 }
 
-std::vector<std::size_t> choose_counts(const Workspace& workspace, std::vector<ShapeWork>& shapes, const std::vector<Group>& groups) {
+std::vector<std::size_t> choose_counts(const Workspace& workspace, std::vector<ShapeWork>& shapes,
+                                       const std::vector<Group>& groups) {
     const Recipe& recipe = workspace.recipe;
     if (recipe.budget_spheres) {
         std::size_t least = 0;
@@ -351,10 +365,12 @@ std::vector<std::size_t> choose_counts(const Workspace& workspace, std::vector<S
             least += shapes[group.shape].least;
         }
         if (*recipe.budget_spheres < least) {
-            throw Error(ErrorCode::recipe,
-                        fmt::format("budget.spheres: {} is not enough: the robot's {} {} with collision geometry need at least {}; "
-                                    "remedy: raise the budget, or skip links",
-                                    *recipe.budget_spheres, groups.size(), recipe.per_link ? "links" : "elements", least));
+            throw Error(
+                ErrorCode::recipe,
+                fmt::format(
+                    "budget.spheres: {} is not enough: the robot's {} {} with collision geometry need at least {}; "
+                    "remedy: raise the budget, or skip links",
+                    *recipe.budget_spheres, groups.size(), recipe.per_link ? "links" : "elements", least));
         }
         return share_spheres(workspace, shapes, groups, *recipe.budget_spheres);
     }

@@ -13,17 +13,17 @@ namespace foam {
 
 /// What is spherized as one: a link, or one collision element of it.
 struct Group {
-    std::size_t link = 0;                     ///< index into the links
-    std::vector<std::size_t> elements;        ///< of the link
+    std::size_t link = 0;              ///< index into the links
+    std::vector<std::size_t> elements; ///< of the link
     /// From the frame of the first element, in which the shape is spherized, to the link's. Equal geometry at different
     /// places (a pair of fingers) is one shape that way.
     Pose frame;
-    std::size_t shape = 0;                    ///< index of the distinct shape
-    SphereTree tree;                          ///< link frame; as the spherizer made it, moved
+    std::size_t shape = 0; ///< index of the distinct shape
+    SphereTree tree;       ///< link frame; as the spherizer made it, moved
 };
 
-/// Spherizes all links without an error, within the recipe's budget. Errors go to the links. Throws for a budget that cannot
-/// be kept (fewer spheres than groups) and for cancellation.
+/// Spherizes all links without an error, within the recipe's budget. Errors go to the links. Throws for a budget that
+/// cannot be kept (fewer spheres than groups) and for cancellation.
 std::vector<Group> spherize_links(const Workspace& workspace, std::vector<LinkWork>& links);
 
 } // namespace foam

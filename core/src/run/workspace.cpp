@@ -6,7 +6,8 @@
 
 namespace foam {
 
-Error described(std::exception_ptr thrown, const std::string& stage, const std::string& link, const std::string& input) {
+Error described(std::exception_ptr thrown, const std::string& stage, const std::string& link,
+                const std::string& input) {
     std::string where = fmt::format("stage '{}'", stage);
     if (!link.empty()) {
         where += fmt::format(", link '{}'", link);
@@ -24,7 +25,8 @@ Error described(std::exception_ptr thrown, const std::string& stage, const std::
     } catch (const std::bad_alloc&) {
         return {ErrorCode::geometry, fmt::format("{}: not enough memory", where)};
     } catch (const std::exception& error) {
-        return {ErrorCode::plugin, fmt::format("{}: the stage failed with an exception of its own: {}", where, error.what())};
+        return {ErrorCode::plugin,
+                fmt::format("{}: the stage failed with an exception of its own: {}", where, error.what())};
     } catch (...) {
         return {ErrorCode::plugin, fmt::format("{}: the stage threw something that is no std::exception", where)};
     }

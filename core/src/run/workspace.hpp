@@ -35,8 +35,8 @@ struct Workspace {
 /// An Error that names stage, link and input, whatever was thrown. Cancellation stays cancellation.
 Error described(std::exception_ptr thrown, const std::string& stage, const std::string& link, const std::string& input);
 
-/// Runs `body(context)` as a task of the journal: timed, its metrics kept, what it throws described. `seed` should depend on
-/// what is worked on, not on where it stands, so that equal geometry gives equal results.
+/// Runs `body(context)` as a task of the journal: timed, its metrics kept, what it throws described. `seed` should
+/// depend on what is worked on, not on where it stands, so that equal geometry gives equal results.
 template <class Body>
 auto run_stage(const Workspace& workspace, const std::string& stage, const std::string& link, const std::string& input,
                const Digest& content, StageReport& report, Body&& body) {

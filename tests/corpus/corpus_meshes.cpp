@@ -1,0 +1,93 @@
+// Every mesh of the shared folder: spheres with a proof, or an error that names the file. Never a crash, never a hang.
+#include "corpus/whole_run.hpp"
+#include "support/shared_folder.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <foam/error.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace foam {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Files that no reader can make a mesh of, by name.
+const std::set<std::string> unreadable{"real/malformed.obj",
+                                       "real/invalid.off",
+                                       "real/IndexOutOfRange.gltf",
+                                       "real/BoxWithInfinites.glb",
+                                       "synthetic/empty.stl",
+                                       "synthetic/empty.obj",
+                                       "synthetic/header_only.stl",
+                                       "synthetic/truncated_binary.stl",
+                                       "synthetic/count_too_large.stl",
+                                       "synthetic/nan_vertex.stl",
+                                       "synthetic/inf_vertex.obj",
+                                       "synthetic/index_out_of_range.obj",
+                                       "synthetic/points_only.ply",
+                                       "synthetic/garbage.stl"};
+
+std::vector<std::string> mesh_files() {
+    static const std::set<std::string> endings{".stl", ".obj", ".ply", ".off", ".dae", ".gltf", ".glb"};
+    std::vector<std::string> files;
+    std::error_code absent;
+    for (const auto& entry : fs::recursive_directory_iterator(shared_folder() / "meshes", absent)) {
+        std::string ending = entry.path().extension().string();
+        std::transform(ending.begin(), ending.end(), ending.begin(),
+                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        if (endings.contains(ending)) {
+            files.push_back(fs::relative(entry.path(), shared_folder() / "meshes").string());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+class CorpusMesh : public ::testing::TestWithParam<std::string> {};
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(CorpusMesh);
+
+TEST_P(CorpusMesh, GivesSpheresOrAClearError) {
+    const fs::path file = shared_folder() / "meshes" / GetParam();
+    if (!fs::exists(file)) {
+        GTEST_SKIP() << file << " is not there";
+    }
+    const TemporaryFolder folder;
+    Registry registry;
+    registry.load_directory(FOAM_TEST_PLUGINS);
+    try {
+        const RunResult result = spherized(registry, file, 8, folder.path() / "out");
+        EXPECT_FALSE(unreadable.contains(GetParam())) << "no error for a file that holds no mesh";
+        EXPECT_TRUE(result.certified);
+        EXPECT_GE(result.total.spheres, 1u);
+        EXPECT_LE(result.total.spheres, 8u);
+        EXPECT_EQ(result.total.gap, 0);
+        std::printf("%s: %zu spheres, excess %.3f, %.2f s\n", GetParam().c_str(), result.total.spheres,
+                    result.total.excess, result.seconds);
+    } catch (const Error& error) {
+        EXPECT_TRUE(unreadable.contains(GetParam())) << error.what();
+        EXPECT_NE(std::string(error.what()).find(file.filename().string()), std::string::npos) << error.what();
+        EXPECT_FALSE(fs::exists(folder.path() / "out"));
+        std::printf("%s: %s\n", GetParam().c_str(), error.what());
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, CorpusMesh, ::testing::ValuesIn(mesh_files()), [](const auto& name) {
+    std::string text = name.param;
+    std::replace_if(
+        text.begin(), text.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
+    return text;
+});
+
+TEST(CorpusMeshes, AreThere) {
+    if (mesh_files().empty()) {
+        GTEST_SKIP() << "no meshes in " << shared_folder() << "; set FOAM_SHARED";
+    }
+    SUCCEED();
+}
+
+} // namespace
+} // namespace foam

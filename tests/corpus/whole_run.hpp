@@ -1,0 +1,32 @@
+// The whole pipeline on a file, as `foam spherize` runs it.
+#pragma once
+
+#include <foam/error.hpp>
+#include <foam/host/run.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace foam {
+
+/// Runs repair, simplification, smoothing and spherize.medial with `spheres` over the whole model.
+inline RunResult spherized(Registry& registry, const std::filesystem::path& file, std::size_t spheres,
+                           const std::filesystem::path& out) {
+    const bool robot = file.extension() == ".urdf";
+    const std::string input = "'" + file.string() + "'";
+    const std::string text =
+        "foam: 1\nname: corpus\n" + (robot ? "robot: {urdf: " + input + "}\n" : "mesh: " + input + "\n") +
+        "stages: [repair.watertight, simplify.quadric, smooth.humphrey, spherize.medial]\n"
+        "budget: {spheres: " +
+        std::to_string(spheres) + "}\noutputs: [write.urdf: {file: corpus.urdf}, write.json: {file: corpus.json}]\n";
+    const RecipeResult recipe = parse_recipe(text, {}, registry);
+    if (!recipe.ok()) {
+        throw Error(ErrorCode::recipe, recipe.diagnostics.at(0).text());
+    }
+    RunOptions options;
+    options.out = out;
+    options.fresh = true;
+    return run(recipe.recipes.at(0), registry, options);
+}
+
+} // namespace foam
