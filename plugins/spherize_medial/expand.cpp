@@ -1,9 +1,22 @@
 #include "reduction.hpp"
 
 #include <algorithm>
-#include <bit>
 
 namespace foam::medial {
+namespace {
+
+/// Number of set bits, in operations that compilers vectorise (the portable baseline has no instruction for it).
+std::uint64_t set_bits(std::uint64_t x) {
+    x -= (x >> 1) & 0x5555555555555555u;
+    x = (x & 0x3333333333333333u) + ((x >> 2) & 0x3333333333333333u);
+    x = (x + (x >> 4)) & 0x0F0F0F0F0F0F0F0Fu;
+    x += x >> 8;
+    x += x >> 16;
+    x += x >> 32;
+    return x & 0x7F;
+}
+
+} // namespace
 
 Expand::Expand(std::span<const Vec3> points, std::span<const Sphere> medial) :
     points_(points.size()), medial_(medial.begin(), medial.end()), gap_(points.size() * medial.size()) {
@@ -50,7 +63,7 @@ Expand::Chosen Expand::greedy(double stand_off) const {
             }
             std::size_t adds = 0;
             for (std::size_t w = 0; w < words; ++w) {
-                adds += static_cast<std::size_t>(std::popcount(held[m * words + w] & open[w]));
+                adds += set_bits(held[m * words + w] & open[w]);
             }
             bound[m] = adds;
             if (adds > most) {

@@ -17,13 +17,15 @@ namespace foam::medial {
 /// `size`: edge of the first simplex.
 Vec3 downhill_simplex(const Vec3& start, double size, int evaluations, const std::function<double(const Vec3&)>& cost);
 
-/// Ball by ball, the centre moves downhill; the radius is the least that holds what no other ball does (Bradshaw and
-/// O'Sullivan 2004, section 6). Ends after some sweeps, or when a sweep gains little. What comes out covers the surface up
-/// to the resolution of `surface`. A ball that the others can do without stays as it is.
 struct SimplexOptions {
-    int sweeps = 3;
-    int evaluations = 48;   ///< of the cost, a ball and sweep; 0: centres stay
+    int sweeps = 4;             ///< at most, over many balls
+    int settlings = 24;         ///< of single balls, at most, over few
+    int evaluations = 48;       ///< of the cost, a ball and sweep
+    double least_gain = 2e-3;   ///< the last sweep is one that lowers the cost by a lesser share …
+    double shortfall = 1e-3;    ///< … and leaves no ball short of what it must reach by more than this share
 };
+/// Ball by ball, the centre moves downhill; the radius is the least that holds what no other ball does (Bradshaw and
+/// O'Sullivan 2004, section 6). A ball that the others can do without stays as it is.
 std::vector<Sphere> simplex(std::vector<Sphere> balls, Uncovered& surface, const Columns& columns,
                             const SimplexOptions& options, Context& context);
 

@@ -54,53 +54,51 @@ double reach(const Vec3& center, std::span<const Vec3> points) {
     return std::sqrt(square);
 }
 
-/// The ball in its cheapest place near the old one, with the others as they are; its cost there.
+constexpr double resolution = 4e-3;   ///< of pieces of the surface, in units of its extent
+
+/// Puts the ball where it is cheapest near its old place, with the others as they are; what that gained.
 double settle(std::vector<Sphere>& balls, std::size_t index, Uncovered& surface, const Columns& columns,
-              int evaluations, double& before) {
-    const Vec3 center = balls[index].center;
-    const double shift = evaluations == 0 ? 0 : 0.15 * balls[index].radius;   // of the centre, at most
-    const std::vector<Vec3> points = surface.needed(balls, index, shift);
-    std::vector<Sphere> others = balls;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(index));
+              int evaluations, double& cost) {
+    const Sphere old = balls[index];
+    const double shift = 0.15 * old.radius;
+    const std::vector<Vec3> points = surface.needed(balls, index, shift, 2e-4);
     if (points.empty()) {
-        before = 0;
         return 0;
     }
-    const double radius = reach(center, points);
-    const Columns::Free free(columns, others, center, std::max(balls[index].radius, radius + 2 * shift));
-    before = free.outside(balls[index]);
-    const auto cost = [&](const Vec3& c) {
-        if (squared_norm(c - center) > shift * shift) {
+    const Sphere stay{old.center, reach(old.center, points)};
+    std::vector<Sphere> others = balls;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(index));
+    const Columns::Free free(columns, others, old.center, std::max(old.radius, stay.radius + 2 * shift));
+    const Vec3 place = downhill_simplex(old.center, shift / 2, evaluations, [&](const Vec3& c) {
+        if (squared_norm(c - old.center) > shift * shift) {
             return std::numeric_limits<double>::infinity();
         }
         return free.outside({c, reach(c, points)});
-    };
-    const double here = free.outside({center, radius});
-    if (evaluations == 0) {
-        balls[index].radius = radius;
-        return here;
-    }
-    const Vec3 there = downhill_simplex(center, shift / 2, evaluations, cost);
-    const Sphere moved{there, reach(there, points)};
-    const double after = free.outside(moved);
-    balls[index] = after < here ? moved : Sphere{center, radius};
-    return std::min(after, here);
+    });
+    const Sphere moved{place, reach(place, points)};
+    const double before = free.outside(old), here = free.outside(stay), there = free.outside(moved);
+    balls[index] = there < here ? moved : stay;
+    cost = std::min(here, there);
+    return before - cost;
 }
 
 } // namespace
 
 std::vector<Sphere> simplex(std::vector<Sphere> balls, Uncovered& surface, const Columns& columns,
                             const SimplexOptions& options, Context& context) {
-    for (int sweep = 0; sweep < options.sweeps; ++sweep) {
+    // Few balls are soon settled, and each counts for much.
+    const auto count = static_cast<int>(std::min<std::size_t>(balls.size(), 1000));
+    const int sweeps = std::max(options.sweeps, options.settlings / std::max(count, 1));
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
         double gain = 0, total = 0;
         for (std::size_t i = 0; i < balls.size(); ++i) {
             context.check_cancelled();
-            double before = 0;
-            const double after = settle(balls, i, surface, columns, options.evaluations, before);
-            gain += before - after;
-            total += after;
+            double cost = 0;
+            gain += settle(balls, i, surface, columns, options.evaluations, cost);
+            total += cost;
         }
-        if (gain < 2e-3 * total) {
+        const double shortfall = surface.add_missed(balls, resolution);
+        if (gain < options.least_gain * total && shortfall < options.shortfall) {
             break;
         }
     }

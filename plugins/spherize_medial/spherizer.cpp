@@ -12,13 +12,13 @@
 namespace foam::medial {
 namespace {
 
-constexpr double surface_resolution = 4e-3;   ///< of pieces of the surface, in units of its extent
-
 /// Improves and closes a cover of the whole surface, ball by ball.
 std::vector<Sphere> closed_cover(const Stock& stock, std::vector<Sphere> balls, bool optimise, Context& context) {
-    Uncovered uncovered(stock.surface(), surface_resolution);
-    return simplex(std::move(balls), uncovered, stock.columns(), {.sweeps = optimise ? 3 : 1, .evaluations = optimise ? 48 : 0},
-                   context);
+    Uncovered uncovered(stock.surface(), stock.dense_points());
+    if (optimise) {
+        balls = simplex(std::move(balls), uncovered, stock.columns(), {}, context);
+    }
+    return balls;
 }
 
 /// The spheres of a level and which of the points each must hold.
@@ -76,7 +76,7 @@ Level next_level(Stock& stock, const Level& above, std::size_t level, const Budg
         }
         stock.axis().refine_region(settings.min_spheres, settings.error_factor, above.points[i], context);
         const std::vector<std::size_t> count{counts[i]};
-        const Region region(above.points[i], stock.axis().touching(above.points[i]), count, stock.columns(), settings,
+        const Region region(above.points[i], stock.axis().touching(above.points[i]), count, stock.coarse_columns(), settings,
                             context);
         for (const Sphere& ball : solve(stock, region, counts[i], optimise, settings, context)) {
             result.balls.push_back(ball);
@@ -166,7 +166,7 @@ std::vector<SphereTree> MedialSpherizer::spherize_each(const Shape& shape, std::
         }
         std::sort(counts.begin(), counts.end());
         counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
-        const Region region(stock.points(), stock.medial(), counts, stock.columns(), settings_, context);
+        const Region region(stock.points(), stock.medial(), counts, stock.coarse_columns(), settings_, context);
         std::vector<Level> first(indices.size());
         parallel_for(indices.size(), [&](std::size_t n) {
             first[n] = first_level(stock, region, first_count(budgets[indices[n]], settings_), settings_, context);

@@ -34,6 +34,41 @@ std::size_t detail(std::size_t count, int tier) {
     return count << static_cast<unsigned>(tier);
 }
 
+/// `points`, and about `count` more along the edges, where gaps between balls end and are widest.
+std::vector<Vec3> with_edges(const std::vector<Corners>& surface, std::vector<Vec3> points, std::size_t count) {
+    double length = 0;
+    for (const Corners& t : surface) {
+        length += distance(t[0], t[1]) + distance(t[1], t[2]) + distance(t[2], t[0]);
+    }
+    const double spacing = length / 2 / static_cast<double>(count);   // most edges come twice
+    for (const Corners& t : surface) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3 &a = t[k], &b = t[(k + 1) % 3];
+            const auto less = [](const Vec3& p, const Vec3& q) {
+                return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
+            };
+            if (!less(a, b)) {
+                continue;   // the neighbour's turn
+            }
+            const double pieces = std::floor(distance(a, b) / spacing);
+            for (double i = 1; i < pieces; ++i) {
+                points.push_back(a + (b - a) * (i / pieces));
+            }
+        }
+    }
+    return points;
+}
+
+/// About `count` of them, evenly from the list.
+std::vector<Vec3> every_nth(const std::vector<Vec3>& points, std::size_t count) {
+    const std::size_t step = std::max<std::size_t>(1, points.size() / std::max<std::size_t>(count, 1));
+    std::vector<Vec3> result;
+    for (std::size_t i = 0; i < points.size(); i += step) {
+        result.push_back(points[i]);
+    }
+    return result;
+}
+
 constexpr std::size_t first_limit = 16;   ///< largest count of tier 0; each next tier's is four times as large
 constexpr int last_tier = 5;
 
@@ -59,7 +94,7 @@ Stock::Stock(const Shape& shape, int tier, const Settings& settings, Context& co
     points_(cover_points(shape.original(), frame_,
                          {detail(settings.cover_points, tier), settings.cover_per_triangle},
                          derive_seed(context.seed(), "cover"))),
-    columns_(shape, frame_, detail(1000, tier)) {
+    dense_points_(with_edges(surface_, points_, detail(4000, tier))), columns_(shape, frame_, detail(1000, tier)), coarse_columns_(shape, frame_, detail(250, tier)) {
     const Solid& solid = shape.processed();
     std::vector<Vec3> sites = cover_points(solid, frame_, {detail(settings.cover_points, tier), 1},
                                            derive_seed(context.seed(), "medial axis"));
@@ -90,7 +125,7 @@ Region::Region(std::vector<Vec3> points, std::span<const Sphere> medial, std::sp
     };
     std::vector<Sphere> start;
     if (!medial.empty() && (settings.expand || settings.merge || settings.burst)) {
-        Expand expand(points_, medial);
+        Expand expand(every_nth(points_, settings.cover_points / 2), medial);
         if (settings.expand) {
             for (const std::size_t count : counts) {
                 context.check_cancelled();

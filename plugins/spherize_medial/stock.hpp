@@ -48,8 +48,12 @@ public:
 
     const Frame& frame() const { return frame_; }
     const std::vector<Vec3>& points() const { return points_; }
+    /// The points and more, for the last steps.
+    const std::vector<Vec3>& dense_points() const { return dense_points_; }
     const std::vector<Corners>& surface() const { return surface_; }
     const Columns& columns() const { return columns_; }
+    /// The same with a quarter of the lines, for choices among many.
+    const Columns& coarse_columns() const { return coarse_columns_; }
     std::vector<Sphere> medial() const { return axis_->spheres(); }
     MedialAxis& axis() { return *axis_; }
     /// Smallest ball around the whole surface.
@@ -59,8 +63,8 @@ private:
     Frame frame_;
     std::vector<Corners> surface_;
     Sphere bounding_;
-    std::vector<Vec3> points_;
-    Columns columns_;
+    std::vector<Vec3> points_, dense_points_;
+    Columns columns_, coarse_columns_;
     std::unique_ptr<MedialAxis> axis_;
 };
 

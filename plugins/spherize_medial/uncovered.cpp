@@ -15,136 +15,194 @@ bool holds(const Sphere& ball, const Corners& t) {
     return holds(ball, t[0]) && holds(ball, t[1]) && holds(ball, t[2]);
 }
 
-double farthest(const Vec3& center, const Corners& t) {
-    return std::sqrt(std::max(
-        {squared_norm(t[0] - center), squared_norm(t[1] - center), squared_norm(t[2] - center)}));
+double reach_of(const Vec3& center, const Corners& t) {
+    return std::sqrt(
+        std::max({squared_norm(t[0] - center), squared_norm(t[1] - center), squared_norm(t[2] - center)}));
 }
 
-} // namespace
+/// A ball but `index` that holds all of the place; the one asked last time first.
+template <class Place>
+std::uint32_t holder(std::span<const Sphere> balls, std::size_t index, const Place& place, std::uint32_t last) {
+    if (last != index && last < balls.size() && holds(balls[last], place)) {
+        return last;
+    }
+    for (std::size_t j = 0; j < balls.size(); ++j) {
+        if (j != index && holds(balls[j], place)) {
+            return static_cast<std::uint32_t>(j);
+        }
+    }
+    return nobody;
+}
 
-/// For one ball.
-class Uncovered::Search {
-public:
-    Search(std::span<const Sphere> balls, std::size_t index, double shift, double resolution) :
-        balls_(balls), own_(balls[index]), index_(index), slack_(2 * shift), resolution_(resolution) {}
-
-    /// A first lower bound of the ball's reach: corners that no other ball holds or is nearer to.
-    void bound_by_corners(const Corners& t) {
-        for (const Vec3& p : t) {
-            const double from_center = distance(p, own_.center);
-            if (from_center > reach_ && least_gap_of_others(p) > std::max(0.0, from_center - own_.radius)) {
-                reach_ = from_center;
+/// Distance to the nearest ball but `index`; negative inside.
+double gap_to_others(std::span<const Sphere> balls, std::size_t index, const Vec3& p) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t j = 0; j < balls.size(); ++j) {
+        const double bar = least + balls[j].radius;
+        if (j != index && bar > 0) {
+            const double square = squared_norm(p - balls[j].center);
+            if (square < bar * bar) {
+                least = std::sqrt(square) - balls[j].radius;
             }
         }
     }
+    return least;
+}
 
-    /// Collects what is needed of a triangle.
+struct Candidate {
+    double square;   ///< of the distance to the centre
+    Vec3 point;
+};
+
+/// The candidates that can be the farthest from some centre within `shift` of the one their squares are from. k stands for
+/// p where the plane between the two stays clear of these centres: |k − o|² − |p − o|² ≥ 2 shift |k − p|.
+std::vector<Vec3> decisive(std::vector<Candidate> candidates, double shift, double tolerance) {
+    std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+        return a.square != b.square    ? a.square > b.square
+               : a.point.x != b.point.x ? a.point.x > b.point.x
+               : a.point.y != b.point.y ? a.point.y > b.point.y
+                                        : a.point.z > b.point.z;
+    });
+    std::vector<Candidate> kept;
+    for (const Candidate& c : candidates) {
+        const double allowance = 2 * tolerance * std::sqrt(c.square);
+        const bool dominated = std::any_of(kept.begin(), kept.end(), [&](const Candidate& k) {
+            const double lead = k.square - c.square + allowance;
+            return lead * lead >= 4 * shift * shift * squared_norm(k.point - c.point);
+        });
+        if (!dominated) {
+            kept.push_back(c);
+        }
+    }
+    std::vector<Vec3> points;
+    for (const Candidate& k : kept) {
+        points.push_back(k.point);
+    }
+    return points;
+}
+
+/// The longest edge of a triangle is from corner k to the next.
+std::size_t longest_edge(const Corners& t) {
+    const double a = squared_norm(t[1] - t[0]), b = squared_norm(t[2] - t[1]), c = squared_norm(t[0] - t[2]);
+    return a >= b && a >= c ? 0 : b >= c ? 1 : 2;
+}
+
+/// What one ball must reach of triangle after triangle: parts that another ball holds, and parts within the reach already
+/// found, are left out; the rest is halved until it is clear whose it is.
+class Reach {
+public:
+    Reach(std::span<const Sphere> balls, std::size_t index, double resolution) :
+        balls_(balls), own_(balls[index]), index_(index), resolution_(resolution) {}
+
+    double value() const { return std::sqrt(square_); }
+    /// The point that far away.
+    const Vec3& place() const { return place_; }
+
     void take(const Corners& triangle) {
         pieces_.assign(1, triangle);
         while (!pieces_.empty()) {
             const Corners t = pieces_.back();
             pieces_.pop_back();
-            const double far = farthest(own_.center, t);
-            if (far < reach_ - slack_ || holder(t) != nobody) {
+            const double square = std::max({squared_norm(t[0] - own_.center), squared_norm(t[1] - own_.center),
+                                            squared_norm(t[2] - own_.center)});
+            if (square <= std::max(square_, own_.radius * own_.radius) || holder(balls_, index_, t, 0) != nobody) {
                 continue;
             }
             const Vec3 middle = (t[0] + t[1] + t[2]) / 3.0;
-            const double size = farthest(middle, t), gap = least_gap_of_others(middle);
+            const double size = reach_of(middle, t), gap = gap_to_others(balls_, index_, middle);
             if (gap < distance(middle, own_.center) - own_.radius - 2 * size) {
                 continue;   // another ball is nearer to all of the piece
             }
-            if (gap > size) {   // no other ball reaches the piece
-                add(t, far);
-            } else if (!split(t) && !others_duty(t, far)) {
-                add(t, far);
+            if (gap > size || (!halve(t) && !others_duty(t))) {
+                square_ = square;   // no other ball reaches the piece, or none has to grow less for it
+                place_ = *std::max_element(t.begin(), t.end(), [&](const Vec3& a, const Vec3& b) {
+                    return squared_norm(a - own_.center) < squared_norm(b - own_.center);
+                });
             }
         }
-    }
-
-    /// The other ball that holds the whole piece.
-    std::uint32_t holder(const Corners& t) const {
-        for (std::size_t j = 0; j < balls_.size(); ++j) {
-            if (j != index_ && holds(balls_[j], t)) {
-                return static_cast<std::uint32_t>(j);
-            }
-        }
-        return nobody;
-    }
-
-    std::vector<Vec3> result() && {
-        std::erase_if(points_, [&](const Vec3& p) { return distance(p, own_.center) < reach_ - slack_; });
-        return std::move(points_);
     }
 
 private:
-    /// Negative inside.
-    double least_gap_of_others(const Vec3& p) const {
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t j = 0; j < balls_.size(); ++j) {
-            const double bar = least + balls_[j].radius;
-            if (j != index_ && bar > 0) {
-                const double square = squared_norm(p - balls_[j].center);
-                if (square < bar * bar) {
-                    least = std::sqrt(square) - balls_[j].radius;
-                }
-            }
-        }
-        return least;
-    }
-
-    bool split(const Corners& t) {
-        const std::array<double, 3> edges{squared_norm(t[1] - t[0]), squared_norm(t[2] - t[1]), squared_norm(t[0] - t[2])};
-        const auto k = static_cast<std::size_t>(std::max_element(edges.begin(), edges.end()) - edges.begin());
-        if (edges[k] <= resolution_ * resolution_) {
+    bool halve(const Corners& t) {
+        const std::size_t k = longest_edge(t);
+        const Vec3 &a = t[k], &b = t[(k + 1) % 3], &c = t[(k + 2) % 3], middle = (a + b) * 0.5;
+        if (squared_norm(b - a) <= resolution_ * resolution_) {
             return false;
         }
-        const Vec3 &a = t[k], &b = t[(k + 1) % 3], &c = t[(k + 2) % 3], middle = (a + b) * 0.5;
-        pieces_.push_back({a, middle, c});
-        pieces_.push_back({middle, b, c});
+        // The farther half comes next: the sooner the reach is known, the less is left to look at.
+        Corners first{a, middle, c}, second{middle, b, c};
+        if (squared_norm(a - own_.center) > squared_norm(b - own_.center)) {
+            std::swap(first, second);
+        }
+        pieces_.push_back(first);
+        pieces_.push_back(second);
         return true;
     }
 
-    bool others_duty(const Corners& t, double far) const {
-        const double own_growth = far - own_.radius;
+    bool others_duty(const Corners& t) const {
+        const double own_growth = reach_of(own_.center, t) - own_.radius;
         for (std::size_t j = 0; j < balls_.size(); ++j) {
-            if (j != index_ && farthest(balls_[j].center, t) - balls_[j].radius < own_growth) {
+            if (j != index_ && reach_of(balls_[j].center, t) - balls_[j].radius < own_growth) {
                 return true;
             }
         }
         return false;
     }
 
-    void add(const Corners& t, double far) {
-        points_.insert(points_.end(), t.begin(), t.end());
-        reach_ = std::max(reach_, far);
-    }
-
     std::span<const Sphere> balls_;
     Sphere own_;
     std::size_t index_;
-    double slack_, resolution_;
-    double reach_ = 0;   ///< of what is known to be needed
+    double resolution_, square_ = 0;
+    Vec3 place_{};
     std::vector<Corners> pieces_;
-    std::vector<Vec3> points_;
 };
 
-std::vector<Vec3> Uncovered::needed(std::span<const Sphere> balls, std::size_t index, double shift) {
-    Search search(balls, index, shift, resolution_);
-    std::vector<std::size_t> open;
-    for (std::size_t s = 0; s < surface_.size(); ++s) {
-        const std::uint32_t last = holder_[s];
-        if (last == index || last >= balls.size() || !holds(balls[last], surface_[s])) {
-            holder_[s] = search.holder(surface_[s]);
-            if (holder_[s] == nobody) {
-                open.push_back(s);
-                search.bound_by_corners(surface_[s]);
-            }
+} // namespace
+
+std::vector<Vec3> Uncovered::needed(std::span<const Sphere> balls, std::size_t index, double shift, double tolerance) {
+    const Sphere& own = balls[index];
+    std::vector<Candidate> candidates;
+    double reach = 0;
+    for (std::size_t p = 0; p < points_.size(); ++p) {
+        point_holder_[p] = holder(balls, index, points_[p], point_holder_[p]);
+        if (point_holder_[p] != nobody) {
+            continue;
+        }
+        const double square = squared_norm(points_[p] - own.center), from_center = std::sqrt(square);
+        if (from_center > own.radius && gap_to_others(balls, index, points_[p]) < from_center - own.radius) {
+            continue;
+        }
+        if (from_center >= reach - 2 * shift) {
+            reach = std::max(reach, from_center);
+            candidates.push_back({square, points_[p]});
         }
     }
-    for (const std::size_t s : open) {
-        search.take(surface_[s]);
+    return decisive(std::move(candidates), shift, tolerance);
+}
+
+double Uncovered::add_missed(std::span<const Sphere> balls, double resolution) {
+    double shortfall = 0;
+    std::vector<std::pair<double, std::size_t>> open;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        Reach reach(balls, i, resolution);
+        open.clear();
+        for (std::size_t s = 0; s < surface_.size(); ++s) {
+            triangle_holder_[s] = holder(balls, i, surface_[s], triangle_holder_[s]);
+            if (triangle_holder_[s] == nobody) {
+                open.emplace_back(-reach_of(balls[i].center, surface_[s]), s);
+            }
+        }
+        std::sort(open.begin(), open.end());
+        for (const auto& [ignored, s] : open) {
+            reach.take(surface_[s]);
+        }
+        if (reach.value() > balls[i].radius) {
+            points_.push_back(reach.place());
+            point_holder_.push_back(nobody);
+            shortfall = std::max(shortfall, reach.value() / balls[i].radius - 1);
+        }
     }
-    return std::move(search).result();
+    return shortfall;
 }
 
 } // namespace foam::medial

@@ -4,6 +4,7 @@
 #include <foam/sphere.hpp>
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -11,24 +12,28 @@ namespace foam::medial {
 
 using Corners = std::array<Vec3, 3>;
 
+/// A surface in its triangles, and points close together on it that stand for it while much is tried.
 class Uncovered {
 public:
-    /// `surface` must outlive this. Pieces of triangles are not split below `resolution`.
-    Uncovered(std::span<const Corners> surface, double resolution) :
-        surface_(surface), resolution_(resolution), holder_(surface.size(), 0) {}
+    /// `surface` must outlive this.
+    Uncovered(std::span<const Corners> surface, std::span<const Vec3> points) :
+        surface_(surface), points_(points.begin(), points.end()), triangle_holder_(surface.size(), 0), point_holder_(points.size(), 0) {}
 
-    /// Corners of the pieces of the surface that `balls[index]` must hold: no other ball holds such a piece, and none would
-    /// have to grow less to do so. A ball that holds these corners, with the others as they are, covers the surface up to
-    /// the growth of the others that pieces of size `resolution` ask for. Of these corners, all that can be the farthest
-    /// from a centre within `shift` of the ball's.
-    std::vector<Vec3> needed(std::span<const Sphere> balls, std::size_t index, double shift);
+    /// Of the points that `balls[index]` must hold, because no other ball does or is nearer to them, a few: for any centre
+    /// within `shift` of the ball's, the farthest of them is as far as the farthest of all, up to the share `tolerance` of
+    /// the radius. Empty if the others do without the ball.
+    std::vector<Vec3> needed(std::span<const Sphere> balls, std::size_t index, double shift, double tolerance);
+
+    /// Looks for what the points miss: of the surface that no other ball holds, the place farthest from each ball joins the
+    /// points. Exact but for pieces of triangles smaller than `resolution`: one of these that no single ball holds is the
+    /// duty of the ball that has to grow least for it.
+    /// Answers the largest share of its radius by which a ball falls short.
+    double add_missed(std::span<const Sphere> balls, double resolution);
 
 private:
-    class Search;
-
     std::span<const Corners> surface_;
-    double resolution_;
-    std::vector<std::uint32_t> holder_;   ///< the ball that held the whole triangle when it was last asked
+    std::vector<Vec3> points_;
+    std::vector<std::uint32_t> triangle_holder_, point_holder_;   ///< the ball that held it when it was last asked
 };
 
 } // namespace foam::medial
