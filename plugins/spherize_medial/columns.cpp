@@ -6,7 +6,7 @@
 namespace foam::medial {
 namespace {
 
-constexpr int samples_along = 24;   ///< points along a column of a solid that is not closed
+constexpr int samples_along = 24; ///< points along a column of a solid that is not closed
 
 /// Sorted, overlapping ones united, in place.
 void unite(std::vector<Segment>& segments, std::size_t first) {
@@ -66,7 +66,8 @@ double ball_volume(double radius) {
 
 Columns::Columns(const Shape& shape, const Frame& frame, std::size_t count) {
     // The original is what is judged; where it has holes, its repaired form is the better notion of inside.
-    const Solid& solid = shape.original().closed() || !shape.processed().closed() ? shape.original() : shape.processed();
+    const Solid& solid =
+        shape.original().closed() || !shape.processed().closed() ? shape.original() : shape.processed();
     Box box;
     for (const Solid* part : {&solid, &shape.original()}) {
         for (const Vec3& v : part->surface().vertices) {
@@ -77,7 +78,7 @@ Columns::Columns(const Shape& shape, const Frame& frame, std::size_t count) {
     if (!solid.closed()) {
         count = std::min<std::size_t>(count, 400);
     }
-    const double least = 1.0 / static_cast<double>(count);   // of a needle: no more than `count` columns in a row
+    const double least = 1.0 / static_cast<double>(count); // of a needle: no more than `count` columns in a row
     step_ = std::sqrt(std::max(size.x, least) * std::max(size.y, least) / static_cast<double>(count));
     nx_ = std::max(1L, static_cast<long>(std::ceil(size.x / step_)));
     ny_ = std::max(1L, static_cast<long>(std::ceil(size.y / step_)));
@@ -156,10 +157,10 @@ double Columns::outside(std::span<const Sphere> balls) const {
     return total * step_ * step_;
 }
 
-Columns::Free::Free(const Columns& columns, std::span<const Sphere> others, const Vec3& center, double reach) :
-    columns_(columns), center_(center), reach_(reach), x_low_(columns.column_x(center.x - reach)),
-    x_high_(columns.column_x(center.x + reach)), y_low_(columns.column_y(center.y - reach)),
-    y_high_(columns.column_y(center.y + reach)) {
+Columns::Free::Free(const Columns& columns, std::span<const Sphere> others, const Vec3& center, double reach)
+    : columns_(columns), center_(center), reach_(reach), x_low_(columns.column_x(center.x - reach)),
+      x_high_(columns.column_x(center.x + reach)), y_low_(columns.column_y(center.y - reach)),
+      y_high_(columns.column_y(center.y + reach)) {
     std::vector<Sphere> near;
     for (const Sphere& other : others) {
         if (std::abs(other.center.x - center.x) < other.radius + reach &&
@@ -214,7 +215,7 @@ double Columns::Free::outside(const Sphere& ball) const {
             }
         }
     }
-    if (!(chord_sum > 0)) {   // between the columns
+    if (!(chord_sum > 0)) { // between the columns
         return columns_.inside(ball.center) ? 0 : ball_volume(r);
     }
     // The share of the chords times the true volume: much of the error of the quadrature cancels.

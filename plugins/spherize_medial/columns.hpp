@@ -1,6 +1,6 @@
-// The solid as columns: parallel lines with the intervals inside it (a ray representation, Van Hook 1986's "dexels"). Tells
-// within nanoseconds whether a point is inside, and within microseconds the volume of balls outside the solid, which is
-// the cost that all searches of this plugin lower.
+// The solid as columns: parallel lines with the intervals inside it (a ray representation, Van Hook 1986's "dexels").
+// Tells within nanoseconds whether a point is inside, and within microseconds the volume of balls outside the solid,
+// which is the cost that all searches of this plugin lower.
 #pragma once
 
 #include "frame.hpp"
@@ -44,7 +44,7 @@ public:
         const Columns& columns_;
         Vec3 center_;
         double reach_;
-        long x_low_, x_high_, y_low_, y_high_;   ///< columns, the upper ones included
+        long x_low_, x_high_, y_low_, y_high_; ///< columns, the upper ones included
         std::vector<std::uint32_t> offsets_;
         std::vector<Segment> segments_;
     };

@@ -17,9 +17,9 @@ double spacing(const Solid& solid, const Frame& frame, std::size_t count) {
 
 void add_outermost(const std::vector<Vec3>& corners, std::vector<Vec3>& points) {
     for (const Vec3& direction : fibonacci_directions(256)) {
-        const auto outermost =
-            std::max_element(corners.begin(), corners.end(),
-                             [&](const Vec3& a, const Vec3& b) { return dot(a, direction) < dot(b, direction); });
+        const auto outermost = std::max_element(corners.begin(), corners.end(), [&](const Vec3& a, const Vec3& b) {
+            return dot(a, direction) < dot(b, direction);
+        });
         if (outermost != corners.end() && std::find(points.begin(), points.end(), *outermost) == points.end()) {
             points.push_back(*outermost);
         }
@@ -61,7 +61,7 @@ std::vector<Vec3> cover_points(const Solid& solid, const Frame& frame, const Cov
     for (const Vec3& v : mesh.vertices) {
         corners.push_back(frame.to_local(v));
     }
-    if (corners.empty()) {   // nothing but triangles without extent
+    if (corners.empty()) { // nothing but triangles without extent
         for (const Vec3& v : solid.surface().vertices) {
             corners.push_back(frame.to_local(v));
         }

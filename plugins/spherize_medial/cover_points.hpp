@@ -10,13 +10,13 @@
 namespace foam::medial {
 
 struct CoverOptions {
-    std::size_t count = 1000;       ///< points by area
-    std::size_t per_triangle = 5;   ///< least number on a triangle that is larger than the spacing of the points
+    std::size_t count = 1000;     ///< points by area
+    std::size_t per_triangle = 5; ///< least number on a triangle that is larger than the spacing of the points
 };
 
-/// Corners of the surface (the proof of cover asks for these first) and points spread over it by area; local frame. Where
-/// corners lie denser than the points would, one of each neighbourhood stands for the others; the outermost corners are
-/// all kept.
+/// Corners of the surface (the proof of cover asks for these first) and points spread over it by area; local frame.
+/// Where corners lie denser than the points would, one of each neighbourhood stands for the others; the outermost
+/// corners are all kept.
 std::vector<Vec3> cover_points(const Solid& solid, const Frame& frame, const CoverOptions& options, std::uint64_t seed);
 
 } // namespace foam::medial

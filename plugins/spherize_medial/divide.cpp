@@ -10,9 +10,9 @@ namespace {
 struct Part {
     std::vector<Vec3> points;
     Sphere ball;
-    double cost = 0;             ///< volume of the ball outside the solid
-    std::vector<Part> halves;    ///< two, once the best division is known; none if there is none
-    double saving = 0;           ///< cost less that of the halves
+    double cost = 0;          ///< volume of the ball outside the solid
+    std::vector<Part> halves; ///< two, once the best division is known; none if there is none
+    double saving = 0;        ///< cost less that of the halves
 };
 
 Part part(std::vector<Vec3> points, const Columns& columns) {
@@ -33,9 +33,8 @@ std::vector<Vec3> thinned(const std::vector<Vec3>& points, const std::vector<Vec
         result.push_back(points[i * points.size() / count]);
     }
     for (const Vec3& d : directions) {
-        result.push_back(*std::max_element(points.begin(), points.end(), [&](const Vec3& a, const Vec3& b) {
-            return dot(a, d) < dot(b, d);
-        }));
+        result.push_back(*std::max_element(points.begin(), points.end(),
+                                           [&](const Vec3& a, const Vec3& b) { return dot(a, d) < dot(b, d); }));
     }
     return result;
 }

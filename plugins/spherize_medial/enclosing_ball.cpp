@@ -37,7 +37,7 @@ Sphere enclosing_ball(std::span<const Vec3> points) {
         support.push_back(pivot);
         const Sphere next = minimum_enclosing_sphere(support);
         if (!(next.radius > ball.radius)) {
-            break;   // rounding only
+            break; // rounding only
         }
         ball = next;
         std::erase_if(support, [&](const Vec3& p) { return distance(p, ball.center) < ball.radius * (1 - 1e-9); });

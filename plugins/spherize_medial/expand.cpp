@@ -18,8 +18,8 @@ std::uint64_t set_bits(std::uint64_t x) {
 
 } // namespace
 
-Expand::Expand(std::span<const Vec3> points, std::span<const Sphere> medial) :
-    points_(points.size()), medial_(medial.begin(), medial.end()), gap_(points.size() * medial.size()) {
+Expand::Expand(std::span<const Vec3> points, std::span<const Sphere> medial)
+    : points_(points.size()), medial_(medial.begin(), medial.end()), gap_(points.size() * medial.size()) {
     greatest_ = std::numeric_limits<double>::infinity();
     for (std::size_t m = 0; m < medial_.size(); ++m) {
         float* row = gap_.data() + m * points_;

@@ -1,5 +1,6 @@
-// A frame of its own for each shape: origin at its middle, axes along its principal directions, size 1. All work of this
-// plugin is done there, so that a part of 0.1 µm, one far from the origin and one that lies askew are all the same to it.
+// A frame of its own for each shape: origin at its middle, axes along its principal directions, size 1. All work of
+// this plugin is done there, so that a part of 0.1 µm, one far from the origin and one that lies askew are all the same
+// to it.
 #pragma once
 
 #include <foam/mesh.hpp>
@@ -10,9 +11,9 @@
 namespace foam::medial {
 
 struct Frame {
-    Vec3 origin;                 ///< m, link frame
-    std::array<Vec3, 3> axes;    ///< unit; the last is the direction of least extent
-    double scale = 1;            ///< m per unit
+    Vec3 origin;              ///< m, link frame
+    std::array<Vec3, 3> axes; ///< unit; the last is the direction of least extent
+    double scale = 1;         ///< m per unit
 
     Vec3 to_local(const Vec3& p) const;
     Vec3 to_world(const Vec3& p) const;
@@ -22,7 +23,8 @@ struct Frame {
 };
 
 /// Principal axes by the second moments of the surface; along the coordinate axes where these say nothing. The largest
-/// extent of the surface becomes 1. Throws Error(geometry) if the surface has no extent or is too large to compute with.
+/// extent of the surface becomes 1. Throws Error(geometry) if the surface has no extent or is too large to compute
+/// with.
 Frame principal_frame(const Mesh& surface);
 
 } // namespace foam::medial

@@ -18,9 +18,9 @@ using CellBase =
 using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
 using Point = Kernel::Point_3;
 
-constexpr std::size_t first_points = 40;   ///< of the surface, before the diagram is adapted
-constexpr double enclosing_cube = 4;       ///< half edge; the shape's is 1/2
-constexpr double negligible = 1e-6;        ///< protrusion, in units of the shape's extent
+constexpr std::size_t first_points = 40; ///< of the surface, before the diagram is adapted
+constexpr double enclosing_cube = 4;     ///< half edge; the shape's is 1/2
+constexpr double negligible = 1e-6;      ///< protrusion, in units of the shape's extent
 
 Point point(const Vec3& p) {
     return {p.x, p.y, p.z};
@@ -51,9 +51,8 @@ private:
 };
 
 bool touches(const Sphere& sphere, std::span<const Vec3> points) {
-    return std::any_of(points.begin(), points.end(), [&](const Vec3& p) {
-        return distance(p, sphere.center) <= sphere.radius + negligible;
-    });
+    return std::any_of(points.begin(), points.end(),
+                       [&](const Vec3& p) { return distance(p, sphere.center) <= sphere.radius + negligible; });
 }
 
 } // namespace
@@ -61,8 +60,8 @@ bool touches(const Sphere& sphere, std::span<const Vec3> points) {
 struct MedialAxis::Diagram {
     struct Medial {
         Sphere sphere;
-        double protrusion;     ///< radius less the distance to the surface
-        std::size_t nearest;   ///< surface point below it
+        double protrusion;   ///< radius less the distance to the surface
+        std::size_t nearest; ///< surface point below it
         bool alive;
     };
     struct Entry {
@@ -74,8 +73,8 @@ struct MedialAxis::Diagram {
     };
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-    Diagram(std::vector<Vec3> points, std::function<bool(const Sphere&)> is_inside) :
-        surface(std::move(points)), used(surface.size(), false), nearest(surface), inside(std::move(is_inside)) {
+    Diagram(std::vector<Vec3> points, std::function<bool(const Sphere&)> is_inside)
+        : surface(std::move(points)), used(surface.size(), false), nearest(surface), inside(std::move(is_inside)) {
         for (int corner = 0; corner < 8; ++corner) {
             const auto side = [&](int bit) { return (corner & bit) != 0 ? enclosing_cube : -enclosing_cube; };
             delaunay.insert(Point(side(1), side(2), side(4)));
@@ -122,8 +121,7 @@ struct MedialAxis::Diagram {
                 --alive;
             }
         }
-        const auto vertex =
-            delaunay.insert_in_hole(p, conflicts.begin(), conflicts.end(), facet.first, facet.second);
+        const auto vertex = delaunay.insert_in_hole(p, conflicts.begin(), conflicts.end(), facet.first, facet.second);
         std::vector<Delaunay::Cell_handle> cells;
         delaunay.incident_cells(vertex, std::back_inserter(cells));
         for (const auto cell : cells) {
@@ -202,11 +200,11 @@ struct MedialAxis::Diagram {
     Delaunay delaunay;
     std::vector<Medial> medials;
     std::priority_queue<Entry> queue;
-    std::size_t alive = 0;   ///< number of medial spheres
+    std::size_t alive = 0; ///< number of medial spheres
 };
 
-MedialAxis::MedialAxis(std::vector<Vec3> surface, std::function<bool(const Sphere&)> inside) :
-    diagram_(std::make_unique<Diagram>(std::move(surface), std::move(inside))) {}
+MedialAxis::MedialAxis(std::vector<Vec3> surface, std::function<bool(const Sphere&)> inside)
+    : diagram_(std::make_unique<Diagram>(std::move(surface), std::move(inside))) {}
 MedialAxis::~MedialAxis() = default;
 
 void MedialAxis::refine(std::size_t count, std::span<const Vec3> cover, Context& context) {

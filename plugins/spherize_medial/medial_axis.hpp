@@ -1,5 +1,5 @@
-// The adaptive medial axis approximation (Bradshaw and O'Sullivan 2004, "Adaptive medial-axis approximation for sphere-tree
-// construction", ACM TOG 23(1), section 4).
+// The adaptive medial axis approximation (Bradshaw and O'Sullivan 2004, "Adaptive medial-axis approximation for
+// sphere-tree construction", ACM TOG 23(1), section 4).
 #pragma once
 
 #include <foam/context.hpp>
@@ -12,9 +12,9 @@
 
 namespace foam::medial {
 
-/// The vertices inside the solid of the Voronoi diagram of some surface points. Each is the centre of a medial sphere, whose
-/// radius is the distance to the points that formed the vertex. Points are added where they help most: below the sphere
-/// that protrudes most, or where the surface is in no sphere.
+/// The vertices inside the solid of the Voronoi diagram of some surface points. Each is the centre of a medial sphere,
+/// whose radius is the distance to the points that formed the vertex. Points are added where they help most: below the
+/// sphere that protrudes most, or where the surface is in no sphere.
 class MedialAxis {
 public:
     /// `surface`: candidates for the diagram, dense on the surface. `inside`: of the centre of a sphere and its radius.
@@ -25,8 +25,8 @@ public:
 
     /// Adds surface points until there are `count` spheres, or none protrudes and all of `cover` is held.
     void refine(std::size_t count, std::span<const Vec3> cover, Context& context);
-    /// Adds surface points until at least `count` spheres hold a point of `cover` and the greatest protrusion among these has
-    /// fallen by `error_factor`.
+    /// Adds surface points until at least `count` spheres hold a point of `cover` and the greatest protrusion among
+    /// these has fallen by `error_factor`.
     void refine_region(std::size_t count, double error_factor, std::span<const Vec3> cover, Context& context);
 
     std::vector<Sphere> spheres() const;

@@ -10,14 +10,14 @@ namespace {
 struct Cluster {
     std::vector<Vec3> points;
     Sphere ball;
-    double cost = 0;   ///< volume of the ball outside the solid
+    double cost = 0; ///< volume of the ball outside the solid
     bool alive = true;
 };
 
 struct Pair {
     double cost;
     std::uint32_t a, b;
-    bool operator<(const Pair& other) const {   // the cheapest comes first out of a priority queue
+    bool operator<(const Pair& other) const { // the cheapest comes first out of a priority queue
         return cost != other.cost ? cost > other.cost : a != other.a ? a > other.a : b > other.b;
     }
 };

@@ -44,15 +44,14 @@ void refill(std::vector<std::vector<Vec3>>& groups, std::vector<Sphere>& balls) 
         }
         std::vector<Vec3>& from = groups[widest];
         if (from.size() < 2 || !(balls[widest].radius > 0)) {
-            return;   // all points are balls of their own
+            return; // all points are balls of their own
         }
         const Vec3 center = balls[widest].center;
         const Vec3 far = *std::max_element(from.begin(), from.end(), [&](const Vec3& a, const Vec3& b) {
             return squared_norm(a - center) < squared_norm(b - center);
         });
-        const auto half = std::stable_partition(from.begin(), from.end(), [&](const Vec3& p) {
-            return dot(p - center, far - center) <= 0;
-        });
+        const auto half = std::stable_partition(from.begin(), from.end(),
+                                                [&](const Vec3& p) { return dot(p - center, far - center) <= 0; });
         groups[i].assign(half, from.end());
         from.erase(half, from.end());
         balls[widest] = enclosing_ball(from);

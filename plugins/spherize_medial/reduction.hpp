@@ -1,5 +1,5 @@
-// From many medial spheres to few (Bradshaw and O'Sullivan 2004, section 5). All reductions answer with balls that hold the
-// cover points they were given; which of them did best is for the cost (Columns::outside) to say.
+// From many medial spheres to few (Bradshaw and O'Sullivan 2004, section 5). All reductions answer with balls that hold
+// the cover points they were given; which of them did best is for the cost (Columns::outside) to say.
 #pragma once
 
 #include "columns.hpp"
@@ -18,12 +18,13 @@ std::vector<std::uint32_t> assign(std::span<const Vec3> points, std::span<const 
 /// The points of each ball.
 std::vector<std::vector<Vec3>> grouped(std::span<const Vec3> points, std::span<const std::uint32_t> owner,
                                        std::size_t count);
-/// Assignment of points to balls and enclosing balls of the assigned in turn (Lloyd's scheme on balls; Wang et al. 2006,
-/// section 4.1) for some rounds; the cheapest cover met. Balls that lose all points are given part of the costliest one.
+/// Assignment of points to balls and enclosing balls of the assigned in turn (Lloyd's scheme on balls; Wang et al.
+/// 2006, section 4.1) for some rounds; the cheapest cover met. Balls that lose all points are given part of the
+/// costliest one.
 std::vector<Sphere> fitted(std::span<const Vec3> points, std::vector<Sphere> balls, const Columns& columns, int rounds);
 
-/// Expand: all medial spheres hang over the surface by the same stand-off; greedily the ones that hold most points that are
-/// not held yet; the least stand-off that gets by with `count`.
+/// Expand: all medial spheres hang over the surface by the same stand-off; greedily the ones that hold most points that
+/// are not held yet; the least stand-off that gets by with `count`.
 class Expand {
 public:
     Expand(std::span<const Vec3> points, std::span<const Sphere> medial);
@@ -36,8 +37,8 @@ private:
 
     std::size_t points_;
     std::vector<Sphere> medial_;
-    std::vector<float> gap_;   ///< of point p to medial sphere m at [m · points + p]: how far p is outside
-    double greatest_ = 0;      ///< stand-off with which one sphere is enough
+    std::vector<float> gap_; ///< of point p to medial sphere m at [m · points + p]: how far p is outside
+    double greatest_ = 0;    ///< stand-off with which one sphere is enough
     std::map<double, Chosen> known_;
 };
 
@@ -49,8 +50,8 @@ std::vector<std::vector<Sphere>> merge(std::span<const Vec3> points, std::span<c
 std::vector<Sphere> burst(std::span<const Vec3> points, std::vector<Sphere> balls, std::size_t count,
                           const Columns& columns, Context& context);
 
-/// Divides the points by planes, each time where it saves most: needs no medial axis. Element n − 1: n enclosing balls; ends
-/// early where points cannot be told apart.
+/// Divides the points by planes, each time where it saves most: needs no medial axis. Element n − 1: n enclosing balls;
+/// ends early where points cannot be told apart.
 std::vector<std::vector<Sphere>> divide(std::span<const Vec3> points, std::size_t count, const Columns& columns,
                                         Context& context);
 

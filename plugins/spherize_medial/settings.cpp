@@ -22,13 +22,14 @@ Settings::Optimiser optimiser(const std::string& name) {
 
 } // namespace
 
-Settings::Settings(const Parameters& p) :
-    depth(count(p, "depth")), branch(count(p, "branch")), tester_points(medial::tester_points(p.integer("testerLevels"))),
-    cover_points(count(p, "numCover")), cover_per_triangle(count(p, "minCover")), init_spheres(count(p, "initSpheres")),
-    min_spheres(count(p, "minSpheres")), error_factor(p.number("erFact")), expand(p.boolean("expand")),
-    merge(p.boolean("merge")), burst(p.boolean("burst")), optimise(p.boolean("optimise")),
-    optimiser(medial::optimiser(p.text("optimiser"))), deepest_optimised_level(count(p, "maxOptLevel")),
-    balance_excess(p.number("balExcess")) {}
+Settings::Settings(const Parameters& p)
+    : depth(count(p, "depth")), branch(count(p, "branch")),
+      tester_points(medial::tester_points(p.integer("testerLevels"))), cover_points(count(p, "numCover")),
+      cover_per_triangle(count(p, "minCover")), init_spheres(count(p, "initSpheres")),
+      min_spheres(count(p, "minSpheres")), error_factor(p.number("erFact")), expand(p.boolean("expand")),
+      merge(p.boolean("merge")), burst(p.boolean("burst")), optimise(p.boolean("optimise")),
+      optimiser(medial::optimiser(p.text("optimiser"))), deepest_optimised_level(count(p, "maxOptLevel")),
+      balance_excess(p.number("balExcess")) {}
 
 std::vector<Parameter> Settings::parameters() {
     const std::string paper = "Bradshaw and O'Sullivan 2004", field = "field default (Coumar et al. 2025)";
@@ -73,8 +74,9 @@ std::vector<Parameter> Settings::parameters() {
         Parameter::boolean("burst", false).doc("Try to reduce by bursting spheres.").source(field),
         Parameter::boolean("optimise", true).doc("Improve the spheres after the reduction.").source(field),
         Parameter::choice("optimiser", {"variational", "simplex", "balance"}, "variational")
-            .doc("variational: descent of all spheres on the volume outside the solid, then simplex; simplex: centre by "
-                 "centre; balance: leave out spheres at little cost, then simplex.")
+            .doc(
+                "variational: descent of all spheres on the volume outside the solid, then simplex; simplex: centre by "
+                "centre; balance: leave out spheres at little cost, then simplex.")
             .source("Wang et al. 2006; " + paper),
         Parameter::integer("maxOptLevel", 1)
             .bounds(0, 6)

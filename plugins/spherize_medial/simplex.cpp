@@ -5,8 +5,7 @@
 
 namespace foam::medial {
 
-Vec3 downhill_simplex(const Vec3& start, double size, int evaluations,
-                      const std::function<double(const Vec3&)>& cost) {
+Vec3 downhill_simplex(const Vec3& start, double size, int evaluations, const std::function<double(const Vec3&)>& cost) {
     struct Vertex {
         Vec3 place;
         double cost;
@@ -41,7 +40,8 @@ Vec3 downhill_simplex(const Vec3& start, double size, int evaluations,
             }
         }
     }
-    return std::min_element(v.begin(), v.end(), [](const Vertex& a, const Vertex& b) { return a.cost < b.cost; })->place;
+    return std::min_element(v.begin(), v.end(), [](const Vertex& a, const Vertex& b) { return a.cost < b.cost; })
+        ->place;
 }
 
 namespace {
@@ -53,8 +53,6 @@ double reach(const Vec3& center, std::span<const Vec3> points) {
     }
     return std::sqrt(square);
 }
-
-constexpr double resolution = 4e-3;   ///< of pieces of the surface, in units of its extent
 
 /// Puts the ball where it is cheapest near its old place, with the others as they are; what that gained.
 double settle(std::vector<Sphere>& balls, std::size_t index, Uncovered& surface, const Columns& columns,
@@ -97,7 +95,7 @@ std::vector<Sphere> simplex(std::vector<Sphere> balls, Uncovered& surface, const
             gain += settle(balls, i, surface, columns, options.evaluations, cost);
             total += cost;
         }
-        const double shortfall = surface.add_missed(balls, resolution);
+        const double shortfall = surface.add_missed(balls, surface_resolution);
         if (gain < options.least_gain * total && shortfall < options.shortfall) {
             break;
         }

@@ -12,13 +12,26 @@
 namespace foam::medial {
 namespace {
 
-/// Improves and closes a cover of the whole surface, ball by ball.
-std::vector<Sphere> closed_cover(const Stock& stock, std::vector<Sphere> balls, bool optimise, Context& context) {
+/// Improves covers of the whole surface, ball by ball: all a little, the cheapest then as far as it goes.
+std::vector<Sphere> best_cover(const Stock& stock, const std::vector<std::vector<Sphere>>& starts, bool optimise,
+                               Context& context) {
     Uncovered uncovered(stock.surface(), stock.dense_points());
-    if (optimise) {
-        balls = simplex(std::move(balls), uncovered, stock.columns(), {}, context);
+    if (!optimise) {
+        return uncovered.closed(starts.front(), surface_resolution);
     }
-    return balls;
+    std::vector<Sphere> best = starts.front();
+    if (starts.size() > 1) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const std::vector<Sphere>& start : starts) {
+            auto balls = simplex(start, uncovered, stock.columns(), {.sweeps = 1, .settlings = 0}, context);
+            const double cost = stock.columns().outside(balls);
+            if (cost < least) {
+                least = cost;
+                best = std::move(balls);
+            }
+        }
+    }
+    return simplex(std::move(best), uncovered, stock.columns(), {}, context);
 }
 
 /// The spheres of a level and which of the points each must hold.
@@ -52,8 +65,8 @@ std::vector<std::size_t> children(const Level& above, std::size_t level, const B
     if (!budget.max_spheres) {
         return std::vector<std::size_t>(above.balls.size(), settings.branch);
     }
-    const double wanted =
-        std::pow(static_cast<double>(*budget.max_spheres), static_cast<double>(level) / static_cast<double>(settings.depth));
+    const double wanted = std::pow(static_cast<double>(*budget.max_spheres),
+                                   static_cast<double>(level) / static_cast<double>(settings.depth));
     const std::size_t count =
         level == settings.depth ? *budget.max_spheres : std::max<std::size_t>(1, static_cast<std::size_t>(wanted));
     std::vector<double> weights;
@@ -69,22 +82,23 @@ Level next_level(Stock& stock, const Level& above, std::size_t level, const Budg
     const bool optimise = settings.optimise && level <= settings.deepest_optimised_level;
     Level result;
     for (std::size_t i = 0; i < above.balls.size(); ++i) {
-        if (above.points[i].empty()) {   // of no use but to the proof of the level above: stays as it is
+        if (above.points[i].empty()) { // of no use but to the proof of the level above: stays as it is
             result.balls.push_back(above.balls[i]);
             result.parents.push_back(static_cast<std::uint32_t>(i));
             continue;
         }
         stock.axis().refine_region(settings.min_spheres, settings.error_factor, above.points[i], context);
         const std::vector<std::size_t> count{counts[i]};
-        const Region region(above.points[i], stock.axis().touching(above.points[i]), count, stock.coarse_columns(), settings,
-                            context);
-        for (const Sphere& ball : solve(stock, region, counts[i], optimise, settings, context)) {
+        const Region region(above.points[i], stock.axis().touching(above.points[i]), count, stock.coarse_columns(),
+                            settings, context);
+        const auto found = starts(stock, region, counts[i], optimise, settings, context);
+        for (const Sphere& ball : found.front()) {
             result.balls.push_back(ball);
             result.parents.push_back(static_cast<std::uint32_t>(i));
         }
         context.progress(static_cast<double>(i + 1) / static_cast<double>(above.balls.size()));
     }
-    result.balls = closed_cover(stock, std::move(result.balls), optimise, context);
+    result.balls = best_cover(stock, {result.balls}, optimise, context);
     result.points = grouped(stock.points(), assign(stock.points(), result.balls), result.balls.size());
     return result;
 }
@@ -96,8 +110,7 @@ Level first_level(const Stock& stock, const Region& region, std::size_t count, c
         result.balls = {stock.bounding()};
     } else {
         const bool optimise = settings.optimise && settings.deepest_optimised_level >= 1;
-        result.balls = solve(stock, region, count, optimise, settings, context);
-        result.balls = closed_cover(stock, std::move(result.balls), optimise, context);
+        result.balls = best_cover(stock, starts(stock, region, count, optimise, settings, context), optimise, context);
     }
     result.parents.assign(result.balls.size(), 0);
     result.points = grouped(stock.points(), assign(stock.points(), result.balls), result.balls.size());
@@ -108,9 +121,9 @@ std::size_t first_count(const Budget& budget, const Settings& settings) {
     if (!budget.max_spheres) {
         return settings.branch;
     }
-    const double wanted =
-        std::pow(static_cast<double>(*budget.max_spheres), 1.0 / static_cast<double>(settings.depth));
-    return settings.depth == 1 ? *budget.max_spheres : std::max<std::size_t>(1, static_cast<std::size_t>(wanted + 1e-9));
+    const double wanted = std::pow(static_cast<double>(*budget.max_spheres), 1.0 / static_cast<double>(settings.depth));
+    return settings.depth == 1 ? *budget.max_spheres
+                               : std::max<std::size_t>(1, static_cast<std::size_t>(wanted + 1e-9));
 }
 
 SphereTree::Level in_world(const Frame& frame, const Level& level) {

@@ -40,7 +40,7 @@ std::vector<Vec3> with_edges(const std::vector<Corners>& surface, std::vector<Ve
     for (const Corners& t : surface) {
         length += distance(t[0], t[1]) + distance(t[1], t[2]) + distance(t[2], t[0]);
     }
-    const double spacing = length / 2 / static_cast<double>(count);   // most edges come twice
+    const double spacing = length / 2 / static_cast<double>(count); // most edges come twice
     for (const Corners& t : surface) {
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec3 &a = t[k], &b = t[(k + 1) % 3];
@@ -48,7 +48,7 @@ std::vector<Vec3> with_edges(const std::vector<Corners>& surface, std::vector<Ve
                 return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
             };
             if (!less(a, b)) {
-                continue;   // the neighbour's turn
+                continue; // the neighbour's turn
             }
             const double pieces = std::floor(distance(a, b) / spacing);
             for (double i = 1; i < pieces; ++i) {
@@ -69,11 +69,11 @@ std::vector<Vec3> every_nth(const std::vector<Vec3>& points, std::size_t count) 
     return result;
 }
 
-constexpr std::size_t first_limit = 16;   ///< largest count of tier 0; each next tier's is four times as large
+constexpr std::size_t first_limit = 16; ///< largest count of tier 0; each next tier's is four times as large
 constexpr int last_tier = 5;
 
-/// Balls of the medial axis from which neighbours are merged: enough for good choices, few enough to try them all. By tier
-/// and not by count, so that one sweep of merging is the same for all counts.
+/// Balls of the medial axis from which neighbours are merged: enough for good choices, few enough to try them all. By
+/// tier and not by count, so that one sweep of merging is the same for all counts.
 std::size_t merge_start(std::size_t count) {
     return first_limit << (2 * static_cast<unsigned>(Stock::tier(count)) + 2);
 }
@@ -88,13 +88,13 @@ int Stock::tier(std::size_t count) {
     return result;
 }
 
-Stock::Stock(const Shape& shape, int tier, const Settings& settings, Context& context) :
-    frame_(principal_frame(shape.original().surface())),
-    surface_(local_surface(shape.original().surface(), frame_)), bounding_(bounding_ball(surface_)),
-    points_(cover_points(shape.original(), frame_,
-                         {detail(settings.cover_points, tier), settings.cover_per_triangle},
-                         derive_seed(context.seed(), "cover"))),
-    dense_points_(with_edges(surface_, points_, detail(4000, tier))), columns_(shape, frame_, detail(1000, tier)), coarse_columns_(shape, frame_, detail(250, tier)) {
+Stock::Stock(const Shape& shape, int tier, const Settings& settings, Context& context)
+    : frame_(principal_frame(shape.original().surface())), surface_(local_surface(shape.original().surface(), frame_)),
+      bounding_(bounding_ball(surface_)),
+      points_(cover_points(shape.original(), frame_, {detail(settings.cover_points, tier), settings.cover_per_triangle},
+                           derive_seed(context.seed(), "cover"))),
+      dense_points_(with_edges(surface_, points_, detail(4000, tier))), columns_(shape, frame_, detail(1000, tier)),
+      coarse_columns_(shape, frame_, detail(250, tier)) {
     const Solid& solid = shape.processed();
     std::vector<Vec3> sites = cover_points(solid, frame_, {detail(settings.cover_points, tier), 1},
                                            derive_seed(context.seed(), "medial axis"));
@@ -115,8 +115,8 @@ Stock::Stock(const Shape& shape, int tier, const Settings& settings, Context& co
 }
 
 Region::Region(std::vector<Vec3> points, std::span<const Sphere> medial, std::span<const std::size_t> counts,
-               const Columns& columns, const Settings& settings, Context& context) :
-    points_(std::move(points)), columns_(columns) {
+               const Columns& columns, const Settings& settings, Context& context)
+    : points_(std::move(points)), columns_(columns) {
     const std::size_t largest = *std::max_element(counts.begin(), counts.end());
     const auto keep = [&](std::size_t count, std::vector<Sphere> balls) {
         if (!balls.empty()) {
@@ -154,32 +154,30 @@ Region::Region(std::vector<Vec3> points, std::span<const Sphere> medial, std::sp
 std::vector<std::vector<Sphere>> Region::candidates(std::size_t count) const {
     std::vector<std::vector<Sphere>> result;
     for (std::vector<Sphere> balls : raw_.at(count)) {
-        balls.resize(std::min(count, points_.size()), Sphere{balls[0].center, -1e9});   // holds nothing: fitted() moves it
+        balls.resize(std::min(count, points_.size()),
+                     Sphere{balls[0].center, -1e9}); // holds nothing: fitted() moves it
         result.push_back(fitted(points_, std::move(balls), columns_, 4));
     }
-    std::stable_sort(result.begin(), result.end(), [&](const auto& a, const auto& b) {
-        return columns_.outside(a) < columns_.outside(b);
-    });
+    std::stable_sort(result.begin(), result.end(),
+                     [&](const auto& a, const auto& b) { return columns_.outside(a) < columns_.outside(b); });
     return result;
 }
 
-std::vector<Sphere> solve(const Stock& stock, const Region& region, std::size_t count, bool optimise,
-                          const Settings& settings, Context& context) {
+std::vector<std::vector<Sphere>> starts(const Stock& stock, const Region& region, std::size_t count, bool optimise,
+                                        const Settings& settings, Context& context) {
     auto candidates = region.candidates(count);
-    if (!optimise) {
-        return candidates.front();
+    const std::vector<Sphere> reduced = candidates.front();
+    if (!optimise || settings.optimiser == Settings::Optimiser::simplex) {
+        return {reduced};
     }
     const Columns& columns = stock.columns();
     if (settings.optimiser == Settings::Optimiser::balance) {
-        return balance(region.points(), candidates.front(), settings.balance_excess, columns, context);
-    }
-    if (settings.optimiser == Settings::Optimiser::simplex) {
-        return candidates.front();
+        return {balance(region.points(), reduced, settings.balance_excess, columns, context)};
     }
     constexpr std::size_t tried = 2;
     const DescentOptions options{.directions = settings.tester_points};
-    std::vector<Sphere> best = candidates.front();
-    double least = columns.outside(best);
+    std::vector<Sphere> best;
+    double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < std::min(tried, candidates.size()); ++i) {
         auto balls = variational(region.points(), candidates[i], columns, options, context);
         const double cost = columns.outside(balls);
@@ -188,7 +186,7 @@ std::vector<Sphere> solve(const Stock& stock, const Region& region, std::size_t 
             best = std::move(balls);
         }
     }
-    return best;
+    return {std::move(best), reduced};
 }
 
 } // namespace foam::medial

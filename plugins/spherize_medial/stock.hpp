@@ -32,7 +32,7 @@ public:
 private:
     std::vector<Vec3> points_;
     const Columns& columns_;
-    std::map<std::size_t, std::vector<std::vector<Sphere>>> raw_;   ///< by count, one a reduction
+    std::map<std::size_t, std::vector<std::vector<Sphere>>> raw_; ///< by count, one a reduction
 };
 
 class Stock {
@@ -40,7 +40,7 @@ public:
     /// `tier` 0 is for the smallest counts; each next has twice the points, columns and medial spheres.
     Stock(const Shape& shape, int tier, const Settings& settings, Context& context);
 
-    Stock(const Stock&) = delete;   // the medial axis refers to the columns
+    Stock(const Stock&) = delete; // the medial axis refers to the columns
     Stock& operator=(const Stock&) = delete;
 
     /// The tier whose detail suits that many balls.
@@ -68,9 +68,10 @@ private:
     std::unique_ptr<MedialAxis> axis_;
 };
 
-/// The cheapest cover of a region found by reducing and (if `optimise`) improving; exactly `count` balls, fewer only where
-/// the region has not that many points. Shared objects are only read: safe from several threads.
-std::vector<Sphere> solve(const Stock& stock, const Region& region, std::size_t count, bool optimise,
-                          const Settings& settings, Context& context);
+/// Covers of a region by exactly `count` balls (fewer only where the region has not that many points), to be improved
+/// further: what the reductions found at best and, if `optimise`, what the optimiser made of it. At least one. Shared
+/// objects are only read: safe from several threads.
+std::vector<std::vector<Sphere>> starts(const Stock& stock, const Region& region, std::size_t count, bool optimise,
+                                        const Settings& settings, Context& context);
 
 } // namespace foam::medial

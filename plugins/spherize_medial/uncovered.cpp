@@ -16,8 +16,7 @@ bool holds(const Sphere& ball, const Corners& t) {
 }
 
 double reach_of(const Vec3& center, const Corners& t) {
-    return std::sqrt(
-        std::max({squared_norm(t[0] - center), squared_norm(t[1] - center), squared_norm(t[2] - center)}));
+    return std::sqrt(std::max({squared_norm(t[0] - center), squared_norm(t[1] - center), squared_norm(t[2] - center)}));
 }
 
 /// A ball but `index` that holds all of the place; the one asked last time first.
@@ -50,15 +49,15 @@ double gap_to_others(std::span<const Sphere> balls, std::size_t index, const Vec
 }
 
 struct Candidate {
-    double square;   ///< of the distance to the centre
+    double square; ///< of the distance to the centre
     Vec3 point;
 };
 
-/// The candidates that can be the farthest from some centre within `shift` of the one their squares are from. k stands for
-/// p where the plane between the two stays clear of these centres: |k − o|² − |p − o|² ≥ 2 shift |k − p|.
+/// The candidates that can be the farthest from some centre within `shift` of the one their squares are from. k stands
+/// for p where the plane between the two stays clear of these centres: |k − o|² − |p − o|² ≥ 2 shift |k − p|.
 std::vector<Vec3> decisive(std::vector<Candidate> candidates, double shift, double tolerance) {
     std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-        return a.square != b.square    ? a.square > b.square
+        return a.square != b.square     ? a.square > b.square
                : a.point.x != b.point.x ? a.point.x > b.point.x
                : a.point.y != b.point.y ? a.point.y > b.point.y
                                         : a.point.z > b.point.z;
@@ -87,12 +86,12 @@ std::size_t longest_edge(const Corners& t) {
     return a >= b && a >= c ? 0 : b >= c ? 1 : 2;
 }
 
-/// What one ball must reach of triangle after triangle: parts that another ball holds, and parts within the reach already
-/// found, are left out; the rest is halved until it is clear whose it is.
+/// What one ball must reach of triangle after triangle: parts that another ball holds, and parts within the reach
+/// already found, are left out; the rest is halved until it is clear whose it is.
 class Reach {
 public:
-    Reach(std::span<const Sphere> balls, std::size_t index, double resolution) :
-        balls_(balls), own_(balls[index]), index_(index), resolution_(resolution) {}
+    Reach(std::span<const Sphere> balls, std::size_t index, double resolution)
+        : balls_(balls), own_(balls[index]), index_(index), resolution_(resolution) {}
 
     double value() const { return std::sqrt(square_); }
     /// The point that far away.
@@ -103,18 +102,18 @@ public:
         while (!pieces_.empty()) {
             const Corners t = pieces_.back();
             pieces_.pop_back();
-            const double square = std::max({squared_norm(t[0] - own_.center), squared_norm(t[1] - own_.center),
-                                            squared_norm(t[2] - own_.center)});
+            const double square = std::max(
+                {squared_norm(t[0] - own_.center), squared_norm(t[1] - own_.center), squared_norm(t[2] - own_.center)});
             if (square <= std::max(square_, own_.radius * own_.radius) || holder(balls_, index_, t, 0) != nobody) {
                 continue;
             }
             const Vec3 middle = (t[0] + t[1] + t[2]) / 3.0;
             const double size = reach_of(middle, t), gap = gap_to_others(balls_, index_, middle);
             if (gap < distance(middle, own_.center) - own_.radius - 2 * size) {
-                continue;   // another ball is nearer to all of the piece
+                continue; // another ball is nearer to all of the piece
             }
             if (gap > size || (!halve(t) && !others_duty(t))) {
-                square_ = square;   // no other ball reaches the piece, or none has to grow less for it
+                square_ = square; // no other ball reaches the piece, or none has to grow less for it
                 place_ = *std::max_element(t.begin(), t.end(), [&](const Vec3& a, const Vec3& b) {
                     return squared_norm(a - own_.center) < squared_norm(b - own_.center);
                 });
@@ -180,29 +179,41 @@ std::vector<Vec3> Uncovered::needed(std::span<const Sphere> balls, std::size_t i
     return decisive(std::move(candidates), shift, tolerance);
 }
 
+std::optional<Vec3> Uncovered::missed(std::span<const Sphere> balls, std::size_t index, double resolution) {
+    Reach reach(balls, index, resolution);
+    std::vector<std::pair<double, std::size_t>> open;
+    for (std::size_t s = 0; s < surface_.size(); ++s) {
+        triangle_holder_[s] = holder(balls, index, surface_[s], triangle_holder_[s]);
+        if (triangle_holder_[s] == nobody) {
+            open.emplace_back(-reach_of(balls[index].center, surface_[s]), s);
+        }
+    }
+    std::sort(open.begin(), open.end());
+    for (const auto& [ignored, s] : open) {
+        reach.take(surface_[s]);
+    }
+    return reach.value() > balls[index].radius ? std::optional(reach.place()) : std::nullopt;
+}
+
 double Uncovered::add_missed(std::span<const Sphere> balls, double resolution) {
     double shortfall = 0;
-    std::vector<std::pair<double, std::size_t>> open;
     for (std::size_t i = 0; i < balls.size(); ++i) {
-        Reach reach(balls, i, resolution);
-        open.clear();
-        for (std::size_t s = 0; s < surface_.size(); ++s) {
-            triangle_holder_[s] = holder(balls, i, surface_[s], triangle_holder_[s]);
-            if (triangle_holder_[s] == nobody) {
-                open.emplace_back(-reach_of(balls[i].center, surface_[s]), s);
-            }
-        }
-        std::sort(open.begin(), open.end());
-        for (const auto& [ignored, s] : open) {
-            reach.take(surface_[s]);
-        }
-        if (reach.value() > balls[i].radius) {
-            points_.push_back(reach.place());
+        if (const auto place = missed(balls, i, resolution)) {
+            points_.push_back(*place);
             point_holder_.push_back(nobody);
-            shortfall = std::max(shortfall, reach.value() / balls[i].radius - 1);
+            shortfall = std::max(shortfall, distance(*place, balls[i].center) / balls[i].radius - 1);
         }
     }
     return shortfall;
+}
+
+std::vector<Sphere> Uncovered::closed(std::vector<Sphere> balls, double resolution) {
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        if (const auto place = missed(balls, i, resolution)) {
+            balls[i].radius = distance(*place, balls[i].center);
+        }
+    }
+    return balls;
 }
 
 } // namespace foam::medial

@@ -48,17 +48,16 @@ private:
 
 class Descent {
 public:
-    Descent(std::span<const Vec3> points, std::vector<Sphere> balls, const Columns& columns, std::size_t directions) :
-        points_(points), balls_(std::move(balls)), columns_(columns),
-        directions_(fibonacci_directions(directions)), owner_(points.size(), 0), slopes_(balls_.size()),
-        moments_(balls_.size()) {}
+    Descent(std::span<const Vec3> points, std::vector<Sphere> balls, const Columns& columns, std::size_t directions)
+        : points_(points), balls_(std::move(balls)), columns_(columns), directions_(fibonacci_directions(directions)),
+          owner_(points.size(), 0), slopes_(balls_.size()), moments_(balls_.size()) {}
 
     std::vector<Sphere> run(int steps, Context& context) {
         double mean_radius = 0;
         for (const Sphere& ball : balls_) {
             mean_radius += ball.radius / static_cast<double>(balls_.size());
         }
-        constexpr double first = 0.06, last = 0.002;   // step lengths in units of the balls' mean radius
+        constexpr double first = 0.06, last = 0.002; // step lengths in units of the balls' mean radius
         for (int i = 0; i < steps; ++i) {
             context.check_cancelled();
             slopes_.assign(balls_.size(), Slope{});
@@ -71,8 +70,8 @@ public:
     }
 
 private:
-    /// ∂ vol(U \ S) / ∂ r_i is the area of sphere i outside the other balls and the solid; by the centre it is the integral
-    /// of the normal over that area.
+    /// ∂ vol(U \ S) / ∂ r_i is the area of sphere i outside the other balls and the solid; by the centre it is the
+    /// integral of the normal over that area.
     void add_exposed_areas() {
         std::vector<std::size_t> near;
         for (std::size_t i = 0; i < balls_.size(); ++i) {
@@ -84,7 +83,8 @@ private:
                     near.push_back(j);
                 }
             }
-            const double area = 4 * std::numbers::pi * ball.radius * ball.radius / static_cast<double>(directions_.size());
+            const double area =
+                4 * std::numbers::pi * ball.radius * ball.radius / static_cast<double>(directions_.size());
             for (const Vec3& direction : directions_) {
                 const Vec3 place = ball.center + direction * ball.radius;
                 const bool hidden = std::any_of(near.begin(), near.end(), [&](std::size_t j) {

@@ -33,15 +33,16 @@ private:
 inline Mesh box(const Vec3& size, const Vec3& center = {}) {
     Mesh mesh;
     for (int i = 0; i < 8; ++i) {
-        mesh.vertices.push_back(center + Vec3{(i & 1 ? 0.5 : -0.5) * size.x, (i & 2 ? 0.5 : -0.5) * size.y,
-                                              (i & 4 ? 0.5 : -0.5) * size.z});
+        mesh.vertices.push_back(
+            center + Vec3{(i & 1 ? 0.5 : -0.5) * size.x, (i & 2 ? 0.5 : -0.5) * size.y, (i & 4 ? 0.5 : -0.5) * size.z});
     }
     mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                       {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
     return mesh;
 }
 
-/// A closed surface of revolution about z through the profile (radius, height) from bottom to top; both ends on the axis.
+/// A closed surface of revolution about z through the profile (radius, height) from bottom to top; both ends on the
+/// axis.
 inline Mesh revolved(const std::vector<std::pair<double, double>>& profile, std::uint32_t sides = 24) {
     Mesh mesh;
     const auto rings = static_cast<std::uint32_t>(profile.size()) - 2;
@@ -49,8 +50,8 @@ inline Mesh revolved(const std::vector<std::pair<double, double>>& profile, std:
     for (std::uint32_t ring = 1; ring <= rings; ++ring) {
         for (std::uint32_t i = 0; i < sides; ++i) {
             const double angle = 2 * std::numbers::pi * i / sides;
-            mesh.vertices.push_back({profile[ring].first * std::cos(angle), profile[ring].first * std::sin(angle),
-                                     profile[ring].second});
+            mesh.vertices.push_back(
+                {profile[ring].first * std::cos(angle), profile[ring].first * std::sin(angle), profile[ring].second});
         }
     }
     mesh.vertices.push_back({0, 0, profile.back().second});
@@ -124,7 +125,8 @@ inline Mesh bracket(double leg, double width) {
 
 /// Like a robot's link: a tapering lofted body.
 inline Mesh loft() {
-    return revolved({{0, -0.2}, {0.09, -0.2}, {0.09, -0.1}, {0.05, -0.05}, {0.05, 0.1}, {0.07, 0.15}, {0.07, 0.2}, {0, 0.2}});
+    return revolved(
+        {{0, -0.2}, {0.09, -0.2}, {0.09, -0.1}, {0.05, -0.05}, {0.05, 0.1}, {0.07, 0.15}, {0.07, 0.2}, {0, 0.2}});
 }
 
 inline Shape shape_of(Mesh mesh, const std::string& name = "part") {

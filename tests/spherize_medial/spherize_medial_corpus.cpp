@@ -43,7 +43,7 @@ void spherize_all(const std::filesystem::path& folder, std::uintmax_t largest_fi
         try {
             solid = Solid::make(loader->load(entry.path(), context));
         } catch (const Error&) {
-            continue;   // the loader's own tests say what is an error
+            continue; // the loader's own tests say what is an error
         }
         const std::vector<Budget> budgets{at_most(1), at_most(6)};
         try {
@@ -86,7 +86,8 @@ TEST(SpherizeMedialCorpus, PandaWithinTheBudgetOfTheOriginal) {
     }
     const auto loader = registry.make<MeshLoader>("load.assimp");
     double outside = 0, volume = 0;
-    for (const char* name : {"link0", "link1", "link2", "link3", "link4", "link5", "link6", "link7", "hand", "finger", "finger"}) {
+    for (const char* name :
+         {"link0", "link1", "link2", "link3", "link4", "link5", "link6", "link7", "hand", "finger", "finger"}) {
         QuietContext context;
         const Mesh mesh = loader->load(folder / (std::string(name) + ".stl"), context);
         const double solid_volume = Solid::make(mesh)->volume();

@@ -71,7 +71,7 @@ TEST(SpherizeMedialRobustness, SeveralParts) {
     expect_sound(mesh, 2);
     expect_sound(mesh, 7);
     const auto two = spheres(mesh, 2);
-    EXPECT_LT(std::max(two[0].radius, two[1].radius), 0.09);   // one for each box
+    EXPECT_LT(std::max(two[0].radius, two[1].radius), 0.09); // one for each box
 }
 
 TEST(SpherizeMedialRobustness, OpenAndFlatSurfaces) {
@@ -95,7 +95,8 @@ TEST(SpherizeMedialRobustness, SurfaceWithoutInsideIsSaidSo) {
     const auto tree = medial()->spherize(shape_of(needle, "needle"), at_most(3), context);
     EXPECT_EQ(tree.finest().size(), 3u);
     ASSERT_FALSE(context.messages.empty());
-    EXPECT_NE(context.messages[0].find("no medial sphere lies inside needle"), std::string::npos) << context.messages[0];
+    EXPECT_NE(context.messages[0].find("no medial sphere lies inside needle"), std::string::npos)
+        << context.messages[0];
 }
 
 TEST(SpherizeMedialRobustness, NeedleAndPoint) {
@@ -112,10 +113,9 @@ TEST(SpherizeMedialRobustness, NeedleAndPoint) {
 }
 
 TEST(SpherizeMedialRobustness, Primitives) {
-    for (const Primitive& primitive : {Primitive{Primitive::Kind::box, {0.1, 0.2, 0.3}, 0, 0},
-                                       Primitive{Primitive::Kind::sphere, {}, 0.1, 0},
-                                       Primitive{Primitive::Kind::cylinder, {}, 0.05, 0.4},
-                                       Primitive{Primitive::Kind::capsule, {}, 0.05, 0.4}}) {
+    for (const Primitive& primitive :
+         {Primitive{Primitive::Kind::box, {0.1, 0.2, 0.3}, 0, 0}, Primitive{Primitive::Kind::sphere, {}, 0.1, 0},
+          Primitive{Primitive::Kind::cylinder, {}, 0.05, 0.4}, Primitive{Primitive::Kind::capsule, {}, 0.05, 0.4}}) {
         Solid::Part part;
         part.primitive = primitive;
         part.pose = Pose::from_xyz_rpy({0, 0, 1}, {0.3, 0, 0});

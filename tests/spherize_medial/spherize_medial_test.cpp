@@ -38,7 +38,8 @@ void expect_valid_tree(const SphereTree& tree, const Shape& shape) {
                 EXPECT_LT(parent, tree.levels[l - 1].spheres.size());
             }
         }
-        EXPECT_LT(largest_gap(shape.original(), level.spheres), 0.01 * shape.original().bounds().diagonal()) << "level " << l;
+        EXPECT_LT(largest_gap(shape.original(), level.spheres), 0.01 * shape.original().bounds().diagonal())
+            << "level " << l;
     }
 }
 
@@ -60,7 +61,7 @@ TEST(SpherizeMedial, GivesTheWantedNumberThatCovers) {
 TEST(SpherizeMedial, MoreSpheresAreTighter) {
     for (const auto& [name, mesh] : standard_shapes()) {
         if (std::string(name) == "capsule" || std::string(name) == "torus") {
-            continue;   // a row of spheres is a closed form: below; no few spheres are better for a torus than one
+            continue; // a row of spheres is a closed form: below; no few spheres are better for a torus than one
         }
         const double two = excess(mesh, spheres(mesh, 2)), four = excess(mesh, spheres(mesh, 4)),
                      eight = excess(mesh, spheres(mesh, 8)), thirty = excess(mesh, spheres(mesh, 30));
@@ -93,7 +94,8 @@ TEST(SpherizeMedial, RowOfSpheresCoversALongBoxNearlyAsWellAsCanBe) {
 
 TEST(SpherizeMedial, RowOfSpheresCoversACapsule) {
     const Mesh mesh = capsule(0.05, 0.3);
-    // Four balls of radius ρ at distance d hold the straight part to r when d² / 4 = ρ² − r²; the outer two reach the ends.
+    // Four balls of radius ρ at distance d hold the straight part to r when d² / 4 = ρ² − r²; the outer two reach the
+    // ends.
     constexpr double r = 0.05, straight = 0.3;
     double best = std::numeric_limits<double>::infinity();
     for (double rho = r; rho < 2 * r; rho += 1e-5) {
@@ -124,7 +126,7 @@ TEST(SpherizeMedial, AskedForSeveralBudgetsGivesWhatEachWouldGet) {
     for (std::size_t i = 0; i < budgets.size(); ++i) {
         EXPECT_EQ(together[i], stage->spherize(shape, budgets[i], context)) << i;
     }
-    EXPECT_EQ(together.back().finest().size(), 8u);   // the default of `branch`
+    EXPECT_EQ(together.back().finest().size(), 8u); // the default of `branch`
 }
 
 TEST(SpherizeMedial, AnyNumberOfThreadsGivesTheSame) {
@@ -174,7 +176,8 @@ TEST(SpherizeMedial, EveryReductionAndOptimiserWorksAlone) {
 
 TEST(SpherizeMedial, OptimisingHelps) {
     for (const auto& [name, mesh] : standard_shapes()) {
-        EXPECT_LE(excess(mesh, spheres(mesh, 6)), excess(mesh, spheres(mesh, 6, {{"optimise", false}})) * 1.001) << name;
+        EXPECT_LE(excess(mesh, spheres(mesh, 6)), excess(mesh, spheres(mesh, 6, {{"optimise", false}})) * 1.001)
+            << name;
     }
 }
 
