@@ -2,41 +2,53 @@
 
 #include <elf.h>
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
-#include <iterator>
+#include <vector>
 
 namespace foam {
 namespace {
 
-/// A read-only view of the file's bytes that refuses to look outside them.
+/// A read-only view of the file's bytes that refuses to look outside them. Only what is asked for is read.
 class Bytes {
 public:
-    explicit Bytes(std::string data) : data_(std::move(data)) {}
-
-    template <class T> bool read(std::uint64_t offset, T& value) const {
-        if (offset > data_.size() || data_.size() - offset < sizeof(T)) {
-            return false;
-        }
-        std::memcpy(&value, data_.data() + offset, sizeof(T));
-        return true;
+    explicit Bytes(const std::filesystem::path& file) : stream_(file, std::ios::binary) {
+        std::error_code error;
+        const std::uintmax_t size = std::filesystem::file_size(file, error);
+        size_ = error ? 0 : size;
     }
-    std::optional<std::string> text(std::uint64_t offset, std::uint64_t size) const {
-        if (offset > data_.size() || data_.size() - offset < size) {
-            return std::nullopt;
-        }
-        return data_.substr(offset, size);
+
+    bool readable() const { return static_cast<bool>(stream_); }
+    bool holds(std::uint64_t offset, std::uint64_t size) const { return offset <= size_ && size_ - offset >= size; }
+
+    template <class T> bool read(std::uint64_t offset, T& value) { return read(offset, sizeof(T), &value); }
+    std::optional<std::string> text(std::uint64_t offset, std::uint64_t size) {
+        constexpr std::uint64_t longest = 4096;
+        std::string result(static_cast<std::size_t>(std::min(size, longest)), '\0');
+        return size <= longest && read(offset, size, result.data()) ? std::optional(result) : std::nullopt;
     }
 
 private:
-    std::string data_;
+    bool read(std::uint64_t offset, std::uint64_t size, void* target) {
+        if (!holds(offset, size)) {
+            return false;
+        }
+        stream_.clear();
+        stream_.seekg(static_cast<std::streamoff>(offset));
+        stream_.read(static_cast<char*>(target), static_cast<std::streamsize>(size));
+        return static_cast<bool>(stream_);
+    }
+
+    std::ifstream stream_;
+    std::uint64_t size_ = 0;
 };
 
 constexpr std::uint64_t aligned(std::uint64_t size) {
     return (size + 3) / 4 * 4;
 }
 
-std::optional<std::string> find_note(const Bytes& bytes, std::uint64_t offset, std::uint64_t size) {
+std::optional<std::string> find_note(Bytes& bytes, std::uint64_t offset, std::uint64_t size) {
     for (std::uint64_t at = 0; at + sizeof(Elf64_Nhdr) <= size;) {
         Elf64_Nhdr note{};
         if (!bytes.read(offset + at, note)) {
@@ -44,8 +56,7 @@ std::optional<std::string> find_note(const Bytes& bytes, std::uint64_t offset, s
         }
         const std::uint64_t name_at = offset + at + sizeof note;
         const std::uint64_t description_at = name_at + aligned(note.n_namesz);
-        const auto name = bytes.text(name_at, note.n_namesz);
-        if (name && note.n_type == 1 && *name == std::string("foam", 5)) {
+        if (note.n_type == 1 && note.n_namesz == 5 && bytes.text(name_at, 5) == std::string("foam", 5)) {
             if (auto text = bytes.text(description_at, note.n_descsz)) {
                 return text->substr(0, text->find('\0'));
             }
@@ -55,14 +66,29 @@ std::optional<std::string> find_note(const Bytes& bytes, std::uint64_t offset, s
     return std::nullopt;
 }
 
+/// Why the file's segments cannot be mapped; empty if they can. Mapping a file that is cut off would end the process.
+std::string read_segments(Bytes& bytes, const Elf64_Ehdr& header, std::vector<Elf64_Phdr>& segments) {
+    constexpr const char* cut_off = "its ELF structure is damaged (the file is cut off)";
+    for (std::uint64_t i = 0; i < header.e_phnum; ++i) {
+        Elf64_Phdr segment{};
+        if (!bytes.read(header.e_phoff + i * header.e_phentsize, segment) ||
+            (segment.p_type != PT_NULL && !bytes.holds(segment.p_offset, segment.p_filesz))) {
+            return cut_off;
+        }
+        segments.push_back(segment);
+    }
+    // The section headers come last in the files that linkers write: with them the file is whole.
+    const bool whole = bytes.holds(header.e_shoff, std::uint64_t{header.e_shnum} * header.e_shentsize);
+    return whole ? "" : cut_off;
+}
+
 } // namespace
 
 ElfNote read_foam_note(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) {
-        return {"the file cannot be read", {}};
+    Bytes bytes(file);
+    if (!bytes.readable()) {
+        return {"the file cannot be read; remedy: check its permissions", {}};
     }
-    const Bytes bytes(std::string(std::istreambuf_iterator<char>(stream), {}));
     Elf64_Ehdr header{};
     if (!bytes.read(0, header) || std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0) {
         return {"it is not a shared library (no ELF header)", {}};
@@ -75,11 +101,11 @@ ElfNote read_foam_note(const std::filesystem::path& file) {
     if (header.e_type != ET_DYN) {
         return {"it is an ELF file, but not a shared library", {}};
     }
-    for (std::uint64_t i = 0; i < header.e_phnum; ++i) {
-        Elf64_Phdr segment{};
-        if (!bytes.read(header.e_phoff + i * header.e_phentsize, segment)) {
-            return {"its ELF header is damaged (the file is cut off)", {}};
-        }
+    std::vector<Elf64_Phdr> segments;
+    if (const std::string why = read_segments(bytes, header, segments); !why.empty()) {
+        return {why, {}};
+    }
+    for (const Elf64_Phdr& segment : segments) {
         if (segment.p_type == PT_NOTE) {
             if (auto found = find_note(bytes, segment.p_offset, segment.p_filesz)) {
                 return {"", found};

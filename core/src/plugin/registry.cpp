@@ -19,7 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What a stage declaration gets wrong; empty if nothing.
-std::string why_bad(const StageInfo& info) {
+std::string why_bad(const RegisteredStage& stage) {
+    const StageInfo& info = stage.info;
     static const std::regex stage_name("[a-z][a-z0-9]*\\.[a-z][a-z0-9_]*");
     if (!std::regex_match(info.name, stage_name)) {
         return fmt::format("stage name '{}' is not of the form kind.method (lower case)", info.name);
@@ -27,8 +28,16 @@ std::string why_bad(const StageInfo& info) {
     if (info.summary.empty()) {
         return fmt::format("stage '{}' has no summary", info.name);
     }
+    if (!stage.factory) {
+        return fmt::format("stage '{}' has no factory", info.name);
+    }
     std::set<std::string> names;
     for (const Parameter& p : info.parameters) {
+        if (p.name == "file" && stage.kind == StageKind::writer) {
+            return fmt::format(
+                "stage '{}': a writer cannot have a parameter 'file', recipes say by that key where it writes",
+                info.name);
+        }
         if (p.name.empty() || !names.insert(p.name).second) {
             return fmt::format("stage '{}' declares parameter '{}' twice or without a name", info.name, p.name);
         }
@@ -43,6 +52,34 @@ std::string why_bad(const StageInfo& info) {
     return "";
 }
 
+std::string other_build(std::string_view has) {
+    return fmt::format("it was built for [{}], this foam is [{}]; remedy: rebuild the plugin against this foam", has,
+                       FOAM_ABI_FINGERPRINT);
+}
+
+/// What an envelope gets wrong; empty if nothing. The fields behind size and epoch are looked at only if those are
+/// right.
+std::string why_bad(const foam_plugin_envelope_v1* envelope) {
+    if (!envelope) {
+        return "its entry point returns no envelope; remedy: use the FOAM_PLUGIN macro";
+    }
+    if (envelope->size != sizeof(foam_plugin_envelope_v1) || envelope->epoch != FOAM_ABI_EPOCH) {
+        return fmt::format(
+            "its envelope has {} bytes of ABI epoch {}, this foam's has {} of epoch {}; remedy: rebuild the "
+            "plugin against this foam",
+            envelope->size, envelope->epoch, sizeof(foam_plugin_envelope_v1), FOAM_ABI_EPOCH);
+    }
+    if (!envelope->fingerprint || std::string_view(envelope->fingerprint) != FOAM_ABI_FINGERPRINT) {
+        return other_build(envelope->fingerprint ? envelope->fingerprint : "nothing");
+    }
+    for (const char* text : {envelope->name, envelope->version, envelope->license}) {
+        if (!text || !*text) {
+            return "its name, version or license is empty; remedy: state all three in FOAM_PLUGIN";
+        }
+    }
+    return envelope->enrol ? "" : "it has no function that enrols stages; remedy: use the FOAM_PLUGIN macro";
+}
+
 class Collector final : public Enrolment {
 public:
     void add_stage(StageKind kind, StageInfo info, StageFactory factory) override {
@@ -50,6 +87,47 @@ public:
     }
     std::vector<RegisteredStage> stages;
 };
+
+/// What the stages of a plugin get wrong, beside those that are known already; empty if nothing.
+std::string why_bad(const std::vector<RegisteredStage>& stages, const Registry& registry) {
+    if (stages.empty()) {
+        return "it offers no stage";
+    }
+    std::set<std::string> names;
+    for (const RegisteredStage& stage : stages) {
+        if (const std::string why = why_bad(stage); !why.empty()) {
+            return why;
+        }
+        if (const RegisteredStage* other = registry.find(stage.info.name)) {
+            return fmt::format(
+                "stage '{}' exists already, from plugin {}; remedy: give it another name, or load only one of "
+                "the two",
+                stage.info.name, other->plugin);
+        }
+        if (!names.insert(stage.info.name).second) {
+            return fmt::format("it enrols stage '{}' twice; remedy: give one another name", stage.info.name);
+        }
+    }
+    return "";
+}
+
+bool is_of_kind(const Stage& stage, StageKind kind) {
+    switch (kind) {
+    case StageKind::mesh_loader:
+        return dynamic_cast<const MeshLoader*>(&stage) != nullptr;
+    case StageKind::robot_loader:
+        return dynamic_cast<const RobotLoader*>(&stage) != nullptr;
+    case StageKind::mesh_filter:
+        return dynamic_cast<const MeshFilter*>(&stage) != nullptr;
+    case StageKind::spherizer:
+        return dynamic_cast<const Spherizer*>(&stage) != nullptr;
+    case StageKind::renderer:
+        return dynamic_cast<const Renderer*>(&stage) != nullptr;
+    case StageKind::writer:
+        return dynamic_cast<const Writer*>(&stage) != nullptr;
+    }
+    return false;
+}
 
 std::string writable_by_others(const fs::path& file) {
     struct stat status {};
@@ -107,12 +185,8 @@ std::string Registry::try_load(const fs::path& file, PluginRecord& record) {
     if (!note.fingerprint) {
         return "it is a shared library, but not a foam plugin (no FOAM_PLUGIN in it)";
     }
-    const auto mismatch = [](std::string_view has) {
-        return fmt::format("it was built for [{}], this foam is [{}]; remedy: rebuild the plugin against this foam",
-                           has, FOAM_ABI_FINGERPRINT);
-    };
     if (*note.fingerprint != FOAM_ABI_FINGERPRINT) {
-        return mismatch(*note.fingerprint);
+        return other_build(*note.fingerprint);
     }
     // Never closed again: its code may live on in stage objects, exceptions and type information.
     void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
@@ -124,37 +198,23 @@ std::string Registry::try_load(const fs::path& file, PluginRecord& record) {
     if (!entry) {
         return "it has no entry point foam_plugin_v1; remedy: use the FOAM_PLUGIN macro";
     }
-    const foam_plugin_envelope_v1* envelope = entry();
-    if (!envelope || envelope->size != sizeof(foam_plugin_envelope_v1) || envelope->epoch != FOAM_ABI_EPOCH ||
-        std::string_view(envelope->fingerprint) != FOAM_ABI_FINGERPRINT) {
-        return mismatch(envelope && envelope->size >= 16 ? envelope->fingerprint : "an unknown envelope");
-    }
-    record.name = envelope->name;
-    record.version = envelope->version;
-    record.license = envelope->license;
-    if (record.name.empty() || record.version.empty() || record.license.empty()) {
-        return "its name, version or license is empty; remedy: state all three in FOAM_PLUGIN";
-    }
     Collector collector;
     try {
+        const foam_plugin_envelope_v1* envelope = entry();
+        if (const std::string why = why_bad(envelope); !why.empty()) {
+            return why;
+        }
+        record.name = envelope->name;
+        record.version = envelope->version;
+        record.license = envelope->license;
         envelope->enrol(collector);
     } catch (const std::exception& error) {
         return fmt::format("it threw while it enrolled its stages: {}", error.what());
     } catch (...) {
         return "it threw something that is no std::exception while it enrolled its stages";
     }
-    if (collector.stages.empty()) {
-        return "it offers no stage";
-    }
-    std::set<std::string> names;
-    for (const RegisteredStage& stage : collector.stages) {
-        if (const std::string why = why_bad(stage.info); !why.empty()) {
-            return why;
-        }
-        if (const RegisteredStage* other = find(stage.info.name); other || !names.insert(stage.info.name).second) {
-            return fmt::format("stage '{}' exists already (plugin {}); remedy: give it another name", stage.info.name,
-                               other ? other->plugin : record.name);
-        }
+    if (const std::string why = why_bad(collector.stages, *this); !why.empty()) {
+        return why;
     }
     for (RegisteredStage& stage : collector.stages) {
         stage.plugin = record.name;
@@ -225,7 +285,12 @@ std::unique_ptr<Stage> Registry::make_stage(std::string_view name, StageKind kin
                                                   to_string(stage->kind), to_string(kind)));
     }
     try {
-        return stage->factory(Parameters(stage->info.parameters, given));
+        std::unique_ptr<Stage> object = stage->factory(Parameters(stage->info.parameters, given));
+        if (!object || !is_of_kind(*object, kind)) {
+            throw Error(ErrorCode::plugin, fmt::format("plugin {} made no {} for it; remedy: correct the plugin",
+                                                       stage->plugin, to_string(kind)));
+        }
+        return object;
     } catch (const Error& error) {
         throw Error(error.code(), fmt::format("{}: {}", name, error.what()));
     }

@@ -37,7 +37,7 @@ public:
     Registry& operator=(const Registry&) = delete;
 
     /// Loads one plugin: all its stages or none. Never throws for a bad plugin: the record says why. A file loaded already
-    /// is not loaded twice.
+    /// is not loaded twice. The record stays valid until the next load.
     const PluginRecord& load(const std::filesystem::path& file);
     /// Loads every *.so of a folder, in the order of their names; a folder that does not exist is skipped.
     void load_directory(const std::filesystem::path& directory);

@@ -1,0 +1,237 @@
+// Plugins that must not be loaded: each is refused with its reason, none of its stages is known afterwards, and the
+// program goes on.
+#include <foam/error.hpp>
+#include <foam/host/registry.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace foam::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string good = std::string(FOAM_TEST_FIXTURES) + "/fixture_stages.so";
+
+class PluginLoader : public testing::Test {
+protected:
+    void SetUp() override {
+        const PluginRecord& record = registry_.load(good);
+        ASSERT_TRUE(record.loaded()) << record.rejection;
+        stages_ = registry_.stages().size();
+        folder_ = fs::canonical(fs::temp_directory_path()) / ("foam_plugin_loader_" + std::to_string(getpid()));
+        fs::create_directories(folder_);
+    }
+    void TearDown() override {
+        EXPECT_EQ(registry_.stages().size(), stages_) << "a refused plugin left stages behind";
+        fs::remove_all(folder_);
+    }
+
+    /// Why one of tests/plugin/bad is refused.
+    std::string refusal(const std::string& name) {
+        return registry_.load(std::string(FOAM_TEST_BAD_PLUGINS) + "/bad_" + name + ".so").rejection;
+    }
+    fs::path write(const std::string& name, const std::string& bytes) {
+        std::ofstream(folder_ / name, std::ios::binary) << bytes;
+        return folder_ / name;
+    }
+    static std::string bytes_of(const fs::path& file) {
+        std::ifstream stream(file, std::ios::binary);
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+    /// The good plugin with another fingerprint in its note.
+    std::string with_note(const std::string& fingerprint) {
+        const std::string own = FOAM_ABI_FINGERPRINT;
+        EXPECT_EQ(fingerprint.size(), own.size());
+        std::string bytes = bytes_of(good);
+        const std::size_t note = bytes.find(std::string("foam\0\0\0\0", 8) + own);
+        EXPECT_NE(note, std::string::npos);
+        return bytes.replace(note + 8, own.size(), fingerprint);
+    }
+
+    Registry registry_;
+    std::size_t stages_ = 0;
+    fs::path folder_;
+};
+
+TEST_F(PluginLoader, RefusesWhatIsNoLibrary) {
+    EXPECT_EQ(registry_.load(folder_ / "none.so").rejection, "there is no such file");
+    EXPECT_EQ(registry_.load(folder_).rejection, "it is not a regular file");
+    EXPECT_EQ(registry_.load("").rejection, "there is no such file");
+    EXPECT_EQ(registry_.load(write("empty.so", "")).rejection, "it is not a shared library (no ELF header)");
+    EXPECT_EQ(registry_.load(write("text.so", std::string(1000, 'x'))).rejection,
+              "it is not a shared library (no ELF header)");
+    std::string other = bytes_of(good);
+    other[18] = static_cast<char>(0xF3); // e_machine: RISC-V
+    EXPECT_EQ(registry_.load(write("riscv.so", other)).rejection, "it is built for another processor");
+    other = bytes_of(good);
+    other[16] = 1; // e_type: relocatable
+    EXPECT_EQ(registry_.load(write("object.so", other)).rejection, "it is an ELF file, but not a shared library");
+}
+
+TEST_F(PluginLoader, RefusesAFileThatIsCutOff) {
+    const std::string whole = bytes_of(good);
+    for (const std::size_t length :
+         {std::size_t{64}, std::size_t{200}, whole.size() / 4, whole.size() / 2, whole.size() - 1}) {
+        const fs::path file =
+            write(std::string("cut_").append(std::to_string(length)).append(".so"), whole.substr(0, length));
+        EXPECT_EQ(registry_.load(file).rejection, "its ELF structure is damaged (the file is cut off)") << length;
+    }
+    EXPECT_EQ(registry_.load(write("cut_63.so", whole.substr(0, 63))).rejection,
+              "it is not a shared library (no ELF header)");
+}
+
+TEST_F(PluginLoader, RefusesOtherBuildsBeforeTheyRun) {
+    const std::string own = FOAM_ABI_FINGERPRINT;
+    const auto text = [&](const std::string& other) {
+        std::string refusal = "it was built for [";
+        return refusal.append(other)
+            .append("], this foam is [")
+            .append(own)
+            .append("]; remedy: rebuild the plugin against this foam");
+    };
+    std::string epoch = own;
+    epoch.replace(epoch.find("foam-abi=") + 9, 1, "7");
+    EXPECT_EQ(registry_.load(write("epoch.so", with_note(epoch))).rejection, text(epoch));
+    std::string sanitizer = own;
+    sanitizer.replace(sanitizer.find("sanitizer=") + 10, 4, "hard");
+    EXPECT_EQ(registry_.load(write("sanitizer.so", with_note(sanitizer))).rejection, text(sanitizer));
+    EXPECT_EQ(refusal("ordinary"), "it is a shared library, but not a foam plugin (no FOAM_PLUGIN in it)");
+}
+
+TEST_F(PluginLoader, RefusesFilesThatEverybodyMayWrite) {
+    const fs::path file = write("open.so", bytes_of(good));
+    fs::permissions(file, fs::perms::others_write, fs::perm_options::add);
+    EXPECT_EQ(registry_.load(file).rejection,
+              "everybody may write to it, so anybody's code could run; remedy: chmod o-w " + file.string());
+}
+
+TEST_F(PluginLoader, RefusesBadEnvelopes) {
+    EXPECT_EQ(refusal("no_entry"), "it has no entry point foam_plugin_v1; remedy: use the FOAM_PLUGIN macro");
+    EXPECT_EQ(refusal("null_envelope"), "its entry point returns no envelope; remedy: use the FOAM_PLUGIN macro");
+    EXPECT_EQ(refusal("other_size"),
+              "its envelope has 56 bytes of ABI epoch 1, this foam's has 48 of epoch 1; remedy: rebuild "
+              "the plugin against this foam");
+    EXPECT_EQ(refusal("other_epoch"),
+              "its envelope has 48 bytes of ABI epoch 2, this foam's has 48 of epoch 1; remedy: "
+              "rebuild the plugin against this foam");
+    EXPECT_EQ(refusal("null_fields"), "its name, version or license is empty; remedy: state all three in FOAM_PLUGIN");
+    EXPECT_EQ(refusal("no_license"), "its name, version or license is empty; remedy: state all three in FOAM_PLUGIN");
+}
+
+TEST_F(PluginLoader, RefusesPluginsThatThrow) {
+    EXPECT_EQ(refusal("throws"), "it threw while it enrolled its stages: half way");
+    EXPECT_EQ(refusal("throws_int"), "it threw something that is no std::exception while it enrolled its stages");
+    EXPECT_EQ(refusal("throwing_entry"), "it threw while it enrolled its stages: no entry today");
+}
+
+TEST_F(PluginLoader, RefusesBadStages) {
+    EXPECT_EQ(refusal("no_stages"), "it offers no stage");
+    EXPECT_EQ(refusal("bad_name"), "stage name 'Repair-Nothing' is not of the form kind.method (lower case)");
+    EXPECT_EQ(refusal("no_summary"), "stage 'repair.summary' has no summary");
+    EXPECT_EQ(refusal("no_factory"), "stage 'repair.factory' has no factory");
+    EXPECT_EQ(refusal("twice"), "it enrols stage 'repair.twice' twice; remedy: give one another name");
+}
+
+TEST_F(PluginLoader, RefusesBadParameters) {
+    EXPECT_EQ(refusal("default_out_of_bounds"),
+              "stage 'repair.bounds': the default of parameter 'leaves' breaks its own "
+              "declaration: expects an integer between 8 and 100, got 0");
+    EXPECT_EQ(refusal("default_no_choice"), "stage 'repair.choice': the default of parameter 'mode' breaks its own "
+                                            "declaration: expects one of fast, exact, got \"slow\"");
+    EXPECT_EQ(refusal("no_doc"), "stage 'repair.doc': parameter 'leaves' has no doc sentence");
+    EXPECT_EQ(refusal("parameter_twice"),
+              "stage 'repair.parameter' declares parameter 'leaves' twice or without a name");
+    EXPECT_EQ(refusal("reserved_parameter"),
+              "stage 'write.reserved': a writer cannot have a parameter 'file', recipes say by "
+              "that key where it writes");
+}
+
+TEST_F(PluginLoader, TakesAllStagesOrNone) {
+    EXPECT_EQ(refusal("taken"),
+              "stage 'repair.fixture' exists already, from plugin fixture_stages; remedy: give it another "
+              "name, or load only one of the two");
+    EXPECT_EQ(registry_.find("repair.new"), nullptr);
+    EXPECT_EQ(registry_.find("repair.fixture")->plugin, "fixture_stages");
+}
+
+TEST_F(PluginLoader, RefusesWhatTheSystemCannotLoad) {
+    EXPECT_THAT(refusal("unresolved"),
+                testing::MatchesRegex("the system cannot load it: .*/bad_unresolved.so: undefined "
+                                      "symbol: .*function_that_nobody_has.*"));
+}
+
+TEST_F(PluginLoader, KeepsARecordOfEveryFileOnce) {
+    const std::size_t before = registry_.plugins().size();
+    EXPECT_EQ(refusal("no_stages"), refusal("no_stages"));
+    registry_.load(good);
+    registry_.load(fs::path(FOAM_TEST_FIXTURES) / "." / "fixture_stages.so");
+    EXPECT_EQ(registry_.plugins().size(), before + 1);
+    const PluginRecord& record = registry_.plugins().front();
+    EXPECT_EQ(record.name, "fixture_stages");
+    EXPECT_EQ(record.version, "1.0");
+    EXPECT_EQ(record.license, "Apache-2.0");
+    EXPECT_EQ(record.stages.size(), stages_);
+}
+
+TEST_F(PluginLoader, GoesOnAfterAFolderOfBadPlugins) {
+    Registry registry;
+    registry.load(good);
+    registry.load_directory(FOAM_TEST_BAD_PLUGINS);
+    const auto& records = registry.plugins();
+    EXPECT_GE(records.size(), 20U);
+    EXPECT_TRUE(std::is_sorted(records.begin() + 1, records.end(),
+                               [](const PluginRecord& a, const PluginRecord& b) { return a.file < b.file; }));
+    registry.load_directory(folder_ / "none");
+    registry.load_directory(FOAM_TEST_FIXTURES);
+    EXPECT_NE(registry.find("write.json"), nullptr);
+}
+
+TEST(StageObjects, AreOfTheKindThatThePluginPromised) {
+    Registry registry;
+    ASSERT_TRUE(registry.load(std::string(FOAM_TEST_BAD_PLUGINS) + "/bad_wrong_kind.so").loaded());
+    for (const char* stage : {"repair.loader", "repair.null"}) {
+        try {
+            registry.make<MeshFilter>(stage);
+            FAIL() << "no error for " << stage;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::plugin);
+            EXPECT_EQ(error.what(), std::string(stage) +
+                                        ": plugin wrong_kind made no mesh filter for it; remedy: correct the plugin");
+        }
+    }
+}
+
+TEST(StageObjects, AreMadeOfCheckedParameters) {
+    Registry registry;
+    ASSERT_TRUE(registry.load(good).loaded());
+    EXPECT_NE(registry.make<MeshFilter>("repair.fixture", {{"leaves", std::int64_t{100}}}), nullptr);
+    const auto message = [&](const std::string& stage,
+                             const std::map<std::string, ParameterValue>& given) -> std::string {
+        try {
+            registry.make<MeshFilter>(stage, given);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::usage);
+            return error.what();
+        }
+        return "no error";
+    };
+    EXPECT_EQ(message("repair.fixtrue", {}), "unknown stage 'repair.fixtrue'; did you mean 'repair.fixture'?");
+    EXPECT_EQ(message("polish", {}), "unknown stage 'polish'; `foam stages` lists them");
+    EXPECT_EQ(message("spherize.fixture", {}), "stage 'spherize.fixture' is a spherizer, a mesh filter is needed here");
+    EXPECT_EQ(message("repair.fixture", {{"leaves", std::int64_t{7}}}),
+              "repair.fixture: parameter 'leaves' expects an integer between 8 and 100000, got 7");
+    EXPECT_EQ(message("repair.fixture", {{"leafs", std::int64_t{9}}}), "repair.fixture: unknown parameter 'leafs'");
+    EXPECT_EQ(message("repair.fixture", {{"leaves", 9.0}}),
+              "repair.fixture: parameter 'leaves' expects an integer between 8 and 100000, got 9");
+}
+
+} // namespace
+} // namespace foam::test
