@@ -1,0 +1,68 @@
+#include "program.hpp"
+
+#include <foam/error.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace foam::cli {
+namespace {
+
+struct Arguments {
+    std::string recipe;
+    std::vector<std::string> settings;
+    bool json = false;
+};
+
+nlohmann::ordered_json json_of(const RecipeResult& read) {
+    nlohmann::ordered_json json{
+        {"ok", read.ok()}, {"runs", nlohmann::ordered_json::array()}, {"findings", nlohmann::ordered_json::array()}};
+    for (const Recipe& recipe : read.recipes) {
+        json["runs"].push_back(recipe.name);
+    }
+    for (const Diagnostic& finding : read.diagnostics) {
+        json["findings"].push_back({{"level", finding.level == Diagnostic::Level::error ? "error" : "warning"},
+                                    {"code", finding.code},
+                                    {"file", finding.where.file},
+                                    {"line", finding.where.line},
+                                    {"column", finding.where.column},
+                                    {"message", finding.message}});
+    }
+    return json;
+}
+
+int check_recipe(Program& program, const Arguments& arguments) {
+    const RecipeResult read = read_recipe(arguments.recipe, program.registry(), settings_of(arguments.settings));
+    if (arguments.json) {
+        print(json_of(read).dump(2) + "\n");
+    } else {
+        std::string text;
+        for (const Diagnostic& finding : read.diagnostics) {
+            text += finding.text() + "\n";
+        }
+        print(text);
+    }
+    if (!read.ok()) {
+        return exit_code(ErrorCode::recipe);
+    }
+    tell(fmt::format("{}: good for {} run{}", arguments.recipe, read.recipes.size(),
+                     read.recipes.size() == 1 ? "" : "s"));
+    return 0;
+}
+
+} // namespace
+
+void add_check(Program& program) {
+    CLI::App* command = add_command(program, "check", "Say all that is wrong with a recipe, without running it",
+                                    "  foam check my_robot.yaml\n"
+                                    "  foam check my_robot.yaml --set budget.spheres=60 --json");
+    auto arguments = std::make_shared<Arguments>();
+    command->add_option("recipe", arguments->recipe, "The recipe, a YAML file")->type_name("RECIPE")->required();
+    add_settings(*command, arguments->settings);
+    command->add_flag("--json", arguments->json, "Print the findings as JSON");
+    command->callback([&program, arguments] {
+        program.action = [&program, arguments] { return check_recipe(program, *arguments); };
+    });
+}
+
+} // namespace foam::cli

@@ -1,0 +1,67 @@
+#include "execute.hpp"
+
+#include "interrupt.hpp"
+#include "progress.hpp"
+
+#include <foam/error.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace foam::cli {
+namespace {
+
+void tell_input(const Recipe& recipe) {
+    std::string chosen;
+    const ResolvedResource found = resolve_input(recipe, &chosen);
+    const auto& candidates = recipe.urdf.empty() ? recipe.mesh : recipe.urdf;
+    tell(fmt::format("{}: input {} ({})", recipe.name, chosen, found.path.string()));
+    const auto taken = std::find(candidates.begin(), candidates.end(), chosen);
+    if (taken != candidates.begin()) {
+        tell(fmt::format("{}: not found before it: {}", recipe.name, fmt::join(candidates.begin(), taken, ", ")));
+    }
+}
+
+} // namespace
+
+void add_execute_options(CLI::App& command, ExecuteOptions& options) {
+    command.add_option("-j,--threads", options.threads, "Number of threads; default: one a core")
+        ->type_name("N")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1024}));
+    command.add_flag("--fresh", options.fresh, "Neither read nor write the cache");
+    command.add_flag("-v,--verbose", options.verbose, "Tell notes too, not only warnings and errors");
+}
+
+void require_ok(const RecipeResult& read, const std::string& what) {
+    std::size_t errors = 0;
+    for (const Diagnostic& diagnostic : read.diagnostics) {
+        fmt::print(stderr, "{}\n", diagnostic.text());
+        errors += diagnostic.level == Diagnostic::Level::error ? 1 : 0;
+    }
+    if (!read.ok()) {
+        throw Error(ErrorCode::recipe,
+                    fmt::format("{}: {} error{} in the recipe; nothing was run", what, errors, errors == 1 ? "" : "s"));
+    }
+}
+
+RunResult execute(const Recipe& recipe, const Registry& registry, const std::filesystem::path& directory,
+                  const ExecuteOptions& options) {
+    RunOptions run_options;
+    run_options.cancel = &stop_on_interrupt();
+    tell_input(recipe);
+    run_options.out = directory;
+    run_options.fresh = options.fresh;
+    run_options.threads = options.threads;
+    Progress progress(options.verbose);
+    run_options.observer = &progress;
+    return run(recipe, registry, run_options);
+}
+
+int exit_code_of(const RunResult& result) {
+    constexpr int links_left_out = 4;
+    return result.links_lost ? links_left_out : 0;
+}
+
+} // namespace foam::cli

@@ -1,0 +1,28 @@
+// From a checked recipe to a finished run, with all that a person is told about it.
+#pragma once
+
+#include "program.hpp"
+
+#include <foam/host/run.hpp>
+
+#include <filesystem>
+
+namespace foam::cli {
+
+struct ExecuteOptions {
+    std::size_t threads = 0; ///< 0: all cores
+    bool fresh = false;
+    bool verbose = false;
+};
+
+/// `-j`, `--fresh` and `-v`.
+void add_execute_options(CLI::App& command, ExecuteOptions& options);
+/// Tells the findings; throws Error(recipe) if there is an error among them.
+void require_ok(const RecipeResult& read, const std::string& what);
+/// Says which input is taken, runs, and shows the progress.
+RunResult execute(const Recipe& recipe, const Registry& registry, const std::filesystem::path& directory,
+                  const ExecuteOptions& options);
+/// 0, or 4 if links were left out after errors.
+int exit_code_of(const RunResult& result);
+
+} // namespace foam::cli

@@ -1,0 +1,185 @@
+// What can stand in a recipe, and where it comes from: stages, describe, plugins.
+#include "program.hpp"
+
+#include <foam/error.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace foam::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const ParameterValue& value) {
+    return std::visit([](const auto& v) { return Json(v); }, value);
+}
+
+Json json_of(const Parameter& p) {
+    Json json{
+        {"name", p.name}, {"type", to_string(p.type)}, {"default", json_of(p.default_value)}, {"doc", p.doc_text}};
+    if (!p.unit_text.empty()) {
+        json["unit"] = p.unit_text;
+    }
+    if (p.low) {
+        json["low"] = *p.low;
+    }
+    if (p.high) {
+        json["high"] = *p.high;
+    }
+    if (!p.choices.empty()) {
+        json["choices"] = p.choices;
+    }
+    if (!p.source_text.empty()) {
+        json["source"] = p.source_text;
+    }
+    json["affects_output"] = p.affects_output;
+    return json;
+}
+
+Json json_of(const RegisteredStage& stage) {
+    Json json{{"name", stage.info.name},
+              {"kind", to_string(stage.kind)},
+              {"summary", stage.info.summary},
+              {"reference", stage.info.reference},
+              {"revision", stage.info.revision},
+              {"plugin", stage.plugin},
+              {"plugin_version", stage.plugin_version},
+              {"license", stage.license},
+              {"extensions", stage.info.extensions},
+              {"parameters", Json::array()}};
+    for (const Parameter& p : stage.info.parameters) {
+        json["parameters"].push_back(json_of(p));
+    }
+    return json;
+}
+
+std::string limits(const Parameter& p) {
+    if (p.type == Parameter::Type::choice) {
+        return fmt::format("{}", fmt::join(p.choices, " | "));
+    }
+    std::string text = to_string(p.type);
+    if (p.low && p.high) {
+        text += fmt::format(" {} … {}", to_text(*p.low), to_text(*p.high));
+    } else if (p.low) {
+        text += fmt::format(" ≥ {}", to_text(*p.low));
+    } else if (p.high) {
+        text += fmt::format(" ≤ {}", to_text(*p.high));
+    }
+    return p.unit_text.empty() || p.unit_text == "1" ? text : text + " " + p.unit_text;
+}
+
+std::string description(const RegisteredStage& stage) {
+    std::string text = fmt::format("{} ({}, plugin {} {}, {})\n{}\n", stage.info.name, to_string(stage.kind),
+                                   stage.plugin, stage.plugin_version, stage.license, stage.info.summary);
+    if (!stage.info.reference.empty()) {
+        text += fmt::format("After: {}\n", stage.info.reference);
+    }
+    if (!stage.info.extensions.empty()) {
+        text += fmt::format("Files: .{}\n", fmt::join(stage.info.extensions, " ."));
+    }
+    text += stage.info.parameters.empty() ? "No parameters.\n" : "\nParameters:\n";
+    for (const Parameter& p : stage.info.parameters) {
+        const std::string value = to_text(p.default_value);
+        text +=
+            fmt::format("  {}: {}    # {}\n      {}\n", p.name, value.empty() ? "\"\"" : value, limits(p), p.doc_text);
+        if (!p.source_text.empty()) {
+            text += fmt::format("      Default from: {}\n", p.source_text);
+        }
+    }
+    return text;
+}
+
+int list_stages(Program& program, bool as_json) {
+    const Registry& registry = program.registry();
+    Json json = Json::array();
+    std::string text;
+    for (const auto& [name, stage] : registry.stages()) {
+        json.push_back(json_of(stage));
+        text += fmt::format("{:<22} {:<13} {}\n", name, to_string(stage.kind), stage.info.summary);
+    }
+    print(as_json ? json.dump(2) + "\n" : text);
+    return 0;
+}
+
+int describe_stage(Program& program, const std::string& name, bool as_json) {
+    const Registry& registry = program.registry();
+    const RegisteredStage* stage = registry.find(name);
+    if (!stage) {
+        const std::string near = registry.nearest(name);
+        throw Error(ErrorCode::usage, fmt::format("unknown stage '{}'{}", name,
+                                                  near.empty() ? "; `foam stages` lists them"
+                                                               : fmt::format("; did you mean '{}'?", near)));
+    }
+    print(as_json ? json_of(*stage).dump(2) + "\n" : description(*stage));
+    return 0;
+}
+
+int list_plugins(Program& program, bool why, bool as_json) {
+    const Registry& registry = program.registry(false);
+    Json json = Json::array();
+    std::string text;
+    std::size_t refused = 0;
+    for (const PluginRecord& record : registry.plugins()) {
+        Json entry{{"file", record.file.string()}, {"loaded", record.loaded()}, {"name", record.name},
+                   {"version", record.version},    {"license", record.license}, {"stages", record.stages}};
+        if (!record.loaded()) {
+            entry["rejection"] = record.rejection;
+            ++refused;
+        }
+        json.push_back(std::move(entry));
+        if (record.loaded()) {
+            text += fmt::format("{:<20} {:<8} {:<18} {}\n", record.name, record.version, record.license,
+                                fmt::join(record.stages, ", "));
+        }
+        if (why) {
+            text += record.loaded() ? fmt::format("  loaded from {}\n", record.file.string())
+                                    : fmt::format("{}\n  refused: {}\n", record.file.string(), record.rejection);
+        }
+    }
+    if (why) {
+        for (const auto& folder : program.plugin_folders()) {
+            text += fmt::format("looked in {}\n", folder.string());
+        }
+    }
+    print(as_json ? json.dump(2) + "\n" : text);
+    if (refused > 0 && !why && !as_json) {
+        tell(fmt::format("{} more refused; `foam plugins --why` says why", refused));
+    }
+    return 0;
+}
+
+} // namespace
+
+void add_stages(Program& program) {
+    CLI::App* command = add_command(program, "stages", "List the stages that recipes are made of",
+                                    "  foam stages\n  foam stages --json");
+    auto json = std::make_shared<bool>(false);
+    command->add_flag("--json", *json, "Print them as JSON, with all parameters");
+    command->callback([&program, json] { program.action = [&program, json] { return list_stages(program, *json); }; });
+}
+
+void add_describe(Program& program) {
+    CLI::App* command = add_command(program, "describe", "Explain a stage and its parameters",
+                                    "  foam describe spherize.medial\n  foam describe write.json --json");
+    auto name = std::make_shared<std::string>();
+    auto json = std::make_shared<bool>(false);
+    command->add_option("stage", *name, "Name of the stage, kind.method")->type_name("STAGE")->required();
+    command->add_flag("--json", *json, "Print it as JSON");
+    command->callback([&program, name, json] {
+        program.action = [&program, name, json] { return describe_stage(program, *name, *json); };
+    });
+}
+
+void add_plugins(Program& program) {
+    CLI::App* command = add_command(program, "plugins", "List the plugins",
+                                    "  foam plugins --why\n  foam plugins --plugin ./mine.so --why");
+    auto why = std::make_shared<bool>(false), json = std::make_shared<bool>(false);
+    command->add_flag("--why", *why, "Say where each was found and why others were refused");
+    command->add_flag("--json", *json, "Print them as JSON");
+    command->callback([&program, why, json] {
+        program.action = [&program, why, json] { return list_plugins(program, *why, *json); };
+    });
+}
+
+} // namespace foam::cli

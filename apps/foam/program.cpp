@@ -1,0 +1,103 @@
+#include "program.hpp"
+
+#include <foam/error.hpp>
+#include <foam/host/version.hpp>
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace foam::cli {
+
+Program::Program() : app("foam turns robots and objects into spheres that are proved to enclose them.", "foam") {
+    app.set_version_flag("--version", "foam " + version(), "Print the version");
+    app.set_help_flag("-h,--help", "Print this help");
+    app.fallthrough();
+    app.require_subcommand(1);
+    app.get_formatter()->column_width(34);
+    app.add_option("--plugin", plugin_files_, "Load this plugin too; repeatable")
+        ->type_name("FILE")
+        ->expected(1)
+        ->take_all();
+    app.add_option("--plugin-dir", plugin_folders_, "Load the plugins of this folder too; repeatable")
+        ->type_name("DIR")
+        ->expected(1)
+        ->take_all()
+        ->check(CLI::ExistingDirectory);
+    app.footer("Examples:\n"
+               "  foam run configs/panda_22.yaml              a robot by a recipe\n"
+               "  foam spherize robot.urdf -n 60              a robot without a recipe\n"
+               "  foam spherize part.stl -n 16 -o part.json   a mesh\n"
+               "  foam stages                                 what recipes are made of\n"
+               "\n"
+               "Exit codes: 0 done, 1 a stage failed, 2 recipe or command line wrong, 3 plugin refused,\n"
+               "            4 done with links left out, 130 cancelled. `foam COMMAND --help` says more.");
+}
+
+std::vector<std::filesystem::path> Program::plugin_folders() const {
+    return plugin_directories({plugin_folders_.begin(), plugin_folders_.end()});
+}
+
+Registry& Program::registry(bool warn) {
+    if (registry_) {
+        return *registry_;
+    }
+    Registry& registry = registry_.emplace();
+    for (const std::string& file : plugin_files_) {
+        const PluginRecord& record = registry.load(file);
+        if (!record.loaded()) {
+            throw Error(ErrorCode::plugin,
+                        fmt::format("plugin {} is refused: {}", record.file.string(), record.rejection));
+        }
+    }
+    for (const auto& folder : plugin_folders()) {
+        registry.load_directory(folder);
+    }
+    for (const PluginRecord& record : registry.plugins()) {
+        if (warn && !record.loaded()) {
+            tell(fmt::format("warning: plugin {} is refused: {}", record.file.string(), record.rejection));
+        }
+    }
+    return registry;
+}
+
+CLI::App* add_command(Program& program, const std::string& name, const std::string& summary,
+                      const std::string& examples) {
+    CLI::App* command = program.app.add_subcommand(name, summary);
+    command->footer("Examples:\n" + examples);
+    return command;
+}
+
+void add_settings(CLI::App& command, std::vector<std::string>& texts) {
+    command
+        .add_option("--set", texts,
+                    "Change a value of the recipe: key.path=value, e.g. budget.spheres=60 or "
+                    "stages.simplify.quadric.ratio=0.1; repeatable")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->take_all();
+}
+
+std::vector<Setting> settings_of(const std::vector<std::string>& texts) {
+    std::vector<Setting> settings;
+    for (const std::string& text : texts) {
+        const std::size_t equals = text.find('=');
+        if (equals == text.npos || equals == 0) {
+            throw Error(ErrorCode::usage, fmt::format("--set expects key.path=value, got '{}'", text));
+        }
+        settings.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+    }
+    return settings;
+}
+
+void print(std::string_view text) {
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
+        throw Error(ErrorCode::output, "cannot write to the standard output");
+    }
+}
+
+void tell(std::string_view line) {
+    fmt::print(stderr, "foam: {}\n", line);
+}
+
+} // namespace foam::cli

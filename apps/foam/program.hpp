@@ -1,0 +1,57 @@
+// What all subcommands share: the registry, filled when it is first asked for, and the chosen action.
+#pragma once
+
+#include <foam/host/recipe.hpp>
+#include <foam/host/registry.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace foam::cli {
+
+class Program {
+public:
+    Program();
+
+    CLI::App app;
+    /// Set by the subcommand that was named; returns the exit code.
+    std::function<int()> action;
+
+    /// All plugins loaded. A file given by --plugin that is refused throws Error(plugin); others that are refused are
+    /// warned of if `warn`.
+    Registry& registry(bool warn = true);
+    /// Where plugins are looked for.
+    std::vector<std::filesystem::path> plugin_folders() const;
+
+private:
+    std::vector<std::string> plugin_files_, plugin_folders_;
+    std::optional<Registry> registry_;
+};
+
+void add_run(Program& program);
+void add_check(Program& program);
+void add_spherize(Program& program);
+void add_stages(Program& program);
+void add_describe(Program& program);
+void add_plugins(Program& program);
+void add_schema(Program& program);
+void add_version(Program& program);
+
+/// A subcommand with examples at the end of its help.
+CLI::App* add_command(Program& program, const std::string& name, const std::string& summary,
+                      const std::string& examples);
+/// `--set key.path=value`, repeatable.
+void add_settings(CLI::App& command, std::vector<std::string>& texts);
+/// Throws Error(usage) for a text without '='.
+std::vector<Setting> settings_of(const std::vector<std::string>& texts);
+
+/// Writes to stdout all at once; throws Error(output) if that fails.
+void print(std::string_view text);
+/// A line on stderr.
+void tell(std::string_view line);
+
+} // namespace foam::cli

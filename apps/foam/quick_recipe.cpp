@@ -1,0 +1,112 @@
+#include "quick_recipe.hpp"
+
+#include <foam/error.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <set>
+
+namespace foam::cli {
+namespace {
+
+std::string ending_of(const std::filesystem::path& file) {
+    const std::string extension = file.extension().string();
+    return extension.empty() ? "" : extension.substr(1);
+}
+
+std::string endings_of(StageKind kind, const Registry& registry) {
+    std::set<std::string> endings;
+    for (const auto& [name, stage] : registry.stages()) {
+        if (stage.kind == kind) {
+            endings.insert(stage.info.extensions.begin(), stage.info.extensions.end());
+        }
+    }
+    return fmt::format("{}", fmt::join(endings, ", "));
+}
+
+/// Letters that every file system and the recipe's `name` take.
+std::string plain_name(const std::filesystem::path& file) {
+    std::string name = file.stem().string().substr(0, 80);
+    for (char& c : name) {
+        const bool plain =
+            (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '-';
+        c = plain ? c : '_';
+    }
+    name.erase(0, name.find_first_not_of('-'));
+    return (name.empty() ? "input" : name) + "_spheres";
+}
+
+std::string spherizer(const std::string& method, const Registry& registry) {
+    const std::string name = method.starts_with("spherize.") ? method : "spherize." + method;
+    const RegisteredStage* stage = registry.find(name);
+    if (stage && stage->kind == StageKind::spherizer) {
+        return name;
+    }
+    std::vector<std::string> methods;
+    for (const auto& [known, candidate] : registry.stages()) {
+        if (candidate.kind == StageKind::spherizer) {
+            methods.push_back(known.substr(known.find('.') + 1));
+        }
+    }
+    const std::string near = nearest_word(method, methods);
+    throw Error(ErrorCode::usage,
+                fmt::format("unknown method '{}'{}; there are: {}", method,
+                            near.empty() ? "" : fmt::format("; did you mean '{}'?", near), fmt::join(methods, ", ")));
+}
+
+} // namespace
+
+bool is_mesh(const std::filesystem::path& input, const Registry& registry) {
+    const std::string ending = ending_of(input);
+    if (registry.find_for_extension(StageKind::mesh_loader, ending)) {
+        return true;
+    }
+    if (ending == "xacro") {
+        throw Error(ErrorCode::usage, fmt::format("{}: xacro is not read; remedy: xacro {} > robot.urdf",
+                                                  input.string(), input.string()));
+    }
+    if (!registry.find_for_extension(StageKind::robot_loader, ending)) {
+        throw Error(ErrorCode::usage, fmt::format("{}: files of type '{}' are not read; robots: {}; meshes: {}",
+                                                  input.string(), ending, endings_of(StageKind::robot_loader, registry),
+                                                  endings_of(StageKind::mesh_loader, registry)));
+    }
+    return false;
+}
+
+QuickRecipe quick_recipe(const std::filesystem::path& input, const std::string& method, const std::string& ending,
+                         std::optional<std::size_t> spheres, const Registry& registry) {
+    const RegisteredStage* writer = registry.find_for_extension(StageKind::writer, ending);
+    if (!writer) {
+        throw Error(ErrorCode::usage, fmt::format("no format is known for '.{}'; there are: {}", ending,
+                                                  endings_of(StageKind::writer, registry)));
+    }
+    QuickRecipe recipe;
+    recipe.name = plain_name(input);
+    recipe.output = recipe.name + "." + ending;
+    const auto quoted = [](const std::string& text) { // a JSON string is a YAML string
+        return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    };
+    recipe.text = fmt::format("foam: 1\nname: {}\n", quoted(recipe.name));
+    const std::string file = quoted(std::filesystem::absolute(input).lexically_normal().string());
+    recipe.text +=
+        is_mesh(input, registry) ? fmt::format("mesh: [{}]\n", file) : fmt::format("robot:\n  urdf: [{}]\n", file);
+    recipe.text += "stages:\n";
+    for (const char* filter : {"repair.watertight", "simplify.quadric", "smooth.humphrey"}) {
+        if (registry.find(filter)) {
+            recipe.text += fmt::format("  - {}: {{}}\n", filter);
+        } else {
+            recipe.left_out.emplace_back(filter);
+        }
+    }
+    recipe.text += fmt::format("  - {}: {{}}\n", spherizer(method, registry));
+    if (spheres) {
+        recipe.text += fmt::format("budget: {{spheres: {}}}   # over the whole robot\n", *spheres);
+    }
+    recipe.text +=
+        fmt::format("guarantee: outer\noutputs:\n  - {}: {{file: {}}}\n", writer->info.name, quoted(recipe.output));
+    return recipe;
+}
+
+} // namespace foam::cli

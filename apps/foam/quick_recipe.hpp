@@ -1,0 +1,28 @@
+// The recipe that `foam spherize` stands for.
+#pragma once
+
+#include <foam/host/registry.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace foam::cli {
+
+struct QuickRecipe {
+    std::string name;
+    std::string text;                  ///< YAML
+    std::string output;                ///< the file it writes, relative to the run directory
+    std::vector<std::string> left_out; ///< stages of the usual chain that no plugin offers
+};
+
+/// `input`: a mesh or a URDF; `method`: a spherizer, with or without "spherize."; `ending`: of the output's name, for
+/// which there must be a writer. Throws Error(usage) for what is not known.
+QuickRecipe quick_recipe(const std::filesystem::path& input, const std::string& method, const std::string& ending,
+                         std::optional<std::size_t> spheres, const Registry& registry);
+
+/// Whether the registry can load it as a mesh; otherwise it is taken for a robot. Throws Error(usage) if it is neither.
+bool is_mesh(const std::filesystem::path& input, const Registry& registry);
+
+} // namespace foam::cli

@@ -1,0 +1,75 @@
+#include "execute.hpp"
+#include "summary.hpp"
+
+#include <foam/error.hpp>
+
+#include <fmt/format.h>
+
+namespace foam::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+    std::string recipe, out;
+    std::vector<std::string> settings;
+    ExecuteOptions execute;
+    bool json = false;
+};
+
+/// The outputs by name, the rest by number.
+std::string files_text(const Recipe& recipe, const RunResult& result, const fs::path& directory) {
+    std::string text = fmt::format("Written to {}:", directory.string());
+    for (const OutputCall& output : recipe.outputs) {
+        text += " " + output.file;
+    }
+    const std::size_t others = result.files.size() - std::min(result.files.size(), recipe.outputs.size());
+    return text + (others > 0 ? fmt::format(" and {} more files", others) : "") +
+           fmt::format(" ({:.2f} s, CPU {:.2f} s)\n", result.seconds, result.cpu_seconds);
+}
+
+int run_recipe(Program& program, const Arguments& arguments) {
+    Registry& registry = program.registry();
+    const RecipeResult read = read_recipe(arguments.recipe, registry, settings_of(arguments.settings));
+    require_ok(read, arguments.recipe);
+    int code = 0;
+    nlohmann::ordered_json runs = nlohmann::ordered_json::array();
+    for (const Recipe& recipe : read.recipes) {
+        // A sweep has a folder for each point.
+        fs::path directory = arguments.out.empty() ? fs::path("runs") / recipe.name : fs::path(arguments.out);
+        if (!arguments.out.empty() && read.recipes.size() > 1) {
+            directory /= recipe.name;
+        }
+        const RunResult result = execute(recipe, registry, directory, arguments.execute);
+        code = std::max(code, exit_code_of(result));
+        if (arguments.json) {
+            runs.push_back(json_of(result, recipe, directory));
+        } else {
+            print(table_of(result, recipe.guarantee) + files_text(recipe, result, directory));
+        }
+    }
+    if (arguments.json) {
+        print(nlohmann::ordered_json{{"runs", runs}}.dump(2) + "\n");
+    }
+    return code;
+}
+
+} // namespace
+
+void add_run(Program& program) {
+    CLI::App* command = add_command(program, "run", "Run a recipe",
+                                    "  foam run configs/panda_22.yaml\n"
+                                    "  foam run configs/panda_22.yaml --set budget.spheres=60 --out /tmp/panda_60\n"
+                                    "  foam run configs/panda_22.yaml -j 4 --fresh --json");
+    auto arguments = std::make_shared<Arguments>();
+    command->add_option("recipe", arguments->recipe, "The recipe, a YAML file")->type_name("RECIPE")->required();
+    command->add_option("-o,--out", arguments->out, "Run directory; default: runs/NAME, NAME being the recipe's")
+        ->type_name("DIR");
+    add_settings(*command, arguments->settings);
+    add_execute_options(*command, arguments->execute);
+    command->add_flag("--json", arguments->json, "Print the result as JSON");
+    command->callback(
+        [&program, arguments] { program.action = [&program, arguments] { return run_recipe(program, *arguments); }; });
+}
+
+} // namespace foam::cli

@@ -1,0 +1,176 @@
+#include "execute.hpp"
+#include "quick_recipe.hpp"
+#include "summary.hpp"
+
+#include <foam/error.hpp>
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+#include <unistd.h>
+
+namespace foam::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+    std::string input, method = "medial", output, format, out;
+    std::size_t spheres = 0; ///< 0: the spherizer's own parameters rule
+    std::vector<std::string> settings;
+    ExecuteOptions execute;
+    bool print_recipe = false, json = false;
+};
+
+/// A run directory that is gone at the end, whatever happens. `beside`: on the same file system, for a rename.
+class ScratchFolder {
+public:
+    explicit ScratchFolder(const fs::path& beside) {
+        std::string pattern = (beside / ".foam-XXXXXX").string();
+        if (!mkdtemp(pattern.data())) {
+            throw Error(ErrorCode::output, fmt::format("cannot write to the folder {}", fs::absolute(beside).string()));
+        }
+        path_ = pattern;
+    }
+    ~ScratchFolder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+    const fs::path& path() const { return path_; }
+
+private:
+    fs::path path_;
+};
+
+bool to_stdout(const Arguments& arguments) {
+    return arguments.output == "-";
+}
+
+/// Where the result goes: what -o says, or beside nothing: <stem>_spheres in the current folder.
+fs::path output_file(const Arguments& arguments, const QuickRecipe& recipe) {
+    return arguments.output.empty() ? fs::path(recipe.output) : fs::path(arguments.output);
+}
+
+std::string output_ending(const Arguments& arguments, const Registry& registry) {
+    if (!arguments.format.empty()) {
+        return arguments.format;
+    }
+    if (to_stdout(arguments)) {
+        throw Error(ErrorCode::usage, "-o - needs --format, e.g. --format json");
+    }
+    if (arguments.output.empty()) {
+        return is_mesh(arguments.input, registry) ? "json" : "urdf";
+    }
+    const std::string extension = fs::path(arguments.output).extension().string();
+    if (extension.empty()) {
+        throw Error(ErrorCode::usage,
+                    fmt::format("the ending of '{}' is to say the format; remedy: -o {}.json, or --format",
+                                arguments.output, arguments.output));
+    }
+    return extension.substr(1);
+}
+
+/// The result in one step, so that a reader never sees half of it.
+void deliver(const fs::path& made, const fs::path& scratch, const fs::path& target) {
+    std::error_code error;
+    const fs::path staged = scratch / "delivered";
+    fs::copy_file(made, staged, error);
+    if (!error) {
+        fs::rename(staged, target, error);
+    }
+    if (error) {
+        throw Error(ErrorCode::output, fmt::format("{}: it cannot be written ({})", target.string(), error.message()));
+    }
+}
+
+int run_quick(const Arguments& arguments, const Recipe& recipe, const QuickRecipe& quick, const Registry& registry) {
+    const fs::path target = output_file(arguments, quick);
+    fs::path beside = to_stdout(arguments) ? fs::temp_directory_path() : target.parent_path();
+    beside = beside.empty() ? fs::path(".") : beside;
+    if (!fs::is_directory(beside)) {
+        throw Error(ErrorCode::output, fmt::format("{}: there is no folder {}", target.string(), beside.string()));
+    }
+    const ScratchFolder scratch(beside);
+    const fs::path directory = arguments.out.empty() ? scratch.path() / "run" : fs::path(arguments.out);
+    const RunResult result = execute(recipe, registry, directory, arguments.execute);
+    const fs::path made = directory / recipe.outputs.at(0).file;
+    if (to_stdout(arguments)) {
+        std::ifstream stream(made, std::ios::binary);
+        print(std::string(std::istreambuf_iterator<char>(stream), {}));
+        fmt::print(stderr, "{}", table_of(result, recipe.guarantee));
+        return exit_code_of(result);
+    }
+    deliver(made, scratch.path(), target);
+    if (arguments.json) {
+        auto json = json_of(result, recipe, arguments.out);
+        json["files"] = {target.string()};
+        print(json.dump(2) + "\n");
+    } else {
+        print(table_of(result, recipe.guarantee) +
+              fmt::format("Written: {} ({:.2f} s)\n", target.string(), result.seconds));
+    }
+    return exit_code_of(result);
+}
+
+int spherize(Program& program, const Arguments& arguments) {
+    Registry& registry = program.registry();
+    std::error_code error;
+    if (!fs::is_regular_file(arguments.input, error)) {
+        throw Error(ErrorCode::input, fmt::format("{}: {}", arguments.input,
+                                                  fs::exists(arguments.input, error) ? "it is not a regular file"
+                                                                                     : "there is no such file"));
+    }
+    const auto spheres = arguments.spheres > 0 ? std::optional(arguments.spheres) : std::nullopt;
+    const QuickRecipe quick =
+        quick_recipe(arguments.input, arguments.method, output_ending(arguments, registry), spheres, registry);
+    for (const std::string& stage : quick.left_out) {
+        tell(fmt::format("warning: no plugin offers {}; it is left out", stage));
+    }
+    const RecipeResult read = parse_recipe(quick.text, quick.name + ".yaml", registry, settings_of(arguments.settings));
+    require_ok(read, arguments.input);
+    if (arguments.print_recipe) {
+        print(arguments.settings.empty() ? quick.text : to_yaml(read.recipes.at(0), registry, true));
+        return 0;
+    }
+    return run_quick(arguments, read.recipes.at(0), quick, registry);
+}
+
+} // namespace
+
+void add_spherize(Program& program) {
+    CLI::App* command = add_command(program, "spherize", "Turn a robot or a mesh into spheres without a recipe",
+                                    "  foam spherize robot.urdf -n 60                       writes robot_spheres.urdf\n"
+                                    "  foam spherize part.stl -n 16 -o part.json\n"
+                                    "  foam spherize part.stl --method grid -o - --format csv\n"
+                                    "  foam spherize robot.urdf -n 60 --print-recipe > robot.yaml");
+    auto arguments = std::make_shared<Arguments>();
+    command->add_option("input", arguments->input, "A URDF or a mesh file")->type_name("INPUT")->required();
+    command
+        ->add_option("-n,--spheres", arguments->spheres,
+                     "Number of spheres over the whole robot; default: as the method's own parameters say")
+        ->type_name("N")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}));
+    command->add_option("-m,--method", arguments->method, "Spherizer, with or without 'spherize.'")
+        ->type_name("METHOD")
+        ->capture_default_str();
+    command
+        ->add_option("-o,--output", arguments->output,
+                     "Result; its ending says the format; - is the standard output; default: INPUT's name with "
+                     "_spheres, as URDF or JSON")
+        ->type_name("OUT");
+    command->add_option("--format", arguments->format, "Format, whatever the ending of OUT: urdf, json, csv, ply, …")
+        ->type_name("FORMAT");
+    command->add_option("--out", arguments->out, "Keep the whole run directory here")->type_name("DIR");
+    command->add_flag("--print-recipe", arguments->print_recipe,
+                      "Print the recipe that this stands for, and run nothing");
+    add_settings(*command, arguments->settings);
+    add_execute_options(*command, arguments->execute);
+    command->add_flag("--json", arguments->json, "Print the summary as JSON");
+    command->callback(
+        [&program, arguments] { program.action = [&program, arguments] { return spherize(program, *arguments); }; });
+}
+
+} // namespace foam::cli

@@ -1,0 +1,62 @@
+// What foam is and what its recipes may hold: version, schema.
+#include "program.hpp"
+
+#include <foam/abi.hpp>
+#include <foam/host/version.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace foam::cli {
+namespace {
+
+nlohmann::ordered_json about() {
+    nlohmann::ordered_json json{{"foam", version()}, {"abi", FOAM_ABI_FINGERPRINT}, {"compiler", __VERSION__}};
+    auto libraries = library_versions();
+    libraries["cli11"] = CLI11_VERSION;
+    json["libraries"] = libraries;
+    return json;
+}
+
+} // namespace
+
+void add_version(Program& program) {
+    CLI::App* command = add_command(program, "version", "Print versions and the plugin ABI", "  foam version --json");
+    auto json = std::make_shared<bool>(false);
+    command->add_flag("--json", *json, "Print them as JSON");
+    command->callback([&program, json] {
+        program.action = [json] {
+            const auto all = about();
+            if (*json) {
+                print(all.dump(2) + "\n");
+                return 0;
+            }
+            std::string text;
+            for (const auto& [key, value] : all.items()) {
+                if (value.is_string()) {
+                    text += fmt::format("{:<14} {}\n", key, value.get<std::string>());
+                }
+            }
+            for (const auto& [key, value] : all["libraries"].items()) {
+                text += fmt::format("{:<14} {}\n", key, value.get<std::string>());
+            }
+            print(text);
+            return 0;
+        };
+    });
+}
+
+void add_schema(Program& program) {
+    CLI::App* command = add_command(program, "schema", "Print the JSON Schema of recipes, for editors",
+                                    "  foam schema > recipe.schema.json\n"
+                                    "and in a recipe: # yaml-language-server: $schema=recipe.schema.json");
+    command->add_flag("--json")->description("It is JSON in any case");
+    command->callback([&program] {
+        program.action = [&program] {
+            print(recipe_schema(program.registry()) + "\n");
+            return 0;
+        };
+    });
+}
+
+} // namespace foam::cli

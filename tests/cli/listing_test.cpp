@@ -1,0 +1,89 @@
+// stages, describe, plugins, schema, version.
+#include "program.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace foam::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+TEST_F(Cli, StagesForPeopleAndPrograms) {
+    const Outcome text = foam("stages"), data = foam("stages --json");
+    EXPECT_EQ(text.code, 0);
+    EXPECT_EQ(text.err, "");
+    const json stages = json::parse(data.out);
+    ASSERT_GT(stages.size(), 5u);
+    for (const json& stage : stages) {
+        EXPECT_THAT(text.out, HasSubstr(stage["name"].get<std::string>()));
+        EXPECT_FALSE(stage["summary"].get<std::string>().empty());
+        for (const json& parameter : stage["parameters"]) {
+            EXPECT_TRUE(parameter.contains("default") && parameter.contains("doc")) << parameter;
+        }
+    }
+}
+
+TEST_F(Cli, DescribeAStage) {
+    const Outcome text = foam("describe load.assimp");
+    EXPECT_EQ(text.code, 0);
+    EXPECT_THAT(text.out, HasSubstr("load.assimp (mesh loader, plugin load_assimp "));
+    EXPECT_THAT(text.out, HasSubstr("max_triangles: 20000000    # integer 1 … 1e+09"));
+    const json data = json::parse(foam("describe load.assimp --json").out);
+    EXPECT_EQ(data["name"], "load.assimp");
+    EXPECT_EQ(data["parameters"][0]["default"], 20'000'000);
+}
+
+TEST_F(Cli, DescribeAnUnknownStage) {
+    const Outcome outcome = foam("describe load.asimp");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.err, "foam: error: unknown stage 'load.asimp'; did you mean 'load.assimp'?\n");
+}
+
+TEST_F(Cli, PluginsAndWhyOneIsRefused) {
+    std::filesystem::create_directory(path() / "mine");
+    write("mine/bad.so", "no library at all");
+    const Outcome brief = foam("plugins --plugin-dir mine");
+    EXPECT_EQ(brief.code, 0);
+    EXPECT_THAT(brief.out, HasSubstr("load_assimp"));
+    EXPECT_EQ(brief.err, "foam: 1 more refused; `foam plugins --why` says why\n");
+    const Outcome why = foam("plugins --plugin-dir mine --why");
+    EXPECT_EQ(why.code, 0);
+    EXPECT_THAT(why.out, HasSubstr("mine/bad.so\n  refused: it is not a shared library (no ELF header)\n"));
+    const json data = json::parse(foam("plugins --plugin-dir mine --json").out);
+    EXPECT_FALSE(data[0]["loaded"].get<bool>());
+    EXPECT_EQ(data[0]["rejection"], "it is not a shared library (no ELF header)");
+}
+
+TEST_F(Cli, ARefusedPluginIsWarnedOfAndOneAskedForIsAnError) {
+    std::filesystem::create_directory(path() / "mine");
+    write("mine/bad.so", "no library at all");
+    const Outcome folder = foam("stages --plugin-dir mine");
+    EXPECT_EQ(folder.code, 0);
+    EXPECT_THAT(folder.err, HasSubstr("foam: warning: plugin "));
+    const Outcome file = foam("stages --plugin mine/bad.so");
+    EXPECT_EQ(file.code, 3);
+    EXPECT_EQ(file.out, "");
+    EXPECT_THAT(file.err, HasSubstr("mine/bad.so is refused: it is not a shared library (no ELF header)\n"));
+    EXPECT_EQ(foam("stages --plugin mine/none.so").code, 3);
+}
+
+TEST_F(Cli, SchemaIsJson) {
+    const Outcome outcome = foam("schema");
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_TRUE(json::parse(outcome.out).contains("$schema"));
+}
+
+TEST_F(Cli, VersionSaysTheAbiAndLibraries) {
+    const json data = json::parse(foam("version --json").out);
+    EXPECT_THAT(data["abi"].get<std::string>(), HasSubstr("foam-abi="));
+    for (const char* library : {"eigen", "fmt", "yaml-cpp", "onetbb"}) {
+        EXPECT_FALSE(data["libraries"].at(library).get<std::string>().empty()) << library;
+    }
+    EXPECT_THAT(foam("version").out, HasSubstr("yaml-cpp"));
+}
+
+} // namespace
+} // namespace foam::test

@@ -1,0 +1,135 @@
+// check and run.
+#include "program.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace foam::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+constexpr const char* recipe = "foam: 1\n"
+                               "name: box\n"
+                               "mesh: [box.obj]\n"
+                               "stages:\n"
+                               "  - spherize.grid: {}\n"
+                               "budget: {spheres: 4}\n"
+                               "outputs:\n"
+                               "  - write.csv: {file: box.csv}\n";
+
+class CliRecipe : public Cli {
+protected:
+    void SetUp() override {
+        write("box.obj", box_obj);
+        write("box.yaml", recipe);
+    }
+};
+
+TEST_F(CliRecipe, CheckOfAGoodOne) {
+    const Outcome outcome = foam("check box.yaml");
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.err, "foam: box.yaml: good for 1 run\n");
+}
+
+TEST_F(CliRecipe, CheckOfABadOneSaysAllWithPlaces) {
+    write("bad.yaml", "foam: 1\nmesh: [box.obj]\nstagse: []\nbudget: {spheres: many}\n");
+    const Outcome outcome = foam("check bad.yaml");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.out, HasSubstr("bad.yaml:3:1: error[unknown-key]"));
+    EXPECT_THAT(outcome.out, HasSubstr("bad.yaml:4:19: error[wrong-type]"));
+    const Outcome data = foam("check bad.yaml --json");
+    EXPECT_EQ(data.code, 2);
+    const json findings = json::parse(data.out);
+    EXPECT_FALSE(findings["ok"].get<bool>());
+    ASSERT_FALSE(findings["findings"].empty());
+    for (const json& finding : findings["findings"]) {
+        EXPECT_EQ(finding["file"], "bad.yaml");
+        EXPECT_THAT(data.out, HasSubstr(finding["code"].get<std::string>()));
+    }
+}
+
+TEST_F(CliRecipe, UnknownStage) {
+    write("bad.yaml", "foam: 1\nmesh: [box.obj]\nstages:\n  - spherize.gird: {}\n");
+    const Outcome outcome = foam("run bad.yaml");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(outcome.err, HasSubstr("bad.yaml:4:5: error[unknown-stage]"));
+    EXPECT_THAT(outcome.err, HasSubstr("nothing was run"));
+    EXPECT_FALSE(std::filesystem::exists(path() / "runs"));
+}
+
+TEST_F(CliRecipe, MissingRecipe) {
+    const Outcome outcome = foam("run none.yaml");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("none.yaml: error[cannot-read]: there is no such file"));
+}
+
+TEST_F(CliRecipe, RunWritesItsFolderAndPrintsATable) {
+    const Outcome outcome = foam("run box.yaml");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err.rfind("foam: box: input box.obj (", 0), 0u) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("link   spheres    excess    gap mm  certified  growth mm\nbox          4 "));
+    EXPECT_THAT(outcome.out, HasSubstr("Proved: "));
+    EXPECT_THAT(outcome.out, HasSubstr("Written to runs/box: box.csv"));
+    EXPECT_TRUE(std::filesystem::exists(path() / "runs/box/box.csv"));
+    EXPECT_EQ(outcome.err.find('\r'), std::string::npos) << "a progress bar though stderr is no terminal";
+}
+
+TEST_F(CliRecipe, RunWithSettingsFolderAndJson) {
+    const Outcome outcome = foam("run box.yaml --set budget.spheres=2 --out here -j 2 --fresh --json");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const json data = json::parse(outcome.out)["runs"][0];
+    EXPECT_EQ(data["directory"], "here");
+    EXPECT_EQ(data["total"]["spheres"], 2);
+    EXPECT_TRUE(data["certified"].get<bool>());
+    EXPECT_TRUE(std::filesystem::exists(path() / "here/box.csv"));
+}
+
+TEST_F(CliRecipe, ASweepHasAFolderForEachPoint) {
+    std::string swept = recipe;
+    swept.erase(swept.find("budget"), swept.find("outputs") - swept.find("budget"));
+    write("sweep.yaml", swept + "sweep: {budget.spheres: [1, 3]}\n");
+    const Outcome good = foam("run sweep.yaml --out points --json");
+    const json runs = json::parse(good.code == 0 ? good.out : "{\"runs\":[]}")["runs"];
+    ASSERT_EQ(runs.size(), 2u) << good.err;
+    EXPECT_EQ(runs[0]["total"]["spheres"], 1);
+    EXPECT_EQ(runs[1]["total"]["spheres"], 3);
+    for (const json& run : runs) {
+        EXPECT_TRUE(std::filesystem::exists(path() / run["directory"].get<std::string>() / "box.csv"));
+    }
+}
+
+TEST_F(CliRecipe, MissingInputNamesThePlaces) {
+    std::filesystem::remove(path() / "box.obj");
+    const Outcome outcome = foam("run box.yaml");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_THAT(outcome.err, HasSubstr((path() / "box.obj").string()));
+    EXPECT_FALSE(std::filesystem::exists(path() / "runs/box"));
+}
+
+TEST_F(CliRecipe, ABadMeshFailsTheStageAndLeavesNothing) {
+    write("box.obj", "v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n");
+    const Outcome outcome = foam("run box.yaml");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(outcome.err, HasSubstr("box.obj:3: a coordinate of the vertex is not finite: (0, nan, 0)"));
+    EXPECT_FALSE(std::filesystem::exists(path() / "runs/box"));
+}
+
+/// The signal is sent when the run has said which input it takes; the whole run takes seconds.
+TEST_F(CliRecipe, InterruptLeavesNothing) {
+    write("slow.yaml", "foam: 1\nname: slow\nrobot: {urdf: ['" FOAM_TEST_SOURCE "/configs/robots/panda/panda.urdf']}\n"
+                       "stages: [{repair.watertight: {}}, {spherize.medial: {}}]\nbudget: {spheres: 300}\n"
+                       "outputs: [{write.csv: {file: s.csv}}]\n");
+    const Outcome outcome = shell("'" FOAM_TEST_BINARY "' run slow.yaml --fresh & pid=$!; for i in $(seq 500); do "
+                                  "grep -q input .err && break; sleep 0.02; done; kill -INT $pid; wait $pid");
+    EXPECT_EQ(outcome.code, 130) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("foam: stopping; once more ends it at once\n"));
+    EXPECT_THAT(outcome.err, HasSubstr("foam: stopped: "));
+    EXPECT_FALSE(std::filesystem::exists(path() / "runs/slow"));
+}
+
+} // namespace
+} // namespace foam::test

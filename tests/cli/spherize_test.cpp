@@ -1,0 +1,108 @@
+// spherize: a mesh or robot without a recipe.
+#include "program.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace foam::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class CliSpherize : public Cli {
+protected:
+    void SetUp() override {
+        write("box.obj", box_obj);
+        write("box.urdf", "<robot name=\"b\">\n  <!-- kept -->\n  <link name=\"base\"><collision><geometry><mesh "
+                          "filename=\"box.obj\"/>"
+                          "</geometry></collision></link>\n</robot>\n");
+    }
+};
+
+TEST_F(CliSpherize, AMeshGivesJsonByDefault) {
+    const Outcome outcome = foam("spherize box.obj -n 3 --method grid");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("Written: box_spheres.json ("));
+    EXPECT_TRUE(json::accept(contents(path() / "box_spheres.json")));
+    EXPECT_FALSE(std::filesystem::exists(path() / "runs"));
+}
+
+TEST_F(CliSpherize, AUrdfGivesAUrdfByDefault) {
+    const Outcome outcome = foam("spherize box.urdf -n 3 --method spherize.grid");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const std::string urdf = contents(path() / "box_spheres.urdf");
+    EXPECT_THAT(urdf, HasSubstr("<!-- kept -->"));
+    EXPECT_THAT(urdf, HasSubstr("<sphere radius="));
+}
+
+TEST_F(CliSpherize, TheEndingSaysTheFormat) {
+    ASSERT_EQ(foam("spherize box.obj -n 3 --method grid -o out.csv --json").code, 0);
+    EXPECT_THAT(contents(path() / "out.csv"), StartsWith("link,x,y,z,radius\n"));
+    const Outcome none = foam("spherize box.obj -o out");
+    EXPECT_EQ(none.code, 2);
+    EXPECT_THAT(none.err, HasSubstr("remedy: -o out.json, or --format"));
+    const Outcome unknown = foam("spherize box.obj -o out.docx");
+    EXPECT_EQ(unknown.code, 2);
+    EXPECT_THAT(unknown.err, HasSubstr("no format is known for '.docx'; there are: "));
+}
+
+TEST_F(CliSpherize, DataToStandardOutput) {
+    const Outcome outcome = foam("spherize box.obj -n 3 --method grid -o - --format csv");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, StartsWith("link,x,y,z,radius\n"));
+    EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 4);
+    EXPECT_THAT(outcome.err, HasSubstr("total"));
+    EXPECT_EQ(foam("spherize box.obj -o -").code, 2) << "no format";
+}
+
+TEST_F(CliSpherize, ThePrintedRecipeGivesTheSame) {
+    const Outcome printed = foam("spherize box.obj -n 5 --method grid --print-recipe");
+    ASSERT_EQ(printed.code, 0) << printed.err;
+    EXPECT_THAT(printed.out, HasSubstr("- spherize.grid: {}\n"));
+    EXPECT_THAT(printed.out, HasSubstr("budget: {spheres: 5}"));
+    EXPECT_FALSE(std::filesystem::exists(path() / "box_spheres.json"));
+    write("printed.yaml", printed.out);
+    ASSERT_EQ(foam("run printed.yaml").code, 0);
+    ASSERT_EQ(foam("spherize box.obj -n 5 --method grid").code, 0);
+    EXPECT_EQ(contents(path() / "runs/box_spheres/box_spheres.json"), contents(path() / "box_spheres.json"));
+}
+
+TEST_F(CliSpherize, TheRunDirectoryIsKeptIfAskedFor) {
+    ASSERT_EQ(foam("spherize box.obj -n 3 --method grid -o out.csv --out kept").code, 0);
+    EXPECT_TRUE(std::filesystem::exists(path() / "kept/manifest.json"));
+    EXPECT_TRUE(std::filesystem::exists(path() / "out.csv"));
+}
+
+TEST_F(CliSpherize, ErrorsNameTheCause) {
+    const Outcome missing = foam("spherize none.stl");
+    EXPECT_EQ(missing.code, 1);
+    EXPECT_EQ(missing.err, "foam: error: none.stl: there is no such file\n");
+    write("robot.xacro", "<robot/>");
+    const Outcome xacro = foam("spherize robot.xacro");
+    EXPECT_EQ(xacro.code, 2);
+    EXPECT_THAT(xacro.err, HasSubstr("remedy: xacro robot.xacro > robot.urdf"));
+    const Outcome method = foam("spherize box.obj --method gird");
+    EXPECT_EQ(method.code, 2);
+    EXPECT_THAT(method.err, HasSubstr("unknown method 'gird'; did you mean 'grid'?; there are: "));
+    const Outcome folder = foam("spherize box.obj -n 3 --method grid -o none/out.csv");
+    EXPECT_EQ(folder.code, 1);
+    EXPECT_THAT(folder.err, HasSubstr("there is no folder none"));
+}
+
+TEST_F(CliSpherize, AFailureLeavesTheOldResult) {
+    write("box_spheres.json", "old");
+    write("box.obj", "v 0 0 0\n");
+    const Outcome outcome = foam("spherize box.obj");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("there are no triangles in it, only 1 points"));
+    EXPECT_EQ(contents(path() / "box_spheres.json"), "old");
+    for (const auto& entry : std::filesystem::directory_iterator(path())) {
+        EXPECT_NE(entry.path().filename().string().rfind(".foam-", 0), 0u) << "a scratch folder is left";
+    }
+}
+
+} // namespace
+} // namespace foam::test
