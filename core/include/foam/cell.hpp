@@ -52,9 +52,10 @@ public:
     /// The tight box around the content.
     Box extent() const;
 
-    /// A ball that holds the content: the smallest around the corners of the surface's pieces, clipped to the box, and
-    /// those corners of the box that are inside the solid; these span the convex hull of the content. In the solid's
-    /// frame. The radius is above zero, however small the content.
+    /// A ball that holds the content, in the solid's frame: the smallest around the corners of the surface's pieces,
+    /// clipped to the box, and those corners of the box that are inside the solid (these span the convex hull of the
+    /// content), and a hundred-thousandth more, so that proofs need not cut finely where balls meet. The radius is
+    /// above zero.
     Sphere ball() const;
     /// A large ball inside the solid with its centre in the box, found by a pattern search on the distance to the
     /// surface (Hooke and Jeeves 1961); nothing if no point that was looked at is inside.
