@@ -4,8 +4,10 @@
 #include <foam/error.hpp>
 #include <foam/host/registry.hpp>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
