@@ -98,10 +98,10 @@ TEST_F(PluginLoader, RefusesOtherBuildsBeforeTheyRun) {
             .append("]; remedy: rebuild the plugin against this foam");
     };
     std::string epoch = own;
-    epoch.replace(epoch.find("foam-abi=") + 9, 1, "7");
+    epoch[epoch.find("foam-abi=") + 9] = '7';
     EXPECT_EQ(registry_.load(write("epoch.so", with_note(epoch))).rejection, text(epoch));
     std::string sanitizer = own;
-    sanitizer.replace(sanitizer.find("sanitizer=") + 10, 4, "hard");
+    sanitizer[sanitizer.find("sanitizer=") + 10] = 'X';
     EXPECT_EQ(registry_.load(write("sanitizer.so", with_note(sanitizer))).rejection, text(sanitizer));
     EXPECT_EQ(refusal("ordinary"), "it is a shared library, but not a foam plugin (no FOAM_PLUGIN in it)");
 }
