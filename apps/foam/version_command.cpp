@@ -53,7 +53,7 @@ void add_schema(Program& program) {
     command->add_flag("--json")->description("It is JSON in any case");
     command->callback([&program] {
         program.action = [&program] {
-            print(recipe_schema(program.registry()) + "\n");
+            print(recipe_schema(program.registry()));
             return 0;
         };
     });
