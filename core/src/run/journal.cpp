@@ -71,8 +71,11 @@ double Journal::seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
-double Journal::done_share(double running) const {
-    return expected_ == 0 ? 0 : std::min(1.0, (static_cast<double>(done_) + running) / static_cast<double>(expected_));
+double Journal::done_share(double running) {
+    if (expected_ > 0) {
+        shown_ = std::max(shown_, std::min(1.0, (static_cast<double>(done_) + running) / static_cast<double>(expected_)));
+    }
+    return shown_;
 }
 
 void Journal::deliver(Event event) {
