@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <new>
+#include <string_view>
 
 namespace foam {
 
@@ -12,6 +13,7 @@ Error described(std::exception_ptr thrown, const std::string& stage, const std::
     if (!link.empty()) {
         where += fmt::format(", link '{}'", link);
     }
+    const std::string outer = where;
     if (!input.empty()) {
         where += fmt::format(", input '{}'", input);
     }
@@ -21,7 +23,9 @@ Error described(std::exception_ptr thrown, const std::string& stage, const std::
         if (error.code() == ErrorCode::cancelled) {
             return error;
         }
-        return {error.code(), fmt::format("{}: {}", where, error.what())};
+        // Loaders begin with the file's name and place; once is enough.
+        const bool named = !input.empty() && std::string_view(error.what()).starts_with(input);
+        return {error.code(), fmt::format("{}: {}", named ? outer : where, error.what())};
     } catch (const std::bad_alloc&) {
         return {ErrorCode::geometry, fmt::format("{}: not enough memory", where)};
     } catch (const std::exception& error) {
