@@ -1,4 +1,6 @@
 // The committed recipes: every one is valid, names the embedded model as its last source, and gives what it promises.
+#include "support/shared_folder.hpp"
+
 #include <foam/host/recipe.hpp>
 #include <foam/host/run.hpp>
 
@@ -78,7 +80,7 @@ TEST_F(Recipes, FallBackToTheEmbeddedModel) {
 }
 
 TEST_F(Recipes, TakeTheRealModelWhenItsPackageIsThere) {
-    const std::filesystem::path packages = std::filesystem::path(FOAM_TEST_SHARED) / "robots/panda";
+    const std::filesystem::path packages = shared_folder() / "robots/panda";
     if (!std::filesystem::exists(packages)) {
         GTEST_SKIP() << packages << " is not there";
     }

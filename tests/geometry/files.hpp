@@ -1,6 +1,8 @@
 // Just enough of OFF, OBJ and binary STL to read the shared meshes.
 #pragma once
 
+#include "support/shared_folder.hpp"
+
 #include <foam/mesh.hpp>
 
 #include <cstdlib>
@@ -12,8 +14,7 @@
 namespace foam::test {
 
 inline std::filesystem::path shared_meshes() {
-    const char* folder = std::getenv("FOAM_SHARED");
-    return std::filesystem::path(folder ? folder : FOAM_TEST_SHARED) / "meshes";
+    return shared_folder() / "meshes";
 }
 
 inline Mesh read_stl(const std::string& bytes) {

@@ -205,6 +205,10 @@ struct Expected {
     double volume, tolerance; // relative
 };
 
+void PrintTo(const Expected& value, std::ostream* stream) {
+    *stream << value.file;
+}
+
 class SharedMesh : public testing::TestWithParam<Expected> {};
 
 TEST_P(SharedMesh, HasTheVolumeItShould) {

@@ -1,6 +1,8 @@
 // Loading files through the registry, as a program does.
 #pragma once
 
+#include "support/shared_folder.hpp"
+
 #include <foam/error.hpp>
 #include <foam/host/registry.hpp>
 
@@ -62,10 +64,5 @@ protected:
     std::filesystem::path folder;
     RecordingContext context;
 };
-
-inline std::filesystem::path shared_folder() {
-    const char* chosen = std::getenv("FOAM_SHARED");
-    return chosen ? chosen : FOAM_TEST_SHARED;
-}
 
 } // namespace foam::test

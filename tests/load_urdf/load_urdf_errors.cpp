@@ -31,6 +31,10 @@ struct Case {
     const char* message;
 };
 
+void PrintTo(const Case& value, std::ostream* stream) {
+    *stream << value.name;
+}
+
 const Case cases[] = {
     {"Empty", "", "/none/robot.urdf:1:1: XML: no element found"},
     {"NotXml", "solid\nfacet", "/none/robot.urdf:1:1: XML: syntax error"},

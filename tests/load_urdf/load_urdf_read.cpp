@@ -1,4 +1,5 @@
 // What load.urdf makes of correct files.
+#include "support/temporary_folder.hpp"
 #include "loading.hpp"
 
 #include <gmock/gmock.h>
@@ -83,11 +84,11 @@ TEST(LoadUrdf, ReadsJoints) {
 class LoadUrdfMeshes : public testing::Test {
 protected:
     void SetUp() override {
-        folder = std::filesystem::path(testing::TempDir()) / "foam load urdf";
+        folder = temporary.path() / "with a space";
         std::filesystem::create_directories(folder / "pkg" / "meshes");
         std::ofstream(folder / "pkg" / "meshes" / "a b.stl") << "solid";
     }
-    void TearDown() override { std::filesystem::remove_all(folder); }
+    const TemporaryFolder temporary;
     std::filesystem::path folder;
 };
 

@@ -1,4 +1,5 @@
 // The robots of others in FOAM_TEST_SHARED/robots.
+#include "support/shared_folder.hpp"
 #include "loading.hpp"
 
 #include <cstdlib>
@@ -15,6 +16,10 @@ struct Expected {
     const char* file;
     std::size_t links, joints, movable, meshes, spheres, cylinders, boxes, visuals;
 };
+
+void PrintTo(const Expected& value, std::ostream* stream) {
+    *stream << value.file;
+}
 
 const Expected robots[] = {
     {"baxter/example-robot-data/robots/baxter_description/baxter_foam.urdf", 57, 56, 14, 8, 2, 24, 10, 38},
@@ -33,8 +38,7 @@ const Expected robots[] = {
 class SharedRobot : public testing::TestWithParam<Expected> {
 protected:
     static fs::path folder() {
-        const char* shared = std::getenv("FOAM_SHARED");
-        return fs::path(shared ? shared : FOAM_TEST_SHARED) / "robots";
+        return shared_folder() / "robots";
     }
 };
 

@@ -1,4 +1,5 @@
 // Other people's meshes: every one gives sound spheres, however broken.
+#include "support/shared_folder.hpp"
 #include "fixture.hpp"
 
 #include <foam/error.hpp>
@@ -12,11 +13,6 @@ using namespace foam;
 using namespace foam::test;
 
 namespace {
-
-std::filesystem::path shared() {
-    const char* folder = std::getenv("FOAM_SHARED");
-    return folder != nullptr ? folder : FOAM_TEST_SHARED;
-}
 
 void spherize_all(const std::filesystem::path& folder, std::uintmax_t largest_file) {
     if (!std::filesystem::exists(folder)) {
@@ -67,16 +63,16 @@ void spherize_all(const std::filesystem::path& folder, std::uintmax_t largest_fi
 } // namespace
 
 TEST(SpherizeMedialCorpus, SyntheticMeshesWithDefects) {
-    spherize_all(shared() / "meshes" / "synthetic", 1 << 20);
+    spherize_all(shared_folder() / "meshes" / "synthetic", 1 << 20);
 }
 
 TEST(SpherizeMedialCorpus, RealMeshes) {
-    spherize_all(shared() / "meshes" / "real", 300 << 10);
+    spherize_all(shared_folder() / "meshes" / "real", 300 << 10);
 }
 
 TEST(SpherizeMedialCorpus, PandaWithinTheBudgetOfTheOriginal) {
     // Equal counts, two spheres a link: the original tool reaches 1.21 with 22 shared out freely.
-    const auto folder = shared() / "robots/panda/moveit_resources_panda_description/meshes/collision";
+    const auto folder = shared_folder() / "robots/panda/moveit_resources_panda_description/meshes/collision";
     if (!std::filesystem::exists(folder)) {
         GTEST_SKIP() << folder << " is not there";
     }
