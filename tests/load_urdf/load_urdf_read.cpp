@@ -1,6 +1,6 @@
 // What load.urdf makes of correct files.
-#include "support/temporary_folder.hpp"
 #include "loading.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 

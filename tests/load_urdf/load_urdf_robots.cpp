@@ -1,6 +1,6 @@
 // The robots of others in FOAM_TEST_SHARED/robots.
-#include "support/shared_folder.hpp"
 #include "loading.hpp"
+#include "support/shared_folder.hpp"
 
 #include <cstdlib>
 #include <fstream>
@@ -37,9 +37,7 @@ const Expected robots[] = {
 
 class SharedRobot : public testing::TestWithParam<Expected> {
 protected:
-    static fs::path folder() {
-        return shared_folder() / "robots";
-    }
+    static fs::path folder() { return shared_folder() / "robots"; }
 };
 
 std::size_t count(const Robot& robot, Primitive::Kind kind) {

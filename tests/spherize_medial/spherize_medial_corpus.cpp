@@ -1,6 +1,6 @@
 // Other people's meshes: every one gives sound spheres, however broken.
-#include "support/shared_folder.hpp"
 #include "fixture.hpp"
+#include "support/shared_folder.hpp"
 
 #include <foam/error.hpp>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <string>   // defines the library macros
+#include <string> // defines the library macros
 
 /// Raised whenever the layout or meaning of a public type changes. Reasons:
 ///  1  first release

@@ -8,14 +8,14 @@ namespace foam {
 
 /// What went wrong, coarse enough to decide the exit code; see exit_code().
 enum class ErrorCode {
-    usage,       ///< wrong command line or API call
-    recipe,      ///< the recipe is wrong; carries file:line:column in the message
-    plugin,      ///< a plugin cannot be loaded or broke its contract
-    input,       ///< a file cannot be read, or does not hold what it should
-    geometry,    ///< a stage cannot do its work on this geometry
-    output,      ///< a result cannot be written
-    internal,    ///< a check of our own failed: a bug in foam
-    cancelled,   ///< the user stopped the run
+    usage,     ///< wrong command line or API call
+    recipe,    ///< the recipe is wrong; carries file:line:column in the message
+    plugin,    ///< a plugin cannot be loaded or broke its contract
+    input,     ///< a file cannot be read, or does not hold what it should
+    geometry,  ///< a stage cannot do its work on this geometry
+    output,    ///< a result cannot be written
+    internal,  ///< a check of our own failed: a bug in foam
+    cancelled, ///< the user stopped the run
 };
 
 const char* to_string(ErrorCode code);

@@ -13,23 +13,23 @@ namespace foam {
 /// A mesh in a picture.
 struct FigureMesh {
     std::shared_ptr<const Mesh> mesh;
-    Pose pose;                 ///< from the mesh's frame to the panel's
-    bool translucent = false;  ///< drawn over the spheres, which stay visible
+    Pose pose;                ///< from the mesh's frame to the panel's
+    bool translucent = false; ///< drawn over the spheres, which stay visible
 };
 
 /// One view: meshes and spheres in one frame (z up), seen from a fixed direction, fitted to the panel.
 struct Panel {
-    std::string caption;       ///< below the view; may be empty
+    std::string caption; ///< below the view; may be empty
     std::vector<FigureMesh> meshes;
-    std::vector<Sphere> spheres;   ///< coloured by radius
+    std::vector<Sphere> spheres; ///< coloured by radius
 };
 
 /// A picture of one or more panels side by side, all at the same scale and from the same direction.
 struct Figure {
-    std::string title;         ///< may be empty
+    std::string title; ///< may be empty
     std::vector<Panel> panels;
-    int width = 1280, height = 960;   ///< pixels of the whole picture
-    bool colour_bar = true;    ///< a labelled bar of the radii, if there are spheres
+    int width = 1280, height = 960; ///< pixels of the whole picture
+    bool colour_bar = true;         ///< a labelled bar of the radii, if there are spheres
 };
 
 /// An encoded picture.

@@ -25,7 +25,8 @@ struct Mesh {
 Box bounds(const Mesh& mesh);
 /// Sum of the triangles' areas.
 double surface_area(const Mesh& mesh);
-/// Signed volume by the divergence theorem; the volume of the solid only if the mesh is closed and does not overlap itself.
+/// Signed volume by the divergence theorem; the volume of the solid only if the mesh is closed and does not overlap
+/// itself.
 double signed_volume(const Mesh& mesh);
 /// `mesh` with p ↦ pose · (scale ∘ p). A scale with an odd number of negative factors mirrors; the triangles are then
 /// flipped, so that the outside stays outside.
@@ -38,12 +39,12 @@ Mesh welded(const Mesh& mesh);
 
 /// Defects of a mesh's connectivity, counted on the mesh as it is indexed.
 struct Topology {
-    std::size_t boundary_edges = 0;         ///< edges of one triangle
-    std::size_t nonmanifold_edges = 0;      ///< edges of more than two triangles
-    std::size_t nonmanifold_vertices = 0;   ///< vertices whose triangles do not form one fan
-    std::size_t misoriented_edges = 0;      ///< edges that two triangles pass in the same direction
-    std::size_t degenerate_triangles = 0;   ///< triangles with a repeated corner or exactly zero area
-    std::size_t components = 0;             ///< parts connected over edges
+    std::size_t boundary_edges = 0;       ///< edges of one triangle
+    std::size_t nonmanifold_edges = 0;    ///< edges of more than two triangles
+    std::size_t nonmanifold_vertices = 0; ///< vertices whose triangles do not form one fan
+    std::size_t misoriented_edges = 0;    ///< edges that two triangles pass in the same direction
+    std::size_t degenerate_triangles = 0; ///< triangles with a repeated corner or exactly zero area
+    std::size_t components = 0;           ///< parts connected over edges
 
     bool closed() const { return boundary_edges == 0 && nonmanifold_edges == 0; }
     bool manifold() const { return nonmanifold_edges == 0 && nonmanifold_vertices == 0; }

@@ -23,10 +23,10 @@ struct SphereGroup {
 };
 
 struct SphereModel {
-    std::string name;   ///< of the recipe
+    std::string name; ///< of the recipe
     Guarantee guarantee = Guarantee::outer;
     std::shared_ptr<const Robot> robot;
-    std::vector<SphereGroup> groups;   ///< in the order of the robot's links
+    std::vector<SphereGroup> groups; ///< in the order of the robot's links
 };
 
 /// The spheres of one link, over all its groups.
@@ -36,8 +36,9 @@ struct LinkSpheres {
 };
 
 /// What a format without groups or trees holds of a model: its links in the order of their first groups. `level`: 0 the
-/// coarsest, 1 the next…; -1, or one that a tree does not reach, stands for the finest of that tree. Throws Error(output)
-/// for a group without spheres, and for a sphere that no reader would take: not finite, or of a radius not above 0.
+/// coarsest, 1 the next…; -1, or one that a tree does not reach, stands for the finest of that tree. Throws
+/// Error(output) for a group without spheres, and for a sphere that no reader would take: not finite, or of a radius
+/// not above 0.
 std::vector<LinkSpheres> spheres_by_link(const SphereModel& model, int level = -1);
 /// The same refusals for all levels, for writers of whole trees.
 void require_writable(const SphereModel& model);

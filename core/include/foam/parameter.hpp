@@ -21,12 +21,12 @@ struct Parameter {
     std::string name;
     Type type = Type::number;
     ParameterValue default_value = 0.0;
-    std::string unit_text;                 ///< "m", "1", "rad"; empty where there is none
-    std::optional<double> low, high;       ///< inclusive bounds of integer and number
-    std::vector<std::string> choices;      ///< of choice
-    std::string doc_text;                  ///< one sentence
-    std::string source_text;               ///< where the default comes from
-    bool affects_output = true;            ///< false: not part of the cache key (thread counts and the like)
+    std::string unit_text;            ///< "m", "1", "rad"; empty where there is none
+    std::optional<double> low, high;  ///< inclusive bounds of integer and number
+    std::vector<std::string> choices; ///< of choice
+    std::string doc_text;             ///< one sentence
+    std::string source_text;          ///< where the default comes from
+    bool affects_output = true;       ///< false: not part of the cache key (thread counts and the like)
 
     static Parameter boolean(std::string name, bool default_value);
     static Parameter integer(std::string name, std::int64_t default_value);
@@ -67,7 +67,7 @@ public:
     bool boolean(std::string_view name) const;
     std::int64_t integer(std::string_view name) const;
     double number(std::string_view name) const;
-    const std::string& text(std::string_view name) const;   ///< text and choice
+    const std::string& text(std::string_view name) const; ///< text and choice
     const std::map<std::string, ParameterValue, std::less<>>& values() const { return values_; }
 
 private:

@@ -6,9 +6,9 @@
 //         enrol.add<Mine>({.name = "spherize.mine", .summary = "…", .parameters = {…}});
 //     }
 //
-// The boundary: a C envelope with C++ inside, for an exact match of compiler library, ABI epoch and sanitizers. An ELF note
-// holds the fingerprint; it is read before dlopen, since opening a mismatched library can abort the process. Only plain data
-// and core's own classes cross.
+// The boundary: a C envelope with C++ inside, for an exact match of compiler library, ABI epoch and sanitizers. An ELF
+// note holds the fingerprint; it is read before dlopen, since opening a mismatched library can abort the process. Only
+// plain data and core's own classes cross.
 #pragma once
 
 #include <foam/abi.hpp>
@@ -30,8 +30,7 @@ public:
     virtual void add_stage(StageKind kind, StageInfo info, StageFactory factory) = 0;
 
     /// T is constructible from Parameters, or from nothing if it has none.
-    template <std::derived_from<Stage> T>
-    void add(StageInfo info) {
+    template <std::derived_from<Stage> T> void add(StageInfo info) {
         add_stage(T::kind, std::move(info), [](const Parameters& parameters) -> std::unique_ptr<Stage> {
             if constexpr (std::constructible_from<T, const Parameters&>) {
                 return std::make_unique<T>(parameters);

@@ -9,8 +9,8 @@ namespace foam {
 
 /// Where a reference leads, or where was looked.
 struct ResolvedResource {
-    std::filesystem::path path;                   ///< empty: not found
-    std::vector<std::filesystem::path> tried;     ///< in order; for the error message
+    std::filesystem::path path;               ///< empty: not found
+    std::vector<std::filesystem::path> tried; ///< in order; for the error message
     bool found() const { return !path.empty(); }
 };
 
@@ -32,11 +32,12 @@ public:
     }
 
     /// `reference`: `package://PKG/rest`, `model://PKG/rest`, `file:///path`, a relative or absolute path.
-    /// A package is looked for on the package path, then in `base` and its ancestors: as DIR/PKG/rest, and as DIR/rest when
-    /// DIR is called PKG or its package.xml names it so; last in the folders one and two levels below the package path
-    /// (DIR/*/PKG/rest), where catkin workspaces have them. Relative paths start at `base`. In URIs percent escapes are
-    /// decoded; a name that holds the escape literally is found too. `..` is left to the file system, and may lead out of a
-    /// package, as in ROS: a reference can name any file that the user can read. Only regular files are found.
+    /// A package is looked for on the package path, then in `base` and its ancestors: as DIR/PKG/rest, and as DIR/rest
+    /// when DIR is called PKG or its package.xml names it so; last in the folders one and two levels below the package
+    /// path (DIR/*/PKG/rest), where catkin workspaces have them. Relative paths start at `base`. In URIs percent
+    /// escapes are decoded; a name that holds the escape literally is found too. `..` is left to the file system, and
+    /// may lead out of a package, as in ROS: a reference can name any file that the user can read. Only regular files
+    /// are found.
     ResolvedResource resolve(const std::string& reference, const std::filesystem::path& base) const;
 
 private:

@@ -17,9 +17,9 @@ namespace foam {
 struct Primitive {
     enum class Kind { box, sphere, cylinder, capsule };
     Kind kind = Kind::sphere;
-    Vec3 size{};         ///< box: edge lengths
-    double radius = 0;   ///< sphere, cylinder, capsule
-    double length = 0;   ///< cylinder: height; capsule: height of the cylindrical part, without the caps
+    Vec3 size{};       ///< box: edge lengths
+    double radius = 0; ///< sphere, cylinder, capsule
+    double length = 0; ///< cylinder: height; capsule: height of the cylindrical part, without the caps
 
     bool operator==(const Primitive&) const = default;
 };
@@ -28,9 +28,9 @@ const char* to_string(Primitive::Kind kind);
 
 /// A mesh file that a URDF refers to.
 struct MeshReference {
-    std::string uri;                ///< as written
-    std::filesystem::path path;     ///< resolved
-    Vec3 scale{1, 1, 1};            ///< applied to the mesh before the origin
+    std::string uri;            ///< as written
+    std::filesystem::path path; ///< resolved
+    Vec3 scale{1, 1, 1};        ///< applied to the mesh before the origin
 };
 
 using Geometry = std::variant<Primitive, MeshReference>;
@@ -39,8 +39,8 @@ using Geometry = std::variant<Primitive, MeshReference>;
 struct GeometryElement {
     Pose origin;
     Geometry geometry;
-    std::string name;   ///< the element's name attribute, or empty
-    int line = 0;       ///< 1-based line of the element in the source text
+    std::string name; ///< the element's name attribute, or empty
+    int line = 0;     ///< 1-based line of the element in the source text
 };
 
 struct Link {
@@ -53,19 +53,19 @@ struct Joint {
     enum class Kind { fixed, revolute, continuous, prismatic, planar, floating };
     std::string name;
     Kind kind = Kind::fixed;
-    std::string parent, child;   ///< link names
+    std::string parent, child; ///< link names
     Pose origin;
-    Vec3 axis{1, 0, 0};   ///< unit, in the joint's frame
-    double lower = 0, upper = 0;   ///< rad or m; meaningful for revolute and prismatic
+    Vec3 axis{1, 0, 0};          ///< unit, in the joint's frame
+    double lower = 0, upper = 0; ///< rad or m; meaningful for revolute and prismatic
 };
 
 struct Robot {
     std::string name;
-    std::string root;               ///< name of the root link
-    std::vector<Link> links;        ///< in the order of the source
-    std::vector<Joint> joints;      ///< in the order of the source
-    std::filesystem::path file;     ///< where it was read from
-    std::string source;             ///< the XML text, unchanged: writers edit it and keep what they do not understand
+    std::string root;           ///< name of the root link
+    std::vector<Link> links;    ///< in the order of the source
+    std::vector<Joint> joints;  ///< in the order of the source
+    std::filesystem::path file; ///< where it was read from
+    std::string source;         ///< the XML text, unchanged: writers edit it and keep what they do not understand
 
     /// nullptr when there is none of that name.
     const Link* find_link(const std::string& link) const;
@@ -73,9 +73,9 @@ struct Robot {
 
 /// Joint values by name (rad or m); joints that are not named stay at zero, moved into their limits.
 using JointValues = std::map<std::string, double>;
-/// Pose of every link in the root link's frame, by link name. Links that the root does not reach are left out. Values that
-/// are given are used as they are; planar, floating and fixed joints stay at their origin. Throws Error(usage) for a value
-/// of a joint that the robot does not have.
+/// Pose of every link in the root link's frame, by link name. Links that the root does not reach are left out. Values
+/// that are given are used as they are; planar, floating and fixed joints stay at their origin. Throws Error(usage) for
+/// a value of a joint that the robot does not have.
 std::map<std::string, Pose> link_poses(const Robot& robot, const JointValues& values = {});
 
 /// A closed, outward oriented mesh that encloses the primitive (round parts circumscribed), in its own frame.

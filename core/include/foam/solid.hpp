@@ -16,26 +16,27 @@ namespace foam {
 /// A point on a surface.
 struct SurfacePoint {
     Vec3 point;
-    Vec3 normal;                  ///< unit, of the triangle; zero for a degenerate one
-    std::uint32_t triangle = 0;   ///< index into Solid::surface().triangles
+    Vec3 normal;                ///< unit, of the triangle; zero for a degenerate one
+    std::uint32_t triangle = 0; ///< index into Solid::surface().triangles
 };
 
-/// The union of closed parts (meshes, primitives) in one frame, metres. Immutable; every query is const and thread-safe.
-/// A mesh that is not closed counts as the set of points whose generalised winding number (Jacobson et al. 2013) is above
-/// one half; the surface belongs to the solid. Raw meshes are read as their authors must have meant them: inside-out meshes
-/// and bodies are turned, patches with mixed winding made consistent, doubled and double-sided faces counted once; a
-/// double-sided sheet has no inside. Shells of one winding unite, a shell wound inwards in another is a cavity.
+/// The union of closed parts (meshes, primitives) in one frame, metres. Immutable; every query is const and
+/// thread-safe. A mesh that is not closed counts as the set of points whose generalised winding number (Jacobson et al.
+/// 2013) is above one half; the surface belongs to the solid. Raw meshes are read as their authors must have meant
+/// them: inside-out meshes and bodies are turned, patches with mixed winding made consistent, doubled and double-sided
+/// faces counted once; a double-sided sheet has no inside. Shells of one winding unite, a shell wound inwards in
+/// another is a cavity.
 class Solid {
 public:
     /// A part: a mesh as is, or a primitive at a pose.
     struct Part {
-        std::shared_ptr<const Mesh> mesh;      ///< in the solid's frame; null for a primitive
+        std::shared_ptr<const Mesh> mesh; ///< in the solid's frame; null for a primitive
         std::optional<Primitive> primitive;
-        Pose pose;                             ///< of the primitive; ignored for a mesh
+        Pose pose; ///< of the primitive; ignored for a mesh
     };
 
-    /// Builds the acceleration structures: O(n log n) in the triangles. Throws Error(geometry) if there is no triangle at
-    /// all or a vertex is not finite.
+    /// Builds the acceleration structures: O(n log n) in the triangles. Throws Error(geometry) if there is no triangle
+    /// at all or a vertex is not finite.
     static std::shared_ptr<const Solid> make(std::vector<Part> parts);
     static std::shared_ptr<const Solid> make(Mesh mesh);
     ~Solid();
@@ -43,8 +44,8 @@ public:
     Solid& operator=(const Solid&) = delete;
 
     const std::vector<Part>& parts() const;
-    /// All triangles of all parts, in order, wound outwards where that can be told; primitives as meshes that enclose them.
-    /// Overlaps are not resolved, defects stay.
+    /// All triangles of all parts, in order, wound outwards where that can be told; primitives as meshes that enclose
+    /// them. Overlaps are not resolved, defects stay.
     const Mesh& surface() const;
     /// Index of the first triangle of each part in surface(), and one past the last: parts().size() + 1 values.
     std::span<const std::uint32_t> part_offsets() const;
@@ -61,8 +62,8 @@ public:
     SurfacePoint closest(const Vec3& point) const;
     /// Inside or on the surface.
     bool contains(const Vec3& point) const;
-    /// Distance to the surface, negative inside. Primitives are exact. Inside a union it is the depth in the part that holds the
-    /// point deepest: never more than the distance to the union's surface.
+    /// Distance to the surface, negative inside. Primitives are exact. Inside a union it is the depth in the part that
+    /// holds the point deepest: never more than the distance to the union's surface.
     double signed_distance(const Vec3& point) const;
     /// `count` points uniform by area (stratified over the triangles), the same for the same seed.
     std::vector<SurfacePoint> sample_surface(std::size_t count, std::uint64_t seed) const;
@@ -70,8 +71,8 @@ public:
     struct Interval {
         double enter, leave;
     };
-    /// The parts of the line origin + t · direction inside the solid, ascending and disjoint; direction need not be unit.
-    /// Precondition: closed().
+    /// The parts of the line origin + t · direction inside the solid, ascending and disjoint; direction need not be
+    /// unit. Precondition: closed().
     std::vector<Interval> inside_along(const Vec3& origin, const Vec3& direction) const;
 
 private:
@@ -83,8 +84,8 @@ private:
 /// What a spherizer gets: the geometry of a link (or of one collision element), in the link's frame.
 class Shape {
 public:
-    /// `processed`: what the mesh filters made, closed where they promise so. `original`: the geometry as the URDF gives
-    /// it, which the spheres must cover.
+    /// `processed`: what the mesh filters made, closed where they promise so. `original`: the geometry as the URDF
+    /// gives it, which the spheres must cover.
     Shape(std::string name, std::shared_ptr<const Solid> processed, std::shared_ptr<const Solid> original);
     ~Shape();
     Shape(const Shape&);

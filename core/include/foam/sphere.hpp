@@ -19,9 +19,9 @@ struct Sphere {
 
 /// What is promised of the spheres U of a solid S.
 enum class Guarantee {
-    outer,    ///< S ⊂ U, proved: nothing of the geometry sticks out
-    inner,    ///< U ⊂ S: no free space is claimed
-    fitted,   ///< neither; the measures say how far off
+    outer,  ///< S ⊂ U, proved: nothing of the geometry sticks out
+    inner,  ///< U ⊂ S: no free space is claimed
+    fitted, ///< neither; the measures say how far off
 };
 
 /// Spheres in levels from coarse to fine. Level 0 is one bounding sphere; every level stands for the whole solid.

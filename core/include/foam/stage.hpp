@@ -40,8 +40,9 @@ class MeshLoader : public Stage {
 public:
     static constexpr StageKind kind = StageKind::mesh_loader;
     ~MeshLoader() override;
-    /// The mesh in metres where the format knows units, otherwise in file units; node transforms applied; up-axis ignored, as
-    /// ROS does. Vertices finite, indices in range, at least one triangle. Throws Error(input) naming file, place and reason.
+    /// The mesh in metres where the format knows units, otherwise in file units; node transforms applied; up-axis
+    /// ignored, as ROS does. Vertices finite, indices in range, at least one triangle. Throws Error(input) naming file,
+    /// place and reason.
     virtual Mesh load(const std::filesystem::path& file, Context& context) const = 0;
 };
 
@@ -50,8 +51,9 @@ class RobotLoader : public Stage {
 public:
     static constexpr StageKind kind = StageKind::robot_loader;
     ~RobotLoader() override;
-    /// `text`: the contents of `file` (which need not exist: relative references start at its folder). All mesh references of
-    /// collision elements are resolved; throws Error(input) with file:line for what cannot be read or found.
+    /// `text`: the contents of `file` (which need not exist: relative references start at its folder). All mesh
+    /// references of collision elements are resolved; throws Error(input) with file:line for what cannot be read or
+    /// found.
     virtual Robot load(const std::string& text, const std::filesystem::path& file, const ResourceResolver& resources,
                        Context& context) const = 0;
 };
@@ -66,8 +68,8 @@ public:
 
 /// How many spheres, and for what.
 struct Budget {
-    std::optional<std::size_t> max_spheres;      ///< at least 1; absent: the stage's own parameters rule
-    std::optional<double> max_protrusion;        ///< m; wanted, as far as max_spheres allows
+    std::optional<std::size_t> max_spheres; ///< at least 1; absent: the stage's own parameters rule
+    std::optional<double> max_protrusion;   ///< m; wanted, as far as max_spheres allows
     Guarantee guarantee = Guarantee::outer;
 };
 
@@ -76,12 +78,13 @@ class Spherizer : public Stage {
 public:
     static constexpr StageKind kind = StageKind::spherizer;
     ~Spherizer() override;
-    /// Spheres that stand for the shape; at least one, at most budget.max_spheres in the finest level. They should cover
-    /// shape.original() when the guarantee is outer; the runtime proves it and grows what falls short.
+    /// Spheres that stand for the shape; at least one, at most budget.max_spheres in the finest level. They should
+    /// cover shape.original() when the guarantee is outer; the runtime proves it and grows what falls short.
     virtual SphereTree spherize(const Shape& shape, const Budget& budget, Context& context) const = 0;
     /// The same for several budgets, one tree each. Override it where work can be shared; the default calls spherize().
     /// Must give what spherize() gives.
-    virtual std::vector<SphereTree> spherize_each(const Shape& shape, std::span<const Budget> budgets, Context& context) const;
+    virtual std::vector<SphereTree> spherize_each(const Shape& shape, std::span<const Budget> budgets,
+                                                  Context& context) const;
 };
 
 /// Figure → picture.
@@ -99,17 +102,17 @@ public:
     ~Writer() override;
     /// The bytes of the file. Equal models give equal bytes.
     virtual std::string write(const SphereModel& model, Context& context) const = 0;
-    /// The spheres (finest level) by link, read back from such bytes, exactly as another program would read them. The runtime
-    /// proves cover on these. Throws Error(output) if the bytes cannot be read.
+    /// The spheres (finest level) by link, read back from such bytes, exactly as another program would read them. The
+    /// runtime proves cover on these. Throws Error(output) if the bytes cannot be read.
     virtual std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const = 0;
 };
 
 /// What a plugin says of a stage.
 struct StageInfo {
-    std::string name{};                   ///< "kind.method", e.g. "repair.watertight"
-    std::string summary{};                ///< one sentence
-    std::string reference{};              ///< the paper or document the method follows; may be empty
-    int revision = 1;                     ///< raise it when the same input gives another output: old cache entries are then left
+    std::string name{};      ///< "kind.method", e.g. "repair.watertight"
+    std::string summary{};   ///< one sentence
+    std::string reference{}; ///< the paper or document the method follows; may be empty
+    int revision = 1;        ///< raise it when the same input gives another output: old cache entries are then left
     std::vector<Parameter> parameters{};
     std::vector<std::string> extensions{}; ///< loaders and writers: file name endings, lower case, no dot
 };

@@ -8,14 +8,22 @@ Error::~Error() = default;
 
 const char* to_string(ErrorCode code) {
     switch (code) {
-    case ErrorCode::usage: return "usage";
-    case ErrorCode::recipe: return "recipe";
-    case ErrorCode::plugin: return "plugin";
-    case ErrorCode::input: return "input";
-    case ErrorCode::geometry: return "geometry";
-    case ErrorCode::output: return "output";
-    case ErrorCode::internal: return "internal";
-    case ErrorCode::cancelled: return "cancelled";
+    case ErrorCode::usage:
+        return "usage";
+    case ErrorCode::recipe:
+        return "recipe";
+    case ErrorCode::plugin:
+        return "plugin";
+    case ErrorCode::input:
+        return "input";
+    case ErrorCode::geometry:
+        return "geometry";
+    case ErrorCode::output:
+        return "output";
+    case ErrorCode::internal:
+        return "internal";
+    case ErrorCode::cancelled:
+        return "cancelled";
     }
     return "internal";
 }
@@ -23,13 +31,17 @@ const char* to_string(ErrorCode code) {
 int exit_code(ErrorCode code) {
     switch (code) {
     case ErrorCode::usage:
-    case ErrorCode::recipe: return 2;
-    case ErrorCode::plugin: return 3;
-    case ErrorCode::cancelled: return 130;
+    case ErrorCode::recipe:
+        return 2;
+    case ErrorCode::plugin:
+        return 3;
+    case ErrorCode::cancelled:
+        return 130;
     case ErrorCode::input:
     case ErrorCode::geometry:
     case ErrorCode::output:
-    case ErrorCode::internal: break;
+    case ErrorCode::internal:
+        break;
     }
     return 1;
 }

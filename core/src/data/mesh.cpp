@@ -64,7 +64,7 @@ Mesh welded(const Mesh& mesh) {
         Triangle t{};
         for (std::size_t k = 0; k < 3; ++k) {
             Vec3 v = mesh.vertices[triangle[k]];
-            v = {v.x + 0.0, v.y + 0.0, v.z + 0.0};   // -0 becomes 0
+            v = {v.x + 0.0, v.y + 0.0, v.z + 0.0}; // -0 becomes 0
             t[k] = index_of.try_emplace(v, static_cast<std::uint32_t>(index_of.size())).first->second;
         }
         if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) {

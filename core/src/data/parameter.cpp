@@ -71,11 +71,16 @@ Parameter&& Parameter::no_effect_on_output() && {
 
 const char* to_string(Parameter::Type type) {
     switch (type) {
-    case Parameter::Type::boolean: return "boolean";
-    case Parameter::Type::integer: return "integer";
-    case Parameter::Type::number: return "number";
-    case Parameter::Type::text: return "text";
-    case Parameter::Type::choice: return "choice";
+    case Parameter::Type::boolean:
+        return "boolean";
+    case Parameter::Type::integer:
+        return "integer";
+    case Parameter::Type::number:
+        return "number";
+    case Parameter::Type::text:
+        return "text";
+    case Parameter::Type::choice:
+        return "choice";
     }
     return "";
 }
@@ -95,11 +100,15 @@ std::string to_text(const ParameterValue& value) {
 
 std::string expectation(const Parameter& p) {
     switch (p.type) {
-    case Parameter::Type::boolean: return "true or false";
-    case Parameter::Type::text: return "text";
-    case Parameter::Type::choice: return fmt::format("one of {}", fmt::join(p.choices, ", "));
+    case Parameter::Type::boolean:
+        return "true or false";
+    case Parameter::Type::text:
+        return "text";
+    case Parameter::Type::choice:
+        return fmt::format("one of {}", fmt::join(p.choices, ", "));
     case Parameter::Type::integer:
-    case Parameter::Type::number: break;
+    case Parameter::Type::number:
+        break;
     }
     const auto bound = [](double value) {
         const bool whole = std::abs(value) < 1e15 && std::floor(value) == value;
@@ -119,12 +128,16 @@ std::string expectation(const Parameter& p) {
 std::string why_invalid(const Parameter& p, const ParameterValue& value) {
     const std::string* text = std::get_if<std::string>(&value);
     const auto in_bounds = [&](double number) {
-        return number >= p.low.value_or(number) && number <= p.high.value_or(number);   // false for NaN
+        return number >= p.low.value_or(number) && number <= p.high.value_or(number); // false for NaN
     };
     bool valid = false;
     switch (p.type) {
-    case Parameter::Type::boolean: valid = std::holds_alternative<bool>(value); break;
-    case Parameter::Type::text: valid = text != nullptr; break;
+    case Parameter::Type::boolean:
+        valid = std::holds_alternative<bool>(value);
+        break;
+    case Parameter::Type::text:
+        valid = text != nullptr;
+        break;
     case Parameter::Type::choice:
         valid = text && std::find(p.choices.begin(), p.choices.end(), *text) != p.choices.end();
         break;
@@ -156,7 +169,8 @@ Parameters::Parameters(const std::vector<Parameter>& declared, const std::map<st
         values_[p.name] = p.default_value;
     }
     for (const auto& [name, value] : given) {
-        const auto it = std::find_if(declared.begin(), declared.end(), [&](const Parameter& p) { return p.name == name; });
+        const auto it =
+            std::find_if(declared.begin(), declared.end(), [&](const Parameter& p) { return p.name == name; });
         if (it == declared.end()) {
             throw Error(ErrorCode::usage, fmt::format("unknown parameter '{}'", name));
         }
@@ -164,14 +178,16 @@ Parameters::Parameters(const std::vector<Parameter>& declared, const std::map<st
             throw Error(ErrorCode::usage, fmt::format("parameter '{}' {}", name, why));
         }
         const std::int64_t* whole = std::get_if<std::int64_t>(&value);
-        values_[name] = it->type == Parameter::Type::number && whole ? ParameterValue(static_cast<double>(*whole)) : value;
+        values_[name] =
+            it->type == Parameter::Type::number && whole ? ParameterValue(static_cast<double>(*whole)) : value;
     }
 }
 
 const ParameterValue& Parameters::at(std::string_view name) const {
     const auto it = values_.find(name);
     if (it == values_.end()) {
-        throw Error(ErrorCode::internal, fmt::format("the stage asks for parameter '{}', which it did not declare", name));
+        throw Error(ErrorCode::internal,
+                    fmt::format("the stage asks for parameter '{}', which it did not declare", name));
     }
     return it->second;
 }
@@ -181,8 +197,8 @@ template <class T> const T& as(const ParameterValue& value, std::string_view nam
     if (const T* result = std::get_if<T>(&value)) {
         return *result;
     }
-    throw Error(ErrorCode::internal,
-                fmt::format("the stage asks for parameter '{}' as {}, but declared it as {}", name, wanted, kind_of(value)));
+    throw Error(ErrorCode::internal, fmt::format("the stage asks for parameter '{}' as {}, but declared it as {}", name,
+                                                 wanted, kind_of(value)));
 }
 } // namespace
 

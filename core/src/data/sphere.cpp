@@ -6,8 +6,8 @@
 namespace foam {
 namespace {
 
-/// Smallest enclosing ball after Welzl 1991 with the move-to-front and pivoting of Gärtner 1999 ("Fast and robust smallest
-/// enclosing balls"): the ball through up to four support points is built up one point at a time.
+/// Smallest enclosing ball after Welzl 1991 with the move-to-front and pivoting of Gärtner 1999 ("Fast and robust
+/// smallest enclosing balls"): the ball through up to four support points is built up one point at a time.
 class EnclosingBall {
 public:
     explicit EnclosingBall(const std::vector<Vec3>& points) : points_(points.begin(), points.end()) {}

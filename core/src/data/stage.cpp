@@ -1,4 +1,5 @@
-// Out-of-line destructors and defaults of the classes that plugins derive from: their type information lives in core alone.
+// Out-of-line destructors and defaults of the classes that plugins derive from: their type information lives in core
+// alone.
 #include <foam/plugin.hpp>
 #include <foam/stage.hpp>
 
@@ -27,12 +28,18 @@ std::vector<SphereTree> Spherizer::spherize_each(const Shape& shape, std::span<c
 
 const char* to_string(StageKind kind) {
     switch (kind) {
-    case StageKind::mesh_loader: return "mesh loader";
-    case StageKind::robot_loader: return "robot loader";
-    case StageKind::mesh_filter: return "mesh filter";
-    case StageKind::spherizer: return "spherizer";
-    case StageKind::renderer: return "renderer";
-    case StageKind::writer: return "writer";
+    case StageKind::mesh_loader:
+        return "mesh loader";
+    case StageKind::robot_loader:
+        return "robot loader";
+    case StageKind::mesh_filter:
+        return "mesh filter";
+    case StageKind::spherizer:
+        return "spherizer";
+    case StageKind::renderer:
+        return "renderer";
+    case StageKind::writer:
+        return "writer";
     }
     return "stage";
 }

@@ -10,7 +10,7 @@ namespace {
 /// A triangle's side as seen from it.
 struct HalfEdge {
     std::uint32_t low, high, triangle;
-    bool forward;   // from low to high
+    bool forward; // from low to high
 };
 
 /// Disjoint sets with path halving.
@@ -62,8 +62,8 @@ std::vector<HalfEdge> sorted_half_edges(const Mesh& mesh) {
     return edges;
 }
 
-/// A corner's number: 3 · triangle + its place. The corners at a vertex form one fan exactly if they are connected over the
-/// edges they share.
+/// A corner's number: 3 · triangle + its place. The corners at a vertex form one fan exactly if they are connected over
+/// the edges they share.
 std::uint32_t corner_at(const Mesh& mesh, std::uint32_t triangle, std::uint32_t vertex) {
     const Triangle& t = mesh.triangles[triangle];
     return 3 * triangle + (t[0] == vertex ? 0u : t[1] == vertex ? 1u : 2u);
@@ -83,7 +83,8 @@ Topology topology(const Mesh& mesh) {
             forward += edges[end].forward;
             parts.unite(edges[begin].triangle, edges[end].triangle);
             for (const std::uint32_t vertex : {edges[begin].low, edges[begin].high}) {
-                fans.unite(corner_at(mesh, edges[begin].triangle, vertex), corner_at(mesh, edges[end].triangle, vertex));
+                fans.unite(corner_at(mesh, edges[begin].triangle, vertex),
+                           corner_at(mesh, edges[end].triangle, vertex));
             }
             ++end;
         }

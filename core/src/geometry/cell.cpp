@@ -272,7 +272,8 @@ Sphere Cell::ball() const {
         all.insert(all.end(), corners.begin(), corners.end());
         ball = smallest_ball(all);
     }
-    // Where two balls only just meet on a cut, a proof by subdivision would have to cut very finely: a hair of overlap helps.
+    // Where two balls only just meet on a cut, a proof by subdivision would have to cut very finely: a hair of overlap
+    // helps.
     constexpr double overlap = 1e-5;
     const double least = std::max(1e-9 * solid_->bounds().diagonal(), 1e-300);
     return {to_solid(ball.center), std::max(ball.radius * (1 + overlap), least)};

@@ -73,7 +73,8 @@ double Journal::seconds() const {
 
 double Journal::done_share(double running) {
     if (expected_ > 0) {
-        shown_ = std::max(shown_, std::min(1.0, (static_cast<double>(done_) + running) / static_cast<double>(expected_)));
+        shown_ =
+            std::max(shown_, std::min(1.0, (static_cast<double>(done_) + running) / static_cast<double>(expected_)));
     }
     return shown_;
 }

@@ -38,7 +38,7 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     mutable std::mutex mutex_;
     std::size_t expected_ = 0, done_ = 0;
-    double shown_ = 0;   ///< the share never goes back when more tasks turn up
+    double shown_ = 0; ///< the share never goes back when more tasks turn up
     std::vector<Finding> findings_;
     std::string events_;
 };

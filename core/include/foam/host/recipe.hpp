@@ -1,5 +1,5 @@
-// Recipes: what to run on what, read from YAML, every value with the place it came from, checked whole before any data is
-// touched.
+// Recipes: what to run on what, read from YAML, every value with the place it came from, checked whole before any data
+// is touched.
 #pragma once
 
 #include <foam/host/registry.hpp>
@@ -20,7 +20,7 @@ namespace foam {
 struct Location {
     std::string file;
     int line = 0, column = 0;
-    std::string text() const;   ///< "file:line:column"
+    std::string text() const; ///< "file:line:column"
 };
 
 /// A finding in a recipe.
@@ -28,15 +28,15 @@ struct Diagnostic {
     enum class Level { warning, error };
     Level level = Level::error;
     Location where;
-    std::string code;      ///< stable word: "unknown-key", "wrong-type", "out-of-bounds", …
+    std::string code; ///< stable word: "unknown-key", "wrong-type", "out-of-bounds", …
     std::string message;
-    std::string text() const;   ///< "file:line:column: error[code]: message"
+    std::string text() const; ///< "file:line:column: error[code]: message"
 };
 
 /// One stage of a recipe with checked parameters.
 struct StageCall {
     std::string stage;
-    std::map<std::string, ParameterValue> given;   ///< as in the recipe; the defaults are the stage's own
+    std::map<std::string, ParameterValue> given; ///< as in the recipe; the defaults are the stage's own
     Location where;
 };
 
@@ -44,42 +44,42 @@ struct StageCall {
 struct LinkOverride {
     std::string glob;
     std::optional<bool> skip;
-    std::vector<StageCall> stages;                 ///< merged into the chain's stages of the same name
+    std::vector<StageCall> stages; ///< merged into the chain's stages of the same name
     std::optional<std::size_t> min_spheres, max_spheres;
     Location where;
 };
 
 struct OutputCall {
     StageCall writer;
-    std::string file;       ///< relative to the run directory
+    std::string file; ///< relative to the run directory
 };
 
 enum class OnError { stop, skip, fallback };
 
 /// A checked recipe. What is optional and absent has the value that the documentation states.
 struct Recipe {
-    std::filesystem::path file;                    ///< empty for a recipe made in memory
-    std::string source;                            ///< its text
+    std::filesystem::path file; ///< empty for a recipe made in memory
+    std::string source;         ///< its text
     std::string name;
     std::uint64_t seed = 0;
     /// Candidates, the first that resolves is taken. Either robots (URDF) or single meshes.
     std::vector<std::string> urdf;
     std::vector<std::string> mesh;
     Location input_where;
-    std::vector<std::string> package_path;         ///< searched before the environment; relative to the recipe
-    std::vector<std::string> plugins;              ///< files to load; relative to the recipe
-    std::vector<StageCall> filters;                ///< mesh filters in order
+    std::vector<std::string> package_path; ///< searched before the environment; relative to the recipe
+    std::vector<std::string> plugins;      ///< files to load; relative to the recipe
+    std::vector<StageCall> filters;        ///< mesh filters in order
     StageCall spherizer;
-    bool per_link = true;                          ///< false: spherize every collision element on its own
-    std::optional<std::size_t> budget_spheres;     ///< over the whole robot
-    std::optional<double> budget_max_protrusion;   ///< m
+    bool per_link = true;                        ///< false: spherize every collision element on its own
+    std::optional<std::size_t> budget_spheres;   ///< over the whole robot
+    std::optional<double> budget_max_protrusion; ///< m
     Guarantee guarantee = Guarantee::outer;
     std::vector<LinkOverride> links;
     std::vector<OutputCall> outputs;
     bool snapshots = false;
     std::array<int, 2> snapshot_size{1280, 960};
-    StageCall renderer;                            ///< stage empty: snapshot.osmesa
-    JointValues pose;                              ///< of the robot's snapshot
+    StageCall renderer; ///< stage empty: snapshot.osmesa
+    JointValues pose;   ///< of the robot's snapshot
     bool debug_meshes = false, debug_snapshots = false;
     OnError on_error = OnError::stop;
 
@@ -94,8 +94,8 @@ struct Recipe {
     LinkRecipe for_link(const std::string& link) const;
 };
 
-/// What came of reading a recipe: `recipes` holds one entry, or one for each point of its sweep, and is only to be used if
-/// there is no error among the findings.
+/// What came of reading a recipe: `recipes` holds one entry, or one for each point of its sweep, and is only to be used
+/// if there is no error among the findings.
 struct RecipeResult {
     std::vector<Recipe> recipes;
     std::vector<Diagnostic> diagnostics;
@@ -105,14 +105,15 @@ struct RecipeResult {
 /// `--set key.path=value`.
 using Setting = std::pair<std::string, std::string>;
 
-/// Reads and checks a recipe. Never throws for what is wrong with the text: all findings come back at once. Plugins that the
-/// recipe names are loaded into the registry first.
-RecipeResult read_recipe(const std::filesystem::path& file, Registry& registry, const std::vector<Setting>& settings = {});
+/// Reads and checks a recipe. Never throws for what is wrong with the text: all findings come back at once. Plugins
+/// that the recipe names are loaded into the registry first.
+RecipeResult read_recipe(const std::filesystem::path& file, Registry& registry,
+                         const std::vector<Setting>& settings = {});
 RecipeResult parse_recipe(const std::string& text, const std::filesystem::path& file, Registry& registry,
                           const std::vector<Setting>& settings = {});
 
-/// The recipe as YAML with every default written out; parse_recipe() of it gives an equal recipe. References to files are
-/// kept as they are, those relative to the recipe's folder are made absolute if `absolute_paths`.
+/// The recipe as YAML with every default written out; parse_recipe() of it gives an equal recipe. References to files
+/// are kept as they are, those relative to the recipe's folder are made absolute if `absolute_paths`.
 std::string to_yaml(const Recipe& recipe, const Registry& registry, bool absolute_paths = false);
 
 /// JSON Schema (draft 2020-12) of recipes, with the parameters of all registered stages.

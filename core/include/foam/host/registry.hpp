@@ -15,9 +15,9 @@ namespace foam {
 /// A plugin file that was looked at, loaded or not.
 struct PluginRecord {
     std::filesystem::path file;
-    std::string name, version, license;   ///< empty if it never came to that
+    std::string name, version, license; ///< empty if it never came to that
     std::vector<std::string> stages;
-    std::string rejection;                ///< empty if loaded; else why not, and what to do
+    std::string rejection; ///< empty if loaded; else why not, and what to do
     bool loaded() const { return rejection.empty(); }
 };
 
@@ -36,8 +36,8 @@ public:
     Registry(const Registry&) = delete;
     Registry& operator=(const Registry&) = delete;
 
-    /// Loads one plugin: all its stages or none. Never throws for a bad plugin: the record says why. A file loaded already
-    /// is not loaded twice. The record stays valid until the next load.
+    /// Loads one plugin: all its stages or none. Never throws for a bad plugin: the record says why. A file loaded
+    /// already is not loaded twice. The record stays valid until the next load.
     const PluginRecord& load(const std::filesystem::path& file);
     /// Loads every *.so of a folder, in the order of their names; a folder that does not exist is skipped.
     void load_directory(const std::filesystem::path& directory);
@@ -54,7 +54,8 @@ public:
 
     /// A stage object of type T. Throws Error(usage) for an unknown name, another kind or bad parameters.
     template <std::derived_from<Stage> T>
-    std::unique_ptr<T> make(std::string_view stage, const std::map<std::string, ParameterValue>& parameters = {}) const {
+    std::unique_ptr<T> make(std::string_view stage,
+                            const std::map<std::string, ParameterValue>& parameters = {}) const {
         return std::unique_ptr<T>(static_cast<T*>(make_stage(stage, T::kind, parameters).release()));
     }
 
@@ -67,8 +68,8 @@ private:
     std::map<std::string, RegisteredStage, std::less<>> stages_;
 };
 
-/// Where plugins are looked for, in order: `extra`, FOAM_PLUGIN_PATH, the folder that belongs to this installation. Never
-/// the current directory.
+/// Where plugins are looked for, in order: `extra`, FOAM_PLUGIN_PATH, the folder that belongs to this installation.
+/// Never the current directory.
 std::vector<std::filesystem::path> plugin_directories(const std::vector<std::filesystem::path>& extra = {});
 
 /// The smallest number of insertions, deletions, substitutions and swaps of neighbours between two words.

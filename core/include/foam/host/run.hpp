@@ -16,14 +16,14 @@ namespace foam {
 struct Event {
     enum class Kind { run_started, task_started, task_finished, progress, finding, run_finished };
     Kind kind = Kind::progress;
-    std::string link;       ///< empty: the whole run
+    std::string link; ///< empty: the whole run
     std::string stage;
-    double seconds = 0;     ///< since the start of the run
-    double duration = 0;    ///< task_finished: seconds the task took
-    bool cached = false;    ///< task_finished: taken from the cache
-    double done = 0;        ///< share of the whole run that is done, 0 to 1
+    double seconds = 0;  ///< since the start of the run
+    double duration = 0; ///< task_finished: seconds the task took
+    bool cached = false; ///< task_finished: taken from the cache
+    double done = 0;     ///< share of the whole run that is done, 0 to 1
     Severity severity = Severity::info;
-    std::string message;    ///< finding
+    std::string message; ///< finding
 };
 
 class Observer {
@@ -33,12 +33,12 @@ public:
 };
 
 struct RunOptions {
-    std::filesystem::path out;              ///< run directory; empty: nothing is written, the model is only returned
-    bool fresh = false;                     ///< neither read nor write the cache
-    std::size_t threads = 0;                ///< 0: all cores
+    std::filesystem::path out; ///< run directory; empty: nothing is written, the model is only returned
+    bool fresh = false;        ///< neither read nor write the cache
+    std::size_t threads = 0;   ///< 0: all cores
     const std::atomic<bool>* cancel = nullptr;
     Observer* observer = nullptr;
-    std::filesystem::path cache;            ///< empty: $XDG_CACHE_HOME/foam or ~/.cache/foam
+    std::filesystem::path cache; ///< empty: $XDG_CACHE_HOME/foam or ~/.cache/foam
 };
 
 /// A message of a stage about a link.
@@ -62,31 +62,32 @@ struct StageReport {
 struct LinkReport {
     std::string link;
     std::vector<StageReport> stages;
-    double growth = 0;                      ///< m; largest growth of a radius that cover took
+    double growth = 0; ///< m; largest growth of a radius that cover took
     Measures measures;
-    bool skipped = false;                   ///< by the recipe
-    std::string error;                      ///< why it was lost; empty if it was not
+    bool skipped = false; ///< by the recipe
+    std::string error;    ///< why it was lost; empty if it was not
 };
 
 struct RunResult {
     SphereModel model;
-    std::string input;                      ///< the candidate that was taken, as written
+    std::string input; ///< the candidate that was taken, as written
     std::filesystem::path input_file;
     std::vector<LinkReport> links;
     std::vector<Finding> findings;
-    std::vector<std::filesystem::path> files;   ///< written, relative to the run directory
+    std::vector<std::filesystem::path> files; ///< written, relative to the run directory
     Measures total;
-    bool certified = false;                 ///< proved on what was read back from every written file
-    double seconds = 0;                     ///< wall
+    bool certified = false; ///< proved on what was read back from every written file
+    double seconds = 0;     ///< wall
     double cpu_seconds = 0;
-    bool links_lost = false;                ///< done, but links were skipped after errors: exit code 4
+    bool links_lost = false; ///< done, but links were skipped after errors: exit code 4
 };
 
-/// Runs it. Throws Error naming stage, link and input; on an exception or cancellation the run directory is as it was before.
+/// Runs it. Throws Error naming stage, link and input; on an exception or cancellation the run directory is as it was
+/// before.
 RunResult run(const Recipe& recipe, const Registry& registry, const RunOptions& options = {});
 
-/// What a run would work on: the input that resolves, without reading meshes. Throws Error(input) if none does, naming all
-/// places that were tried.
+/// What a run would work on: the input that resolves, without reading meshes. Throws Error(input) if none does, naming
+/// all places that were tried.
 ResolvedResource resolve_input(const Recipe& recipe, std::string* chosen = nullptr);
 
 } // namespace foam

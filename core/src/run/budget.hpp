@@ -1,0 +1,15 @@
+// How many spheres each group gets.
+#pragma once
+
+#include "shapes.hpp"
+
+#include <vector>
+
+namespace foam {
+
+/// The count of every group (0 for those with an error), by the recipe's budget; ShapeWork::trees then holds a tree of
+/// that count. Throws Error(recipe) for a budget below the least that the groups need.
+std::vector<std::size_t> choose_counts(const Workspace& workspace, std::vector<ShapeWork>& shapes,
+                                       const std::vector<Group>& groups);
+
+} // namespace foam

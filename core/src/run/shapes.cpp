@@ -1,0 +1,174 @@
+#include "shapes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace foam {
+
+static Solid::Part part_of(const Element& element, const Pose& pose, bool processed) {
+    Solid::Part part;
+    if (const Primitive* primitive = element.primitive()) {
+        part.primitive = *primitive;
+        part.pose = pose;
+    } else {
+        part.mesh = std::make_shared<const Mesh>(transformed(processed ? *element.processed() : *element.raw, pose));
+    }
+    return part;
+}
+
+std::vector<Group> make_groups(const Workspace& workspace, const std::vector<LinkWork>& links) {
+    std::vector<Group> groups;
+    for (std::size_t l = 0; l < links.size(); ++l) {
+        if (links[l].recipe.skip || links[l].error) {
+            continue;
+        }
+        for (std::size_t e = 0; e < links[l].elements.size(); ++e) {
+            if (e == 0 || !workspace.recipe.per_link) {
+                Group& group = groups.emplace_back();
+                group.link = l;
+                group.frame = links[l].elements[e].source->origin;
+            }
+            groups.back().elements.push_back(e);
+        }
+    }
+    return groups;
+}
+
+/// Pose of an element in its group's frame; exactly the identity for the first.
+static Pose relative_pose(const Group& group, const LinkWork& link, std::size_t element) {
+    return element == group.elements.front() ? Pose{} : group.frame.inverse() * link.elements[element].source->origin;
+}
+
+std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::vector<LinkWork>& links,
+                                       std::vector<Group>& groups) {
+    std::map<Digest, std::size_t> known;
+    std::vector<ShapeWork> shapes;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        const LinkWork& link = links[groups[g].link];
+        Hasher hasher;
+        hasher.add(link.recipe.spherizer, workspace.registry).add(static_cast<std::uint64_t>(link.recipe.min_spheres));
+        hasher.add(static_cast<std::uint64_t>(link.recipe.max_spheres.value_or(0)));
+        for (const std::size_t e : groups[g].elements) {
+            hasher.add(link.elements[e].digest).add(relative_pose(groups[g], link, e));
+        }
+        const Digest digest = hasher.finish();
+        const auto [it, fresh] = known.try_emplace(digest, shapes.size());
+        if (fresh) {
+            ShapeWork& work = shapes.emplace_back();
+            work.spherizer = link.recipe.spherizer;
+            work.digest = digest;
+            work.link = link.link->name;
+            work.input = link.elements[groups[g].elements.front()].geometry;
+            work.report.stage = work.spherizer.stage;
+            work.least = std::max<std::size_t>(1, link.recipe.min_spheres);
+            work.most = std::max(work.least, link.recipe.max_spheres.value_or(SIZE_MAX));
+        }
+        groups[g].shape = it->second;
+        shapes[it->second].groups.push_back(g);
+    }
+    return shapes;
+}
+
+void build_shape(const std::vector<LinkWork>& links, const std::vector<Group>& groups, ShapeWork& work) {
+    const Group& group = groups[work.groups.front()];
+    const LinkWork& link = links[group.link];
+    std::vector<Solid::Part> original, processed;
+    bool filtered = false;
+    for (const std::size_t e : group.elements) {
+        const Pose pose = relative_pose(group, link, e);
+        original.push_back(part_of(link.elements[e], pose, false));
+        processed.push_back(part_of(link.elements[e], pose, true));
+        filtered |= !link.elements[e].filtered.empty();
+    }
+    const auto raw = Solid::make(std::move(original));
+    work.shape = std::make_unique<Shape>(work.link, filtered ? Solid::make(std::move(processed)) : raw, raw);
+}
+
+/// A spherizer's promise, checked: spheres, finite, no more than asked for.
+static void check_tree(const SphereTree& tree, const Budget& budget) {
+    const auto broken = [](const std::string& what) {
+        throw Error(ErrorCode::plugin, "the spherizer broke its contract: " + what);
+    };
+    if (tree.levels.empty() || tree.finest().empty()) {
+        broken("it returned no spheres");
+    }
+    if (budget.max_spheres && tree.finest().size() > *budget.max_spheres) {
+        broken(fmt::format("it returned {} spheres where at most {} were asked for", tree.finest().size(),
+                           *budget.max_spheres));
+    }
+    for (std::size_t l = 0; l < tree.levels.size(); ++l) {
+        const SphereTree::Level& level = tree.levels[l];
+        for (const Sphere& sphere : level.spheres) {
+            if (!is_finite(sphere.center) || !std::isfinite(sphere.radius) || sphere.radius < 0) {
+                broken("a sphere is not finite or has a negative radius");
+            }
+        }
+        if (l == 0 ? !level.parents.empty() : level.parents.size() != level.spheres.size()) {
+            broken(
+                fmt::format("level {} has {} spheres and {} parents", l, level.spheres.size(), level.parents.size()));
+        }
+        for (const std::uint32_t parent : level.parents) {
+            if (parent >= tree.levels[l - 1].spheres.size()) {
+                broken(fmt::format("a parent index of level {} is out of range", l));
+            }
+        }
+    }
+}
+
+void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts) {
+    std::vector<Budget> budgets;
+    std::vector<Digest> keys;
+    std::vector<std::size_t> missing;
+    const auto keep = [&](std::size_t count, SphereTree tree) {
+        const std::size_t got = tree.finest().size();
+        work.asked[count] = got;
+        work.trees.try_emplace(got, std::move(tree));
+    };
+    for (const std::size_t count : counts) {
+        if (work.asked.contains(count)) {
+            continue;
+        }
+        Budget budget;
+        budget.guarantee = workspace.recipe.guarantee;
+        budget.max_protrusion = workspace.recipe.budget_max_protrusion;
+        if (count > 0) {
+            budget.max_spheres = count;
+        }
+        Hasher hasher;
+        hasher.add("spherize").add(work.digest).add(workspace.recipe.seed).add(static_cast<std::uint64_t>(count));
+        hasher.add(static_cast<std::uint64_t>(budget.guarantee)).add(budget.max_protrusion.value_or(-1));
+        const Digest key = hasher.finish();
+        if (auto cached = workspace.cache.tree(key)) {
+            keep(count, std::move(*cached));
+            continue;
+        }
+        budgets.push_back(budget);
+        keys.push_back(key);
+        missing.push_back(count);
+    }
+    work.report.cached = missing.empty() && (work.report.cached || work.report.seconds == 0);
+    if (missing.empty()) {
+        return;
+    }
+    const std::vector<SphereTree> trees = run_stage(
+        workspace, work.spherizer.stage, work.link, work.input, work.digest, work.report, [&](Context& context) {
+            const auto stage = workspace.registry.make<Spherizer>(work.spherizer.stage, work.spherizer.given);
+            std::vector<SphereTree> made = stage->spherize_each(*work.shape, budgets, context);
+            if (made.size() != budgets.size()) {
+                throw Error(ErrorCode::plugin, fmt::format("the spherizer broke its contract: {} trees for {} budgets",
+                                                           made.size(), budgets.size()));
+            }
+            for (std::size_t i = 0; i < made.size(); ++i) {
+                check_tree(made[i], budgets[i]);
+            }
+            return made;
+        });
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+        workspace.cache.put(keys[i], trees[i]);
+        keep(missing[i], trees[i]);
+    }
+}
+
+} // namespace foam

@@ -1,0 +1,60 @@
+// The distinct shapes of a robot and the sphere trees that a spherizer made of them.
+#pragma once
+
+#include "allocation.hpp"
+#include "spherize.hpp"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace foam {
+
+/// A distinct shape and what is known of it.
+struct ShapeWork {
+    std::unique_ptr<Shape> shape;
+    StageCall spherizer;
+    Digest digest;
+    std::string link, input; ///< of the first group, for messages
+    std::vector<std::size_t> groups;
+    std::size_t least = 1, most = 1;          ///< bounds of the count
+    std::map<std::size_t, SphereTree> trees;  ///< by the number of spheres they have
+    std::map<std::size_t, std::size_t> asked; ///< count asked for → count got
+    CostCurve curve;
+    StageReport report;
+    std::optional<Error> error;
+};
+
+/// One group a link, or one a collision element (recipe: per), for the links without an error.
+std::vector<Group> make_groups(const Workspace& workspace, const std::vector<LinkWork>& links);
+
+/// Groups of equal geometry and recipe share a shape; fills in Group::shape.
+std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::vector<LinkWork>& links,
+                                       std::vector<Group>& groups);
+
+/// Makes ShapeWork::shape, in the frame of its first group's first element.
+void build_shape(const std::vector<LinkWork>& links, const std::vector<Group>& groups, ShapeWork& work);
+
+/// Trees for the counts that are asked for, from the cache or the stage; what the stage returns is checked. Count 0
+/// stands for "no budget".
+void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts);
+
+/// Runs `body` for the shapes that have no error yet, on all cores; errors stay with the shape.
+template <class Body> void for_each_shape(std::vector<ShapeWork>& shapes, Body&& body) {
+    parallel_for(shapes.size(), [&](std::size_t s) {
+        if (shapes[s].error) {
+            return;
+        }
+        try {
+            body(s);
+        } catch (const Error& error) {
+            if (error.code() == ErrorCode::cancelled) {
+                throw;
+            }
+            shapes[s].error.emplace(error);
+        }
+    });
+}
+
+} // namespace foam
