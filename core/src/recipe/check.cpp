@@ -36,6 +36,9 @@ void refuse_unknown_top_level_keys(const Value& root, const Checking& checking) 
     for (const Parameter& p : top_level_values()) {
         known.push_back(p.name);
     }
+    for (const Parameter& p : isolation_values()) {
+        known.push_back(p.name);
+    }
     Value rest;
     rest.kind = Value::Kind::map;
     for (const Key& key : root.keys) {
@@ -210,6 +213,8 @@ Recipe check_recipe(const Value& root, const std::filesystem::path& file, const 
     if (const Value* debug = root.find("debug")) {
         check_debug(*debug, recipe, findings);
     }
+    recipe.isolation = read_isolation(root, "", findings);
+    refuse_idle_limits(root, recipe.isolation, "", findings);
     check_stages(root.find("stages"), root, recipe, checking);
     if (const Value* links = root.find("links")) {
         check_links(*links, recipe, checking);

@@ -27,6 +27,10 @@ struct StageItem {
 StageItem read_stage_item(const Value& item, std::string_view list, const Checking& checking);
 /// Reads the parameters of a known stage into its call. `other_keys` are allowed beside them.
 void read_stage_parameters(StageItem& item, const std::vector<std::string>& other_keys, const Checking& checking);
+/// The keys isolate, time_limit and memory_limit of a map. `owner`: the stage; empty: the recipe.
+Isolation read_isolation(const Value& map, std::string_view owner, Findings& findings);
+/// A finding for each limit in `map` if `effective`, which holds what is merged into it, is no process of its own.
+void refuse_idle_limits(const Value& map, const Isolation& effective, std::string_view owner, Findings& findings);
 /// The finding for a stage name nobody knows.
 void report_unknown_stage(const Key& name, const Checking& checking);
 

@@ -22,6 +22,16 @@ std::vector<std::string> chain_of(const Recipe& recipe) {
     return names;
 }
 
+/// Of the stage as it is without overrides.
+Isolation isolation_in_chain(std::string_view stage, const Recipe& recipe) {
+    for (const StageCall& filter : recipe.filters) {
+        if (filter.stage == stage) {
+            return filter.isolation.over(recipe.isolation);
+        }
+    }
+    return recipe.spherizer.isolation.over(recipe.isolation);
+}
+
 /// A set that is opened and not closed matches nothing, which nobody means.
 bool is_whole_glob(std::string_view glob) {
     for (std::size_t open = glob.find('['); open != std::string_view::npos; open = glob.find('[', open + 1)) {
@@ -60,6 +70,10 @@ void read_stage_override(const Key& key, const Value& value, const Recipe& recip
         return;
     }
     read_stage_parameters(item, {}, checking);
+    if (item.parameters) {
+        refuse_idle_limits(*item.parameters, item.call.isolation.over(isolation_in_chain(key.text, recipe)), key.text,
+                           checking.findings);
+    }
     link.stages.push_back(std::move(item.call));
 }
 

@@ -1,5 +1,6 @@
 // stages: the chain of mesh filters and the spherizer.
 #include "check.hpp"
+#include "format.hpp"
 
 #include <fmt/format.h>
 
@@ -72,8 +73,14 @@ void read_stage_parameters(StageItem& item, const std::vector<std::string>& othe
     }
     const std::string& stage = item.call.stage;
     if (expect_map(*item.parameters, stage, fmt::format("{}: {{parameter: value}}", stage), checking.findings)) {
-        item.call.given =
-            read_values(*item.parameters, item.stage->info.parameters, stage, other_keys, checking.findings);
+        std::vector<std::string> others = other_keys;
+        if (item.stage->kind == StageKind::mesh_filter || item.stage->kind == StageKind::spherizer) {
+            for (const Parameter& p : isolation_values()) {
+                others.push_back(p.name);
+            }
+            item.call.isolation = read_isolation(*item.parameters, stage, checking.findings);
+        }
+        item.call.given = read_values(*item.parameters, item.stage->info.parameters, stage, others, checking.findings);
     }
 }
 
@@ -91,6 +98,10 @@ void check_stages(const Value* stages, const Value& root, Recipe& recipe, const 
     for (const Value& value : stages->items) {
         StageItem item = read_stage_item(value, "stages", checking);
         read_stage_parameters(item, {}, checking);
+        if (item.parameters) {
+            refuse_idle_limits(*item.parameters, item.call.isolation.over(recipe.isolation), item.call.stage,
+                               checking.findings);
+        }
         if (!item.stage) {
             unknown = true;
             continue;

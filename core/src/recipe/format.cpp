@@ -43,8 +43,25 @@ std::vector<Parameter> debug_values() {
     };
 }
 
+std::vector<Parameter> isolation_values() {
+    return {
+        Parameter::choice("isolate", {"none", "process"}, "none")
+            .doc("process: each call runs in a child process, where a crash or a limit ends the call, not the run. "
+                 "Absent: as at the top level; there: none."),
+        Parameter::number("time_limit", 60)
+            .at_least(0.001)
+            .unit("s")
+            .doc("Longest time of one isolated call; absent: no limit."),
+        Parameter::integer("memory_limit", 4096)
+            .bounds(64, 1 << 30)
+            .unit("MiB")
+            .doc("Most memory of one isolated call; absent: no limit."),
+    };
+}
+
 bool is_optional(const std::string& key) {
-    static constexpr const char* keys[] = {"name", "spheres", "max_protrusion", "skip", "min_spheres", "max_spheres"};
+    static constexpr const char* keys[] = {"name",        "spheres", "max_protrusion", "skip",        "min_spheres",
+                                           "max_spheres", "isolate", "time_limit",     "memory_limit"};
     return std::find(std::begin(keys), std::end(keys), key) != std::end(keys);
 }
 

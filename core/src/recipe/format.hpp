@@ -20,6 +20,8 @@ std::vector<Parameter> top_level_values(); ///< name, seed, per, guarantee, on_e
 std::vector<Parameter> budget_values();    ///< spheres, max_protrusion
 std::vector<Parameter> link_values();      ///< skip, min_spheres, max_spheres
 std::vector<Parameter> debug_values();     ///< meshes, snapshots
+/// isolate, time_limit, memory_limit: at the top level, and beside the parameters of mesh filters and spherizers.
+std::vector<Parameter> isolation_values();
 /// The keys above whose absence is not the same as any value.
 bool is_optional(const std::string& key);
 

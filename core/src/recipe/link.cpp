@@ -45,6 +45,7 @@ void merge(StageCall& call, const LinkOverride& link) {
             for (const auto& [name, value] : change.given) {
                 call.given[name] = value;
             }
+            call.isolation = change.isolation.over(call.isolation);
         }
     }
 }
@@ -71,10 +72,22 @@ bool glob_matches(std::string_view glob, std::string_view name) {
     return glob.find_first_not_of('*', g) == std::string_view::npos;
 }
 
+Isolation Isolation::over(const Isolation& base) const {
+    Isolation result = *this;
+    result.process = process ? process : base.process;
+    result.time_limit = time_limit ? time_limit : base.time_limit;
+    result.memory_limit = memory_limit ? memory_limit : base.memory_limit;
+    return result;
+}
+
 Recipe::LinkRecipe Recipe::for_link(const std::string& link) const {
     LinkRecipe result;
     result.filters = filters;
     result.spherizer = spherizer;
+    for (StageCall& filter : result.filters) {
+        filter.isolation = filter.isolation.over(isolation);
+    }
+    result.spherizer.isolation = spherizer.isolation.over(isolation);
     for (const LinkOverride& change : links) {
         // A glob names itself, too: "[" has no other way to stand for itself.
         if (change.glob != link && !glob_matches(change.glob, link)) {

@@ -84,6 +84,12 @@ Json reference(const std::string& definition) {
     return {{"$ref", "#/$defs/" + definition}};
 }
 
+void add_isolation(Json& properties) {
+    for (const Parameter& p : isolation_values()) {
+        properties[p.name] = reference(p.name);
+    }
+}
+
 /// The parameters of a stage; null stands for none.
 Json parameters_of(const RegisteredStage& stage) {
     Json properties = properties_of(stage.info.parameters);
@@ -99,6 +105,9 @@ Json parameters_of(const RegisteredStage& stage) {
             schema["required"] = {"file"};
         }
         properties["file"] = std::move(file);
+    }
+    if (stage.kind == StageKind::mesh_filter || stage.kind == StageKind::spherizer) {
+        add_isolation(properties);
     }
     schema["properties"] = std::move(properties);
     schema["additionalProperties"] = false;
@@ -170,6 +179,7 @@ Json top_level(const Registry& registry) {
     }
     p["name"]["pattern"] = "^(?![-.])[A-Za-z0-9_.+=-]{1,200}$";
     p["seed"]["maximum"] = std::numeric_limits<std::uint64_t>::max();
+    add_isolation(p);
     p["robot"] = object({{"urdf", texts("URDF files, the first that exists is taken: a path relative to the recipe, "
                                         "package://PACKAGE/PATH or file:///PATH.")}});
     p["robot"]["required"] = {"urdf"};
@@ -217,6 +227,9 @@ std::string recipe_schema(const Registry& registry) {
     definitions["spherizer"] = stage_item(registry, {StageKind::spherizer});
     definitions["renderer"] = stage_item(registry, {StageKind::renderer});
     definitions["writer"] = stage_item(registry, {StageKind::writer});
+    for (const Parameter& p : isolation_values()) {
+        definitions[p.name] = schema_of(p);
+    }
     for (const auto& [name, stage] : registry.stages()) {
         definitions[name] = parameters_of(stage);
     }

@@ -66,6 +66,9 @@ public:
             line("  - {}", stage(filter, "", true));
         }
         line("  - {}", stage(recipe_.spherizer, "", true));
+        for (const std::string& part : isolation_parts(recipe_.isolation)) {
+            line("{}", part);
+        }
         line("per: {}", recipe_.per_link ? "link" : "collision");
         write_budget();
         line("guarantee: {}", recipe_.guarantee == Guarantee::outer ? "outer" : "fitted");
@@ -99,7 +102,23 @@ private:
         for (const auto& [name, value] : values) {
             parts.push_back(fmt::format("{}: {}", yaml_text(name), yaml_value(value)));
         }
+        const std::vector<std::string> isolation = isolation_parts(call.isolation);
+        parts.insert(parts.end(), isolation.begin(), isolation.end());
         return fmt::format("{}: {{{}}}", yaml_text(call.stage), fmt::join(parts, ", "));
+    }
+
+    static std::vector<std::string> isolation_parts(const Isolation& isolation) {
+        std::vector<std::string> parts;
+        if (isolation.process) {
+            parts.push_back(fmt::format("isolate: {}", *isolation.process ? "process" : "none"));
+        }
+        if (isolation.time_limit) {
+            parts.push_back("time_limit: " + to_text(*isolation.time_limit));
+        }
+        if (isolation.memory_limit) {
+            parts.push_back(fmt::format("memory_limit: {}", *isolation.memory_limit));
+        }
+        return parts;
     }
 
     std::vector<std::string> references(std::vector<std::string> references) const {

@@ -33,11 +33,23 @@ struct Diagnostic {
     std::string text() const; ///< "file:line:column: error[code]: message"
 };
 
+/// Whether the calls of a stage run in child processes, and within which limits. What is absent is as in the recipe.
+struct Isolation {
+    std::optional<bool> process;
+    std::optional<double> time_limit;        ///< s; of one call
+    std::optional<std::size_t> memory_limit; ///< MiB; of one call
+
+    bool operator==(const Isolation&) const = default;
+    /// This, and where it is silent `base`.
+    Isolation over(const Isolation& base) const;
+};
+
 /// One stage of a recipe with checked parameters.
 struct StageCall {
     std::string stage;
     std::map<std::string, ParameterValue> given; ///< as in the recipe; the defaults are the stage's own
     Location where;
+    Isolation isolation{}; ///< mesh filters and spherizers
 };
 
 /// Overrides for the links that a glob names ("*finger"): parameters of stages of the chain, or skip.
@@ -82,8 +94,9 @@ struct Recipe {
     JointValues pose;   ///< of the robot's snapshot
     bool debug_meshes = false, debug_snapshots = false;
     OnError on_error = OnError::stop;
+    Isolation isolation; ///< of mesh loaders, and of the stages that do not say otherwise
 
-    /// What applies to one link: the chain with the overrides merged in.
+    /// What applies to one link: the chain with the overrides and the recipe's isolation merged in.
     struct LinkRecipe {
         bool skip = false;
         std::vector<StageCall> filters;

@@ -1,0 +1,44 @@
+// isolate, time_limit, memory_limit: which stages run in child processes.
+#include "check.hpp"
+#include "format.hpp"
+
+#include <fmt/format.h>
+
+namespace foam::reading {
+
+Isolation read_isolation(const Value& map, std::string_view owner, Findings& findings) {
+    Isolation isolation;
+    for (const Parameter& p : isolation_values()) {
+        const Value* value = map.find(p.name);
+        const auto read = value ? read_value(*value, p, owner, findings) : std::nullopt;
+        if (!read) {
+            continue;
+        }
+        if (p.name == "isolate") {
+            isolation.process = std::get<std::string>(*read) == "process";
+        } else if (p.name == "time_limit") {
+            isolation.time_limit = std::get<double>(*read);
+        } else {
+            isolation.memory_limit = static_cast<std::size_t>(std::get<std::int64_t>(*read));
+        }
+    }
+    return isolation;
+}
+
+void refuse_idle_limits(const Value& map, const Isolation& effective, std::string_view owner, Findings& findings) {
+    const Value* isolate = map.find("isolate");
+    const bool wrong = isolate && !effective.process; // has a finding already
+    if (effective.process.value_or(false) || wrong || !map.is(Value::Kind::map)) {
+        return;
+    }
+    for (const char* limit : {"time_limit", "memory_limit"}) {
+        if (const Key* key = map.find_key(limit)) {
+            findings.error(key->where, "conflict",
+                           fmt::format("'{}'{} can only be kept by a process of its own; remedy: write isolate: "
+                                       "process beside it",
+                                       limit, owner.empty() ? "" : fmt::format(" of {}", owner)));
+        }
+    }
+}
+
+} // namespace foam::reading
