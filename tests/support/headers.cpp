@@ -1,0 +1,1 @@
+// Compiled once for all tests: see tests/CMakeLists.txt, which names the headers.
