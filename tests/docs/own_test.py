@@ -1,0 +1,138 @@
+"""The tests of the pages find what is wrong with a page: each kind of mistake, on a tiny repository."""
+import contextlib
+import io
+import pathlib
+import sys
+import tempfile
+import unittest
+
+import check_links
+import markdown
+import run_page
+
+FOAM = """#!/bin/sh
+# Stands for the program: `foam say WORDS`, `foam fail CODE`, `foam check FILE`.
+case $1 in
+    say) shift; echo "$@" ;;
+    fail) exit "$2" ;;
+    check) ! grep -n wrong "$2" >&2 ;;
+esac
+"""
+
+
+class Tiny(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.repository = pathlib.Path(folder.name).resolve()
+        for name in ["configs", "docs", "tests/docs/room"]:
+            (self.repository / name).mkdir(parents=True)
+        self.foam = self.repository / "built"
+        self.foam.write_text(FOAM)
+        self.foam.chmod(0o755)
+
+    def page(self, text, name="docs/page.md"):
+        path = self.repository / name
+        path.write_text(text)
+        return path
+
+    def told(self, call):
+        out = io.StringIO()
+        with contextlib.redirect_stdout(out):
+            code = call()
+        return code, out.getvalue()
+
+    def run_page(self, text):
+        return self.told(lambda: run_page.run(str(self.foam), self.repository, self.page(text)))
+
+
+class Commands(Tiny):
+    def test_as_written(self):
+        code, out = self.run_page("```sh\n./foam say a\nfoam fail 2   # exits 2\n```\n")
+        self.assertEqual((code, out), (0, "docs/page.md: as written\n"))
+
+    def test_a_failure_is_named_with_its_line_and_output(self):
+        code, out = self.run_page("# Title\n\n```sh\n./foam say before\n./foam fail 3\n./foam say after\n```\n")
+        self.assertEqual(code, 1)
+        self.assertIn("docs/page.md:5: exit code 3, expected 0: ./foam fail 3\n", out)
+        self.assertIn("before", out)
+        self.assertNotIn("after", out)
+
+    def test_an_expected_failure_must_come(self):
+        self.assertIn("exit code 0, expected 2", self.run_page("```sh\n./foam say a   # exits 2\n```\n")[1])
+
+    def test_one_shell_for_the_page(self):
+        text = "```sh\nmkdir a; cd a\nword=7\n```\n\n```sh\n[ $word = 7 ] && cd ../a\n```\n"
+        self.assertEqual(self.run_page(text)[0], 0)
+
+    def test_commands_of_several_lines(self):
+        text = "```sh\ncat >file <<'X'\nfoam fail 1\nX\n./foam \\\n    say b\nfor i in 1 2; do\n    ./foam say $i\ndone\n```\n"
+        self.assertEqual(self.run_page(text)[0], 0)
+        self.assertEqual(self.run_page("```sh\nif true; then\n```\n")[0], 1)
+
+    def test_not_run(self):
+        self.assertEqual(self.run_page("<!-- not run: takes hours -->\n```sh\n./foam fail 1\n```\n")[0], 0)
+        self.assertEqual(self.run_page("<!-- other -->\n```sh\n./foam fail 1\n```\n")[0], 1)
+
+
+class Contents(Tiny):
+    def test_output(self):
+        text = "```sh\n./foam say one; ./foam say two 3.5 s\n```\n\n<!-- output -->\n```text\n{}\n```\n"
+        self.assertEqual(self.run_page(text.format("one\ntwo … s"))[0], 0)
+        code, out = self.run_page(text.format("two … s\none"))
+        self.assertEqual(code, 1)
+        self.assertIn("docs/page.md:7: the commands do not print this line: one", out)
+
+    def test_output_with_other_numbers(self):
+        text = "```sh\n./foam say total  22 0.31 yes\n```\n\n<!-- output, other numbers -->\n```text\n{}\n```\n"
+        self.assertEqual(self.run_page(text.format("total     7  12.5     yes"))[0], 0)
+        self.assertEqual(self.run_page(text.format("total     7  12.5     no"))[0], 1)
+
+    def test_recipes(self):
+        self.assertEqual(self.run_page("```yaml\nfoam: 1\nname: right\n```\n")[0], 0)
+        self.assertEqual(self.run_page("```yaml\nname: wrong\n```\n")[0], 0)
+        code, out = self.run_page("```yaml\n# a comment\nfoam: 1\nname: wrong\n```\n")
+        self.assertEqual(code, 1)
+        self.assertIn("docs/page.md:2: this recipe is wrong:\n3:name: wrong", out)
+        self.assertEqual(self.run_page("<!-- not checked: shows a mistake -->\n```yaml\nfoam: 1\nwrong\n```\n")[0], 0)
+
+    def test_files(self):
+        text = "```yaml\n# mine.yaml\nfoam: 1\n```\n\n```sh\ngrep -c foam mine.yaml\n```\n"
+        self.assertEqual(self.run_page(text)[0], 0)
+
+    def test_quotes(self):
+        (self.repository / "file.hpp").write_text("int a;\nint b;\n")
+        self.assertEqual(self.run_page("<!-- from: file.hpp -->\n```cpp\nint b;\n```\n")[0], 0)
+        self.assertIn("this is not what file.hpp holds", self.run_page("<!-- from: file.hpp -->\n```cpp\nint c;\n```\n")[1])
+
+
+class Links(Tiny):
+    def check(self):
+        arguments, sys.argv = sys.argv, ["check_links.py", str(self.repository)]
+        try:
+            return self.told(check_links.main)
+        finally:
+            sys.argv = arguments
+
+    def test_good(self):
+        self.page("# A heading: `x`\n\n[page](page.md#two-words) [up](../README.md) [here](#a-heading-x)\n", "docs/index.md")
+        self.page("## Two words\n\n```text\n[no](link)\n```\n`[no](link)` [out](https://example.org)\n")
+        self.page("[index](docs/index.md)\n", "README.md")
+        self.assertEqual(self.check(), (0, "5 links on 3 pages lead somewhere\n"))
+
+    def test_bad(self):
+        self.page("[a](none.md) [b](page.md#none) ![c](https://example.org/c.png) [d](../../d)\n", "docs/index.md")
+        self.page("")
+        self.page("", "docs/lost.md")
+        self.assertEqual(self.check(), (1, "docs/index.md:1: ../../d is outside of the repository\n"
+                                        "docs/index.md:1: none.md does not exist\n"
+                                        "docs/index.md:1: page.md has no heading #none\n"
+                                        "docs/index.md:1: the image https://example.org/c.png comes from the network\n"
+                                        "docs/lost.md: no links lead here from docs/index.md\n"))
+
+    def test_open_block(self):
+        with self.assertRaisesRegex(ValueError, "page.md:2: this block is not closed"):
+            markdown.read(self.page("```sh\n"))
+
+
+unittest.main()

@@ -1,0 +1,145 @@
+"""docs/reference: pages made from what the program says of its stages and commands.
+
+reference.py FOAM REPOSITORY
+Compares the committed pages with the program; with FOAM_TEST_UPDATE=1 writes them. Exit code 77: a build without some
+of the stages cannot tell.
+"""
+import difflib
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+KINDS = {"robot loader": "Robot loaders", "mesh loader": "Mesh loaders", "mesh filter": "Mesh filters",
+         "spherizer": "Spherizers", "writer": "Writers", "renderer": "Renderers"}
+MADE = "<!-- Made from the program by tests/docs/reference.py: FOAM_TEST_UPDATE=1 ./foam test -R docs.reference -->\n"
+
+
+def output_of(*command):
+    clean = {name: value for name, value in os.environ.items() if not name.startswith("FOAM_")}
+    return subprocess.run(command, check=True, capture_output=True, text=True, env=clean).stdout
+
+
+def number(value):
+    """A bound as people write it."""
+    if isinstance(value, float) and value.is_integer() and abs(value) < 1e15:
+        value = int(value)
+    return f"{value:g}" if isinstance(value, float) else str(value)
+
+
+def literal(value):
+    """A default as a recipe writes it."""
+    if isinstance(value, str):
+        return value or '""'
+    return json.dumps(value) if isinstance(value, bool) else number(value)
+
+
+def cell(text):
+    return text.replace("|", "\\|").replace("\n", " ")
+
+
+def sentence(text):
+    return text if text.endswith((".", "!", "?")) else text + "."
+
+
+def values(parameter):
+    """Type and bounds."""
+    if "choices" in parameter:
+        return ", ".join(f"`{choice}`" for choice in parameter["choices"])
+    low, high = parameter.get("low"), parameter.get("high")
+    if low is None and high is None:
+        return parameter["type"]
+    if high is None:
+        return f"{parameter['type']}, ≥ {number(low)}"
+    if low is None:
+        return f"{parameter['type']}, ≤ {number(high)}"
+    return f"{parameter['type']}, {number(low)} … {number(high)}"
+
+
+def row(parameter):
+    unit = parameter.get("unit", "")
+    text = sentence(parameter["doc"])
+    if "source" in parameter:
+        text += f" *Default from:* {sentence(parameter['source'])}"
+    if not parameter["affects_output"]:
+        text += " Does not change the result."
+    return (f"| `{parameter['name']}` | {cell(values(parameter))} | {'' if unit == '1' else cell(unit)} "
+            f"| `{cell(literal(parameter['default']))}` | {cell(text)} |\n")
+
+
+def stage_page(stage):
+    page = f"# {stage['name']}\n\n{MADE}\n{sentence(stage['summary'])}\n\n"
+    page += f"- kind: {stage['kind']}\n"
+    page += f"- plugin: `{stage['plugin']}` {stage['plugin_version']}, licence {stage['license']}\n"
+    if stage["extensions"]:
+        page += f"- files: {', '.join('`.' + extension + '`' for extension in stage['extensions'])}\n"
+    if stage["reference"]:
+        page += f"- after: {sentence(stage['reference'])}\n"
+    if not stage["parameters"]:
+        return page + "\nNo parameters.\n"
+    page += "\n| parameter | values | unit | default | what it does |\n|---|---|---|---|---|\n"
+    return page + "".join(row(parameter) for parameter in stage["parameters"])
+
+
+def stages_page(stages):
+    page = f"# Stages\n\n{MADE}\nWhat recipes are made of. `foam describe STAGE` prints the same.\n"
+    for kind, title in KINDS.items():
+        page += f"\n## {title}\n\n| stage | what it does |\n|---|---|\n"
+        page += "".join(f"| [{stage['name']}](stages/{stage['name']}.md) | {cell(sentence(stage['summary']))} |\n"
+                        for stage in stages if stage["kind"] == kind)
+    return page
+
+
+def command_line_page(foam):
+    top = output_of(foam, "--help")
+    commands = re.findall(r"^  (\S+) ", top.split("Subcommands:")[1].split("\n\n")[0], re.MULTILINE)
+    page = f"# Command line\n\n{MADE}\n```text\n{top}```\n"
+    for command in commands:
+        page += f"\n## foam {command}\n\n```text\n{output_of(foam, command, '--help')}```\n"
+    return page
+
+
+def pages_of(foam):
+    """File name → text of every page of docs/reference."""
+    stages = json.loads(output_of(foam, "stages", "--json"))
+    unknown = {stage["kind"] for stage in stages} - KINDS.keys()
+    if unknown:
+        sys.exit(f"add to KINDS: {unknown}")
+    pages = {f"stages/{stage['name']}.md": stage_page(stage) for stage in stages}
+    return pages | {"stages.md": stages_page(stages), "command_line.md": command_line_page(foam)}
+
+
+def update(folder, pages, vanished):
+    for name in vanished:
+        (folder / name).unlink()
+    for name, text in pages.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+
+
+def differences(folder, pages):
+    for name, text in pages.items():
+        committed = (folder / name).read_text() if (folder / name).exists() else ""
+        yield from difflib.unified_diff(committed.splitlines(True), text.splitlines(True), f"docs/reference/{name}",
+                                        "what the program says")
+
+
+def main():
+    foam, folder = sys.argv[1], pathlib.Path(sys.argv[2], "docs/reference")
+    pages = pages_of(foam)
+    committed = {str(file.relative_to(folder)) for file in folder.glob("**/*.md")}
+    vanished = committed - pages.keys()
+    if os.environ.get("FOAM_TEST_UPDATE"):
+        update(folder, pages, vanished)
+    elif vanished:
+        print(f"skipped: this build does not have {', '.join(sorted(vanished))}")
+        return 77
+    text = "".join(differences(folder, pages))
+    print(text + "remedy: FOAM_TEST_UPDATE=1 ./foam test -R docs.reference" if text else f"{len(pages)} pages are true")
+    return 1 if text else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
