@@ -1,13 +1,12 @@
-// Points on surfaces.
+#include "geometry/surface_points.hpp"
+
 #include <foam/random.hpp>
-#include <foam/solid.hpp>
 
 namespace foam {
 
-/// One point in each of `count` equal shares of the area, in the order of the triangles, placed in its triangle by the
-/// map of Osada, Funkhouser, Chazelle, Dobkin 2002, equation 1.
-std::vector<SurfacePoint> Solid::sample_surface(std::size_t count, std::uint64_t seed) const {
-    const Mesh& mesh = surface();
+namespace geometry {
+
+std::vector<SurfacePoint> sampled_surface(const Mesh& mesh, std::size_t count, std::uint64_t seed) {
     std::vector<double> up_to; // area of the triangles up to and with this one
     up_to.reserve(mesh.triangles.size());
     double sum = 0;
@@ -36,6 +35,12 @@ std::vector<SurfacePoint> Solid::sample_surface(std::size_t count, std::uint64_t
                           static_cast<std::uint32_t>(triangle)});
     }
     return points;
+}
+
+} // namespace geometry
+
+std::vector<SurfacePoint> Solid::sample_surface(std::size_t count, std::uint64_t seed) const {
+    return geometry::sampled_surface(surface(), count, seed);
 }
 
 } // namespace foam

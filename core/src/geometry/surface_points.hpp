@@ -1,0 +1,12 @@
+// Points spread over a mesh.
+#pragma once
+
+#include <foam/solid.hpp>
+
+namespace foam::geometry {
+
+/// One point in each of `count` equal shares of the area, in the order of the triangles, placed in its triangle by the
+/// map of Osada, Funkhouser, Chazelle, Dobkin 2002, equation 1. Precondition: at least one triangle.
+std::vector<SurfacePoint> sampled_surface(const Mesh& mesh, std::size_t count, std::uint64_t seed);
+
+} // namespace foam::geometry
