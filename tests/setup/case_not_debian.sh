@@ -12,4 +12,4 @@ expect_err "  pack-a pack-b"
 rm -r "$clone/build" "$tools/ninja"
 run_foam version
 expect_code 2
-expect_err "cmake and ninja are not there"
+expect_err "ninja is not there: stopping."

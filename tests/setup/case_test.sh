@@ -7,8 +7,11 @@ printf '%s\n' pack-a pack-b >"$installed"
 run_foam version
 expect_call "ninja -C $clone/build/release"
 expect_call "core/all plugins/all apps/all"
+expect_no_call "^apt-get"
 run_foam test -R mesh
 expect_code 0
+expect_call "install -y --no-install-recommends pack-t"
+expect_no_call "^apt-get.*pack-[abd]"
 expect_out "100% tests passed"
 expect_call "-DFOAM_TESTS=ON"
 expect_call "--output-on-failure -R mesh"

@@ -11,7 +11,8 @@ export calls=$room/calls installed=$room/installed
 mkdir -p "$clone"/{core,plugins,apps} "$tools"
 touch "$calls" "$installed"
 cp -- "$source_root/foam" "$clone/foam"
-printf '%s\n' '# first' 'pack-a' 'pack-b   # why' '' >"$clone/dependencies.txt"
+printf '%s\n' '# No group yet' 'not-one' '## run: what it is' 'pack-a' '# more' 'pack-b   # why' '' '## tests: of it' pack-t \
+    '## docs: of it' pack-d >"$clone/dependencies.txt"
 touch "$clone/CMakeLists.txt"
 for tool in bash cat chmod dirname env find flock grep id mkdir mv nproc paste readlink rm sed sleep tail touch; do
     ln -s "$(command -v "$tool")" "$tools/$tool"
@@ -55,6 +56,9 @@ mkdir -p "$2/bin"
 printf '%s\n' "#!$BASH" 'printf "ran"; printf " <%s>" "$@"; echo' >"$2/bin/foam"
 chmod +x "$2/bin/foam"
 echo "[2/2] linking"
+END
+stand_in mkdocs <<'END'
+[[ -z ${mkdocs_fails:-} ]] || { echo "WARNING - no such page"; exit 1; }
 END
 stand_in ctest <<<'echo "100% tests passed"'
 
