@@ -1,6 +1,5 @@
 #include <foam/host/registry.hpp>
-
-#include <dlfcn.h>
+#include <foam/host/sdk.hpp>
 
 #include <cstdlib>
 #include <sstream>
@@ -18,12 +17,8 @@ std::vector<std::filesystem::path> plugin_directories(const std::vector<std::fil
             }
         }
     }
-    // The plugins lie beside libfoam-core.so, in the build tree as when installed.
-    Dl_info info{};
-    if (dladdr(reinterpret_cast<void*>(&plugin_directories), &info) && info.dli_fname) {
-        const auto library = std::filesystem::weakly_canonical(info.dli_fname);
-        directories.push_back(library.parent_path() / FOAM_PLUGIN_SUBDIRECTORY);
-    }
+    // In the build tree as when installed.
+    directories.push_back(library_folder() / FOAM_PLUGIN_SUBDIRECTORY);
     return directories;
 }
 

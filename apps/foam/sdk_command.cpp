@@ -1,0 +1,19 @@
+// For authors of plugins: where the SDK is.
+#include "program.hpp"
+
+#include <foam/host/sdk.hpp>
+
+namespace foam::cli {
+
+void add_sdk(Program& program) {
+    CLI::App* command = add_command(program, "sdk", "Print where the SDK is, for CMake: headers and find_package(foam)",
+                                    "  cmake -S mine -B mine/build -DCMAKE_PREFIX_PATH=\"$(foam sdk)\"");
+    command->callback([&program] {
+        program.action = [] {
+            print(sdk_prefix().string() + "\n");
+            return 0;
+        };
+    });
+}
+
+} // namespace foam::cli

@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# installed.sh COMPILER: foam is installed and the installation moved; two of our own plugins are built against it out of tree
+# by the CMakeLists that build them in tree, give the bytes of the installed ones, and are installed beside them.
+# shellcheck source=tests/sdk/fixture.sh
+source "$(dirname "$0")/fixture.sh"
+compiler=$(command -v "$1") || skip "there is no $1"
+[[ -z $FOAM_TEST_SANITIZER || $1 == g++ ]] || skip "sanitizers of different compilers do not mix"
+
+install_foam "$room/first" runtime sdk
+mv "$room/first" "$room/a folder"
+prefix="$room/a folder"
+foam=$prefix/bin/foam
+expect "$prefix" "$foam" sdk
+expect "loaded from $prefix/lib" "$foam" plugins --why
+write_part "$room/part.obj"
+quietly "$foam" spherize "$room/part.obj" -n 6 -m octree -o "$room/shipped.json"
+
+# Without the shipped ones, whose stages bear the same names.
+mkdir "$room/aside"
+for plugin in spherize_octree smooth; do
+    mv "$prefix"/lib*/foam/plugins/$plugin.so "$room/aside" 2>/dev/null || mv "$prefix"/lib/*/foam/plugins/$plugin.so "$room/aside"
+    build_project "$FOAM_TEST_SOURCE/plugins/$plugin" "$room/build/$plugin" \
+        -DCMAKE_PREFIX_PATH="$("$foam" sdk)" -DCMAKE_CXX_COMPILER="$compiler"
+    [[ -f $room/build/$plugin/$plugin.so ]] || fail "$plugin.so is not in the build folder"
+done
+mine=(--plugin "$room/build/spherize_octree/spherize_octree.so" --plugin-dir "$room/build/smooth")
+expect "spherize.octree" "$foam" plugins "${mine[@]}"
+expect "smooth.humphrey" "$foam" plugins "${mine[@]}"
+quietly "$foam" spherize "$room/part.obj" -n 6 -m octree -o "$room/mine.json" "${mine[@]}"
+cmp "$room/shipped.json" "$room/mine.json" || fail "the plugins built out of tree by $1 give other bytes"
+
+# Installed beside the others they are found without a word.
+quietly "$FOAM_TEST_CMAKE" --install "$room/build/spherize_octree" --prefix "$prefix"
+expect "spherize.octree" "$foam" plugins
