@@ -10,7 +10,7 @@ namespace {
 class EmbeddedChain : public testing::TestWithParam<const char*> {
 protected:
     void SetUp() override {
-        for (const char* plugin : {"/load_assimp.so", "/repair_watertight.so", "/simplify_quadric.so", "/smooth.so"}) {
+        for (const char* plugin : {"/load_assimp.so", "/repair.so", "/simplify_quadric.so", "/smooth.so"}) {
             const PluginRecord& record = registry.load(std::string(FOAM_TEST_PLUGINS) + plugin);
             ASSERT_TRUE(record.loaded()) << record.rejection;
         }

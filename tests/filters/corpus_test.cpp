@@ -3,6 +3,8 @@
 
 #include <foam/parallel.hpp>
 
+#include <foam/self_intersection.hpp>
+
 #include <nlohmann/json.hpp>
 
 #include <cstdlib>
@@ -45,6 +47,9 @@ std::string walk(const Mesh& mesh, const Settings& repair, double& volume) {
         const Topology defects = topology(result);
         if (!is_usable(result) || !defects.closed_manifold() || !(signed_volume(result) > 0)) {
             return name + ": " + describe(defects);
+        }
+        if (name == "repair.watertight" && settings.contains("keep_closed") && !self_intersections(result).empty()) {
+            return name + ": triangles pass through each other";
         }
         return {};
     };

@@ -1,6 +1,7 @@
 // repair.watertight: a closed solid from anything, close to what was given.
 #include "filters.hpp"
 
+#include <foam/self_intersection.hpp>
 #include <foam/solid.hpp>
 
 #include <numbers>
@@ -39,6 +40,9 @@ TEST(Repair, MakesEveryDefectASolid) {
             const Mesh result = filtered("repair.watertight", shape.mesh, {{"keep_closed", keep}});
             expect_solid(result);
             EXPECT_EQ(topology(result).degenerate_triangles, 0u);
+            if (!keep) {
+                EXPECT_TRUE(self_intersections(result).empty());
+            }
             // The input lies in the result's box, up to a tenth of a cell.
             const Box given = bounds(shape.mesh), made = bounds(result);
             EXPECT_LT(distance(given.low, made.low), 0.1 * given.diagonal());
@@ -155,14 +159,11 @@ TEST(Repair, SaysWhatItDid) {
     filter("repair.watertight")->apply(without(box({}, {1, 1, 1}), 0, 2), open);
     EXPECT_NE(open.said.find("rebuilt (4 boundary edges)"), std::string::npos) << open.said;
     EXPECT_GE(open.metrics.at("occupied_cells"), 1000);
-    EXPECT_GT(open.metrics.at("distance_max"), 0);
-    EXPECT_GE(open.metrics.at("distance_max"), open.metrics.at("distance_mean"));
+    EXPECT_TRUE(open.metrics.contains("vertices_untangled"));
     filter("repair.watertight")->apply(box({}, {1, 1, 1}), kept);
     EXPECT_NE(kept.said.find("not rebuilt"), std::string::npos) << kept.said;
-    EXPECT_DOUBLE_EQ(kept.metrics.at("volume_after"), 1);
     filter("repair.watertight")->apply(reversed(box({}, {1, 1, 1})), turned);
     EXPECT_NE(turned.said.find("turned"), std::string::npos) << turned.said;
-    EXPECT_DOUBLE_EQ(turned.metrics.at("volume_before"), -1);
 }
 
 TEST(Repair, RefusesWhatIsNoSurface) {

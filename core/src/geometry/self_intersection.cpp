@@ -1,0 +1,124 @@
+#include <foam/self_intersection.hpp>
+
+#include "geometry/bvh.hpp"
+
+#include <foam/parallel.hpp>
+
+#include <limits>
+
+namespace foam {
+namespace {
+
+using geometry::Bvh;
+using geometry::BvhNode;
+
+/// Sign of the volume of a b c d, positive if d is below the counter-clockwise triangle a b c; 0 where rounding could
+/// decide it.
+int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    const Vec3 u = a - d, v = b - d, w = c - d;
+    const double determinant =
+        u.x * (v.y * w.z - v.z * w.y) + v.x * (w.y * u.z - w.z * u.y) + w.x * (u.y * v.z - u.z * v.y);
+    const double permanent = std::abs(u.x) * (std::abs(v.y * w.z) + std::abs(v.z * w.y)) +
+                             std::abs(v.x) * (std::abs(w.y * u.z) + std::abs(w.z * u.y)) +
+                             std::abs(w.x) * (std::abs(u.y * v.z) + std::abs(u.z * v.y));
+    const double bound = 8 * std::numeric_limits<double>::epsilon() * permanent; // Shewchuk's 7 ε/2 and room to spare
+    return determinant > bound ? 1 : determinant < -bound ? -1 : 0;
+}
+
+struct Corners {
+    std::array<Vec3, 3> p;
+};
+
+Corners corners_of(const Mesh& mesh, std::uint32_t i) {
+    const Triangle& t = mesh.triangles[i];
+    return {{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]}};
+}
+
+/// The segment passes through the inside of the triangle.
+bool passes_through(const Vec3& from, const Vec3& to, const Corners& t) {
+    const int start = orientation(t.p[0], t.p[1], t.p[2], from), end = orientation(t.p[0], t.p[1], t.p[2], to);
+    if (start * end >= 0) {
+        return false;
+    }
+    const int first = orientation(from, to, t.p[0], t.p[1]);
+    return first != 0 && first == orientation(from, to, t.p[1], t.p[2]) &&
+           first == orientation(from, to, t.p[2], t.p[0]);
+}
+
+/// A side of triangle i passes through triangle k. Sides that start at a corner of k only touch it there.
+bool side_passes_through(const Mesh& mesh, std::uint32_t i, std::uint32_t k) {
+    const Triangle &sides = mesh.triangles[i], &other = mesh.triangles[k];
+    const Corners target = corners_of(mesh, k);
+    const auto shared = [&](std::uint32_t vertex) {
+        return vertex == other[0] || vertex == other[1] || vertex == other[2];
+    };
+    for (std::size_t s = 0; s < 3; ++s) {
+        const std::uint32_t from = sides[s], to = sides[(s + 1) % 3];
+        if (!shared(from) && !shared(to) && passes_through(mesh.vertices[from], mesh.vertices[to], target)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool overlap(const BvhNode& node, const Box& box) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (node.low[axis] > box.high[axis] || box.low[axis] > node.high[axis]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Calls visit(k) for every triangle whose node of the hierarchy meets the box.
+template <class Visit> void for_each_near(const Bvh& bvh, const Box& box, Visit visit) {
+    std::array<std::uint32_t, Bvh::max_depth> stack;
+    std::size_t size = 0;
+    stack[size++] = 0;
+    while (size > 0) {
+        const BvhNode& node = bvh.nodes()[stack[--size]];
+        if (!overlap(node, box)) {
+            continue;
+        }
+        if (!node.leaf()) {
+            stack[size++] = node.first + 1;
+            stack[size++] = node.first;
+            continue;
+        }
+        for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+            visit(bvh.order()[k]);
+        }
+    }
+}
+
+} // namespace
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(const Mesh& mesh) {
+    const std::size_t count = mesh.triangles.size();
+    std::vector<Box> boxes(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        for (const std::uint32_t corner : mesh.triangles[i]) {
+            boxes[i].add(mesh.vertices[corner]);
+        }
+    }
+    const Bvh bvh(boxes);
+    std::vector<std::vector<std::uint32_t>> found(count);
+    parallel_for(count, [&](std::size_t index) {
+        const auto i = static_cast<std::uint32_t>(index);
+        for_each_near(bvh, boxes[index], [&](std::uint32_t k) {
+            if (k > i && (side_passes_through(mesh, i, k) || side_passes_through(mesh, k, i))) {
+                found[index].push_back(k);
+            }
+        });
+        std::sort(found[index].begin(), found[index].end());
+    });
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        for (const std::uint32_t k : found[i]) {
+            pairs.emplace_back(i, k);
+        }
+    }
+    return pairs;
+}
+
+} // namespace foam

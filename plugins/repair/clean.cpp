@@ -1,0 +1,130 @@
+#include "clean.hpp"
+
+#include "fans.hpp"
+#include "nesting.hpp"
+#include "triangle.hpp"
+
+#include <foam/error.hpp>
+
+#include <fmt/format.h>
+
+#include <numeric>
+
+namespace foam::repair {
+namespace {
+
+void check(const Mesh& mesh) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        for (const std::uint32_t corner : mesh.triangles[i]) {
+            if (corner >= mesh.vertices.size()) {
+                throw Error(ErrorCode::geometry, fmt::format("triangle {} refers to vertex {}, but there are only {}",
+                                                             i, corner, mesh.vertices.size()));
+            }
+            if (!is_finite(mesh.vertices[corner])) {
+                throw Error(ErrorCode::geometry,
+                            fmt::format("vertex {} of the mesh is not finite; remove its triangles or repair the file",
+                                        corner));
+            }
+        }
+    }
+}
+
+/// Cubes of lengths must neither overflow nor vanish.
+void check_extents(const Mesh& mesh) {
+    const Vec3 size = bounds(mesh).size();
+    const double extent = std::max({size.x, size.y, size.z});
+    if (!(extent < 1e90)) {
+        throw Error(ErrorCode::geometry,
+                    fmt::format("the mesh extends over {:g} m: its volume cannot be computed; check the "
+                                "unit of the file and its scale",
+                                extent));
+    }
+    if (!(extent > 1e-90)) {
+        throw Error(ErrorCode::geometry, fmt::format("the mesh has no extent ({:g} m)", extent));
+    }
+}
+
+Triangle sorted(Triangle t) {
+    std::sort(t.begin(), t.end());
+    return t;
+}
+
+/// The triangles whose corner sets occur first.
+std::vector<Triangle> without_repeats(const std::vector<Triangle>& triangles) {
+    std::vector<std::uint32_t> order(triangles.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return sorted(triangles[a]) < sorted(triangles[b]); });
+    std::vector<char> keep(triangles.size(), 1);
+    for (std::size_t k = 1; k < order.size(); ++k) {
+        keep[order[k]] = sorted(triangles[order[k]]) != sorted(triangles[order[k - 1]]);
+    }
+    std::vector<Triangle> result;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        if (keep[i]) {
+            result.push_back(triangles[i]);
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+Cleaned clean(const Mesh& mesh, Context& context) {
+    check(mesh);
+    Cleaned result;
+    result.all = welded(mesh);
+    if (!result.all.triangles.empty()) {
+        check_extents(result.all);
+    }
+    Mesh solid{result.all.vertices, {}};
+    for (const Triangle& t : result.all.triangles) {
+        if (!is_degenerate(corners(result.all, t))) {
+            solid.triangles.push_back(t);
+        }
+    }
+    if (solid.triangles.empty()) {
+        throw Error(ErrorCode::geometry, "the mesh has no triangle with an area: there is nothing to make a solid of");
+    }
+    const std::size_t with_area = solid.triangles.size();
+    solid.triangles = without_repeats(solid.triangles);
+    if (with_area != mesh.triangles.size()) {
+        context.log(Severity::info, fmt::format("{} of {} triangles have no area", mesh.triangles.size() - with_area,
+                                                mesh.triangles.size()));
+    }
+    if (solid.triangles.size() != with_area) {
+        context.log(Severity::info, fmt::format("{} triangles repeat others", with_area - solid.triangles.size()));
+    }
+    result.distinct = welded(solid);
+    return result;
+}
+
+std::optional<Mesh> closed_manifold(Mesh mesh, Context& context) {
+    std::optional<Neighbours> around = neighbours(mesh);
+    if (!around) {
+        return std::nullopt;
+    }
+    const Components parts = components(mesh, *around);
+    std::vector<char> mixed;
+    if (!orient(mesh, *around, parts, mixed)) {
+        return std::nullopt;
+    }
+    const std::size_t added = split_fans(mesh, *around);
+    const NestingReport nesting = orient_components(mesh, parts, mixed);
+    if (nesting.hollow || !(signed_volume(mesh) > 0) || !topology(mesh).closed_manifold()) {
+        return std::nullopt;
+    }
+    const auto said = [&](std::size_t count, const char* what) {
+        if (count > 0) {
+            context.log(Severity::info, fmt::format("{} {}", count, what));
+        }
+    };
+    said(static_cast<std::size_t>(std::count(mixed.begin(), mixed.end(), 1)),
+         "closed parts had triangles facing either way: made to agree");
+    said(nesting.turned, "closed parts faced the wrong way: turned");
+    said(nesting.cavities, "closed parts face inwards inside of another: kept as cavities");
+    said(added, "vertices added where parts touch in a point");
+    return mesh;
+}
+
+} // namespace foam::repair

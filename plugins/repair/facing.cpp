@@ -1,0 +1,122 @@
+#include "facing.hpp"
+
+#include "triangle.hpp"
+
+#include <foam/solid.hpp>
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace foam::repair {
+namespace {
+
+constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+/// For side k of triangle i, at 3 i + k: the triangle over an edge of exactly two; none elsewhere.
+std::vector<std::uint32_t> partners(const Mesh& mesh) {
+    struct Side {
+        std::uint32_t low, high, side;
+        bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
+    };
+    std::vector<Side> sides;
+    for (std::uint32_t side = 0; side < 3 * mesh.triangles.size(); ++side) {
+        const Triangle& t = mesh.triangles[side / 3];
+        const std::uint32_t from = t[side % 3], to = t[(side % 3 + 1) % 3];
+        sides.push_back({std::min(from, to), std::max(from, to), side});
+    }
+    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+        return std::tie(a.low, a.high, a.side) < std::tie(b.low, b.high, b.side);
+    });
+    std::vector<std::uint32_t> result(sides.size(), none);
+    for (std::size_t begin = 0; begin < sides.size();) {
+        std::size_t end = begin + 1;
+        while (end < sides.size() && sides[end].same_edge(sides[begin])) {
+            ++end;
+        }
+        if (end - begin == 2) {
+            result[sides[begin].side] = sides[begin + 1].side / 3;
+            result[sides[begin + 1].side] = sides[begin].side / 3;
+        }
+        begin = end;
+    }
+    return result;
+}
+
+std::vector<std::vector<std::uint32_t>> patches_of(const Mesh& mesh) {
+    const std::vector<std::uint32_t> partner = partners(mesh);
+    std::vector<char> seen(mesh.triangles.size(), 0);
+    std::vector<std::vector<std::uint32_t>> patches;
+    for (std::uint32_t seed = 0; seed < mesh.triangles.size(); ++seed) {
+        if (seen[seed]) {
+            continue;
+        }
+        std::vector<std::uint32_t>& patch = patches.emplace_back(1, seed);
+        seen[seed] = 1;
+        for (std::size_t next = 0; next < patch.size(); ++next) {
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                const std::uint32_t other = partner[3 * patch[next] + k];
+                if (other != none && !seen[other]) {
+                    seen[other] = 1;
+                    patch.push_back(other);
+                }
+            }
+        }
+    }
+    return patches;
+}
+
+enum class Facing { outwards, inwards, wall };
+
+/// By the winding number before and behind the middles of the patch's largest triangles.
+Facing facing_of(const Mesh& mesh, std::vector<std::uint32_t> patch, const Solid& solid) {
+    constexpr std::size_t most_samples = 9;
+    const auto area = [&](std::uint32_t i) { return squared_norm(area_vector(corners(mesh, mesh.triangles[i]))); };
+    std::stable_sort(patch.begin(), patch.end(), [&](std::uint32_t a, std::uint32_t b) { return area(a) > area(b); });
+    const double step = 1e-6 * solid.bounds().diagonal();
+    std::size_t turned = 0, walls = 0;
+    const std::size_t samples = std::min(most_samples, patch.size());
+    for (std::size_t i = 0; i < samples; ++i) {
+        const Corners t = corners(mesh, mesh.triangles[patch[i]]);
+        const Vec3 middle = (t[0] + t[1] + t[2]) / 3, normal = normalized(area_vector(t));
+        const bool before = solid.contains(middle + normal * step), behind = solid.contains(middle - normal * step);
+        turned += before && !behind;
+        walls += before && behind;
+    }
+    return 2 * walls > samples ? Facing::wall : 2 * turned > samples ? Facing::inwards : Facing::outwards;
+}
+
+} // namespace
+
+FacingReport face_outwards(Mesh& mesh, Context& context) {
+    const std::shared_ptr<const Solid> solid = Solid::make(mesh);
+    FacingReport report;
+    const std::vector<Triangle> given = mesh.triangles;
+    mesh.triangles = solid->surface().triangles; // neighbours agree
+    std::vector<char> keep(mesh.triangles.size(), 1);
+    for (const std::vector<std::uint32_t>& patch : patches_of(mesh)) {
+        context.check_cancelled();
+        const Facing facing = facing_of(mesh, patch, *solid);
+        for (const std::uint32_t i : patch) {
+            keep[i] = facing != Facing::wall;
+            if (facing == Facing::inwards) {
+                std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
+            }
+        }
+    }
+    std::vector<Triangle> kept;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        if (keep[i]) {
+            kept.push_back(mesh.triangles[i]);
+            const Triangle &now = mesh.triangles[i], &was = given[i];
+            const bool same =
+                now == was || now == Triangle{was[1], was[2], was[0]} || now == Triangle{was[2], was[0], was[1]};
+            report.turned += !same;
+        }
+    }
+    report.walls = mesh.triangles.size() - kept.size();
+    mesh.triangles = std::move(kept);
+    return report;
+}
+
+} // namespace foam::repair

@@ -1,0 +1,18 @@
+// Sides of triangles that have no partner.
+#pragma once
+
+#include <foam/mesh.hpp>
+
+#include <vector>
+
+namespace foam::repair {
+
+/// Side `place` of triangle `triangle`, from corner `place` to the next.
+struct OpenSide {
+    std::uint32_t from, to, triangle, place;
+};
+
+/// The sides whose edge has no other triangle, in the order of the triangles. O(n log n).
+std::vector<OpenSide> open_sides(const Mesh& mesh);
+
+} // namespace foam::repair

@@ -1,0 +1,21 @@
+// A closed surface around anything.
+#pragma once
+
+#include <foam/context.hpp>
+#include <foam/mesh.hpp>
+
+#include <cstddef>
+
+namespace foam::repair {
+
+struct RebuildOptions {
+    std::size_t leaves = 0; ///< least number of occupied cells of the octree
+    bool fill_openings =
+        false; ///< the inside of a mesh with holes is solid, too, not only what flood fill cannot reach
+};
+
+/// A closed, outward, 2-manifold surface around the triangles of `mesh`; cavities are filled. Precondition: at least
+/// one triangle with an area.
+Mesh rebuilt(const Mesh& mesh, const RebuildOptions& options, Context& context);
+
+} // namespace foam::repair
