@@ -23,7 +23,7 @@ Program::Program() : app("foam turns robots and objects into spheres that are pr
         ->type_name("DIR")
         ->expected(1)
         ->take_all()
-        ->check(CLI::ExistingDirectory);
+        ->check(CLI::Validator(CLI::ExistingDirectory).description("")); // the help would say DIR:DIR
     app.footer("Examples:\n"
                "  foam run configs/panda_22.yaml              a robot by a recipe\n"
                "  foam spherize robot.urdf -n 60              a robot without a recipe\n"

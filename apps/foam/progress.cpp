@@ -38,6 +38,15 @@ const char* word_for(Severity severity) {
     return "note";
 }
 
+/// "link, stage: "; what is of the whole run has no place.
+std::string place_of(const Event& event) {
+    if (event.link.empty() && event.stage.empty()) {
+        return "";
+    }
+    const char* separator = event.link.empty() || event.stage.empty() ? "" : ", ";
+    return fmt::format("{}{}{}: ", event.link, separator, event.stage);
+}
+
 } // namespace
 
 Progress::Progress(bool verbose) : verbose_(verbose) {
@@ -53,9 +62,7 @@ void Progress::on(const Event& event) {
     if (event.kind == Event::Kind::finding) {
         if (event.severity >= Severity::warning || verbose_) {
             clear();
-            const char* separator = event.link.empty() || event.stage.empty() ? "" : ", ";
-            tell(fmt::format("{}: {}{}{}: {}", word_for(event.severity), event.link, separator, event.stage,
-                             event.message));
+            tell(fmt::format("{}: {}{}", word_for(event.severity), place_of(event), event.message));
         }
     } else if (terminal_) {
         draw(event);

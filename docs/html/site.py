@@ -1,8 +1,21 @@
-"""What mkdocs has to know of these pages: docs/index.md is the navigation, and files outside of docs/ have no page."""
+"""What mkdocs has to know of these pages: docs/index.md is the navigation, the pages beside docs/ belong to them, and links to other files
+of the repository become text."""
+import os
 import pathlib
 import re
 
-LINK = re.compile(r"(?<!!)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^)\s]+)\)")
+from mkdocs.structure.files import File
+
+LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^)\s]+)\)")
+CODE_OR_LINK = re.compile(r"^ *```.*?^ *```|`[^`\n]*`|" + LINK.pattern, re.MULTILINE | re.DOTALL)
+DOCS = pathlib.Path(__file__).resolve().parents[1]
+
+
+def page_of(file):
+    """What mkdocs calls a file: its path in docs/, for README.md and its neighbours their name; None for any other file."""
+    if file.is_relative_to(DOCS):
+        return str(file.relative_to(DOCS))
+    return file.name if file.parent == DOCS.parent and file.suffix == ".md" else None
 
 
 def navigation_of(index):
@@ -10,28 +23,36 @@ def navigation_of(index):
     navigation = [{"foam": "index.md"}]
     for section in re.split(r"^## +", index, flags=re.MULTILINE)[1:]:
         title = section.splitlines()[0]
-        pages = [{text: target} for text, target in LINK.findall(section) if not target.startswith("..")]
-        navigation.append({title: pages})
+        links = [(text, page_of((DOCS / target).resolve())) for _, text, target in LINK.findall(section)]
+        navigation.append({title: [{text: page} for text, page in links if page]})
     return navigation
 
 
 def on_config(config):
-    config["nav"] = navigation_of(pathlib.Path(config["docs_dir"], "index.md").read_text(encoding="utf-8"))
+    config["nav"] = navigation_of((DOCS / "index.md").read_text(encoding="utf-8"))
     return config
 
 
 def on_files(files, config):
-    return type(files)([file for file in files if not file.src_path.startswith("html/")])
+    kept = [file for file in files if not file.src_path.startswith("html/")]
+    for path in DOCS.parent.glob("*.md"):
+        file = File(path.name, str(path.parent), config["site_dir"], False)
+        file.name = path.stem # README is not another index
+        file.dest_uri = file.url = path.stem + ".html"
+        file.abs_dest_path = os.path.join(config["site_dir"], file.dest_uri)
+        kept.append(file)
+    return type(files)(kept)
 
 
 def on_page_markdown(markdown, page, config, files):
-    """A link to a file of the repository that is no page becomes its text."""
-    docs = pathlib.Path(config["docs_dir"]).resolve()
-    folder = pathlib.Path(page.file.abs_src_path).parent
+    def relink(link):
+        mark, text, target = link.groups()
+        if target is None or re.match("[a-z]+:|#", target):
+            return link.group()
+        path, hash_sign, anchor = target.partition("#")
+        found = page_of((pathlib.Path(page.file.abs_src_path).parent / path).resolve())
+        if not found:
+            return text
+        return f"{mark}[{text}]({os.path.relpath(found, os.path.dirname(page.file.src_uri) or '.')}{hash_sign}{anchor})"
 
-    def keep_inside(link):
-        text, target = link.groups()
-        inside = re.match("[a-z]+:|#", target) or (folder / target.partition("#")[0]).resolve().is_relative_to(docs)
-        return link.group() if inside else text
-
-    return LINK.sub(keep_inside, markdown)
+    return CODE_OR_LINK.sub(relink, markdown)
