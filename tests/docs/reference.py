@@ -12,6 +12,8 @@ import re
 import subprocess
 import sys
 
+import recipe_reference
+
 KINDS = {"robot loader": "Robot loaders", "mesh loader": "Mesh loaders", "mesh filter": "Mesh filters",
          "spherizer": "Spherizers", "writer": "Writers", "renderer": "Renderers"}
 MADE = "<!-- Made from the program by tests/docs/reference.py: FOAM_TEST_UPDATE=1 ./foam test -R docs.reference -->\n"
@@ -108,7 +110,9 @@ def pages_of(foam):
     if unknown:
         sys.exit(f"add to KINDS: {unknown}")
     pages = {f"stages/{stage['name']}.md": stage_page(stage) for stage in stages}
-    return pages | {"stages.md": stages_page(stages), "command_line.md": command_line_page(foam)}
+    schema = json.loads(output_of(foam, "schema"))
+    return pages | {"stages.md": stages_page(stages), "command_line.md": command_line_page(foam),
+                    "recipe.md": recipe_reference.page_of(schema, MADE)}
 
 
 def update(folder, pages, vanished):
