@@ -50,3 +50,46 @@ function(foam_add_plugin NAME)
   endif()
   install(TARGETS ${NAME} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/foam/plugins" COMPONENT ${ARG_COMPONENT})
 endfunction()
+
+# foam_test_plugin(NAME [SAMPLES file...] [SOURCES file...] [RECIPES file...])
+#
+# Tests for ctest: NAME.contract holds the plugin's stages to what their kinds promise (`foam test-plugin`); SAMPLES are files
+# that a loader is to read. NAME.test is a program of the author's own made of SOURCES, in which FOAM_TEST_PLUGIN is the path of
+# the plugin; it fails by its exit code. NAME.STEM runs RECIPES/STEM.yaml with the plugin.
+macro(foam_test_plugin)
+  if(NOT DEFINED FOAM_TESTS OR FOAM_TESTS)
+    enable_testing() # a macro, for this works on the caller's folder
+    foam_add_plugin_tests(${ARGN})
+  endif()
+endmacro()
+
+function(foam_add_plugin_tests NAME)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SAMPLES;SOURCES;RECIPES")
+  if(ARG_UNPARSED_ARGUMENTS OR NOT TARGET ${NAME})
+    message(FATAL_ERROR "foam_test_plugin(NAME [SAMPLES file...] [SOURCES file...] [RECIPES file...]) of a plugin NAME: "
+      "got ${NAME} ${ARGN}")
+  endif()
+  set(OPTIONS)
+  foreach(SAMPLE IN LISTS ARG_SAMPLES)
+    cmake_path(ABSOLUTE_PATH SAMPLE)
+    list(APPEND OPTIONS --sample "${SAMPLE}")
+  endforeach()
+  add_test(NAME ${NAME}.contract COMMAND foam::program test-plugin $<TARGET_FILE:${NAME}> ${OPTIONS})
+  set(TESTS ${NAME}.contract)
+  if(ARG_SOURCES)
+    add_executable(${NAME}_test ${ARG_SOURCES})
+    target_link_libraries(${NAME}_test PRIVATE foam::core)
+    target_compile_definitions(${NAME}_test PRIVATE FOAM_TEST_PLUGIN="$<TARGET_FILE:${NAME}>")
+    add_dependencies(${NAME}_test ${NAME})
+    add_test(NAME ${NAME}.test COMMAND ${NAME}_test)
+    list(APPEND TESTS ${NAME}.test)
+  endif()
+  foreach(RECIPE IN LISTS ARG_RECIPES)
+    cmake_path(ABSOLUTE_PATH RECIPE)
+    cmake_path(GET RECIPE STEM STEM)
+    add_test(NAME ${NAME}.${STEM}
+      COMMAND foam::program run "${RECIPE}" --plugin $<TARGET_FILE:${NAME}> --fresh --out "${CMAKE_CURRENT_BINARY_DIR}/runs/${STEM}")
+    list(APPEND TESTS ${NAME}.${STEM})
+  endforeach()
+  set_tests_properties(${TESTS} PROPERTIES TIMEOUT 900)
+endfunction()

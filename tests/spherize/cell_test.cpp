@@ -1,7 +1,6 @@
 // Cells: pieces of a solid in boxes, and the balls around them.
-#include "solids.hpp"
-
 #include <foam/cell.hpp>
+#include <foam/host/contract.hpp>
 #include <foam/measure.hpp>
 #include <foam/random.hpp>
 
@@ -31,7 +30,7 @@ bool covered(const std::vector<Sphere>& spheres, const Vec3& point, double slack
 }
 
 TEST(Cell, ABoxDividedEvenlyGivesCircumscribedBalls) {
-    const auto solid = Solid::make(test::box_mesh({0.2, 0.4, 0.6}));
+    const auto solid = Solid::make(sample::box({0.2, 0.4, 0.6}));
     const std::vector<Cell> cells = Cell::whole(*solid, frame, Cell::Content::solid).divided({1, 2, 3});
     ASSERT_EQ(cells.size(), 6u);
     for (const Sphere& ball : balls(cells)) {
@@ -40,14 +39,14 @@ TEST(Cell, ABoxDividedEvenlyGivesCircumscribedBalls) {
 }
 
 TEST(Cell, InteriorCellsCountOnlyWhenTheSolidDoes) {
-    const auto solid = Solid::make(test::box_mesh({1, 1, 1}));
+    const auto solid = Solid::make(sample::box({1, 1, 1}));
     EXPECT_EQ(Cell::whole(*solid, frame, Cell::Content::solid).divided({3, 3, 3}).size(), 27u);
     EXPECT_EQ(Cell::whole(*solid, frame, Cell::Content::surface).divided({3, 3, 3}).size(), 26u);
 }
 
 TEST(Cell, FacesBetweenCellsBelongToTheSideOfTheSolid) {
     // The planes of the division run along the bracket's inner faces: the empty quarter must stay empty.
-    const auto solid = Solid::make(test::bracket_mesh());
+    const auto solid = Solid::make(sample::bracket());
     const std::vector<Cell> cells = Cell::whole(*solid, frame, Cell::Content::solid).divided({4, 1, 3});
     EXPECT_EQ(cells.size(), 6u);
     for (const Cell& cell : cells) {
@@ -60,7 +59,7 @@ TEST(Cell, BallsCoverSurfaceAndInterior) {
     for (const std::string name :
          {"Torus", "Bracket", "CylinderPrimitive", "TwoBoxes", "OverlappingParts", "FarAway"}) {
         SCOPED_TRACE(name);
-        const auto solid = test::solids().at(name)();
+        const auto solid = sample::solids().at(name)();
         const double size = solid->bounds().diagonal();
         for (int turn = 0; turn < 4; ++turn) {
             const Pose pose =
@@ -81,7 +80,7 @@ TEST(Cell, BallsCoverSurfaceAndInterior) {
 }
 
 TEST(Cell, BallsAreProvedWithNextToNoGrowth) {
-    for (const auto& [name, make] : test::solids()) {
+    for (const auto& [name, make] : sample::solids()) {
         SCOPED_TRACE(name);
         const auto solid = make();
         const std::vector<Sphere> spheres =
@@ -95,7 +94,7 @@ TEST(Cell, BallsAreProvedWithNextToNoGrowth) {
 }
 
 TEST(Cell, CoarseCellsAreAboutTheSame) {
-    const auto solid = Solid::make(test::torus_mesh(0.1, 0.03, 200, 100));
+    const auto solid = Solid::make(sample::torus(0.1, 0.03, 200, 100));
     const Cell whole = Cell::whole(*solid, frame, Cell::Content::solid);
     const Cell coarse = whole.coarse(0.005);
     EXPECT_LT(coarse.pieces(), whole.pieces() / 5);
@@ -107,7 +106,7 @@ TEST(Cell, CoarseCellsAreAboutTheSame) {
 }
 
 TEST(Cell, TurnedIsWholeAlongOtherAxes) {
-    const auto solid = test::solids().at("Bracket")();
+    const auto solid = sample::solids().at("Bracket")();
     const Pose pose = Pose::from_xyz_rpy({}, {0.3, 0.5, 0.7});
     const Cell turned = Cell::whole(*solid, frame, Cell::Content::solid).turned(pose.rotation);
     const Cell direct = Cell::whole(*solid, pose.rotation, Cell::Content::solid);
@@ -116,12 +115,12 @@ TEST(Cell, TurnedIsWholeAlongOtherAxes) {
 }
 
 TEST(Cell, InnerBallsLieInside) {
-    const auto solid = Solid::make(test::box_mesh({1, 1, 1}));
+    const auto solid = Solid::make(sample::box({1, 1, 1}));
     const Cell whole = Cell::whole(*solid, frame, Cell::Content::solid);
     ASSERT_TRUE(whole.inner_ball());
     EXPECT_NEAR(whole.inner_ball()->radius, 0.5, 1e-6);
     EXPECT_LE(whole.inner_ball()->radius, 0.5);
-    const auto flat = test::solids().at("FlatSquare")();
+    const auto flat = sample::solids().at("FlatSquare")();
     EXPECT_FALSE(Cell::whole(*flat, frame, Cell::Content::surface).inner_ball());
 }
 
@@ -139,7 +138,7 @@ TEST(VolumeSaved, MatchesTheVolumes) {
 
 TEST(PrincipalAxes, OfABox) {
     const Pose pose = Pose::from_xyz_rpy({1, 2, 3}, {0.3, 0.5, 0.7});
-    const auto solid = Solid::make(transformed(test::box_mesh({3, 2, 1}), pose));
+    const auto solid = Solid::make(transformed(sample::box({3, 2, 1}), pose));
     const auto axes = principal_axes(*solid);
     for (int i = 0; i < 3; ++i) {
         Vec3 axis{};

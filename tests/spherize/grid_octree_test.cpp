@@ -1,7 +1,6 @@
 // What spherize.grid and spherize.octree promise beyond the contract of all spherizers.
-#include "solids.hpp"
-
 #include <foam/error.hpp>
+#include <foam/host/contract.hpp>
 #include <foam/host/registry.hpp>
 #include <foam/measure.hpp>
 
@@ -35,7 +34,7 @@ double excess(const Solid& solid, const SphereTree& tree) {
 TEST_P(GridAndOctree, CoverIsExactBeforeAnyGrowth) {
     for (const std::string name : {"Bracket", "Torus", "CylinderPrimitive", "OpenCup", "FarAway"}) {
         SCOPED_TRACE(name);
-        const auto solid = test::solids().at(name)();
+        const auto solid = sample::solids().at(name)();
         for (const std::size_t count : {1, 8, 20}) {
             const std::vector<Sphere> spheres = spherize(solid, {count, {}, Guarantee::outer}).finest();
             const std::vector<Sphere> grown = grown_to_cover(*solid, spheres);
@@ -49,7 +48,7 @@ TEST_P(GridAndOctree, CoverIsExactBeforeAnyGrowth) {
 TEST_P(GridAndOctree, MoreSpheresNeverClaimMuchMore) {
     for (const std::string name : {"Bracket", "Torus", "CapsulePrimitive"}) {
         SCOPED_TRACE(name);
-        const auto solid = test::solids().at(name)();
+        const auto solid = sample::solids().at(name)();
         double previous = std::numeric_limits<double>::infinity();
         for (const std::size_t count : {1, 2, 4, 8, 12, 20}) {
             const double now = excess(*solid, spherize(solid, {count, {}, Guarantee::outer}));
@@ -60,7 +59,7 @@ TEST_P(GridAndOctree, MoreSpheresNeverClaimMuchMore) {
 }
 
 TEST_P(GridAndOctree, AProtrusionLimitIsKept) {
-    const auto solid = test::solids().at("Bracket")();
+    const auto solid = sample::solids().at("Bracket")();
     const double limit = 0.02;
     const SphereTree tree = spherize(solid, {{}, limit, Guarantee::outer});
     MeasureOptions options;
@@ -72,7 +71,7 @@ TEST_P(GridAndOctree, AProtrusionLimitIsKept) {
 }
 
 TEST_P(GridAndOctree, DepthGivesLevelsWithParentsThatCoverTheirChildrensParts) {
-    const auto solid = test::solids().at("Bracket")();
+    const auto solid = sample::solids().at("Bracket")();
     const SphereTree tree = spherize(solid, {}, {{"depth", std::int64_t{3}}});
     ASSERT_EQ(tree.levels.size(), 4u);
     for (std::size_t l = 1; l < tree.levels.size(); ++l) {
@@ -88,7 +87,7 @@ TEST_P(GridAndOctree, DepthGivesLevelsWithParentsThatCoverTheirChildrensParts) {
 }
 
 TEST_P(GridAndOctree, SurfaceAloneLeavesTheInsideOut) {
-    const auto solid = Solid::make(test::box_mesh({1, 1, 1}));
+    const auto solid = Solid::make(sample::box({1, 1, 1}));
     const Budget budget{64, {}, Guarantee::outer};
     const auto holds_center = [](const SphereTree& tree) {
         return std::any_of(tree.finest().begin(), tree.finest().end(), [](const Sphere& s) {
@@ -102,7 +101,7 @@ TEST_P(GridAndOctree, SurfaceAloneLeavesTheInsideOut) {
 TEST_P(GridAndOctree, InnerSpheresStayInside) {
     for (const std::string name : {"Box", "Bracket", "CapsulePrimitive"}) {
         SCOPED_TRACE(name);
-        const auto solid = test::solids().at(name)();
+        const auto solid = sample::solids().at(name)();
         for (const std::size_t count : {1, 8, 20}) {
             const SphereTree tree = spherize(solid, {count, {}, Guarantee::inner});
             EXPECT_LE(tree.finest().size(), count);
@@ -116,7 +115,7 @@ TEST_P(GridAndOctree, InnerSpheresStayInside) {
 
 TEST_P(GridAndOctree, AFlatPartHasNoInnerSpheres) {
     try {
-        spherize(test::solids().at("FlatSquare")(), {4, {}, Guarantee::inner});
+        spherize(sample::solids().at("FlatSquare")(), {4, {}, Guarantee::inner});
         FAIL() << "a flat square has no interior";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::geometry);
@@ -131,7 +130,7 @@ class Grid : public GridAndOctree {};
 
 TEST_P(Grid, ABarGetsCubes) {
     // 1 × 1 × 4: four cubes, each in its circumscribed ball.
-    const auto solid = Solid::make(test::box_mesh({0.1, 0.1, 0.4}));
+    const auto solid = Solid::make(sample::box({0.1, 0.1, 0.4}));
     const SphereTree tree = spherize(solid, {4, {}, Guarantee::outer});
     ASSERT_EQ(tree.finest().size(), 4u);
     for (const Sphere& sphere : tree.finest()) {
@@ -140,7 +139,7 @@ TEST_P(Grid, ABarGetsCubes) {
 }
 
 TEST_P(Grid, ARotatedPartCostsTheSame) {
-    const Mesh upright = test::box_mesh({0.1, 0.1, 0.4});
+    const Mesh upright = sample::box({0.1, 0.1, 0.4});
     const auto solid = Solid::make(upright);
     const auto turned = Solid::make(transformed(upright, Pose::from_xyz_rpy({1, 2, 3}, {0.4, 0.7, 0.2})));
     const Budget budget{4, {}, Guarantee::outer};
@@ -148,7 +147,7 @@ TEST_P(Grid, ARotatedPartCostsTheSame) {
 }
 
 TEST_P(Grid, WithoutRefinementAGridAlone) {
-    const auto solid = Solid::make(test::box_mesh({0.2, 0.2, 0.4}));
+    const auto solid = Solid::make(sample::box({0.2, 0.2, 0.4}));
     const auto count = [&](std::size_t most, bool refine) {
         return spherize(solid, {most, {}, Guarantee::outer}, {{"refine", refine}}).finest().size();
     };

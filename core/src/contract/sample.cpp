@@ -1,18 +1,18 @@
-// Solids of many kinds, the awkward ones among them.
-#pragma once
+#include <foam/host/contract.hpp>
 
-#include <foam/robot.hpp>
-#include <foam/solid.hpp>
-
-#include <functional>
-#include <map>
-#include <memory>
 #include <numbers>
-#include <string>
 
-namespace foam::test {
+namespace foam::sample {
+namespace {
 
-inline Mesh box_mesh(const Vec3& size, const Vec3& center = {}) {
+std::shared_ptr<const Solid> primitive_solid(Primitive::Kind kind, const Vec3& size, double radius, double length,
+                                             const Pose& pose = {}) {
+    return Solid::make(std::vector<Solid::Part>{{nullptr, Primitive{kind, size, radius, length}, pose}});
+}
+
+} // namespace
+
+Mesh box(const Vec3& size, const Vec3& center) {
     Mesh mesh;
     for (int i = 0; i < 8; ++i) {
         mesh.vertices.push_back(
@@ -23,7 +23,7 @@ inline Mesh box_mesh(const Vec3& size, const Vec3& center = {}) {
     return mesh;
 }
 
-inline Mesh torus_mesh(double large, double small, std::uint32_t around = 24, std::uint32_t across = 12) {
+Mesh torus(double large, double small, std::uint32_t around, std::uint32_t across) {
     Mesh mesh;
     for (std::uint32_t i = 0; i < around; ++i) {
         for (std::uint32_t k = 0; k < across; ++k) {
@@ -38,8 +38,8 @@ inline Mesh torus_mesh(double large, double small, std::uint32_t around = 24, st
     return mesh;
 }
 
-/// An L of 0.2 × 0.1 × 0.15 m, 0.05 m thick: the sides of its outline drawn up.
-inline Mesh bracket_mesh() {
+// The sides of its outline drawn up.
+Mesh bracket() {
     Mesh mesh;
     const std::array<std::pair<double, double>, 6> outline{
         {{0, 0}, {0.2, 0}, {0.2, 0.05}, {0.05, 0.05}, {0.05, 0.15}, {0, 0.15}}};
@@ -63,18 +63,12 @@ inline Mesh bracket_mesh() {
     return mesh;
 }
 
-inline std::shared_ptr<const Solid> primitive_solid(Primitive::Kind kind, const Vec3& size, double radius,
-                                                    double length, const Pose& pose = {}) {
-    return Solid::make(std::vector<Solid::Part>{{nullptr, Primitive{kind, size, radius, length}, pose}});
-}
-
-/// Makers of solids by name.
-inline const std::map<std::string, std::function<std::shared_ptr<const Solid>()>>& solids() {
+const std::map<std::string, std::function<std::shared_ptr<const Solid>()>>& solids() {
     using Kind = Primitive::Kind;
     static const std::map<std::string, std::function<std::shared_ptr<const Solid>()>> makers{
         {"Box",
          [] {
-             return Solid::make(box_mesh({0.1, 0.2, 0.3}));
+             return Solid::make(box({0.1, 0.2, 0.3}));
          }},
         {"BoxPrimitive",
          [] {
@@ -86,15 +80,15 @@ inline const std::map<std::string, std::function<std::shared_ptr<const Solid>()>
              return primitive_solid(Kind::cylinder, {}, 0.05, 0.3, Pose::from_xyz_rpy({0.1, 0, 0}, {0.3, 0.2, 0.1}));
          }},
         {"CapsulePrimitive", [] { return primitive_solid(Kind::capsule, {}, 0.05, 0.3); }},
-        {"Torus", [] { return Solid::make(torus_mesh(0.1, 0.03)); }},
-        {"Bracket", [] { return Solid::make(bracket_mesh()); }},
+        {"Torus", [] { return Solid::make(torus(0.1, 0.03)); }},
+        {"Bracket", [] { return Solid::make(bracket()); }},
         {"MirroredBracket",
          [] {
-             return Solid::make(transformed(bracket_mesh(), Pose{}, {-1, 1, 1}));
+             return Solid::make(transformed(bracket(), Pose{}, {-1, 1, 1}));
          }},
         {"ThinPlate",
          [] {
-             return Solid::make(box_mesh({0.3, 0.2, 0.001}));
+             return Solid::make(box({0.3, 0.2, 0.001}));
          }},
         {"FlatSquare",
          [] {
@@ -106,40 +100,40 @@ inline const std::map<std::string, std::function<std::shared_ptr<const Solid>()>
          }},
         {"TwoBoxes",
          [] {
-             Mesh mesh = box_mesh({0.1, 0.1, 0.1});
-             append(mesh, box_mesh({0.1, 0.05, 0.2}, {0.5, 0, 0}));
+             Mesh mesh = box({0.1, 0.1, 0.1});
+             append(mesh, box({0.1, 0.05, 0.2}, {0.5, 0, 0}));
              return Solid::make(mesh);
          }},
         {"OverlappingParts",
          [] {
              return Solid::make(std::vector<Solid::Part>{
-                 {std::make_shared<const Mesh>(box_mesh({0.1, 0.1, 0.1})), {}, {}},
+                 {std::make_shared<const Mesh>(box({0.1, 0.1, 0.1})), {}, {}},
                  {nullptr, Primitive{Kind::cylinder, {}, 0.03, 0.3}, Pose::from_xyz_rpy({0.02, 0, 0}, {0, 1, 0})}});
          }},
         {"OpenCup",
          [] {
-             Mesh mesh = box_mesh({0.1, 0.1, 0.1});
+             Mesh mesh = box({0.1, 0.1, 0.1});
              mesh.triangles.resize(10);
              return Solid::make(mesh);
          }},
         {"Tiny",
          [] {
-             return Solid::make(box_mesh({1e-7, 2e-7, 1e-7}));
+             return Solid::make(box({1e-7, 2e-7, 1e-7}));
          }},
         {"Huge",
          [] {
-             return Solid::make(box_mesh({1e4, 2e4, 1e4}));
+             return Solid::make(box({1e4, 2e4, 1e4}));
          }},
         {"FarAway",
          [] {
-             return Solid::make(box_mesh({0.1, 0.1, 0.2}, {5e3, -2e3, 1e3}));
+             return Solid::make(box({0.1, 0.1, 0.2}, {5e3, -2e3, 1e3}));
          }},
         {"Needle",
          [] {
-             return Solid::make(box_mesh({0.003, 0.003, 1}));
+             return Solid::make(box({0.003, 0.003, 1}));
          }},
     };
     return makers;
 }
 
-} // namespace foam::test
+} // namespace foam::sample

@@ -1,0 +1,100 @@
+#include "promises.hpp"
+
+#include <foam/error.hpp>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+namespace foam {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder for files that are made to be refused; gone at the end.
+class Scratch {
+public:
+    Scratch() {
+        std::string pattern = (fs::temp_directory_path() / "foam-contract-XXXXXX").string();
+        require(mkdtemp(pattern.data()) != nullptr, "cannot make a temporary folder");
+        path_ = pattern;
+    }
+    ~Scratch() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+
+    fs::path file(const std::string& name, const std::string& bytes) const {
+        std::ofstream(path_ / name, std::ios::binary) << bytes;
+        return path_ / name;
+    }
+    const fs::path& path() const { return path_; }
+
+private:
+    fs::path path_;
+};
+
+void require_loaded(const fs::path& file, const Mesh& mesh) {
+    require(!mesh.triangles.empty(), fmt::format("{}: it gives no triangle", file.string()));
+    for (const Vec3& p : mesh.vertices) {
+        require(is_finite(p), fmt::format("{}: it gives a vertex that is not finite", file.string()));
+    }
+    for (const Triangle& t : mesh.triangles) {
+        for (const std::uint32_t corner : t) {
+            require(corner < mesh.vertices.size(), fmt::format("{}: a triangle has vertex {}, there are {}",
+                                                               file.string(), corner, mesh.vertices.size()));
+        }
+    }
+}
+
+/// Loads, or refuses by an Error(input) that names the file.
+void require_mesh_or_refusal(const MeshLoader& loader, const fs::path& file, bool must_refuse) {
+    QuietContext context;
+    try {
+        require_loaded(file, loader.load(file, context));
+    } catch (const Error& error) {
+        const std::string message = error.what();
+        require(error.code() == ErrorCode::input,
+                fmt::format("it refuses with the wrong code: {}; remedy: ErrorCode::input", message));
+        require(message.find(file.filename().string()) != message.npos,
+                fmt::format("its message does not name the file: {}", message));
+        return;
+    }
+    require(!must_refuse, fmt::format("it takes {} for a mesh", file.filename().string()));
+}
+
+} // namespace
+
+void check_mesh_loader(const MeshLoader& loader, const StageInfo& info, const ContractOptions& options,
+                       Promises& promises) {
+    promises.check("says which files it reads", [&] {
+        require(!info.extensions.empty(), "it declares no file name endings; remedy: .extensions = {\"…\"}");
+    });
+    const std::string ending = info.extensions.empty() ? "mesh" : info.extensions.front();
+    promises.check("refuses what is no mesh", [&] {
+        const Scratch scratch;
+        require_mesh_or_refusal(loader, scratch.path() / ("missing." + ending), true);
+        require_mesh_or_refusal(loader, scratch.file("empty." + ending, ""), true);
+        require_mesh_or_refusal(loader, scratch.file("noise." + ending, std::string(3000, '\x7f')), true);
+    });
+    for (const fs::path& sample : options.samples) {
+        promises.check(fmt::format("loads {}, whole, and cut off without a crash", sample.filename().string()), [&] {
+            QuietContext context;
+            const Mesh mesh = loader.load(sample, context);
+            require_loaded(sample, mesh);
+            require(loader.load(sample, context) == mesh, "the second time it gives another mesh");
+            std::ifstream stream(sample, std::ios::binary);
+            const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+            const Scratch scratch;
+            for (const std::size_t share : {1, 3, 5, 7}) {
+                const fs::path cut =
+                    scratch.file(fmt::format("cut{}.{}", share, ending), bytes.substr(0, bytes.size() * share / 8));
+                require_mesh_or_refusal(loader, cut, false);
+            }
+        });
+    }
+}
+
+} // namespace foam

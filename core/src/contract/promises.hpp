@@ -1,0 +1,54 @@
+// How a contract is looked at: promise by promise, the first breach of each kept.
+#pragma once
+
+#include <foam/host/contract.hpp>
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace foam {
+
+/// A promise is broken; the message says where, how, and the remedy.
+class Breach : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+class Promises {
+public:
+    Promises(std::string stage, const ContractOptions& options) : stage_(std::move(stage)), options_(options) {}
+
+    /// `look` throws Breach; whatever else it throws is a breach too.
+    void check(const std::string& promise, const std::function<void()>& look);
+    std::vector<ContractFinding> findings;
+
+private:
+    std::string stage_;
+    const ContractOptions& options_;
+};
+
+inline void require(bool kept, const std::string& message) {
+    if (!kept) {
+        throw Breach(message);
+    }
+}
+
+/// A context of a user who has asked to stop.
+class Stopped final : public QuietContext {
+public:
+    bool cancelled() const override { return true; }
+};
+
+/// Requires that `call`, given a Stopped context, ends by Error(cancelled).
+void require_stop(const std::function<void(Context&)>& call);
+/// Runs `call` with so many threads for parallel_for.
+void with_threads(std::size_t threads, const std::function<void()>& call);
+
+void check_spherizer(const Spherizer& spherizer, Promises& promises);
+void check_mesh_filter(const MeshFilter& filter, Promises& promises);
+void check_mesh_loader(const MeshLoader& loader, const StageInfo& info, const ContractOptions& options,
+                       Promises& promises);
+void check_writer(const Writer& writer, Promises& promises);
+
+} // namespace foam

@@ -1,0 +1,115 @@
+// Spherizers that are good but for one thing each.
+#include <foam/plugin.hpp>
+
+#include <atomic>
+#include <stdexcept>
+
+namespace {
+
+using namespace foam;
+
+SphereTree one_ball(const Shape& shape, Context& context) {
+    context.check_cancelled();
+    return flat_tree({minimum_enclosing_sphere(shape.original().surface().vertices)});
+}
+
+class Good final : public Spherizer {
+public:
+    SphereTree spherize(const Shape& shape, const Budget&, Context& context) const override {
+        return one_ball(shape, context);
+    }
+};
+
+class TooMany final : public Spherizer {
+public:
+    SphereTree spherize(const Shape& shape, const Budget&, Context& context) const override {
+        const Sphere ball = one_ball(shape, context).finest().front();
+        return flat_tree({ball, ball});
+    }
+};
+
+class TooSmall final : public Spherizer {
+public:
+    SphereTree spherize(const Shape& shape, const Budget&, Context& context) const override {
+        Sphere ball = one_ball(shape, context).finest().front();
+        ball.radius /= 2;
+        return flat_tree({ball});
+    }
+};
+
+class NotFinite final : public Spherizer {
+public:
+    SphereTree spherize(const Shape& shape, const Budget&, Context& context) const override {
+        SphereTree tree = one_ball(shape, context);
+        tree.levels.back().spheres.front().center.y = std::numeric_limits<double>::quiet_NaN();
+        return tree;
+    }
+};
+
+class Empty final : public Spherizer {
+public:
+    SphereTree spherize(const Shape&, const Budget&, Context& context) const override {
+        context.check_cancelled();
+        return {};
+    }
+};
+
+class CountsItsCalls final : public Spherizer {
+public:
+    SphereTree spherize(const Shape& shape, const Budget&, Context& context) const override {
+        Sphere ball = one_ball(shape, context).finest().front();
+        ball.radius *= 1 + 1e-6 * static_cast<double>(++calls_);
+        return flat_tree({ball});
+    }
+
+private:
+    mutable std::atomic<int> calls_ = 0;
+};
+
+class NeverStops final : public Spherizer {
+public:
+    SphereTree spherize(const Shape& shape, const Budget&, Context&) const override {
+        QuietContext deaf;
+        return one_ball(shape, deaf);
+    }
+};
+
+class Throws final : public Spherizer {
+public:
+    SphereTree spherize(const Shape& shape, const Budget&, Context& context) const override {
+        context.check_cancelled();
+        if (shape.name() == "Needle") {
+            throw std::out_of_range("no such cell");
+        }
+        return one_ball(shape, context);
+    }
+};
+
+class Picky final : public Spherizer {
+public:
+    explicit Picky(const Parameters& parameters) {
+        if (parameters.integer("cells") == 0) {
+            throw std::invalid_argument("no cells");
+        }
+    }
+    SphereTree spherize(const Shape& shape, const Budget&, Context& context) const override {
+        return one_ball(shape, context);
+    }
+};
+
+} // namespace
+
+FOAM_PLUGIN("broken_spherizers", "1.0", "Apache-2.0") {
+    enrol.add<Good>({.name = "spherize.good", .summary = "Keeps all promises"});
+    enrol.add<TooMany>({.name = "spherize.too_many", .summary = "Two spheres whatever the budget"});
+    enrol.add<TooSmall>({.name = "spherize.too_small", .summary = "Half the radius"});
+    enrol.add<NotFinite>({.name = "spherize.not_finite", .summary = "A centre that is no number"});
+    enrol.add<Empty>({.name = "spherize.empty", .summary = "No spheres"});
+    enrol.add<CountsItsCalls>({.name = "spherize.counts", .summary = "Keeps a state between calls"});
+    enrol.add<NeverStops>({.name = "spherize.never_stops", .summary = "Deaf"});
+    enrol.add<Throws>({.name = "spherize.throws", .summary = "Throws for one solid"});
+    enrol.add<Picky>({.name = "spherize.picky",
+                      .summary = "Declares what it does not take",
+                      .parameters = {Parameter::integer("cells", 1).at_least(0).doc("Cells."),
+                                     Parameter::number("size", 1).doc("Size.")}});
+}
