@@ -25,20 +25,20 @@ TEST_F(Cli, StagesForPeopleAndPrograms) {
 }
 
 TEST_F(Cli, DescribeAStage) {
-    const Outcome text = foam("describe load.assimp");
+    const Outcome text = foam("describe load.mesh");
     EXPECT_EQ(text.code, 0);
-    EXPECT_THAT(text.out, HasSubstr("load.assimp (mesh loader, plugin load_assimp "));
+    EXPECT_THAT(text.out, HasSubstr("load.mesh (mesh loader, plugin load_mesh "));
     EXPECT_THAT(text.out, HasSubstr("max_triangles: 20000000    # integer 1 … 1e+09"));
-    const json data = json::parse(foam("describe load.assimp --json").out);
-    EXPECT_EQ(data["name"], "load.assimp");
+    const json data = json::parse(foam("describe load.mesh --json").out);
+    EXPECT_EQ(data["name"], "load.mesh");
     EXPECT_EQ(data["parameters"][0]["default"], 20'000'000);
 }
 
 TEST_F(Cli, DescribeAnUnknownStage) {
-    const Outcome outcome = foam("describe load.asimp");
+    const Outcome outcome = foam("describe load.mesch");
     EXPECT_EQ(outcome.code, 2);
     EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(outcome.err, "foam: error: unknown stage 'load.asimp'; did you mean 'load.assimp'?\n");
+    EXPECT_EQ(outcome.err, "foam: error: unknown stage 'load.mesch'; did you mean 'load.mesh'?\n");
 }
 
 TEST_F(Cli, PluginsAndWhyOneIsRefused) {
@@ -46,7 +46,7 @@ TEST_F(Cli, PluginsAndWhyOneIsRefused) {
     write("mine/bad.so", "no library at all");
     const Outcome brief = foam("plugins --plugin-dir mine");
     EXPECT_EQ(brief.code, 0);
-    EXPECT_THAT(brief.out, HasSubstr("load_assimp"));
+    EXPECT_THAT(brief.out, HasSubstr("load_mesh"));
     EXPECT_EQ(brief.err, "foam: 1 more refused; `foam plugins --why` says why\n");
     const Outcome why = foam("plugins --plugin-dir mine --why");
     EXPECT_EQ(why.code, 0);

@@ -10,7 +10,7 @@ namespace {
 class EmbeddedChain : public testing::TestWithParam<const char*> {
 protected:
     void SetUp() override {
-        for (const char* plugin : {"/load_assimp.so", "/repair.so", "/simplify_quadric.so", "/smooth.so"}) {
+        for (const char* plugin : {"/load_mesh.so", "/repair.so", "/simplify_quadric.so", "/smooth.so"}) {
             const PluginRecord& record = registry.load(std::string(FOAM_TEST_PLUGINS) + plugin);
             ASSERT_TRUE(record.loaded()) << record.rejection;
         }
@@ -22,7 +22,7 @@ protected:
 
 TEST_P(EmbeddedChain, EndsClosedAndOfNearlyTheSameVolume) {
     const std::filesystem::path folder = FOAM_TEST_SOURCE "/configs/robots/panda/meshes";
-    const Mesh raw = registry.make<MeshLoader>("load.assimp")->load(folder / GetParam(), context);
+    const Mesh raw = registry.make<MeshLoader>("load.mesh")->load(folder / GetParam(), context);
     Mesh mesh = raw;
     const std::map<std::string, ParameterValue> leaves{{"leaves", ParameterValue(std::int64_t{1000})}};
     mesh = registry.make<MeshFilter>("repair.watertight", leaves)->apply(mesh, context);

@@ -14,7 +14,7 @@ const std::filesystem::path folder = FOAM_TEST_SOURCE "/configs/robots/panda";
 class EmbeddedPanda : public testing::Test {
 protected:
     void SetUp() override {
-        for (const char* plugin : {"/load_urdf.so", "/load_assimp.so"}) {
+        for (const char* plugin : {"/load_urdf.so", "/load_mesh.so"}) {
             const PluginRecord& record = registry.load(std::string(FOAM_TEST_PLUGINS) + plugin);
             ASSERT_TRUE(record.loaded()) << record.rejection;
         }
@@ -32,7 +32,7 @@ protected:
     }
 
     Mesh mesh(const std::string& name) {
-        return registry.make<MeshLoader>("load.assimp")->load(folder / "meshes" / name, context);
+        return registry.make<MeshLoader>("load.mesh")->load(folder / "meshes" / name, context);
     }
 
     Registry registry;

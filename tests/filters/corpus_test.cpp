@@ -33,7 +33,7 @@ std::vector<std::filesystem::path> files_below(const std::filesystem::path& fold
 std::optional<Mesh> loaded(const std::filesystem::path& file) {
     try {
         QuietContext context;
-        return registry().make<MeshLoader>("load.assimp")->load(file, context);
+        return registry().make<MeshLoader>("load.mesh")->load(file, context);
     } catch (const Error&) {
         return std::nullopt;
     }

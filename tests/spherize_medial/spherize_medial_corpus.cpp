@@ -20,10 +20,10 @@ void spherize_all(const std::filesystem::path& folder, std::uintmax_t largest_fi
     }
     Registry registry;
     ASSERT_TRUE(registry.load(FOAM_TEST_PLUGINS "/spherize_medial.so").loaded());
-    if (!registry.load(FOAM_TEST_PLUGINS "/load_assimp.so").loaded()) {
+    if (!registry.load(FOAM_TEST_PLUGINS "/load_mesh.so").loaded()) {
         GTEST_SKIP() << "no loader";
     }
-    const auto loader = registry.make<MeshLoader>("load.assimp");
+    const auto loader = registry.make<MeshLoader>("load.mesh");
     const auto stage = registry.make<Spherizer>("spherize.medial");
     std::size_t done = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
@@ -77,10 +77,10 @@ TEST(SpherizeMedialCorpus, PandaWithinTheBudgetOfTheOriginal) {
         GTEST_SKIP() << folder << " is not there";
     }
     Registry registry;
-    if (!registry.load(FOAM_TEST_PLUGINS "/load_assimp.so").loaded()) {
+    if (!registry.load(FOAM_TEST_PLUGINS "/load_mesh.so").loaded()) {
         GTEST_SKIP() << "no loader";
     }
-    const auto loader = registry.make<MeshLoader>("load.assimp");
+    const auto loader = registry.make<MeshLoader>("load.mesh");
     double outside = 0, volume = 0;
     for (const char* name :
          {"link0", "link1", "link2", "link3", "link4", "link5", "link6", "link7", "hand", "finger", "finger"}) {

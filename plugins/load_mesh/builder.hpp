@@ -1,0 +1,56 @@
+// Collects faces into a mesh.
+#pragma once
+
+#include "text.hpp"
+
+#include <foam/context.hpp>
+#include <foam/mesh.hpp>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace foam::load_mesh {
+
+struct Limits {
+    std::size_t max_triangles;
+    std::uintmax_t max_bytes;               ///< of a file
+    std::size_t polygon_work = 300'000'000; ///< corners looked at to cut all polygons into triangles; a second or two
+};
+
+/// Vertices with identical coordinates get one index (-0 counts as 0); every triangle is kept. O(1) a call, expected.
+class MeshBuilder {
+public:
+    MeshBuilder(const Source& source, const Limits& limits, Context& context);
+
+    /// Precondition: finite.
+    std::uint32_t vertex(const Vec3& point);
+    /// Throws when there are too many, or when the user cancels.
+    void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+    /// A plane polygon of at least three corners, convex or not.
+    void polygon(std::span<const std::uint32_t> corners);
+
+    const Limits& limits() const { return limits_; }
+    const Mesh& mesh() const { return mesh_; }
+    /// The mesh, vertices in the order of their first use. The builder is then empty.
+    Mesh take();
+
+private:
+    std::size_t slot(const Vec3& point) const;
+    void grow();
+
+    const Source& source_;
+    Limits limits_;
+    Context& context_;
+    std::size_t polygon_work_; ///< what is left of it
+    Mesh mesh_;
+    std::vector<std::uint32_t> table_; ///< open addressing: index + 1 of a vertex, or 0
+};
+
+/// Triangles of a plane polygon in 3-space by ear clipping (Meisters 1975); convex polygons become the fan of corner 0.
+/// Always corners - 2 triangles: a polygon that crosses itself gives some. `work`: corners that may be looked at; what
+/// is spent is taken off. Empty if that is not enough. O(n) if it is convex, at worst O(n^2) for n corners, more if
+/// tangled.
+std::vector<Triangle> triangulated(std::span<const Vec3> corners, std::size_t& work);
+
+} // namespace foam::load_mesh

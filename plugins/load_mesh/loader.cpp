@@ -1,0 +1,56 @@
+#include "loader.hpp"
+
+#include "file.hpp"
+#include "readers.hpp"
+
+#include <fmt/format.h>
+
+namespace foam::load_mesh {
+namespace {
+
+std::size_t count_without_area(const Mesh& mesh) {
+    std::size_t count = 0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const Vec3& p = mesh.vertices[a];
+        count += cross(mesh.vertices[b] - p, mesh.vertices[c] - p) == Vec3{} ? 1 : 0;
+    }
+    return count;
+}
+
+} // namespace
+
+Loader::Loader(const Parameters& parameters)
+    : limits_{static_cast<std::size_t>(parameters.integer("max_triangles")),
+              static_cast<std::uintmax_t>(parameters.integer("max_bytes"))} {}
+
+Mesh Loader::load(const std::filesystem::path& file, Context& context) const {
+    Source source{file, {}};
+    source.bytes = bytes_of(file, limits_.max_bytes, [&](const std::string& what) { return source.error(what); });
+    if (source.bytes.empty()) {
+        throw source.error("the file is empty");
+    }
+    MeshBuilder builder(source, limits_, context);
+    try {
+        read_any(source, builder, context);
+    } catch (const std::bad_alloc&) {
+        throw source.error("there is not enough memory for it");
+    }
+    const std::size_t points = builder.mesh().vertices.size();
+    Mesh mesh = builder.take();
+    if (mesh.triangles.empty()) {
+        throw source.error(
+            points == 0
+                ? "there are no triangles in it"
+                : fmt::format("there are no triangles in it, only {} points; remedy: export a surface", points));
+    }
+    const std::size_t degenerate = count_without_area(mesh);
+    if (degenerate > 0) {
+        context.log(Severity::info, fmt::format("{}: {} of {} triangles have no area; they are kept", file.string(),
+                                                degenerate, mesh.triangles.size()));
+    }
+    context.metric("triangles", static_cast<double>(mesh.triangles.size()), "1");
+    context.metric("vertices", static_cast<double>(mesh.vertices.size()), "1");
+    return mesh;
+}
+
+} // namespace foam::load_mesh
