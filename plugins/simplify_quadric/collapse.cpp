@@ -196,6 +196,13 @@ bool Collapse::keeps_topology(std::uint32_t u, std::uint32_t v) const {
                                std::none_of(triangles_of_[v].begin(), triangles_of_[v].end(), joins_tips));
 }
 
+bool Collapse::stays_near(std::uint32_t u, std::uint32_t v, const Vec3& to) const {
+    Quadric quadric = quadrics_[u];
+    quadric += quadrics_[v];
+    const double limit = limits_.plane_distance / scale_;
+    return quadric.error(to) <= limit * limit * (areas_[u] + areas_[v]);
+}
+
 /// No triangle that stays turns over or becomes a needle.
 bool Collapse::keeps_shape(std::uint32_t u, std::uint32_t v, const Vec3& to) const {
     for (const std::uint32_t vertex : {u, v}) {
@@ -249,7 +256,7 @@ bool Collapse::try_collapse(const Candidate& candidate) {
     const std::uint32_t u = candidate.u, v = candidate.v;
     double cost = 0;
     const Vec3 to = placement(u, v, cost);
-    if (!keeps_topology(u, v) || !keeps_shape(u, v, to)) {
+    if (!stays_near(u, v, to) || !keeps_topology(u, v) || !keeps_shape(u, v, to)) {
         return false;
     }
     const double gain = closed_ ? volume_gain(u, v, to) : 0;

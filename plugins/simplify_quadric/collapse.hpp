@@ -7,6 +7,7 @@
 #include <foam/mesh.hpp>
 
 #include <array>
+#include <limits>
 #include <queue>
 #include <vector>
 
@@ -15,6 +16,8 @@ namespace foam::simplify {
 struct Limits {
     std::size_t triangles = 0; ///< no further than this
     double volume_change = 0;  ///< largest |V - V₀| / |V₀| of a closed mesh's connected parts
+    /// Largest root mean square distance of a vertex to the planes it stands for, in the unit of the mesh.
+    double plane_distance = std::numeric_limits<double>::infinity();
 };
 
 /// Simplifies a 2-manifold, with or without boundary. No collapse changes the topology (link condition), turns a
@@ -40,6 +43,7 @@ private:
     void propose(std::uint32_t u, std::uint32_t v);
     Vec3 placement(std::uint32_t u, std::uint32_t v, double& cost) const;
     std::vector<std::uint32_t> ring(std::uint32_t vertex) const;
+    bool stays_near(std::uint32_t u, std::uint32_t v, const Vec3& to) const;
     bool keeps_topology(std::uint32_t u, std::uint32_t v) const;
     bool keeps_shape(std::uint32_t u, std::uint32_t v, const Vec3& to) const;
     double volume_gain(std::uint32_t u, std::uint32_t v, const Vec3& to) const;

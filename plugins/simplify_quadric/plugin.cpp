@@ -2,6 +2,7 @@
 #include "collapse.hpp"
 
 #include <foam/error.hpp>
+#include <foam/mesh_change.hpp>
 #include <foam/plugin.hpp>
 
 #include <fmt/format.h>
@@ -30,7 +31,7 @@ void check(const Mesh& mesh, const Topology& defects) {
     if (!defects.manifold() || !defects.oriented()) {
         throw Error(ErrorCode::geometry,
                     fmt::format("quadric simplification needs an oriented 2-manifold, but the mesh has {}; put "
-                                "repair.watertight before simplify.quadric",
+                                "repair.auto before simplify.quadric",
                                 describe(defects)));
     }
     const Vec3 size = bounds(mesh).size();
@@ -45,16 +46,14 @@ public:
     explicit SimplifyQuadric(const Parameters& parameters)
         : ratio_(parameters.number("ratio")), target_(static_cast<std::size_t>(parameters.integer("target_triangles"))),
           least_(static_cast<std::size_t>(parameters.integer("min_triangles"))),
-          volume_tolerance_(parameters.number("volume_tolerance")) {}
+          volume_tolerance_(parameters.number("volume_tolerance")), max_distance_(parameters.number("max_distance")) {}
 
     Mesh apply(const Mesh& mesh, Context& context) const override {
         check_indices(mesh);
         const Topology before = topology(mesh);
         check(mesh, before);
         const std::size_t wanted = wanted_triangles(mesh.triangles.size());
-        Mesh result = wanted < mesh.triangles.size()
-                          ? Collapse(mesh, {.triangles = wanted, .volume_change = volume_tolerance_}, context).run()
-                          : mesh;
+        Mesh result = wanted < mesh.triangles.size() ? simplified(mesh, wanted, context) : mesh;
         const Topology after = topology(result);
         if (before.closed_manifold() && !after.closed_manifold()) {
             throw Error(ErrorCode::internal, fmt::format("simplify.quadric broke a closed mesh: {}", describe(after)));
@@ -64,17 +63,32 @@ public:
             context.log(
                 Severity::info,
                 fmt::format("{} triangles are left of {}, {} were wanted: no further edge may go without harm to "
-                            "topology, shape or volume",
+                            "topology, shape, volume or distance",
                             result.triangles.size(), mesh.triangles.size(), wanted));
         }
-        context.metric("triangles_before", static_cast<double>(mesh.triangles.size()), "1");
-        context.metric("triangles", static_cast<double>(result.triangles.size()), "1");
-        context.metric("volume_before", signed_volume(mesh), "m³");
-        context.metric("volume_after", signed_volume(result), "m³");
         return result;
     }
 
 private:
+    /// Quadrics know the distance to planes only: with a bound on the distance the result is proved, and made again
+    /// with half the allowance until the proof holds.
+    Mesh simplified(const Mesh& mesh, std::size_t wanted, Context& context) const {
+        Limits limits{.triangles = wanted, .volume_change = volume_tolerance_};
+        if (max_distance_ == 0) {
+            return Collapse(mesh, limits, context).run();
+        }
+        for (limits.plane_distance = max_distance_; limits.plane_distance > 1e-3 * max_distance_;
+             limits.plane_distance /= 2) {
+            Mesh result = Collapse(mesh, limits, context).run();
+            if (lies_within(max_distance_, mesh, result) && lies_within(max_distance_, result, mesh)) {
+                return result;
+            }
+        }
+        context.log(Severity::info,
+                    fmt::format("no simplification within {:g} m could be proved: the mesh stays", max_distance_));
+        return mesh;
+    }
+
     std::size_t wanted_triangles(std::size_t count) const {
         if (target_ > 0) {
             return std::max<std::size_t>(target_, 4);
@@ -85,7 +99,7 @@ private:
 
     double ratio_;
     std::size_t target_, least_;
-    double volume_tolerance_;
+    double volume_tolerance_, max_distance_;
 };
 
 } // namespace
@@ -120,6 +134,13 @@ FOAM_PLUGIN("simplify_quadric", "1.0", "Apache-2.0") {
                      .bounds(0, 1)
                      .doc("Largest change of the volume of each connected part of a closed mesh, as a share of it.")
                      .source("small against the excess volume of a sphere model (0.3 and more)"),
+                 Parameter::number("max_distance", 0)
+                     .unit("m")
+                     .bounds(0, 1e6)
+                     .doc(
+                         "No point of the result is farther than this from the input, nor the other way round: proved. "
+                         "0: no bound. For a bound alone set ratio and min_triangles to their least.")
+                     .source("0: the ratio rules, as in the paper"),
              },
          .extensions = {}});
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace foam::smooth {
 
 void Laplacian::step(std::vector<Vec3>& points) {
@@ -35,6 +37,32 @@ void hold_back(std::vector<Vec3>& points, const std::vector<Vec3>& first, double
     }
 }
 
+Vec3 normal(const std::vector<Vec3>& points, const Triangle& t) {
+    return cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
+}
+
+/// Vertices of triangles that would be turned over, or lose their area, stay at `before`. That may turn over others in
+/// turn: in the end all stay. Returns the number of vertices held.
+std::size_t undo_inversions(std::vector<Vec3>& points, const std::vector<Vec3>& before,
+                            const std::vector<Triangle>& triangles) {
+    std::vector<char> held(points.size(), 0);
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (const Triangle& t : triangles) {
+            const Vec3 was = normal(before, t);
+            if (was == Vec3{} || dot(was, normal(points, t)) > 0) {
+                continue;
+            }
+            for (const std::uint32_t v : t) {
+                changed = changed || !held[v];
+                held[v] = 1;
+                points[v] = before[v];
+            }
+        }
+    }
+    return static_cast<std::size_t>(std::count(held.begin(), held.end(), 1));
+}
+
 } // namespace
 
 Mesh smoothed(const Mesh& mesh, Method& method, const Limits& limits, Context& context) {
@@ -43,10 +71,12 @@ Mesh smoothed(const Mesh& mesh, Method& method, const Limits& limits, Context& c
     const double reach = limits.move * bounds(mesh).diagonal();
     Mesh result = mesh, next = mesh;
     int done = 0;
+    std::size_t held = 0;
     for (; done < limits.iterations; ++done) {
         context.check_cancelled();
         method.step(next.vertices);
         hold_back(next.vertices, mesh.vertices, reach);
+        held += undo_inversions(next.vertices, result.vertices, mesh.triangles);
         if (closed && !(std::abs(signed_volume(next) - volume) <= limits.volume_change * std::abs(volume))) {
             context.log(
                 Severity::info,
@@ -58,6 +88,7 @@ Mesh smoothed(const Mesh& mesh, Method& method, const Limits& limits, Context& c
         result.vertices = next.vertices;
     }
     context.metric("iterations", done, "1");
+    context.metric("moves_undone", static_cast<double>(held), "1");
     return result;
 }
 

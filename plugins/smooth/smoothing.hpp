@@ -1,4 +1,4 @@
-// Two ways to smooth a mesh by moving its vertices; the triangles stay.
+// Ways to smooth a mesh by moving its vertices; the triangles stay.
 #pragma once
 
 #include "weights.hpp"
@@ -26,6 +26,21 @@ private:
     std::vector<Vec3> before_;
 };
 
+/// λ|μ smoothing: a Laplacian step that shrinks, then one with a negative factor that swells; together a low-pass
+/// filter of the surface with pass band 1/λ + 1/μ (Taubin: A Signal Processing Approach to Fair Surface Design,
+/// SIGGRAPH 1995, section 3). `lambda` > 0, `mu` < -lambda.
+class Taubin final : public Method {
+public:
+    Taubin(const Neighbourhood& around, double lambda, double mu) : shrink_(around, lambda), swell_(around, mu) {}
+    void step(std::vector<Vec3>& points) override {
+        shrink_.step(points);
+        swell_.step(points);
+    }
+
+private:
+    Laplacian shrink_, swell_;
+};
+
 /// The HC algorithm of Vollmer, Mencl, Müller: Improved Laplacian Smoothing of Noisy Surface Meshes, Eurographics 1999,
 /// section 3 (HC: Humphrey's classes): a Laplacian step, after which every vertex is pushed back by a mean of what it
 /// and its neighbours have moved away from a mix of where they were and where they were at first.
@@ -49,8 +64,9 @@ struct Limits {
     double volume_change = 0; ///< largest |V - V₀| / |V₀| of a closed mesh
 };
 
-/// Steps of `method`, vertices held back at limits.move. Ends early, with a message, before a step that would take a
-/// closed mesh's volume out of its limits: a mesh too coarse for smoothing would lose its shape.
+/// Steps of `method`, vertices held back at limits.move. Vertices of triangles that a step would turn over stay where
+/// they were. Ends early, with a message, before a step that would take a closed mesh's volume out of its limits: a
+/// mesh too coarse for smoothing would lose its shape.
 Mesh smoothed(const Mesh& mesh, Method& method, const Limits& limits, Context& context);
 
 } // namespace foam::smooth

@@ -1,6 +1,8 @@
 // simplify.quadric: fewer triangles, the same solid.
 #include "filters.hpp"
 
+#include <foam/mesh_change.hpp>
+
 #include <foam/solid.hpp>
 
 namespace foam::test {
@@ -77,7 +79,7 @@ TEST(Simplify, SaysWhatToDoWithNonManifolds) {
         const Topology defects = topology(welded(shape.mesh));
         if (!defects.manifold() || !defects.oriented()) {
             SCOPED_TRACE(shape.name);
-            EXPECT_NE(refusal("simplify.quadric", welded(shape.mesh)).find("put repair.watertight before"),
+            EXPECT_NE(refusal("simplify.quadric", welded(shape.mesh)).find("put repair.auto before"),
                       std::string::npos);
         }
     }
@@ -85,9 +87,24 @@ TEST(Simplify, SaysWhatToDoWithNonManifolds) {
 
 TEST(Simplify, SaysWhenItFallsShort) {
     Listener listener;
-    filter("simplify.quadric", {{"target_triangles", std::int64_t{4}}})->apply(ball({}, 1), listener);
+    const Mesh result = filter("simplify.quadric", {{"target_triangles", std::int64_t{4}}})->apply(ball({}, 1), listener);
     EXPECT_NE(listener.said.find("4 were wanted"), std::string::npos) << listener.said;
-    EXPECT_GT(listener.metrics.at("triangles"), 4);
+    EXPECT_GT(result.triangles.size(), 4u);
+}
+
+TEST(Simplify, ProvesABoundOnTheDistance) {
+    const Mesh mesh = ball({}, 0.1, 48);
+    std::size_t last = mesh.triangles.size();
+    for (const double bound : {0.0001, 0.0005, 0.002}) {
+        const Mesh result = filtered("simplify.quadric", mesh,
+                                     {{"max_distance", bound}, {"ratio", 0.0001}, {"min_triangles", std::int64_t{4}}});
+        expect_solid(result);
+        EXPECT_LT(result.triangles.size(), last);
+        last = result.triangles.size();
+        const MeshChange change = mesh_change(mesh, result, 1, 5000);
+        EXPECT_LE(change.distance(), bound);
+        EXPECT_GT(change.distance(), 0.1 * bound); // not far from what is allowed
+    }
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// smooth.laplacian and smooth.humphrey.
+// smooth.laplacian, smooth.taubin and smooth.humphrey.
 #include "filters.hpp"
 
 namespace foam::test {
@@ -19,10 +19,36 @@ double roughness(const Mesh& mesh) {
 
 TEST(Smooth, TakesNoiseAway) {
     const Mesh bumpy = noisy(ball({}, 0.1), 0.002);
-    for (const char* name : {"smooth.laplacian", "smooth.humphrey"}) {
+    for (const char* name : {"smooth.laplacian", "smooth.taubin", "smooth.humphrey"}) {
         const Mesh result = filtered(name, bumpy, {{"max_move", 1.0}, {"volume_tolerance", 1.0}});
         EXPECT_LT(roughness(result), 0.7 * roughness(bumpy)) << name;
         EXPECT_EQ(result.triangles, bumpy.triangles);
+    }
+}
+
+TEST(Smooth, TaubinKeepsTheVolume) {
+    const Mesh mesh = ball({}, 1);
+    const double before = signed_volume(mesh);
+    EXPECT_NEAR(signed_volume(filtered("smooth.taubin", mesh, unguarded)), before, 0.02 * before);
+}
+
+TEST(Smooth, TurnsNoTriangleOver) {
+    // A spike between close neighbours: the mean of its ring lies beyond other triangles.
+    const Mesh spiky = noisy(ball({}, 0.1, 12), 0.04);
+    for (const char* name : {"smooth.laplacian", "smooth.taubin", "smooth.humphrey"}) {
+        SCOPED_TRACE(name);
+        Settings once = unguarded;
+        once["iterations"] = std::int64_t{1};
+        const Mesh result = filtered(name, spiky, once);
+        std::size_t over = 0;
+        for (const auto& [a, b, c] : spiky.triangles) {
+            const auto normal = [&, a = a, b = b, c = c](const std::vector<Vec3>& p) {
+                return cross(p[b] - p[a], p[c] - p[a]);
+            };
+            over += !(dot(normal(spiky.vertices), normal(result.vertices)) > 0);
+        }
+        EXPECT_EQ(over, 0u);
+        EXPECT_NE(result, spiky);
     }
 }
 

@@ -71,5 +71,23 @@ TEST(MeshChange, SameNumbersAgain) {
     EXPECT_LT(first.input_to_output.max, 0.1 * 2.5 * (1 - std::cos(std::numbers::pi / 16)));
 }
 
+TEST(LiesWithin, ProvesDistances) {
+    const Mesh coarse = ball({}, 0.1, 8), fine = ball({}, 0.1, 32);
+    const double sagitta = mesh_change(fine, coarse, 1, 20'000).input_to_output.max;
+    EXPECT_TRUE(lies_within(1.01 * sagitta, fine, coarse));
+    EXPECT_FALSE(lies_within(0.9 * sagitta, fine, coarse));
+    EXPECT_TRUE(lies_within(1e-12, cube, cube));
+    EXPECT_TRUE(lies_within(0.1 + 1e-12, cube, box({0, 0, 0}, {1, 1, 1.1})));
+    EXPECT_FALSE(lies_within(0.0999, cube, box({0, 0, 0}, {1, 1, 1.1})));
+}
+
+TEST(LiesWithin, SeesAThornBetweenTheVertices) {
+    // Every corner of the large triangle is on the other surface, its middle is not.
+    const Mesh large{{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}}, {{0, 1, 2}}};
+    const Mesh holed{{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {1, 1, -0.5}}, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+    EXPECT_FALSE(lies_within(0.2, large, holed));
+    EXPECT_TRUE(lies_within(0.5, large, holed));
+}
+
 } // namespace
 } // namespace foam::test

@@ -37,6 +37,12 @@ struct MeshChange {
 /// Precondition: finite vertices, indices in range, a triangle in each.
 MeshChange mesh_change(const Mesh& before, const Mesh& after, std::uint64_t seed, std::size_t points = 500);
 
+/// Proves that every point of `surface` is at most `distance` away from `other`: a piece of a triangle all of whose
+/// corners are that near to one triangle of `other` is, since the points near a triangle are a convex set; other pieces
+/// are split and asked again. False as soon as a point is found that is farther, or after 40 splits of a piece.
+/// Preconditions as of mesh_change().
+bool lies_within(double distance, const Mesh& surface, const Mesh& other);
+
 /// One line for people: "1204 → 240 triangles, distance 0.31 mm, volume -0.4 %".
 std::string describe(const MeshChange& change);
 
