@@ -69,6 +69,7 @@ int run_program(int count, char** arguments) {
     add_plugins(program);
     add_schema(program);
     add_sdk(program);
+    add_new_plugin(program);
     add_test_plugin(program);
     add_version(program);
     if (count <= 1) {

@@ -40,6 +40,7 @@ void add_describe(Program& program);
 void add_plugins(Program& program);
 void add_schema(Program& program);
 void add_sdk(Program& program);
+void add_new_plugin(Program& program);
 void add_test_plugin(Program& program);
 void add_version(Program& program);
 

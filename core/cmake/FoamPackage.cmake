@@ -11,6 +11,13 @@ install(FILES "${foam_DIR}/foamConfig.cmake" "${foam_DIR}/foamConfigVersion.cmak
 install(DIRECTORY core/include/foam DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT sdk)
 install(DIRECTORY configs schemas DESTINATION "${CMAKE_INSTALL_DATADIR}/foam" COMPONENT runtime
   PATTERN "*.py" EXCLUDE PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY apps/foam/templates DESTINATION "${CMAKE_INSTALL_DATADIR}/foam" COMPONENT sdk)
+# The build folder has the same at the same place.
+foreach(FOLDER IN ITEMS configs apps/foam/templates)
+  cmake_path(GET FOLDER FILENAME NAME)
+  file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/share/foam")
+  file(CREATE_LINK "${CMAKE_SOURCE_DIR}/${FOLDER}" "${CMAKE_BINARY_DIR}/share/foam/${NAME}" SYMBOLIC)
+endforeach()
 install(FILES README.md LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT runtime)
 
 set(CPACK_PACKAGE_VENDOR "The foam authors")

@@ -18,15 +18,14 @@ skip() {
 expect() {
     local wanted=$1 output
     shift
-    output=$("$@" 2>&1) || fail "exit code $? of: $*"$'\n'"$output"
+    output=$("$@" 2>&1) || fail "it failed: $*"$'\n'"$output"
     [[ $output == *"$wanted"* ]] || fail "'$wanted' expected of: $*"$'\n'"$output"
 }
 # quietly COMMAND...: its output is shown only if it fails.
 quietly() {
-    "$@" >"$room/log" 2>&1 || {
-        cat "$room/log" >&2
-        fail "exit code $? of: $*"
-    }
+    local code=0
+    "$@" >"$room/log" 2>&1 || code=$?
+    [[ $code == 0 ]] || fail "exit code $code of: $*"$'\n'"$(cat "$room/log")"
 }
 # install_foam FOLDER COMPONENT...
 install_foam() {
