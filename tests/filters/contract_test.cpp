@@ -124,8 +124,8 @@ INSTANTIATE_TEST_SUITE_P(Registered, EveryFilter, ::testing::ValuesIn(filter_nam
 
 TEST(Filters, AreAllThere) {
     const std::vector<std::string> names = filter_names();
-    for (const char* name : {"repair.auto", "repair.soup", "repair.watertight", "simplify.quadric", "smooth.laplacian",
-                             "smooth.humphrey"}) {
+    for (const char* name : {"repair.auto", "repair.soup", "repair.watertight", "simplify.meshoptimizer",
+                             "simplify.quadric", "smooth.laplacian", "smooth.taubin", "smooth.humphrey"}) {
         EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
     }
 }

@@ -87,7 +87,8 @@ TEST(Simplify, SaysWhatToDoWithNonManifolds) {
 
 TEST(Simplify, SaysWhenItFallsShort) {
     Listener listener;
-    const Mesh result = filter("simplify.quadric", {{"target_triangles", std::int64_t{4}}})->apply(ball({}, 1), listener);
+    const Mesh result =
+        filter("simplify.quadric", {{"target_triangles", std::int64_t{4}}})->apply(ball({}, 1), listener);
     EXPECT_NE(listener.said.find("4 were wanted"), std::string::npos) << listener.said;
     EXPECT_GT(result.triangles.size(), 4u);
 }

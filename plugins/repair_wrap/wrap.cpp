@@ -1,0 +1,41 @@
+// CGAL alone: this file takes long to compile.
+#include "wrap.hpp"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/alpha_wrap_3.h>
+
+namespace foam::repair {
+
+Mesh alpha_wrap(const Mesh& mesh, double alpha, double offset) {
+    using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+    std::vector<Kernel::Point_3> points;
+    points.reserve(mesh.vertices.size());
+    for (const Vec3& p : mesh.vertices) {
+        points.emplace_back(p.x, p.y, p.z);
+    }
+    std::vector<std::array<std::size_t, 3>> faces;
+    faces.reserve(mesh.triangles.size());
+    for (const auto& [a, b, c] : mesh.triangles) {
+        faces.push_back({a, b, c});
+    }
+    CGAL::Surface_mesh<Kernel::Point_3> wrapped;
+    CGAL::alpha_wrap_3(points, faces, alpha, offset, wrapped);
+    Mesh result;
+    result.vertices.reserve(wrapped.number_of_vertices());
+    for (const auto vertex : wrapped.vertices()) { // no vertex is removed: their numbers run without gaps
+        const Kernel::Point_3& p = wrapped.point(vertex);
+        result.vertices.push_back({p.x(), p.y(), p.z()});
+    }
+    for (const auto face : wrapped.faces()) {
+        Triangle triangle{};
+        std::size_t k = 0;
+        for (const auto vertex : wrapped.vertices_around_face(wrapped.halfedge(face))) {
+            triangle[k++] = vertex;
+        }
+        result.triangles.push_back(triangle);
+    }
+    return result;
+}
+
+} // namespace foam::repair
