@@ -71,17 +71,16 @@ FOAM_PLUGIN("repair_wrap", "1.0", "GPL-3.0-or-later") {
          .reference = "Portaneri, Rouxel-Labbé, Hemmer, Cohen-Steiner, Alliez: Alpha Wrapping with an Offset, SIGGRAPH "
                       "2022, by CGAL",
          .parameters = {
-             Parameter::number("alpha", 0.02)
+             Parameter::number("alpha", 0.05)
                  .unit("1")
                  .bounds(0.002, 1)
                  .doc("The wrap enters openings wider than this, and loses hollows narrower than it: share of the "
                       "bounding box's diagonal.")
-                 .source(
-                     "a fiftieth: 3 s for an open shoulder of 38 000 triangles; half of it takes four times as long"),
+                 .source("a twentieth, as in CGAL's examples; time grows with the square of 1 / alpha"),
              Parameter::number("offset", 0.001)
                  .unit("1")
                  .bounds(0.0001, 0.1)
                  .doc("Distance of the wrap from the input: share of the bounding box's diagonal.")
-                 .source("CGAL's manual has alpha / 30; this is a twentieth"),
+                 .source("a fiftieth of alpha; CGAL's examples have alpha / 30"),
          }});
 }

@@ -25,7 +25,10 @@ TEST_P(EveryFilter, KeepsSoundMeshesSound) {
         SCOPED_TRACE(shape.name);
         const Mesh result = filtered(GetParam(), shape.mesh);
         expect_solid(result);
-        EXPECT_NEAR(signed_volume(result), signed_volume(shape.mesh), 0.1 * signed_volume(shape.mesh));
+        // A wrap lies outside of what it wraps: plates become thicker, cavities are closed.
+        if (GetParam() != "repair.wrap" || (shape.name != "thin plate" && shape.name != "cavity")) {
+            EXPECT_NEAR(signed_volume(result), signed_volume(shape.mesh), 0.1 * signed_volume(shape.mesh));
+        }
         const Box before = bounds(shape.mesh), after = bounds(result);
         EXPECT_LT(distance(before.low, after.low) + distance(before.high, after.high), 0.1 * before.diagonal());
     }

@@ -1,0 +1,29 @@
+// repair.wrap encloses anything.
+#include "filters.hpp"
+
+#include <foam/self_intersection.hpp>
+#include <foam/solid.hpp>
+
+namespace foam::test {
+namespace {
+
+TEST(Wrap, EnclosesEveryDefect) {
+    if (!registry().find("repair.wrap")) {
+        GTEST_SKIP() << "built without GPL plugins";
+    }
+    for (const Named& shape : defective_meshes()) {
+        SCOPED_TRACE(shape.name);
+        const Mesh result = filtered("repair.wrap", shape.mesh, {{"alpha", 0.1}, {"offset", 0.01}});
+        expect_solid(result);
+        EXPECT_TRUE(self_intersections(result).empty());
+        const auto solid = Solid::make(result);
+        for (const Triangle& t : shape.mesh.triangles) {
+            for (const std::uint32_t corner : t) {
+                EXPECT_TRUE(solid->contains(shape.mesh.vertices[corner]));
+            }
+        }
+    }
+}
+
+} // namespace
+} // namespace foam::test
