@@ -7,7 +7,10 @@ import tempfile
 import unittest
 
 import check_links
+import html_test
 import markdown
+import recipe_reference
+import reference
 import run_page
 
 FOAM = """#!/bin/sh
@@ -130,9 +133,42 @@ class Links(Tiny):
                                         "docs/index.md:1: the image https://example.org/c.png comes from the network\n"
                                         "docs/lost.md: no links lead here from docs/index.md\n"))
 
+    def test_pages_of_the_site(self):
+        (self.repository / "a.html").write_text(
+            "<script src='https://example.org/a.js'></script><p id='here'>1. first\n</p><pre>- code</pre>"
+            "<a href='#here'>x</a><a href='#there'>x</a><a href='b.html'>x</a><a href='https://example.org'>x</a>")
+        (self.repository / "a.css").write_text("@import 'https://example.org/a.css'; a { background: url(a.png); }")
+        self.assertEqual(list(html_test.findings_of(self.repository)), [
+            "a.html: 1. first is shown as it was written",
+            "a.html: https://example.org/a.js comes from the network",
+            "a.html: #there: no such place",
+            "a.html: b.html does not exist",
+            "a.css: https://example.org/a.css comes from the network"])
+
     def test_open_block(self):
         with self.assertRaisesRegex(ValueError, "page.md:2: this block is not closed"):
             markdown.read(self.page("```sh\n"))
+
+
+class Generated(unittest.TestCase):
+    def test_a_parameter(self):
+        text = reference.row({"name": "step", "type": "number", "unit": "m", "low": 1e-06, "high": 2.0, "default": 0.5, "doc": "A | b",
+                              "source": "Someone 2001", "affects_output": False})
+        self.assertEqual(text, "| `step` | number, 1e-06 … 2 | m | `0.5` | A \\| b. *Default from:* Someone 2001. "
+                               "Does not change the result. |\n")
+        text = reference.row({"name": "mode", "type": "choice", "unit": "1", "choices": ["a", "b"], "default": "a", "doc": "Which.",
+                              "affects_output": True})
+        self.assertEqual(text, "| `mode` | `a`, `b` |  | `a` | Which. |\n")
+
+    def test_the_keys_of_recipes(self):
+        link = {"properties": {"skip": {"type": "boolean", "description": "Skip.", "default": False}, "a.stage": {"description": "No."}}}
+        schema = {"properties": {"seed": {"$ref": "#/$defs/count"}, "links": {"type": "object", "additionalProperties": link},
+                                 "size": {"anyOf": [{"type": "string"}, {"properties": {"x": {"enum": [1], "description": "X."}}}]}},
+                  "$defs": {"count": {"type": "integer", "minimum": 0, "maximum": 1 << 63, "description": "Seed.", "default": 0}}}
+        self.assertEqual(list(recipe_reference.rows("", schema, schema)), [
+            "| `seed` | integer ≥ 0 | `0` | Seed. |\n",
+            "| `links.NAME.skip` | boolean | `false` | Skip. |\n",
+            "| `size.x` | `1` |  | X. |\n"])
 
 
 unittest.main()
