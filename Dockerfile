@@ -4,7 +4,8 @@ FROM debian:12-slim
 WORKDIR /opt/foam
 COPY dependencies.txt .
 RUN apt-get update \
-    && awk '/^## /{group = $2} !/^#/ && group == "run:" {print $1}' dependencies.txt | xargs apt-get install -y --no-install-recommends \
+    && awk '/^## /{group = $2} !/^#/ && group == "run:" {print $1}' dependencies.txt \
+    | xargs apt-get install -y --no-install-recommends \
     && rm -rf /var/lib/apt/lists/*
 
 COPY . .

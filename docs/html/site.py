@@ -1,5 +1,5 @@
-"""What mkdocs has to know of these pages: docs/index.md is the navigation, the pages beside docs/ belong to them, and links to other files
-of the repository become text."""
+"""What mkdocs has to know of these pages: docs/index.md is the navigation, the pages beside docs/ belong to them, and
+links to other files of the repository become text."""
 import os
 import pathlib
 import re
@@ -12,7 +12,7 @@ DOCS = pathlib.Path(__file__).resolve().parents[1]
 
 
 def page_of(file):
-    """What mkdocs calls a file: its path in docs/, for README.md and its neighbours their name; None for any other file."""
+    """What mkdocs calls a file: its path in docs/; for README.md and its neighbours their name; None for others."""
     if file.is_relative_to(DOCS):
         return str(file.relative_to(DOCS))
     return file.name if file.parent == DOCS.parent and file.suffix == ".md" else None

@@ -1,4 +1,4 @@
-"""The documentation as HTML: it is built without a warning, nothing on a page comes from the network, every link leads somewhere.
+"""The documentation as HTML: built without a warning, nothing comes from the network, every link leads somewhere.
 
 html_test.py REPOSITORY
 """

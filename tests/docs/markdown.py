@@ -9,7 +9,7 @@ LINK = re.compile(r"(?P<image>!?)\[(?P<text>(?:[^\[\]]|\[[^\]]*\])*)\]\((?P<targ
 
 @dataclasses.dataclass
 class Block:
-    """A fenced block. line: of its first line of content, from 1. remark: the HTML comment on the line before the fence."""
+    """A fenced block. line: of its first line of content, from 1. remark: the HTML comment before the fence."""
     language: str
     line: int
     lines: list

@@ -69,7 +69,8 @@ class Commands(Tiny):
         self.assertEqual(self.run_page(text)[0], 0)
 
     def test_commands_of_several_lines(self):
-        text = "```sh\ncat >file <<'X'\nfoam fail 1\nX\n./foam \\\n    say b\nfor i in 1 2; do\n    ./foam say $i\ndone\n```\n"
+        text = ("```sh\ncat >file <<'X'\nfoam fail 1\nX\n./foam \\\n    say b\n"
+                "for i in 1 2; do\n    ./foam say $i\ndone\n```\n")
         self.assertEqual(self.run_page(text)[0], 0)
         self.assertEqual(self.run_page("```sh\nif true; then\n```\n")[0], 1)
 
@@ -106,7 +107,8 @@ class Contents(Tiny):
     def test_quotes(self):
         (self.repository / "file.hpp").write_text("int a;\nint b;\n")
         self.assertEqual(self.run_page("<!-- from: file.hpp -->\n```cpp\nint b;\n```\n")[0], 0)
-        self.assertIn("this is not what file.hpp holds", self.run_page("<!-- from: file.hpp -->\n```cpp\nint c;\n```\n")[1])
+        other = self.run_page("<!-- from: file.hpp -->\n```cpp\nint c;\n```\n")
+        self.assertIn("this is not what file.hpp holds", other[1])
 
 
 class Links(Tiny):
@@ -118,7 +120,8 @@ class Links(Tiny):
             sys.argv = arguments
 
     def test_good(self):
-        self.page("# A heading: `x`\n\n[page](page.md#two-words) [up](../README.md) [here](#a-heading-x)\n", "docs/index.md")
+        self.page("# A heading: `x`\n\n[page](page.md#two-words) [up](../README.md) [here](#a-heading-x)\n",
+                  "docs/index.md")
         self.page("## Two words\n\n```text\n[no](link)\n```\n`[no](link)` [out](https://example.org)\n")
         self.page("[index](docs/index.md)\n", "README.md")
         self.assertEqual(self.check(), (0, "5 links on 3 pages lead somewhere\n"))
@@ -152,19 +155,23 @@ class Links(Tiny):
 
 class Generated(unittest.TestCase):
     def test_a_parameter(self):
-        text = reference.row({"name": "step", "type": "number", "unit": "m", "low": 1e-06, "high": 2.0, "default": 0.5, "doc": "A | b",
-                              "source": "Someone 2001", "affects_output": False})
+        text = reference.row({"name": "step", "type": "number", "unit": "m", "low": 1e-06, "high": 2.0, "default": 0.5,
+                              "doc": "A | b", "source": "Someone 2001", "affects_output": False})
         self.assertEqual(text, "| `step` | number, 1e-06 … 2 | m | `0.5` | A \\| b. *Default from:* Someone 2001. "
                                "Does not change the result. |\n")
-        text = reference.row({"name": "mode", "type": "choice", "unit": "1", "choices": ["a", "b"], "default": "a", "doc": "Which.",
-                              "affects_output": True})
+        text = reference.row({"name": "mode", "type": "choice", "unit": "1", "choices": ["a", "b"], "default": "a",
+                              "doc": "Which.", "affects_output": True})
         self.assertEqual(text, "| `mode` | `a`, `b` |  | `a` | Which. |\n")
 
     def test_the_keys_of_recipes(self):
-        link = {"properties": {"skip": {"type": "boolean", "description": "Skip.", "default": False}, "a.stage": {"description": "No."}}}
-        schema = {"properties": {"seed": {"$ref": "#/$defs/count"}, "links": {"type": "object", "additionalProperties": link},
-                                 "size": {"anyOf": [{"type": "string"}, {"properties": {"x": {"enum": [1], "description": "X."}}}]}},
-                  "$defs": {"count": {"type": "integer", "minimum": 0, "maximum": 1 << 63, "description": "Seed.", "default": 0}}}
+        skip = {"type": "boolean", "description": "Skip.", "default": False}
+        link = {"properties": {"skip": skip, "a.stage": {"description": "No."}}}
+        x = {"enum": [1], "description": "X."}
+        count = {"type": "integer", "minimum": 0, "maximum": 1 << 63, "description": "Seed.", "default": 0}
+        schema = {"properties": {"seed": {"$ref": "#/$defs/count"},
+                                 "links": {"type": "object", "additionalProperties": link},
+                                 "size": {"anyOf": [{"type": "string"}, {"properties": {"x": x}}]}},
+                  "$defs": {"count": count}}
         self.assertEqual(list(recipe_reference.rows("", schema, schema)), [
             "| `seed` | integer ≥ 0 | `0` | Seed. |\n",
             "| `links.NAME.skip` | boolean | `false` | Skip. |\n",

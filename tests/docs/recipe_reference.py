@@ -66,6 +66,6 @@ def row_of(key, schema, root):
 
 
 def page_of(root, made):
-    return (f"# Recipe\n\n{made}\nEvery key of a recipe. `NAME` stands for a name of your own: a link or a glob, a joint, a path of keys. The\n"
-            "parameters of stages are on the pages of the [stages](stages.md).\n\n"
+    return (f"# Recipe\n\n{made}\nEvery key of a recipe. `NAME` stands for a name of your own: a link or a glob, a joint, a\n"
+            "path of keys. The parameters of stages are on the pages of the [stages](stages.md).\n\n"
             "| key | values | default | meaning |\n|---|---|---|---|\n" + "".join(rows("", root, root)))

@@ -50,7 +50,7 @@ expect() {
 
 
 def script_of(page, name, outputs):
-    """All commands of a page for one shell, so that `cd` and variables last. The output of block n goes to the file n."""
+    """All commands of a page for one shell, so that `cd` and variables last. Block n prints to the file n."""
     script = "exec 9>&2" + EXPECT
     for index, block in enumerate(page.blocks):
         if block.language != "sh" or block.remark.startswith("not run:"):
