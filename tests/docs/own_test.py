@@ -109,6 +109,10 @@ class Contents(Tiny):
         self.assertEqual(self.run_page("<!-- from: file.hpp -->\n```cpp\nint b;\n```\n")[0], 0)
         other = self.run_page("<!-- from: file.hpp -->\n```cpp\nint c;\n```\n")
         self.assertIn("this is not what file.hpp holds", other[1])
+        whole = self.run_page("<!-- all of: file.hpp -->\n```cpp\nint a;\nint b;\n```\n")
+        self.assertEqual(whole[0], 0)
+        part = self.run_page("<!-- all of: file.hpp -->\n```cpp\nint b;\n```\n")
+        self.assertIn("this is not all of file.hpp", part[1])
 
 
 class Links(Tiny):

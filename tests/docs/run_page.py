@@ -128,8 +128,12 @@ def output_findings(page, name, outputs):
 
 
 def quote_findings(page, name, repository):
-    """A block after `<!-- from: FILE -->` is a part of that file of the repository."""
+    """A block after `<!-- from: FILE -->` is a part of that file of the repository, after `<!-- all of: FILE -->` the whole."""
     for block in page.blocks:
+        if block.remark.startswith("all of:"):
+            file = block.remark.removeprefix("all of:").strip()
+            if block.text != (repository / file).read_text():
+                yield f"{name}:{block.line}: this is not all of {file}"
         if block.remark.startswith("from:"):
             file = block.remark.removeprefix("from:").strip()
             if block.text not in (repository / file).read_text():

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# installed.sh COMPILER: foam is installed and the installation moved; two of our own plugins are built against it out of tree
+# installed.sh COMPILER: foam is installed and the installation moved; two of our own plugins and the worked example are built against it out of tree
 # by the CMakeLists that build them in tree, give the bytes of the installed ones, and are installed beside them.
 # shellcheck source=tests/sdk/fixture.sh
 source "$(dirname "$0")/fixture.sh"
@@ -28,6 +28,12 @@ expect "spherize.octree" "$foam" plugins "${mine[@]}"
 expect "smooth.humphrey" "$foam" plugins "${mine[@]}"
 quietly "$foam" spherize "$room/part.obj" -n 6 -m octree -o "$room/mine.json" "${mine[@]}"
 cmp "$room/shipped.json" "$room/mine.json" || fail "the plugins built out of tree by $1 give other bytes"
+
+# The worked example, which is not among the installed ones.
+build_project "$FOAM_TEST_SOURCE/docs/examples/spherize_axis_split" "$room/build/example" \
+    -DCMAKE_PREFIX_PATH="$("$foam" sdk)" -DCMAKE_CXX_COMPILER="$compiler"
+quietly ctest --test-dir "$room/build/example" --output-on-failure --no-tests=error -R contract
+expect "Proved" "$foam" spherize "$room/part.obj" -n 6 -m axis_split --plugin-dir "$room/build/example" -o "$room/split.json"
 
 # Installed beside the others they are found without a word.
 quietly "$FOAM_TEST_CMAKE" --install "$room/build/spherize_octree" --prefix "$prefix"
