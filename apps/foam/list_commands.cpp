@@ -116,7 +116,7 @@ int describe_stage(Program& program, const std::string& name, bool as_json) {
 }
 
 int list_plugins(Program& program, bool why, bool as_json) {
-    const Registry& registry = program.registry(false);
+    const Registry& registry = program.probed_registry();
     Json json = Json::array();
     std::string text;
     std::size_t refused = 0;

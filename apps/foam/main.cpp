@@ -1,6 +1,8 @@
 #include "program.hpp"
 
 #include <foam/error.hpp>
+#include <foam/host/crash.hpp>
+#include <foam/host/isolation.hpp>
 
 #include <fmt/format.h>
 
@@ -94,6 +96,8 @@ int run_program(int count, char** arguments) {
 } // namespace
 
 int main(int count, char** arguments) {
+    foam::serve_isolated_call(count, arguments);
+    foam::report_crashes();
     try {
         return run_program(count, arguments);
     } catch (const foam::Error& error) {

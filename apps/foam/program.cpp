@@ -1,6 +1,7 @@
 #include "program.hpp"
 
 #include <foam/error.hpp>
+#include <foam/host/isolation.hpp>
 #include <foam/host/version.hpp>
 
 #include <fmt/format.h>
@@ -39,10 +40,22 @@ std::vector<std::filesystem::path> Program::plugin_folders() const {
 }
 
 Registry& Program::registry(bool warn) {
-    if (registry_) {
-        return *registry_;
+    if (!registry_) {
+        registry_.emplace();
+        fill(warn);
     }
-    Registry& registry = registry_.emplace();
+    return *registry_;
+}
+
+Registry& Program::probed_registry() {
+    registry_.emplace().set_guard([own = plugin_folders().back()](const std::filesystem::path& file) {
+        return file.parent_path() == own ? "" : why_loading_ends_badly(own_program, file);
+    });
+    return fill(false);
+}
+
+Registry& Program::fill(bool warn) {
+    Registry& registry = *registry_;
     for (const std::string& file : plugin_files_) {
         const PluginRecord& record = registry.load(file);
         if (!record.loaded()) {

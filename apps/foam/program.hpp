@@ -13,6 +13,9 @@
 
 namespace foam::cli {
 
+/// This program's file, even if another has taken its place since.
+inline constexpr const char* own_program = "/proc/self/exe";
+
 class Program {
 public:
     Program();
@@ -24,10 +27,14 @@ public:
     /// All plugins loaded. A file given by --plugin that is refused throws Error(plugin); others that are refused are
     /// warned of if `warn`.
     Registry& registry(bool warn = true);
+    /// The same, each plugin that does not belong to this installation loaded in a process of its own first: one that
+    /// crashes is refused.
+    Registry& probed_registry();
     /// Where plugins are looked for.
     std::vector<std::filesystem::path> plugin_folders() const;
 
 private:
+    Registry& fill(bool warn);
     std::vector<std::string> plugin_files_, plugin_folders_;
     std::optional<Registry> registry_;
 };

@@ -50,10 +50,12 @@ TEST_F(Cli, PluginsAndWhyOneIsRefused) {
     EXPECT_EQ(brief.err, "foam: 1 more refused; `foam plugins --why` says why\n");
     const Outcome why = foam("plugins --plugin-dir mine --why");
     EXPECT_EQ(why.code, 0);
-    EXPECT_THAT(why.out, HasSubstr("mine/bad.so\n  refused: it is not a shared library (no ELF header)\n"));
+    EXPECT_THAT(why.out, HasSubstr("mine/bad.so\n  refused: it is no shared library (it has no ELF header); remedy: "
+                                   "build it with foam_add_plugin()\n"));
     const json data = json::parse(foam("plugins --plugin-dir mine --json").out);
     EXPECT_FALSE(data[0]["loaded"].get<bool>());
-    EXPECT_EQ(data[0]["rejection"], "it is not a shared library (no ELF header)");
+    EXPECT_EQ(data[0]["rejection"],
+              "it is no shared library (it has no ELF header); remedy: build it with foam_add_plugin()");
 }
 
 TEST_F(Cli, ARefusedPluginIsWarnedOfAndOneAskedForIsAnError) {
@@ -65,7 +67,8 @@ TEST_F(Cli, ARefusedPluginIsWarnedOfAndOneAskedForIsAnError) {
     const Outcome file = foam("stages --plugin mine/bad.so");
     EXPECT_EQ(file.code, 3);
     EXPECT_EQ(file.out, "");
-    EXPECT_THAT(file.err, HasSubstr("mine/bad.so is refused: it is not a shared library (no ELF header)\n"));
+    EXPECT_THAT(file.err, HasSubstr("mine/bad.so is refused: it is no shared library (it has no ELF header); remedy: "
+                                    "build it with foam_add_plugin()\n"));
     EXPECT_EQ(foam("stages --plugin mine/none.so").code, 3);
 }
 

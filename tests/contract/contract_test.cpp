@@ -116,7 +116,8 @@ TEST_F(Cli, TestPluginRefusesWhatIsNone) {
     write("none.so", "no library at all");
     const Outcome outcome = foam("test-plugin none.so");
     EXPECT_EQ(outcome.code, 3);
-    EXPECT_THAT(outcome.err, HasSubstr("none.so is refused: it is not a shared library (no ELF header)\n"));
+    EXPECT_THAT(outcome.err, HasSubstr("none.so is refused: it is no shared library (it has no ELF header); remedy: "
+                                       "build it with foam_add_plugin()\n"));
 }
 
 } // namespace

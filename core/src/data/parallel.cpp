@@ -1,3 +1,5 @@
+#include "activity.hpp"
+
 #include <foam/parallel.hpp>
 
 #include <tbb/parallel_for.h>
@@ -12,9 +14,11 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
     std::mutex mutex;
     std::exception_ptr first;
     std::size_t first_index = count;
+    const Activity* const activity = current_activity();
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, count, 1),
         [&](const tbb::blocked_range<std::size_t>& range) {
+            const ActivityLoan loan(activity);
             for (std::size_t i = range.begin(); i != range.end(); ++i) {
                 try {
                     body(i);

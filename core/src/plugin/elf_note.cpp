@@ -1,10 +1,13 @@
 #include "elf_note.hpp"
 
+#include <fmt/format.h>
+
 #include <elf.h>
 
 #include <algorithm>
 #include <cstring>
 #include <fstream>
+#include <utility>
 #include <vector>
 
 namespace foam {
@@ -66,9 +69,22 @@ std::optional<std::string> find_note(Bytes& bytes, std::uint64_t offset, std::ui
     return std::nullopt;
 }
 
+std::string processor(unsigned char file_class, std::uint16_t machine) {
+    static constexpr std::pair<std::uint16_t, const char*> names[] = {
+        {EM_X86_64, "x86-64"}, {EM_AARCH64, "ARM 64"}, {EM_RISCV, "RISC-V"}, {EM_386, "x86 32"},
+        {EM_ARM, "ARM 32"},    {EM_PPC64, "POWER"},    {EM_S390, "s390"}};
+    std::string name = fmt::format("processor {}", machine);
+    for (const auto& [number, text] : names) {
+        name = number == machine ? text : name;
+    }
+    const bool narrow = file_class != ELFCLASS64 && !name.ends_with(" 32");
+    return narrow ? name + " (32 bits)" : name;
+}
+
 /// Why the file's segments cannot be mapped; empty if they can. Mapping a file that is cut off would end the process.
 std::string read_segments(Bytes& bytes, const Elf64_Ehdr& header, std::vector<Elf64_Phdr>& segments) {
-    constexpr const char* cut_off = "its ELF structure is damaged (the file is cut off)";
+    constexpr const char* cut_off =
+        "its ELF structure is damaged (the file is cut off); remedy: build or copy it again";
     for (std::uint64_t i = 0; i < header.e_phnum; ++i) {
         Elf64_Phdr segment{};
         if (!bytes.read(header.e_phoff + i * header.e_phentsize, segment) ||
@@ -91,15 +107,18 @@ ElfNote read_foam_note(const std::filesystem::path& file) {
     }
     Elf64_Ehdr header{};
     if (!bytes.read(0, header) || std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0) {
-        return {"it is not a shared library (no ELF header)", {}};
+        return {"it is no shared library (it has no ELF header); remedy: build it with foam_add_plugin()", {}};
     }
     Elf64_Ehdr own{};
     std::ifstream("/proc/self/exe", std::ios::binary).read(reinterpret_cast<char*>(&own), sizeof own);
     if (header.e_ident[EI_CLASS] != ELFCLASS64 || header.e_machine != own.e_machine) {
-        return {"it is built for another processor", {}};
+        return {fmt::format("it is built for {}, this foam for {}; remedy: build it for this machine",
+                            processor(header.e_ident[EI_CLASS], header.e_machine),
+                            processor(own.e_ident[EI_CLASS], own.e_machine)),
+                {}};
     }
     if (header.e_type != ET_DYN) {
-        return {"it is an ELF file, but not a shared library", {}};
+        return {"it is an ELF file, but no shared library; remedy: build it with foam_add_plugin()", {}};
     }
     std::vector<Elf64_Phdr> segments;
     if (const std::string why = read_segments(bytes, header, segments); !why.empty()) {

@@ -1,7 +1,10 @@
 #include <foam/error.hpp>
 #include <foam/host/registry.hpp>
+#include <foam/text.hpp>
 
 #include "elf_note.hpp"
+
+#include "data/activity.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +13,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <new>
 #include <regex>
 #include <set>
 
@@ -18,43 +22,133 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Keys that recipes need for themselves beside a stage's parameters.
+std::string why_reserved(const RegisteredStage& stage, std::string_view name) {
+    if (stage.kind == StageKind::writer && name == "file") {
+        return fmt::format("stage '{}': a writer cannot have a parameter 'file', recipes say by that key where it "
+                           "writes; remedy: rename it",
+                           stage.info.name);
+    }
+    const bool isolable = stage.kind == StageKind::mesh_filter || stage.kind == StageKind::spherizer;
+    if (isolable && (name == "isolate" || name == "time_limit" || name == "memory_limit")) {
+        return fmt::format("stage '{}': a {} cannot have a parameter '{}', recipes say by that key how it is isolated; "
+                           "remedy: rename it",
+                           stage.info.name, to_string(stage.kind), name);
+    }
+    return "";
+}
+
+/// Why a stage's name does not fit its kind: people read the kind off the name. Empty if it does.
+std::string why_misnamed(const RegisteredStage& stage) {
+    static constexpr std::pair<StageKind, std::string_view> beginnings[] = {{StageKind::mesh_loader, "load."},
+                                                                            {StageKind::robot_loader, "load."},
+                                                                            {StageKind::spherizer, "spherize."},
+                                                                            {StageKind::renderer, "snapshot."},
+                                                                            {StageKind::writer, "write."}};
+    const std::string& name = stage.info.name;
+    std::string_view fits, taken;
+    for (const auto& [kind, beginning] : beginnings) {
+        fits = kind == stage.kind ? beginning : fits;
+        taken = name.starts_with(beginning) ? beginning : taken;
+    }
+    if (fits == taken) {
+        return "";
+    }
+    return fits.empty()
+               ? fmt::format("stage '{}' is enrolled as a {}, whose name cannot begin with '{}'; remedy: rename "
+                             "it, or enrol it as what it is",
+                             name, to_string(stage.kind), taken)
+               : fmt::format("stage '{}' is enrolled as a {}, whose name begins with '{}'; remedy: rename it, "
+                             "or enrol it as what it is",
+                             name, to_string(stage.kind), fits);
+}
+
 /// What a stage declaration gets wrong; empty if nothing.
 std::string why_bad(const RegisteredStage& stage) {
     const StageInfo& info = stage.info;
     static const std::regex stage_name("[a-z][a-z0-9]*\\.[a-z][a-z0-9_]*");
     if (!std::regex_match(info.name, stage_name)) {
-        return fmt::format("stage name '{}' is not of the form kind.method (lower case)", info.name);
+        return fmt::format(
+            "stage name '{}' is not of the form kind.method in lower case, e.g. spherize.mine; remedy: rename it",
+            info.name);
+    }
+    if (const std::string why = why_misnamed(stage); !why.empty()) {
+        return why;
     }
     if (info.summary.empty()) {
-        return fmt::format("stage '{}' has no summary", info.name);
+        return fmt::format("stage '{}' has no summary; remedy: say in one sentence what it does", info.name);
     }
     if (!stage.factory) {
-        return fmt::format("stage '{}' has no factory", info.name);
+        return fmt::format("stage '{}' has no factory; remedy: enrol it with enrol.add<…>()", info.name);
     }
+    static const std::regex parameter_name("[A-Za-z][A-Za-z0-9_]*");
     std::set<std::string> names;
     for (const Parameter& p : info.parameters) {
-        if (p.name == "file" && stage.kind == StageKind::writer) {
-            return fmt::format(
-                "stage '{}': a writer cannot have a parameter 'file', recipes say by that key where it writes",
-                info.name);
+        if (const std::string why = why_reserved(stage, p.name); !why.empty()) {
+            return why;
         }
         if (p.name.empty() || !names.insert(p.name).second) {
-            return fmt::format("stage '{}' declares parameter '{}' twice or without a name", info.name, p.name);
+            return fmt::format("stage '{}' declares parameter '{}' twice or without a name; remedy: rename it",
+                               info.name, p.name);
+        }
+        if (!std::regex_match(p.name, parameter_name)) {
+            return fmt::format("stage '{}': the name of parameter '{}' is not a word of letters, digits "
+                               "and _; remedy: rename it",
+                               info.name, p.name);
         }
         if (p.doc_text.empty()) {
-            return fmt::format("stage '{}': parameter '{}' has no doc sentence", info.name, p.name);
+            return fmt::format("stage '{}': parameter '{}' has no doc sentence; remedy: call .doc(…)", info.name,
+                               p.name);
         }
         if (const std::string why = why_invalid(p, p.default_value); !why.empty()) {
-            return fmt::format("stage '{}': the default of parameter '{}' breaks its own declaration: {}", info.name,
-                               p.name, why);
+            return fmt::format("stage '{}': the default of parameter '{}' breaks its own declaration: {}; remedy: "
+                               "correct the one or the other",
+                               info.name, p.name, why);
         }
     }
     return "";
 }
 
+/// The fields of a fingerprint in the words of people.
+std::map<std::string, std::string> fields_of(std::string_view fingerprint) {
+    static constexpr std::pair<std::string_view, std::string_view> names[] = {
+        {"foam-abi", "ABI epoch"}, {"cxx11", "std::string ABI (cxx11)"}, {"stdlib", "standard library"}};
+    std::map<std::string, std::string> fields;
+    for (const std::string_view word : words(fingerprint)) {
+        const std::size_t equals = word.find('=');
+        std::string name(word.substr(0, equals));
+        for (const auto& [short_name, long_name] : names) {
+            name = name == short_name ? long_name : name;
+        }
+        fields[name] = equals == word.npos ? "on" : std::string(word.substr(equals + 1));
+    }
+    return fields;
+}
+
 std::string other_build(std::string_view has) {
-    return fmt::format("it was built for [{}], this foam is [{}]; remedy: rebuild the plugin against this foam", has,
-                       FOAM_ABI_FINGERPRINT);
+    const auto theirs = fields_of(has), ours = fields_of(FOAM_ABI_FINGERPRINT);
+    std::vector<std::string> built_for, is;
+    for (const auto& [name, value] : ours) {
+        const auto other = theirs.find(name);
+        if (other != theirs.end() && other->second != value) {
+            built_for.push_back(fmt::format("{} {}", name, other->second));
+            is.push_back(fmt::format("{} {}", name, value));
+        }
+    }
+    if (is.empty()) { // a field more or less: no release of foam has written that
+        built_for.push_back(fmt::format("[{}]", has));
+        is.push_back(fmt::format("[{}]", FOAM_ABI_FINGERPRINT));
+    }
+    return fmt::format("it was built for {}, this foam has {}; remedy: rebuild the plugin against this foam, with the "
+                       "same compiler options",
+                       fmt::join(built_for, " and "), fmt::join(is, " and "));
+}
+
+/// An SPDX licence expression, as far as its form goes: "Apache-2.0", "(MIT OR LicenseRef-Mine) AND BSD-3-Clause".
+bool is_license(const std::string& text) {
+    static const std::regex form(
+        "\\(*[A-Za-z0-9][A-Za-z0-9.+:-]*\\)*( (AND|OR|WITH) \\(*[A-Za-z0-9][A-Za-z0-9.+:-]*\\)*)*");
+    return std::regex_match(text, form);
 }
 
 /// What an envelope gets wrong; empty if nothing. The fields behind size and epoch are looked at only if those are
@@ -77,6 +171,11 @@ std::string why_bad(const foam_plugin_envelope_v1* envelope) {
             return "its name, version or license is empty; remedy: state all three in FOAM_PLUGIN";
         }
     }
+    if (!is_license(envelope->license)) {
+        return fmt::format("its license '{}' is no SPDX expression; remedy: write an identifier of "
+                           "spdx.org/licenses, e.g. Apache-2.0, or LicenseRef-NAME for one of your own",
+                           envelope->license);
+    }
     return envelope->enrol ? "" : "it has no function that enrols stages; remedy: use the FOAM_PLUGIN macro";
 }
 
@@ -91,7 +190,7 @@ public:
 /// What the stages of a plugin get wrong, beside those that are known already; empty if nothing.
 std::string why_bad(const std::vector<RegisteredStage>& stages, const Registry& registry) {
     if (stages.empty()) {
-        return "it offers no stage";
+        return "it enrols no stage; remedy: call enrol.add<…>() in the body of FOAM_PLUGIN";
     }
     std::set<std::string> names;
     for (const RegisteredStage& stage : stages) {
@@ -132,10 +231,10 @@ bool is_of_kind(const Stage& stage, StageKind kind) {
 std::string writable_by_others(const fs::path& file) {
     struct stat status {};
     if (stat(file.c_str(), &status) != 0) {
-        return "there is no such file";
+        return "there is no such file; remedy: check the path";
     }
     if (!S_ISREG(status.st_mode)) {
-        return "it is not a regular file";
+        return "it is not a regular file; remedy: give the file of the plugin itself";
     }
     if (status.st_mode & S_IWOTH) {
         return fmt::format("everybody may write to it, so anybody's code could run; remedy: chmod o-w {}",
@@ -183,15 +282,26 @@ std::string Registry::try_load(const fs::path& file, PluginRecord& record) {
         return note.problem;
     }
     if (!note.fingerprint) {
-        return "it is a shared library, but not a foam plugin (no FOAM_PLUGIN in it)";
+        return "it is a shared library, but no foam plugin (there is no FOAM_PLUGIN in it); remedy: take it out of the "
+               "folder of plugins, or add FOAM_PLUGIN";
     }
     if (*note.fingerprint != FOAM_ABI_FINGERPRINT) {
         return other_build(*note.fingerprint);
     }
+    if (guard_) {
+        if (const std::string why = guard_(file); !why.empty()) {
+            return why;
+        }
+    }
+    const ActivityScope activity(fmt::format("plugin {}, while it was loaded", file.string()),
+                                 CrashRemedy::remove_plugin);
     // Never closed again: its code may live on in stage objects, exceptions and type information.
     void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
     if (!handle) {
-        return fmt::format("the system cannot load it: {}", dlerror());
+        return fmt::format(
+            "the system cannot load it: {}; remedy: link the plugin with all that it uses, and rebuild it "
+            "against this foam",
+            dlerror());
     }
     using Entry = const foam_plugin_envelope_v1* (*)();
     const auto entry = reinterpret_cast<Entry>(dlsym(handle, "foam_plugin_v1"));
@@ -209,9 +319,11 @@ std::string Registry::try_load(const fs::path& file, PluginRecord& record) {
         record.license = envelope->license;
         envelope->enrol(collector);
     } catch (const std::exception& error) {
-        return fmt::format("it threw while it enrolled its stages: {}", error.what());
+        return fmt::format("it threw while it enrolled its stages: {}; remedy: correct the body of FOAM_PLUGIN",
+                           error.what());
     } catch (...) {
-        return "it threw something that is no std::exception while it enrolled its stages";
+        return "it threw something that is no std::exception while it enrolled its stages; remedy: correct the body of "
+               "FOAM_PLUGIN";
     }
     if (const std::string why = why_bad(collector.stages, *this); !why.empty()) {
         return why;
@@ -293,6 +405,14 @@ std::unique_ptr<Stage> Registry::make_stage(std::string_view name, StageKind kin
         return object;
     } catch (const Error& error) {
         throw Error(error.code(), fmt::format("{}: {}", name, error.what()));
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw Error(ErrorCode::plugin,
+                    fmt::format("{}: its constructor failed with an exception of its own: {}", name, error.what()));
+    } catch (...) {
+        throw Error(ErrorCode::plugin,
+                    fmt::format("{}: its constructor threw something that is no std::exception", name));
     }
 }
 

@@ -1,41 +1,16 @@
 #include "cache.hpp"
 
+#include "bytes.hpp"
 #include "files.hpp"
 
 #include <foam/error.hpp>
 
 #include <cstdlib>
-#include <cstring>
 
 namespace foam {
 namespace {
 
-constexpr std::string_view magic = "foam cache 1\n";
-
-template <class T> void put_values(std::string& out, const std::vector<T>& values) {
-    const std::uint64_t count = values.size();
-    out.append(reinterpret_cast<const char*>(&count), sizeof count);
-    out.append(reinterpret_cast<const char*>(values.data()), count * sizeof(T));
-}
-
-/// Takes values off the front of a text; false when it is too short.
-template <class T> bool take_values(std::string_view& in, std::vector<T>& values) {
-    std::uint64_t count = 0;
-    if (in.size() < sizeof count) {
-        return false;
-    }
-    std::memcpy(&count, in.data(), sizeof count);
-    in.remove_prefix(sizeof count);
-    if (count > in.size() / sizeof(T)) {
-        return false;
-    }
-    values.resize(count);
-    if (count > 0) {
-        std::memcpy(static_cast<void*>(values.data()), in.data(), count * sizeof(T));
-    }
-    in.remove_prefix(count * sizeof(T));
-    return true;
-}
+constexpr std::string_view magic = "foam cache 2\n";
 
 } // namespace
 
@@ -82,18 +57,14 @@ std::optional<Mesh> Cache::mesh(const Digest& key) const {
     if (!payload) {
         return std::nullopt;
     }
-    std::string_view in = *payload;
-    Mesh mesh;
-    if (!take_values(in, mesh.vertices) || !take_values(in, mesh.triangles) || !in.empty()) {
-        return std::nullopt;
-    }
-    return mesh;
+    ByteReader in(*payload);
+    Mesh mesh = take_mesh(in);
+    return in.good() && in.at_end() ? std::optional(std::move(mesh)) : std::nullopt;
 }
 
 void Cache::put(const Digest& key, const Mesh& mesh) const {
     std::string payload;
-    put_values(payload, mesh.vertices);
-    put_values(payload, mesh.triangles);
+    put_mesh(payload, mesh);
     store(key, std::move(payload));
 }
 
@@ -102,24 +73,14 @@ std::optional<SphereTree> Cache::tree(const Digest& key) const {
     if (!payload) {
         return std::nullopt;
     }
-    std::string_view in = *payload;
-    SphereTree tree;
-    while (!in.empty()) {
-        SphereTree::Level level;
-        if (!take_values(in, level.spheres) || !take_values(in, level.parents)) {
-            return std::nullopt;
-        }
-        tree.levels.push_back(std::move(level));
-    }
-    return tree.levels.empty() ? std::nullopt : std::optional(tree);
+    ByteReader in(*payload);
+    SphereTree tree = take_tree(in);
+    return in.good() && in.at_end() && !tree.levels.empty() ? std::optional(std::move(tree)) : std::nullopt;
 }
 
 void Cache::put(const Digest& key, const SphereTree& tree) const {
     std::string payload;
-    for (const SphereTree::Level& level : tree.levels) {
-        put_values(payload, level.spheres);
-        put_values(payload, level.parents);
-    }
+    put_tree(payload, tree);
     store(key, std::move(payload));
 }
 

@@ -1,6 +1,7 @@
 #include "prepare.hpp"
 
 #include "files.hpp"
+#include "isolated.hpp"
 
 #include <fmt/format.h>
 
@@ -48,6 +49,19 @@ template <class Task, class Body> void run_all(std::vector<Task>& tasks, Body&& 
             tasks[i].error.emplace(error);
         }
     });
+}
+
+/// A stage's promise, checked: what comes after it takes corners for granted.
+void check_triangles(const Mesh& mesh, const char* kind) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (const std::uint32_t corner : mesh.triangles[t]) {
+            if (corner >= mesh.vertices.size()) {
+                throw Error(ErrorCode::plugin,
+                            fmt::format("the {} broke its contract: triangle {} has corner {} of {} vertices", kind, t,
+                                        corner, mesh.vertices.size()));
+            }
+        }
+    }
 }
 
 std::vector<LinkWork> links_to_do(const Workspace& workspace, const Robot& robot) {
@@ -109,11 +123,12 @@ void load(const Workspace& workspace, const std::vector<LinkWork>& links, LoadTa
     }
     const std::string bytes = read_file(path);
     task.file = {path, digest_of(bytes), bytes.size()};
-    task.mesh = run_stage(
-        workspace, loader->info.name, link, path.string(), task.file.digest, task.report, [&](Context& context) {
-            const Mesh mesh = workspace.registry.make<MeshLoader>(loader->info.name)->load(path, context);
-            return std::make_shared<const Mesh>(transformed(mesh, {}, task.reference.scale));
-        });
+    task.mesh = run_stage(workspace, loader->info.name, link, path.string(), task.file.digest, task.report,
+                          [&](Context& context) {
+                              const Mesh mesh = call_loader(workspace, loader->info.name, path, context);
+                              check_triangles(mesh, "loader");
+                              return std::make_shared<const Mesh>(transformed(mesh, {}, task.reference.scale));
+                          });
     for (const Vec3& vertex : task.mesh->vertices) {
         if (!is_finite(vertex)) {
             throw Error(ErrorCode::input,
@@ -140,7 +155,10 @@ std::vector<FilterTask> filter_tasks(const Workspace& workspace, std::vector<Lin
                 hasher.add(filter, workspace.registry);
             }
             element.digest = hasher.finish();
-            const auto [it, fresh] = known.try_emplace(element.digest, tasks.size());
+            for (const StageCall& filter : links[l].recipe.filters) {
+                add_isolation(hasher, filter.isolation);
+            }
+            const auto [it, fresh] = known.try_emplace(hasher.finish(), tasks.size());
             if (fresh) {
                 FilterTask& task = tasks.emplace_back();
                 task.mesh = element.raw;
@@ -170,8 +188,9 @@ void filter(const Workspace& workspace, const std::vector<LinkWork>& links, Filt
             mesh = std::make_shared<const Mesh>(std::move(*cached));
         } else {
             mesh = run_stage(workspace, call.stage, link, input, content, report, [&](Context& context) {
-                const auto stage = workspace.registry.make<MeshFilter>(call.stage, call.given);
-                return std::make_shared<const Mesh>(stage->apply(*mesh, context));
+                Mesh result = call_filter(workspace, call, *mesh, context);
+                check_triangles(result, "filter");
+                return std::make_shared<const Mesh>(std::move(result));
             });
             workspace.cache.put(key, *mesh);
         }

@@ -39,6 +39,7 @@ RunDirectory::RunDirectory(fs::path target) : target_(fs::absolute(target).lexic
                                 target_.string()));
     }
     temporary_ = target_.parent_path() / fmt::format(".{}.partial-{}", target_.filename().string(), getpid());
+    unfinished_.emplace(temporary_);
     std::error_code error;
     fs::remove_all(temporary_, error);
     fs::create_directories(temporary_, error);
@@ -73,6 +74,7 @@ void RunDirectory::commit() {
                         fmt::format("{}: cannot be put in place: {}", target_.string(), error.message()));
         }
         committed_ = true;
+        unfinished_.reset();
         return;
     }
     committed_ = true;
@@ -80,6 +82,7 @@ void RunDirectory::commit() {
         std::error_code ignored;
         fs::remove_all(temporary_, ignored);
     }
+    unfinished_.reset();
 }
 
 } // namespace foam

@@ -2,7 +2,10 @@
 // there before.
 #pragma once
 
+#include "unfinished.hpp"
+
 #include <filesystem>
+#include <optional>
 #include <string_view>
 
 namespace foam {
@@ -23,6 +26,7 @@ public:
 
 private:
     std::filesystem::path target_, temporary_;
+    std::optional<UnfinishedFolder> unfinished_; ///< removed by a crash, too
     bool committed_ = false;
 };
 

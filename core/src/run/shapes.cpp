@@ -1,5 +1,7 @@
 #include "shapes.hpp"
 
+#include "isolated.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -54,7 +56,8 @@ std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::ve
             hasher.add(link.elements[e].digest).add(relative_pose(groups[g], link, e));
         }
         const Digest digest = hasher.finish();
-        const auto [it, fresh] = known.try_emplace(digest, shapes.size());
+        add_isolation(hasher, link.recipe.spherizer.isolation);
+        const auto [it, fresh] = known.try_emplace(hasher.finish(), shapes.size());
         if (fresh) {
             ShapeWork& work = shapes.emplace_back();
             work.spherizer = link.recipe.spherizer;
@@ -154,8 +157,7 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
     }
     const std::vector<SphereTree> trees = run_stage(
         workspace, work.spherizer.stage, work.link, work.input, work.digest, work.report, [&](Context& context) {
-            const auto stage = workspace.registry.make<Spherizer>(work.spherizer.stage, work.spherizer.given);
-            std::vector<SphereTree> made = stage->spherize_each(*work.shape, budgets, context);
+            std::vector<SphereTree> made = call_spherizer(workspace, work.spherizer, *work.shape, budgets, context);
             if (made.size() != budgets.size()) {
                 throw Error(ErrorCode::plugin, fmt::format("the spherizer broke its contract: {} trees for {} budgets",
                                                            made.size(), budgets.size()));

@@ -7,16 +7,21 @@
 
 namespace foam {
 
+std::string place_of(const std::string& stage, const std::string& link, const std::string& input) {
+    std::string place = fmt::format("stage '{}'", stage);
+    if (!link.empty()) {
+        place += fmt::format(", link '{}'", link);
+    }
+    if (!input.empty()) {
+        place += fmt::format(", input '{}'", input);
+    }
+    return place;
+}
+
 Error described(std::exception_ptr thrown, const std::string& stage, const std::string& link,
                 const std::string& input) {
-    std::string where = fmt::format("stage '{}'", stage);
-    if (!link.empty()) {
-        where += fmt::format(", link '{}'", link);
-    }
-    const std::string outer = where;
-    if (!input.empty()) {
-        where += fmt::format(", input '{}'", input);
-    }
+    const std::string where = place_of(stage, link, input);
+    const std::string outer = place_of(stage, link, "");
     try {
         std::rethrow_exception(thrown);
     } catch (const Error& error) {

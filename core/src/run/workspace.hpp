@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cache.hpp"
+#include "data/activity.hpp"
 #include "digest.hpp"
 #include "journal.hpp"
 
@@ -32,6 +33,8 @@ struct Workspace {
     }
 };
 
+/// "stage 'spherize.medial', link 'hand', input 'hand.stl'"; what is empty is left out.
+std::string place_of(const std::string& stage, const std::string& link, const std::string& input);
 /// An Error that names stage, link and input, whatever was thrown. Cancellation stays cancellation.
 Error described(std::exception_ptr thrown, const std::string& stage, const std::string& link, const std::string& input);
 
@@ -44,6 +47,7 @@ auto run_stage(const Workspace& workspace, const std::string& stage, const std::
     workspace.journal.started(link, stage);
     StageContext context(workspace.journal, link, stage, derive_seed(workspace.recipe.seed, stage + content),
                          workspace.options.cancel);
+    const ActivityScope activity(place_of(stage, link, input), CrashRemedy::isolate_stage);
     const double begin = workspace.journal.seconds();
     const auto close = [&] {
         report.stage = stage;

@@ -4,6 +4,7 @@
 #include <foam/plugin.hpp>
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -39,6 +40,10 @@ public:
     /// Loads one plugin: all its stages or none. Never throws for a bad plugin: the record says why. A file loaded
     /// already is not loaded twice. The record stays valid until the next load.
     const PluginRecord& load(const std::filesystem::path& file);
+    /// Asked before a plugin's code runs for the first time: why it must not; empty if it may.
+    using Guard = std::function<std::string(const std::filesystem::path& file)>;
+    void set_guard(Guard guard) { guard_ = std::move(guard); }
+
     /// Loads every *.so of a folder, in the order of their names; a folder that does not exist is skipped.
     void load_directory(const std::filesystem::path& directory);
     const std::vector<PluginRecord>& plugins() const { return plugins_; }
@@ -64,6 +69,7 @@ private:
                                       const std::map<std::string, ParameterValue>& parameters) const;
     std::string try_load(const std::filesystem::path& file, PluginRecord& record);
 
+    Guard guard_;
     std::vector<PluginRecord> plugins_;
     std::map<std::string, RegisteredStage, std::less<>> stages_;
 };

@@ -1,0 +1,132 @@
+#include "activity.hpp"
+
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <csignal>
+#include <cstring>
+
+namespace foam {
+
+struct Activity {
+    std::atomic<bool> taken{false};
+    CrashRemedy remedy = CrashRemedy::isolate_stage;
+    char text[512] = {};
+};
+
+namespace {
+
+// More calls at once than this are not named. Threads times the depth of nested calls.
+std::array<Activity, 1024> slots;
+std::atomic<bool> wants_signal_stacks{false};
+
+// initial-exec: a signal handler must not be the first to touch it, with an allocation.
+__attribute__((tls_model("initial-exec"))) thread_local const Activity* current = nullptr;
+
+/// A thread's stack for signal handlers, unless it has one already (sanitizers provide their own).
+class SignalStack {
+public:
+    SignalStack() {
+        stack_t existing{};
+        if (sigaltstack(nullptr, &existing) != 0 || !(existing.ss_flags & SS_DISABLE)) {
+            return;
+        }
+        memory_ = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        if (memory_ == MAP_FAILED) {
+            memory_ = nullptr;
+            return;
+        }
+        stack_t stack{};
+        stack.ss_sp = memory_;
+        stack.ss_size = size;
+        sigaltstack(&stack, nullptr);
+    }
+    ~SignalStack() {
+        if (memory_) {
+            stack_t none{};
+            none.ss_flags = SS_DISABLE;
+            sigaltstack(&none, nullptr);
+            munmap(memory_, size);
+        }
+    }
+    SignalStack(const SignalStack&) = delete;
+    SignalStack& operator=(const SignalStack&) = delete;
+
+private:
+    static constexpr std::size_t size = 64 * 1024;
+    void* memory_ = nullptr;
+};
+
+void provide_signal_stack() {
+    if (wants_signal_stacks.load(std::memory_order_relaxed)) {
+        thread_local const SignalStack stack;
+    }
+}
+
+Activity* free_slot() {
+    for (Activity& slot : slots) {
+        if (!slot.taken.load(std::memory_order_relaxed) && !slot.taken.exchange(true, std::memory_order_acquire)) {
+            return &slot;
+        }
+    }
+    return nullptr;
+}
+
+} // namespace
+
+ActivityScope::ActivityScope(std::string_view what, CrashRemedy remedy) : slot_(free_slot()), before_(current) {
+    provide_signal_stack();
+    if (slot_) {
+        const std::size_t length = std::min(what.size(), sizeof slot_->text - 1);
+        std::memcpy(slot_->text, what.data(), length);
+        slot_->text[length] = '\0';
+        slot_->remedy = remedy;
+    }
+    current = slot_;
+}
+
+ActivityScope::~ActivityScope() {
+    current = before_;
+    if (slot_) {
+        slot_->taken.store(false, std::memory_order_release);
+    }
+}
+
+ActivityLoan::ActivityLoan(const Activity* activity) : before_(current) {
+    provide_signal_stack();
+    current = activity;
+}
+
+ActivityLoan::~ActivityLoan() {
+    current = before_;
+}
+
+const Activity* current_activity() {
+    return current;
+}
+
+const char* text_of(const Activity& activity) {
+    return activity.text;
+}
+
+CrashRemedy remedy_of(const Activity& activity) {
+    return activity.remedy;
+}
+
+const Activity* active(std::size_t i) {
+    for (const Activity& slot : slots) {
+        if (slot.taken.load(std::memory_order_acquire) && i-- == 0) {
+            return &slot;
+        }
+    }
+    return nullptr;
+}
+
+void provide_signal_stacks() {
+    wants_signal_stacks.store(true, std::memory_order_relaxed);
+    provide_signal_stack();
+}
+
+} // namespace foam

@@ -1,0 +1,24 @@
+// Calls of stages: here, or in a child process where the recipe says so. The results are the same, byte for byte.
+#pragma once
+
+#include "workspace.hpp"
+
+#include <foam/solid.hpp>
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+namespace foam {
+
+/// Throw what the stage throws; of an isolated one also Error for a crash, a limit or an early end of its process.
+Mesh call_loader(const Workspace& workspace, const std::string& stage, const std::filesystem::path& file,
+                 Context& context);
+Mesh call_filter(const Workspace& workspace, const StageCall& call, const Mesh& mesh, Context& context);
+std::vector<SphereTree> call_spherizer(const Workspace& workspace, const StageCall& call, const Shape& shape,
+                                       std::span<const Budget> budgets, Context& context);
+
+/// Adds how a stage is isolated, for tasks that are one only if they run alike. No part of a cache key.
+void add_isolation(Hasher& hasher, const Isolation& isolation);
+
+} // namespace foam
