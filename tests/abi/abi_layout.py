@@ -66,8 +66,8 @@ def parse(text):
         attribute = re.match(r" +<\w+> +DW_AT_(\w+) *: (.*)", line)
         if attribute and stack:
             # "(strp) (offset: 0x5ecf8): foam", "(indirect string, offset: 0x5ecf8): foam", "(string) x", "x"
-            value = re.sub(r"^\((?:strp|line_strp|string|data\d+|[us]data|ref\w+|flag\w*|implicit_const|exprloc|sec_offset"
-                           r"|addr\w*)\) ", "", attribute.group(2))
+            value = re.sub(r"^\((?:strp|line_strp|string|data\d+|[us]data|ref\w+|flag\w*|implicit_const|exprloc"
+                           r"|sec_offset|addr\w*)\) ", "", attribute.group(2))
             value = re.sub(r"^\((?:offset|indirect[^)]*|alt indirect[^)]*)[^)]*\): ", "", value)
             stack[-1].attributes[attribute.group(1)] = value.strip()
     return entries
@@ -120,7 +120,8 @@ class Layout:
         for entry in self.entries.values():
             ours = entry.get("name").startswith("foam_") if entry.parent and entry.parent.tag == "compile_unit" else \
                 self.qualified(entry).startswith("foam::") and self.is_reachable(entry)
-            if entry.tag in (*TYPES, "typedef") and ours and entry.get("name") and "declaration" not in entry.attributes:
+            whole = entry.get("name") and "declaration" not in entry.attributes
+            if entry.tag in (*TYPES, "typedef") and ours and whole:
                 found[tidy(self.qualified(entry))] = entry
         return found
 
@@ -199,8 +200,8 @@ def check(compiler, include, records):
     epoch, reasons = epochs(include)
     for number in range(1, epoch + 1):
         if number not in reasons:
-            return (f"abi.hpp gives no reason for ABI epoch {number}\nremedy: add a line '///  {number}  what changed and "
-                    "why' to the reasons above FOAM_ABI_EPOCH")
+            return (f"abi.hpp gives no reason for ABI epoch {number}\nremedy: add a line '///  {number}  what changed "
+                    "and why' to the reasons above FOAM_ABI_EPOCH")
     record = pathlib.Path(records, f"epoch_{epoch}.txt")
     found = Layout(debug_information(compiler, include)).text(include)
     if not record.exists():
@@ -230,7 +231,8 @@ CHANGES = [
     ("sphere.hpp", "double radius = 0;", "float weight = 0;\n    double radius = 0;", "+       24 weight: float"),
     ("sphere.hpp", "    outer,  ///<", "    none,\n    outer,  ///<", "+     outer = 1"),
     ("context.hpp", "    virtual bool cancelled() const = 0;\n", "", "-     virtual 3: bool cancelled() const"),
-    ("text.hpp", "namespace foam {", "namespace foam {\nstruct Novelty {\n    int x;\n};", "+ struct foam::Novelty, 4 bytes"),
+    ("text.hpp", "namespace foam {", "namespace foam {\nstruct Novelty {\n    int x;\n};",
+     "+ struct foam::Novelty, 4 bytes"),
 ]
 
 
@@ -264,7 +266,8 @@ def test(compiler, include, records):
         if f"raise FOAM_ABI_EPOCH to {epoch + 1}" not in check(compiler, copy, kept):
             failures.append("a released epoch was written anew")
         abi = copy / "foam" / "abi.hpp"
-        abi.write_text(abi.read_text().replace(f"#define FOAM_ABI_EPOCH {epoch}", f"#define FOAM_ABI_EPOCH {epoch + 1}"))
+        line = "#define FOAM_ABI_EPOCH {}"
+        abi.write_text(abi.read_text().replace(line.format(epoch), line.format(epoch + 1)))
         if f"abi.hpp gives no reason for ABI epoch {epoch + 1}" not in check(compiler, copy, kept):
             failures.append("an epoch without a reason was accepted")
         if failures:

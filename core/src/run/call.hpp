@@ -31,6 +31,9 @@ struct StageRequest {
     std::string work; ///< load: the file's path; filter: put_mesh(); spherize: put_shape_work()
 };
 
+/// Whether serve_isolated_call() was called: a child of this program would answer.
+bool serves_isolated_calls();
+
 std::string to_bytes(const StageRequest& request);
 /// Throws Error(internal) for bytes that are none.
 StageRequest request_from(std::string_view bytes);

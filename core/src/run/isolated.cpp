@@ -91,7 +91,10 @@ Error bad_end(const ChildEnd& end, const Isolation& isolation) {
 /// The answer to a request; throws what the stage has thrown, and for a child that gave none.
 std::string call_in_child(const Workspace& workspace, StageRequest request, const Isolation& isolation,
                           Context& context) {
-    if (workspace.options.program.empty()) {
+    const std::filesystem::path program = !workspace.options.program.empty() ? workspace.options.program
+                                          : serves_isolated_calls()          ? "/proc/self/exe"
+                                                                             : "";
+    if (program.empty()) {
         throw Error(ErrorCode::usage, "this program cannot run stages in processes of their own; remedy: delete "
                                       "'isolate' from the recipe, or run it with foam");
     }
@@ -110,7 +113,7 @@ std::string call_in_child(const Workspace& workspace, StageRequest request, cons
     ChildLimits limits;
     limits.seconds = isolation.time_limit;
     limits.cancelled = [&] { return context.cancelled(); };
-    const ChildEnd end = run_child(workspace.options.program, to_bytes(request), limits, [&](std::string_view message) {
+    const ChildEnd end = run_child(program, to_bytes(request), limits, [&](std::string_view message) {
         return take_message(message, context, result, thrown);
     });
     if (end.why != ChildEnd::Why::answered) {

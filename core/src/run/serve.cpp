@@ -21,6 +21,9 @@
 namespace foam {
 namespace {
 
+/// A property of the process: what its main() does.
+bool serves = false;
+
 /// Without a parent there is nobody to answer to.
 [[noreturn]] void give_up() {
     _exit(1);
@@ -166,7 +169,12 @@ std::string answer_to(const StageRequest& request, Context& context) {
 
 } // namespace
 
+bool serves_isolated_calls() {
+    return serves;
+}
+
 void serve_isolated_call(int count, char** arguments) {
+    serves = true;
     if (count == 2 && std::string_view(arguments[1]) == child_command) {
         serve();
     }

@@ -7,7 +7,7 @@
 namespace foam {
 
 /// If the command line says that this process was started to run one call of an isolated stage, does that and never
-/// returns. The first statement of main() in RunOptions::program.
+/// returns; otherwise does nothing. The first statement of main() of a program that runs recipes.
 void serve_isolated_call(int count, char** arguments);
 
 /// Loads a plugin in a child process of `program`. Empty if it lives through that, else what became of it and what to

@@ -38,8 +38,8 @@ struct RunOptions {
     std::size_t threads = 0;   ///< 0: all cores
     const std::atomic<bool>* cancel = nullptr;
     Observer* observer = nullptr;
-    /// The foam program, which runs the calls of isolated stages in child processes: its main() begins with
-    /// serve_isolated_call(). Empty: a recipe that isolates a stage is refused.
+    /// The program that runs the calls of isolated stages in child processes: its main() begins with
+    /// serve_isolated_call(). Empty: this one, if its main() does; else a recipe that isolates a stage is refused.
     std::filesystem::path program;
     std::filesystem::path cache; ///< empty: $XDG_CACHE_HOME/foam or ~/.cache/foam
 };
