@@ -11,7 +11,7 @@ int main() {
 
     const auto bar = foam::Solid::make(foam::sample::box({0.1, 0.1, 0.4}));
     foam::QuietContext context;
-    const foam::SphereTree tree = spherizer->spherize({"bar", bar, bar}, {.max_spheres = 4}, context);
+    const foam::SphereTree tree = spherizer->spherize({"bar", bar, bar}, {4, {}, foam::Guarantee::outer}, context);
     if (tree.finest().size() != 4) {
         std::printf("a bar gets %zu spheres instead of 4\n", tree.finest().size());
         return 1;
