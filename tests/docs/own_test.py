@@ -100,6 +100,11 @@ class Contents(Tiny):
         self.assertIn("docs/page.md:2: this recipe is wrong:\n3:name: wrong", out)
         self.assertEqual(self.run_page("<!-- not checked: shows a mistake -->\n```yaml\nfoam: 1\nwrong\n```\n")[0], 0)
 
+    def test_languages(self):
+        code, out = self.run_page("```bash\n./foam fail 1\n```\n")
+        self.assertEqual(code, 1)
+        self.assertEqual(out, "docs/page.md:2: a block of 'bash'; known are cmake, cpp, json, sh, text, yaml\n")
+
     def test_files(self):
         text = "```yaml\n# mine.yaml\nfoam: 1\n```\n\n```sh\ngrep -c foam mine.yaml\n```\n"
         self.assertEqual(self.run_page(text)[0], 0)

@@ -12,6 +12,7 @@ import tempfile
 
 import markdown
 
+LANGUAGES = {"", "cmake", "cpp", "json", "sh", "text", "yaml"}
 EXITS = re.compile(r"#.*\bexits (\d+)\b")
 FILE_NAME = re.compile(r"^(?:#|//) *([\w.-]+\.\w+)$")
 
@@ -128,7 +129,7 @@ def output_findings(page, name, outputs):
 
 
 def quote_findings(page, name, repository):
-    """A block after `<!-- from: FILE -->` is a part of that file of the repository, after `<!-- all of: FILE -->` the whole."""
+    """A block after `<!-- from: FILE -->` is a part of that file of the repository; `<!-- all of: FILE -->`: the whole."""
     for block in page.blocks:
         if block.remark.startswith("all of:"):
             file = block.remark.removeprefix("all of:").strip()
@@ -138,6 +139,13 @@ def quote_findings(page, name, repository):
             file = block.remark.removeprefix("from:").strip()
             if block.text not in (repository / file).read_text():
                 yield f"{name}:{block.line}: this is not what {file} holds"
+
+
+def language_findings(page, name):
+    """Commands in a block of another language would not be run."""
+    for block in page.blocks:
+        if block.language not in LANGUAGES:
+            yield f"{name}:{block.line}: a block of '{block.language}'; known are {', '.join(sorted(LANGUAGES - {''}))}"
 
 
 def run(foam, repository, path):
@@ -158,6 +166,7 @@ def run(foam, repository, path):
             findings += output_findings(page, name, outputs)
         findings += recipes_findings(page, name, room)
         findings += quote_findings(page, name, repository)
+        findings += language_findings(page, name)
     print("\n".join(findings) or f"{name}: as written")
     return 1 if findings else 0
 
