@@ -6,6 +6,7 @@
 #include <foam/context.hpp>
 #include <foam/mesh.hpp>
 
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -45,6 +46,35 @@ private:
     std::size_t polygon_work_; ///< what is left of it
     Mesh mesh_;
     std::vector<std::uint32_t> table_; ///< open addressing: index + 1 of a vertex, or 0
+};
+
+/// The vertices of a file as it numbers them. One that is not finite is an error only where a face uses it.
+class FileVertices {
+public:
+    explicit FileVertices(MeshBuilder& builder) : builder_(builder) {}
+
+    /// `error()`: the error for a point that is not finite.
+    template <class MakeError> void add(const Vec3& point, MakeError error) {
+        if (!is_finite(point)) {
+            errors_.try_emplace(indices_.size(), error());
+        }
+        indices_.push_back(is_finite(point) ? builder_.vertex(point) : none);
+    }
+    void reserve(std::size_t count) { indices_.reserve(count); }
+    std::size_t size() const { return indices_.size(); }
+    /// The builder's index of it.
+    std::uint32_t operator[](std::size_t i) const {
+        if (indices_[i] == none) {
+            throw errors_.at(i);
+        }
+        return indices_[i];
+    }
+
+private:
+    static constexpr std::uint32_t none = 0xFFFFFFFFu;
+    MeshBuilder& builder_;
+    std::vector<std::uint32_t> indices_;
+    std::map<std::size_t, Error> errors_;
 };
 
 /// Triangles of a plane polygon in 3-space by ear clipping (Meisters 1975); convex polygons become the fan of corner 0.

@@ -11,13 +11,13 @@ namespace {
 class ObjReader {
 public:
     ObjReader(const Source& source, MeshBuilder& builder)
-        : source_(source), builder_(builder), lines_(source, '#', true) {}
+        : source_(source), builder_(builder), lines_(source, '#', true), points_(builder) {}
 
     void read(Context& context) {
         while (lines_.next()) {
             const std::string_view keyword = lines_.word();
             if (keyword == "v") {
-                points_.push_back(builder_.vertex(lines_.point("a coordinate of the vertex")));
+                vertex();
             } else if (keyword == "f" || keyword == "fo") {
                 face();
             } else if (keyword == "surf" || keyword == "curv" || keyword == "curv2") {
@@ -37,6 +37,15 @@ public:
     }
 
 private:
+    void vertex() {
+        const Vec3 point = lines_.point("a coordinate of the vertex");
+        points_.add(point, [&] {
+            return source_.error_at(lines_.line(), fmt::format("a coordinate of the vertex is not finite: {}; remedy: "
+                                                               "export the mesh again without it",
+                                                               text_of(point)));
+        });
+    }
+
     struct Face {
         std::size_t line, end; ///< end: one past its last corner in corners_
     };
@@ -98,7 +107,7 @@ private:
     const Source& source_;
     MeshBuilder& builder_;
     Lines lines_;
-    std::vector<std::uint32_t> points_; ///< the file's vertices, as the builder numbers them
+    FileVertices points_;
     std::vector<std::int64_t> corners_;
     std::vector<Face> faces_;
     std::size_t free_forms_ = 0, thin_faces_ = 0;

@@ -9,14 +9,20 @@ namespace {
 class OffReader {
 public:
     OffReader(const Source& source, MeshBuilder& builder)
-        : source_(source), builder_(builder), lines_(source, '#', false) {}
+        : source_(source), builder_(builder), lines_(source, '#', false), points_(builder) {}
 
     void read(Context& context) {
         counts();
         points_.reserve(vertex_count_);
         for (std::size_t i = 0; i < vertex_count_; ++i) {
             need_line(fmt::format("vertex {} of {}", i + 1, vertex_count_));
-            points_.push_back(builder_.vertex(point()));
+            const Vec3 p = point();
+            points_.add(p, [&] {
+                return source_.error_at(lines_.line(),
+                                        fmt::format("the vertex is not finite: {}; remedy: export the mesh "
+                                                    "again without it",
+                                                    text_of(p)));
+            });
         }
         std::size_t thin = 0;
         for (std::size_t i = 0; i < face_count_; ++i) {
@@ -110,11 +116,6 @@ private:
             }
             p[axis] = *value;
         }
-        if (!is_finite(p)) {
-            throw source_.error_at(
-                lines_.line(),
-                fmt::format("the vertex is not finite: {}; remedy: export the mesh again without it", text_of(p)));
-        }
         return p;
     }
 
@@ -147,7 +148,8 @@ private:
     Lines lines_;
     std::string_view first_;
     std::size_t vertex_count_ = 0, face_count_ = 0;
-    std::vector<std::uint32_t> points_, polygon_;
+    FileVertices points_;
+    std::vector<std::uint32_t> polygon_;
 };
 
 } // namespace

@@ -239,7 +239,7 @@ private:
 class BodyReader {
 public:
     BodyReader(const Source& source, const Header& header, MeshBuilder& builder)
-        : source_(source), values_(source, header), builder_(builder) {}
+        : source_(source), values_(source, header), builder_(builder), points_(builder) {}
 
     void read(const Header& header, Context& context) {
         for (const Element& element : header.elements) {
@@ -291,11 +291,10 @@ private:
         if (coordinates != 7) {
             throw source_.error("the PLY's vertices lack a property x, y or z");
         }
-        if (!is_finite(point)) {
-            throw values_.error(
+        points_.add(point, [&] {
+            return values_.error(
                 fmt::format("the vertex is not finite: {}; remedy: export the mesh again without it", text_of(point)));
-        }
-        points_.push_back(builder_.vertex(point));
+        });
     }
 
     void list(const Element& element, const Property& p) {
@@ -343,7 +342,8 @@ private:
     const Source& source_;
     Values values_;
     MeshBuilder& builder_;
-    std::vector<std::uint32_t> points_, corners_;
+    FileVertices points_;
+    std::vector<std::uint32_t> corners_;
     std::size_t thin_ = 0;
 };
 

@@ -235,10 +235,6 @@ Vec3 Lines::point(std::string_view what) {
     p.x = number(what);
     p.y = number(what);
     p.z = number(what);
-    if (!is_finite(p)) {
-        throw source_.error_at(
-            line_, fmt::format("{} is not finite: {}; remedy: export the mesh again without it", what, text_of(p)));
-    }
     return p;
 }
 

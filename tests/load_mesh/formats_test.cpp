@@ -169,6 +169,20 @@ TEST_F(LoadMesh, PlyTriangleStrips) {
     EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}, {0, 1, 3}}));
 }
 
+TEST_F(LoadMesh, UnusedVerticesMayBeAnything) {
+    EXPECT_EQ(load(write("a.obj", "v nan 0 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 4\n")).triangles.size(), 1u);
+    EXPECT_THAT(error_of("b.obj", "v nan 0 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 3 4\n"),
+                HasSubstr("b.obj:1: a coordinate of the vertex is not finite: (nan, 0, 0); remedy: "));
+    const std::string off = "OFF\n4 1 0\ninf 0 0\n0 0 0\n1 0 0\n0 1 0\n";
+    EXPECT_EQ(load(write("c.off", off + "3 1 2 3\n")).triangles.size(), 1u);
+    EXPECT_THAT(error_of("d.off", off + "3 0 2 3\n"),
+                HasSubstr("d.off:3: the vertex is not finite: (inf, 0, 0); remedy: "));
+    const std::string ply = ply_header("ascii", "4") + "0 -inf 0\n0 0 0\n1 0 0\n0 1 0\n";
+    EXPECT_EQ(load(write("e.ply", ply + "3 1 2 3\n")).triangles.size(), 1u);
+    EXPECT_THAT(error_of("f.ply", ply + "3 0 2 3\n"),
+                HasSubstr("f.ply:10: vertex 0 (counted from 0): the vertex is not finite: (0, -inf, 0); remedy: "));
+}
+
 TEST_F(LoadMesh, OtherLocalesChangeNothing) {
     const char* german = nullptr;
     for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "de_DE", "fr_FR.UTF-8"}) {

@@ -169,8 +169,8 @@ Parameters::Parameters(const std::vector<Parameter>& declared, const std::map<st
         values_[p.name] = p.default_value;
     }
     for (const auto& [name, value] : given) {
-        const auto it =
-            std::find_if(declared.begin(), declared.end(), [&](const Parameter& p) { return p.name == name; });
+        const auto it = std::find_if(declared.begin(), declared.end(),
+                                     [&, &name = name](const Parameter& p) { return p.name == name; });
         if (it == declared.end()) {
             throw Error(ErrorCode::usage, fmt::format("unknown parameter '{}'", name));
         }

@@ -34,7 +34,7 @@ double joint_value(const Joint& joint, const JointValues& values) {
 
 void require_known_joints(const Robot& robot, const JointValues& values) {
     for (const auto& [name, value] : values) {
-        const auto is_named = [&](const Joint& joint) { return joint.name == name; };
+        const auto is_named = [&, &name = name](const Joint& joint) { return joint.name == name; };
         if (std::none_of(robot.joints.begin(), robot.joints.end(), is_named)) {
             throw Error(
                 ErrorCode::usage,
