@@ -50,6 +50,17 @@ TEST_F(CliRecipe, CheckOfABadOneSaysAllWithPlaces) {
     }
 }
 
+TEST_F(CliRecipe, ParametersOfLoadersReachThem) {
+    write("small.yaml", std::string(recipe) + "loaders: {load.mesh: {max_triangles: 3}}\n");
+    const std::string reason =
+        "box.obj: more than 3 triangles; remedy: simplify the mesh, or raise max_triangles of load.mesh";
+    for (const char* isolation : {"none", "process"}) {
+        const Outcome outcome = foam(std::string("run small.yaml --set isolate=") + isolation);
+        EXPECT_EQ(outcome.code, 1);
+        EXPECT_THAT(outcome.err, HasSubstr(reason));
+    }
+}
+
 TEST_F(CliRecipe, UnknownStage) {
     write("bad.yaml", "foam: 1\nmesh: [box.obj]\nstages:\n  - spherize.gird: {}\n");
     const Outcome outcome = foam("run bad.yaml");

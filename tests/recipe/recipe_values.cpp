@@ -222,6 +222,15 @@ TEST_F(RecipeValues, SweepNamesAreDistinctFolderNames) {
     EXPECT_THAT(names("{mesh: [" + std::string(50, 'a') + ", b]}"), ElementsAre("x-mesh=1", "x-mesh=2"));
 }
 
+TEST_F(RecipeValues, LoadersHaveParameters) {
+    const RecipeResult result = parse_chain("loaders: {load.fixture: {max_triangles: 12}}\n");
+    ASSERT_TRUE(result.ok()) << text_of(result.diagnostics);
+    const Recipe& recipe = result.recipes.at(0);
+    EXPECT_EQ(recipe.loader_parameters("load.fixture").at("max_triangles"), ParameterValue(std::int64_t{12}));
+    EXPECT_TRUE(recipe.loader_parameters("load.other").empty());
+    EXPECT_NE(to_yaml(recipe, registry_).find("\nloaders: {load.fixture: {max_triangles: 12}}\n"), std::string::npos);
+}
+
 TEST_F(RecipeValues, OverridesAreMergedInOrder) {
     const RecipeResult result =
         parse_chain("links:\n"

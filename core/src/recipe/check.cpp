@@ -215,6 +215,9 @@ Recipe check_recipe(const Value& root, const std::filesystem::path& file, const 
     }
     recipe.isolation = read_isolation(root, "", findings);
     refuse_idle_limits(root, recipe.isolation, "", findings);
+    if (const Value* loaders = root.find("loaders")) {
+        check_loaders(*loaders, recipe, checking);
+    }
     check_stages(root.find("stages"), root, recipe, checking);
     if (const Value* links = root.find("links")) {
         check_links(*links, recipe, checking);

@@ -35,6 +35,7 @@ void refuse_idle_limits(const Value& map, const Isolation& effective, std::strin
 void report_unknown_stage(const Key& name, const Checking& checking);
 
 void check_stages(const Value* stages, const Value& root, Recipe& recipe, const Checking& checking);
+void check_loaders(const Value& loaders, Recipe& recipe, const Checking& checking);
 void check_links(const Value& links, Recipe& recipe, const Checking& checking);
 void check_outputs(const Value* outputs, const Value& root, Recipe& recipe, const Checking& checking);
 void check_snapshots(const Value* snapshots, const Value& root, Recipe& recipe, const Checking& checking);

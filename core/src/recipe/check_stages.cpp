@@ -20,7 +20,7 @@ std::string home_of(StageKind kind) {
         return "it belongs into 'snapshots: {renderer: …}'";
     case StageKind::mesh_loader:
     case StageKind::robot_loader:
-        return "it belongs nowhere in a recipe: loaders are chosen by the input's file ending";
+        return "the input's file ending chooses it, its parameters belong into 'loaders'";
     }
     return "";
 }

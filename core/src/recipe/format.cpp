@@ -66,7 +66,7 @@ bool is_optional(const std::string& key) {
 }
 
 std::vector<std::string> top_level_structures() {
-    return {"foam",   "robot", "mesh",    "package_path", "plugins", "stages",
+    return {"foam",   "robot", "mesh",    "package_path", "plugins", "loaders", "stages",
             "budget", "links", "outputs", "snapshots",    "debug",   "sweep"};
 }
 

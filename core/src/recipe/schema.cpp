@@ -145,6 +145,18 @@ Json link_schema(const Registry& registry) {
     return object(std::move(properties));
 }
 
+Json loader_schema(const Registry& registry) {
+    Json properties = Json::object();
+    for (const auto& [name, stage] : registry.stages()) {
+        if (stage.kind == StageKind::mesh_loader || stage.kind == StageKind::robot_loader) {
+            properties[name] = reference(name);
+        }
+    }
+    Json schema = object(std::move(properties));
+    schema["description"] = "Parameters of loaders; which one reads a file, its ending says.";
+    return schema;
+}
+
 Json texts(const char* description) {
     const Json text = {{"type", "string"}, {"minLength", 1}};
     return {{"description", description},
@@ -186,6 +198,7 @@ Json top_level(const Registry& registry) {
     p["mesh"] = texts("Mesh files, the first that exists is taken; references as for a URDF.");
     p["package_path"] = texts("Folders to look for packages in, before those of the environment.");
     p["plugins"] = texts("Plugin files to load, relative to the recipe.");
+    p["loaders"] = loader_schema(registry);
     p["stages"] = {{"description", "Mesh filters in order, then one spherizer."},
                    {"type", "array"},
                    {"items", reference("chain stage")},

@@ -61,6 +61,7 @@ public:
         line("name: {}", yaml_text(recipe_.name));
         line("seed: {}", recipe_.seed);
         write_input();
+        write_loaders();
         line("stages:");
         for (const StageCall& filter : recipe_.filters) {
             line("  - {}", stage(filter, "", true));
@@ -105,6 +106,16 @@ private:
         const std::vector<std::string> isolation = isolation_parts(call.isolation);
         parts.insert(parts.end(), isolation.begin(), isolation.end());
         return fmt::format("{}: {{{}}}", yaml_text(call.stage), fmt::join(parts, ", "));
+    }
+
+    void write_loaders() {
+        std::vector<std::string> loaders;
+        for (const StageCall& loader : recipe_.loaders) {
+            loaders.push_back(stage(loader, "", true));
+        }
+        if (!loaders.empty()) {
+            line("loaders: {{{}}}", fmt::join(loaders, ", "));
+        }
     }
 
     static std::vector<std::string> isolation_parts(const Isolation& isolation) {

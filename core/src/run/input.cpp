@@ -126,7 +126,8 @@ Input load_input(const Workspace& workspace) {
     StageReport report;
     input.robot =
         run_stage(workspace, loader->info.name, "", input.file.string(), input.digest, report, [&](Context& context) {
-            const auto stage = workspace.registry.make<RobotLoader>(loader->info.name);
+            const auto stage = workspace.registry.make<RobotLoader>(
+                loader->info.name, workspace.recipe.loader_parameters(loader->info.name));
             return std::make_shared<const Robot>(stage->load(text, input.file, resolver_of(workspace.recipe), context));
         });
     return input;

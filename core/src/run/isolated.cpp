@@ -152,12 +152,14 @@ Mesh mesh_from(const std::string& bytes) {
 Mesh call_loader(const Workspace& workspace, const std::string& stage, const std::filesystem::path& file,
                  Context& context) {
     const Isolation& isolation = workspace.recipe.isolation;
+    const auto given = workspace.recipe.loader_parameters(stage);
     if (!is_isolated(isolation)) {
-        return workspace.registry.make<MeshLoader>(stage)->load(file, context);
+        return workspace.registry.make<MeshLoader>(stage, given)->load(file, context);
     }
     StageRequest request;
     request.what = StageRequest::What::load;
     request.stage = stage;
+    request.given = given;
     request.work = std::filesystem::absolute(file).string();
     return mesh_from(call_in_child(workspace, std::move(request), isolation, context));
 }

@@ -80,6 +80,7 @@ struct Recipe {
     Location input_where;
     std::vector<std::string> package_path; ///< searched before the environment; relative to the recipe
     std::vector<std::string> plugins;      ///< files to load; relative to the recipe
+    std::vector<StageCall> loaders;        ///< parameters of loaders; the input's ending says which one reads it
     std::vector<StageCall> filters;        ///< mesh filters in order
     StageCall spherizer;
     bool per_link = true;                        ///< false: spherize every collision element on its own
@@ -105,6 +106,8 @@ struct Recipe {
         std::optional<std::size_t> max_spheres;
     };
     LinkRecipe for_link(const std::string& link) const;
+    /// What the recipe says of a loader.
+    std::map<std::string, ParameterValue> loader_parameters(const std::string& stage) const;
 };
 
 /// What came of reading a recipe: `recipes` holds one entry, or one for each point of its sweep, and is only to be used
