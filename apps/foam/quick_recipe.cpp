@@ -93,7 +93,7 @@ QuickRecipe quick_recipe(const std::filesystem::path& input, const std::string& 
     recipe.text +=
         is_mesh(input, registry) ? fmt::format("mesh: [{}]\n", file) : fmt::format("robot:\n  urdf: [{}]\n", file);
     recipe.text += "stages:\n";
-    for (const char* filter : {"repair.watertight", "simplify.quadric", "smooth.humphrey"}) {
+    for (const char* filter : {"repair.auto", "simplify.quadric", "smooth.humphrey"}) {
         if (registry.find(filter)) {
             recipe.text += fmt::format("  - {}: {{}}\n", filter);
         } else {

@@ -1,4 +1,5 @@
 // Every mesh of the shared folder: spheres with a proof, or an error that names the file. Never a crash, never a hang.
+#include "corpus/mesh_files.hpp"
 #include "corpus/whole_run.hpp"
 #include "support/shared_folder.hpp"
 #include "support/temporary_folder.hpp"
@@ -7,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <set>
 
 namespace foam {
@@ -32,19 +32,7 @@ const std::set<std::string> unreadable{"real/malformed.obj",
                                        "synthetic/garbage.stl"};
 
 std::vector<std::string> mesh_files() {
-    static const std::set<std::string> endings{".stl", ".obj", ".ply", ".off", ".dae", ".gltf", ".glb"};
-    std::vector<std::string> files;
-    std::error_code absent;
-    for (const auto& entry : fs::recursive_directory_iterator(shared_folder() / "meshes", absent)) {
-        std::string ending = entry.path().extension().string();
-        std::transform(ending.begin(), ending.end(), ending.begin(),
-                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-        if (endings.contains(ending)) {
-            files.push_back(fs::relative(entry.path(), shared_folder() / "meshes").string());
-        }
-    }
-    std::sort(files.begin(), files.end());
-    return files;
+    return mesh_files_below(shared_folder() / "meshes");
 }
 
 class CorpusMesh : public ::testing::TestWithParam<std::string> {};
@@ -75,12 +63,8 @@ TEST_P(CorpusMesh, GivesSpheresOrAClearError) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Shared, CorpusMesh, ::testing::ValuesIn(mesh_files()), [](const auto& name) {
-    std::string text = name.param;
-    std::replace_if(
-        text.begin(), text.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
-    return text;
-});
+INSTANTIATE_TEST_SUITE_P(Shared, CorpusMesh, ::testing::ValuesIn(mesh_files()),
+                         [](const auto& file) { return name_of_case(file.param); });
 
 TEST(CorpusMeshes, AreThere) {
     if (mesh_files().empty()) {

@@ -16,7 +16,7 @@ inline RunResult spherized(Registry& registry, const std::filesystem::path& file
     const std::string input = "'" + file.string() + "'";
     const std::string text =
         "foam: 1\nname: corpus\n" + (robot ? "robot: {urdf: " + input + "}\n" : "mesh: " + input + "\n") +
-        "stages: [repair.watertight, simplify.quadric, smooth.humphrey, spherize.medial]\n"
+        "stages: [repair.auto, simplify.quadric, smooth.humphrey, spherize.medial]\n"
         "budget: {spheres: " +
         std::to_string(spheres) + "}\noutputs: [write.urdf: {file: corpus.urdf}, write.json: {file: corpus.json}]\n";
     const RecipeResult recipe = parse_recipe(text, {}, registry);

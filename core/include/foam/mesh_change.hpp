@@ -18,7 +18,7 @@ struct OneSidedDistance {
 /// A filter's output against its input.
 struct MeshChange {
     std::size_t triangles_before = 0, triangles_after = 0;
-    Topology before, after;           ///< defects, on the meshes as they are indexed after welding equal vertices
+    Topology before, after;           ///< defects; of the welded mesh unless it is sound as it is indexed
     OneSidedDistance input_to_output; ///< how far the input sticks out of, or lies off, the output
     OneSidedDistance output_to_input; ///< what the output added
     std::optional<double> volume_before, volume_after; ///< m³, signed; absent unless closed and oriented

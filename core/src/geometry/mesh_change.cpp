@@ -46,6 +46,13 @@ OneSidedDistance one_sided(const std::vector<Vec3>& from, const MeshPart& to) {
     return result;
 }
 
+/// Of the mesh as it is indexed if that is sound (bodies that touch may have vertices at one place), else after welding
+/// equal vertices (raw files give every triangle vertices of its own).
+Topology defects_of(const Mesh& mesh) {
+    const Topology given = topology(mesh);
+    return given.closed_manifold() ? given : topology(welded(mesh));
+}
+
 std::optional<double> volume(const Mesh& mesh, const Topology& defects) {
     return defects.closed() && defects.oriented() ? std::optional(signed_volume(mesh)) : std::nullopt;
 }
@@ -60,20 +67,18 @@ std::optional<double> MeshChange::volume_change() const {
 }
 
 MeshChange mesh_change(const Mesh& before, const Mesh& after, std::uint64_t seed, std::size_t points) {
-    const Mesh first = welded(before);
     MeshChange change;
     change.triangles_before = before.triangles.size();
     change.triangles_after = after.triangles.size();
-    change.before = topology(first);
-    change.volume_before = volume(first, change.before);
-    if (before == after || first == after) {
+    change.before = defects_of(before);
+    change.volume_before = volume(before, change.before);
+    if (before == after || welded(before) == after) {
         change.after = change.before;
         change.volume_after = change.volume_before;
         return change;
     }
-    const Mesh second = welded(after);
-    change.after = topology(second);
-    change.volume_after = volume(second, change.after);
+    change.after = defects_of(after);
+    change.volume_after = volume(after, change.after);
     change.input_to_output = one_sided(probes(before, points, seed), surface_of(after));
     change.output_to_input = one_sided(probes(after, points, seed), surface_of(before));
     return change;

@@ -12,8 +12,12 @@ namespace {
 using geometry::Bvh;
 using geometry::BvhNode;
 
+double largest_coordinate(const Vec3& p) {
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+}
+
 /// Sign of the volume of a b c d, positive if d is below the counter-clockwise triangle a b c; 0 where rounding could
-/// decide it.
+/// decide it: of this computation, or of the coordinates themselves by a unit in the last place.
 int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     const Vec3 u = a - d, v = b - d, w = c - d;
     const double determinant =
@@ -21,7 +25,12 @@ int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     const double permanent = std::abs(u.x) * (std::abs(v.y * w.z) + std::abs(v.z * w.y)) +
                              std::abs(v.x) * (std::abs(w.y * u.z) + std::abs(w.z * u.y)) +
                              std::abs(w.x) * (std::abs(u.y * v.z) + std::abs(u.z * v.y));
-    const double bound = 8 * std::numeric_limits<double>::epsilon() * permanent; // Shewchuk's 7 ε/2 and room to spare
+    const double coordinate =
+        std::max({largest_coordinate(a), largest_coordinate(b), largest_coordinate(c), largest_coordinate(d)});
+    const double lu = norm(u), lv = norm(v), lw = norm(w);
+    // Shewchuk's 7 ε/2 and room to spare; 2 ε of a coordinate in each of the three differences.
+    const double bound =
+        8 * std::numeric_limits<double>::epsilon() * (permanent + coordinate * (lu * lv + lv * lw + lw * lu));
     return determinant > bound ? 1 : determinant < -bound ? -1 : 0;
 }
 

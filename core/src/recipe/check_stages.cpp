@@ -85,7 +85,7 @@ void read_stage_parameters(StageItem& item, const std::vector<std::string>& othe
 }
 
 void check_stages(const Value* stages, const Value& root, Recipe& recipe, const Checking& checking) {
-    constexpr const char* example = "stages: [repair.watertight, spherize.medial]";
+    constexpr const char* example = "stages: [repair.auto, spherize.medial]";
     if (!stages) {
         checking.findings.error({root.where.source, 1, 1}, "missing-key",
                                 fmt::format("'stages' is missing; remedy: write {}", example));
