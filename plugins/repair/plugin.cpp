@@ -57,9 +57,10 @@ FOAM_PLUGIN("repair", "1.0", "Apache-2.0") {
     using namespace foam::repair;
     enrol.add<AutoFilter>(
         {.name = "repair.auto",
-         .summary = "The lightest repair that gives a solid: repair.soup, else repair.watertight, ever finer.",
-         .reference = "the references of repair.soup and repair.watertight",
-         .parameters = {seam(), largest_hole(), leaves()}});
+         .summary = "The lightest repair that gives a solid: repair.soup, repair.watertight ever finer, repair.wrap.",
+         .reference = "the references of the three",
+         .parameters = {seam(), largest_hole(), leaves()},
+         .uses = {"repair.wrap"}});
     enrol.add<SoupFilter>(
         {.name = "repair.soup",
          .summary = "Mends small defects in place: seams, T-junctions, facing, repeats, walls, holes; else refuses.",

@@ -17,11 +17,31 @@
 #include <concepts>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
+#include <string>
+#include <string_view>
 
 namespace foam {
 
-using StageFactory = std::function<std::unique_ptr<Stage>(const Parameters&)>;
+/// Makes the stages that StageInfo::uses names, for the constructor of a stage that is made of them.
+class StageMaker {
+public:
+    virtual ~StageMaker();
+    /// Null if no plugin has the stage. Throws Error(plugin) for a stage that `uses` does not name or that is made of
+    /// others itself, Error(usage) for another kind or bad parameters.
+    template <std::derived_from<Stage> T>
+    std::unique_ptr<T> make(std::string_view stage,
+                            const std::map<std::string, ParameterValue>& parameters = {}) const {
+        return std::unique_ptr<T>(static_cast<T*>(make_stage(stage, T::kind, parameters).release()));
+    }
+
+protected:
+    virtual std::unique_ptr<Stage> make_stage(std::string_view stage, StageKind kind,
+                                              const std::map<std::string, ParameterValue>& parameters) const = 0;
+};
+
+using StageFactory = std::function<std::unique_ptr<Stage>(const Parameters&, const StageMaker&)>;
 
 /// Collects the stages of one plugin; they are taken over all or none.
 class Enrolment {
@@ -29,15 +49,19 @@ public:
     virtual ~Enrolment();
     virtual void add_stage(StageKind kind, StageInfo info, StageFactory factory) = 0;
 
-    /// T is constructible from Parameters, or from nothing if it has none.
+    /// T is constructible from Parameters and StageMaker, from Parameters, or from nothing.
     template <std::derived_from<Stage> T> void add(StageInfo info) {
-        add_stage(T::kind, std::move(info), [](const Parameters& parameters) -> std::unique_ptr<Stage> {
-            if constexpr (std::constructible_from<T, const Parameters&>) {
-                return std::make_unique<T>(parameters);
-            } else {
-                return std::make_unique<T>();
-            }
-        });
+        add_stage(T::kind, std::move(info),
+                  []([[maybe_unused]] const Parameters& parameters,
+                     [[maybe_unused]] const StageMaker& maker) -> std::unique_ptr<Stage> {
+                      if constexpr (std::constructible_from<T, const Parameters&, const StageMaker&>) {
+                          return std::make_unique<T>(parameters, maker);
+                      } else if constexpr (std::constructible_from<T, const Parameters&>) {
+                          return std::make_unique<T>(parameters);
+                      } else {
+                          return std::make_unique<T>();
+                      }
+                  });
     }
 };
 

@@ -115,6 +115,9 @@ struct StageInfo {
     int revision = 1;        ///< raise it when the same input gives another output: old cache entries are then left
     std::vector<Parameter> parameters{};
     std::vector<std::string> extensions{}; ///< loaders and writers: file name endings, lower case, no dot
+    /// Stages of other plugins that this one is made of, where they are there: see StageMaker. Their versions count as
+    /// part of this one's.
+    std::vector<std::string> uses{};
 };
 
 } // namespace foam

@@ -40,11 +40,19 @@ std::vector<ParameterValue> extremes(const Parameter& p) {
     return values;
 }
 
+/// A stage that is made of others must do without them.
+class NoOtherStages final : public StageMaker {
+    std::unique_ptr<Stage> make_stage(std::string_view, StageKind,
+                                      const std::map<std::string, ParameterValue>&) const override {
+        return nullptr;
+    }
+};
+
 void check_construction(const RegisteredStage& stage) {
     for (const Parameter& p : stage.info.parameters) {
         for (const ParameterValue& value : extremes(p)) {
             try {
-                stage.factory(Parameters(stage.info.parameters, {{p.name, value}}));
+                stage.factory(Parameters(stage.info.parameters, {{p.name, value}}), NoOtherStages());
             } catch (const std::exception& error) {
                 throw Breach(
                     fmt::format("{}: {} is allowed by the declaration, but the constructor throws: {}; remedy: "

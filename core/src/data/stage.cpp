@@ -14,6 +14,7 @@ Spherizer::~Spherizer() = default;
 Renderer::~Renderer() = default;
 Writer::~Writer() = default;
 Enrolment::~Enrolment() = default;
+StageMaker::~StageMaker() = default;
 
 std::vector<SphereTree> Spherizer::spherize_each(const Shape& shape, std::span<const Budget> budgets,
                                                  Context& context) const {

@@ -383,6 +383,31 @@ std::string Registry::nearest(std::string_view stage) const {
     return method == methods.end() ? "" : names[static_cast<std::size_t>(method - methods.begin())];
 }
 
+/// Hands a stage what it says that it uses.
+class Registry::Maker final : public StageMaker {
+public:
+    Maker(const Registry& registry, const StageInfo& user) : registry_(registry), user_(user) {}
+
+private:
+    std::unique_ptr<Stage> make_stage(std::string_view stage, StageKind kind,
+                                      const std::map<std::string, ParameterValue>& parameters) const override {
+        if (std::find(user_.uses.begin(), user_.uses.end(), stage) == user_.uses.end()) {
+            throw Error(
+                ErrorCode::plugin,
+                fmt::format("it asks for stage '{}' without naming it; remedy: add it to StageInfo::uses", stage));
+        }
+        const RegisteredStage* found = registry_.find(stage);
+        if (found && !found->info.uses.empty()) {
+            throw Error(ErrorCode::plugin,
+                        fmt::format("it uses stage '{}', which is made of others itself; remedy: use those", stage));
+        }
+        return found ? registry_.make_stage(stage, kind, parameters) : nullptr;
+    }
+
+    const Registry& registry_;
+    const StageInfo& user_;
+};
+
 std::unique_ptr<Stage> Registry::make_stage(std::string_view name, StageKind kind,
                                             const std::map<std::string, ParameterValue>& given) const {
     const RegisteredStage* stage = find(name);
@@ -397,7 +422,8 @@ std::unique_ptr<Stage> Registry::make_stage(std::string_view name, StageKind kin
                                                   to_string(stage->kind), to_string(kind)));
     }
     try {
-        std::unique_ptr<Stage> object = stage->factory(Parameters(stage->info.parameters, given));
+        std::unique_ptr<Stage> object =
+            stage->factory(Parameters(stage->info.parameters, given), Maker(*this, stage->info));
         if (!object || !is_of_kind(*object, kind)) {
             throw Error(ErrorCode::plugin, fmt::format("plugin {} made no {} for it; remedy: correct the plugin",
                                                        stage->plugin, to_string(kind)));

@@ -93,6 +93,10 @@ std::string to_bytes(const StageRequest& request) {
     put(out, request.threads);
     put(out, request.memory_limit);
     put_text(out, request.plugin);
+    put(out, static_cast<std::uint64_t>(request.used.size()));
+    for (const std::string& file : request.used) {
+        put_text(out, file);
+    }
     put_text(out, request.stage);
     put(out, static_cast<std::uint64_t>(request.given.size()));
     for (const auto& [name, value] : request.given) {
@@ -113,6 +117,9 @@ StageRequest request_from(std::string_view bytes) {
     request.threads = in.take<std::uint64_t>();
     request.memory_limit = in.take<std::uint64_t>();
     request.plugin = in.take_text();
+    for (auto count = in.take<std::uint64_t>(); count > 0 && in.good(); --count) {
+        request.used.push_back(in.take_text());
+    }
     request.stage = in.take_text();
     for (auto count = in.take<std::uint64_t>(); count > 0 && in.good(); --count) {
         std::string name = in.take_text();

@@ -25,6 +25,7 @@ struct StageRequest {
     std::uint64_t threads = 1;      ///< at most
     std::uint64_t memory_limit = 0; ///< MiB; 0: none
     std::string plugin;             ///< the file
+    std::vector<std::string> used;  ///< files of the plugins whose stages it is made of
     std::string stage;              ///< not for a probe: that only loads the plugin
     std::map<std::string, ParameterValue> given;
     std::uint64_t seed = 0;

@@ -73,6 +73,11 @@ Hasher& Hasher::add(const StageCall& call, const Registry& registry) {
         return *this;
     }
     add(stage->plugin_version).add(static_cast<std::uint64_t>(stage->info.revision));
+    for (const std::string& used : stage->info.uses) {
+        const RegisteredStage* other = registry.find(used);
+        add(used).add(other ? other->plugin_version : "absent");
+        add(static_cast<std::uint64_t>(other ? other->info.revision : 0));
+    }
     const Parameters parameters(stage->info.parameters, call.given);
     for (const Parameter& declared : stage->info.parameters) {
         if (declared.affects_output) {

@@ -19,7 +19,7 @@ bool is_isolated(const Isolation& isolation) {
     return isolation.process.value_or(false);
 }
 
-/// The plugin's file: the child loads this one and no other.
+/// The plugin's file: the child loads this one, those it uses, and no other.
 std::string plugin_file(const Registry& registry, const std::string& stage) {
     for (const PluginRecord& record : registry.plugins()) {
         if (std::find(record.stages.begin(), record.stages.end(), stage) != record.stages.end()) {
@@ -103,6 +103,11 @@ std::string call_in_child(const Workspace& workspace, StageRequest request, cons
     }
     request.parent = getpid();
     request.plugin = plugin_file(workspace.registry, request.stage);
+    for (const std::string& used : workspace.registry.find(request.stage)->info.uses) {
+        if (workspace.registry.find(used)) {
+            request.used.push_back(plugin_file(workspace.registry, used));
+        }
+    }
     request.memory_limit = isolation.memory_limit.value_or(0);
     request.seed = context.seed();
     // Children that run side by side share the cores.

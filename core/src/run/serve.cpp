@@ -116,6 +116,9 @@ std::string answer_to(const StageRequest& request, Context& context) {
     if (!plugin.loaded()) {
         throw Error(ErrorCode::plugin, "plugin " + request.plugin + " is refused: " + plugin.rejection);
     }
+    for (const std::string& used : request.used) {
+        registry.load(used);
+    }
     switch (request.what) {
     case StageRequest::What::load:
         put_mesh(answer, registry.make<MeshLoader>(request.stage, request.given)->load(request.work, context));

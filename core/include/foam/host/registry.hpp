@@ -65,6 +65,7 @@ public:
     }
 
 private:
+    class Maker;
     std::unique_ptr<Stage> make_stage(std::string_view stage, StageKind kind,
                                       const std::map<std::string, ParameterValue>& parameters) const;
     std::string try_load(const std::filesystem::path& file, PluginRecord& record);
