@@ -83,7 +83,9 @@ TEST_P(CorpusFilters, MakeASolidAndItsSpheres) {
     const auto original = Solid::make(*raw);
     const Shape shape(GetParam(), Solid::make(mesh), original);
     QuietContext context;
-    const SphereTree tree = registry().make<Spherizer>("spherize.grid")->spherize(shape, {.max_spheres = 8}, context);
+    Budget budget;
+    budget.max_spheres = 8;
+    const SphereTree tree = registry().make<Spherizer>("spherize.grid")->spherize(shape, budget, context);
     const std::vector<Sphere> spheres = grown_to_cover(*original, tree.levels.back().spheres);
     EXPECT_LE(spheres.size(), 8u);
     EXPECT_TRUE(certify(*original, spheres).holds);
