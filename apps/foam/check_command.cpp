@@ -10,13 +10,15 @@ namespace {
 
 struct Arguments {
     std::string recipe;
-    std::vector<std::string> settings;
+    std::vector<std::string> settings, variants;
     bool json = false;
 };
 
 nlohmann::ordered_json json_of(const RecipeResult& read) {
-    nlohmann::ordered_json json{
-        {"ok", read.ok()}, {"runs", nlohmann::ordered_json::array()}, {"findings", nlohmann::ordered_json::array()}};
+    nlohmann::ordered_json json{{"ok", read.ok()},
+                                {"runs", nlohmann::ordered_json::array()},
+                                {"variants", read.variants},
+                                {"findings", nlohmann::ordered_json::array()}};
     for (const Recipe& recipe : read.recipes) {
         json["runs"].push_back(recipe.name);
     }
@@ -32,7 +34,8 @@ nlohmann::ordered_json json_of(const RecipeResult& read) {
 }
 
 int check_recipe(Program& program, const Arguments& arguments) {
-    const RecipeResult read = read_recipe(arguments.recipe, program.registry(), settings_of(arguments.settings));
+    const RecipeResult read =
+        read_recipe(arguments.recipe, program.registry(), settings_of(arguments.settings), arguments.variants);
     if (arguments.json) {
         print(json_of(read).dump(2) + "\n");
     } else {
@@ -45,8 +48,9 @@ int check_recipe(Program& program, const Arguments& arguments) {
     if (!read.ok()) {
         return exit_code(ErrorCode::recipe);
     }
-    tell(fmt::format("{}: good for {} run{}", arguments.recipe, read.recipes.size(),
-                     read.recipes.size() == 1 ? "" : "s"));
+    tell(fmt::format("{}: good for {} run{}{}", arguments.recipe, read.recipes.size(),
+                     read.recipes.size() == 1 ? "" : "s",
+                     read.variants.empty() ? "" : fmt::format("; variants: {}", fmt::join(read.variants, ", "))));
     return 0;
 }
 
@@ -58,6 +62,7 @@ void add_check(Program& program) {
                                     "  foam check my_robot.yaml --set budget.spheres=60 --json");
     auto arguments = std::make_shared<Arguments>();
     command->add_option("recipe", arguments->recipe, "The recipe, a YAML file")->type_name("RECIPE")->required();
+    add_variants(*command, arguments->variants);
     add_settings(*command, arguments->settings);
     command->add_flag("--json", arguments->json, "Print the findings as JSON");
     command->callback([&program, arguments] {

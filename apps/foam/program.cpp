@@ -91,6 +91,14 @@ void add_settings(CLI::App& command, std::vector<std::string>& texts) {
         ->take_all();
 }
 
+void add_variants(CLI::App& command, std::vector<std::string>& names) {
+    command
+        .add_option("--variant", names, "A variant of the recipe instead of itself; repeatable; '*' for all of them")
+        ->type_name("NAME")
+        ->expected(1)
+        ->take_all();
+}
+
 std::vector<Setting> settings_of(const std::vector<std::string>& texts) {
     std::vector<Setting> settings;
     for (const std::string& text : texts) {

@@ -56,6 +56,8 @@ CLI::App* add_command(Program& program, const std::string& name, const std::stri
                       const std::string& examples);
 /// `--set key.path=value`, repeatable.
 void add_settings(CLI::App& command, std::vector<std::string>& texts);
+/// `--variant NAME`, repeatable.
+void add_variants(CLI::App& command, std::vector<std::string>& names);
 /// Throws Error(usage) for a text without '='.
 std::vector<Setting> settings_of(const std::vector<std::string>& texts);
 

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 struct Arguments {
     std::string recipe, out;
-    std::vector<std::string> settings;
+    std::vector<std::string> settings, variants;
     ExecuteOptions execute;
     bool json = false;
 };
@@ -30,12 +30,13 @@ std::string files_text(const Recipe& recipe, const RunResult& result, const fs::
 
 int run_recipe(Program& program, const Arguments& arguments) {
     Registry& registry = program.registry();
-    const RecipeResult read = read_recipe(arguments.recipe, registry, settings_of(arguments.settings));
+    const RecipeResult read =
+        read_recipe(arguments.recipe, registry, settings_of(arguments.settings), arguments.variants);
     require_ok(read, arguments.recipe);
     int code = 0;
     nlohmann::ordered_json runs = nlohmann::ordered_json::array();
     for (const Recipe& recipe : read.recipes) {
-        // A sweep has a folder for each point.
+        // A sweep has a folder for each point, and so have several variants.
         fs::path directory = arguments.out.empty() ? fs::path("runs") / recipe.name : fs::path(arguments.out);
         if (!arguments.out.empty() && read.recipes.size() > 1) {
             directory /= recipe.name;
@@ -60,11 +61,13 @@ void add_run(Program& program) {
     CLI::App* command = add_command(program, "run", "Run a recipe",
                                     "  foam run configs/panda_22.yaml\n"
                                     "  foam run configs/panda_22.yaml --set budget.spheres=60 --out /tmp/panda_60\n"
-                                    "  foam run configs/panda_22.yaml -j 4 --fresh --json");
+                                    "  foam run configs/panda_22.yaml -j 4 --fresh --json\n"
+                                    "  foam run my_robot.yaml --variant fine");
     auto arguments = std::make_shared<Arguments>();
     command->add_option("recipe", arguments->recipe, "The recipe, a YAML file")->type_name("RECIPE")->required();
     command->add_option("-o,--out", arguments->out, "Run directory; default: runs/NAME, NAME being the recipe's")
         ->type_name("DIR");
+    add_variants(*command, arguments->variants);
     add_settings(*command, arguments->settings);
     add_execute_options(*command, arguments->execute);
     command->add_flag("--json", arguments->json, "Print the result as JSON");

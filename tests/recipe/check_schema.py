@@ -17,8 +17,16 @@ except ImportError as error:
     print(f"skipped: {error}; packages: python3-jsonschema python3-yaml")
     sys.exit(77)
 
-# What is wrong with these is lost by the YAML parser, needs counting, or depends on another part of the recipe.
-INVISIBLE = {"anchor", "duplicate_keys", "idle_limits", "sweep_too_large"}
+# What is wrong with these no schema can see. The YAML parser loses it:
+INVISIBLE = {"anchor", "duplicate_keys"}
+# It needs counting:
+INVISIBLE |= {"sweep_too_large", "variants_too_many"}
+# It is in another file, or is only wrong together with one:
+INVISIBLE |= {"extends_missing", "extends_folder", "extends_circle", "extends_itself", "extends_list",
+              "extends_no_version", "extends_unclosed", "extends_missing_plugin", "extends_two_inputs",
+              "extends_wrong_override"}
+# It is the value at a path, or it contradicts another value:
+INVISIBLE |= {"idle_limits", "variants_wrong_values", "variants_swept", "variants_same_name"}
 
 
 class CoreLoader(yaml.SafeLoader):

@@ -23,13 +23,14 @@ std::vector<fs::path> recipes_in(const std::string& folder) {
 }
 
 /// Reads it under the path that it has seen from the folder of recipes, so that messages are the same everywhere.
-RecipeResult read_relative(const fs::path& file, Registry& registry) {
-    return parse_recipe(read_file(file), file.parent_path().filename() / file.filename(), registry);
+RecipeResult read_relative(const fs::path& file, Registry& registry, const std::vector<std::string>& variants = {}) {
+    fs::current_path(fs::path(FOAM_TEST_SOURCE) / "tests/recipes");
+    return parse_recipe(read_file(file), file.parent_path().filename() / file.filename(), registry, {}, variants);
 }
 
 TEST(RecipeFiles, BadOnesHaveExactlyTheirFindings) {
     const auto files = recipes_in("bad");
-    EXPECT_GE(files.size(), 30U);
+    EXPECT_GE(files.size(), 80U);
     for (const fs::path& file : files) {
         SCOPED_TRACE(file.filename().string());
         Registry registry;
@@ -48,7 +49,7 @@ TEST(RecipeFiles, BadOnesHaveExactlyTheirFindings) {
 
 TEST(RecipeFiles, GoodOnesHaveNoFinding) {
     const auto files = recipes_in("good");
-    EXPECT_GE(files.size(), 7U);
+    EXPECT_GE(files.size(), 12U);
     for (const fs::path& file : files) {
         SCOPED_TRACE(file.filename().string());
         Registry registry;
@@ -65,7 +66,12 @@ TEST(RecipeFiles, WrittenRecipesReadBackEqual) {
         SCOPED_TRACE(file.filename().string());
         Registry registry;
         load_fixtures(registry);
-        for (const Recipe& recipe : read_relative(file, registry).recipes) {
+        RecipeResult read = read_relative(file, registry);
+        if (!read.variants.empty()) {
+            const RecipeResult variants = read_relative(file, registry, {"*"});
+            read.recipes.insert(read.recipes.end(), variants.recipes.begin(), variants.recipes.end());
+        }
+        for (const Recipe& recipe : read.recipes) {
             const std::string text = to_yaml(recipe, registry);
             const RecipeResult again = parse_recipe(text, recipe.file, registry);
             EXPECT_EQ(text_of(again.diagnostics), "") << text;

@@ -1,4 +1,5 @@
 #include "check.hpp"
+#include "extend.hpp"
 #include "format.hpp"
 
 #include <fmt/format.h>
@@ -61,21 +62,6 @@ void refuse_unknown_top_level_keys(const Value& root, const Checking& checking) 
     refuse_unknown_keys(rest, "", known, checking.findings);
 }
 
-void check_version(const Value& root, Findings& findings) {
-    const Value* version = root.find("foam");
-    if (!version) {
-        findings.error(
-            {root.where.source, 1, 1}, "missing-key",
-            fmt::format("the version of the recipe format is missing; remedy: begin with 'foam: {}'", format_version));
-    } else if (!version->is(Value::Kind::integer) || version->whole != format_version) {
-        findings.error(
-            version->where, "version",
-            fmt::format("this foam reads recipe format {}, the recipe says {}; remedy: write 'foam: {}' and run "
-                        "`foam check`",
-                        format_version, version->description(), format_version));
-    }
-}
-
 void check_name(const Value& root, const std::filesystem::path& file, const std::string& suffix, const Value* given,
                 Recipe& recipe, Findings& findings) {
     if (!given) {
@@ -88,7 +74,7 @@ void check_name(const Value& root, const std::filesystem::path& file, const std:
     if (const std::string why = why_no_folder_name(recipe.name);
         !suffix.empty() && !why.empty() && !findings.any_error()) {
         findings.error(root.where, "bad-name",
-                       fmt::format("the sweep makes the name {}, which {}", in_quotes(recipe.name), why));
+                       fmt::format("variant and sweep make the name {}, which {}", in_quotes(recipe.name), why));
     }
 }
 
@@ -138,16 +124,18 @@ void check_input(const Value& root, Recipe& recipe, Findings& findings) {
     const Key& key = *root.find_key(robot ? "robot" : "mesh");
     recipe.input_where = findings.locate(key.where);
     if (robot && mesh) {
-        findings.error(root.find_key("mesh")->where, "conflict",
-                       "both 'robot' and 'mesh' are given; remedy: delete one");
+        const Key& other = *root.find_key("mesh");
+        const char* inherited = other.where.source != key.where.source ? ", by null if it is of an extended file" : "";
+        findings.error(other.where, "conflict",
+                       fmt::format("both 'robot' and 'mesh' are given; remedy: delete one{}", inherited));
     }
     if (mesh) {
-        recipe.mesh = read_texts(*mesh, "mesh", findings);
+        recipe.mesh = read_references(*mesh, "mesh", findings);
     }
     if (robot && expect_map(*robot, "robot", "robot: {urdf: FILE}", findings)) {
         refuse_unknown_keys(*robot, "robot", {"urdf"}, findings);
         if (const Value* urdf = robot->find("urdf")) {
-            recipe.urdf = read_texts(*urdf, "urdf", findings);
+            recipe.urdf = read_references(*urdf, "urdf", findings);
         } else {
             findings.error(robot->where, "missing-key", "'robot' needs 'urdf'; remedy: write robot: {urdf: FILE}");
         }
@@ -178,6 +166,32 @@ void check_debug(const Value& debug, Recipe& recipe, Findings& findings) {
 
 } // namespace
 
+bool expect_recipe(const Value& root, Findings& findings) {
+    if (!root.is(Value::Kind::map)) {
+        const bool empty = root.is(Value::Kind::null);
+        findings.error({root.where.source, std::max(root.where.line, 1), std::max(root.where.column, 1)},
+                       empty ? "empty" : "wrong-type",
+                       fmt::format("{}; remedy: begin with 'foam: 1', then 'robot' and 'stages'",
+                                   empty ? "the recipe is empty" : "a recipe is a map, got " + root.description()));
+    }
+    return root.is(Value::Kind::map);
+}
+
+void check_version(const Value& root, Findings& findings) {
+    const Value* version = root.find("foam");
+    if (!version) {
+        findings.error(
+            {root.where.source, 1, 1}, "missing-key",
+            fmt::format("the version of the recipe format is missing; remedy: begin with 'foam: {}'", format_version));
+    } else if (!version->is(Value::Kind::integer) || version->whole != format_version) {
+        findings.error(
+            version->where, "version",
+            fmt::format("this foam reads recipe format {}, the recipe says {}; remedy: write 'foam: {}' and run "
+                        "`foam check`",
+                        format_version, version->description(), format_version));
+    }
+}
+
 std::string why_no_folder_name(std::string_view name) {
     if (name.empty()) {
         return "is empty";
@@ -202,10 +216,10 @@ Recipe check_recipe(const Value& root, const std::filesystem::path& file, const 
     check_name(root, file, suffix, root.find("name"), recipe, findings);
     check_input(root, recipe, findings);
     if (const Value* path = root.find("package_path")) {
-        recipe.package_path = read_texts(*path, "package_path", findings);
+        recipe.package_path = read_references(*path, "package_path", findings);
     }
     if (const Value* plugins = root.find("plugins")) {
-        recipe.plugins = read_texts(*plugins, "plugins", findings);
+        recipe.plugins = read_references(*plugins, "plugins", findings);
     }
     if (const Value* budget = root.find("budget")) {
         check_budget(*budget, recipe, findings);

@@ -40,6 +40,11 @@ void check_links(const Value& links, Recipe& recipe, const Checking& checking);
 void check_outputs(const Value* outputs, const Value& root, Recipe& recipe, const Checking& checking);
 void check_snapshots(const Value* snapshots, const Value& root, Recipe& recipe, const Checking& checking);
 
+/// Whether it is a map with the keys of a recipe; else a finding.
+bool expect_recipe(const Value& root, Findings& findings);
+/// The key `foam`.
+void check_version(const Value& root, Findings& findings);
+
 /// Why `name` cannot name a folder; empty if it can.
 std::string why_no_folder_name(std::string_view name);
 

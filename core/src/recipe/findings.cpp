@@ -26,7 +26,23 @@ constexpr std::size_t most_findings = 500;
 
 } // namespace
 
-Findings::Findings(std::string file) : file_(std::move(file)) {}
+Findings::Findings(std::string file) {
+    add_file(std::move(file), {});
+}
+
+int Findings::add_file(std::string file, std::filesystem::path folder) {
+    sources_.push_back({std::move(file), std::move(folder), 0});
+    return static_cast<int>(sources_.size()) - 1;
+}
+
+int Findings::add_argument(std::string option, int n) {
+    sources_.push_back({std::move(option), {}, n});
+    return static_cast<int>(sources_.size()) - 1;
+}
+
+const std::filesystem::path& Findings::folder_of(const Place& place) const {
+    return sources_.at(static_cast<std::size_t>(place.source)).folder;
+}
 
 void Findings::error(const Place& place, std::string code, std::string message) {
     any_error_ = true;
@@ -38,7 +54,9 @@ void Findings::warning(const Place& place, std::string code, std::string message
 }
 
 Location Findings::locate(const Place& place) const {
-    return place.source == 0 ? Location{file_, place.line, place.column} : Location{"--set", place.source, 1};
+    const Source& source = sources_.at(static_cast<std::size_t>(place.source));
+    return source.argument == 0 ? Location{source.file, place.line, place.column}
+                                : Location{source.file, source.argument, 1};
 }
 
 void Findings::add(Diagnostic::Level level, const Place& place, std::string code, std::string message) {
@@ -67,7 +85,7 @@ std::vector<Diagnostic> Findings::take() {
     }
     if (left_out_ > 0) {
         Diagnostic rest;
-        rest.where.file = file_;
+        rest.where.file = sources_.front().file;
         rest.code = "too-many";
         rest.message = fmt::format("{} more findings; correct these first", left_out_);
         result.push_back(std::move(rest));
@@ -97,7 +115,7 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& kn
     if (const std::string near = word.size() < 200 ? nearest_word(word, known) : ""; !near.empty()) {
         return fmt::format("; did you mean {}?", in_quotes(near));
     }
-    return !known.empty() && known.size() <= 20 ? fmt::format("; known: {}", fmt::join(known, ", ")) : "";
+    return !known.empty() && known.size() <= 25 ? fmt::format("; known: {}", fmt::join(known, ", ")) : "";
 }
 
 } // namespace reading

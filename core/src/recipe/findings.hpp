@@ -3,6 +3,7 @@
 
 #include <foam/host/recipe.hpp>
 
+#include <filesystem>
 #include <set>
 #include <string>
 #include <string_view>
@@ -11,7 +12,7 @@
 
 namespace foam::reading {
 
-/// A place in one of the texts that make up a recipe. Source 0: the file; n: the n-th `--set`.
+/// A place in one of the texts that make up a recipe. Source 0: the file; others: see Findings.
 struct Place {
     int source = 0, line = 0, column = 0;
 };
@@ -19,6 +20,13 @@ struct Place {
 class Findings {
 public:
     explicit Findings(std::string file);
+
+    /// A further text: a file, its folder as seen from that of the recipe. Returns its number for Place::source.
+    int add_file(std::string file, std::filesystem::path folder);
+    /// A further text: the n-th value of an option on the command line, "--set".
+    int add_argument(std::string option, int n);
+    /// The folder of the file that a place is in, as seen from the recipe's; empty: the same.
+    const std::filesystem::path& folder_of(const Place& place) const;
 
     void error(const Place& place, std::string code, std::string message);
     void warning(const Place& place, std::string code, std::string message);
@@ -31,7 +39,12 @@ private:
     void add(Diagnostic::Level level, const Place& place, std::string code, std::string message);
 
     using Key = std::tuple<int, int, int, std::string, std::string>; // source, line, column, code, message
-    std::string file_;
+    struct Source {
+        std::string file;
+        std::filesystem::path folder;
+        int argument; ///< 0: a file
+    };
+    std::vector<Source> sources_;
     std::set<Key> seen_;
     std::vector<std::pair<Key, Diagnostic>> list_;
     std::size_t left_out_ = 0;

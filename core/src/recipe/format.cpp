@@ -66,8 +66,8 @@ bool is_optional(const std::string& key) {
 }
 
 std::vector<std::string> top_level_structures() {
-    return {"foam",   "robot", "mesh",    "package_path", "plugins", "loaders", "stages",
-            "budget", "links", "outputs", "snapshots",    "debug",   "sweep"};
+    return {"foam",   "extends", "set",   "robot",   "mesh",      "package_path", "plugins", "loaders",
+            "stages", "budget",  "links", "outputs", "snapshots", "debug",        "sweep",   "variants"};
 }
 
 } // namespace foam::reading

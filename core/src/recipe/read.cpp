@@ -1,10 +1,11 @@
+#include "change.hpp"
 #include "check.hpp"
+#include "extend.hpp"
+#include "source.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <fstream>
-#include <iterator>
+#include <set>
 
 namespace foam {
 namespace {
@@ -12,105 +13,140 @@ namespace {
 using namespace reading;
 namespace fs = std::filesystem;
 
-/// Applies `--set key.path=value`; the n-th one is source n.
-void apply_settings(Value& root, const std::vector<Setting>& settings, const Registry& registry, Findings& findings) {
+/// The values of `--set key.path=value`.
+std::vector<Change> read_settings(const std::vector<Setting>& settings, Findings& findings) {
+    std::vector<Change> changes;
     for (std::size_t i = 0; i < settings.size(); ++i) {
         const auto& [path, text] = settings[i];
-        const Place where{static_cast<int>(i) + 1, 1, 1};
-        if (const Value* sweep = root.find("sweep"); sweep && sweep->find(path)) {
-            findings.error(where, "conflict",
-                           fmt::format("{} is swept by the recipe; remedy: --set sweep=null as well", in_quotes(path)));
+        const int source = findings.add_argument("--set", static_cast<int>(i) + 1);
+        const Place where{source, 1, 1};
+        const std::string first = path.substr(0, path.find('.'));
+        if (first == "extends" || first == "set" || first == "variants") {
+            findings.error(where, "bad-path", fmt::format("'{}' cannot be changed by --set", first));
             continue;
         }
-        if (!check_text(text, where.source, findings)) {
-            continue;
-        }
-        const std::optional<Value> value = read_yaml(text, where.source, findings);
-        if (!value) {
-            continue;
-        }
-        if (const std::string why = set_by_path(root, path, *value, registry); !why.empty()) {
-            findings.error(where, "bad-path", fmt::format("cannot set {}: {}", in_quotes(path), why));
+        const std::optional<Value> value =
+            check_text(text, source, findings) ? read_yaml(text, source, findings) : std::nullopt;
+        if (value) {
+            changes.push_back({path, *value, where, "--set sweep=null as well"});
         }
     }
+    return changes;
 }
 
-/// Loads the plugins that the recipe names; they may offer the stages it uses.
-void load_plugins(const Value& root, const fs::path& file, Registry& registry, Findings& findings) {
-    const Value* plugins = root.find("plugins");
-    if (!plugins) {
-        return;
+/// Whether one of the names or globs asked for is that of a variant; all that are no name are findings.
+std::vector<bool> choose_variants(const std::vector<Variant>& variants, const std::vector<std::string>& wanted,
+                                  Findings& findings) {
+    std::vector<std::string> names;
+    for (const Variant& variant : variants) {
+        names.push_back(variant.name);
     }
-    const std::vector<Value> one = {*plugins};
-    for (const Value& item : plugins->is(Value::Kind::list) ? plugins->items : one) {
-        if (!item.is(Value::Kind::text) || item.text.empty()) {
-            continue; // check_recipe() finds that
+    std::vector<bool> chosen(variants.size(), false);
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        bool found = false;
+        for (std::size_t v = 0; v < names.size(); ++v) {
+            const bool matches = names[v] == wanted[i] || glob_matches(wanted[i], names[v]);
+            chosen[v] = chosen[v] || matches;
+            found = found || matches;
         }
-        const PluginRecord& record = registry.load(file.parent_path() / item.text);
-        if (!record.loaded()) {
-            findings.error(item.where, "plugin",
-                           fmt::format("plugin {} is refused: {}", in_quotes(item.text), record.rejection));
+        if (!found) {
+            const int source = findings.add_argument("--variant", static_cast<int>(i) + 1);
+            findings.error({source, 1, 1}, "unknown-variant",
+                           names.empty() ? "the recipe has no variants"
+                                         : fmt::format("the recipe has no variant {}{}", in_quotes(wanted[i]),
+                                                       suggestion(wanted[i], names)));
         }
     }
+    return chosen;
 }
 
-std::optional<std::string> read_text(const fs::path& file, Findings& findings) {
-    std::error_code error;
-    const fs::file_status status = fs::status(file, error);
-    const auto refuse = [&](const std::string& why) {
-        findings.error({}, "cannot-read", why);
-        return std::nullopt;
-    };
-    if (!fs::exists(status)) {
-        return refuse("there is no such file; remedy: check the path");
-    }
-    if (fs::is_directory(status)) {
-        return refuse("it is a folder; remedy: name the recipe file in it");
-    }
-    std::ifstream stream(file, std::ios::binary);
-    std::string text;
-    // Devices and pipes have no size: a megabyte and a byte more is read at most, and check_text() refuses that.
-    constexpr std::size_t most = 1'000'001;
-    text.resize(most);
-    stream.read(text.data(), static_cast<std::streamsize>(most));
-    text.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
-    if (!stream.eof() && text.size() < most) {
-        return refuse("it cannot be read; remedy: check its permissions");
-    }
-    return text;
-}
+/// Makes the runs of a recipe: of itself or of its variants, times the points of its sweep.
+class Runs {
+public:
+    Runs(const fs::path& file, Registry& registry, Findings& findings)
+        : file_(file), registry_(registry), findings_(findings) {}
 
-std::vector<Recipe> read_tree(const std::string& text, const fs::path& file, Registry& registry,
-                              const std::vector<Setting>& settings, Findings& findings) {
+    /// `variant`: nullptr for the recipe itself. What is not chosen is checked only.
+    void add(Value tree, const Variant* variant, const std::vector<Change>& settings, bool chosen) {
+        if (count_ > most) {
+            return;
+        }
+        if (variant) {
+            apply_changes(tree, variant->changes, registry_, findings_);
+        }
+        if (chosen) {
+            apply_changes(tree, settings, registry_, findings_);
+            load_plugins(tree, file_, registry_, findings_);
+        }
+        const Place where = variant ? variant->where : tree.where;
+        for (const SweepPoint& point : expand_sweep(std::move(tree), registry_, findings_)) {
+            const std::string suffix = (variant ? "-" + variant->name : "") + point.suffix;
+            Recipe recipe = check_recipe(point.root, file_, suffix, {registry_, findings_});
+            if (!names_.insert(recipe.name).second && !findings_.any_error()) {
+                findings_.error(where, "conflict",
+                                fmt::format("two runs of this recipe have the name {}; remedy: rename the variant",
+                                            in_quotes(recipe.name)));
+            }
+            recipe.variant = variant ? variant->name : "";
+            if (chosen) {
+                recipes.push_back(std::move(recipe));
+            }
+            if (++count_ > most) {
+                findings_.error(
+                    where, "too-many",
+                    fmt::format("variants and sweep make more than {} runs; remedy: split the recipe", most));
+                return;
+            }
+        }
+    }
+
+    std::vector<Recipe> recipes;
+
+private:
+    static constexpr std::size_t most = 1000;
+    const fs::path& file_;
+    Registry& registry_;
+    Findings& findings_;
+    std::set<std::string> names_;
+    std::size_t count_ = 0;
+};
+
+struct Arguments {
+    const std::vector<Setting>& settings;
+    const std::vector<std::string>& variants;
+};
+
+RecipeResult read_tree(const std::string& text, const fs::path& file, Registry& registry, const Arguments& arguments,
+                       Findings& findings) {
+    RecipeResult result;
     std::optional<Value> root;
     if (check_text(text, 0, findings)) {
         root = read_yaml(text, 0, findings);
     }
-    if (!root) {
-        return {};
+    std::vector<RecipeFile> extended;
+    if (!root || !expect_recipe(*root, findings) || !complete_tree(*root, file, registry, extended, findings)) {
+        return result;
     }
-    if (!root->is(Value::Kind::map)) {
-        const bool empty = root->is(Value::Kind::null);
-        findings.error({0, std::max(root->where.line, 1), std::max(root->where.column, 1)},
-                       empty ? "empty" : "wrong-type",
-                       fmt::format("{}; remedy: begin with 'foam: 1', then 'robot' and 'stages'",
-                                   empty ? "the recipe is empty" : "a recipe is a map, got " + root->description()));
-        return {};
+    const std::vector<Variant> variants = take_variants(*root, findings);
+    const std::vector<Change> settings = read_settings(arguments.settings, findings);
+    const std::vector<bool> chosen = choose_variants(variants, arguments.variants, findings);
+    Runs runs(file, registry, findings);
+    runs.add(*root, nullptr, settings, arguments.variants.empty());
+    for (std::size_t v = 0; v < variants.size(); ++v) {
+        result.variants.push_back(variants[v].name);
+        runs.add(*root, &variants[v], settings, chosen[v]);
     }
-    apply_settings(*root, settings, registry, findings);
-    load_plugins(*root, file, registry, findings);
-    std::vector<Recipe> recipes;
-    for (const SweepPoint& point : expand_sweep(std::move(*root), registry, findings)) {
-        recipes.push_back(check_recipe(point.root, file, point.suffix, {registry, findings}));
-        recipes.back().source = text;
+    for (Recipe& recipe : runs.recipes) {
+        recipe.source = text;
+        recipe.extended = extended;
     }
-    return recipes;
+    result.recipes = std::move(runs.recipes);
+    return result;
 }
 
-RecipeResult finish(std::vector<Recipe> recipes, Findings& findings) {
-    RecipeResult result;
-    if (!findings.any_error()) {
-        result.recipes = std::move(recipes);
+RecipeResult finish(RecipeResult result, Findings& findings) {
+    if (findings.any_error()) {
+        result.recipes.clear();
     }
     result.diagnostics = findings.take();
     return result;
@@ -118,20 +154,21 @@ RecipeResult finish(std::vector<Recipe> recipes, Findings& findings) {
 
 } // namespace
 
-RecipeResult read_recipe(const fs::path& file, Registry& registry, const std::vector<Setting>& settings) {
+RecipeResult read_recipe(const fs::path& file, Registry& registry, const std::vector<Setting>& settings,
+                         const std::vector<std::string>& variants) {
     Findings findings(file.empty() ? "recipe" : file.string());
-    std::vector<Recipe> recipes;
-    if (const auto text = read_text(file, findings)) {
-        recipes = read_tree(*text, file, registry, settings, findings);
+    std::string text;
+    if (const std::string why = read_text(file, text); !why.empty()) {
+        findings.error({}, "cannot-read", why);
+        return finish({}, findings);
     }
-    return finish(std::move(recipes), findings);
+    return finish(read_tree(text, file, registry, {settings, variants}, findings), findings);
 }
 
 RecipeResult parse_recipe(const std::string& text, const fs::path& file, Registry& registry,
-                          const std::vector<Setting>& settings) {
+                          const std::vector<Setting>& settings, const std::vector<std::string>& variants) {
     Findings findings(file.empty() ? "recipe" : file.string());
-    std::vector<Recipe> recipes = read_tree(text, file, registry, settings, findings);
-    return finish(std::move(recipes), findings);
+    return finish(read_tree(text, file, registry, {settings, variants}, findings), findings);
 }
 
 } // namespace foam

@@ -14,6 +14,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace reading;
 
+constexpr const char* folder_name = "^(?![-.])[A-Za-z0-9_.+=-]{1,200}$";
+
 Json as_json(const ParameterValue& value) {
     return std::visit([](const auto& v) { return Json(v); }, value);
 }
@@ -182,6 +184,18 @@ Json snapshot_schema() {
             {"default", false}};
 }
 
+/// Names of keys that are paths; some keys cannot be changed that way.
+Json paths_without(const std::string& fixed) {
+    return {{"pattern", "^[^.]+(\\.[^.]+)*$"}, {"not", {{"pattern", "^(" + fixed + ")(\\.|$)"}}}};
+}
+
+/// A map from paths to values, as in `set` and in variants.
+Json changes(const char* description) {
+    return {{"description", description},
+            {"type", "object"},
+            {"propertyNames", paths_without("foam|name|extends|set|variants|plugins")}};
+}
+
 Json top_level(const Registry& registry) {
     Json p;
     p["foam"] = {{"description", "Version of the recipe format."}, {"const", format_version}};
@@ -189,7 +203,7 @@ Json top_level(const Registry& registry) {
     for (const auto& [key, schema] : values.items()) {
         p[key] = schema;
     }
-    p["name"]["pattern"] = "^(?![-.])[A-Za-z0-9_.+=-]{1,200}$";
+    p["name"]["pattern"] = folder_name;
     p["seed"]["maximum"] = std::numeric_limits<std::uint64_t>::max();
     add_isolation(p);
     p["robot"] = object({{"urdf", texts("URDF files, the first that exists is taken: a path relative to the recipe, "
@@ -220,22 +234,88 @@ Json top_level(const Registry& registry) {
         {"description", "Values to run through: a path of keys and its values; several make all combinations."},
         {"type", "object"},
         {"minProperties", 1},
-        {"propertyNames", {{"not", {{"pattern", "^(foam|name|sweep)(\\.|$)"}}}}},
+        {"propertyNames", paths_without("foam|name|plugins|sweep|extends|set|variants")},
         {"additionalProperties", {{"type", "array"}, {"minItems", 1}, {"uniqueItems", true}}}};
+    p["variants"] = {{"description", "Named changes: `foam run RECIPE --variant NAME`."},
+                     {"type", "object"},
+                     {"propertyNames", {{"pattern", folder_name}}},
+                     {"additionalProperties", changes("Paths of keys and their values in this variant.")}};
     return p;
+}
+
+Json or_null(Json schema) {
+    Json result;
+    if (schema.contains("description")) {
+        result["description"] = schema["description"];
+        schema.erase("description");
+    }
+    result["anyOf"] = Json::array({std::move(schema), {{"type", "null"}}});
+    return result;
+}
+
+/// The schema of a map that is laid over another one: no key is required, and null takes one away.
+Json laid_over(Json schema) {
+    if (schema.contains("$ref")) {
+        return reference("changed " + schema["$ref"].get<std::string>().substr(std::string("#/$defs/").size()));
+    }
+    for (const char* key : {"required", "minProperties"}) {
+        schema.erase(key);
+    }
+    if (schema.contains("anyOf")) {
+        for (Json& alternative : schema["anyOf"]) {
+            alternative = laid_over(alternative);
+        }
+    }
+    if (schema.contains("properties")) {
+        for (auto& [key, value] : schema["properties"].items()) {
+            value = or_null(key == "renderer" ? value : laid_over(value));
+        }
+    }
+    if (schema.contains("additionalProperties") && schema["additionalProperties"].is_object()) {
+        schema["additionalProperties"] = or_null(laid_over(schema["additionalProperties"]));
+    }
+    return schema;
+}
+
+/// A recipe that stands for itself.
+Json whole_recipe(const Registry& registry) {
+    Json recipe = object(top_level(registry));
+    recipe["required"] = {"foam"};
+    // A sweep may bring the input or the stages, so only without one can their absence be told from here.
+    const Json one_input = {{"oneOf", Json::array({{{"required", {"robot"}}}, {{"required", {"mesh"}}}})},
+                            {"required", {"stages"}}};
+    recipe["anyOf"] = Json::array({{{"required", {"sweep"}}}, one_input});
+    return recipe;
+}
+
+/// A recipe that extends another one.
+Json extending_recipe(const Registry& registry) {
+    const Json keys = top_level(registry);
+    Json recipe = laid_over(object(keys));
+    Json& p = recipe["properties"];
+    p["foam"] = keys["foam"];
+    p["name"] = keys["name"];
+    p["variants"] = or_null(keys["variants"]);
+    p["variants"]["anyOf"][0]["additionalProperties"] = or_null(keys["variants"]["additionalProperties"]);
+    p["extends"] = {{"description", "The recipe over which this one is laid; relative to this file."},
+                    {"type", "string"},
+                    {"minLength", 1}};
+    p["set"] = changes("Paths of keys and their values, changed in what 'extends' brings.");
+    recipe["required"] = {"foam", "extends"};
+    return recipe;
 }
 
 } // namespace
 
 std::string recipe_schema(const Registry& registry) {
     Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "foam recipe"}};
-    schema.update(object(top_level(registry)));
-    schema["required"] = {"foam"};
-    // A sweep may bring the input or the stages, so only without one can their absence be told from here.
-    const Json one_input = {{"oneOf", Json::array({{{"required", {"robot"}}}, {{"required", {"mesh"}}}})},
-                            {"required", {"stages"}}};
-    schema["anyOf"] = Json::array({{{"required", {"sweep"}}}, one_input});
+    schema["type"] = "object";
+    schema["if"] = {{"required", {"extends"}}};
+    schema["then"] = reference("extending recipe");
+    schema["else"] = reference("recipe");
     Json& definitions = schema["$defs"];
+    definitions["recipe"] = whole_recipe(registry);
+    definitions["extending recipe"] = extending_recipe(registry);
     definitions["chain stage"] = stage_item(registry, {StageKind::mesh_filter, StageKind::spherizer});
     definitions["spherizer"] = stage_item(registry, {StageKind::spherizer});
     definitions["renderer"] = stage_item(registry, {StageKind::renderer});
@@ -245,6 +325,9 @@ std::string recipe_schema(const Registry& registry) {
     }
     for (const auto& [name, stage] : registry.stages()) {
         definitions[name] = parameters_of(stage);
+        if (stage.kind == StageKind::mesh_filter || stage.kind == StageKind::spherizer) {
+            definitions["changed " + name] = laid_over(parameters_of(stage));
+        }
     }
     return schema.dump(2) + "\n";
 }

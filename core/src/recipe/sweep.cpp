@@ -45,7 +45,7 @@ bool same(const Value& a, const Value& b) {
 }
 
 void check_axis(const Axis& axis, const Key& key, Findings& findings) {
-    for (const char* fixed : {"foam", "name", "sweep"}) {
+    for (const char* fixed : {"foam", "name", "plugins", "sweep", "extends", "set", "variants"}) {
         if (axis.path == fixed || axis.path.starts_with(std::string(fixed) + ".")) {
             findings.error(key.where, "bad-path", fmt::format("'{}' cannot be swept; remedy: delete it", fixed));
         }

@@ -79,6 +79,18 @@ Json plugins_used(const Workspace& workspace, const RunResult& result) {
     return used;
 }
 
+/// The recipe's file and those that it extends, and what was chosen of it.
+Json recipe_files(const Recipe& recipe) {
+    Json files{{"file", recipe.file.string()}, {"digest", digest_of(recipe.source)}, {"extends", Json::array()}};
+    for (const RecipeFile& base : recipe.extended) {
+        files["extends"].push_back({{"file", base.file.string()}, {"digest", digest_of(base.text)}});
+    }
+    if (!recipe.variant.empty()) {
+        files["variant"] = recipe.variant;
+    }
+    return files;
+}
+
 } // namespace
 
 std::string manifest_json(const Workspace& workspace, const Input& input, const std::vector<InputFile>& meshes,
@@ -88,7 +100,7 @@ std::string manifest_json(const Workspace& workspace, const Input& input, const 
     manifest["foam_version"] = FOAM_VERSION;
     manifest["name"] = workspace.recipe.name;
     manifest["seed"] = workspace.recipe.seed;
-    manifest["recipe"] = {{"file", workspace.recipe.file.string()}, {"digest", digest_of(workspace.recipe.source)}};
+    manifest["recipe"] = recipe_files(workspace.recipe);
     manifest["input"] = {{"taken", input.chosen},
                          {"candidates", workspace.recipe.urdf.empty() ? workspace.recipe.mesh : workspace.recipe.urdf},
                          {"file", input.file.string()},

@@ -68,10 +68,18 @@ struct OutputCall {
 
 enum class OnError { stop, skip, fallback };
 
+/// A file that a recipe was read from, as it was then.
+struct RecipeFile {
+    std::filesystem::path file;
+    std::string text;
+};
+
 /// A checked recipe. What is optional and absent has the value that the documentation states.
 struct Recipe {
-    std::filesystem::path file; ///< empty for a recipe made in memory
-    std::string source;         ///< its text
+    std::filesystem::path file;       ///< empty for a recipe made in memory
+    std::string source;               ///< its text
+    std::vector<RecipeFile> extended; ///< the files that it extends, nearest first
+    std::string variant;              ///< the one that was chosen; empty: the recipe itself
     std::string name;
     std::uint64_t seed = 0;
     /// Candidates, the first that resolves is taken. Either robots (URDF) or single meshes.
@@ -110,10 +118,11 @@ struct Recipe {
     std::map<std::string, ParameterValue> loader_parameters(const std::string& stage) const;
 };
 
-/// What came of reading a recipe: `recipes` holds one entry, or one for each point of its sweep, and is only to be used
-/// if there is no error among the findings.
+/// What came of reading a recipe: `recipes` holds one entry for each variant asked for, times the points of its sweep,
+/// and is only to be used if there is no error among the findings.
 struct RecipeResult {
     std::vector<Recipe> recipes;
+    std::vector<std::string> variants; ///< all that the recipe has, chosen or not
     std::vector<Diagnostic> diagnostics;
     bool ok() const;
 };
@@ -121,12 +130,13 @@ struct RecipeResult {
 /// `--set key.path=value`.
 using Setting = std::pair<std::string, std::string>;
 
-/// Reads and checks a recipe. Never throws for what is wrong with the text: all findings come back at once. Plugins
-/// that the recipe names are loaded into the registry first.
+/// Reads and checks a recipe with the files that it extends. Never throws for what is wrong with the text: all findings
+/// come back at once. Plugins that the recipe names are loaded into the registry first. `variants`: names or globs of
+/// those to run; none: the recipe itself. The others are checked too.
 RecipeResult read_recipe(const std::filesystem::path& file, Registry& registry,
-                         const std::vector<Setting>& settings = {});
+                         const std::vector<Setting>& settings = {}, const std::vector<std::string>& variants = {});
 RecipeResult parse_recipe(const std::string& text, const std::filesystem::path& file, Registry& registry,
-                          const std::vector<Setting>& settings = {});
+                          const std::vector<Setting>& settings = {}, const std::vector<std::string>& variants = {});
 
 /// The recipe as YAML with every default written out; parse_recipe() of it gives an equal recipe. References to files
 /// are kept as they are, those relative to the recipe's folder are made absolute if `absolute_paths`.

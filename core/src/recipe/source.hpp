@@ -1,0 +1,13 @@
+// The text of a recipe's file.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace foam::reading {
+
+/// Why it cannot be read, with the remedy; empty if it was read. At most a megabyte and a byte: check_text() refuses
+/// that much.
+std::string read_text(const std::filesystem::path& file, std::string& text);
+
+} // namespace foam::reading
