@@ -112,6 +112,84 @@ TEST_F(CliRecipe, ASweepHasAFolderForEachPoint) {
     }
 }
 
+/// Over box.yaml: a file in another folder, a variant, a sweep, values by path.
+constexpr const char* composed = "foam: 1\n"
+                                 "extends: ../box.yaml\n"
+                                 "set: {stages.spherize.grid.candidates: 5}\n"
+                                 "links: {'b*': {min_spheres: 2}}\n"
+                                 "isolate: process\n"
+                                 "sweep: {seed: [1, 2]}\n"
+                                 "variants:\n"
+                                 "  small: {budget.spheres: 3}\n"
+                                 "  alone: {sweep: null}\n";
+
+TEST_F(CliRecipe, CheckNamesTheVariants) {
+    std::filesystem::create_directory(path() / "mine");
+    write("mine/composed.yaml", composed);
+    const Outcome good = foam("check mine/composed.yaml");
+    EXPECT_EQ(good.code, 0) << good.out;
+    EXPECT_EQ(good.err, "foam: mine/composed.yaml: good for 2 runs; variants: small, alone\n");
+    const json data = json::parse(foam("check mine/composed.yaml --variant '*' --json").out);
+    EXPECT_EQ(data["runs"], json({"composed-small-seed=1", "composed-small-seed=2", "composed-alone"}));
+    EXPECT_EQ(data["variants"], json({"small", "alone"}));
+    const Outcome unknown = foam("run mine/composed.yaml --variant smal");
+    EXPECT_EQ(unknown.code, 2);
+    EXPECT_EQ(unknown.err, "--variant:1:1: error[unknown-variant]: the recipe has no variant 'smal'; did you mean "
+                           "'small'?\nfoam: error: mine/composed.yaml: 1 error in the recipe; nothing was run\n");
+}
+
+TEST_F(CliRecipe, VariantsHaveFoldersOfTheirOwnAndTheManifestNamesEveryFile) {
+    std::filesystem::create_directory(path() / "mine");
+    write("mine/composed.yaml", composed);
+    const Outcome outcome = foam("run mine/composed.yaml --variant small --variant alone");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    for (const char* name : {"composed-small-seed=1", "composed-small-seed=2", "composed-alone"}) {
+        const auto folder = path() / "runs" / name;
+        EXPECT_TRUE(std::filesystem::exists(folder / "box.csv")) << name;
+        const json manifest = json::parse(contents(folder / "manifest.json"));
+        EXPECT_EQ(manifest["recipe"]["file"], "mine/composed.yaml");
+        EXPECT_EQ(manifest["recipe"]["extends"][0]["file"], "mine/../box.yaml");
+        EXPECT_EQ(manifest["recipe"]["extends"][0]["digest"].get<std::string>().size(), 32u);
+        EXPECT_EQ(manifest["recipe"]["variant"], std::string(name).find("small") == 9 ? "small" : "alone");
+    }
+}
+
+/// However a recipe was put together, what it came to is one plain file that gives the same bytes from anywhere.
+TEST_F(CliRecipe, TheResolvedRecipeRunsAgainToTheSameDigests) {
+    std::filesystem::create_directories(path() / "mine");
+    std::filesystem::create_directories(path() / "elsewhere");
+    write("mine/composed.yaml", composed);
+    ASSERT_EQ(foam("run mine/composed.yaml --variant small --out first --set links.*.max_spheres=9").code, 0);
+    for (const char* name : {"composed-small-seed=1", "composed-small-seed=2"}) {
+        const auto first = path() / "first" / name;
+        const std::string resolved = contents(first / "recipe.resolved.yaml");
+        for (const char* key : {"extends:", "set:", "variants:", "sweep:"}) {
+            EXPECT_EQ(resolved.find(key), resolved.npos) << resolved;
+        }
+        const Outcome again = shell("cd elsewhere && '" FOAM_TEST_BINARY "' run '" +
+                                    (first / "recipe.resolved.yaml").string() + "' --fresh --out again");
+        ASSERT_EQ(again.code, 0) << again.err;
+        const auto second = path() / "elsewhere/again";
+        const json a = json::parse(contents(first / "manifest.json")),
+                   b = json::parse(contents(second / "manifest.json"));
+        EXPECT_EQ(a["outputs"], b["outputs"]);
+        EXPECT_EQ(a["mesh_files"], b["mesh_files"]);
+        EXPECT_EQ(contents(first / "box.csv"), contents(second / "box.csv"));
+        EXPECT_EQ(contents(second / "recipe.resolved.yaml"), resolved);
+        std::filesystem::remove_all(second);
+    }
+}
+
+/// Only the recipe is read: its data may be missing, or be no data at all.
+TEST_F(CliRecipe, CheckTouchesNoData) {
+    write("box.obj", "this is no mesh");
+    EXPECT_EQ(foam("check box.yaml").code, 0);
+    std::filesystem::remove(path() / "box.obj");
+    EXPECT_EQ(foam("check box.yaml").code, 0);
+    EXPECT_FALSE(std::filesystem::exists(path() / "runs"));
+    EXPECT_FALSE(std::filesystem::exists(path() / "cache"));
+}
+
 TEST_F(CliRecipe, MissingInputNamesThePlaces) {
     std::filesystem::remove(path() / "box.obj");
     const Outcome outcome = foam("run box.yaml");

@@ -24,7 +24,7 @@ INVISIBLE |= {"sweep_too_large", "variants_too_many"}
 # It is in another file, or is only wrong together with one:
 INVISIBLE |= {"extends_missing", "extends_folder", "extends_circle", "extends_itself", "extends_list",
               "extends_no_version", "extends_unclosed", "extends_missing_plugin", "extends_two_inputs",
-              "extends_wrong_override"}
+              "extends_without_stages", "extends_wrong_override"}
 # It is the value at a path, or it contradicts another value:
 INVISIBLE |= {"idle_limits", "variants_wrong_values", "variants_swept", "variants_same_name"}
 

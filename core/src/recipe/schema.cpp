@@ -256,7 +256,9 @@ Json or_null(Json schema) {
 /// The schema of a map that is laid over another one: no key is required, and null takes one away.
 Json laid_over(Json schema) {
     if (schema.contains("$ref")) {
-        return reference("changed " + schema["$ref"].get<std::string>().substr(std::string("#/$defs/").size()));
+        const std::string definition = schema["$ref"].get<std::string>().substr(std::string("#/$defs/").size());
+        const bool stage = definition.find('.') != std::string::npos;
+        return stage ? reference("changed " + definition) : schema;
     }
     for (const char* key : {"required", "minProperties"}) {
         schema.erase(key);
