@@ -115,7 +115,7 @@ TEST_F(CliRecipe, ASweepHasAFolderForEachPoint) {
 /// Over box.yaml: a file in another folder, a variant, a sweep, values by path.
 constexpr const char* composed = "foam: 1\n"
                                  "extends: ../box.yaml\n"
-                                 "set: {stages.spherize.grid.candidates: 5}\n"
+                                 "set: {stages.spherize.grid.refine: false}\n"
                                  "links: {'b*': {min_spheres: 2}}\n"
                                  "isolate: process\n"
                                  "sweep: {seed: [1, 2]}\n"
@@ -188,6 +188,96 @@ TEST_F(CliRecipe, CheckTouchesNoData) {
     EXPECT_EQ(foam("check box.yaml").code, 0);
     EXPECT_FALSE(std::filesystem::exists(path() / "runs"));
     EXPECT_FALSE(std::filesystem::exists(path() / "cache"));
+}
+
+/// Two links of the same box, one of another box, one that is left out.
+constexpr const char* boxes_urdf =
+    "<robot name='boxes'>"
+    "<link name='base'><collision><geometry><mesh filename='box.obj'/></geometry></collision></link>"
+    "<link name='arm'><collision><geometry><mesh filename='box.obj'/></geometry></collision></link>"
+    "<link name='hand'><collision><geometry><box size='1 1 1'/></geometry></collision></link>"
+    "<link name='tool'><collision><geometry><sphere radius='1'/></geometry></collision></link>"
+    "<joint name='a' type='fixed'><parent link='base'/><child link='arm'/></joint>"
+    "<joint name='b' type='fixed'><parent link='arm'/><child link='hand'/></joint>"
+    "<joint name='c' type='fixed'><parent link='hand'/><child link='tool'/></joint></robot>";
+
+constexpr const char* boxes = "foam: 1\n"
+                              "name: boxes\n"
+                              "robot: {urdf: ['package://none/boxes.urdf', boxes.urdf]}\n"
+                              "stages:\n"
+                              "  - smooth.humphrey: {iterations: 0}\n"
+                              "  - spherize.grid\n"
+                              "links:\n"
+                              "  'a*': {smooth.humphrey: {iterations: 1}}\n"
+                              "  tool: {skip: true}\n"
+                              "outputs: [write.csv: {file: b.csv}]\n"
+                              "variants: {fine: {budget.spheres: 9}}\n";
+
+TEST_F(CliRecipe, PlanSaysWhatWouldRunAndWritesNothing) {
+    write("boxes.urdf", boxes_urdf);
+    write("boxes.yaml", boxes);
+    const Outcome plan = foam("plan boxes.yaml");
+    ASSERT_EQ(plan.code, 0) << plan.err;
+    EXPECT_EQ(plan.err, "foam: without its variants: fine; --variant chooses\n");
+    const std::string expected =
+        "boxes\n"
+        "  recipe     boxes.yaml\n"
+        "  input      boxes.urdf (" +
+        (path() / "boxes.urdf").string() +
+        ")\n"
+        "             not found before it: package://none/boxes.urdf\n"
+        "  stages     smooth.humphrey {iterations: 0} (smooth 1.0)\n"
+        "             spherize.grid (spherize_grid 1.0)\n"
+        "  budget     as the spherizer's parameters say; guarantee outer; seed 0\n"
+        "  links      base  smooth.humphrey to do, spherize.grid to do\n"
+        "             arm   smooth.humphrey to do, spherize.grid to do; changed by boxes.yaml:8:3 (a*)\n"
+        "             hand  smooth.humphrey nothing to do, spherize.grid to do\n"
+        "             tool  left out by boxes.yaml:9:3 (tool)\n"
+        "  outputs    b.csv by write.csv (write_csv 1.0)\n"
+        "  directory  runs/boxes\n";
+    EXPECT_EQ(plan.out, expected);
+    EXPECT_FALSE(std::filesystem::exists(path() / "runs"));
+    EXPECT_FALSE(std::filesystem::exists(path() / "cache"));
+}
+
+TEST_F(CliRecipe, PlanKnowsWhatTheCacheHolds) {
+    write("boxes.urdf", boxes_urdf);
+    write("boxes.yaml", boxes);
+    const auto stages = [&](const std::string& arguments) {
+        std::string text;
+        const json plan = json::parse(foam("plan boxes.yaml --json " + arguments).out);
+        for (const json& link : plan["runs"][0]["links"]) {
+            for (const json& stage : link["stages"]) {
+                text +=
+                    std::to_string(stage["cached"].get<int>()) + "/" + std::to_string(stage["needed"].get<int>()) + " ";
+            }
+        }
+        return text;
+    };
+    EXPECT_EQ(stages(""), "0/1 0/1 0/1 0/1 0/0 0/1 ");
+    ASSERT_EQ(foam("run boxes.yaml").code, 0);
+    EXPECT_EQ(stages(""), "1/1 1/1 1/1 1/1 0/0 1/1 ");
+    EXPECT_EQ(stages("--variant fine"), "1/1 0/6 1/1 0/6 0/0 0/6 ");
+    ASSERT_EQ(foam("run boxes.yaml --variant fine").code, 0);
+    EXPECT_EQ(stages("--variant fine"), "1/1 6/6 1/1 6/6 0/0 6/6 ");
+    EXPECT_EQ(stages("--set stages.smooth.humphrey.iterations=2"), "0/1 0/1 1/1 1/1 0/0 1/1 ");
+}
+
+TEST_F(CliRecipe, PlanOfWhatCannotRun) {
+    write("boxes.urdf", boxes_urdf);
+    write("boxes.yaml", boxes);
+    write("box.obj", "v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n");
+    const Outcome bad = foam("plan boxes.yaml");
+    EXPECT_EQ(bad.code, 1);
+    EXPECT_THAT(bad.out, HasSubstr("base  cannot be read: "));
+    EXPECT_THAT(bad.out, HasSubstr("hand  smooth.humphrey nothing to do, spherize.grid to do\n"));
+    std::filesystem::remove(path() / "boxes.urdf");
+    const Outcome missing = foam("plan boxes.yaml");
+    EXPECT_EQ(missing.code, 1);
+    EXPECT_EQ(missing.out, "");
+    EXPECT_THAT(missing.err, HasSubstr("boxes.yaml:3:1: none of the inputs"));
+    write("boxes.yaml", "foam: 1\n");
+    EXPECT_EQ(foam("plan boxes.yaml").code, 2);
 }
 
 TEST_F(CliRecipe, MissingInputNamesThePlaces) {

@@ -137,7 +137,7 @@ private:
             for (std::string& reference : references) {
                 const bool uri = reference.find("://") != std::string::npos;
                 if (!uri && !fs::path(reference).is_absolute()) {
-                    reference = fs::absolute(recipe_.file.parent_path() / reference).lexically_normal().string();
+                    reference = fs::absolute(recipe_.file.parent_path() / reference).string();
                 }
             }
         }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace foam {
 namespace {
@@ -60,14 +61,7 @@ std::vector<std::size_t> share_spheres(const Workspace& workspace, std::vector<S
                                        const std::vector<Group>& groups, std::size_t total) {
     std::vector<std::vector<std::size_t>> wanted(shapes.size());
     for (std::size_t s = 0; s < shapes.size(); ++s) {
-        // A first look at small counts and, on large budgets, at multiples of the fair share.
-        const std::size_t fair = std::max<std::size_t>(1, total / std::max<std::size_t>(1, groups.size()));
-        for (const std::size_t count :
-             {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{4}, fair, 2 * fair, 4 * fair}) {
-            wanted[s].push_back(std::clamp(count, shapes[s].least, std::min(shapes[s].most, total)));
-        }
-        std::sort(wanted[s].begin(), wanted[s].end());
-        wanted[s].erase(std::unique(wanted[s].begin(), wanted[s].end()), wanted[s].end());
+        wanted[s] = first_counts(workspace.recipe, shapes[s], groups.size());
     }
     std::vector<std::size_t> counts;
     constexpr int rounds = 8;
@@ -159,6 +153,21 @@ std::size_t count_for_protrusion(const Workspace& workspace, ShapeWork& work, do
 
 } // namespace
 
+std::vector<std::size_t> first_counts(const Recipe& recipe, const ShapeWork& shape, std::size_t groups) {
+    if (!recipe.budget_spheres) {
+        return {recipe.budget_max_protrusion ? shape.least : shape.most == SIZE_MAX ? 0 : shape.most};
+    }
+    // A first look at small counts and, on large budgets, at multiples of the fair share.
+    const std::size_t total = *recipe.budget_spheres;
+    const std::size_t fair = std::max<std::size_t>(1, total / std::max<std::size_t>(1, groups));
+    std::set<std::size_t> counts;
+    for (const std::size_t count :
+         {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{4}, fair, 2 * fair, 4 * fair}) {
+        counts.insert(std::clamp(count, shape.least, std::max(shape.least, std::min(shape.most, total))));
+    }
+    return {counts.begin(), counts.end()};
+}
+
 std::vector<std::size_t> choose_counts(const Workspace& workspace, std::vector<ShapeWork>& shapes,
                                        const std::vector<Group>& groups) {
     const Recipe& recipe = workspace.recipe;
@@ -185,7 +194,7 @@ std::vector<std::size_t> choose_counts(const Workspace& workspace, std::vector<S
             return;
         }
         workspace.journal.expect(1);
-        const std::size_t asked = work.most == SIZE_MAX ? 0 : work.most;
+        const std::size_t asked = first_counts(recipe, work, groups.size()).front();
         compute_trees(workspace, work, {asked});
         of_shape[s] = work.asked.at(asked);
     });

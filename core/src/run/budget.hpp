@@ -12,4 +12,7 @@ namespace foam {
 std::vector<std::size_t> choose_counts(const Workspace& workspace, std::vector<ShapeWork>& shapes,
                                        const std::vector<Group>& groups);
 
+/// The counts that choose_counts() asks of a shape before it knows anything; 0: no budget. `groups`: of the robot.
+std::vector<std::size_t> first_counts(const Recipe& recipe, const ShapeWork& shape, std::size_t groups);
+
 } // namespace foam

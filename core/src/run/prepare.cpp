@@ -11,11 +11,6 @@
 namespace foam {
 namespace {
 
-/// Where a task's result goes: element `element` of link `link`.
-struct Target {
-    std::size_t link, element;
-};
-
 /// A mesh file at a scale.
 struct LoadTask {
     MeshReference reference;
@@ -23,17 +18,6 @@ struct LoadTask {
     std::shared_ptr<const Mesh> mesh;
     InputFile file;
     StageReport report;
-    std::optional<Error> error;
-};
-
-/// A chain of filters on a mesh.
-struct FilterTask {
-    std::shared_ptr<const Mesh> mesh;
-    std::vector<StageCall> filters;
-    Digest digest;
-    std::vector<Target> targets;
-    std::vector<std::shared_ptr<const Mesh>> results;
-    std::vector<StageReport> reports;
     std::optional<Error> error;
 };
 
@@ -137,6 +121,34 @@ void load(const Workspace& workspace, const std::vector<LinkWork>& links, LoadTa
     }
 }
 
+void filter(const Workspace& workspace, const std::vector<LinkWork>& links, FilterTask& task) {
+    const auto [l, e] = task.targets.front();
+    const std::string& link = links[l].link->name;
+    const std::string& input = links[l].elements[e].geometry;
+    std::shared_ptr<const Mesh> mesh = task.mesh;
+    for (const StageCall& call : task.filters) {
+        const Digest content = Hasher().add(*mesh).finish();
+        const Digest key = filter_key(workspace, call, content);
+        StageReport& report = task.reports.emplace_back();
+        if (auto cached = workspace.cache.mesh(key)) {
+            report.stage = call.stage;
+            report.cached = true;
+            workspace.journal.finished(link, report);
+            mesh = std::make_shared<const Mesh>(std::move(*cached));
+        } else {
+            mesh = run_stage(workspace, call.stage, link, input, content, report, [&](Context& context) {
+                Mesh result = call_filter(workspace, call, *mesh, context);
+                check_triangles(result, "filter");
+                return std::make_shared<const Mesh>(std::move(result));
+            });
+            workspace.cache.put(key, *mesh);
+        }
+        task.results.push_back(mesh);
+    }
+}
+
+} // namespace
+
 std::vector<FilterTask> filter_tasks(const Workspace& workspace, std::vector<LinkWork>& links) {
     std::map<Digest, std::size_t> known;
     std::vector<FilterTask> tasks;
@@ -171,36 +183,11 @@ std::vector<FilterTask> filter_tasks(const Workspace& workspace, std::vector<Lin
     return tasks;
 }
 
-void filter(const Workspace& workspace, const std::vector<LinkWork>& links, FilterTask& task) {
-    const auto [l, e] = task.targets.front();
-    const std::string& link = links[l].link->name;
-    const std::string& input = links[l].elements[e].geometry;
-    std::shared_ptr<const Mesh> mesh = task.mesh;
-    for (const StageCall& call : task.filters) {
-        const Digest content = Hasher().add(*mesh).finish();
-        const Digest key =
-            Hasher().add("filter").add(call, workspace.registry).add(workspace.recipe.seed).add(content).finish();
-        StageReport& report = task.reports.emplace_back();
-        if (auto cached = workspace.cache.mesh(key)) {
-            report.stage = call.stage;
-            report.cached = true;
-            workspace.journal.finished(link, report);
-            mesh = std::make_shared<const Mesh>(std::move(*cached));
-        } else {
-            mesh = run_stage(workspace, call.stage, link, input, content, report, [&](Context& context) {
-                Mesh result = call_filter(workspace, call, *mesh, context);
-                check_triangles(result, "filter");
-                return std::make_shared<const Mesh>(std::move(result));
-            });
-            workspace.cache.put(key, *mesh);
-        }
-        task.results.push_back(mesh);
-    }
+Digest filter_key(const Workspace& workspace, const StageCall& filter, const Digest& mesh) {
+    return Hasher().add("filter").add(filter, workspace.registry).add(workspace.recipe.seed).add(mesh).finish();
 }
 
-} // namespace
-
-std::vector<LinkWork> prepare_links(const Workspace& workspace, const Robot& robot, std::vector<InputFile>& files) {
+std::vector<LinkWork> load_links(const Workspace& workspace, const Robot& robot, std::vector<InputFile>& files) {
     std::vector<LinkWork> links = links_to_do(workspace, robot);
 
     std::vector<LoadTask> loads = load_tasks(links);
@@ -216,7 +203,11 @@ std::vector<LinkWork> prepare_links(const Workspace& workspace, const Robot& rob
             }
         }
     }
+    return links;
+}
 
+std::vector<LinkWork> prepare_links(const Workspace& workspace, const Robot& robot, std::vector<InputFile>& files) {
+    std::vector<LinkWork> links = load_links(workspace, robot, files);
     std::vector<FilterTask> chains = filter_tasks(workspace, links);
     for (const FilterTask& task : chains) {
         workspace.journal.expect(task.filters.size());

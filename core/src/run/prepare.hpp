@@ -39,6 +39,29 @@ struct LinkWork {
     std::optional<Error> error;
 };
 
+/// Where a task's result goes: element `element` of link `link`.
+struct Target {
+    std::size_t link, element;
+};
+
+/// A chain of filters on a mesh, done once for all elements that share it.
+struct FilterTask {
+    std::shared_ptr<const Mesh> mesh;
+    std::vector<StageCall> filters;
+    Digest digest;
+    std::vector<Target> targets;
+    std::vector<std::shared_ptr<const Mesh>> results;
+    std::vector<StageReport> reports;
+    std::optional<Error> error;
+};
+
+/// The links with their meshes loaded. Errors as in prepare_links().
+std::vector<LinkWork> load_links(const Workspace& workspace, const Robot& robot, std::vector<InputFile>& files);
+/// The distinct chains of filters that loaded links need; gives elements their digests.
+std::vector<FilterTask> filter_tasks(const Workspace& workspace, std::vector<LinkWork>& links);
+/// What the cache knows the result of a filter on a mesh by.
+Digest filter_key(const Workspace& workspace, const StageCall& filter, const Digest& mesh);
+
 /// One entry for every link with collision geometry, in the robot's order; errors are kept in the entry, except
 /// cancellation, which is thrown. `files`: the mesh files that were read.
 std::vector<LinkWork> prepare_links(const Workspace& workspace, const Robot& robot, std::vector<InputFile>& files);

@@ -63,9 +63,7 @@ RunResult run(const Recipe& recipe, const Registry& registry, const RunOptions& 
         directory.emplace(options.out);
     }
     Journal journal(options.observer);
-    const Cache cache(options.fresh           ? std::filesystem::path()
-                      : options.cache.empty() ? Cache::default_folder()
-                                              : options.cache);
+    const Cache cache(cache_folder(options));
     const Workspace workspace{recipe, registry, options, journal, cache};
 
     RunResult result;

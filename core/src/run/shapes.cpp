@@ -120,6 +120,13 @@ static void check_tree(const SphereTree& tree, const Budget& budget) {
     }
 }
 
+Digest tree_key(const Workspace& workspace, const ShapeWork& work, std::size_t count) {
+    Hasher hasher;
+    hasher.add("spherize").add(work.digest).add(workspace.recipe.seed).add(static_cast<std::uint64_t>(count));
+    hasher.add(static_cast<std::uint64_t>(workspace.recipe.guarantee));
+    return hasher.add(workspace.recipe.budget_max_protrusion.value_or(-1)).finish();
+}
+
 void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts) {
     std::vector<Budget> budgets;
     std::vector<Digest> keys;
@@ -139,10 +146,7 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
         if (count > 0) {
             budget.max_spheres = count;
         }
-        Hasher hasher;
-        hasher.add("spherize").add(work.digest).add(workspace.recipe.seed).add(static_cast<std::uint64_t>(count));
-        hasher.add(static_cast<std::uint64_t>(budget.guarantee)).add(budget.max_protrusion.value_or(-1));
-        const Digest key = hasher.finish();
+        const Digest key = tree_key(workspace, work, count);
         if (auto cached = workspace.cache.tree(key)) {
             keep(count, std::move(*cached));
             continue;

@@ -36,6 +36,9 @@ std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::ve
 /// Makes ShapeWork::shape, in the frame of its first group's first element.
 void build_shape(const std::vector<LinkWork>& links, const std::vector<Group>& groups, ShapeWork& work);
 
+/// What the cache knows the tree of a shape by, of at most `count` spheres; 0: no budget.
+Digest tree_key(const Workspace& workspace, const ShapeWork& work, std::size_t count);
+
 /// Trees for the counts that are asked for, from the cache or the stage; what the stage returns is checked. Count 0
 /// stands for "no budget".
 void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts);

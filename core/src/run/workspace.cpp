@@ -7,6 +7,13 @@
 
 namespace foam {
 
+std::filesystem::path cache_folder(const RunOptions& options) {
+    if (options.fresh) {
+        return {};
+    }
+    return options.cache.empty() ? Cache::default_folder() : options.cache;
+}
+
 std::string place_of(const std::string& stage, const std::string& link, const std::string& input) {
     std::string place = fmt::format("stage '{}'", stage);
     if (!link.empty()) {

@@ -35,6 +35,9 @@ struct Workspace {
 
 /// "stage 'spherize.medial', link 'hand', input 'hand.stl'"; what is empty is left out.
 std::string place_of(const std::string& stage, const std::string& link, const std::string& input);
+/// Where the results of stages are kept; empty: nowhere.
+std::filesystem::path cache_folder(const RunOptions& options);
+
 /// An Error that names stage, link and input, whatever was thrown. Cancellation stays cancellation.
 Error described(std::exception_ptr thrown, const std::string& stage, const std::string& link, const std::string& input);
 

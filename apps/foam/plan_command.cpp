@@ -1,0 +1,246 @@
+// foam plan: what would run.
+#include "execute.hpp"
+
+#include <foam/error.hpp>
+#include <foam/host/plan.hpp>
+#include <foam/text.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace foam::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct Arguments {
+    std::string recipe;
+    std::vector<std::string> settings, variants;
+    bool json = false;
+};
+
+std::string files_text(const Recipe& recipe) {
+    std::string text = recipe.file.string();
+    for (const RecipeFile& base : recipe.extended) {
+        text += " < " + base.file.string();
+    }
+    return recipe.variant.empty() ? text : fmt::format("{}, variant {}", text, recipe.variant);
+}
+
+std::string parameters_text(const PlannedStage& stage) {
+    std::vector<std::string> parts;
+    for (const auto& [name, value] : stage.given) {
+        parts.push_back(fmt::format("{}: {}", name, to_text(value)));
+    }
+    return parts.empty() ? "" : fmt::format(" {{{}}}", fmt::join(parts, ", "));
+}
+
+std::string budget_text(const Recipe& recipe) {
+    std::vector<std::string> parts;
+    if (recipe.budget_spheres) {
+        parts.push_back(fmt::format("{} spheres", *recipe.budget_spheres));
+    }
+    if (recipe.budget_max_protrusion) {
+        parts.push_back(fmt::format("protrusion of at most {} m", to_text(*recipe.budget_max_protrusion)));
+    }
+    if (parts.empty()) {
+        parts.emplace_back("as the spherizer's parameters say");
+    }
+    const char* guarantee = recipe.guarantee == Guarantee::outer ? "outer" : "fitted";
+    return fmt::format("{}; guarantee {}; seed {}", fmt::join(parts, ", "), guarantee, recipe.seed);
+}
+
+std::string places_text(const PlannedLink& link) {
+    std::vector<std::string> places;
+    for (const LinkOverride& change : link.overrides) {
+        places.push_back(fmt::format("{} ({})", change.where.text(), change.glob));
+    }
+    return fmt::format("{}", fmt::join(places, ", "));
+}
+
+std::string cache_text(const PlannedStage& stage) {
+    return stage.needed == 0              ? "nothing to do"
+           : stage.cached == stage.needed ? "cached"
+           : stage.cached == 0            ? "to do"
+                                          : fmt::format("{} of {} cached", stage.cached, stage.needed);
+}
+
+std::string link_text(const PlannedLink& link) {
+    if (link.skipped) {
+        return "left out by " + places_text(link);
+    }
+    if (!link.error.empty()) {
+        return "cannot be read: " + link.error;
+    }
+    std::vector<std::string> stages;
+    for (const PlannedStage& stage : link.stages) {
+        stages.push_back(fmt::format("{} {}", stage.stage, cache_text(stage)));
+    }
+    return fmt::format("{}{}", fmt::join(stages, ", "),
+                       link.overrides.empty() ? "" : "; changed by " + places_text(link));
+}
+
+std::string text_of(const Plan& plan, const Recipe& recipe) {
+    const auto plugin = [](const PlannedStage& stage) {
+        return fmt::format("{} {}", stage.plugin, stage.plugin_version);
+    };
+    std::string text = recipe.name + "\n";
+    const auto line = [&](const char* key, const std::string& value) {
+        text += fmt::format("  {:<10} {}\n", key, value);
+    };
+    line("recipe", files_text(recipe));
+    line("input", fmt::format("{} ({})", plan.input, plan.input_file.file.string()));
+    for (const std::string& candidate : plan.not_found) {
+        line("", "not found before it: " + candidate);
+    }
+    for (const PlannedStage& stage : plan.stages) {
+        line(&stage == &plan.stages.front() ? "stages" : "",
+             fmt::format("{}{} ({})", stage.stage, parameters_text(stage), plugin(stage)));
+    }
+    line("budget", budget_text(recipe));
+    std::size_t width = 0;
+    for (const PlannedLink& link : plan.links) {
+        width = std::max(width, link.link.size());
+    }
+    for (const PlannedLink& link : plan.links) {
+        line(&link == &plan.links.front() ? "links" : "", fmt::format("{:<{}}  {}", link.link, width, link_text(link)));
+    }
+    for (const PlannedOutput& output : plan.outputs) {
+        line(&output == &plan.outputs.front() ? "outputs" : "",
+             fmt::format("{} by {} ({})", output.file, output.writer.stage, plugin(output.writer)));
+    }
+    if (plan.renderer) {
+        line("pictures", fmt::format("by {} ({})", plan.renderer->stage, plugin(*plan.renderer)));
+    }
+    line("directory", (fs::path("runs") / recipe.name).string());
+    return text;
+}
+
+Json json_of(const PlannedStage& stage, bool with_cache) {
+    Json json{{"stage", stage.stage},
+              {"plugin", stage.plugin},
+              {"version", stage.plugin_version},
+              {"parameters", Json::object()}};
+    for (const auto& [name, value] : stage.given) {
+        json["parameters"][name] = std::visit([](const auto& v) { return Json(v); }, value);
+    }
+    if (with_cache) {
+        json["cached"] = stage.cached;
+        json["needed"] = stage.needed;
+    }
+    return json;
+}
+
+Json json_of(const PlannedFile& file) {
+    return {{"file", file.file.string()}, {"digest", file.digest}};
+}
+
+Json json_of(const PlannedLink& link) {
+    Json json{{"link", link.link},
+              {"geometry", link.geometry},
+              {"skipped", link.skipped},
+              {"overrides", Json::array()},
+              {"stages", Json::array()}};
+    for (const LinkOverride& change : link.overrides) {
+        json["overrides"].push_back({{"glob", change.glob},
+                                     {"file", change.where.file},
+                                     {"line", change.where.line},
+                                     {"column", change.where.column}});
+    }
+    for (const PlannedStage& stage : link.stages) {
+        json["stages"].push_back(json_of(stage, true));
+    }
+    if (!link.error.empty()) {
+        json["error"] = link.error;
+    }
+    return json;
+}
+
+Json json_of(const Plan& plan, const Recipe& recipe) {
+    Json json{{"name", recipe.name},
+              {"directory", (fs::path("runs") / recipe.name).string()},
+              {"recipe", recipe.file.string()},
+              {"extends", Json::array()},
+              {"variant", recipe.variant},
+              {"seed", recipe.seed},
+              {"input", {{"taken", plan.input}, {"not_found", plan.not_found}}},
+              {"meshes", Json::array()},
+              {"stages", Json::array()},
+              {"budget", Json::object()},
+              {"guarantee", recipe.guarantee == Guarantee::outer ? "outer" : "fitted"},
+              {"links", Json::array()},
+              {"outputs", Json::array()}};
+    json["input"].update(json_of(plan.input_file));
+    for (const RecipeFile& base : recipe.extended) {
+        json["extends"].push_back(base.file.string());
+    }
+    for (const PlannedFile& mesh : plan.meshes) {
+        json["meshes"].push_back(json_of(mesh));
+    }
+    for (const PlannedStage& stage : plan.stages) {
+        json["stages"].push_back(json_of(stage, false));
+    }
+    if (recipe.budget_spheres) {
+        json["budget"]["spheres"] = *recipe.budget_spheres;
+    }
+    if (recipe.budget_max_protrusion) {
+        json["budget"]["max_protrusion"] = *recipe.budget_max_protrusion;
+    }
+    for (const PlannedLink& link : plan.links) {
+        json["links"].push_back(json_of(link));
+    }
+    for (const PlannedOutput& output : plan.outputs) {
+        Json entry = json_of(output.writer, false);
+        entry["file"] = output.file;
+        json["outputs"].push_back(std::move(entry));
+    }
+    if (plan.renderer) {
+        json["renderer"] = json_of(*plan.renderer, false);
+    }
+    return json;
+}
+
+int plan_recipe(Program& program, const Arguments& arguments) {
+    Registry& registry = program.registry();
+    const RecipeResult read =
+        read_recipe(arguments.recipe, registry, settings_of(arguments.settings), arguments.variants);
+    require_ok(read, arguments.recipe);
+    Json runs = Json::array();
+    std::string text;
+    bool unreadable = false;
+    for (const Recipe& recipe : read.recipes) {
+        const Plan planned = plan(recipe, registry);
+        if (arguments.json) {
+            runs.push_back(json_of(planned, recipe));
+        } else {
+            text += text_of(planned, recipe);
+        }
+        unreadable = unreadable || std::any_of(planned.links.begin(), planned.links.end(),
+                                               [](const PlannedLink& link) { return !link.error.empty(); });
+    }
+    print(arguments.json ? Json{{"runs", runs}, {"variants", read.variants}}.dump(2) + "\n" : text);
+    if (!read.variants.empty() && arguments.variants.empty()) {
+        tell(fmt::format("without its variants: {}; --variant chooses", fmt::join(read.variants, ", ")));
+    }
+    return unreadable ? exit_code(ErrorCode::input) : 0;
+}
+
+} // namespace
+
+void add_plan(Program& program) {
+    CLI::App* command = add_command(program, "plan", "Say what a recipe would run, and what the cache holds of it",
+                                    "  foam plan configs/panda_22.yaml\n"
+                                    "  foam plan my_robot.yaml --variant fine --json");
+    auto arguments = std::make_shared<Arguments>();
+    command->add_option("recipe", arguments->recipe, "The recipe, a YAML file")->type_name("RECIPE")->required();
+    add_variants(*command, arguments->variants);
+    add_settings(*command, arguments->settings);
+    command->add_flag("--json", arguments->json, "Print the plan as JSON");
+    command->callback(
+        [&program, arguments] { program.action = [&program, arguments] { return plan_recipe(program, *arguments); }; });
+}
+
+} // namespace foam::cli

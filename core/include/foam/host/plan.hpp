@@ -1,0 +1,53 @@
+// What a run would do: its inputs found and read, nothing computed, nothing written.
+#pragma once
+
+#include <foam/host/run.hpp>
+
+#include <map>
+#include <optional>
+
+namespace foam {
+
+/// A stage as a run would call it.
+struct PlannedStage {
+    std::string stage, plugin, plugin_version;
+    std::map<std::string, ParameterValue> given; ///< parameters that are not left at their defaults
+    /// Results that the cache holds, of those that are needed. A spherizer under a robot-wide budget is asked for more
+    /// once the first are known: those count that it is asked for first.
+    std::size_t cached = 0, needed = 0;
+};
+
+struct PlannedLink {
+    std::string link;
+    std::vector<std::string> geometry;   ///< of each collision element: the mesh as written, or the primitive's kind
+    std::vector<LinkOverride> overrides; ///< of the recipe, that apply to it, in their order
+    bool skipped = false;
+    std::vector<PlannedStage> stages; ///< filters, then the spherizer; none if it is skipped or has an error
+    std::string error;                ///< why its geometry cannot be read
+};
+
+struct PlannedOutput {
+    PlannedStage writer;
+    std::string file; ///< relative to the run directory
+};
+
+struct PlannedFile {
+    std::filesystem::path file;
+    std::string digest;
+};
+
+struct Plan {
+    std::string input; ///< the candidate that is taken, as written
+    PlannedFile input_file;
+    std::vector<std::string> not_found; ///< the candidates before it
+    std::vector<PlannedFile> meshes;
+    std::vector<PlannedStage> stages; ///< of the recipe, without overrides
+    std::vector<PlannedLink> links;   ///< those with collision geometry
+    std::vector<PlannedOutput> outputs;
+    std::optional<PlannedStage> renderer; ///< absent: no pictures
+};
+
+/// Throws Error as run() does if there is no input or it cannot be read; errors of single links are kept with them.
+Plan plan(const Recipe& recipe, const Registry& registry, const RunOptions& options = {});
+
+} // namespace foam
