@@ -65,7 +65,13 @@ def row_of(key, schema, root):
     yield from rows(key + ".", schema, root)
 
 
+def keys_of(root):
+    """The keys of a recipe that stands for itself, and those that one over another has besides."""
+    whole, over = root["$defs"]["recipe"]["properties"], root["$defs"]["extending recipe"]["properties"]
+    return {"properties": whole | {key: schema for key, schema in over.items() if key not in whole}}
+
+
 def page_of(root, made):
     return (f"# Recipe\n\n{made}\nEvery key of a recipe. `NAME` stands for a name of your own: a link or a glob, a joint, a\n"
             "path of keys. The parameters of stages are on the pages of the [stages](stages.md).\n\n"
-            "| key | values | default | meaning |\n|---|---|---|---|\n" + "".join(rows("", root, root)))
+            "| key | values | default | meaning |\n|---|---|---|---|\n" + "".join(rows("", keys_of(root), root)))

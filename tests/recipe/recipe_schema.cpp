@@ -75,7 +75,8 @@ TEST(RecipeSchema, TheCommittedOneIsThatOfTheseStages) {
     ASSERT_TRUE(committed.is_object()) << file << " is no JSON object";
     const Json definitions = committed.value("$defs", Json::object());
     for (const auto& [name, unused] : definitions.items()) {
-        if (name.find('.') != std::string::npos && !registry.find(name)) {
+        const bool changed = name.starts_with("changed "); // of a recipe that extends another
+        if (name.find('.') != std::string::npos && !changed && !registry.find(name)) {
             GTEST_SKIP() << "this build has no stage " << name;
         }
     }
