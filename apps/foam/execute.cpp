@@ -54,6 +54,7 @@ RunResult execute(const Recipe& recipe, const Registry& registry, const std::fil
     run_options.out = directory;
     run_options.fresh = options.fresh;
     run_options.threads = options.threads;
+    run_options.accept = options.accept;
     Progress progress(options.verbose);
     run_options.observer = &progress;
     return run(recipe, registry, run_options);

@@ -6,6 +6,8 @@
 #include <foam/host/run.hpp>
 
 #include <filesystem>
+#include <functional>
+#include <string>
 
 namespace foam::cli {
 
@@ -13,6 +15,8 @@ struct ExecuteOptions {
     std::size_t threads = 0; ///< 0: all cores
     bool fresh = false;
     bool verbose = false;
+    /// Looks at the manifest before anything is put in place; see RunOptions.
+    std::function<void(const std::string& manifest)> accept;
 };
 
 /// `-j`, `--fresh` and `-v`.

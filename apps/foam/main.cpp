@@ -65,6 +65,7 @@ int run_program(int count, char** arguments) {
     Program program;
     add_run(program);
     add_spherize(program);
+    add_verify(program);
     add_check(program);
     add_plan(program);
     add_stages(program);

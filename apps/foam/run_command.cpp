@@ -2,8 +2,11 @@
 #include "summary.hpp"
 
 #include <foam/error.hpp>
+#include <foam/host/verify.hpp>
 
 #include <fmt/format.h>
+
+#include <optional>
 
 namespace foam::cli {
 namespace {
@@ -11,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Arguments {
-    std::string recipe, out;
+    std::string recipe, out, locked;
     std::vector<std::string> settings, variants;
     ExecuteOptions execute;
     bool json = false;
@@ -28,11 +31,37 @@ std::string files_text(const Recipe& recipe, const RunResult& result, const fs::
            fmt::format(" ({:.2f} s, CPU {:.2f} s)\n", result.seconds, result.cpu_seconds);
 }
 
-int run_recipe(Program& program, const Arguments& arguments) {
+/// Of a sweep, the one run that the manifest is of.
+void keep_locked(std::vector<Recipe>& recipes, const std::string& name, const std::string& manifest) {
+    if (recipes.size() > 1) {
+        std::erase_if(recipes, [&](const Recipe& recipe) { return recipe.name != name; });
+        if (recipes.empty()) {
+            throw Error(ErrorCode::usage,
+                        fmt::format("{} is of a run '{}', which is not among those of the recipe", manifest, name));
+        }
+    }
+}
+
+int run_recipe(Program& program, Arguments arguments) {
     Registry& registry = program.registry();
-    const RecipeResult read =
+    std::optional<Lock> lock;
+    if (!arguments.locked.empty()) {
+        lock.emplace(arguments.locked);
+        arguments.recipe = arguments.recipe.empty() ? lock->resolved_recipe().string() : arguments.recipe;
+        arguments.execute.accept = [&lock](const std::string& manifest) { lock->check_outputs(manifest); };
+    } else if (arguments.recipe.empty()) {
+        throw Error(ErrorCode::usage, "recipe is required; `foam run --help` says how to use it");
+    }
+    RecipeResult read =
         read_recipe(arguments.recipe, registry, settings_of(arguments.settings), arguments.variants);
+    if (lock && !read.ok()) {
+        lock->check_plugins(registry);
+    }
     require_ok(read, arguments.recipe);
+    if (lock) {
+        keep_locked(read.recipes, lock->name(), arguments.locked);
+        lock->check_start(read.recipes.front(), registry);
+    }
     int code = 0;
     nlohmann::ordered_json runs = nlohmann::ordered_json::array();
     for (const Recipe& recipe : read.recipes) {
@@ -62,9 +91,15 @@ void add_run(Program& program) {
                                     "  foam run configs/panda_22.yaml\n"
                                     "  foam run configs/panda_22.yaml --set budget.spheres=60 --out /tmp/panda_60\n"
                                     "  foam run configs/panda_22.yaml -j 4 --fresh --json\n"
-                                    "  foam run my_robot.yaml --variant fine");
+                                    "  foam run my_robot.yaml --variant fine\n"
+                                    "  foam run --locked manifest.json panda_22.yaml");
     auto arguments = std::make_shared<Arguments>();
-    command->add_option("recipe", arguments->recipe, "The recipe, a YAML file")->type_name("RECIPE")->required();
+    command->add_option("recipe", arguments->recipe, "The recipe, a YAML file")->type_name("RECIPE");
+    command
+        ->add_option("--locked", arguments->locked,
+                     "Refuse versions, inputs and settings other than this manifest's, and outputs of other bytes; "
+                     "without RECIPE: the recipe.resolved.yaml beside it")
+        ->type_name("MANIFEST");
     command->add_option("-o,--out", arguments->out, "Run directory; default: runs/NAME, NAME being the recipe's")
         ->type_name("DIR");
     add_variants(*command, arguments->variants);

@@ -60,7 +60,8 @@ TEST_F(Cli, SettingWithoutValue) {
 }
 
 TEST_F(Cli, EveryCommandHasHelpWithExamples) {
-    for (const char* command : {"run", "check", "spherize", "stages", "describe", "plugins", "schema", "version"}) {
+    for (const char* command :
+         {"run", "check", "spherize", "verify", "stages", "describe", "plugins", "schema", "version"}) {
         const Outcome outcome = foam(std::string(command) + " --help");
         EXPECT_EQ(outcome.code, 0) << command;
         EXPECT_EQ(outcome.err, "") << command;

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cfenv>
 #include <new>
 #include <regex>
 #include <set>
@@ -250,6 +251,19 @@ std::string lower(std::string_view text) {
     return result;
 }
 
+/// Puts rounding and the treatment of small numbers back: g++ links code into libraries made with -ffast-math that has
+/// the processor flush them to zero from then on, in all that the thread and its children compute.
+class SameArithmetic {
+public:
+    SameArithmetic() { std::fegetenv(&environment_); }
+    ~SameArithmetic() { std::fesetenv(&environment_); }
+    SameArithmetic(const SameArithmetic&) = delete;
+    SameArithmetic& operator=(const SameArithmetic&) = delete;
+
+private:
+    std::fenv_t environment_{};
+};
+
 } // namespace
 
 Registry::Registry() = default;
@@ -274,6 +288,7 @@ const PluginRecord& Registry::load(const fs::path& file) {
 }
 
 std::string Registry::try_load(const fs::path& file, PluginRecord& record) {
+    const SameArithmetic guard;
     if (const std::string why = writable_by_others(file); !why.empty()) {
         return why;
     }

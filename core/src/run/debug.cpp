@@ -43,16 +43,18 @@ std::string to_ply(const Mesh& mesh) {
     return bytes;
 }
 
-std::vector<std::filesystem::path> write_debug_meshes(const Workspace& workspace, const FinishedModel& finished,
-                                                      const RunDirectory& directory) {
-    std::vector<std::vector<std::filesystem::path>> files(finished.links.size());
+std::vector<OutputFile> write_debug_meshes(const Workspace& workspace, const FinishedModel& finished,
+                                           const RunDirectory& directory) {
+    std::vector<std::vector<OutputFile>> files(finished.links.size());
     parallel_for(finished.links.size(), [&](std::size_t l) {
         workspace.check_cancelled();
         const LinkWork& link = *finished.links[l].work;
         const std::filesystem::path folder = std::filesystem::path("links") / folder_name(link.link->name);
         const auto write = [&](std::size_t number, const std::string& stage, const Mesh& mesh) {
-            files[l].push_back(folder / fmt::format("{:02}-{}.ply", number, stage));
-            directory.write(files[l].back(), to_ply(mesh));
+            const std::filesystem::path file = folder / fmt::format("{:02}-{}.ply", number, stage);
+            const std::string bytes = to_ply(mesh);
+            directory.write(file, bytes);
+            files[l].push_back({"", file.string(), digest_of(bytes), bytes.size()});
         };
         write(0, "original", link_mesh(link, 0));
         const auto& filters = link.recipe.filters;
@@ -68,7 +70,7 @@ std::vector<std::filesystem::path> write_debug_meshes(const Workspace& workspace
         }
         write(filters.size() + 1, link.recipe.spherizer.stage, spheres);
     });
-    std::vector<std::filesystem::path> all;
+    std::vector<OutputFile> all;
     for (const auto& list : files) {
         all.insert(all.end(), list.begin(), list.end());
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "links.hpp"
+#include "output.hpp"
 #include "run_directory.hpp"
 
 #include <filesystem>
@@ -11,8 +12,8 @@
 namespace foam {
 
 /// links/<link>/<nn>-<stage>.ply: the link after each stage, link frame; spheres as closed meshes. Returns the files.
-std::vector<std::filesystem::path> write_debug_meshes(const Workspace& workspace, const FinishedModel& finished,
-                                                      const RunDirectory& directory);
+std::vector<OutputFile> write_debug_meshes(const Workspace& workspace, const FinishedModel& finished,
+                                           const RunDirectory& directory);
 
 /// snapshots/robot.png and links/<link>/spheres.png (recipe: snapshots), links/<link>/stages.png (recipe:
 /// debug.snapshots).

@@ -66,6 +66,50 @@ Hasher& Hasher::add(const Primitive& primitive) {
     return add(to_string(primitive.kind)).add(primitive.size).add(primitive.radius).add(primitive.length);
 }
 
+Hasher& Hasher::add(const SphereTree& tree) {
+    add(static_cast<std::uint64_t>(tree.levels.size()));
+    for (const SphereTree::Level& level : tree.levels) {
+        add(static_cast<std::uint64_t>(level.spheres.size()));
+        for (const Sphere& sphere : level.spheres) {
+            add(sphere.center).add(sphere.radius);
+        }
+        add(static_cast<std::uint64_t>(level.parents.size()));
+        bytes(level.parents.data(), level.parents.size() * sizeof(std::uint32_t));
+    }
+    return *this;
+}
+
+Hasher& Hasher::add(const Measures& m) {
+    add(static_cast<std::uint64_t>(m.spheres)).add(static_cast<std::uint64_t>(m.certified));
+    for (const double figure : {m.area, m.volume, m.covered, m.gap, m.excess, m.excess_error, m.missing,
+                                m.missing_error, m.exposed_area, m.protrusion_max, m.protrusion_mean, m.excess_volume,
+                                m.missing_volume, m.excess_volume_error, m.missing_volume_error}) {
+        add(figure);
+    }
+    return *this;
+}
+
+Hasher& Hasher::add(const Robot& robot) {
+    add(robot.name).add(robot.root).add(static_cast<std::uint64_t>(robot.links.size()));
+    for (const Link& link : robot.links) {
+        add(link.name).add(static_cast<std::uint64_t>(link.collisions.size()));
+        for (const GeometryElement& element : link.collisions) {
+            add(element.origin).add(element.name);
+            if (const auto* mesh = std::get_if<MeshReference>(&element.geometry)) {
+                add("mesh").add(mesh->uri).add(mesh->scale);
+            } else {
+                add("primitive").add(std::get<Primitive>(element.geometry));
+            }
+        }
+    }
+    add(static_cast<std::uint64_t>(robot.joints.size()));
+    for (const Joint& joint : robot.joints) {
+        add(joint.name).add(static_cast<std::uint64_t>(joint.kind)).add(joint.parent).add(joint.child);
+        add(joint.origin).add(joint.axis).add(joint.lower).add(joint.upper);
+    }
+    return *this;
+}
+
 Hasher& Hasher::add(const StageCall& call, const Registry& registry) {
     const RegisteredStage* stage = registry.find(call.stage);
     add(call.stage);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <foam/host/recipe.hpp>
+#include <foam/measure.hpp>
 #include <foam/mesh.hpp>
+#include <foam/robot.hpp>
 #include <foam/sphere.hpp>
 
 #include <cstdint>
@@ -31,6 +33,10 @@ public:
     Hasher& add(const Pose& pose);
     Hasher& add(const Mesh& mesh);
     Hasher& add(const Primitive& primitive);
+    Hasher& add(const SphereTree& tree);
+    Hasher& add(const Measures& measures);
+    /// Links, their collision elements and joints; not where files lie, nor what is only drawn.
+    Hasher& add(const Robot& robot);
     /// A stage as it acts: name, revision, all parameters that affect its output, defaults included.
     Hasher& add(const StageCall& call, const Registry& registry);
     Digest finish() const;
@@ -42,5 +48,9 @@ private:
 };
 
 Digest digest_of(std::string_view bytes);
+/// Of a mesh, a tree, measures or a robot.
+template <class T> Digest digest_of_content(const T& content) {
+    return Hasher().add(content).finish();
+}
 
 } // namespace foam

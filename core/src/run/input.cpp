@@ -75,6 +75,12 @@ Robot robot_of_mesh(const fs::path& file, const std::string& reference) {
     return robot;
 }
 
+/// How outputs name a single mesh: a URI as it is written; of a path only the file's name, so that the same recipe
+/// gives the same bytes wherever it lies.
+std::string portable_reference(const Input& input) {
+    return input.chosen.find("://") != std::string::npos ? input.chosen : input.file.filename().string();
+}
+
 std::string extension_of(const fs::path& file) {
     const std::string extension = file.extension().string();
     return extension.empty() ? "" : extension.substr(1);
@@ -110,8 +116,11 @@ Input load_input(const Workspace& workspace) {
     input.file = resolve_input(workspace.recipe, &input.chosen).path;
     const std::string text = read_file(input.file);
     input.digest = digest_of(text);
+    input.bytes = text.size();
+    input.report.input = input.file.filename().string();
     if (workspace.recipe.urdf.empty()) {
-        input.robot = std::make_shared<const Robot>(robot_of_mesh(input.file, input.chosen));
+        input.robot = std::make_shared<const Robot>(robot_of_mesh(input.file, portable_reference(input)));
+        input.report.output = digest_of_content(*input.robot);
         return input;
     }
     const RegisteredStage* loader =
@@ -123,13 +132,13 @@ Input load_input(const Workspace& workspace) {
         throw Error(ErrorCode::plugin,
                     "no plugin can read URDF files; `foam plugins --why` says what was loaded and why not");
     }
-    StageReport report;
-    input.robot =
-        run_stage(workspace, loader->info.name, "", input.file.string(), input.digest, report, [&](Context& context) {
+    input.robot = run_stage(
+        workspace, loader->info.name, "", input.file.string(), input.digest, input.report, [&](Context& context) {
             const auto stage = workspace.registry.make<RobotLoader>(
                 loader->info.name, workspace.recipe.loader_parameters(loader->info.name));
             return std::make_shared<const Robot>(stage->load(text, input.file, resolver_of(workspace.recipe), context));
         });
+    input.report.output = digest_of_content(*input.robot);
     return input;
 }
 

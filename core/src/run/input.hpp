@@ -15,6 +15,8 @@ struct Input {
     std::filesystem::path file;
     std::shared_ptr<const Robot> robot; ///< a single mesh becomes a robot of one link
     Digest digest;                      ///< of the file
+    std::size_t bytes = 0;              ///< of the file
+    StageReport report;                 ///< of the loader; its stage is empty for a single mesh
 };
 
 /// Takes the first candidate that resolves. Throws Error(input) naming every place tried, or what is wrong with the

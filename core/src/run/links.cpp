@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace foam {
 namespace {
@@ -69,25 +70,28 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
     result.model.robot = std::move(robot);
     result.model.groups.resize(groups.size());
     std::vector<double> growth(groups.size());
+    std::vector<std::array<StageReport, 2>> reports(groups.size());
     workspace.journal.expect(2 * groups.size());
     parallel_for(groups.size(), [&](std::size_t g) {
         LinkWork& link = links[groups[g].link];
-        StageReport report;
+        auto& [covering, measuring] = reports[g];
         SphereGroup& out = result.model.groups[g];
         out.link = link.link->name;
         for (const std::size_t e : groups[g].elements) {
             out.geometries.push_back(link.elements[e].geometry);
         }
         const auto solid = solid_of(link, groups[g].elements);
+        covering.input = measuring.input = out.geometries.front();
         FinishedTree finished =
-            run_stage(workspace, "cover", out.link, out.geometries.front(), "", report, [&](Context&) {
+            run_stage(workspace, "cover", out.link, out.geometries.front(), "", covering, [&](Context&) {
                 return finished_tree(*solid, std::move(groups[g].tree), workspace.recipe.guarantee);
             });
         out.tree = std::move(finished.tree);
+        covering.output = digest_of_content(out.tree);
         growth[g] = finished.growth;
-        StageReport measuring;
         out.measures = run_stage(workspace, "measure", out.link, out.geometries.front(), "", measuring,
                                  [&](Context&) { return measured(workspace, *solid, out.tree.finest()); });
+        measuring.output = digest_of_content(out.measures);
     });
     for (std::size_t l = 0; l < links.size(); ++l) {
         FinishedLink link;
@@ -99,6 +103,7 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
                 link.spheres.insert(link.spheres.end(), spheres.begin(), spheres.end());
                 links[l].report.growth = std::max(links[l].report.growth, growth[g]);
                 links[l].report.measures = result.model.groups[g].measures;
+                links[l].report.stages.insert(links[l].report.stages.end(), reports[g].begin(), reports[g].end());
                 ++parts;
             }
         }

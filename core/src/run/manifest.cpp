@@ -1,7 +1,13 @@
 #include "manifest.hpp"
 
+#include "files.hpp"
+#include "settings.hpp"
+
+#include <foam/host/version.hpp>
+
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <set>
 
 namespace foam {
@@ -31,18 +37,10 @@ Json to_json(const Measures& m) {
             {"area_m2", m.area}};
 }
 
-Json to_json(const StageReport& report) {
-    Json metrics = Json::object();
-    for (const auto& metric : report.metrics) {
-        metrics[metric.name] = {{"value", metric.value}, {"unit", metric.unit}};
-    }
-    return {{"stage", report.stage}, {"seconds", report.seconds}, {"cached", report.cached}, {"metrics", metrics}};
-}
-
 Json to_json(const LinkReport& report) {
     Json stages = Json::array();
     for (const StageReport& stage : report.stages) {
-        stages.push_back(to_json(stage));
+        stages.push_back({{"stage", stage.stage}, {"input", stage.input}, {"output", stage.output}});
     }
     Json link{{"link", report.link}, {"stages", stages}};
     if (report.skipped) {
@@ -56,9 +54,43 @@ Json to_json(const LinkReport& report) {
     return link;
 }
 
-/// The plugins whose stages the recipe or its loaders use.
-Json plugins_used(const Workspace& workspace, const RunResult& result) {
-    std::set<std::string> stages{workspace.recipe.spherizer.stage, "load.urdf"};
+Json to_json(const InputFile& mesh) {
+    return {{"file", mesh.reference}, {"digest", mesh.digest}, {"bytes", mesh.bytes}};
+}
+
+Json to_json(const OutputFile& output) {
+    Json json{{"file", output.file}, {"digest", output.digest}, {"bytes", output.bytes}};
+    if (!output.stage.empty()) {
+        json["stage"] = output.stage;
+    }
+    return json;
+}
+
+template <class T> Json to_json(const std::vector<T>& list) {
+    Json json = Json::array();
+    for (const T& entry : list) {
+        json.push_back(to_json(entry));
+    }
+    return json;
+}
+
+/// Digest of a plugin's file, which tells builds of one version apart; null if the file has gone meanwhile.
+Json build_of(const std::string& plugin, const Registry& registry) {
+    for (const PluginRecord& record : registry.plugins()) {
+        if (record.loaded() && record.name == plugin) {
+            try {
+                return digest_of(read_file(record.file));
+            } catch (const Error&) {
+                return nullptr;
+            }
+        }
+    }
+    return nullptr;
+}
+
+/// The plugins whose stages made the outputs.
+Json plugins_used(const Workspace& workspace, const RunFiles& files, const RunResult& result) {
+    std::set<std::string> stages{workspace.recipe.spherizer.stage, files.input.report.stage};
     for (const OutputCall& output : workspace.recipe.outputs) {
         stages.insert(output.writer.stage);
     }
@@ -67,16 +99,41 @@ Json plugins_used(const Workspace& workspace, const RunResult& result) {
             stages.insert(stage.stage);
         }
     }
-    Json used = Json::array();
-    std::set<std::string> names;
+    std::map<std::string, const RegisteredStage*> used;
     for (const std::string& stage : stages) {
-        const RegisteredStage* found = workspace.registry.find(stage);
-        if (found && names.insert(found->plugin).second) {
-            used.push_back(
-                {{"plugin", found->plugin}, {"version", found->plugin_version}, {"license", found->license}});
+        if (const RegisteredStage* found = workspace.registry.find(stage)) {
+            used.emplace(found->plugin, found);
+            for (const std::string& other : found->info.uses) {
+                if (const RegisteredStage* inner = workspace.registry.find(other)) {
+                    used.emplace(inner->plugin, inner);
+                }
+            }
         }
     }
-    return used;
+    Json list = Json::array();
+    for (const auto& [name, stage] : used) {
+        list.push_back({{"plugin", name},
+                        {"version", stage->plugin_version},
+                        {"license", stage->license},
+                        {"build", build_of(name, workspace.registry)}});
+    }
+    return list;
+}
+
+Json timings_of(const LinkReport& link) {
+    Json stages = Json::array();
+    for (const StageReport& stage : link.stages) {
+        Json metrics = Json::object();
+        for (const auto& metric : stage.metrics) {
+            metrics[metric.name] = {{"value", metric.value}, {"unit", metric.unit}};
+        }
+        stages.push_back({{"stage", stage.stage},
+                          {"input", stage.input},
+                          {"seconds", stage.seconds},
+                          {"cached", stage.cached},
+                          {"metrics", metrics}});
+    }
+    return {{"link", link.link}, {"stages", stages}};
 }
 
 /// The recipe's file and those that it extends, and what was chosen of it.
@@ -91,46 +148,56 @@ Json recipe_files(const Recipe& recipe) {
     return files;
 }
 
+Json execution_of(const Workspace& workspace, const RunFiles& files, const RunResult& result) {
+    const Recipe& recipe = workspace.recipe;
+    Json execution{{"recipe", recipe_files(recipe)},
+                   {"input",
+                    {{"taken", files.input.chosen},
+                     {"candidates", recipe.urdf.empty() ? recipe.mesh : recipe.urdf},
+                     {"file", files.input.file.string()}}},
+                   {"mesh_files", Json::array()},
+                   {"threads", thread_count()},
+                   {"seconds", result.seconds},
+                   {"cpu_seconds", result.cpu_seconds},
+                   {"links", Json::array()},
+                   {"findings", Json::array()}};
+    for (const InputFile& mesh : files.meshes) {
+        execution["mesh_files"].push_back(mesh.file.string());
+    }
+    for (const LinkReport& link : result.links) {
+        execution["links"].push_back(timings_of(link));
+    }
+    for (const Finding& finding : result.findings) {
+        execution["findings"].push_back({{"severity", text(finding.severity)},
+                                         {"link", finding.link},
+                                         {"stage", finding.stage},
+                                         {"message", finding.message}});
+    }
+    return execution;
+}
+
 } // namespace
 
-std::string manifest_json(const Workspace& workspace, const Input& input, const std::vector<InputFile>& meshes,
-                          const std::vector<OutputFile>& outputs, const RunResult& result) {
-    Json manifest;
-    manifest["foam_manifest"] = 1;
-    manifest["foam_version"] = FOAM_VERSION;
-    manifest["name"] = workspace.recipe.name;
-    manifest["seed"] = workspace.recipe.seed;
-    manifest["recipe"] = recipe_files(workspace.recipe);
-    manifest["input"] = {{"taken", input.chosen},
-                         {"candidates", workspace.recipe.urdf.empty() ? workspace.recipe.mesh : workspace.recipe.urdf},
-                         {"file", input.file.string()},
-                         {"digest", input.digest}};
-    manifest["mesh_files"] = Json::array();
-    for (const InputFile& mesh : meshes) {
-        manifest["mesh_files"].push_back(
-            {{"file", mesh.file.string()}, {"digest", mesh.digest}, {"bytes", mesh.bytes}});
-    }
-    manifest["plugins"] = plugins_used(workspace, result);
-    manifest["outputs"] = Json::array();
-    for (const OutputFile& output : outputs) {
-        manifest["outputs"].push_back({{"file", output.file}, {"digest", output.digest}, {"bytes", output.bytes}});
-    }
-    manifest["certified"] = result.certified;
-    manifest["total"] = to_json(result.total);
-    manifest["links"] = Json::array();
-    for (const LinkReport& link : result.links) {
-        manifest["links"].push_back(to_json(link));
-    }
-    manifest["findings"] = Json::array();
-    for (const Finding& finding : result.findings) {
-        manifest["findings"].push_back({{"severity", text(finding.severity)},
-                                        {"link", finding.link},
-                                        {"stage", finding.stage},
-                                        {"message", finding.message}});
-    }
-    manifest["threads"] = thread_count();
-    manifest["seconds"] = result.seconds;
-    manifest["cpu_seconds"] = result.cpu_seconds;
+std::string manifest_json(const Workspace& workspace, const RunFiles& files, const RunResult& result) {
+    const StageReport& loading = files.input.report;
+    const Json manifest{{"foam_manifest", 1},
+                        {"foam_version", version()},
+                        {"libraries", library_versions()},
+                        {"plugins", plugins_used(workspace, files, result)},
+                        {"settings", settings_of(workspace.recipe, workspace.registry)},
+                        {"input",
+                         {{"file", loading.input},
+                          {"digest", files.input.digest},
+                          {"bytes", files.input.bytes},
+                          {"stage", loading.stage},
+                          {"output", loading.output}}},
+                        {"mesh_files", to_json(files.meshes)},
+                        {"links", to_json(result.links)},
+                        {"certified", result.certified},
+                        {"total", to_json(result.total)},
+                        {"outputs", to_json(files.outputs)},
+                        {"debug_meshes", to_json(files.debug_meshes)},
+                        {"execution", execution_of(workspace, files, result)}};
     return manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -50,7 +50,7 @@ std::vector<OutputFile> write_outputs(const Workspace& workspace, const Finished
                 return text;
             });
         directory.write(output.file, bytes);
-        files[i] = {output.file, digest_of(bytes), bytes.size()};
+        files[i] = {output.writer.stage, output.file, digest_of(bytes), bytes.size()};
     });
     return files;
 }

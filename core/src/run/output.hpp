@@ -10,7 +10,8 @@
 namespace foam {
 
 struct OutputFile {
-    std::string file; ///< relative to the run directory
+    std::string stage; ///< the writer; empty for a debug mesh
+    std::string file;  ///< relative to the run directory
     Digest digest;
     std::size_t bytes = 0;
 };

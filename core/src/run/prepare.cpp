@@ -93,6 +93,11 @@ std::vector<LoadTask> load_tasks(const std::vector<LinkWork>& links) {
     return tasks;
 }
 
+InputFile input_file(const MeshReference& reference) {
+    const std::string bytes = read_file(reference.path);
+    return {reference.uri, reference.path, digest_of(bytes), bytes.size()};
+}
+
 void load(const Workspace& workspace, const std::vector<LinkWork>& links, LoadTask& task) {
     const std::filesystem::path& path = task.reference.path;
     const std::string& link = links[task.targets.front().link].link->name;
@@ -105,8 +110,8 @@ void load(const Workspace& workspace, const std::vector<LinkWork>& links, LoadTa
                                 "STL, OBJ, PLY, DAE, OFF or GLB",
                                 link, path.string(), extension));
     }
-    const std::string bytes = read_file(path);
-    task.file = {path, digest_of(bytes), bytes.size()};
+    task.file = input_file(task.reference);
+    task.report.input = task.reference.uri;
     task.mesh = run_stage(workspace, loader->info.name, link, path.string(), task.file.digest, task.report,
                           [&](Context& context) {
                               const Mesh mesh = call_loader(workspace, loader->info.name, path, context);
@@ -119,6 +124,7 @@ void load(const Workspace& workspace, const std::vector<LinkWork>& links, LoadTa
                         fmt::format("link '{}': {}: a vertex is not finite after scaling", link, path.string()));
         }
     }
+    task.report.output = digest_of_content(*task.mesh);
 }
 
 void filter(const Workspace& workspace, const std::vector<LinkWork>& links, FilterTask& task) {
@@ -127,9 +133,10 @@ void filter(const Workspace& workspace, const std::vector<LinkWork>& links, Filt
     const std::string& input = links[l].elements[e].geometry;
     std::shared_ptr<const Mesh> mesh = task.mesh;
     for (const StageCall& call : task.filters) {
-        const Digest content = Hasher().add(*mesh).finish();
+        const Digest content = digest_of_content(*mesh);
         const Digest key = filter_key(workspace, call, content);
         StageReport& report = task.reports.emplace_back();
+        report.input = input;
         if (auto cached = workspace.cache.mesh(key)) {
             report.stage = call.stage;
             report.cached = true;
@@ -143,6 +150,7 @@ void filter(const Workspace& workspace, const std::vector<LinkWork>& links, Filt
             });
             workspace.cache.put(key, *mesh);
         }
+        report.output = digest_of_content(*mesh);
         task.results.push_back(mesh);
     }
 }
@@ -194,7 +202,9 @@ std::vector<LinkWork> load_links(const Workspace& workspace, const Robot& robot,
     workspace.journal.expect(loads.size());
     run_all(loads, [&](LoadTask& task) { load(workspace, links, task); });
     for (const LoadTask& task : loads) {
-        files.push_back(task.file);
+        if (!task.file.digest.empty()) { // it could be read
+            files.push_back(task.file);
+        }
         for (const auto [l, e] : task.targets) {
             links[l].elements[e].raw = task.mesh;
             links[l].report.stages.push_back(task.report);
@@ -223,6 +233,18 @@ std::vector<LinkWork> prepare_links(const Workspace& workspace, const Robot& rob
         }
     }
     return links;
+}
+
+std::vector<InputFile> mesh_files(const Workspace& workspace, const Robot& robot) {
+    std::vector<InputFile> files;
+    for (const LoadTask& task : load_tasks(links_to_do(workspace, robot))) {
+        try {
+            files.push_back(input_file(task.reference));
+        } catch (const Error&) {
+            continue; // not among the inputs of a run, either
+        }
+    }
+    return files;
 }
 
 } // namespace foam

@@ -25,6 +25,7 @@ struct Element {
 };
 
 struct InputFile {
+    std::string reference; ///< as written in the robot
     std::filesystem::path file;
     Digest digest;
     std::size_t bytes = 0;
@@ -65,5 +66,8 @@ Digest filter_key(const Workspace& workspace, const StageCall& filter, const Dig
 /// One entry for every link with collision geometry, in the robot's order; errors are kept in the entry, except
 /// cancellation, which is thrown. `files`: the mesh files that were read.
 std::vector<LinkWork> prepare_links(const Workspace& workspace, const Robot& robot, std::vector<InputFile>& files);
+
+/// The mesh files that prepare_links() would read, without loading them; those that cannot be read are left out.
+std::vector<InputFile> mesh_files(const Workspace& workspace, const Robot& robot);
 
 } // namespace foam

@@ -73,8 +73,8 @@ RunResult run(const Recipe& recipe, const Registry& registry, const RunOptions& 
     result.input_file = input.file;
     journal.emit(Event::Kind::run_started, input.file.string());
 
-    std::vector<InputFile> meshes;
-    std::vector<LinkWork> links = prepare_links(workspace, *input.robot, meshes);
+    RunFiles files{.input = input, .meshes = {}, .outputs = {}, .debug_meshes = {}};
+    std::vector<LinkWork> links = prepare_links(workspace, *input.robot, files.meshes);
     if (links.empty()) {
         throw Error(ErrorCode::input,
                     fmt::format("{}: no link has collision geometry: there is nothing to turn into spheres",
@@ -88,15 +88,15 @@ RunResult run(const Recipe& recipe, const Registry& registry, const RunOptions& 
                     fmt::format("{}: every link was skipped: there is nothing to write", input.file.string()));
     }
 
-    std::vector<OutputFile> outputs;
     if (directory) {
-        outputs = write_outputs(workspace, finished, *directory);
-        for (const OutputFile& output : outputs) {
-            result.files.emplace_back(output.file);
-        }
+        files.outputs = write_outputs(workspace, finished, *directory);
         if (recipe.debug_meshes) {
-            const auto files = write_debug_meshes(workspace, finished, *directory);
-            result.files.insert(result.files.end(), files.begin(), files.end());
+            files.debug_meshes = write_debug_meshes(workspace, finished, *directory);
+        }
+        for (const auto* written : {&files.outputs, &files.debug_meshes}) {
+            for (const OutputFile& file : *written) {
+                result.files.emplace_back(file.file);
+            }
         }
         const auto pictures = write_snapshots(workspace, finished, *directory);
         result.files.insert(result.files.end(), pictures.begin(), pictures.end());
@@ -105,7 +105,11 @@ RunResult run(const Recipe& recipe, const Registry& registry, const RunOptions& 
     fill_result(result, journal, links, cpu_begin);
     if (directory) {
         directory->write("recipe.resolved.yaml", to_yaml(recipe, registry, true));
-        directory->write("manifest.json", manifest_json(workspace, input, meshes, outputs, result));
+        const std::string manifest = manifest_json(workspace, files, result);
+        if (options.accept) {
+            options.accept(manifest);
+        }
+        directory->write("manifest.json", manifest);
         journal.emit(Event::Kind::run_finished);
         directory->write("events.jsonl", journal.events_jsonl());
         workspace.check_cancelled();

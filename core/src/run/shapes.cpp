@@ -127,15 +127,28 @@ Digest tree_key(const Workspace& workspace, const ShapeWork& work, std::size_t c
     return hasher.add(workspace.recipe.budget_max_protrusion.value_or(-1)).finish();
 }
 
+/// One tree for each budget, checked.
+static std::vector<SphereTree> run_spherizer(const Workspace& workspace, ShapeWork& work,
+                                             const std::vector<Budget>& budgets) {
+    return run_stage(
+        workspace, work.spherizer.stage, work.link, work.input, work.digest, work.report, [&](Context& context) {
+            std::vector<SphereTree> made = call_spherizer(workspace, work.spherizer, *work.shape, budgets, context);
+            if (made.size() != budgets.size()) {
+                throw Error(ErrorCode::plugin, fmt::format("the spherizer broke its contract: {} trees for {} budgets",
+                                                           made.size(), budgets.size()));
+            }
+            for (std::size_t i = 0; i < made.size(); ++i) {
+                check_tree(made[i], budgets[i]);
+            }
+            return made;
+        });
+}
+
 void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts) {
     std::vector<Budget> budgets;
     std::vector<Digest> keys;
     std::vector<std::size_t> missing;
-    const auto keep = [&](std::size_t count, SphereTree tree) {
-        const std::size_t got = tree.finest().size();
-        work.asked[count] = got;
-        work.trees.try_emplace(got, std::move(tree));
-    };
+    std::map<std::size_t, SphereTree> known; // by the count asked for
     for (const std::size_t count : counts) {
         if (work.asked.contains(count)) {
             continue;
@@ -148,7 +161,7 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
         }
         const Digest key = tree_key(workspace, work, count);
         if (auto cached = workspace.cache.tree(key)) {
-            keep(count, std::move(*cached));
+            known.emplace(count, std::move(*cached));
             continue;
         }
         budgets.push_back(budget);
@@ -156,24 +169,18 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
         missing.push_back(count);
     }
     work.report.cached = missing.empty() && (work.report.cached || work.report.seconds == 0);
-    if (missing.empty()) {
-        return;
+    if (!missing.empty()) {
+        const std::vector<SphereTree> trees = run_spherizer(workspace, work, budgets);
+        for (std::size_t i = 0; i < trees.size(); ++i) {
+            workspace.cache.put(keys[i], trees[i]);
+            known.emplace(missing[i], trees[i]);
+        }
     }
-    const std::vector<SphereTree> trees = run_stage(
-        workspace, work.spherizer.stage, work.link, work.input, work.digest, work.report, [&](Context& context) {
-            std::vector<SphereTree> made = call_spherizer(workspace, work.spherizer, *work.shape, budgets, context);
-            if (made.size() != budgets.size()) {
-                throw Error(ErrorCode::plugin, fmt::format("the spherizer broke its contract: {} trees for {} budgets",
-                                                           made.size(), budgets.size()));
-            }
-            for (std::size_t i = 0; i < made.size(); ++i) {
-                check_tree(made[i], budgets[i]);
-            }
-            return made;
-        });
-    for (std::size_t i = 0; i < trees.size(); ++i) {
-        workspace.cache.put(keys[i], trees[i]);
-        keep(missing[i], trees[i]);
+    // By count, whatever the cache held: of two trees of one size the one that was asked for less stays.
+    for (auto& [count, tree] : known) {
+        const std::size_t got = tree.finest().size();
+        work.asked[count] = got;
+        work.trees.try_emplace(got, std::move(tree));
     }
 }
 

@@ -33,6 +33,7 @@ std::vector<Group> spherize_links(const Workspace& workspace, std::vector<LinkWo
         const ShapeWork& work = shapes[groups[g].shape];
         LinkWork& link = links[groups[g].link];
         link.report.stages.push_back(work.report);
+        link.report.stages.back().input = link.elements[groups[g].elements.front()].geometry;
         if (work.error) {
             if (!link.error) {
                 link.error.emplace(*work.error);
@@ -40,6 +41,7 @@ std::vector<Group> spherize_links(const Workspace& workspace, std::vector<LinkWo
             continue;
         }
         groups[g].tree = moved(work.trees.at(counts[g]), groups[g].frame);
+        link.report.stages.back().output = digest_of_content(groups[g].tree);
         done.push_back(std::move(groups[g]));
     }
     std::erase_if(done, [&](const Group& group) { return links[group.link].error.has_value(); });

@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,8 @@ struct RunOptions {
     /// serve_isolated_call(). Empty: this one, if its main() does; else a recipe that isolates a stage is refused.
     std::filesystem::path program;
     std::filesystem::path cache; ///< empty: $XDG_CACHE_HOME/foam or ~/.cache/foam
+    /// Called with the manifest before the run directory is put in place; what it throws ends the run.
+    std::function<void(const std::string& manifest)> accept;
 };
 
 /// A message of a stage about a link.
@@ -52,6 +55,8 @@ struct Finding {
 
 struct StageReport {
     std::string stage;
+    std::string input;  ///< what it worked on: a mesh reference as written, a primitive's kind
+    std::string output; ///< content digest of what it made, the same whether made or taken from the cache
     double seconds = 0;
     bool cached = false;
     struct Metric {
@@ -64,8 +69,8 @@ struct StageReport {
 
 struct LinkReport {
     std::string link;
-    std::vector<StageReport> stages;
-    double growth = 0; ///< m; largest growth of a radius that cover took
+    std::vector<StageReport> stages; ///< in the order of the work, cover and measure at the end
+    double growth = 0;               ///< m; largest growth of a radius that cover took
     Measures measures;
     bool skipped = false; ///< by the recipe
     std::string error;    ///< why it was lost; empty if it was not

@@ -1,0 +1,22 @@
+// The inputs that a recipe has here and now, without loading a mesh.
+#pragma once
+
+#include "record.hpp"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace foam {
+
+struct InputsHere {
+    std::vector<Checkpoint> digests; ///< as in Record::inputs
+    std::map<std::string, std::filesystem::path> files;
+};
+
+/// The robot or mesh file and the mesh files of its links; those that cannot be read are left out. Throws Error for a
+/// robot that is not found or cannot be loaded.
+InputsHere inputs_here(const Recipe& recipe, const Registry& registry);
+
+} // namespace foam
