@@ -147,10 +147,10 @@ TEST_F(CliRecipe, VariantsHaveFoldersOfTheirOwnAndTheManifestNamesEveryFile) {
         const auto folder = path() / "runs" / name;
         EXPECT_TRUE(std::filesystem::exists(folder / "box.csv")) << name;
         const json manifest = json::parse(contents(folder / "manifest.json"));
-        EXPECT_EQ(manifest["recipe"]["file"], "mine/composed.yaml");
-        EXPECT_EQ(manifest["recipe"]["extends"][0]["file"], "mine/../box.yaml");
-        EXPECT_EQ(manifest["recipe"]["extends"][0]["digest"].get<std::string>().size(), 32u);
-        EXPECT_EQ(manifest["recipe"]["variant"], std::string(name).find("small") == 9 ? "small" : "alone");
+        EXPECT_EQ(manifest["execution"]["recipe"]["file"], "mine/composed.yaml");
+        EXPECT_EQ(manifest["execution"]["recipe"]["extends"][0]["file"], "mine/../box.yaml");
+        EXPECT_EQ(manifest["execution"]["recipe"]["extends"][0]["digest"].get<std::string>().size(), 32u);
+        EXPECT_EQ(manifest["execution"]["recipe"]["variant"], std::string(name).find("small") == 9 ? "small" : "alone");
     }
 }
 

@@ -327,7 +327,7 @@ std::string recipe_schema(const Registry& registry) {
     }
     for (const auto& [name, stage] : registry.stages()) {
         definitions[name] = parameters_of(stage);
-        if (stage.kind == StageKind::mesh_filter || stage.kind == StageKind::spherizer) {
+        if (stage.kind != StageKind::renderer && stage.kind != StageKind::writer) {
             definitions["changed " + name] = laid_over(parameters_of(stage));
         }
     }
