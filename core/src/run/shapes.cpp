@@ -120,6 +120,15 @@ static void check_tree(const SphereTree& tree, const Budget& budget) {
     }
 }
 
+/// The sphere that a shape is, if it is one: no spherizer could do better.
+static std::optional<Sphere> as_sphere(const Solid& solid) {
+    const Solid::Part& part = solid.parts().front();
+    if (solid.parts().size() > 1 || !part.primitive || part.primitive->kind != Primitive::Kind::sphere) {
+        return {};
+    }
+    return Sphere{part.pose.translation, part.primitive->radius};
+}
+
 void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts) {
     std::vector<Budget> budgets;
     std::vector<Digest> keys;
@@ -129,8 +138,13 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
         work.asked[count] = got;
         work.trees.try_emplace(got, std::move(tree));
     };
+    const auto sphere = as_sphere(work.shape->original());
     for (const std::size_t count : counts) {
         if (work.asked.contains(count)) {
+            continue;
+        }
+        if (sphere) {
+            keep(count, flat_tree({*sphere}));
             continue;
         }
         Budget budget;
