@@ -207,6 +207,15 @@ MedialAxis::MedialAxis(std::vector<Vec3> surface, std::function<bool(const Spher
     : diagram_(std::make_unique<Diagram>(std::move(surface), std::move(inside))) {}
 MedialAxis::~MedialAxis() = default;
 
+void MedialAxis::take_all(Context& context) {
+    for (std::size_t i = 0; i < diagram_->surface.size(); ++i) {
+        if (!diagram_->used[i]) {
+            context.check_cancelled();
+            diagram_->insert(i);
+        }
+    }
+}
+
 void MedialAxis::refine(std::size_t count, std::span<const Vec3> cover, Context& context) {
     // Three quarters for the spheres that protrude, the rest for what no sphere holds.
     const std::size_t adaptive = count - count / 4;

@@ -23,6 +23,8 @@ public:
     MedialAxis(const MedialAxis&) = delete;
     MedialAxis& operator=(const MedialAxis&) = delete;
 
+    /// Adds all surface points: what their number gives, no more where it is needed (Hubbard 1996, section 4).
+    void take_all(Context& context);
     /// Adds surface points until there are `count` spheres, or none protrudes and all of `cover` is held.
     void refine(std::size_t count, std::span<const Vec3> cover, Context& context);
     /// Adds surface points until at least `count` spheres hold a point of `cover` and the greatest protrusion among

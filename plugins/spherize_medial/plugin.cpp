@@ -2,15 +2,53 @@
 
 #include <foam/plugin.hpp>
 
-FOAM_PLUGIN("spherize_medial", "1.0", "GPL-3.0-or-later") {
-    enrol.add<foam::medial::MedialSpherizer>({
-        .name = "spherize.medial",
-        .summary = "Spheres by reducing an adaptive approximation of the medial axis.",
-        .reference =
-            "Bradshaw, O'Sullivan: Adaptive medial-axis approximation for sphere-tree construction. ACM TOG 23(1), "
-            "2004; Wang et al.: Variational sphere set approximation for solid objects. The Visual Computer 22, 2006",
-        .revision = 1,
-        .parameters = foam::medial::Settings::parameters(),
-        .extensions = {},
-    });
+using foam::medial::MedialSpherizer;
+using foam::medial::Settings;
+
+/// One class for all: the stages differ in where spheres come from and how they are chosen.
+static foam::StageFactory maker(Settings (*settings)(const foam::Parameters&)) {
+    return [settings](const foam::Parameters& parameters, const foam::StageMaker&) {
+        return std::make_unique<MedialSpherizer>(settings(parameters));
+    };
+}
+
+FOAM_PLUGIN("spherize_medial", "1.1", "GPL-3.0-or-later") {
+    enrol.add_stage(
+        foam::StageKind::spherizer,
+        {
+            .name = "spherize.medial",
+            .summary = "Spheres by reducing an adaptive approximation of the medial axis.",
+            .reference =
+                "Bradshaw, O'Sullivan: Adaptive medial-axis approximation for sphere-tree construction. ACM TOG 23(1), "
+                "2004; Wang et al.: Variational sphere set approximation for solid objects. The Visual Computer 22, "
+                "2006",
+            .revision = 2,
+            .parameters = Settings::medial_parameters(),
+            .extensions = {},
+        },
+        maker(&Settings::of_medial));
+    enrol.add_stage(foam::StageKind::spherizer,
+                    {
+                        .name = "spherize.hubbard",
+                        .summary = "Spheres by merging those of a medial axis of evenly spread surface points, always "
+                                   "the two whose union costs least.",
+                        .reference = "Hubbard: Approximating polyhedra with spheres for time-critical collision "
+                                     "detection. ACM TOG 15(3), 1996",
+                        .revision = 1,
+                        .parameters = Settings::hubbard_parameters(),
+                        .extensions = {},
+                    },
+                    maker(&Settings::of_hubbard));
+    enrol.add_stage(foam::StageKind::spherizer,
+                    {
+                        .name = "spherize.spawn",
+                        .summary = "Spheres that all hang over the surface by the same stand-off, placed one after "
+                                   "another where they hold most of what is left.",
+                        .reference = "Bradshaw, O'Sullivan: Adaptive medial-axis approximation for sphere-tree "
+                                     "construction. ACM TOG 23(1), 2004, section 5.3 (spawning)",
+                        .revision = 1,
+                        .parameters = Settings::spawn_parameters(),
+                        .extensions = {},
+                    },
+                    maker(&Settings::of_spawn));
 }

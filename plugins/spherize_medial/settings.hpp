@@ -1,4 +1,4 @@
-// The parameters of spherize.medial, read once.
+// The parameters of the plugin's stages, read once.
 #pragma once
 
 #include <foam/parameter.hpp>
@@ -10,16 +10,33 @@ namespace foam::medial {
 
 struct Settings {
     enum class Optimiser { variational, simplex, balance };
+    /// Where the spheres come from that the reductions choose among.
+    enum class Source {
+        adaptive_axis, ///< a medial axis that is refined where it fits worst (Bradshaw and O'Sullivan 2004)
+        static_axis,   ///< the medial axis of evenly spread surface points (Hubbard 1996)
+        grid,          ///< points of a grid inside the solid, each with its depth
+    };
 
-    std::size_t depth, branch, tester_points, cover_points, cover_per_triangle, init_spheres, min_spheres;
-    double error_factor;
-    bool expand, merge, burst, optimise;
-    Optimiser optimiser;
-    std::size_t deepest_optimised_level;
-    double balance_excess;
+    Source source = Source::adaptive_axis;
+    std::size_t depth = 1, branch = 8;
+    std::size_t cover_points = 1000, cover_per_triangle = 5;
+    std::size_t site_points = 1000, sites_per_triangle = 1; ///< of the Voronoi diagram
+    std::size_t init_spheres = 500, min_spheres = 200;
+    double error_factor = 2;
+    bool expand = false, merge = false, burst = false, spawn = false, divide = false;
+    bool compare_with_fewer = false; ///< more spheres are only taken where they claim less than fewer do
+    bool optimise = false;
+    Optimiser optimiser = Optimiser::variational;
+    std::size_t tester_points = 42; ///< 0: exact volumes alone
+    std::size_t deepest_optimised_level = 1;
+    double balance_excess = 0.05;
 
-    explicit Settings(const Parameters& parameters);
-    static std::vector<Parameter> parameters();
+    static Settings of_medial(const Parameters& parameters);
+    static Settings of_hubbard(const Parameters& parameters);
+    static Settings of_spawn(const Parameters& parameters);
+    static std::vector<Parameter> medial_parameters();
+    static std::vector<Parameter> hubbard_parameters();
+    static std::vector<Parameter> spawn_parameters();
 };
 
 } // namespace foam::medial

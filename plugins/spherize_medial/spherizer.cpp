@@ -1,5 +1,6 @@
 #include "spherizer.hpp"
 
+#include "best_with_at_most.hpp"
 #include "stock.hpp"
 
 #include <foam/error.hpp>
@@ -38,7 +39,8 @@ std::vector<Sphere> best_cover(const Stock& stock, const std::vector<std::vector
 struct Level {
     std::vector<Sphere> balls;
     std::vector<std::uint32_t> parents;
-    std::vector<std::vector<Vec3>> points;
+    std::vector<std::vector<Vec3>> points;       ///< to search by; only where there are deeper levels
+    std::vector<std::vector<Vec3>> dense_points; ///< to hold in the end
 };
 
 /// Shares `count` out in proportion to `weights`, at least one each, largest remainders first.
@@ -76,6 +78,30 @@ std::vector<std::size_t> children(const Level& above, std::size_t level, const B
     return shares(count, weights);
 }
 
+using Groups = std::vector<std::vector<Vec3>>;
+
+/// Each point goes from its parent to the nearest of the parent's own children, so that whoever walks down the tree
+/// finds it. It grows to hold it where improving has left it to the children of another.
+Groups handed_down(const Groups& above, Level& level) {
+    std::vector<std::vector<std::size_t>> children(above.size());
+    for (std::size_t i = 0; i < level.balls.size(); ++i) {
+        children[level.parents[i]].push_back(i);
+    }
+    Groups below(level.balls.size());
+    for (std::size_t parent = 0; parent < above.size(); ++parent) {
+        for (const Vec3& p : above[parent]) {
+            const auto gap = [&](std::size_t i) { return distance(p, level.balls[i].center) - level.balls[i].radius; };
+            const std::size_t nearest =
+                *std::min_element(children[parent].begin(), children[parent].end(),
+                                  [&](std::size_t a, std::size_t b) { return gap(a) < gap(b); });
+            below[nearest].push_back(p);
+            Sphere& ball = level.balls[nearest];
+            ball.radius = std::max(ball.radius, distance(p, ball.center));
+        }
+    }
+    return below;
+}
+
 Level next_level(Stock& stock, const Level& above, std::size_t level, const Budget& budget, const Settings& settings,
                  Context& context) {
     const auto counts = children(above, level, budget, settings, stock.columns());
@@ -87,9 +113,8 @@ Level next_level(Stock& stock, const Level& above, std::size_t level, const Budg
             result.parents.push_back(static_cast<std::uint32_t>(i));
             continue;
         }
-        stock.axis().refine_region(settings.min_spheres, settings.error_factor, above.points[i], context);
         const std::vector<std::size_t> count{counts[i]};
-        const Region region(above.points[i], stock.axis().touching(above.points[i]), count, stock.coarse_columns(),
+        const Region region(above.points[i], stock.touching(above.points[i], context), count, stock.coarse_columns(),
                             settings, context);
         const auto found = starts(stock, region, counts[i], optimise, settings, context);
         for (const Sphere& ball : found.front()) {
@@ -99,7 +124,8 @@ Level next_level(Stock& stock, const Level& above, std::size_t level, const Budg
         context.progress(static_cast<double>(i + 1) / static_cast<double>(above.balls.size()));
     }
     result.balls = best_cover(stock, {result.balls}, optimise, context);
-    result.points = grouped(stock.points(), assign(stock.points(), result.balls), result.balls.size());
+    result.dense_points = handed_down(above.dense_points, result);
+    result.points = handed_down(above.points, result);
     return result;
 }
 
@@ -113,7 +139,10 @@ Level first_level(const Stock& stock, const Region& region, std::size_t count, c
         result.balls = best_cover(stock, starts(stock, region, count, optimise, settings, context), optimise, context);
     }
     result.parents.assign(result.balls.size(), 0);
-    result.points = grouped(stock.points(), assign(stock.points(), result.balls), result.balls.size());
+    if (settings.depth > 1) {
+        result.points = handed_down({stock.points()}, result);
+        result.dense_points = handed_down({stock.dense_points()}, result);
+    }
     return result;
 }
 
@@ -151,7 +180,7 @@ SphereTree point_tree(const Shape& shape) {
 
 } // namespace
 
-MedialSpherizer::MedialSpherizer(const Parameters& parameters) : settings_(parameters) {}
+MedialSpherizer::MedialSpherizer(const Settings& settings) : settings_(settings) {}
 MedialSpherizer::~MedialSpherizer() = default;
 
 SphereTree MedialSpherizer::spherize(const Shape& shape, const Budget& budget, Context& context) const {
@@ -160,6 +189,15 @@ SphereTree MedialSpherizer::spherize(const Shape& shape, const Budget& budget, C
 
 std::vector<SphereTree> MedialSpherizer::spherize_each(const Shape& shape, std::span<const Budget> budgets,
                                                        Context& context) const {
+    if (!settings_.compare_with_fewer) {
+        return made(shape, budgets, context);
+    }
+    return best_with_at_most(shape.original(), budgets,
+                             [&](std::span<const Budget> all) { return made(shape, all, context); });
+}
+
+std::vector<SphereTree> MedialSpherizer::made(const Shape& shape, std::span<const Budget> budgets,
+                                              Context& context) const {
     std::vector<SphereTree> trees(budgets.size());
     if (!(shape.original().bounds().diagonal() > 0)) {
         context.log(Severity::warning, shape.name() + " has no extent: one sphere at its place");
@@ -179,7 +217,7 @@ std::vector<SphereTree> MedialSpherizer::spherize_each(const Shape& shape, std::
         }
         std::sort(counts.begin(), counts.end());
         counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
-        const Region region(stock.points(), stock.medial(), counts, stock.coarse_columns(), settings_, context);
+        const Region region(stock.points(), stock.spheres(), counts, stock.coarse_columns(), settings_, context);
         std::vector<Level> first(indices.size());
         parallel_for(indices.size(), [&](std::size_t n) {
             first[n] = first_level(stock, region, first_count(budgets[indices[n]], settings_), settings_, context);

@@ -1,4 +1,4 @@
-// The stage spherize.medial.
+// The stages of the plugin: one class, many settings.
 #pragma once
 
 #include "settings.hpp"
@@ -9,7 +9,7 @@ namespace foam::medial {
 
 class MedialSpherizer final : public Spherizer {
 public:
-    explicit MedialSpherizer(const Parameters& parameters);
+    explicit MedialSpherizer(const Settings& settings);
     ~MedialSpherizer() override;
 
     SphereTree spherize(const Shape& shape, const Budget& budget, Context& context) const override;
@@ -18,6 +18,8 @@ public:
                                           Context& context) const override;
 
 private:
+    std::vector<SphereTree> made(const Shape& shape, std::span<const Budget> budgets, Context& context) const;
+
     Settings settings_;
 };
 

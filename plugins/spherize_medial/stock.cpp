@@ -1,6 +1,7 @@
 #include "stock.hpp"
 
 #include "enclosing_ball.hpp"
+#include "spawn.hpp"
 
 #include <algorithm>
 
@@ -94,10 +95,18 @@ Stock::Stock(const Shape& shape, int tier, const Settings& settings, Context& co
       points_(cover_points(shape.original(), frame_, {detail(settings.cover_points, tier), settings.cover_per_triangle},
                            derive_seed(context.seed(), "cover"))),
       dense_points_(with_edges(surface_, points_, detail(4000, tier))), columns_(shape, frame_, detail(1000, tier)),
-      coarse_columns_(shape, frame_, detail(250, tier)) {
+      coarse_columns_(shape, frame_, detail(250, tier)), settings_(settings) {
+    if (settings.source == Settings::Source::grid) {
+        grid_ = grid_seeds(points_, columns_, detail(settings.init_spheres, tier));
+    } else {
+        make_axis(shape, tier, context);
+    }
+}
+
+void Stock::make_axis(const Shape& shape, int tier, Context& context) {
     const Solid& solid = shape.processed();
-    std::vector<Vec3> sites = cover_points(solid, frame_, {detail(settings.cover_points, tier), 1},
-                                           derive_seed(context.seed(), "medial axis"));
+    const CoverOptions options{detail(settings_.site_points, tier), settings_.sites_per_triangle};
+    std::vector<Vec3> sites = cover_points(solid, frame_, options, derive_seed(context.seed(), "medial axis"));
     const double step = columns_.step();
     axis_ = std::make_unique<MedialAxis>(std::move(sites), [&solid, this, step](const Sphere& sphere) {
         // The surface is a radius away from a vertex of the diagram: next to that, columns are fine enough.
@@ -106,12 +115,26 @@ Stock::Stock(const Shape& shape, int tier, const Settings& settings, Context& co
         }
         return solid.contains(frame_.to_world(sphere.center));
     });
-    axis_->refine(detail(settings.init_spheres, tier), points_, context);
+    if (settings_.source == Settings::Source::static_axis) {
+        axis_->take_all(context);
+    } else {
+        axis_->refine(detail(settings_.init_spheres, tier), points_, context);
+    }
     if (axis_->spheres().empty()) {
         context.log(Severity::warning, "no medial sphere lies inside " + shape.name() +
                                            ": its surface bounds no volume; covering it by balls around groups of its "
                                            "points");
     }
+}
+
+std::vector<Sphere> Stock::touching(std::span<const Vec3> points, Context& context) {
+    if (!axis_) {
+        return touching_seeds(grid_, points);
+    }
+    if (settings_.source == Settings::Source::adaptive_axis) {
+        axis_->refine_region(settings_.min_spheres, settings_.error_factor, points, context);
+    }
+    return axis_->touching(points);
 }
 
 Region::Region(std::vector<Vec3> points, std::span<const Sphere> medial, std::span<const std::size_t> counts,
@@ -123,8 +146,16 @@ Region::Region(std::vector<Vec3> points, std::span<const Sphere> medial, std::sp
             raw_[count].push_back(std::move(balls));
         }
     };
+    if (settings.spawn) {
+        Spawn spawn(every_nth(points_, settings.cover_points / 2), medial, columns, largest);
+        for (const std::size_t count : counts) {
+            keep(count, spawn.cover(count, context));
+        }
+    }
     std::vector<Sphere> start;
-    if (!medial.empty() && (settings.expand || settings.merge || settings.burst)) {
+    if (settings.source == Settings::Source::static_axis) {
+        start.assign(medial.begin(), medial.end());
+    } else if (!medial.empty() && (settings.expand || settings.merge || settings.burst)) {
         Expand expand(every_nth(points_, settings.cover_points / 2), medial);
         if (settings.expand) {
             for (const std::size_t count : counts) {
@@ -145,9 +176,11 @@ Region::Region(std::vector<Vec3> points, std::span<const Sphere> medial, std::sp
             keep(count, burst(points_, start, count, columns, context));
         }
     }
-    const auto divided = divide(points_, largest, columns, context);
-    for (const std::size_t count : counts) {
-        keep(count, divided[std::min(count, divided.size()) - 1]);
+    if (settings.divide || raw_.empty()) { // what works without a medial axis too
+        const auto divided = divide(points_, largest, columns, context);
+        for (const std::size_t count : counts) {
+            keep(count, divided[std::min(count, divided.size()) - 1]);
+        }
     }
 }
 
@@ -167,7 +200,8 @@ std::vector<std::vector<Sphere>> starts(const Stock& stock, const Region& region
                                         const Settings& settings, Context& context) {
     auto candidates = region.candidates(count);
     const std::vector<Sphere> reduced = candidates.front();
-    if (!optimise || settings.optimiser == Settings::Optimiser::simplex) {
+    const bool descent = settings.optimiser == Settings::Optimiser::variational && settings.tester_points > 0;
+    if (!optimise || (!descent && settings.optimiser != Settings::Optimiser::balance)) {
         return {reduced};
     }
     const Columns& columns = stock.columns();

@@ -1,4 +1,5 @@
-// What all counts of one shape share: frame, cover points, columns, medial axis and the reductions of it.
+// What all counts of one shape share: frame, cover points, columns, the spheres to choose among and what reductions
+// make of them.
 #pragma once
 
 #include "columns.hpp"
@@ -54,18 +55,24 @@ public:
     const Columns& columns() const { return columns_; }
     /// The same with a quarter of the lines, for choices among many.
     const Columns& coarse_columns() const { return coarse_columns_; }
-    std::vector<Sphere> medial() const { return axis_->spheres(); }
-    MedialAxis& axis() { return *axis_; }
+    /// What the reductions choose among: medial spheres, or points of a grid with their depth as the radius.
+    std::vector<Sphere> spheres() const { return axis_ ? axis_->spheres() : grid_; }
+    /// Those that hold one of the points; an adaptive medial axis is refined for them first.
+    std::vector<Sphere> touching(std::span<const Vec3> points, Context& context);
     /// Smallest ball around the whole surface.
     Sphere bounding() const { return bounding_; }
 
 private:
+    void make_axis(const Shape& shape, int tier, Context& context);
+
     Frame frame_;
     std::vector<Corners> surface_;
     Sphere bounding_;
     std::vector<Vec3> points_, dense_points_;
     Columns columns_, coarse_columns_;
-    std::unique_ptr<MedialAxis> axis_;
+    const Settings& settings_;
+    std::unique_ptr<MedialAxis> axis_; ///< none if the settings take a grid
+    std::vector<Sphere> grid_;
 };
 
 /// Covers of a region by exactly `count` balls (fewer only where the region has not that many points), to be improved

@@ -5,7 +5,7 @@
 #include <foam/measure.hpp>
 #include <foam/plugin.hpp>
 
-#include <functional>
+#include <optional>
 
 namespace foam::spherize_octree {
 namespace {
@@ -34,16 +34,20 @@ public:
           content_(parameters.text("content") == "solid" ? Cell::Content::solid : Cell::Content::surface) {}
 
     SphereTree spherize(const Shape& shape, const Budget& budget, Context& context) const override {
-        const auto within = [&](std::size_t count) {
-            return finished(shape, budget.guarantee, [&](Octree& octree) { octree.split_best(count, context); });
-        };
+        const auto within = [&](std::size_t count) { return best_of(shape, budget.guarantee, count, context); };
         if (budget.max_protrusion) {
             return fewest_within(shape.original(), *budget.max_protrusion, budget.max_spheres.value_or(most_), within);
         }
         if (budget.max_spheres) {
             return within(*budget.max_spheres);
         }
-        return finished(shape, budget.guarantee, [&](Octree& octree) { octree.split_all(depth_, context); });
+        Best best;
+        for (const auto& [axes, place] : starts(shape.original())) {
+            Octree octree(shape.original(), axes, place, content_);
+            octree.split_all(depth_, context);
+            best.offer(std::move(octree));
+        }
+        return finished(*best.octree, shape, budget.guarantee);
     }
 
 private:
@@ -64,21 +68,44 @@ private:
         return starts;
     }
 
-    /// The octree, refined, from the start whose balls have the least volume together.
-    SphereTree finished(const Shape& shape, Guarantee guarantee, const std::function<void(Octree&)>& refine) const {
-        std::optional<Octree> best;
-        double least = 0;
-        for (const auto& [axes, place] : starts(shape.original())) {
-            Octree octree(shape.original(), axes, place, content_);
-            refine(octree);
+    /// The octree whose balls have the least volume together.
+    struct Best {
+        std::optional<Octree> octree;
+        double volume = 0;
+
+        void offer(Octree other) {
             constexpr std::size_t directions = 300; // well below a per cent of error
-            const double volume = union_volume(octree.leaf_balls(), directions);
-            if (!best || volume < least) {
-                least = volume;
-                best = std::move(octree);
+            const double other_volume = union_volume(other.leaf_balls(), directions);
+            if (!octree || other_volume < volume) {
+                volume = other_volume;
+                octree = std::move(other);
             }
         }
-        return guarantee == Guarantee::inner ? inner_tree(*best, shape.name()) : best->tree();
+    };
+
+    /// The best octree of at most so many leaves: split where it pays most, from one cell and from whole levels. From
+    /// one cell alone the way may end at once: eight balls around a ring claim more than one, sixty-four claim less.
+    SphereTree best_of(const Shape& shape, Guarantee guarantee, std::size_t most, Context& context) const {
+        Best best;
+        for (const auto& [axes, place] : starts(shape.original())) {
+            std::size_t coarser = 0;
+            for (int level = 0;; ++level) {
+                Octree octree(shape.original(), axes, place, content_);
+                octree.split_all(level, context);
+                const std::size_t leaves = octree.leaf_balls().size();
+                if (leaves > most || leaves == coarser) {
+                    break;
+                }
+                coarser = leaves;
+                octree.split_best(most, context);
+                best.offer(std::move(octree));
+            }
+        }
+        return finished(*best.octree, shape, guarantee);
+    }
+
+    static SphereTree finished(const Octree& octree, const Shape& shape, Guarantee guarantee) {
+        return guarantee == Guarantee::inner ? inner_tree(octree, shape.name()) : octree.tree();
     }
 
     int depth_;
@@ -97,6 +124,7 @@ FOAM_PLUGIN("spherize_octree", "1.0", "Apache-2.0") {
         .summary = "Balls around the cells of an octree, each the smallest that holds what lies in its cell",
         .reference =
             "Hubbard 1996, Approximating polyhedra with spheres for time-critical collision detection (octree method)",
+        .revision = 2,
         .parameters =
             {Parameter::integer("depth", 1)
                  .unit("1")

@@ -72,6 +72,32 @@ TEST(Allocate, IsOptimalAgainstBruteForce) {
     }
 }
 
+TEST(AllocateAtMost, LeavesSpheresOutThatMakeItWorse) {
+    const CostCurve falling = curve_of({{1, 10}, {2, 4}, {3, 2}});
+    const CostCurve rising = curve_of({{1, 3}, {2, 3.5}, {3, 4}});
+    EXPECT_EQ(allocate_at_most({{&falling, 1, 3}, {&rising, 1, 3}}, 6), (std::vector<std::size_t>{3, 1}));
+    EXPECT_EQ(allocate_at_most({{&falling, 1, 3}, {&rising, 1, 3}}, 3), (std::vector<std::size_t>{2, 1}));
+    EXPECT_TRUE(allocate_at_most({{&falling, 1, 3}, {&rising, 1, 3}}, 1).empty());
+}
+
+TEST(AllocateAtMost, TakesTheSpheresWhereTheDifferenceIsWithinTheError) {
+    const CostCurve flat = curve_of({{1, 2}, {2, 1}, {3, 1.0005}});
+    EXPECT_EQ(allocate_at_most({{&flat, 1, 3}}, 3), (std::vector<std::size_t>{3}));
+}
+
+TEST(AllocateAtMost, MoreIsNeverWorse) {
+    const CostCurve a = curve_of({{1, 7}, {2, 8}, {3, 2}, {4, 5}, {5, 3}});
+    const CostCurve b = curve_of({{1, 9}, {2, 3}, {3, 4}, {4, 3.5}, {5, 0.4}});
+    double previous = std::numeric_limits<double>::infinity();
+    for (std::size_t total = 2; total <= 10; ++total) {
+        const auto counts = allocate_at_most({{&a, 1, 5}, {&b, 1, 5}}, total);
+        ASSERT_EQ(counts.size(), 2u) << total;
+        const double cost = a.at(counts[0]) + b.at(counts[1]);
+        EXPECT_LE(cost, previous * 1.001) << total;
+        previous = cost;
+    }
+}
+
 TEST(Allocate, KeepsBoundsAndKnownCounts) {
     const CostCurve curve = curve_of({{1, 5}, {2, 3}, {4, 1}});
     EXPECT_EQ(allocate({{&curve, 2, 2}, {&curve, 1, 4}}, 6), (std::vector<std::size_t>{2, 4}));

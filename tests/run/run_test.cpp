@@ -78,6 +78,25 @@ TEST_F(Run, WritesACertifiedRobotWithinItsBudget) {
     EXPECT_THAT(read_file(folder.path() / "out/two.urdf"), HasSubstr("<!-- the base -->"));
 }
 
+TEST_F(Run, ASphereStaysOneSphereWhateverTheSpherizer) {
+    write_file(folder.path() / "ball.urdf", R"(<?xml version="1.0"?>
+<robot name="ball">
+  <link name="ball"><collision><origin xyz="0.1 0.2 0.3"/><geometry><sphere radius="0.05"/></geometry></collision></link>
+</robot>
+)");
+    for (const std::string name : {"grid", "voxel"}) {
+        Recipe ball = recipe("stages: [spherize." + name + "]\nbudget: {spheres: 8}\n");
+        ball.urdf = {"ball.urdf"};
+        run(ball, registry, options());
+        const auto spheres =
+            registry.make<Writer>("write.urdf")->read(read_file(folder.path() / "out/two.urdf")).at("ball");
+        ASSERT_EQ(spheres.size(), 1u);
+        EXPECT_NEAR(distance(spheres[0].center, {0.1, 0.2, 0.3}), 0, 1e-9);
+        EXPECT_NEAR(spheres[0].radius, 0.05, 1e-6);
+        EXPECT_GE(spheres[0].radius, 0.05);
+    }
+}
+
 TEST_F(Run, GrowsWhatASpherizerLeavesOpen) {
     const RunResult result =
         run(recipe("stages: [spherize.misbehaving: {how: small, link: base}]\n"), registry, options());

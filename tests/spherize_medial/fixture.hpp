@@ -140,7 +140,9 @@ inline Budget at_most(std::size_t count) {
     return budget;
 }
 
-inline std::unique_ptr<Spherizer> medial(const std::map<std::string, ParameterValue>& parameters = {}) {
+using Settings = std::map<std::string, ParameterValue>;
+
+inline std::unique_ptr<Spherizer> stage(const std::string& name, const Settings& parameters = {}) {
     static const std::unique_ptr<Registry> registry = [] {
         auto made = std::make_unique<Registry>();
         const PluginRecord& record = made->load(FOAM_TEST_PLUGINS "/spherize_medial.so");
@@ -149,7 +151,11 @@ inline std::unique_ptr<Spherizer> medial(const std::map<std::string, ParameterVa
         }
         return made;
     }();
-    return registry->make<Spherizer>("spherize.medial", parameters);
+    return registry->make<Spherizer>(name, parameters);
+}
+
+inline std::unique_ptr<Spherizer> medial(const Settings& parameters = {}) {
+    return stage("spherize.medial", parameters);
 }
 
 inline std::vector<Sphere> spheres(const Mesh& mesh, std::size_t count,

@@ -185,3 +185,9 @@ TEST(SpherizeMedial, BalanceLeavesOutWhatIsNotWorthIt) {
     const auto few = spheres(ball(0.1), 8, {{"optimiser", "balance"}, {"balExcess", 0.2}});
     EXPECT_LT(few.size(), 8u);
 }
+
+TEST(SpherizeMedial, WithoutTesterPointsExactVolumesDecide) {
+    const Mesh mesh = bracket(0.2, 0.05);
+    EXPECT_EQ(spheres(mesh, 4, {{"testerLevels", -1}}), spheres(mesh, 4, {{"optimiser", "simplex"}}));
+    EXPECT_NE(spheres(mesh, 4, {{"testerLevels", 0}}), spheres(mesh, 4, {{"testerLevels", 2}}));
+}

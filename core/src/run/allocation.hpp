@@ -33,4 +33,8 @@ struct Claim {
 /// most). Empty if no counts within the bounds add up to it.
 std::vector<std::size_t> allocate(const std::vector<Claim>& claims, std::size_t total);
 
+/// Counts that add up to at most `total` with the least sum of costs; of sums that are the same to a thousandth, which
+/// is what costs are off, the largest. More spheres are not taken where they make it worse. Empty if no counts fit.
+std::vector<std::size_t> allocate_at_most(const std::vector<Claim>& claims, std::size_t total);
+
 } // namespace foam

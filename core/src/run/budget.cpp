@@ -96,28 +96,23 @@ std::vector<std::size_t> share_spheres(const Workspace& workspace, std::vector<S
             break;
         }
     }
-    // Only counts that spherizers delivered. If they do not add up to the total, the largest sum below it.
-    for (std::size_t sum = total; sum >= 1; --sum) {
-        const std::vector<std::size_t> exact = allocate(claims_of(shapes, groups, total, true), sum);
-        if (exact.empty()) {
-            continue;
+    // Only counts that spherizers delivered, and no more of them than help.
+    const std::vector<std::size_t> known = allocate_at_most(claims_of(shapes, groups, total, true), total);
+    std::vector<std::size_t> result(groups.size(), 0);
+    std::size_t c = 0, sum = 0;
+    for (std::size_t g = 0; g < groups.size() && !known.empty(); ++g) {
+        if (!shapes[groups[g].shape].error) {
+            result[g] = known[c++];
+            sum += result[g];
         }
-        if (sum < total) {
-            workspace.journal.finding({Severity::warning, "", "",
-                                       fmt::format("{} of {} spheres are used: the spherizer has no use "
-                                                   "for more on these links",
-                                                   sum, total)});
-        }
-        std::vector<std::size_t> result(groups.size(), 0);
-        std::size_t c = 0;
-        for (std::size_t g = 0; g < groups.size(); ++g) {
-            if (!shapes[groups[g].shape].error) {
-                result[g] = exact[c++];
-            }
-        }
-        return result;
     }
-    return std::vector<std::size_t>(groups.size(), 0);
+    if (sum > 0 && sum < total) {
+        workspace.journal.finding({Severity::warning, "", "",
+                                   fmt::format("{} of {} spheres are used: the spherizer has no use for more on these "
+                                               "links",
+                                               sum, total)});
+    }
+    return result;
 }
 
 /// The fewest spheres whose cover protrudes by no more than the limit: doubled until it holds, then bisected.

@@ -127,6 +127,15 @@ Digest tree_key(const Workspace& workspace, const ShapeWork& work, std::size_t c
     return hasher.add(workspace.recipe.budget_max_protrusion.value_or(-1)).finish();
 }
 
+/// The sphere that a shape is, if it is one: no spherizer could do better.
+static std::optional<Sphere> as_sphere(const Solid& solid) {
+    const Solid::Part& part = solid.parts().front();
+    if (solid.parts().size() > 1 || !part.primitive || part.primitive->kind != Primitive::Kind::sphere) {
+        return {};
+    }
+    return Sphere{part.pose.translation, part.primitive->radius};
+}
+
 /// One tree for each budget, checked.
 static std::vector<SphereTree> run_spherizer(const Workspace& workspace, ShapeWork& work,
                                              const std::vector<Budget>& budgets) {
@@ -149,8 +158,13 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
     std::vector<Digest> keys;
     std::vector<std::size_t> missing;
     std::map<std::size_t, SphereTree> known; // by the count asked for
+    const auto sphere = as_sphere(work.shape->original());
     for (const std::size_t count : counts) {
         if (work.asked.contains(count)) {
+            continue;
+        }
+        if (sphere) {
+            known.emplace(count, flat_tree({*sphere}));
             continue;
         }
         Budget budget;

@@ -1,0 +1,43 @@
+// What every spherizer does with a budget that grows.
+#include "all_spherizers.hpp"
+
+#include <foam/host/contract.hpp>
+#include <foam/measure.hpp>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace foam;
+using namespace foam::test;
+
+class GrowingBudget : public testing::TestWithParam<std::string> {};
+
+TEST_P(GrowingBudget, NeverClaimsMoreNorLeavesMoreOpen) {
+    std::vector<Budget> budgets;
+    for (const std::size_t count : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 16, 24, 32}) {
+        budgets.push_back({count, {}, Guarantee::outer});
+    }
+    const auto stage = all_spherizers().make<Spherizer>(GetParam());
+    for (const std::string name : {"Box", "Bracket", "Torus", "TwoBoxes"}) {
+        SCOPED_TRACE(name);
+        const auto solid = sample::solids().at(name)();
+        QuietContext context;
+        const std::vector<SphereTree> trees = stage->spherize_each({name, solid, solid}, budgets, context);
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < trees.size(); ++i) {
+            const std::vector<Sphere> grown = grown_to_cover(*solid, trees[i].finest());
+            EXPECT_TRUE(certify(*solid, grown).holds);
+            // A thousandth is what the figure itself may be off.
+            const double claimed = union_volume(grown);
+            EXPECT_LE(claimed, least * 1.001) << *budgets[i].max_spheres << " spheres";
+            least = std::min(least, claimed);
+        }
+        EXPECT_LT(least, 0.95 * union_volume(trees[0].finest())) << "no use is made of 32 spheres";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Spherizers, GrowingBudget, testing::ValuesIn(spherizer_names()),
+                         [](const auto& test) { return test.param.substr(test.param.find('.') + 1); });
+
+} // namespace
