@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace foam::cli {
 namespace {
@@ -36,6 +37,57 @@ const char* to_string(Severity severity) {
     return names[static_cast<std::size_t>(severity)];
 }
 
+/// What the filters of one stage did to all meshes together.
+struct FilterTotal {
+    std::string stage;
+    std::size_t meshes = 0, before = 0, after = 0;
+    double distance = 0;      ///< m; the largest
+    double volume_change = 0; ///< the largest in magnitude
+};
+
+void add(FilterTotal& total, const MeshChange& change) {
+    const double volume = change.volume_change().value_or(0);
+    ++total.meshes;
+    total.before += change.triangles_before;
+    total.after += change.triangles_after;
+    total.distance = std::max(total.distance, change.distance());
+    total.volume_change = std::abs(volume) > std::abs(total.volume_change) ? volume : total.volume_change;
+}
+
+/// In the order in which the stages first come.
+std::vector<FilterTotal> filters_of(const RunResult& result) {
+    std::vector<FilterTotal> totals;
+    for (const LinkReport& link : result.links) {
+        for (const StageReport& stage : link.stages) {
+            if (stage.change) {
+                auto total = std::find_if(totals.begin(), totals.end(),
+                                          [&](const FilterTotal& t) { return t.stage == stage.stage; });
+                add(total == totals.end() ? totals.emplace_back(FilterTotal{.stage = stage.stage}) : *total,
+                    *stage.change);
+            }
+        }
+    }
+    return totals;
+}
+
+std::string filter_table(const RunResult& result) {
+    const std::vector<FilterTotal> totals = filters_of(result);
+    if (totals.empty()) {
+        return {};
+    }
+    std::size_t width = 6;
+    for (const FilterTotal& total : totals) {
+        width = std::max(width, total.stage.size());
+    }
+    std::string table = fmt::format("{:<{}}  {:>6}  {:>20}  {:>11}  {:>8}\n", "filter", width, "meshes", "triangles",
+                                    "distance mm", "volume %");
+    for (const FilterTotal& total : totals) {
+        table += fmt::format("{:<{}}  {:>6}  {:>8} to {:>8}  {:>11.3f}  {:>8.2f}\n", total.stage, width, total.meshes,
+                             total.before, total.after, total.distance * mm_per_m, 100 * total.volume_change);
+    }
+    return table + "\n";
+}
+
 } // namespace
 
 std::string table_of(const RunResult& result, Guarantee guarantee) {
@@ -43,8 +95,9 @@ std::string table_of(const RunResult& result, Guarantee guarantee) {
     for (const LinkReport& link : result.links) {
         width = std::max(width, link.link.size());
     }
-    std::string table = fmt::format("{:<{}}  {:>7}  {:>8}  {:>8}  {:>9}  {:>9}\n", "link", width, "spheres", "excess",
-                                    "gap mm", "certified", "growth mm");
+    std::string table = filter_table(result);
+    table += fmt::format("{:<{}}  {:>7}  {:>8}  {:>8}  {:>9}  {:>9}\n", "link", width, "spheres", "excess", "gap mm",
+                         "certified", "growth mm");
     for (const LinkReport& link : result.links) {
         if (link.skipped) {
             table += fmt::format("{:<{}}  left out by the recipe\n", link.link, width);
@@ -72,6 +125,7 @@ Json json_of(const RunResult& result, const Recipe& recipe, const std::filesyste
               {"cpu_seconds", result.cpu_seconds},
               {"total", json_of(result.total)},
               {"links", Json::array()},
+              {"filters", Json::array()},
               {"files", Json::array()},
               {"findings", Json::array()}};
     for (const LinkReport& link : result.links) {
@@ -81,6 +135,14 @@ Json json_of(const RunResult& result, const Recipe& recipe, const std::filesyste
             entry["error"] = link.error;
         }
         json["links"].push_back(std::move(entry));
+    }
+    for (const FilterTotal& total : filters_of(result)) {
+        json["filters"].push_back({{"stage", total.stage},
+                                   {"meshes", total.meshes},
+                                   {"triangles_before", total.before},
+                                   {"triangles_after", total.after},
+                                   {"distance", total.distance},
+                                   {"volume_change", total.volume_change}});
     }
     for (const auto& file : result.files) {
         json["files"].push_back(file.string());

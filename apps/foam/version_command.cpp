@@ -2,6 +2,7 @@
 #include "program.hpp"
 
 #include <foam/abi.hpp>
+#include <foam/host/schemas.hpp>
 #include <foam/host/version.hpp>
 
 #include <fmt/format.h>
@@ -47,13 +48,21 @@ void add_version(Program& program) {
 }
 
 void add_schema(Program& program) {
-    CLI::App* command = add_command(program, "schema", "Print the JSON Schema of recipes, for editors",
-                                    "  foam schema > recipe.schema.json\n"
-                                    "and in a recipe: # yaml-language-server: $schema=recipe.schema.json");
+    CLI::App* command =
+        add_command(program, "schema", "Print the JSON Schema of recipes, for editors, or of what runs write",
+                    "  foam schema > recipe.schema.json\n"
+                    "and in a recipe: # yaml-language-server: $schema=recipe.schema.json\n"
+                    "  foam schema manifest > manifest.schema.json");
+    auto what = std::make_shared<std::string>("recipe");
+    command->add_option("what", *what, "recipe (the default), manifest or spheres")
+        ->type_name("WHAT")
+        ->check(CLI::IsMember({"recipe", "manifest", "spheres"}));
     command->add_flag("--json")->description("It is JSON in any case");
-    command->callback([&program] {
-        program.action = [&program] {
-            print(recipe_schema(program.registry()));
+    command->callback([&program, what] {
+        program.action = [&program, what] {
+            print(*what == "manifest"  ? manifest_schema()
+                  : *what == "spheres" ? spheres_schema()
+                                       : recipe_schema(program.registry()));
             return 0;
         };
     });

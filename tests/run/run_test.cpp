@@ -200,6 +200,34 @@ TEST_F(Run, TheCacheGivesTheSameBytesAndSaysSo) {
     EXPECT_EQ(first.links[0].stages[0].output, second.links[0].stages[0].output);
 }
 
+TEST_F(Run, FiltersSayWhatTheyDidFreshAndCached) {
+    // A cube without its lid.
+    write_file(folder.path() / "open.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                                           "f 1 4 3 2\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+    const auto result = parse_recipe("foam: 1\nname: open\nmesh: open.obj\nstages: [repair.auto, spherize.octree]\n"
+                                     "budget: {spheres: 4}\n",
+                                     folder.path() / "open.yaml", registry);
+    RunOptions o = options();
+    o.fresh = false;
+    o.cache = folder.path() / "cache";
+    for (const bool cached : {false, true}) {
+        const RunResult made = run(result.recipes.at(0), registry, o);
+        const StageReport& repair = made.links.at(0).stages.at(1);
+        EXPECT_EQ(repair.stage, "repair.auto");
+        EXPECT_EQ(repair.cached, cached);
+        ASSERT_TRUE(repair.change);
+        EXPECT_EQ(repair.change->triangles_before, 10u);
+        EXPECT_EQ(repair.change->triangles_after, 12u);
+        EXPECT_EQ(repair.change->before.boundary_edges, 4u);
+        EXPECT_FALSE(repair.change->volume_before);
+        EXPECT_NEAR(repair.change->volume_after.value(), 1, 1e-12);
+        EXPECT_NEAR(repair.change->output_to_input.max, 0.5, 0.05); // the middle of the lid
+        EXPECT_LT(repair.change->input_to_output.max, 1e-12);
+        EXPECT_THAT(read_file(folder.path() / "out/manifest.json"),
+                    HasSubstr("\"defects_before\": \"4 boundary edges\""));
+    }
+}
+
 TEST_F(Run, CancellationLeavesTheFormerRunAsItWas) {
     run(recipe("stages: [spherize.grid]\n"), registry, options());
     const std::string before = read_file(folder.path() / "out/manifest.json");

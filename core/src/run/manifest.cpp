@@ -120,6 +120,18 @@ Json plugins_used(const Workspace& workspace, const RunFiles& files, const RunRe
     return list;
 }
 
+Json to_json(const OneSidedDistance& distance) {
+    return {{"max_m", distance.max}, {"mean_m", distance.mean}};
+}
+
+Json to_json(const MeshChange& change) {
+    const auto or_null = [](const std::optional<double>& volume) { return volume ? Json(*volume) : Json(nullptr); };
+    return {{"triangles_before", change.triangles_before},        {"triangles_after", change.triangles_after},
+            {"input_to_output", to_json(change.input_to_output)}, {"output_to_input", to_json(change.output_to_input)},
+            {"volume_before_m3", or_null(change.volume_before)},  {"volume_after_m3", or_null(change.volume_after)},
+            {"defects_before", describe(change.before)},          {"defects_after", describe(change.after)}};
+}
+
 Json timings_of(const LinkReport& link) {
     Json stages = Json::array();
     for (const StageReport& stage : link.stages) {
@@ -127,11 +139,15 @@ Json timings_of(const LinkReport& link) {
         for (const auto& metric : stage.metrics) {
             metrics[metric.name] = {{"value", metric.value}, {"unit", metric.unit}};
         }
-        stages.push_back({{"stage", stage.stage},
-                          {"input", stage.input},
-                          {"seconds", stage.seconds},
-                          {"cached", stage.cached},
-                          {"metrics", metrics}});
+        Json entry{{"stage", stage.stage},
+                   {"input", stage.input},
+                   {"seconds", stage.seconds},
+                   {"cached", stage.cached},
+                   {"metrics", metrics}};
+        if (stage.change) {
+            entry["change"] = to_json(*stage.change);
+        }
+        stages.push_back(std::move(entry));
     }
     return {{"link", link.link}, {"stages", stages}};
 }

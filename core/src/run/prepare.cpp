@@ -133,6 +133,7 @@ void filter(const Workspace& workspace, const std::vector<LinkWork>& links, Filt
     const std::string& input = links[l].elements[e].geometry;
     std::shared_ptr<const Mesh> mesh = task.mesh;
     for (const StageCall& call : task.filters) {
+        const std::shared_ptr<const Mesh> before = mesh;
         const Digest content = digest_of_content(*mesh);
         const Digest key = filter_key(workspace, call, content);
         StageReport& report = task.reports.emplace_back();
@@ -151,6 +152,10 @@ void filter(const Workspace& workspace, const std::vector<LinkWork>& links, Filt
             workspace.cache.put(key, *mesh);
         }
         report.output = digest_of_content(*mesh);
+        if (!before->triangles.empty() && !mesh->triangles.empty()) {
+            report.change = mesh_change(*before, *mesh, derive_seed(workspace.recipe.seed, "change" + content));
+            workspace.journal.finding({Severity::debug, link, call.stage, describe(*report.change)});
+        }
         task.results.push_back(mesh);
     }
 }

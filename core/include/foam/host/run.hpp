@@ -3,11 +3,13 @@
 
 #include <foam/context.hpp>
 #include <foam/host/recipe.hpp>
+#include <foam/mesh_change.hpp>
 #include <foam/model.hpp>
 
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,6 +67,7 @@ struct StageReport {
         std::string unit;
     };
     std::vector<Metric> metrics;
+    std::optional<MeshChange> change; ///< of mesh filters
 };
 
 struct LinkReport {
