@@ -28,15 +28,18 @@ private:
     std::vector<std::string> list_;
 };
 
-} // namespace
+double seam_width(const Cleaned& cleaned, const SoupOptions& options) {
+    return options.seam * bounds(cleaned.distinct).diagonal();
+}
 
-std::optional<Mesh> sound(const Cleaned& cleaned, const SoupOptions& options, Context& context) {
+/// What sound() tries. `sewn`: the mesh with its seams closed, once that is made.
+std::optional<Mesh> tried_as_sound(const Cleaned& cleaned, const SoupOptions& options, Mesh& sewn, Context& context) {
     for (const Mesh* candidate : {&cleaned.distinct, &cleaned.all}) {
         if (std::optional<Mesh> closed = closed_manifold(*candidate, context)) {
             return closed;
         }
     }
-    const Mesh sewn = welded_within(cleaned.distinct, options.seam * bounds(cleaned.distinct).diagonal());
+    sewn = welded_within(cleaned.distinct, seam_width(cleaned, options));
     std::optional<Mesh> closed = closed_manifold(sewn, context);
     if (closed) {
         context.log(Severity::info, fmt::format("seams narrower than {:g} of the size were closed", options.seam));
@@ -44,18 +47,24 @@ std::optional<Mesh> sound(const Cleaned& cleaned, const SoupOptions& options, Co
     return closed;
 }
 
+} // namespace
+
+std::optional<Mesh> sound(const Cleaned& cleaned, const SoupOptions& options, Context& context) {
+    Mesh sewn;
+    return tried_as_sound(cleaned, options, sewn, context);
+}
+
 std::optional<Mesh> mended(const Cleaned& cleaned, const SoupOptions& options, Context& context) {
-    if (std::optional<Mesh> closed = sound(cleaned, options, context)) {
+    Mesh mesh;
+    if (std::optional<Mesh> closed = tried_as_sound(cleaned, options, mesh, context)) {
         return closed;
     }
-    const double tolerance = options.seam * bounds(cleaned.distinct).diagonal();
     Deeds deeds;
-    Mesh mesh = welded_within(cleaned.distinct, tolerance);
     deeds.add(cleaned.distinct.vertices.size() - mesh.vertices.size(), "vertices along seams sewn together");
     if (mesh.triangles.empty()) {
         return std::nullopt;
     }
-    deeds.add(join_t_junctions(mesh, tolerance), "T-junctions joined");
+    deeds.add(join_t_junctions(mesh, seam_width(cleaned, options)), "T-junctions joined");
     const FacingReport facing = face_outwards(mesh, context);
     deeds.add(facing.turned, "triangles turned to face outwards");
     deeds.add(facing.walls, "triangles between bodies taken out");
