@@ -1,12 +1,12 @@
 #include "facing.hpp"
 
+#include "fans.hpp"
 #include "triangle.hpp"
 
 #include <foam/solid.hpp>
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
 
 namespace foam::repair {
 namespace {
@@ -15,19 +15,7 @@ constexpr std::uint32_t none = 0xFFFFFFFFu;
 
 /// For side k of triangle i, at 3 i + k: the triangle over an edge of exactly two; none elsewhere.
 std::vector<std::uint32_t> partners(const Mesh& mesh) {
-    struct Side {
-        std::uint32_t low, high, side;
-        bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
-    };
-    std::vector<Side> sides;
-    for (std::uint32_t side = 0; side < 3 * mesh.triangles.size(); ++side) {
-        const Triangle& t = mesh.triangles[side / 3];
-        const std::uint32_t from = t[side % 3], to = t[(side % 3 + 1) % 3];
-        sides.push_back({std::min(from, to), std::max(from, to), side});
-    }
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-        return std::tie(a.low, a.high, a.side) < std::tie(b.low, b.high, b.side);
-    });
+    const std::vector<Side> sides = sorted_sides(mesh);
     std::vector<std::uint32_t> result(sides.size(), none);
     for (std::size_t begin = 0; begin < sides.size();) {
         std::size_t end = begin + 1;

@@ -7,26 +7,6 @@ namespace {
 
 constexpr std::uint32_t none = 0xFFFFFFFFu;
 
-struct Side {
-    std::uint32_t low, high, side;
-};
-
-std::vector<Side> sorted_sides(const Mesh& mesh) {
-    std::vector<Side> sides;
-    sides.reserve(3 * mesh.triangles.size());
-    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-        const Triangle& t = mesh.triangles[i];
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            const std::uint32_t from = t[k], to = t[(k + 1) % 3];
-            sides.push_back({std::min(from, to), std::max(from, to), 3 * i + k});
-        }
-    }
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-        return std::tie(a.low, a.high, a.side) < std::tie(b.low, b.high, b.side);
-    });
-    return sides;
-}
-
 std::uint32_t start_of(const Mesh& mesh, std::uint32_t side) {
     return mesh.triangles[side / 3][side % 3];
 }
@@ -70,12 +50,28 @@ bool sort_inside_between(const Mesh& mesh, std::vector<std::uint32_t>& sides) {
 
 } // namespace
 
+std::vector<Side> sorted_sides(const Mesh& mesh) {
+    std::vector<Side> sides;
+    sides.reserve(3 * mesh.triangles.size());
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+        const Triangle& t = mesh.triangles[i];
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const std::uint32_t from = t[k], to = t[(k + 1) % 3];
+            sides.push_back({std::min(from, to), std::max(from, to), 3 * i + k});
+        }
+    }
+    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+        return std::tie(a.low, a.high, a.side) < std::tie(b.low, b.high, b.side);
+    });
+    return sides;
+}
+
 std::optional<Neighbours> neighbours(const Mesh& mesh) {
     const std::vector<Side> sides = sorted_sides(mesh);
     Neighbours result(sides.size(), none);
     for (std::size_t begin = 0; begin < sides.size();) {
         std::size_t end = begin + 1;
-        while (end < sides.size() && sides[end].low == sides[begin].low && sides[end].high == sides[begin].high) {
+        while (end < sides.size() && sides[end].same_edge(sides[begin])) {
             ++end;
         }
         std::vector<std::uint32_t> around;

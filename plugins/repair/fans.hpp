@@ -8,6 +8,16 @@
 
 namespace foam::repair {
 
+/// Side `side` % 3 of triangle `side` / 3, with the ends of its edge in ascending order.
+struct Side {
+    std::uint32_t low, high, side;
+
+    bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
+};
+
+/// All sides, by edge, then by number. O(n log n).
+std::vector<Side> sorted_sides(const Mesh& mesh);
+
 /// For side k of triangle i (from corner k to corner k + 1) at 3 i + k: the side of the other triangle at that edge.
 using Neighbours = std::vector<std::uint32_t>;
 
