@@ -13,22 +13,6 @@
 namespace foam::repair {
 namespace {
 
-void check(const Mesh& mesh) {
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        for (const std::uint32_t corner : mesh.triangles[i]) {
-            if (corner >= mesh.vertices.size()) {
-                throw Error(ErrorCode::geometry, fmt::format("triangle {} refers to vertex {}, but there are only {}",
-                                                             i, corner, mesh.vertices.size()));
-            }
-            if (!is_finite(mesh.vertices[corner])) {
-                throw Error(ErrorCode::geometry,
-                            fmt::format("vertex {} of the mesh is not finite; remove its triangles or repair the file",
-                                        corner));
-            }
-        }
-    }
-}
-
 /// Cubes of lengths must neither overflow nor vanish.
 void check_extents(const Mesh& mesh) {
     const Vec3 size = bounds(mesh).size();
@@ -71,7 +55,7 @@ std::vector<Triangle> without_repeats(const std::vector<Triangle>& triangles) {
 } // namespace
 
 Cleaned clean(const Mesh& mesh, Context& context) {
-    check(mesh);
+    check_corners(mesh);
     Cleaned result;
     result.all = welded(mesh);
     if (!result.all.triangles.empty()) {

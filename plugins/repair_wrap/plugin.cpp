@@ -10,27 +10,13 @@ namespace {
 
 using namespace foam;
 
-void check(const Mesh& mesh) {
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        for (const std::uint32_t corner : mesh.triangles[i]) {
-            if (corner >= mesh.vertices.size()) {
-                throw Error(ErrorCode::geometry, fmt::format("triangle {} refers to vertex {}, but there are only {}",
-                                                             i, corner, mesh.vertices.size()));
-            }
-            if (!is_finite(mesh.vertices[corner])) {
-                throw Error(ErrorCode::geometry, fmt::format("vertex {} of the mesh is not finite", corner));
-            }
-        }
-    }
-}
-
 class Wrap final : public MeshFilter {
 public:
     explicit Wrap(const Parameters& parameters)
         : alpha_(parameters.number("alpha")), offset_(parameters.number("offset")) {}
 
     Mesh apply(const Mesh& mesh, Context& context) const override {
-        check(mesh);
+        check_corners(mesh);
         context.check_cancelled();
         const Mesh input = welded(mesh);
         const Box box = bounds(input);

@@ -16,17 +16,7 @@ void check(const Mesh& mesh) {
     if (mesh.triangles.empty()) {
         throw Error(ErrorCode::geometry, "the mesh has no triangles");
     }
-    for (const Triangle& t : mesh.triangles) {
-        for (const std::uint32_t corner : t) {
-            if (corner >= mesh.vertices.size()) {
-                throw Error(ErrorCode::geometry, fmt::format("a triangle refers to vertex {}, but there are only {}",
-                                                             corner, mesh.vertices.size()));
-            }
-            if (!is_finite(mesh.vertices[corner])) {
-                throw Error(ErrorCode::geometry, fmt::format("vertex {} of the mesh is not finite", corner));
-            }
-        }
-    }
+    check_corners(mesh);
 }
 
 /// Coordinates in the unit box: the library computes in single precision.

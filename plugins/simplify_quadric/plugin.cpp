@@ -10,20 +10,6 @@
 namespace foam::simplify {
 namespace {
 
-void check_indices(const Mesh& mesh) {
-    for (const Triangle& t : mesh.triangles) {
-        for (const std::uint32_t corner : t) {
-            if (corner >= mesh.vertices.size()) {
-                throw Error(ErrorCode::geometry, fmt::format("a triangle refers to vertex {}, but there are only {}",
-                                                             corner, mesh.vertices.size()));
-            }
-            if (!is_finite(mesh.vertices[corner])) {
-                throw Error(ErrorCode::geometry, fmt::format("vertex {} of the mesh is not finite", corner));
-            }
-        }
-    }
-}
-
 void check(const Mesh& mesh, const Topology& defects) {
     if (mesh.triangles.empty()) {
         throw Error(ErrorCode::geometry, "the mesh has no triangles");
@@ -49,7 +35,7 @@ public:
           volume_tolerance_(parameters.number("volume_tolerance")), max_distance_(parameters.number("max_distance")) {}
 
     Mesh apply(const Mesh& mesh, Context& context) const override {
-        check_indices(mesh);
+        check_corners(mesh);
         const Topology before = topology(mesh);
         check(mesh, before);
         const std::size_t wanted = wanted_triangles(mesh.triangles.size());

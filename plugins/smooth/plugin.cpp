@@ -10,14 +10,7 @@ namespace foam::smooth {
 namespace {
 
 void check(const Mesh& mesh) {
-    for (const Triangle& t : mesh.triangles) {
-        for (const std::uint32_t corner : t) {
-            if (corner >= mesh.vertices.size()) {
-                throw Error(ErrorCode::geometry, fmt::format("a triangle refers to vertex {}, but there are only {}",
-                                                             corner, mesh.vertices.size()));
-            }
-        }
-    }
+    check_corners(mesh);
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
         const Vec3& p = mesh.vertices[i];
         // Cubes of coordinates must stay finite.

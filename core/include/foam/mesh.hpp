@@ -22,6 +22,10 @@ struct Mesh {
     bool operator==(const Mesh&) const = default;
 };
 
+/// What filters ask of a mesh: all corners are vertices, and finite; vertices of no triangle may be anything. Throws
+/// Error(geometry) naming the first triangle or vertex that is not so.
+void check_corners(const Mesh& mesh);
+
 Box bounds(const Mesh& mesh);
 /// Sum of the triangles' areas.
 double surface_area(const Mesh& mesh);

@@ -1,9 +1,28 @@
+#include <foam/error.hpp>
 #include <foam/mesh.hpp>
+
+#include <fmt/format.h>
 
 #include <map>
 #include <tuple>
 
 namespace foam {
+
+void check_corners(const Mesh& mesh) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        for (const std::uint32_t corner : mesh.triangles[i]) {
+            if (corner >= mesh.vertices.size()) {
+                throw Error(ErrorCode::geometry, fmt::format("triangle {} refers to vertex {}, but there are only {}",
+                                                             i, corner, mesh.vertices.size()));
+            }
+            if (!is_finite(mesh.vertices[corner])) {
+                throw Error(ErrorCode::geometry,
+                            fmt::format("vertex {} of the mesh is not finite; remove its triangles or repair the file",
+                                        corner));
+            }
+        }
+    }
+}
 
 Box bounds(const Mesh& mesh) {
     Box box;
