@@ -5,6 +5,10 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// m. Squares of distances within balls of these sizes neither overflow nor lose more than 1e-40 of themselves to
+/// underflow. Other balls hold nothing.
+constexpr double smallest_ball = 1e-140, largest_ball = 1e150;
+
 struct Middle {
     Vec3 point;
     double radius; // of the piece about the point
@@ -44,6 +48,7 @@ std::pair<Piece, Piece> halves(const Piece& piece) {
 Balls::Balls(const Solid& solid, std::span<const Sphere> spheres, std::uint32_t most_halvings, double caution)
     : origin_(solid.bounds().center()), extent_(0),
       unit_(std::numeric_limits<double>::epsilon() * (most_halvings + 8) * caution),
+      placement_(8 * std::numeric_limits<double>::epsilon() * norm(origin_) * caution),
       triangles_(&solid.surface().triangles) {
     vertices_.reserve(solid.surface().vertices.size());
     for (const Vec3& v : solid.surface().vertices) {
@@ -107,12 +112,12 @@ void Balls::update_largest() {
 }
 
 double Balls::slack(double center_norm, double radius) const {
-    return unit_ * (extent_ + center_norm + radius);
+    return unit_ * (extent_ + center_norm + radius) + placement_;
 }
 
 double Balls::full_radius(std::uint32_t i, double wanted) const {
     const double c = norm(centers_[i]);
-    return wanted + 2 * slack(c, 2 * wanted);
+    return std::max(wanted + 2 * slack(c, 2 * wanted), 2 * smallest_ball);
 }
 
 double Balls::shrunk(std::uint32_t i, double full_radius) const {
@@ -126,7 +131,8 @@ void Balls::set_radius(std::uint32_t i, double full_radius) {
 }
 
 bool Balls::holds(std::uint32_t i, const Corners& t) const {
-    const double limit = radii_[i] > 0 ? radii_[i] * radii_[i] : -1;
+    const bool sound = radii_[i] >= smallest_ball && radii_[i] <= largest_ball;
+    const double limit = sound ? radii_[i] * radii_[i] : -1;
     return squared_norm(t.a - centers_[i]) <= limit && squared_norm(t.b - centers_[i]) <= limit &&
            squared_norm(t.c - centers_[i]) <= limit;
 }

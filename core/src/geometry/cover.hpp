@@ -35,16 +35,19 @@ struct RoundPart {
     double radius;
 };
 
-/// Balls in coordinates relative to the surface's centre, with radii made smaller by more than all rounding errors.
+/// Balls in coordinates relative to the surface's centre o, with radii made smaller by more than all rounding errors.
 ///
-/// Why no uncovered point passes. Let u = 2^-53, M the largest distance of a surface vertex from the centre, |c| that
-/// of a ball's centre, r its radius, L the most halvings. Subtracting the centre rounds each coordinate by at most u·M
-/// (u·|c|). Every halving rounds the middle by at most u·M and averages the errors of its ends, so a corner of a piece
-/// is within (L + 1)·u·M of where exact arithmetic puts it, in each coordinate; the exact pieces tile the triangle. The
-/// difference of a coordinate to the ball's centre is then off by less than (L + 2)·u·M + 2u·|c|, the distance by √3
-/// times that, and the rounding of the squares, their sum and the comparison adds less than 4u times the distance,
-/// which is at most r when the test passes. All that is below 2u·(L + 8)·(M + |c| + r) = slack. So if the test against
-/// r - slack passes, the exact corners lie in the exact ball, and the exact piece does by convexity.
+/// Why no uncovered point passes. Let u = 2^-53, M the largest distance
+/// of a surface vertex from o, |c| that of a ball's centre, r its radius, L the most halvings. A vertex is off by at
+/// most 8u·(M + |o|) from where the part's pose puts it in exact arithmetic. Subtracting o rounds each coordinate by at
+/// most u·M (u·|c|). Every halving rounds the middle by at most u·M and averages the errors of its ends, so a corner of
+/// a piece is within (L + 1)·u·M of where exact arithmetic puts it, in each coordinate; the exact pieces tile the
+/// triangle. The difference of a coordinate to the ball's centre is then off by less than (L + 2)·u·M + 2u·|c|, the
+/// distance by √3 times that, and the rounding of the squares, their sum and the comparison adds less than 4u times the
+/// distance, which is at most r when the test passes. All that is below 2u·(L + 8)·(M + |c| + r) + 16u·|o| = slack. So
+/// if the test against r - slack passes, the exact corners lie in the exact ball, and the exact piece does by
+/// convexity. All of it needs squares that neither overflow nor underflow: balls too large or too small for that hold
+/// nothing.
 class Balls {
 public:
     /// `caution`: multiplies the slack. Balls that are not finite, or not larger than the slack, hold nothing.
@@ -89,8 +92,9 @@ private:
     void find_round_parts(const Solid& solid);
 
     Vec3 origin_;
-    double extent_; // M
-    double unit_;   // 2u·(L + 8)·caution
+    double extent_;    // M
+    double unit_;      // 2u·(L + 8)·caution
+    double placement_; // 16u·|o|·caution
     const std::vector<Triangle>* triangles_;
     std::vector<Vec3> vertices_;
     std::vector<Vec3> centers_;
