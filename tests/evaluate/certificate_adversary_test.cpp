@@ -191,6 +191,52 @@ TEST(CertificateAdversary, RoundPrimitivesAreNeverLeftOut) {
     }
 }
 
+/// Balls that cover the polyhedron around a primitive but not the point of the primitive beneath its outermost corner.
+struct ShellTrick {
+    std::vector<Sphere> balls;
+    Vec3 open; ///< on the true surface, in none of the balls
+};
+
+ShellTrick cover_only_the_shell(const Primitive& primitive) {
+    const auto beneath = [&](const Vec3& p) { // nearest point of the cylinder's or ball's surface
+        const Vec3 axis{0, 0, primitive.kind == Primitive::Kind::cylinder ? p.z : 0};
+        return axis + primitive.radius * normalized(p - axis);
+    };
+    Vec3 corner{};
+    double depth = 0;
+    for (Vec3 p : enclosing_mesh(primitive).vertices) {
+        p.z = primitive.kind == Primitive::Kind::cylinder ? 0 : p.z; // in the middle of an edge
+        if (norm(p) > 0 && distance(p, beneath(p)) > depth) {
+            corner = p;
+            depth = distance(p, beneath(p));
+        }
+    }
+    ShellTrick trick{{{corner, 0.9 * depth}}, beneath(corner)};
+    const Vec3 out = normalized(corner - trick.open), side = normalized(cross(out, {0, 0, 1})), up = cross(side, out);
+    for (const Vec3& way : {side, -side, up, -up}) {
+        trick.balls.push_back({corner + 0.5 * way, 0.5 - 0.45 * depth});
+    }
+    trick.balls.push_back({-corner, primitive.radius});
+    return trick;
+}
+
+TEST(CertificateAdversary, CoverOfTheShellAroundARoundPrimitiveIsNoCover) {
+    for (const Primitive& primitive :
+         {Primitive{Primitive::Kind::cylinder, {}, 0.1, 0.2}, Primitive{Primitive::Kind::sphere, {}, 0.1, 0}}) {
+        const ShellTrick trick = cover_only_the_shell(primitive);
+        for (const Sphere& ball : trick.balls) {
+            ASSERT_GT(distance(trick.open, ball.center), ball.radius * (1 + 1e-6));
+        }
+        const auto shell = Solid::make(enclosing_mesh(primitive));
+        EXPECT_TRUE(certify(*shell, trick.balls).holds) << "the polyhedron itself is covered";
+        const auto solid = Solid::make({{nullptr, primitive, Pose{}}});
+        EXPECT_FALSE(certify(*solid, trick.balls).holds) << to_string(primitive.kind);
+        const std::vector<Sphere> grown = grown_to_cover(*solid, trick.balls);
+        EXPECT_TRUE(std::any_of(grown.begin(), grown.end(),
+                                [&](const Sphere& ball) { return distance(trick.open, ball.center) <= ball.radius; }));
+    }
+}
+
 TEST(CertificateAdversary, SquaresThatOverflowProveNothing) {
     // Both squares are infinite; infinity <= infinity is no proof.
     const double far = 1e170;

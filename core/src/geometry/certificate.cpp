@@ -50,10 +50,10 @@ private:
         ++certificate_.pieces;
         indices_.clear();
         balls_.candidates(whole, indices_);
-        if (!indices_.empty() && balls_.holds(indices_[0], whole.corners)) {
+        if (!indices_.empty() && balls_.holds(indices_[0], whole)) {
             return;
         }
-        smallest_ = std::max(smallest_piece * balls_.extent(), shrink_ * geometry::longest_edge(whole.corners));
+        smallest_ = std::max(smallest_piece * balls_.extent(), shrink_ * geometry::size_of(whole));
         waiting_.assign(1, {whole, 0, indices_.size()});
         while (!waiting_.empty()) {
             const Waiting next = waiting_.back();
@@ -72,34 +72,34 @@ private:
     /// Covered, or too small to split, or not the worst anyway; otherwise its halves wait.
     void examine(const Waiting& item) {
         double upper = std::numeric_limits<double>::infinity(); // one ball must grow so much to hold the piece
-        std::array<double, 3> corner_gap{upper, upper, upper};
-        const std::array<Vec3, 3> corners{item.piece.corners.a, item.piece.corners.b, item.piece.corners.c};
+        const geometry::PiecePoints corners(item.piece);
+        std::array<double, 6> corner_gap;
+        corner_gap.fill(upper);
         for (std::size_t k = item.begin; k < item.end; ++k) {
-            if (balls_.holds(indices_[k], item.piece.corners)) {
+            if (balls_.holds(indices_[k], item.piece)) {
                 return;
             }
             double worst = -std::numeric_limits<double>::infinity();
-            for (std::size_t c = 0; c < 3; ++c) {
-                const double gap = balls_.gap(indices_[k], corners[c]);
+            for (std::size_t c = 0; c < corners.count; ++c) {
+                const double gap = balls_.gap(indices_[k], corners.points[c]);
                 corner_gap[c] = std::min(corner_gap[c], gap);
                 worst = std::max(worst, gap);
             }
             upper = std::min(upper, worst);
         }
-        const std::size_t farthest =
-            static_cast<std::size_t>(std::max_element(corner_gap.begin(), corner_gap.end()) - corner_gap.begin());
+        const auto* const worst_gap = std::max_element(corner_gap.data(), corner_gap.data() + corners.count);
+        const std::size_t farthest = static_cast<std::size_t>(worst_gap - corner_gap.data());
         const double lower = corner_gap[farthest];
         if (lower > 0 && (certificate_.holds || lower > proved_gap_)) {
-            fail(item.piece, corners[farthest]);
+            fail(item.piece, corners.points[farthest]);
             proved_gap_ = lower;
         }
         if (!certificate_.holds && upper <= std::max(certificate_.growth, proved_gap_)) {
             return;
         }
-        const bool small =
-            geometry::longest_edge(item.piece.corners) <= smallest_ || item.piece.level >= most_halvings_;
+        const bool small = geometry::size_of(item.piece) <= smallest_ || item.piece.level >= most_halvings_;
         if (small || !(upper - lower > gap_accuracy * upper)) {
-            fail(item.piece, corners[farthest]);
+            fail(item.piece, corners.points[farthest]);
             certificate_.growth = std::max(certificate_.growth, std::max(upper, 0.0));
             return;
         }

@@ -14,19 +14,55 @@ struct Middle {
     double radius; // of the piece about the point
 };
 
-Middle middle_of(const Corners& t) {
+Middle middle_of(const Piece& piece) {
+    const Corners& t = piece.corners;
     const Vec3 point = (t.a + t.b + t.c) / 3;
-    return {point, reach(point, t)};
+    return {point, reach(point, piece)};
+}
+
+double squared_reach(const Vec3& center, const Corners& t) {
+    return std::max({squared_norm(t.a - center), squared_norm(t.b - center), squared_norm(t.c - center)});
+}
+
+double squared_edge(const Corners& t) {
+    return std::max({squared_norm(t.b - t.a), squared_norm(t.c - t.b), squared_norm(t.a - t.c)});
+}
+
+double squared_height(const Piece& piece) {
+    const Corners &top = piece.corners, &base = piece.beneath;
+    return piece.curved
+               ? std::max({squared_norm(top.a - base.a), squared_norm(top.b - base.b), squared_norm(top.c - base.c)})
+               : 0;
+}
+
+/// Both halves of a triangle; `cut` is the edge: 0 ab, 1 bc, 2 ca.
+void halve(Corners& first, Corners& second, int cut) {
+    if (cut == 0) {
+        first.b = second.a = (first.a + first.b) * 0.5;
+    } else if (cut == 1) {
+        first.c = second.b = (first.b + first.c) * 0.5;
+    } else {
+        first.c = second.a = (first.c + first.a) * 0.5;
+    }
 }
 
 } // namespace
 
-double reach(const Vec3& center, const Corners& t) {
-    return std::sqrt(std::max({squared_norm(t.a - center), squared_norm(t.b - center), squared_norm(t.c - center)}));
+PiecePoints::PiecePoints(const Piece& piece)
+    : points{piece.corners.a, piece.corners.b, piece.corners.c, piece.beneath.a, piece.beneath.b, piece.beneath.c},
+      count(piece.curved ? 6 : 3) {}
+
+double reach(const Vec3& center, const Piece& piece) {
+    const double top = squared_reach(center, piece.corners);
+    return std::sqrt(piece.curved ? std::max(top, squared_reach(center, piece.beneath)) : top);
 }
 
-double longest_edge(const Corners& t) {
-    return std::sqrt(std::max({squared_norm(t.b - t.a), squared_norm(t.c - t.b), squared_norm(t.a - t.c)}));
+double size_of(const Piece& piece) {
+    return std::sqrt(std::max(squared_edge(piece.corners), squared_height(piece)));
+}
+
+double diameter_of(const Piece& piece) {
+    return std::sqrt(squared_edge(piece.corners)) + std::sqrt(squared_height(piece));
 }
 
 std::pair<Piece, Piece> halves(const Piece& piece) {
@@ -35,13 +71,14 @@ std::pair<Piece, Piece> halves(const Piece& piece) {
     Piece first = piece, second = piece;
     ++first.level;
     ++second.level;
-    if (ab >= bc && ab >= ca) {
-        first.corners.b = second.corners.a = (a + b) * 0.5;
-    } else if (bc >= ca) {
-        first.corners.c = second.corners.b = (b + c) * 0.5;
-    } else {
-        first.corners.c = second.corners.a = (c + a) * 0.5;
+    if (squared_height(piece) > std::max({ab, bc, ca})) {
+        const Corners& base = piece.beneath;
+        first.beneath = second.corners = {(a + base.a) * 0.5, (b + base.b) * 0.5, (c + base.c) * 0.5};
+        return {first, second};
     }
+    const int cut = ab >= bc && ab >= ca ? 0 : bc >= ca ? 1 : 2;
+    halve(first.corners, second.corners, cut);
+    halve(first.beneath, second.beneath, cut);
     return {first, second};
 }
 
@@ -72,14 +109,48 @@ Balls::Balls(const Solid& solid, std::span<const Sphere> spheres, std::uint32_t 
 void Balls::find_round_parts(const Solid& solid) {
     for (std::size_t i = 0; i < solid.parts().size(); ++i) {
         const Solid::Part& part = solid.parts()[i];
-        if (!part.primitive ||
-            (part.primitive->kind != Primitive::Kind::sphere && part.primitive->kind != Primitive::Kind::capsule)) {
+        if (!part.primitive || part.primitive->kind == Primitive::Kind::box) {
+            continue;
+        }
+        find_beneath(solid, i);
+        if (part.primitive->kind == Primitive::Kind::cylinder) {
             continue;
         }
         const double half = part.primitive->kind == Primitive::Kind::capsule ? part.primitive->length / 2 : 0;
         const Vec3 center = part.pose.translation, along = part.pose.rotate({0, 0, half});
         round_parts_.push_back({solid.part_offsets()[i], solid.part_offsets()[i + 1], center - origin_ - along,
                                 center - origin_ + along, center, part.primitive->radius});
+    }
+}
+
+/// The true surface runs beneath the polyhedron: every point of it lies straight below some point of a facet, since
+/// each facet touches the ball, or the cylinder's side, in a point of its own. How deep, is a convex function over the
+/// facet (the primitive is convex), so nowhere deeper than between the depths below the corners. Below a corner the
+/// depth is measured to the ball about the nearest point of the axis, which is in the primitive and so no higher than
+/// its surface. The flat ends of a cylinder lie in those of the polyhedron.
+void Balls::find_beneath(const Solid& solid, std::size_t index) {
+    const Solid::Part& part = solid.parts()[index];
+    const double radius = part.primitive->radius;
+    const bool cylinder = part.primitive->kind == Primitive::Kind::cylinder;
+    const double half = part.primitive->kind == Primitive::Kind::sphere ? 0 : part.primitive->length / 2;
+    const Vec3 center = part.pose.translation - origin_, along = part.pose.rotate({0, 0, 1});
+    beneath_.resize(triangles_->size());
+    curved_.resize(triangles_->size(), 0);
+    for (std::uint32_t i = solid.part_offsets()[index]; i < solid.part_offsets()[index + 1]; ++i) {
+        const Corners t = piece(i).corners;
+        const Vec3 normal = normalized(cross(t.b - t.a, t.c - t.a));
+        if (cylinder && std::abs(dot(normal, along)) > 0.5) {
+            continue;
+        }
+        const auto below = [&](const Vec3& corner) {
+            const Vec3 axis = center + std::clamp(dot(corner - center, along), -half, half) * along;
+            const Vec3 v = corner - axis;
+            const double height = dot(v, normal), squared_aside = squared_norm(v) - height * height;
+            const double depth = height - std::sqrt(std::max(0.0, radius * radius - squared_aside));
+            return corner - std::max(0.0, depth) * normal;
+        };
+        curved_[i] = 1;
+        beneath_[i] = {below(t.a), below(t.b), below(t.c)};
     }
 }
 
@@ -137,16 +208,25 @@ bool Balls::holds(std::uint32_t i, const Corners& t) const {
            squared_norm(t.c - centers_[i]) <= limit;
 }
 
+bool Balls::holds(std::uint32_t i, const Piece& piece) const {
+    return holds(i, piece.corners) && (!piece.curved || holds(i, piece.beneath));
+}
+
 Piece Balls::piece(std::uint32_t i) const {
     const auto& [a, b, c] = (*triangles_)[i];
-    return {{vertices_[a], vertices_[b], vertices_[c]}, i, 0};
+    Piece piece{.corners = {vertices_[a], vertices_[b], vertices_[c]}, .beneath = {}, .triangle = i};
+    if (!curved_.empty() && curved_[i]) {
+        piece.curved = true;
+        piece.beneath = beneath_[i];
+    }
+    return piece;
 }
 
 void Balls::candidates(const Piece& piece, std::vector<std::uint32_t>& result) const {
     if (bvh_.nodes().empty()) {
         return;
     }
-    const Middle middle = middle_of(piece.corners);
+    const Middle middle = middle_of(piece);
     const auto least_gap = [&](std::uint32_t n) {
         return std::sqrt(squared_distance(bvh_.nodes()[n], middle.point)) - largest_[n];
     };
@@ -183,7 +263,7 @@ void Balls::candidates(const Piece& piece, std::vector<std::uint32_t>& result) c
         return;
     }
     result.push_back(nearest);
-    if (holds(nearest, piece.corners)) {
+    if (holds(nearest, piece)) {
         return;
     }
     const double limit = nearest_gap + 2.001 * middle.radius + unit_ * extent_;
@@ -196,7 +276,7 @@ void Balls::candidates(const Piece& piece, std::vector<std::uint32_t>& result) c
 
 void Balls::candidates(const Piece& piece, std::size_t begin, std::size_t end,
                        std::vector<std::uint32_t>& result) const {
-    const Middle middle = middle_of(piece.corners);
+    const Middle middle = middle_of(piece);
     double nearest_gap = infinity;
     std::size_t nearest = begin;
     for (std::size_t k = begin; k < end; ++k) {

@@ -12,19 +12,35 @@
 
 namespace foam::geometry {
 
-/// A triangle, or what is left of it after halvings of its longest edge.
+/// A triangle, or what is left of it after halvings. Of a polyhedron that stands for a curved primitive: a prism
+/// between the polyhedron and what lies beneath it, within which the true surface runs.
 struct Piece {
     Corners corners;
+    Corners beneath; ///< curved: straight down from the corners, on or under the true surface; else unused
+    bool curved = false;
     std::uint32_t triangle = 0;
     std::uint32_t level = 0; ///< halvings so far
 };
 
-/// The two halves, cut at the middle of the longest edge (Rivara 1984: the angles stay bounded).
+/// The two halves, cut at the middle of the longest edge (Rivara 1984: the angles stay bounded); a prism that is higher
+/// than that is cut halfway up.
 std::pair<Piece, Piece> halves(const Piece& piece);
-double longest_edge(const Corners& corners);
+/// The longest edge, or the height if that is more.
+double size_of(const Piece& piece);
+/// No two points of the piece are farther apart.
+double diameter_of(const Piece& piece);
 
-/// Largest distance from a point to the corners, and so to any point of the triangle.
-double reach(const Vec3& center, const Corners& corners);
+/// The points whose convex hull is the piece.
+struct PiecePoints {
+    explicit PiecePoints(const Piece& piece);
+    const Vec3* begin() const { return points.data(); }
+    const Vec3* end() const { return points.data() + count; }
+    std::array<Vec3, 6> points;
+    std::size_t count;
+};
+
+/// Largest distance from a point to any point of the piece.
+double reach(const Vec3& center, const Piece& piece);
 
 /// A ball or capsule among the solid's parts: all points within `radius` of the segment between two points. One ball
 /// that holds it is known in closed form, tighter than its tessellation.
@@ -37,7 +53,7 @@ struct RoundPart {
 
 /// Balls in coordinates relative to the surface's centre o, with radii made smaller by more than all rounding errors.
 ///
-/// Why no uncovered point passes. Let u = 2^-53, M the largest distance
+/// Why no uncovered point passes (docs/dev/certificate.md has it step by step). Let u = 2^-53, M the largest distance
 /// of a surface vertex from o, |c| that of a ball's centre, r its radius, L the most halvings. A vertex is off by at
 /// most 8u·(M + |o|) from where the part's pose puts it in exact arithmetic. Subtracting o rounds each coordinate by at
 /// most u·M (u·|c|). Every halving rounds the middle by at most u·M and averages the errors of its ends, so a corner of
@@ -63,7 +79,7 @@ public:
     /// Takes a new full radius; not finite: the ball holds nothing.
     void set_radius(std::uint32_t i, double full_radius);
 
-    bool holds(std::uint32_t i, const Corners& corners) const;
+    bool holds(std::uint32_t i, const Piece& piece) const;
     const std::vector<RoundPart>& round_parts() const { return round_parts_; }
     /// The full radius with which ball `i` holds the part: rounded up, but exact for a ball about the same centre.
     double radius_around(std::uint32_t i, const RoundPart& part) const;
@@ -90,6 +106,8 @@ private:
     double shrunk(std::uint32_t i, double full_radius) const;
     void update_largest();
     void find_round_parts(const Solid& solid);
+    void find_beneath(const Solid& solid, std::size_t part);
+    bool holds(std::uint32_t i, const Corners& corners) const;
 
     Vec3 origin_;
     double extent_;    // M
@@ -97,6 +115,8 @@ private:
     double placement_; // 16u·|o|·caution
     const std::vector<Triangle>* triangles_;
     std::vector<Vec3> vertices_;
+    std::vector<Corners> beneath_; // of each triangle; empty if no part is curved
+    std::vector<char> curved_;
     std::vector<Vec3> centers_;
     std::vector<double> radii_;
     std::vector<Vec3> given_centers_; // in the solid's frame

@@ -48,8 +48,8 @@ public:
                 push(entry.piece, now.upper); // others are worse by now
                 continue;
             }
-            const bool small = longest_edge(entry.piece.corners) <= smallest_piece * balls_.extent() ||
-                               entry.piece.level >= growth_halvings;
+            const bool small =
+                size_of(entry.piece) <= smallest_piece * balls_.extent() || entry.piece.level >= growth_halvings;
             if (small || now.lower >= fine_enough * now.upper) {
                 give(entry.piece);
                 continue;
@@ -106,22 +106,23 @@ private:
         candidates_.clear();
         balls_.candidates(piece, candidates_);
         constexpr double infinity = std::numeric_limits<double>::infinity();
-        const std::array<Vec3, 3> corners{piece.corners.a, piece.corners.b, piece.corners.c};
-        std::array<double, 3> corner_gap{infinity, infinity, infinity};
+        const PiecePoints corners(piece);
+        std::array<double, 6> corner_gap;
+        corner_gap.fill(infinity);
         Bounds result{false, 0, infinity};
         for (const std::uint32_t i : candidates_) {
-            if (balls_.holds(i, piece.corners)) {
+            if (balls_.holds(i, piece)) {
                 return {true, 0, 0};
             }
             double worst = -infinity;
-            for (std::size_t c = 0; c < 3; ++c) {
-                const double gap = balls_.gap(i, corners[c]);
+            for (std::size_t c = 0; c < corners.count; ++c) {
+                const double gap = balls_.gap(i, corners.points[c]);
                 corner_gap[c] = std::min(corner_gap[c], gap);
                 worst = std::max(worst, gap);
             }
             result.upper = std::min(result.upper, worst);
         }
-        result.lower = *std::max_element(corner_gap.begin(), corner_gap.end());
+        result.lower = *std::max_element(corner_gap.data(), corner_gap.data() + corners.count);
         return result;
     }
 
@@ -130,7 +131,7 @@ private:
         std::vector<std::pair<double, std::uint32_t>> growths;
         for (std::uint32_t i = 0; i < balls_.size(); ++i) {
             if (std::isfinite(balls_.radius(i))) {
-                growths.push_back({reach(balls_.center(i), piece.corners) - balls_.radius(i), i});
+                growths.push_back({reach(balls_.center(i), piece) - balls_.radius(i), i});
             }
         }
         const std::size_t count = std::min(compared, growths.size());
@@ -156,7 +157,7 @@ private:
     }
 
     double radius_to_hold(std::uint32_t i, const Piece& piece) const {
-        double radius = balls_.full_radius(i, reach(balls_.center(i), piece.corners));
+        double radius = balls_.full_radius(i, reach(balls_.center(i), piece));
         return rounded_up(std::max(radius, spheres_[i].radius), quantum_);
     }
 

@@ -23,8 +23,8 @@ public:
                 continue;
             }
             const Piece piece = balls_.piece(i);
-            const double far = reach(center(), piece.corners);
-            if (far - longest_edge(piece.corners) > limit) {
+            const double far = reach(center(), piece);
+            if (far - diameter_of(piece) > limit) {
                 continue; // no point of it is in the ball: others hold it
             }
             order.push_back({-far, i});
@@ -56,7 +56,7 @@ private:
             const Waiting next = waiting_.back();
             waiting_.pop_back();
             indices_.resize(next.end);
-            if (reach(center(), next.piece.corners) <= need_) {
+            if (reach(center(), next.piece) <= need_) {
                 continue;
             }
             if (next.piece.level == 0) {
@@ -72,11 +72,11 @@ private:
 
     void examine(const Waiting& item) {
         for (std::size_t k = item.begin; k < item.end; ++k) {
-            if (balls_.holds(indices_[k], item.piece.corners)) {
+            if (balls_.holds(indices_[k], item.piece)) {
                 return;
             }
         }
-        for (const Vec3& corner : {item.piece.corners.a, item.piece.corners.b, item.piece.corners.c}) {
+        for (const Vec3& corner : PiecePoints(item.piece)) {
             bool uncovered = true;
             for (std::size_t k = item.begin; uncovered && k < item.end; ++k) {
                 uncovered = balls_.gap(indices_[k], corner) > 0;
@@ -85,17 +85,16 @@ private:
                 need_ = std::max(need_, distance(center(), corner));
             }
         }
-        const double far = reach(center(), item.piece.corners);
+        const double far = reach(center(), item.piece);
         if (far <= need_) {
             return;
         }
-        if (longest_edge(item.piece.corners) <= smallest_piece * balls_.extent() ||
-            item.piece.level >= growth_halvings) {
+        if (size_of(item.piece) <= smallest_piece * balls_.extent() || item.piece.level >= growth_halvings) {
             need_ = far;
             return;
         }
         const auto [first, second] = halves(item.piece);
-        const bool first_is_farther = reach(center(), first.corners) >= reach(center(), second.corners);
+        const bool first_is_farther = reach(center(), first) >= reach(center(), second);
         waiting_.push_back({first_is_farther ? second : first, item.begin, item.end});
         waiting_.push_back({first_is_farther ? first : second, item.begin, item.end});
     }
