@@ -1,4 +1,5 @@
 // Meshes as plain data: what is checked, welded and counted.
+#include <foam/edges.hpp>
 #include <foam/error.hpp>
 #include <foam/mesh.hpp>
 
@@ -55,6 +56,29 @@ TEST(Welded, HasNoNegativeZeros) {
     const Mesh result = welded({{{-0.0, 0, 0}, {1, -0.0, 0}, {0, 1, -0.0}}, {{0, 1, 2}}});
     for (const Vec3& p : result.vertices) {
         EXPECT_FALSE(std::signbit(p.x) || std::signbit(p.y) || std::signbit(p.z));
+    }
+}
+
+TEST(SidesByEdge, PutsTheSidesOfAnEdgeTogether) {
+    const std::vector<Triangle> triangles{{2, 1, 0}, {0, 0, 1}, {1, 2, 3}};
+    std::vector<std::string> edges;
+    for_each_edge(sides_by_edge(triangles, 4), [&](std::span<const Side> edge) {
+        std::string text = std::to_string(edge[0].low) + std::to_string(edge[0].high) + ":";
+        for (const Side& side : edge) {
+            text += (side.forward ? " +" : " -") + std::to_string(side.number);
+        }
+        edges.push_back(text);
+    });
+    EXPECT_THAT(edges, ::testing::ElementsAre("01: -1 +4 -5", "02: +2", "12: -0 +6", "13: -8", "23: +7"));
+}
+
+TEST(SidesByEdge, LeavesOutTrianglesThatTakeNoPart) {
+    const std::vector<Triangle> triangles{{0, 1, 2}, {0, 2, 3}};
+    const std::vector<char> use{0, 1};
+    const std::vector<Side> sides = sides_by_edge(triangles, 4, use);
+    ASSERT_EQ(sides.size(), 3u);
+    for (const Side& side : sides) {
+        EXPECT_EQ(side.triangle(), 1u);
     }
 }
 

@@ -1,10 +1,9 @@
 #include <foam/error.hpp>
 #include <foam/mesh.hpp>
 
-#include <fmt/format.h>
+#include "geometry/welding.hpp"
 
-#include <map>
-#include <tuple>
+#include <fmt/format.h>
 
 namespace foam {
 
@@ -76,35 +75,25 @@ void append(Mesh& mesh, const Mesh& other) {
 }
 
 Mesh welded(const Mesh& mesh) {
-    const auto less = [](const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
-    std::map<Vec3, std::uint32_t, decltype(less)> index_of(less);
-    Mesh result;
-    for (const Triangle& triangle : mesh.triangles) {
-        Triangle t{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            Vec3 v = mesh.vertices[triangle[k]];
-            v = {v.x + 0.0, v.y + 0.0, v.z + 0.0}; // -0 becomes 0
-            t[k] = index_of.try_emplace(v, static_cast<std::uint32_t>(index_of.size())).first->second;
-        }
-        if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) {
-            result.triangles.push_back(t);
-        }
-    }
-    // Number the vertices that are left in the order of their first use.
-    std::vector<Vec3> points(index_of.size());
-    for (const auto& [point, index] : index_of) {
-        points[index] = point;
-    }
     constexpr std::uint32_t unused = 0xFFFFFFFFu;
-    std::vector<std::uint32_t> renumbered(points.size(), unused);
-    for (Triangle& t : result.triangles) {
-        for (std::uint32_t& corner : t) {
-            if (renumbered[corner] == unused) {
-                renumbered[corner] = static_cast<std::uint32_t>(result.vertices.size());
-                result.vertices.push_back(points[corner]);
-            }
-            corner = renumbered[corner];
+    const std::vector<std::uint32_t> first_at = geometry::welded_indices(mesh);
+    std::vector<std::uint32_t> number(mesh.vertices.size(), unused);
+    Mesh result;
+    result.triangles.reserve(mesh.triangles.size());
+    for (const auto& [i, j, k] : mesh.triangles) {
+        Triangle t{first_at[i], first_at[j], first_at[k]};
+        if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
+            continue;
         }
+        for (std::uint32_t& corner : t) {
+            if (number[corner] == unused) {
+                const Vec3& v = mesh.vertices[corner];
+                number[corner] = static_cast<std::uint32_t>(result.vertices.size());
+                result.vertices.push_back({v.x + 0.0, v.y + 0.0, v.z + 0.0}); // -0 becomes 0
+            }
+            corner = number[corner];
+        }
+        result.triangles.push_back(t);
     }
     return result;
 }

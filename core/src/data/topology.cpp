@@ -1,40 +1,11 @@
-#include <foam/mesh.hpp>
+#include <foam/edges.hpp>
+
+#include "geometry/welding.hpp"
 
 #include <fmt/format.h>
 
-#include <numeric>
-
 namespace foam {
 namespace {
-
-/// A triangle's side as seen from it.
-struct HalfEdge {
-    std::uint32_t low, high, triangle;
-    bool forward; // from low to high
-};
-
-/// Disjoint sets with path halving.
-class Sets {
-public:
-    explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-    std::uint32_t find(std::uint32_t i) {
-        while (parent_[i] != i) {
-            i = parent_[i] = parent_[parent_[i]];
-        }
-        return i;
-    }
-    void unite(std::uint32_t a, std::uint32_t b) { parent_[find(a)] = find(b); }
-    std::size_t count() {
-        std::size_t roots = 0;
-        for (std::uint32_t i = 0; i < parent_.size(); ++i) {
-            roots += parent_[i] == i;
-        }
-        return roots;
-    }
-
-private:
-    std::vector<std::uint32_t> parent_;
-};
 
 bool degenerate(const Mesh& mesh, const Triangle& t) {
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
@@ -42,24 +13,6 @@ bool degenerate(const Mesh& mesh, const Triangle& t) {
     }
     const Vec3& p = mesh.vertices[t[0]];
     return cross(mesh.vertices[t[1]] - p, mesh.vertices[t[2]] - p) == Vec3{};
-}
-
-std::vector<HalfEdge> sorted_half_edges(const Mesh& mesh) {
-    std::vector<HalfEdge> edges;
-    edges.reserve(3 * mesh.triangles.size());
-    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-        const Triangle& t = mesh.triangles[i];
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t from = t[k], to = t[(k + 1) % 3];
-            if (from != to) {
-                edges.push_back({std::min(from, to), std::max(from, to), i, from < to});
-            }
-        }
-    }
-    std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
-        return std::tie(a.low, a.high, a.triangle, a.forward) < std::tie(b.low, b.high, b.triangle, b.forward);
-    });
-    return edges;
 }
 
 /// A corner's number: 3 · triangle + its place. The corners at a vertex form one fan exactly if they are connected over
@@ -73,27 +26,22 @@ std::uint32_t corner_at(const Mesh& mesh, std::uint32_t triangle, std::uint32_t 
 
 Topology topology(const Mesh& mesh) {
     Topology result;
-    Sets parts(mesh.triangles.size());
-    Sets fans(3 * mesh.triangles.size());
-    const std::vector<HalfEdge> edges = sorted_half_edges(mesh);
-    for (std::size_t begin = 0; begin < edges.size();) {
-        std::size_t end = begin;
-        std::size_t forward = 0;
-        while (end < edges.size() && edges[end].low == edges[begin].low && edges[end].high == edges[begin].high) {
-            forward += edges[end].forward;
-            parts.unite(edges[begin].triangle, edges[end].triangle);
-            for (const std::uint32_t vertex : {edges[begin].low, edges[begin].high}) {
-                fans.unite(corner_at(mesh, edges[begin].triangle, vertex),
-                           corner_at(mesh, edges[end].triangle, vertex));
+    geometry::DisjointSets parts(mesh.triangles.size());
+    geometry::DisjointSets fans(3 * mesh.triangles.size());
+    for_each_edge(sides_by_edge(mesh.triangles, mesh.vertices.size()), [&](std::span<const Side> sides) {
+        const Side& first = sides.front();
+        std::size_t forward = first.forward;
+        for (const Side& side : sides.subspan(1)) {
+            forward += side.forward;
+            parts.unite(first.triangle(), side.triangle());
+            for (const std::uint32_t vertex : {first.low, first.high}) {
+                fans.unite(corner_at(mesh, first.triangle(), vertex), corner_at(mesh, side.triangle(), vertex));
             }
-            ++end;
         }
-        const std::size_t count = end - begin;
-        result.boundary_edges += count == 1;
-        result.nonmanifold_edges += count > 2;
-        result.misoriented_edges += count == 2 && forward != 1;
-        begin = end;
-    }
+        result.boundary_edges += sides.size() == 1;
+        result.nonmanifold_edges += sides.size() > 2;
+        result.misoriented_edges += sides.size() == 2 && forward != 1;
+    });
     std::vector<std::uint32_t> fan_of(mesh.vertices.size(), 0xFFFFFFFFu);
     std::vector<char> split(mesh.vertices.size(), 0);
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {

@@ -1,6 +1,7 @@
 #include "geometry/bvh.hpp"
 
 #include <array>
+#include <bit>
 
 namespace foam::geometry {
 namespace {
@@ -24,6 +25,57 @@ double half_area(const Box& box) {
 struct Cut {
     int axis = -1;
     std::size_t bin = 0;
+};
+
+void grow(Box& box, const Box& other) {
+    box.low = {std::min(box.low.x, other.low.x), std::min(box.low.y, other.low.y), std::min(box.low.z, other.low.z)};
+    box.high = {std::max(box.high.x, other.high.x), std::max(box.high.y, other.high.y),
+                std::max(box.high.z, other.high.z)};
+}
+
+/// The items of a range by the place of their centres along an axis.
+class Bins {
+public:
+    void clear() { occupied_ = 0; }
+    void add(std::size_t bin, const Box& box) {
+        const std::uint32_t bit = 1u << bin;
+        if ((occupied_ & bit) == 0) { // the first one overwrites what a former range left
+            occupied_ |= bit;
+            bins_[bin] = {box, 1};
+            return;
+        }
+        grow(bins_[bin].box, box);
+        ++bins_[bin].count;
+    }
+
+    /// Calls visit(bin, cost) for the cuts behind every occupied bin but the last, ascending.
+    template <class Visit> void for_each_cut(Visit visit) {
+        Bin sum;
+        std::array<double, bin_count> right_cost; // of what lies behind a bin
+        for (std::uint32_t left = occupied_; left != 0;) {
+            const auto bin = static_cast<std::size_t>(std::bit_width(left)) - 1;
+            right_cost[bin] = sum.count * half_area(sum.box);
+            grow(sum.box, bins_[bin].box);
+            sum.count += bins_[bin].count;
+            left &= ~(1u << bin);
+        }
+        sum = {};
+        for (std::uint32_t left = occupied_; (left & (left - 1)) != 0; left &= left - 1) {
+            const auto bin = static_cast<std::size_t>(std::countr_zero(left));
+            grow(sum.box, bins_[bin].box);
+            sum.count += bins_[bin].count;
+            visit(bin, sum.count * half_area(sum.box) + right_cost[bin]);
+        }
+    }
+
+private:
+    struct Bin {
+        Box box;
+        std::uint32_t count = 0;
+    };
+    static_assert(bin_count <= 32);
+    std::uint32_t occupied_ = 0; // a bit for each bin
+    std::array<Bin, bin_count> bins_;
 };
 
 class Builder {
@@ -56,7 +108,7 @@ private:
     void split(std::size_t node, std::uint32_t begin, std::uint32_t end, std::size_t depth) {
         Box box, centers;
         for (std::uint32_t i = begin; i < end; ++i) {
-            box.add(items_[i].box);
+            grow(box, items_[i].box);
             centers.add(items_[i].center);
         }
         nodes_[node] = {box.low, box.high, begin, end - begin};
@@ -78,42 +130,28 @@ private:
         split(children + 1, middle, end, depth + 1);
     }
 
-    Cut best_cut(std::uint32_t begin, std::uint32_t end, const Box& centers) const {
-        struct Bin {
-            Box box;
-            std::uint32_t count = 0;
-        };
+    Cut best_cut(std::uint32_t begin, std::uint32_t end, const Box& centers) {
+        const Vec3 extent = centers.high - centers.low;
+        const Vec3 scale{bin_count / extent.x, bin_count / extent.y, bin_count / extent.z};
+        for (int axis = 0; axis < 3; ++axis) {
+            Bins& bins = bins_[static_cast<std::size_t>(axis)];
+            bins.clear();
+            if (!(extent[axis] > 0)) {
+                continue;
+            }
+            for (std::uint32_t i = begin; i < end; ++i) {
+                bins.add(bin_of(items_[i].center[axis], centers.low[axis], scale[axis]), items_[i].box);
+            }
+        }
         Cut best;
         double least = std::numeric_limits<double>::infinity();
         for (int axis = 0; axis < 3; ++axis) {
-            const double extent = centers.high[axis] - centers.low[axis];
-            if (!(extent > 0)) {
-                continue;
-            }
-            const double scale = bin_count / extent;
-            std::array<Bin, bin_count> bins{};
-            for (std::uint32_t i = begin; i < end; ++i) {
-                Bin& bin = bins[bin_of(items_[i].center[axis], centers.low[axis], scale)];
-                bin.box.add(items_[i].box);
-                ++bin.count;
-            }
-            std::array<double, bin_count> right_cost{};
-            Bin sum;
-            for (std::size_t b = bin_count - 1; b > 0; --b) {
-                sum.box.add(bins[b].box);
-                sum.count += bins[b].count;
-                right_cost[b - 1] = sum.count * half_area(sum.box);
-            }
-            sum = {};
-            for (std::size_t b = 0; b + 1 < bin_count; ++b) {
-                sum.box.add(bins[b].box);
-                sum.count += bins[b].count;
-                const double cost = sum.count * half_area(sum.box) + right_cost[b];
-                if (sum.count > 0 && sum.count < end - begin && cost < least) {
+            bins_[static_cast<std::size_t>(axis)].for_each_cut([&](std::size_t bin, double cost) {
+                if (cost < least) {
                     least = cost;
-                    best = {axis, b};
+                    best = {axis, bin};
                 }
-            }
+            });
         }
         return best;
     }
@@ -145,6 +183,7 @@ private:
     std::uint32_t leaf_size_;
     std::vector<Item> items_;
     std::vector<BvhNode> nodes_;
+    std::array<Bins, 3> bins_;
 };
 
 } // namespace

@@ -1,6 +1,6 @@
 #include <foam/mesh_change.hpp>
 
-#include "geometry/mesh_part.hpp"
+#include "geometry/compared_mesh.hpp"
 #include "geometry/surface_points.hpp"
 
 #include <foam/parallel.hpp>
@@ -10,12 +10,7 @@
 namespace foam {
 namespace {
 
-using geometry::MeshPart;
-
-/// The triangles for distance queries only: no reading as a solid.
-MeshPart surface_of(const Mesh& mesh) {
-    return {mesh, {std::vector(mesh.triangles.size(), geometry::Facing::as_given), true}};
-}
+using geometry::ComparedMesh;
 
 /// Points spread over the area, and vertices spread over their numbers.
 std::vector<Vec3> probes(const Mesh& mesh, std::size_t count, std::uint64_t seed) {
@@ -31,30 +26,16 @@ std::vector<Vec3> probes(const Mesh& mesh, std::size_t count, std::uint64_t seed
     return result;
 }
 
-OneSidedDistance one_sided(const std::vector<Vec3>& from, const MeshPart& to) {
+OneSidedDistance one_sided(const std::vector<Vec3>& from, ComparedMesh& to) {
+    to.prepare_distances();
     std::vector<double> distances(from.size());
-    parallel_for(from.size(), [&](std::size_t i) {
-        geometry::Nearest nearest{std::numeric_limits<double>::infinity()};
-        to.closest(from[i], nearest);
-        distances[i] = std::sqrt(nearest.squared_distance);
-    });
+    parallel_for(from.size(), [&](std::size_t i) { distances[i] = to.distance(from[i]); });
     OneSidedDistance result;
     for (const double d : distances) {
         result.max = std::max(result.max, d);
         result.mean += d / static_cast<double>(distances.size());
     }
     return result;
-}
-
-/// Of the mesh as it is indexed if that is sound (bodies that touch may have vertices at one place), else after welding
-/// equal vertices (raw files give every triangle vertices of its own).
-Topology defects_of(const Mesh& mesh) {
-    const Topology given = topology(mesh);
-    return given.closed_manifold() ? given : topology(welded(mesh));
-}
-
-std::optional<double> volume(const Mesh& mesh, const Topology& defects) {
-    return defects.closed() && defects.oriented() ? std::optional(signed_volume(mesh)) : std::nullopt;
 }
 
 } // namespace
@@ -66,22 +47,28 @@ std::optional<double> MeshChange::volume_change() const {
     return (*volume_after - *volume_before) / std::abs(*volume_before);
 }
 
-MeshChange mesh_change(const Mesh& before, const Mesh& after, std::uint64_t seed, std::size_t points) {
+MeshChange geometry::mesh_change(ComparedMesh& before, ComparedMesh& after, std::uint64_t seed, std::size_t points) {
+    const Mesh &input = before.mesh(), &output = after.mesh();
     MeshChange change;
-    change.triangles_before = before.triangles.size();
-    change.triangles_after = after.triangles.size();
-    change.before = defects_of(before);
-    change.volume_before = volume(before, change.before);
-    if (before == after || welded(before) == after) {
+    change.triangles_before = input.triangles.size();
+    change.triangles_after = output.triangles.size();
+    change.before = before.defects();
+    change.volume_before = before.volume();
+    if (input == output || before.welded() == output) {
         change.after = change.before;
         change.volume_after = change.volume_before;
         return change;
     }
-    change.after = defects_of(after);
-    change.volume_after = volume(after, change.after);
-    change.input_to_output = one_sided(probes(before, points, seed), surface_of(after));
-    change.output_to_input = one_sided(probes(after, points, seed), surface_of(before));
+    change.after = after.defects();
+    change.volume_after = after.volume();
+    change.input_to_output = one_sided(probes(input, points, seed), after);
+    change.output_to_input = one_sided(probes(output, points, seed), before);
     return change;
+}
+
+MeshChange mesh_change(const Mesh& before, const Mesh& after, std::uint64_t seed, std::size_t points) {
+    ComparedMesh input(before), output(after);
+    return geometry::mesh_change(input, output, seed, points);
 }
 
 std::string describe(const MeshChange& change) {

@@ -38,36 +38,15 @@ MeshPart::MeshPart(const Mesh& mesh, const Reading& reading) : closed_(reading.c
 }
 
 void MeshPart::closest(const Vec3& p, Nearest& nearest) const {
-    struct Waiting {
-        double squared_distance;
-        std::uint32_t node;
-    };
-    const std::vector<BvhNode>& nodes = bvh_.nodes();
-    std::array<Waiting, Bvh::max_depth> stack;
-    std::size_t size = 0;
-    stack[size++] = {squared_distance(nodes[0], p), 0};
-    while (size > 0) {
-        const Waiting waiting = stack[--size];
-        if (!(waiting.squared_distance < nearest.squared_distance)) {
-            continue;
-        }
-        const BvhNode& node = nodes[waiting.node];
-        if (!node.leaf()) {
-            const Waiting first{squared_distance(nodes[node.first], p), node.first};
-            const Waiting second{squared_distance(nodes[node.first + 1], p), node.first + 1};
-            const bool ordered = first.squared_distance <= second.squared_distance;
-            stack[size++] = ordered ? second : first; // the nearer one is looked at first
-            stack[size++] = ordered ? first : second;
-            continue;
-        }
-        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-            const Vec3 q = closest_on_triangle(items_[i].corners, p);
+    for_each_nearer(
+        bvh_, p, [&] { return nearest.squared_distance; },
+        [&](std::uint32_t k) {
+            const Vec3 q = closest_on_triangle(items_[k].corners, p);
             const double d2 = squared_norm(q - p);
             if (d2 < nearest.squared_distance) {
-                nearest = {d2, q, items_[i].index};
+                nearest = {d2, q, items_[k].index};
             }
-        }
-    }
+        });
 }
 
 bool MeshPart::touches(const Vec3& p, double distance) const {

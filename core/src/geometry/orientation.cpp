@@ -3,8 +3,7 @@
 #include "geometry/triangle.hpp"
 #include "geometry/welding.hpp"
 
-#include <map>
-#include <numeric>
+#include <foam/edges.hpp>
 
 namespace foam::geometry {
 namespace {
@@ -18,14 +17,20 @@ public:
         }
         patch_of_.assign(triangles_.size(), 0);
         reset();
+        std::vector<char> use(triangles_.size());
+        for (std::size_t i = 0; i < use.size(); ++i) {
+            use[i] = facing_[i] != Facing::ignored;
+        }
+        all_sides_ = sides_by_edge(triangles_, mesh_.vertices.size(), use);
     }
 
     Reading read() {
-        if (!every_edge_joins_two()) {
+        const bool clean = every_edge_joins_two();
+        if (!clean) {
             resolve_copies();
         }
         Reading result;
-        result.closed = balanced(true) || balanced(false);
+        result.closed = clean || balanced(true) || balanced(false);
         turn_outwards();
         result.facing = std::move(facing_);
         return result;
@@ -42,14 +47,16 @@ private:
         }
     }
 
+    /// Of the triangles that count, as they face.
     std::vector<Side> sides(bool with_flat = true) const {
-        std::vector<char> use(triangles_.size());
-        for (std::size_t i = 0; i < use.size(); ++i) {
-            use[i] = facing_[i] != Facing::ignored && (with_flat || area(i) > 0);
-        }
-        std::vector<Side> result = sides_by_edge(triangles_, use, mesh_.vertices.size());
-        for (Side& side : result) {
-            side.forward ^= facing_[side.triangle] == Facing::flipped;
+        std::vector<Side> result;
+        result.reserve(all_sides_.size());
+        for (Side side : all_sides_) {
+            const std::uint32_t i = side.triangle();
+            if (facing_[i] != Facing::ignored && (with_flat || area(i) > 0)) {
+                side.forward ^= facing_[i] == Facing::flipped;
+                result.push_back(side);
+            }
         }
         return result;
     }
@@ -72,14 +79,15 @@ private:
         }
     }
 
-    /// The common case, where nothing needs to be resolved. Finds the patches on the way.
+    /// The common case, where nothing needs to be resolved. Finds the patches on the way. Precondition: as after
+    /// reset().
     bool every_edge_joins_two() {
         bool clean = true;
         DisjointSets sets(triangles_.size());
-        for_each_edge(sides(), [&](const Side* begin, const Side* end) {
-            clean = clean && end - begin == 2 && begin[0].forward != begin[1].forward;
-            if (end - begin == 2) {
-                sets.unite(begin[0].triangle, begin[1].triangle);
+        for_each_edge(all_sides_, [&](std::span<const Side> edge) {
+            clean = clean && edge.size() == 2 && edge[0].forward != edge[1].forward;
+            if (edge.size() == 2) {
+                sets.unite(edge[0].triangle(), edge[1].triangle());
             }
         });
         for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
@@ -90,10 +98,10 @@ private:
 
     bool balanced(bool with_flat) const {
         bool result = true;
-        for_each_edge(sides(with_flat), [&](const Side* begin, const Side* end) {
+        for_each_edge(sides(with_flat), [&](std::span<const Side> edge) {
             std::ptrdiff_t sum = 0;
-            for (const Side* s = begin; s != end; ++s) {
-                sum += s->forward ? 1 : -1;
+            for (const Side& side : edge) {
+                sum += side.forward ? 1 : -1;
             }
             result = result && sum == 0;
         });
@@ -113,9 +121,9 @@ private:
             orient_patches();
             // A double-sided component that does not become closed that way is given up as a solid.
             std::vector<char> open(triangles_.size(), 0);
-            for_each_edge(sides(), [&](const Side* begin, const Side* end) {
-                if (end - begin != 2 || begin[0].forward == begin[1].forward) {
-                    open[component[begin->triangle]] = 1;
+            for_each_edge(sides(), [&](std::span<const Side> edge) {
+                if (edge.size() != 2 || edge[0].forward == edge[1].forward) {
+                    open[component[edge[0].triangle()]] = 1;
                 }
             });
             bool changed = false;
@@ -133,9 +141,9 @@ private:
 
     std::vector<std::uint32_t> components() const {
         DisjointSets sets(triangles_.size());
-        for_each_edge(sides(), [&](const Side* begin, const Side* end) {
-            for (const Side* s = begin + 1; s != end; ++s) {
-                sets.unite(begin->triangle, s->triangle);
+        for_each_edge(sides(), [&](std::span<const Side> edge) {
+            for (const Side& side : edge.subspan(1)) {
+                sets.unite(edge[0].triangle(), side.triangle());
             }
         });
         std::vector<std::uint32_t> result(triangles_.size());
@@ -147,19 +155,24 @@ private:
 
     /// Triangles with the same three corners, groups of two and more.
     std::vector<std::vector<std::uint32_t>> groups_of_copies() const {
-        std::map<Triangle, std::vector<std::uint32_t>> groups;
+        std::vector<std::pair<Triangle, std::uint32_t>> by_corners;
         for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
             if (facing_[i] != Facing::ignored) {
                 Triangle key = triangles_[i];
                 std::sort(key.begin(), key.end());
-                groups[key].push_back(i);
+                by_corners.emplace_back(key, i);
             }
         }
+        std::sort(by_corners.begin(), by_corners.end());
         std::vector<std::vector<std::uint32_t>> result;
-        for (auto& [key, group] : groups) {
-            if (group.size() > 1) {
-                result.push_back(std::move(group));
+        for (std::size_t k = 1; k < by_corners.size(); ++k) {
+            if (by_corners[k].first != by_corners[k - 1].first) {
+                continue;
             }
+            if (k == 1 || by_corners[k - 1].first != by_corners[k - 2].first) {
+                result.push_back({by_corners[k - 1].second});
+            }
+            result.back().push_back(by_corners[k].second);
         }
         return result;
     }
@@ -207,16 +220,29 @@ private:
         }
     }
 
-    /// Makes patches (triangles joined over edges of exactly two) consistent, the way most of their area is wound.
-    void orient_patches() {
-        std::vector<std::vector<std::pair<std::uint32_t, bool>>> neighbours(triangles_.size());
-        for_each_edge(sides(), [&](const Side* begin, const Side* end) {
-            if (end - begin == 2 && begin[0].triangle != begin[1].triangle) {
-                const bool against = begin[0].forward == begin[1].forward;
-                neighbours[begin[0].triangle].push_back({begin[1].triangle, against});
-                neighbours[begin[1].triangle].push_back({begin[0].triangle, against});
+    /// The triangles over a triangle's sides, and whether they are wound against it.
+    struct Neighbours {
+        std::size_t count = 0;
+        std::array<std::pair<std::uint32_t, bool>, 3> list;
+
+        void add(std::uint32_t triangle, bool against) { list[count++] = {triangle, against}; }
+    };
+
+    std::vector<Neighbours> neighbours_in_patches() const {
+        std::vector<Neighbours> result(triangles_.size());
+        for_each_edge(sides(), [&](std::span<const Side> edge) {
+            if (edge.size() == 2 && edge[0].triangle() != edge[1].triangle()) {
+                const bool against = edge[0].forward == edge[1].forward;
+                result[edge[0].triangle()].add(edge[1].triangle(), against);
+                result[edge[1].triangle()].add(edge[0].triangle(), against);
             }
         });
+        return result;
+    }
+
+    /// Makes patches (triangles joined over edges of exactly two) consistent, the way most of their area is wound.
+    void orient_patches() {
+        const std::vector<Neighbours> neighbours = neighbours_in_patches();
         std::vector<signed char> turned(triangles_.size(), -1);
         std::vector<std::uint32_t> patch;
         for (std::uint32_t seed = 0; seed < triangles_.size(); ++seed) {
@@ -231,7 +257,8 @@ private:
                 const std::uint32_t i = patch[k];
                 patch_of_[i] = seed;
                 (turned[i] ? area_turned : area_kept) += area(i);
-                for (const auto& [j, against] : neighbours[i]) {
+                for (std::size_t n = 0; n < neighbours[i].count; ++n) {
+                    const auto [j, against] = neighbours[i].list[n];
                     const auto wanted = static_cast<signed char>(turned[i] ^ static_cast<int>(against));
                     if (turned[j] < 0) {
                         turned[j] = wanted;
@@ -276,28 +303,32 @@ private:
         }
     }
 
+    /// In the order of their first triangles.
     std::vector<Shell> shells() const {
-        std::map<std::uint32_t, Shell> by_patch;
+        constexpr std::uint32_t none = 0xFFFFFFFFu;
+        std::vector<std::uint32_t> shell_of(triangles_.size(), none); // of a patch, by its number
+        std::vector<Shell> result;
         for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
             if (facing_[i] == Facing::ignored) {
                 continue;
             }
-            Shell& shell = by_patch[patch_of_[i]];
+            std::uint32_t& number = shell_of[patch_of_[i]];
+            if (number == none) {
+                number = static_cast<std::uint32_t>(result.size());
+                result.emplace_back();
+            }
+            Shell& shell = result[number];
             shell.triangles.push_back(i);
             shell.volume += volume(i);
             for (const std::uint32_t corner : triangles_[i]) {
                 shell.box.add(mesh_.vertices[corner]);
             }
         }
-        for_each_edge(sides(), [&](const Side* begin, const Side* end) {
-            for (const Side* s = begin; s != end; ++s) {
-                by_patch[patch_of_[s->triangle]].closed &= end - begin == 2;
+        for_each_edge(sides(), [&](std::span<const Side> edge) {
+            for (const Side& side : edge) {
+                result[shell_of[patch_of_[side.triangle()]]].closed &= edge.size() == 2;
             }
         });
-        std::vector<Shell> result;
-        for (auto& [patch, shell] : by_patch) {
-            result.push_back(std::move(shell));
-        }
         return result;
     }
 
@@ -324,6 +355,7 @@ private:
     const Mesh& mesh_;
     Vec3 center_;
     std::vector<Triangle> triangles_; // corners welded
+    std::vector<Side> all_sides_;     // of all triangles with three different corners, as given
     std::vector<Facing> facing_;
     std::vector<std::uint32_t> patch_of_;
 };

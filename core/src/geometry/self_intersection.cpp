@@ -16,6 +16,10 @@ double largest_coordinate(const Vec3& p) {
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
 }
 
+double sum_of_components(const Vec3& v) {
+    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
+
 /// Sign of the volume of a b c d, positive if d is below the counter-clockwise triangle a b c; 0 where rounding could
 /// decide it: of this computation, or of the coordinates themselves by a unit in the last place.
 int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -27,11 +31,15 @@ int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
                              std::abs(w.x) * (std::abs(u.y * v.z) + std::abs(u.z * v.y));
     const double coordinate =
         std::max({largest_coordinate(a), largest_coordinate(b), largest_coordinate(c), largest_coordinate(d)});
-    const double lu = norm(u), lv = norm(v), lw = norm(w);
-    // Shewchuk's 7 ε/2 and room to spare; 2 ε of a coordinate in each of the three differences.
-    const double bound =
-        8 * std::numeric_limits<double>::epsilon() * (permanent + coordinate * (lu * lv + lv * lw + lw * lu));
-    return determinant > bound ? 1 : determinant < -bound ? -1 : 0;
+    const auto sign_beyond = [&](double lu, double lv, double lw) {
+        // Shewchuk's 7 ε/2 and room to spare; 2 ε of a coordinate in each of the three differences.
+        const double bound =
+            8 * std::numeric_limits<double>::epsilon() * (permanent + coordinate * (lu * lv + lv * lw + lw * lu));
+        return determinant > bound ? 1 : determinant < -bound ? -1 : 0;
+    };
+    // Lengths estimated from above, without roots, decide nearly always.
+    const int sign = sign_beyond(sum_of_components(u), sum_of_components(v), sum_of_components(w));
+    return sign != 0 ? sign : sign_beyond(norm(u), norm(v), norm(w));
 }
 
 struct Corners {
@@ -43,12 +51,8 @@ Corners corners_of(const Mesh& mesh, std::uint32_t i) {
     return {{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]}};
 }
 
-/// The segment passes through the inside of the triangle.
+/// The segment, which ends on both sides of the triangle's plane, passes through the inside of the triangle.
 bool passes_through(const Vec3& from, const Vec3& to, const Corners& t) {
-    const int start = orientation(t.p[0], t.p[1], t.p[2], from), end = orientation(t.p[0], t.p[1], t.p[2], to);
-    if (start * end >= 0) {
-        return false;
-    }
     const int first = orientation(from, to, t.p[0], t.p[1]);
     return first != 0 && first == orientation(from, to, t.p[1], t.p[2]) &&
            first == orientation(from, to, t.p[2], t.p[0]);
@@ -57,26 +61,30 @@ bool passes_through(const Vec3& from, const Vec3& to, const Corners& t) {
 /// A side of triangle i passes through triangle k. Sides that start at a corner of k only touch it there.
 bool side_passes_through(const Mesh& mesh, std::uint32_t i, std::uint32_t k) {
     const Triangle &sides = mesh.triangles[i], &other = mesh.triangles[k];
-    const Corners target = corners_of(mesh, k);
-    const auto shared = [&](std::uint32_t vertex) {
-        return vertex == other[0] || vertex == other[1] || vertex == other[2];
-    };
+    std::array<bool, 3> shared{};
     for (std::size_t s = 0; s < 3; ++s) {
-        const std::uint32_t from = sides[s], to = sides[(s + 1) % 3];
-        if (!shared(from) && !shared(to) && passes_through(mesh.vertices[from], mesh.vertices[to], target)) {
+        shared[s] = sides[s] == other[0] || sides[s] == other[1] || sides[s] == other[2];
+    }
+    if (shared[0] + shared[1] + shared[2] > 1) {
+        return false;
+    }
+    const Corners target = corners_of(mesh, k);
+    std::array<int, 3> above{}; // which side of the plane
+    for (std::size_t s = 0; s < 3; ++s) {
+        above[s] = shared[s] ? 0 : orientation(target.p[0], target.p[1], target.p[2], mesh.vertices[sides[s]]);
+    }
+    for (std::size_t s = 0; s < 3; ++s) {
+        const std::size_t e = (s + 1) % 3;
+        if (above[s] * above[e] < 0 && passes_through(mesh.vertices[sides[s]], mesh.vertices[sides[e]], target)) {
             return true;
         }
     }
     return false;
 }
 
-bool overlap(const BvhNode& node, const Box& box) {
-    for (int axis = 0; axis < 3; ++axis) {
-        if (node.low[axis] > box.high[axis] || box.low[axis] > node.high[axis]) {
-            return false;
-        }
-    }
-    return true;
+template <class Bounds> bool overlap(const Bounds& a, const Box& b) {
+    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
+           a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
 /// Calls visit(k) for every triangle whose node of the hierarchy meets the box.
@@ -110,12 +118,13 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(const Me
             boxes[i].add(mesh.vertices[corner]);
         }
     }
-    const Bvh bvh(boxes);
+    const Bvh bvh = Bvh::quick(boxes);
     std::vector<std::vector<std::uint32_t>> found(count);
     parallel_for(count, [&](std::size_t index) {
         const auto i = static_cast<std::uint32_t>(index);
         for_each_near(bvh, boxes[index], [&](std::uint32_t k) {
-            if (k > i && (side_passes_through(mesh, i, k) || side_passes_through(mesh, k, i))) {
+            if (k > i && overlap(boxes[k], boxes[i]) &&
+                (side_passes_through(mesh, i, k) || side_passes_through(mesh, k, i))) {
                 found[index].push_back(k);
             }
         });

@@ -35,32 +35,6 @@ std::vector<std::uint32_t> welded_indices(const Mesh& mesh) {
     return result;
 }
 
-std::vector<Side> sides_by_edge(const std::vector<Triangle>& triangles, const std::vector<char>& use,
-                                std::size_t vertex_count) {
-    std::vector<std::uint32_t> start(vertex_count + 1, 0);
-    const auto for_each_side = [&](auto visit) {
-        for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-            for (std::size_t k = 0; use[i] && k < 3; ++k) {
-                const std::uint32_t from = triangles[i][k], to = triangles[i][(k + 1) % 3];
-                if (from != to) {
-                    visit(Side{std::min(from, to), std::max(from, to), i, from < to});
-                }
-            }
-        }
-    };
-    for_each_side([&](const Side& side) { ++start[side.low + 1]; });
-    std::partial_sum(start.begin(), start.end(), start.begin());
-    std::vector<Side> sides(start.back());
-    std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-    for_each_side([&](const Side& side) { sides[next[side.low]++] = side; });
-    for (std::size_t v = 0; v < vertex_count; ++v) {
-        std::sort(sides.begin() + start[v], sides.begin() + start[v + 1], [](const Side& a, const Side& b) {
-            return a.high != b.high ? a.high < b.high : a.triangle < b.triangle;
-        });
-    }
-    return sides;
-}
-
 DisjointSets::DisjointSets(std::size_t count) : parent_(count) {
     std::iota(parent_.begin(), parent_.end(), 0u);
 }
@@ -76,6 +50,14 @@ void DisjointSets::unite(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);
     parent_[std::max(a, b)] = std::min(a, b);
+}
+
+std::size_t DisjointSets::count() const {
+    std::size_t roots = 0;
+    for (std::uint32_t i = 0; i < parent_.size(); ++i) {
+        roots += parent_[i] == i;
+    }
+    return roots;
 }
 
 } // namespace foam::geometry

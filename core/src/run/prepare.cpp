@@ -1,6 +1,7 @@
 #include "prepare.hpp"
 
 #include "files.hpp"
+#include "geometry/compared_mesh.hpp"
 #include "isolated.hpp"
 
 #include <fmt/format.h>
@@ -132,8 +133,8 @@ void filter(const Workspace& workspace, const std::vector<LinkWork>& links, Filt
     const std::string& link = links[l].link->name;
     const std::string& input = links[l].elements[e].geometry;
     std::shared_ptr<const Mesh> mesh = task.mesh;
+    std::optional<geometry::ComparedMesh> before(*mesh);
     for (const StageCall& call : task.filters) {
-        const std::shared_ptr<const Mesh> before = mesh;
         const Digest content = digest_of_content(*mesh);
         const Digest key = filter_key(workspace, call, content);
         StageReport& report = task.reports.emplace_back();
@@ -152,11 +153,14 @@ void filter(const Workspace& workspace, const std::vector<LinkWork>& links, Filt
             workspace.cache.put(key, *mesh);
         }
         report.output = digest_of_content(*mesh);
-        if (!before->triangles.empty() && !mesh->triangles.empty()) {
-            report.change = mesh_change(*before, *mesh, derive_seed(workspace.recipe.seed, "change" + content));
+        task.results.push_back(mesh);
+        geometry::ComparedMesh after(*mesh);
+        if (!before->mesh().triangles.empty() && !mesh->triangles.empty()) {
+            report.change =
+                geometry::mesh_change(*before, after, derive_seed(workspace.recipe.seed, "change" + content));
             workspace.journal.finding({Severity::debug, link, call.stage, describe(*report.change)});
         }
-        task.results.push_back(mesh);
+        before.emplace(std::move(after));
     }
 }
 
