@@ -34,13 +34,17 @@ void add_execute_options(CLI::App& command, ExecuteOptions& options) {
     command.add_flag("-v,--verbose", options.verbose, "Tell notes too, not only warnings and errors");
 }
 
-void require_ok(const RecipeResult& read, const std::string& what) {
-    std::size_t errors = 0;
-    for (const Diagnostic& diagnostic : read.diagnostics) {
-        fmt::print(stderr, "{}\n", diagnostic.text());
-        errors += diagnostic.level == Diagnostic::Level::error ? 1 : 0;
+void tell_findings(const std::vector<Diagnostic>& findings) {
+    for (const Diagnostic& finding : findings) {
+        fmt::print(stderr, "{}\n", finding.text());
     }
+}
+
+void require_ok(const RecipeResult& read, const std::string& what) {
+    tell_findings(read.diagnostics);
     if (!read.ok()) {
+        const auto errors = std::count_if(read.diagnostics.begin(), read.diagnostics.end(),
+                                          [](const Diagnostic& d) { return d.level == Diagnostic::Level::error; });
         throw Error(ErrorCode::recipe,
                     fmt::format("{}: {} error{} in the recipe; nothing was run", what, errors, errors == 1 ? "" : "s"));
     }

@@ -21,6 +21,8 @@ struct ExecuteOptions {
 
 /// `-j`, `--fresh` and `-v`.
 void add_execute_options(CLI::App& command, ExecuteOptions& options);
+/// Each on a line of its own.
+void tell_findings(const std::vector<Diagnostic>& findings);
 /// Tells the findings; throws Error(recipe) if there is an error among them.
 void require_ok(const RecipeResult& read, const std::string& what);
 /// Says which input is taken, runs, and shows the progress.

@@ -66,6 +66,7 @@ int run_program(int count, char** arguments) {
     add_run(program);
     add_spherize(program);
     add_verify(program);
+    add_bench(program);
     add_check(program);
     add_plan(program);
     add_stages(program);

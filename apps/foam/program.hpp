@@ -44,6 +44,7 @@ void add_check(Program& program);
 void add_plan(Program& program);
 void add_spherize(Program& program);
 void add_verify(Program& program);
+void add_bench(Program& program);
 void add_stages(Program& program);
 void add_describe(Program& program);
 void add_plugins(Program& program);

@@ -61,7 +61,7 @@ TEST_F(Cli, SettingWithoutValue) {
 
 TEST_F(Cli, EveryCommandHasHelpWithExamples) {
     for (const char* command :
-         {"run", "check", "spherize", "verify", "stages", "describe", "plugins", "schema", "version"}) {
+         {"run", "check", "spherize", "verify", "bench", "stages", "describe", "plugins", "schema", "version"}) {
         const Outcome outcome = foam(std::string(command) + " --help");
         EXPECT_EQ(outcome.code, 0) << command;
         EXPECT_EQ(outcome.err, "") << command;

@@ -10,7 +10,6 @@
 #include <array>
 
 namespace foam {
-namespace {
 
 std::shared_ptr<const Solid> solid_of(const LinkWork& link, const std::vector<std::size_t>& elements) {
     std::vector<Solid::Part> parts;
@@ -27,6 +26,8 @@ std::shared_ptr<const Solid> solid_of(const LinkWork& link, const std::vector<st
     }
     return Solid::make(std::move(parts));
 }
+
+namespace {
 
 std::vector<std::size_t> all_elements(const LinkWork& link) {
     std::vector<std::size_t> elements(link.elements.size());

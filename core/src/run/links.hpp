@@ -24,6 +24,9 @@ struct FinishedModel {
     std::vector<FinishedLink> links;
 };
 
+/// The geometry of some elements of a link as the URDF gives it, in the link's frame.
+std::shared_ptr<const Solid> solid_of(const LinkWork& link, const std::vector<std::size_t>& elements);
+
 /// Grows what the guarantee asks for, proves it, measures it. Link reports are filled in.
 FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Robot> robot, std::vector<LinkWork>& links,
                            std::vector<Group> groups);

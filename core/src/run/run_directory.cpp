@@ -17,26 +17,25 @@ namespace foam {
 namespace fs = std::filesystem;
 namespace {
 
-bool replaceable(const fs::path& target) {
+bool replaceable(const fs::path& target, const char* mark) {
     std::error_code error;
     const auto status = fs::symlink_status(target, error);
     if (!fs::exists(status)) {
         return true;
     }
-    return fs::is_directory(status) && (fs::is_empty(target, error) || fs::exists(target / "manifest.json", error));
+    return fs::is_directory(status) && (fs::is_empty(target, error) || fs::exists(target / mark, error));
 }
 
 } // namespace
 
-RunDirectory::RunDirectory(fs::path target) : target_(fs::absolute(target).lexically_normal()) {
+RunDirectory::RunDirectory(fs::path target, const char* mark) : target_(fs::absolute(target).lexically_normal()) {
     if (target_.filename().empty()) {
         target_ = target_.parent_path();
     }
-    if (!replaceable(target_)) {
-        throw Error(ErrorCode::output,
-                    fmt::format("{}: exists, but is not the folder of a run (no manifest.json in it), so it is "
-                                "left alone; remedy: choose another folder with --out, or remove it",
-                                target_.string()));
+    if (!replaceable(target_, mark)) {
+        throw Error(ErrorCode::output, fmt::format("{}: exists, but is not the folder of a run (no {} in it), so it is "
+                                                   "left alone; remedy: choose another folder with --out, or remove it",
+                                                   target_.string(), mark));
     }
     temporary_ = target_.parent_path() / fmt::format(".{}.partial-{}", target_.filename().string(), getpid());
     unfinished_.emplace(temporary_);

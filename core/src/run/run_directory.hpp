@@ -13,8 +13,8 @@ namespace foam {
 class RunDirectory {
 public:
     /// Makes the temporary folder beside `target`. Throws Error(output) if `target` exists and is neither empty nor a
-    /// run directory (one with a manifest.json): foreign files are never replaced.
-    explicit RunDirectory(std::filesystem::path target);
+    /// folder that holds the file `mark`: foreign files are never replaced.
+    explicit RunDirectory(std::filesystem::path target, const char* mark = "manifest.json");
     /// Removes the temporary folder, if commit() was not called.
     ~RunDirectory();
     RunDirectory(const RunDirectory&) = delete;

@@ -1,0 +1,73 @@
+#include "execute.hpp"
+#include "interrupt.hpp"
+#include "program.hpp"
+
+#include <foam/error.hpp>
+#include <foam/host/experiment.hpp>
+
+#include <fmt/format.h>
+
+namespace foam::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+    std::string experiment, out;
+    std::size_t threads = 1;
+    bool check = false;
+};
+
+int bench(Program& program, const Arguments& arguments) {
+    Registry& registry = program.registry();
+    const ExperimentReading read = read_experiment(arguments.experiment, registry);
+    tell_findings(read.diagnostics);
+    if (!read.ok()) {
+        throw Error(ErrorCode::recipe, fmt::format("{}: nothing was measured", arguments.experiment));
+    }
+    if (arguments.check) {
+        tell(fmt::format("{}: good", arguments.experiment));
+        return 0;
+    }
+    ExperimentOptions options;
+    options.out = arguments.out.empty() ? fs::path("benchmarks") / read.experiment->name : fs::path(arguments.out);
+    options.threads = arguments.threads;
+    options.cancel = &stop_on_interrupt();
+    options.tell = [](const std::string& line) { tell(line); };
+    const ExperimentResult result = run_experiment(*read.experiment, registry, options);
+    std::vector<std::string> files;
+    for (const fs::path& file : result.files) {
+        files.push_back(file.string());
+    }
+    print(result.markdown);
+    tell(fmt::format("written to {}: {}", options.out.string(), fmt::join(files, " ")));
+    return 0;
+}
+
+} // namespace
+
+void add_bench(Program& program) {
+    CLI::App* command = add_command(program, "bench", "Run an experiment: measure stages, write tables and plots",
+                                    "  foam bench configs/experiments/filters.yaml\n"
+                                    "  foam bench configs/experiments/methods.yaml -o methods -j 4\n"
+                                    "  foam bench my_experiment.yaml --check");
+    auto arguments = std::make_shared<Arguments>();
+    command->add_option("experiment", arguments->experiment, "The experiment, a YAML file")
+        ->type_name("EXPERIMENT")
+        ->required();
+    command
+        ->add_option("-o,--out", arguments->out,
+                     "Folder of the results; default: benchmarks/NAME, NAME being the experiment's")
+        ->type_name("DIR");
+    command
+        ->add_option("-j,--threads", arguments->threads,
+                     "Number of threads that a stage may use; 0: one a core; more of them disturb CPU times")
+        ->type_name("N")
+        ->check(CLI::Range(std::size_t{0}, std::size_t{1024}))
+        ->capture_default_str();
+    command->add_flag("--check", arguments->check, "Say all that is wrong with the experiment, and measure nothing");
+    command->callback(
+        [&program, arguments] { program.action = [&program, arguments] { return bench(program, *arguments); }; });
+}
+
+} // namespace foam::cli

@@ -1,0 +1,17 @@
+// A mesh in as many triangles as are asked for.
+#pragma once
+
+#include <foam/host/registry.hpp>
+#include <foam/mesh.hpp>
+
+namespace foam::experiment {
+
+/// The same surface in at least `triangles` triangles, one more at most: the longest edge is split at its middle, again
+/// and again (Rivara, 1984), with the triangles on both its sides, so that what is closed stays closed. O(n log n),
+/// deterministic. A mesh that has as many is returned as it is. Precondition: no edge of zero length.
+Mesh refined(const Mesh& mesh, std::size_t triangles);
+
+/// refined(), or simplified by simplify.quadric to the count or as near as that comes.
+Mesh sized(const Mesh& mesh, std::size_t triangles, const Registry& registry, Context& context);
+
+} // namespace foam::experiment

@@ -1,0 +1,113 @@
+// What is wrong with an experiment is told exactly, all at once.
+#include <foam/host/experiment.hpp>
+
+#include <gtest/gtest.h>
+
+namespace foam {
+namespace {
+
+class Reading : public testing::Test {
+protected:
+    void SetUp() override { registry.load_directory(FOAM_TEST_PLUGINS); }
+
+    std::string findings(const std::string& text) const {
+        std::string all;
+        for (const Diagnostic& finding : parse_experiment(text, "x.yaml", registry).diagnostics) {
+            all += finding.text() + "\n";
+        }
+        return all;
+    }
+
+    Registry registry;
+};
+
+const std::string head = "foam_experiment: 1\nname: x\n";
+const std::string time = head + "kind: time_against_triangles\n";
+const std::string quality = head + "kind: quality_against_spheres\n";
+
+TEST_F(Reading, GoodOnes) {
+    const auto a = parse_experiment(time + "title: T\nmesh: a.stl\ntriangles: [10, 20]\nfigures:\n  all:\n"
+                                           "    - load.mesh\n    - repair.soup\n    - [smooth.taubin, spherize.grid]\n",
+                                    "x.yaml", registry);
+    ASSERT_TRUE(a.ok());
+    EXPECT_EQ(a.experiment->kind, "time_against_triangles");
+    EXPECT_EQ(a.experiment->name, "x");
+    EXPECT_EQ(a.experiment->title, "T");
+    EXPECT_EQ(a.experiment->stages(),
+              (std::set<std::string>{"load.mesh", "repair.soup", "smooth.taubin", "spherize.grid"}));
+    const auto b =
+        parse_experiment(quality + "robots: {r: r.urdf}\nfilters: [repair.soup]\n"
+                                   "methods: [spherize.grid, [smooth.taubin, spherize.grid]]\nspheres: [1]\n",
+                         "x.yaml", registry);
+    ASSERT_TRUE(b.ok());
+    EXPECT_EQ(b.experiment->title, "x");
+    EXPECT_EQ(b.experiment->stages(), (std::set<std::string>{"repair.soup", "smooth.taubin", "spherize.grid"}));
+}
+
+TEST_F(Reading, NoExperiment) {
+    EXPECT_EQ(findings(""), "x.yaml:1:1: error[wrong-type]: an experiment is a map, got nothing; remedy: begin with "
+                            "'foam_experiment: 1'\n");
+    EXPECT_EQ(findings("name: x\n"), "x.yaml:1:1: error[missing-key]: the version of the experiment format is missing; "
+                                     "remedy: begin with 'foam_experiment: 1'\n");
+    EXPECT_EQ(findings("foam: 1\n"),
+              "x.yaml:1:1: error[missing-key]: this is a recipe; remedy: run it by `foam run`\n");
+    EXPECT_EQ(findings("foam_experiment: 1\nname: x\n"),
+              "x.yaml:1:1: error[missing-key]: 'kind' is missing; remedy: write kind: time_against_triangles\n");
+    EXPECT_EQ(
+        findings("foam_experiment: 1\nkind: time_against_triangle\n"),
+        "x.yaml:2:7: error[unknown-choice]: 'kind' expects one of time_against_triangles, quality_against_spheres, "
+        "got the text 'time_against_triangle'; did you mean 'time_against_triangles'?\n");
+}
+
+TEST_F(Reading, AllThatIsMissing) {
+    EXPECT_EQ(findings("foam_experiment: 2\nkind: time_against_triangles\n"),
+              "x.yaml:1:1: error[missing-key]: 'mesh' is missing; remedy: write mesh: FILE\n"
+              "x.yaml:1:1: error[missing-key]: 'triangles' is missing; remedy: write triangles: [500, 1000, 2000]\n"
+              "x.yaml:1:1: error[missing-key]: 'figures' is missing; remedy: write figures: {repair: [repair.soup]}\n"
+              "x.yaml:1:1: error[missing-key]: 'name' is missing; remedy: write name: my_experiment\n"
+              "x.yaml:1:18: error[version]: this foam reads experiment format 1, the file says 2; remedy: write "
+              "'foam_experiment: 1'\n");
+    EXPECT_EQ(findings(quality),
+              "x.yaml:1:1: error[missing-key]: 'robots' is missing; remedy: write robots: {panda: FILE.urdf}\n"
+              "x.yaml:1:1: error[missing-key]: 'methods' is missing; remedy: write methods: [spherize.grid]\n"
+              "x.yaml:1:1: error[missing-key]: 'spheres' is missing; remedy: write spheres: [1, 2, 4, 8]\n");
+}
+
+TEST_F(Reading, WrongValues) {
+    EXPECT_EQ(
+        findings(time + "mesh: a.stl\nrepeat: 3\ntime_limit: 10 s\ntriangles: [500, 2, 400]\nfigures:\n"
+                        "  a/b: [repair.soup]\n  c: [repair.sop, repair.soup: {size: 3}, write.csv]\n"
+                        "  d: [[spherize.grid, repair.soup], [repair.soup, load.mesh], repair.soup, repair.soup]\n"),
+        "x.yaml:5:1: error[unknown-key]: unknown key 'repeat'; did you mean 'repeats'?\n"
+        "x.yaml:6:13: error[wrong-type]: 'time_limit' expects a number between 0.001 and 1000000, got the text "
+        "'10 s'; remedy: write the bare number, in s\n"
+        "x.yaml:7:18: error[out-of-bounds]: 'triangles' expects an integer between 4 and 10000000, got 2\n"
+        "x.yaml:7:21: error[out-of-order]: 'triangles' expects ascending numbers, got 400 after 500\n"
+        "x.yaml:9:3: error[bad-name]: 'a/b' names the file of a figure, but holds other characters than letters, "
+        "digits, _ - + = and .\n"
+        "x.yaml:10:7: error[unknown-stage]: unknown stage 'repair.sop'; did you mean 'repair.soup'?\n"
+        "x.yaml:10:33: error[unknown-key]: unknown key 'size' in repair.soup; known: seam, largest_hole, isolate, "
+        "time_limit, memory_limit\n"
+        "x.yaml:10:43: error[wrong-kind]: 'write.csv' is a writer; 'c' holds mesh loaders, mesh filters and "
+        "spherizers\n"
+        "x.yaml:11:23: error[wrong-kind]: 'repair.soup' stands behind the spherizer 'spherize.grid'; remedy: move it "
+        "before that\n"
+        "x.yaml:11:51: error[wrong-kind]: 'load.mesh' is a mesh loader behind another stage; remedy: make it the "
+        "first\n"
+        "x.yaml:11:76: error[duplicate-value]: 'repair.soup' is in 'd' twice; remedy: delete one\n");
+}
+
+TEST_F(Reading, StagesWhereTheyDoNotBelong) {
+    EXPECT_EQ(
+        findings(quality + "robots: {r: r.urdf}\nspheres: [1]\nfilters: [spherize.grid]\n"
+                           "methods: [repair.soup, load.mesh, spherize.grid: {isolate: process}]\n"),
+        "x.yaml:6:11: error[wrong-kind]: 'spherize.grid' is a spherizer; 'filters' holds mesh filters\n"
+        "x.yaml:7:10: error[missing-stage]: the method 'repair.soup' has no spherizer; remedy: add one as its last "
+        "stage\n"
+        "x.yaml:7:24: error[wrong-kind]: 'load.mesh' is a mesh loader; 'methods' holds mesh filters and spherizers\n"
+        "x.yaml:7:35: error[unsupported]: 'spherize.grid' is measured in this process; remedy: delete isolate, "
+        "time_limit, memory_limit\n");
+}
+
+} // namespace
+} // namespace foam
