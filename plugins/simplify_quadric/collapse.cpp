@@ -1,6 +1,6 @@
 #include "collapse.hpp"
 
-#include <tuple>
+#include <foam/edges.hpp>
 
 namespace foam::simplify {
 namespace {
@@ -18,25 +18,19 @@ Vec3 area_vector(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 } // namespace
 
-bool Collapse::Candidate::operator>(const Candidate& other) const {
-    return std::tie(cost, u, v) > std::tie(other.cost, other.u, other.v);
-}
-
 Collapse::Collapse(const Mesh& mesh, const Limits& limits, Context& context)
     : original_(mesh), limits_(limits), context_(context), triangles_(mesh.triangles) {
     const Box box = bounds(mesh);
     const Vec3 size = box.size();
     center_ = box.center();
     scale_ = std::max({size.x, size.y, size.z});
-    points_.reserve(mesh.vertices.size());
+    vertices_.reserve(mesh.vertices.size());
     for (const Vec3& p : mesh.vertices) {
-        points_.push_back((p - center_) / scale_);
+        vertices_.push_back({.point = (p - center_) / scale_});
     }
-    moved_.assign(points_.size(), 0);
-    stamp_.assign(points_.size(), 0);
     alive_.assign(triangles_.size(), 1);
     count_ = triangles_.size();
-    triangles_of_.resize(points_.size());
+    triangles_of_.resize(vertices_.size());
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
         for (const std::uint32_t corner : triangles_[t]) {
             triangles_of_[corner].push_back(t);
@@ -48,13 +42,15 @@ Collapse::Collapse(const Mesh& mesh, const Limits& limits, Context& context)
 
 void Collapse::number_parts() {
     constexpr std::uint32_t none = 0xFFFFFFFFu;
-    part_.assign(points_.size(), none);
+    for (Vertex& vertex : vertices_) {
+        vertex.part = none;
+    }
     std::vector<std::uint32_t> open;
-    for (std::uint32_t seed = 0; seed < points_.size(); ++seed) {
-        if (part_[seed] != none || triangles_of_[seed].empty()) {
+    for (std::uint32_t seed = 0; seed < vertices_.size(); ++seed) {
+        if (vertices_[seed].part != none || triangles_of_[seed].empty()) {
             continue;
         }
-        part_[seed] = static_cast<std::uint32_t>(volumes_.size());
+        vertices_[seed].part = static_cast<std::uint32_t>(volumes_.size());
         volumes_.push_back(0);
         open.push_back(seed);
         while (!open.empty()) {
@@ -62,8 +58,8 @@ void Collapse::number_parts() {
             open.pop_back();
             for (const std::uint32_t t : triangles_of_[vertex]) {
                 for (const std::uint32_t corner : triangles_[t]) {
-                    if (part_[corner] == none) {
-                        part_[corner] = part_[seed];
+                    if (vertices_[corner].part == none) {
+                        vertices_[corner].part = vertices_[seed].part;
                         open.push_back(corner);
                     }
                 }
@@ -71,7 +67,7 @@ void Collapse::number_parts() {
         }
     }
     for (const auto& [a, b, c] : triangles_) {
-        volumes_[part_[a]] += dot(points_[a], cross(points_[b], points_[c])) / 6;
+        volumes_[vertices_[a].part] += dot(vertices_[a].point, cross(vertices_[b].point, vertices_[c].point)) / 6;
     }
     volumes_before_ = volumes_;
 }
@@ -83,16 +79,13 @@ bool Collapse::has(std::uint32_t triangle, std::uint32_t vertex) const {
 
 /// Each triangle's plane, weighted by a third of its area, at its corners.
 void Collapse::compute_quadrics() {
-    quadrics_.resize(points_.size());
-    areas_.assign(points_.size(), 0);
-    on_boundary_.assign(points_.size(), 0);
     for (const auto& [a, b, c] : triangles_) {
-        const Vec3 normal = area_vector(points_[a], points_[b], points_[c]);
+        const Vec3 normal = area_vector(vertices_[a].point, vertices_[b].point, vertices_[c].point);
         const double area = norm(normal) / 2;
-        const Quadric quadric = Quadric::plane(points_[a], normalized(normal), area / 3);
+        const Quadric quadric = Quadric::plane(vertices_[a].point, normalized(normal), area / 3);
         for (const std::uint32_t corner : {a, b, c}) {
-            quadrics_[corner] += quadric;
-            areas_[corner] += area / 3;
+            vertices_[corner].quadric += quadric;
+            vertices_[corner].area += area / 3;
         }
     }
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
@@ -102,105 +95,115 @@ void Collapse::compute_quadrics() {
                                              [&](std::uint32_t other) { return other != t && has(other, b); });
             if (lonely) {
                 closed_ = false;
-                on_boundary_[a] = on_boundary_[b] = 1;
-                const Vec3 edge = points_[b] - points_[a];
-                const Vec3 normal =
-                    area_vector(points_[triangles_[t][0]], points_[triangles_[t][1]], points_[triangles_[t][2]]);
-                const Quadric wall =
-                    Quadric::plane(points_[a], normalized(cross(edge, normal)), boundary_weight * squared_norm(edge));
-                quadrics_[a] += wall;
-                quadrics_[b] += wall;
+                vertices_[a].on_boundary = vertices_[b].on_boundary = 1;
+                const Vec3 edge = vertices_[b].point - vertices_[a].point;
+                const Vec3 normal = area_vector(vertices_[triangles_[t][0]].point, vertices_[triangles_[t][1]].point,
+                                                vertices_[triangles_[t][2]].point);
+                const Quadric wall = Quadric::plane(vertices_[a].point, normalized(cross(edge, normal)),
+                                                    boundary_weight * squared_norm(edge));
+                vertices_[a].quadric += wall;
+                vertices_[b].quadric += wall;
             }
         }
     }
 }
 
-std::vector<std::array<std::uint32_t, 2>> Collapse::edges() const {
-    std::vector<std::array<std::uint32_t, 2>> result;
-    result.reserve(3 * count_);
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
-        for (std::size_t k = 0; k < 3 && alive_[t]; ++k) {
-            const std::uint32_t a = triangles_[t][k], b = triangles_[t][(k + 1) % 3];
-            result.push_back({std::min(a, b), std::max(a, b)});
-        }
-    }
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
+std::vector<Candidate> Collapse::candidates() const {
+    std::vector<Candidate> result;
+    result.reserve(3 * count_ / 2);
+    for_each_edge(sides_by_edge(triangles_, vertices_.size(), alive_),
+                  [&](std::span<const Side> edge) { result.push_back(candidate(edge[0].low, edge[0].high)); });
     return result;
 }
 
 /// The point of least error; if it is far off, the best of the ends and the middle.
 Vec3 Collapse::placement(std::uint32_t u, std::uint32_t v, double& cost) const {
-    Quadric quadric = quadrics_[u];
-    quadric += quadrics_[v];
-    const Vec3 middle = (points_[u] + points_[v]) * 0.5;
-    const double length = distance(points_[u], points_[v]);
+    Quadric quadric = vertices_[u].quadric;
+    quadric += vertices_[v].quadric;
+    const Vec3 middle = (vertices_[u].point + vertices_[v].point) * 0.5;
+    const double length = distance(vertices_[u].point, vertices_[v].point);
     Vec3 best = quadric.minimizer(middle);
     if (!(distance(best, middle) <= 2 * length)) {
         best = middle;
-        for (const Vec3& end : {points_[u], points_[v]}) {
+        for (const Vec3& end : {vertices_[u].point, vertices_[v].point}) {
             if (quadric.error(end) < quadric.error(best)) {
                 best = end;
             }
         }
     }
-    cost = quadric.error(best) + length_weight * length * length * (areas_[u] + areas_[v]);
+    cost = quadric.error(best) + length_weight * length * length * (vertices_[u].area + vertices_[v].area);
     return best;
 }
 
-void Collapse::propose(std::uint32_t u, std::uint32_t v) {
+Candidate Collapse::candidate(std::uint32_t u, std::uint32_t v) const {
     double cost = 0;
     placement(u, v, cost);
     const std::uint32_t low = std::min(u, v), high = std::max(u, v);
-    queue_.push({cost, low, high, stamp_[low], stamp_[high]});
+    return {cost, low, high, vertices_[low].stamp, vertices_[high].stamp};
 }
 
-std::vector<std::uint32_t> Collapse::ring(std::uint32_t vertex) const {
-    std::vector<std::uint32_t> result;
+bool Collapse::is_stale(const Candidate& candidate) const {
+    return vertices_[candidate.u].stamp != candidate.stamp_u || vertices_[candidate.v].stamp != candidate.stamp_v;
+}
+
+/// Each neighbour once; marks them with a new walk_.
+template <class Visit> void Collapse::for_each_neighbour(std::uint32_t vertex, Visit visit) {
+    ++walk_;
     for (const std::uint32_t t : triangles_of_[vertex]) {
         for (const std::uint32_t corner : triangles_[t]) {
-            if (corner != vertex) {
-                result.push_back(corner);
+            if (corner != vertex && vertices_[corner].mark != walk_) {
+                vertices_[corner].mark = walk_;
+                visit(corner);
             }
         }
     }
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
 }
 
 /// The link condition (Dey, Edelsbrunner, Guha, Nekhayev 1999): the neighbours that u and v share are exactly the tips
 /// of the triangles on the edge, and these tips are not joined to both of them by another pair of triangles.
-bool Collapse::keeps_topology(std::uint32_t u, std::uint32_t v) const {
-    std::vector<std::uint32_t> tips;
+bool Collapse::keeps_topology(std::uint32_t u, std::uint32_t v) {
+    std::array<std::uint32_t, 2> tips{};
+    std::size_t count = 0; // of tips
     for (const std::uint32_t t : triangles_of_[u]) {
-        if (has(t, v)) {
-            for (const std::uint32_t corner : triangles_[t]) {
-                if (corner != u && corner != v) {
-                    tips.push_back(corner);
+        if (!has(t, v)) {
+            continue;
+        }
+        for (const std::uint32_t corner : triangles_[t]) {
+            if (corner != u && corner != v) {
+                if (count == tips.size()) {
+                    return false;
                 }
+                tips[count++] = corner;
             }
         }
     }
-    if (tips.size() == 2 && on_boundary_[u] && on_boundary_[v]) {
+    if (count == 2 && vertices_[u].on_boundary && vertices_[v].on_boundary) {
         return false;
     }
-    const std::vector<std::uint32_t> ring_u = ring(u), ring_v = ring(v);
-    std::vector<std::uint32_t> shared;
-    std::set_intersection(ring_u.begin(), ring_u.end(), ring_v.begin(), ring_v.end(), std::back_inserter(shared));
-    if (shared.size() != tips.size()) {
+    for_each_neighbour(u, [](std::uint32_t) {});
+    const std::uint32_t around_u = walk_++;
+    std::size_t shared = 0;
+    for (const std::uint32_t t : triangles_of_[v]) {
+        for (const std::uint32_t corner : triangles_[t]) {
+            if (corner != v && vertices_[corner].mark == around_u) {
+                vertices_[corner].mark = walk_; // not to be counted again
+                ++shared;
+            }
+        }
+    }
+    if (shared != count) {
         return false;
     }
     const auto joins_tips = [&](std::uint32_t t) { return has(t, tips[0]) && has(t, tips[1]); };
-    return tips.size() < 2 || (std::none_of(triangles_of_[u].begin(), triangles_of_[u].end(), joins_tips) ||
-                               std::none_of(triangles_of_[v].begin(), triangles_of_[v].end(), joins_tips));
+    return count < 2 || (std::none_of(triangles_of_[u].begin(), triangles_of_[u].end(), joins_tips) ||
+                         std::none_of(triangles_of_[v].begin(), triangles_of_[v].end(), joins_tips));
 }
 
 bool Collapse::stays_near(std::uint32_t u, std::uint32_t v, const Vec3& to) const {
-    Quadric quadric = quadrics_[u];
-    quadric += quadrics_[v];
+    Quadric quadric = vertices_[u].quadric;
+    quadric += vertices_[v].quadric;
     const double limit = limits_.plane_distance / scale_;
-    return quadric.error(to) <= limit * limit * (areas_[u] + areas_[v]);
+    return quadric.error(to) <= limit * limit * (vertices_[u].area + vertices_[v].area);
 }
 
 /// No triangle that stays turns over or becomes a needle.
@@ -212,7 +215,7 @@ bool Collapse::keeps_shape(std::uint32_t u, std::uint32_t v, const Vec3& to) con
             }
             std::array<Vec3, 3> p;
             for (std::size_t k = 0; k < 3; ++k) {
-                p[k] = points_[triangles_[t][k]];
+                p[k] = vertices_[triangles_[t][k]].point;
             }
             const Vec3 before = area_vector(p[0], p[1], p[2]);
             for (std::size_t k = 0; k < 3; ++k) {
@@ -238,7 +241,7 @@ double Collapse::volume_gain(std::uint32_t u, std::uint32_t v, const Vec3& to) c
         std::array<Vec3, 3> p;
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t corner = triangles_[t][k];
-            p[k] = (moved && (corner == u || corner == v) ? to : points_[corner]) - to;
+            p[k] = (moved && (corner == u || corner == v) ? to : vertices_[corner].point) - to;
         }
         return dot(p[0], cross(p[1], p[2]));
     };
@@ -252,24 +255,24 @@ double Collapse::volume_gain(std::uint32_t u, std::uint32_t v, const Vec3& to) c
     return gain / 6;
 }
 
-bool Collapse::try_collapse(const Candidate& candidate) {
-    const std::uint32_t u = candidate.u, v = candidate.v;
+bool Collapse::try_collapse(const Candidate& cheapest, Candidates& queue) {
+    const std::uint32_t u = cheapest.u, v = cheapest.v;
     double cost = 0;
     const Vec3 to = placement(u, v, cost);
     if (!stays_near(u, v, to) || !keeps_topology(u, v) || !keeps_shape(u, v, to)) {
         return false;
     }
     const double gain = closed_ ? volume_gain(u, v, to) : 0;
-    const double before = volumes_before_[part_[u]];
-    if (std::abs(volumes_[part_[u]] + gain - before) > limits_.volume_change * std::abs(before)) {
+    const double before = volumes_before_[vertices_[u].part];
+    if (std::abs(volumes_[vertices_[u].part] + gain - before) > limits_.volume_change * std::abs(before)) {
         return false;
     }
-    volumes_[part_[u]] += gain;
-    points_[u] = to;
-    moved_[u] = 1;
-    on_boundary_[u] = on_boundary_[u] || on_boundary_[v];
-    quadrics_[u] += quadrics_[v];
-    areas_[u] += areas_[v];
+    volumes_[vertices_[u].part] += gain;
+    vertices_[u].point = to;
+    vertices_[u].moved = 1;
+    vertices_[u].on_boundary = vertices_[u].on_boundary || vertices_[v].on_boundary;
+    vertices_[u].quadric += vertices_[v].quadric;
+    vertices_[u].area += vertices_[v].area;
     for (const std::uint32_t t : triangles_of_[v]) {
         if (has(t, u)) {
             alive_[t] = 0;
@@ -285,11 +288,11 @@ bool Collapse::try_collapse(const Candidate& candidate) {
         }
     }
     triangles_of_[v].clear();
-    ++stamp_[u];
-    ++stamp_[v];
-    for (const std::uint32_t neighbour : ring(u)) {
-        propose(u, neighbour);
-    }
+    ++vertices_[u].stamp;
+    ++vertices_[v].stamp;
+    for_each_neighbour(u, [&](std::uint32_t neighbour) {
+        queue.push(candidate(u, neighbour), [&](const Candidate& old) { return is_stale(old); });
+    });
     return true;
 }
 
@@ -297,19 +300,13 @@ Mesh Collapse::run() {
     // An edge that may not go is looked at again in a next pass, after its surroundings have changed.
     for (bool progress = true; progress && count_ > limits_.triangles;) {
         progress = false;
-        queue_ = {};
-        for (const auto& [u, v] : edges()) {
-            propose(u, v);
-        }
-        for (std::size_t step = 0; !queue_.empty() && count_ > limits_.triangles; ++step) {
+        Candidates queue(candidates());
+        for (std::size_t step = 0; !queue.empty() && count_ > limits_.triangles; ++step) {
             if (step % 4096 == 0) {
                 context_.check_cancelled();
             }
-            const Candidate candidate = queue_.top();
-            queue_.pop();
-            if (stamp_[candidate.u] == candidate.stamp_u && stamp_[candidate.v] == candidate.stamp_v) {
-                progress |= try_collapse(candidate);
-            }
+            const Candidate cheapest = queue.pop();
+            progress |= !is_stale(cheapest) && try_collapse(cheapest, queue);
         }
     }
     return result();
@@ -318,11 +315,11 @@ Mesh Collapse::run() {
 Mesh Collapse::result() const {
     constexpr std::uint32_t unused = 0xFFFFFFFFu;
     Mesh mesh;
-    std::vector<std::uint32_t> number(points_.size(), unused);
-    for (std::uint32_t i = 0; i < points_.size(); ++i) {
+    std::vector<std::uint32_t> number(vertices_.size(), unused);
+    for (std::uint32_t i = 0; i < vertices_.size(); ++i) {
         if (!triangles_of_[i].empty()) {
             number[i] = static_cast<std::uint32_t>(mesh.vertices.size());
-            mesh.vertices.push_back(moved_[i] ? points_[i] * scale_ + center_ : original_.vertices[i]);
+            mesh.vertices.push_back(vertices_[i].moved ? vertices_[i].point * scale_ + center_ : original_.vertices[i]);
         }
     }
     for (std::size_t t = 0; t < triangles_.size(); ++t) {

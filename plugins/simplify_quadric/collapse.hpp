@@ -1,14 +1,13 @@
 // Edges are collapsed in the order of their quadric error, as long as the surface stays what it is.
 #pragma once
 
+#include "candidates.hpp"
 #include "quadric.hpp"
 
 #include <foam/context.hpp>
 #include <foam/mesh.hpp>
 
-#include <array>
 #include <limits>
-#include <queue>
 #include <vector>
 
 namespace foam::simplify {
@@ -30,24 +29,29 @@ public:
     Mesh run();
 
 private:
-    struct Candidate {
-        double cost;
-        std::uint32_t u, v;
-        std::uint32_t stamp_u, stamp_v; ///< of the vertices when the cost was computed
-        bool operator>(const Candidate& other) const;
+    /// All that is known of a vertex in one place: what takes time is to fetch it from memory.
+    struct alignas(64) Vertex {
+        Vec3 point{};
+        Quadric quadric{};
+        double area = 0;         ///< weight of the quadric
+        std::uint32_t stamp = 0; ///< grows when the vertex moves or goes
+        std::uint32_t part = 0;  ///< the connected part it belongs to
+        std::uint32_t mark = 0;  ///< the last walk round a vertex that met it
+        bool on_boundary = false, moved = false;
     };
 
     void number_parts();
     void compute_quadrics();
-    std::vector<std::array<std::uint32_t, 2>> edges() const;
-    void propose(std::uint32_t u, std::uint32_t v);
+    std::vector<Candidate> candidates() const;
+    Candidate candidate(std::uint32_t u, std::uint32_t v) const;
+    bool is_stale(const Candidate& candidate) const;
     Vec3 placement(std::uint32_t u, std::uint32_t v, double& cost) const;
-    std::vector<std::uint32_t> ring(std::uint32_t vertex) const;
+    template <class Visit> void for_each_neighbour(std::uint32_t vertex, Visit visit);
     bool stays_near(std::uint32_t u, std::uint32_t v, const Vec3& to) const;
-    bool keeps_topology(std::uint32_t u, std::uint32_t v) const;
+    bool keeps_topology(std::uint32_t u, std::uint32_t v);
     bool keeps_shape(std::uint32_t u, std::uint32_t v, const Vec3& to) const;
     double volume_gain(std::uint32_t u, std::uint32_t v, const Vec3& to) const;
-    bool try_collapse(const Candidate& candidate);
+    bool try_collapse(const Candidate& candidate, Candidates& queue);
     bool has(std::uint32_t triangle, std::uint32_t vertex) const;
     Mesh result() const;
 
@@ -56,20 +60,14 @@ private:
     Context& context_;
     Vec3 center_; // work in the unit box
     double scale_ = 1;
-    std::vector<Vec3> points_;
-    std::vector<char> moved_;
+    std::vector<Vertex> vertices_;
     std::vector<Triangle> triangles_;
     std::vector<char> alive_;                              // triangles
     std::size_t count_ = 0;                                // of them
     std::vector<std::vector<std::uint32_t>> triangles_of_; // of each vertex
-    std::vector<char> on_boundary_;                        // vertices
-    std::vector<std::uint32_t> stamp_;
-    std::vector<Quadric> quadrics_;
-    std::vector<double> areas_;                    // weight of each quadric
-    std::vector<std::uint32_t> part_;              // of each vertex: the connected part it belongs to
-    std::vector<double> volumes_, volumes_before_; // of the parts
+    std::vector<double> volumes_, volumes_before_;         // of the parts
     bool closed_ = true;
-    std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
+    std::uint32_t walk_ = 0;
 };
 
 } // namespace foam::simplify

@@ -16,18 +16,6 @@ Quadric Quadric::plane(const Vec3& point, const Vec3& n, double weight) {
     return q;
 }
 
-Quadric& Quadric::operator+=(const Quadric& other) {
-    xx_ += other.xx_;
-    xy_ += other.xy_;
-    xz_ += other.xz_;
-    yy_ += other.yy_;
-    yz_ += other.yz_;
-    zz_ += other.zz_;
-    b_ += other.b_;
-    c_ += other.c_;
-    return *this;
-}
-
 Vec3 Quadric::times(const Vec3& x) const {
     return {xx_ * x.x + xy_ * x.y + xz_ * x.z, xy_ * x.x + yy_ * x.y + yz_ * x.z, xz_ * x.x + yz_ * x.y + zz_ * x.z};
 }

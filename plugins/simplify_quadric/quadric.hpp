@@ -11,7 +11,17 @@ public:
     /// weight · (n·x + d)² for the plane through `point` with the unit normal n.
     static Quadric plane(const Vec3& point, const Vec3& normal, double weight);
 
-    Quadric& operator+=(const Quadric& other);
+    Quadric& operator+=(const Quadric& other) {
+        xx_ += other.xx_;
+        xy_ += other.xy_;
+        xz_ += other.xz_;
+        yy_ += other.yy_;
+        yz_ += other.yz_;
+        zz_ += other.zz_;
+        b_ += other.b_;
+        c_ += other.c_;
+        return *this;
+    }
     double error(const Vec3& x) const;
     /// The point of least error. Where the planes leave a direction open, the one nearest to `near`.
     Vec3 minimizer(const Vec3& near) const;
