@@ -49,8 +49,7 @@ std::string budget_text(const Recipe& recipe) {
     if (parts.empty()) {
         parts.emplace_back("as the spherizer's parameters say");
     }
-    const char* guarantee = recipe.guarantee == Guarantee::outer ? "outer" : "fitted";
-    return fmt::format("{}; guarantee {}; seed {}", fmt::join(parts, ", "), guarantee, recipe.seed);
+    return fmt::format("{}; guarantee {}; seed {}", fmt::join(parts, ", "), to_string(recipe.guarantee), recipe.seed);
 }
 
 std::string places_text(const PlannedLink& link) {
@@ -170,7 +169,7 @@ Json json_of(const Plan& plan, const Recipe& recipe) {
               {"meshes", Json::array()},
               {"stages", Json::array()},
               {"budget", Json::object()},
-              {"guarantee", recipe.guarantee == Guarantee::outer ? "outer" : "fitted"},
+              {"guarantee", to_string(recipe.guarantee)},
               {"links", Json::array()},
               {"outputs", Json::array()}};
     json["input"].update(json_of(plan.input_file));

@@ -12,9 +12,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr double mm_per_m = 1000;
 
-std::string row(const std::string& name, std::size_t width, const Measures& m, const std::string& growth) {
-    return fmt::format("{:<{}}  {:>7}  {:>8.3f}  {:>8.3f}  {:>9}  {:>9}\n", name, width, m.spheres, m.excess,
-                       m.gap * mm_per_m, m.certified ? "yes" : "no", growth);
+std::string row(const std::string& name, std::size_t width, const Measures& m, Guarantee guarantee,
+                const std::string& growth) {
+    return fmt::format("{:<{}}  {:>7}  {:>8.3f}  {:>8.3f}  {:>9}  {:>9}\n", name, width, m.spheres,
+                       guarantee == Guarantee::inner ? m.missing : m.excess, m.gap * mm_per_m,
+                       m.certified ? "yes" : "no", growth);
 }
 
 Json json_of(const Measures& m) {
@@ -96,21 +98,25 @@ std::string table_of(const RunResult& result, Guarantee guarantee) {
         width = std::max(width, link.link.size());
     }
     std::string table = filter_table(result);
-    table += fmt::format("{:<{}}  {:>7}  {:>8}  {:>8}  {:>9}  {:>9}\n", "link", width, "spheres", "excess", "gap mm",
-                         "certified", "growth mm");
+    table += fmt::format("{:<{}}  {:>7}  {:>8}  {:>8}  {:>9}  {:>9}\n", "link", width, "spheres",
+                         guarantee == Guarantee::inner ? "missing" : "excess", "gap mm", "certified", "growth mm");
     for (const LinkReport& link : result.links) {
         if (link.skipped) {
             table += fmt::format("{:<{}}  left out by the recipe\n", link.link, width);
         } else if (!link.error.empty() && link.measures.spheres == 0) {
             table += fmt::format("{:<{}}  left out: {}\n", link.link, width, link.error);
         } else {
-            table += row(link.link, width, link.measures, fmt::format("{:.3f}", link.growth * mm_per_m));
+            table += row(link.link, width, link.measures, guarantee, fmt::format("{:.3f}", link.growth * mm_per_m));
         }
     }
-    table += row("total", width, result.total, "");
+    table += row("total", width, result.total, guarantee, "");
     if (guarantee == Guarantee::outer) {
         table += result.certified ? "Proved: the geometry of every link lies inside its spheres.\n"
                                   : "Not proved for every link: geometry may stick out of the spheres.\n";
+    }
+    if (guarantee == Guarantee::inner) {
+        table += result.certified ? "Proved: the spheres of every link lie inside its geometry.\n"
+                                  : "Not proved for every link: spheres may stick out of the geometry.\n";
     }
     return table;
 }

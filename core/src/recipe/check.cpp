@@ -92,12 +92,7 @@ void check_plain_values(const Value& root, Recipe& recipe, Findings& findings) {
         if (!value || (p.name == "seed" && read_large_seed(*value, recipe.seed))) {
             continue;
         }
-        if (p.name == "guarantee" && value->is(Value::Kind::text) && value->text == "inner") {
-            findings.error(
-                value->where, "unsupported",
-                "guarantee: inner (all spheres inside the geometry) is not available with this version; remedy: "
-                "use outer (covers the geometry, proved) or fitted");
-        } else if (const auto read = read_value(*value, p, "", findings)) {
+        if (const auto read = read_value(*value, p, "", findings)) {
             if (p.name == "seed") {
                 recipe.seed = static_cast<std::uint64_t>(std::get<std::int64_t>(*read));
             } else {
@@ -107,7 +102,9 @@ void check_plain_values(const Value& root, Recipe& recipe, Findings& findings) {
     }
     recipe.name = words["name"];
     recipe.per_link = words["per"] != "collision";
-    recipe.guarantee = words["guarantee"] == "fitted" ? Guarantee::fitted : Guarantee::outer;
+    recipe.guarantee = words["guarantee"] == "fitted"  ? Guarantee::fitted
+                       : words["guarantee"] == "inner" ? Guarantee::inner
+                                                       : Guarantee::outer;
     recipe.on_error = words["on_error"] == "skip"       ? OnError::skip
                       : words["on_error"] == "fallback" ? OnError::fallback
                                                         : OnError::stop;
@@ -152,6 +149,23 @@ void check_budget(const Value& budget, Recipe& recipe, Findings& findings) {
     }
     if (const auto it = values.find("max_protrusion"); it != values.end()) {
         recipe.budget_max_protrusion = std::get<double>(it->second);
+    }
+}
+
+/// What asks for spheres that stick out.
+void refuse_outer_keys(const Value& root, const Recipe& recipe, Findings& findings) {
+    if (recipe.guarantee != Guarantee::inner) {
+        return;
+    }
+    if (recipe.budget_max_protrusion) {
+        findings.error(root.find("budget")->find_key("max_protrusion")->where, "conflict",
+                       "spheres inside the geometry protrude nowhere: 'max_protrusion' says nothing with guarantee: "
+                       "inner; remedy: give 'spheres' instead");
+    }
+    if (recipe.on_error == OnError::fallback) {
+        findings.error(root.find_key("on_error")->where, "conflict",
+                       "a bounding sphere cannot stand in for a link with guarantee: inner; remedy: on_error: stop "
+                       "or skip");
     }
 }
 
@@ -224,6 +238,7 @@ Recipe check_recipe(const Value& root, const std::filesystem::path& file, const 
     if (const Value* budget = root.find("budget")) {
         check_budget(*budget, recipe, findings);
     }
+    refuse_outer_keys(root, recipe, findings);
     if (const Value* debug = root.find("debug")) {
         check_debug(*debug, recipe, findings);
     }

@@ -1,5 +1,7 @@
 #include "format.hpp"
 
+#include <foam/host/recipe.hpp>
+
 #include <algorithm>
 
 namespace foam::reading {
@@ -10,8 +12,9 @@ std::vector<Parameter> top_level_values() {
         Parameter::integer("seed", 0).at_least(0).doc("Seed of all random choices."),
         Parameter::choice("per", {"link", "collision"}, "link")
             .doc("Spherize each link as one solid, or every collision element on its own."),
-        Parameter::choice("guarantee", {"outer", "fitted"}, "outer")
-            .doc("outer: nothing of the geometry sticks out of the spheres, proved; fitted: neither side is promised."),
+        Parameter::choice("guarantee", {"outer", "inner", "fitted"}, "outer")
+            .doc("outer: nothing of the geometry sticks out of the spheres, proved; inner: no sphere sticks out of the "
+                 "geometry, proved; fitted: neither is promised."),
         Parameter::choice("on_error", {"stop", "skip", "fallback"}, "stop")
             .doc("When a link fails: stop the run, leave the link out, or stand its bounding sphere in for it."),
     };
@@ -71,3 +74,19 @@ std::vector<std::string> top_level_structures() {
 }
 
 } // namespace foam::reading
+
+namespace foam {
+
+const char* to_string(Guarantee guarantee) {
+    switch (guarantee) {
+    case Guarantee::outer:
+        return "outer";
+    case Guarantee::inner:
+        return "inner";
+    case Guarantee::fitted:
+        return "fitted";
+    }
+    return "";
+}
+
+} // namespace foam

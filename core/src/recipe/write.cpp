@@ -72,7 +72,7 @@ public:
         }
         line("per: {}", recipe_.per_link ? "link" : "collision");
         write_budget();
-        line("guarantee: {}", recipe_.guarantee == Guarantee::outer ? "outer" : "fitted");
+        line("guarantee: {}", to_string(recipe_.guarantee));
         write_links();
         write_outputs();
         write_snapshots();

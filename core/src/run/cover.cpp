@@ -1,8 +1,12 @@
 #include "cover.hpp"
 
+#include <foam/error.hpp>
+#include <foam/inner.hpp>
 #include <foam/measure.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace foam {
 namespace {
@@ -17,6 +21,7 @@ public:
         scale_ = exponent < -22 || exponent > 0 ? 0 : std::pow(10.0, -exponent);
     }
     double nearest(double value) const { return scale_ == 0 ? value : std::round(value * scale_) / scale_ + 0.0; }
+    Vec3 nearest(const Vec3& v) const { return {nearest(v.x), nearest(v.y), nearest(v.z)}; }
     double up(double value) const {
         if (scale_ == 0) {
             return value;
@@ -27,10 +32,90 @@ public:
         }
         return rounded;
     }
+    /// Of a value that is not negative, one that is not above it; 0 below the grid's step.
+    double down(double value) const {
+        if (scale_ == 0) {
+            return value;
+        }
+        const double steps = std::floor(value * scale_);
+        return steps / scale_ <= value ? steps / scale_ : (steps - 1) / scale_;
+    }
 
 private:
     double scale_ = 0;
 };
+
+/// What lies in the solid of each sphere, about its centre: quick, for comparing.
+std::vector<Sphere> inside_of(const Solid& solid, std::vector<Sphere> spheres) {
+    for (Sphere& sphere : spheres) {
+        sphere.radius = std::clamp(-solid.signed_distance(sphere.center), 0.0, sphere.radius);
+    }
+    std::erase_if(spheres, [](const Sphere& sphere) { return sphere.radius == 0; });
+    return spheres;
+}
+
+Error no_room() {
+    return Error(ErrorCode::geometry, "no sphere of this link lies inside its geometry; remedy: more spheres, another "
+                                      "spherizer, or guarantee: outer or fitted; a surface without inside has no room");
+}
+
+/// The spheres of a level that fit into the solid, with numbers of the grid. `left[i]`: where sphere i went.
+SphereTree::Level fitted_level(const Solid& solid, const SphereTree::Level& level, const DecimalGrid& grid,
+                               std::vector<std::optional<std::uint32_t>>& left) {
+    std::vector<Sphere> spheres = shrunk_to_fit(solid, level.spheres);
+    for (Sphere& sphere : spheres) {
+        sphere.center = grid.nearest(sphere.center);
+    }
+    const std::vector<double> radii = inner_radii(solid, spheres);
+    SphereTree::Level result;
+    left.assign(spheres.size(), {});
+    for (std::size_t i = 0; i < spheres.size(); ++i) {
+        if (const double radius = grid.down(radii[i]); radius > 0) {
+            left[i] = static_cast<std::uint32_t>(result.spheres.size());
+            result.spheres.push_back({spheres[i].center, radius});
+            if (!level.parents.empty()) {
+                result.parents.push_back(level.parents[i]);
+            }
+        }
+    }
+    return result;
+}
+
+/// Every level inside the solid, from the finest: a level of which nothing is left becomes the largest sphere below it.
+/// A sphere whose parent is gone has the nearest of that level.
+SphereTree inner_tree(const Solid& solid, const SphereTree& tree, const DecimalGrid& grid) {
+    SphereTree result;
+    result.levels.resize(tree.levels.size());
+    for (std::size_t l = tree.levels.size(); l-- > 0;) {
+        std::vector<std::optional<std::uint32_t>> left;
+        SphereTree::Level& level = result.levels[l];
+        level = fitted_level(solid, tree.levels[l], grid, left);
+        if (l + 1 == tree.levels.size()) {
+            if (level.spheres.empty()) {
+                throw no_room();
+            }
+            continue;
+        }
+        SphereTree::Level& below = result.levels[l + 1];
+        if (level.spheres.empty()) {
+            level.spheres = {*std::max_element(below.spheres.begin(), below.spheres.end(),
+                                               [](const Sphere& a, const Sphere& b) { return a.radius < b.radius; })};
+            level.parents.assign(l > 0 ? 1 : 0, tree.levels[l].parents.empty() ? 0 : tree.levels[l].parents[0]);
+        }
+        for (std::size_t i = 0; i < below.spheres.size(); ++i) {
+            const std::optional<std::uint32_t> parent = left[below.parents[i]];
+            const auto nearer = [&](const Sphere& a, const Sphere& b) {
+                return distance(a.center, below.spheres[i].center) < distance(b.center, below.spheres[i].center);
+            };
+            below.parents[i] =
+                parent
+                    ? *parent
+                    : static_cast<std::uint32_t>(std::min_element(level.spheres.begin(), level.spheres.end(), nearer) -
+                                                 level.spheres.begin());
+        }
+    }
+    return result;
+}
 
 } // namespace
 
@@ -38,6 +123,9 @@ double wrong_volume(const Solid& solid, std::vector<Sphere> spheres, Guarantee g
     if (guarantee == Guarantee::outer) {
         spheres = grown_to_cover(solid, std::move(spheres));
         return std::max(0.0, union_volume(spheres) - solid.volume());
+    }
+    if (guarantee == Guarantee::inner) {
+        return std::max(0.0, solid.volume() - union_volume(inside_of(solid, std::move(spheres))));
     }
     MeasureOptions options;
     options.surface_points = 1'000;
@@ -59,13 +147,23 @@ double covered_protrusion(const Solid& solid, std::vector<Sphere> spheres, Guara
     return measure(solid, spheres, options).protrusion_max;
 }
 
+void require_room(const Solid& solid, const SphereTree& tree) {
+    const std::vector<Sphere> inside = shrunk_to_fit(solid, tree.finest());
+    if (std::none_of(inside.begin(), inside.end(), [](const Sphere& sphere) { return sphere.radius > 0; })) {
+        throw no_room();
+    }
+}
+
 FinishedTree finished_tree(const Solid& solid, SphereTree tree, Guarantee guarantee) {
     const DecimalGrid grid(solid.bounds().diagonal());
     FinishedTree result;
+    if (guarantee == Guarantee::inner) {
+        result.tree = inner_tree(solid, tree, grid);
+        return result;
+    }
     for (SphereTree::Level& level : tree.levels) {
         for (Sphere& sphere : level.spheres) {
-            sphere.center = {grid.nearest(sphere.center.x), grid.nearest(sphere.center.y),
-                             grid.nearest(sphere.center.z)};
+            sphere.center = grid.nearest(sphere.center);
         }
         const std::vector<Sphere> before = level.spheres;
         if (guarantee == Guarantee::outer) {

@@ -2,6 +2,7 @@
 
 #include "cover.hpp"
 
+#include <foam/inner.hpp>
 #include <foam/measure.hpp>
 
 #include <fmt/format.h>
@@ -41,7 +42,16 @@ Measures measured(const Workspace& workspace, const Solid& solid, const std::vec
     MeasureOptions options;
     options.seed = workspace.recipe.seed;
     Measures measures = measure(solid, spheres, options);
-    measures.certified = workspace.recipe.guarantee == Guarantee::outer && certify(solid, spheres).holds;
+    switch (workspace.recipe.guarantee) {
+    case Guarantee::outer:
+        measures.certified = certify(solid, spheres).holds;
+        break;
+    case Guarantee::inner:
+        measures.certified = certify_inner(solid, spheres).holds;
+        break;
+    case Guarantee::fitted:
+        measures.certified = false;
+    }
     return measures;
 }
 

@@ -1,5 +1,6 @@
 #include "output.hpp"
 
+#include <foam/inner.hpp>
 #include <foam/measure.hpp>
 
 #include <fmt/format.h>
@@ -7,7 +8,18 @@
 namespace foam {
 namespace {
 
-/// True if the file holds the finest level: a writer may be told to write a coarser one.
+/// What the spheres lack of the guarantee; empty if it is proved.
+std::string broken_promise(const Solid& solid, const std::vector<Sphere>& spheres, Guarantee guarantee) {
+    if (guarantee == Guarantee::outer) {
+        const Certificate proof = certify(solid, spheres);
+        return proof.holds ? ""
+                           : fmt::format("{} m are missing at [{}, {}, {}]", proof.growth, proof.witness.x,
+                                         proof.witness.y, proof.witness.z);
+    }
+    const InnerCertificate proof = certify_inner(solid, spheres);
+    return proof.holds ? "" : fmt::format("sphere {} sticks out by {} m", proof.sphere, proof.excess);
+}
+
 void check_written(const Workspace& workspace, const FinishedModel& finished, const OutputCall& output,
                    const std::string& bytes, const Writer& writer) {
     const auto spheres = writer.read(bytes);
@@ -18,17 +30,14 @@ void check_written(const Workspace& workspace, const FinishedModel& finished, co
             throw Error(ErrorCode::internal,
                         fmt::format("{}: link '{}' has no spheres in the written file", output.file, name));
         }
-        if (workspace.recipe.guarantee != Guarantee::outer || !link.work->report.measures.certified) {
+        if (!link.work->report.measures.certified) {
             continue;
         }
-        const Certificate proof = certify(*link.solid, found->second);
-        if (!proof.holds) {
-            throw Error(
-                ErrorCode::internal,
-                fmt::format(
-                    "{}: link '{}': the certificate does not hold on the numbers read back: {} m are missing at "
-                    "[{}, {}, {}]",
-                    output.file, name, proof.growth, proof.witness.x, proof.witness.y, proof.witness.z));
+        if (const std::string lack = broken_promise(*link.solid, found->second, workspace.recipe.guarantee);
+            !lack.empty()) {
+            throw Error(ErrorCode::internal,
+                        fmt::format("{}: link '{}': the certificate does not hold on the numbers read back: {}",
+                                    output.file, name, lack));
         }
     }
 }

@@ -52,18 +52,6 @@ const char* to_string(OnError policy) {
     return "";
 }
 
-const char* to_string(Guarantee guarantee) {
-    switch (guarantee) {
-    case Guarantee::outer:
-        return "outer";
-    case Guarantee::inner:
-        return "inner";
-    case Guarantee::fitted:
-        return "fitted";
-    }
-    return "";
-}
-
 } // namespace
 
 Json settings_of(const Recipe& recipe, const Registry& registry) {

@@ -66,8 +66,13 @@ Figure robot_figure(const Recipe& recipe, const FinishedModel& finished) {
 Figure link_figure(const Recipe& recipe, const FinishedLink& link) {
     Figure figure = figure_of_size(recipe);
     const Measures& m = link.work->report.measures;
-    figure.title = fmt::format("{}: {} spheres, excess {:.2f}, {}", link.work->link->name, m.spheres, m.excess,
-                               m.certified ? "cover proved" : fmt::format("gap {:.1f} mm", 1000 * m.gap));
+    const bool inner = recipe.guarantee == Guarantee::inner;
+    const std::string gap = fmt::format("gap {:.1f} mm", 1000 * m.gap);
+    figure.title = fmt::format("{}: {} spheres, {} {:.2f}, {}", link.work->link->name, m.spheres,
+                               inner ? "missing" : "excess", inner ? m.missing : m.excess,
+                               !m.certified ? gap
+                               : inner      ? "proved inside"
+                                            : "cover proved");
     Panel panel;
     panel.meshes.push_back({shared_mesh(*link.work, 0), Pose{}, true});
     panel.spheres = link.spheres;

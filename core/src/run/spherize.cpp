@@ -1,6 +1,7 @@
 #include "spherize.hpp"
 
 #include "budget.hpp"
+#include "cover.hpp"
 #include "shapes.hpp"
 
 namespace foam {
@@ -13,6 +14,18 @@ SphereTree moved(SphereTree tree, const Pose& pose) {
         }
     }
     return tree;
+}
+
+/// With guarantee inner a shape without room for any of its spheres fails.
+void require_inside(const Workspace& workspace, ShapeWork& work, std::size_t count) {
+    if (workspace.recipe.guarantee != Guarantee::inner || work.error) {
+        return;
+    }
+    try {
+        require_room(work.shape->original(), work.trees.at(count));
+    } catch (...) {
+        work.error.emplace(described(std::current_exception(), work.spherizer.stage, work.link, work.input));
+    }
 }
 
 } // namespace
@@ -30,8 +43,9 @@ std::vector<Group> spherize_links(const Workspace& workspace, std::vector<LinkWo
     const std::vector<std::size_t> counts = choose_counts(workspace, shapes, groups);
     std::vector<Group> done;
     for (std::size_t g = 0; g < groups.size(); ++g) {
-        const ShapeWork& work = shapes[groups[g].shape];
+        ShapeWork& work = shapes[groups[g].shape];
         LinkWork& link = links[groups[g].link];
+        require_inside(workspace, work, counts[g]);
         link.report.stages.push_back(work.report);
         link.report.stages.back().input = link.elements[groups[g].elements.front()].geometry;
         if (work.error) {

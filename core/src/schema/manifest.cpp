@@ -121,7 +121,7 @@ std::string manifest_schema() {
     },
     "certified": {
       "type": "boolean",
-      "description": "Proved on what was read back from every written file: the geometry of all links is inside their spheres."
+      "description": "The guarantee is proved for all links on what was read back from every written file; which: settings.guarantee. outer: the geometry is inside the spheres; inner: the spheres are inside the geometry; fitted: false."
     },
     "total": {
       "$ref": "#/$defs/measures"

@@ -43,7 +43,7 @@ std::string spheres_schema() {
     },
     "certified": {
       "type": "boolean",
-      "description": "It is proved for every link that the geometry is inside the spheres."
+      "description": "The guarantee outer or inner is proved for every link."
     },
     "units": {
       "const": "m"
@@ -262,7 +262,7 @@ std::string spheres_schema() {
         },
         "certified": {
           "type": "boolean",
-          "description": "gap = 0 is proved"
+          "description": "the guarantee is proved: outer, gap = 0; inner, no sphere sticks out"
         }
       }
     }

@@ -66,6 +66,9 @@ struct OutputCall {
     std::string file; ///< relative to the run directory
 };
 
+/// As recipes write it: outer, inner or fitted.
+const char* to_string(Guarantee guarantee);
+
 enum class OnError { stop, skip, fallback };
 
 /// A file that a recipe was read from, as it was then.

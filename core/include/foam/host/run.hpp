@@ -87,7 +87,7 @@ struct RunResult {
     std::vector<Finding> findings;
     std::vector<std::filesystem::path> files; ///< written, relative to the run directory
     Measures total;
-    bool certified = false; ///< proved on what was read back from every written file
+    bool certified = false; ///< the guarantee is proved on what was read back from every written file
     double seconds = 0;     ///< wall
     double cpu_seconds = 0;
     bool links_lost = false; ///< done, but links were skipped after errors: exit code 4
