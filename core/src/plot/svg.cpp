@@ -17,9 +17,9 @@ constexpr double tick = 5, marker = 4;
 
 /// Okabe and Ito, 2008, darkened for thin lines on white; the second list is the same hues on black.
 constexpr std::array<const char*, 8> light{"#0072b2", "#c04a00", "#008060", "#b0508a",
-                                           "#806000", "#2f8fc4", "#5b3fa0", "#a01030"};
+                                           "#806000", "#30363d", "#5b3fa0", "#a01030"};
 constexpr std::array<const char*, 8> dark{"#58a6ff", "#ff9350", "#3fd0a0", "#f29ac6",
-                                          "#e0c84a", "#9bdcff", "#b99cff", "#ff7b7b"};
+                                          "#e0c84a", "#f0f6fc", "#b99cff", "#ff7b7b"};
 constexpr std::size_t marker_kinds = 5;
 
 std::string escaped(const std::string& text) {
@@ -94,7 +94,9 @@ public:
         const bool single = plot.panels.size() == 1;
         panel_width_ = single ? 500 : 250;
         panel_height_ = single ? 360 : 280;
-        top_ = margin + title_height + (single ? 0 : panel_title_height);
+        const bool titled = std::any_of(plot.panels.begin(), plot.panels.end(),
+                                        [](const Panel& panel) { return !panel.title.empty(); });
+        top_ = margin + title_height + (titled ? panel_title_height : 0);
     }
 
     std::string text() {

@@ -188,6 +188,11 @@ bool expect_recipe(const Value& root, Findings& findings) {
                        fmt::format("{}; remedy: begin with 'foam: 1', then 'robot' and 'stages'",
                                    empty ? "the recipe is empty" : "a recipe is a map, got " + root.description()));
     }
+    if (const Key* experiment = root.find_key("foam_experiment")) {
+        findings.error(experiment->where, "wrong-format",
+                       "this is an experiment, not a recipe; remedy: run it by `foam bench`");
+        return false;
+    }
     return root.is(Value::Kind::map);
 }
 
