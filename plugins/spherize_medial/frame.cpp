@@ -60,7 +60,7 @@ Frame principal_frame(const Mesh& surface) {
     const Vec3 size = box.size();
     Frame frame{box.center(), {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}, std::max({size.x, size.y, size.z})};
     if (!(frame.scale > 1e-90 && frame.scale < 1e90)) {
-        throw Error(ErrorCode::geometry, "spherize.medial: the largest extent of the surface is " +
+        throw Error(ErrorCode::geometry, "the largest extent of the surface is " +
                                              to_text(ParameterValue(frame.scale)) +
                                              " m; nothing can be computed at that size: check the scale of the input");
     }

@@ -97,6 +97,25 @@ TEST_F(Run, ASphereStaysOneSphereWhateverTheSpherizer) {
     }
 }
 
+TEST_F(Run, ACylinderTakesTheRowOfSpheresWhereItClaimsLess) {
+    write_file(folder.path() / "pole.urdf", R"(<?xml version="1.0"?>
+<robot name="pole">
+  <link name="pole"><collision><origin xyz="0.1 0.2 0.3" rpy="0.4 0.5 0.6"/>
+    <geometry><cylinder radius="0.05" length="1"/></geometry></collision></link>
+</robot>
+)");
+    Recipe pole = recipe("stages: [spherize.voxel]\nlinks: {pole: {max_spheres: 10}}\n");
+    pole.urdf = {"pole.urdf"};
+    const RunResult result = run(pole, registry, options());
+    EXPECT_TRUE(result.certified);
+    EXPECT_EQ(result.total.spheres, 10u);
+    const auto spheres =
+        registry.make<Writer>("write.urdf")->read(read_file(folder.path() / "out/two.urdf")).at("pole");
+    for (const Sphere& sphere : spheres) {
+        EXPECT_NEAR(sphere.radius, std::hypot(0.05, 0.05), 3e-4);
+    }
+}
+
 TEST_F(Run, GrowsWhatASpherizerLeavesOpen) {
     const RunResult result =
         run(recipe("stages: [spherize.misbehaving: {how: small, link: base}]\n"), registry, options());

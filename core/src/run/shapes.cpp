@@ -1,5 +1,7 @@
 #include "shapes.hpp"
 
+#include "cover.hpp"
+#include "geometry/row_cover.hpp"
 #include "isolated.hpp"
 
 #include <fmt/format.h>
@@ -136,6 +138,19 @@ static std::optional<Sphere> as_sphere(const Solid& solid) {
     return Sphere{part.pose.translation, part.primitive->radius};
 }
 
+/// A cylinder or capsule with a number of spheres: a row of equal ones along the axis, in closed form, stands in for
+/// what the spherizer found where it claims less.
+static void take_better_row(const Workspace& workspace, const Solid& solid, std::size_t count, SphereTree& tree) {
+    const Recipe& recipe = workspace.recipe;
+    if (count == 0 || recipe.guarantee != Guarantee::outer || recipe.budget_max_protrusion || tree.levels.size() > 2) {
+        return;
+    }
+    if (auto row = geometry::row_cover(solid, count);
+        row && wrong_volume(solid, *row, recipe.guarantee) < wrong_volume(solid, tree.finest(), recipe.guarantee)) {
+        tree = flat_tree(std::move(*row));
+    }
+}
+
 /// One tree for each budget, checked.
 static std::vector<SphereTree> run_spherizer(const Workspace& workspace, ShapeWork& work,
                                              const std::vector<Budget>& budgets) {
@@ -192,6 +207,7 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
     }
     // By count, whatever the cache held: of two trees of one size the one that was asked for less stays.
     for (auto& [count, tree] : known) {
+        take_better_row(workspace, work.shape->original(), count, tree);
         const std::size_t got = tree.finest().size();
         work.asked[count] = got;
         work.trees.try_emplace(got, std::move(tree));
