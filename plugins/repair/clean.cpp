@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include <numeric>
+#include <algorithm>
 
 namespace foam::repair {
 namespace {
@@ -35,13 +35,15 @@ Triangle sorted(Triangle t) {
 
 /// The triangles whose corner sets occur first.
 std::vector<Triangle> without_repeats(const std::vector<Triangle>& triangles) {
-    std::vector<std::uint32_t> order(triangles.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return sorted(triangles[a]) < sorted(triangles[b]); });
+    std::vector<std::pair<Triangle, std::uint32_t>> by_corners;
+    by_corners.reserve(triangles.size());
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+        by_corners.emplace_back(sorted(triangles[i]), i);
+    }
+    std::sort(by_corners.begin(), by_corners.end());
     std::vector<char> keep(triangles.size(), 1);
-    for (std::size_t k = 1; k < order.size(); ++k) {
-        keep[order[k]] = sorted(triangles[order[k]]) != sorted(triangles[order[k - 1]]);
+    for (std::size_t k = 1; k < by_corners.size(); ++k) {
+        keep[by_corners[k].second] = by_corners[k].first != by_corners[k - 1].first;
     }
     std::vector<Triangle> result;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -79,15 +81,16 @@ Cleaned clean(const Mesh& mesh, Context& context) {
     if (solid.triangles.size() != with_area) {
         context.log(Severity::info, fmt::format("{} triangles repeat others", with_area - solid.triangles.size()));
     }
-    result.distinct = welded(solid);
+    result.distinct = solid.triangles.size() == result.all.triangles.size() ? result.all : welded(solid);
     return result;
 }
 
-std::optional<Mesh> closed_manifold(Mesh mesh, Context& context) {
-    std::optional<Neighbours> around = neighbours(mesh);
+std::optional<Mesh> closed_manifold(const Mesh& given, Context& context) {
+    std::optional<Neighbours> around = neighbours(given);
     if (!around) {
         return std::nullopt;
     }
+    Mesh mesh = given;
     const Components parts = components(mesh, *around);
     std::vector<char> mixed;
     if (!orient(mesh, *around, parts, mixed)) {

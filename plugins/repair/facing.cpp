@@ -1,8 +1,8 @@
 #include "facing.hpp"
 
-#include "fans.hpp"
 #include "triangle.hpp"
 
+#include <foam/edges.hpp>
 #include <foam/solid.hpp>
 
 #include <algorithm>
@@ -15,19 +15,13 @@ constexpr std::uint32_t none = 0xFFFFFFFFu;
 
 /// For side k of triangle i, at 3 i + k: the triangle over an edge of exactly two; none elsewhere.
 std::vector<std::uint32_t> partners(const Mesh& mesh) {
-    const std::vector<Side> sides = sorted_sides(mesh);
-    std::vector<std::uint32_t> result(sides.size(), none);
-    for (std::size_t begin = 0; begin < sides.size();) {
-        std::size_t end = begin + 1;
-        while (end < sides.size() && sides[end].same_edge(sides[begin])) {
-            ++end;
+    std::vector<std::uint32_t> result(3 * mesh.triangles.size(), none);
+    for_each_edge(sides_by_edge(mesh.triangles, mesh.vertices.size()), [&](std::span<const Side> edge) {
+        if (edge.size() == 2) {
+            result[edge[0].number] = edge[1].triangle();
+            result[edge[1].number] = edge[0].triangle();
         }
-        if (end - begin == 2) {
-            result[sides[begin].side] = sides[begin + 1].side / 3;
-            result[sides[begin + 1].side] = sides[begin].side / 3;
-        }
-        begin = end;
-    }
+    });
     return result;
 }
 

@@ -1,6 +1,8 @@
 #include "fans.hpp"
 
-#include <tuple>
+#include <foam/edges.hpp>
+
+#include <algorithm>
 
 namespace foam::repair {
 namespace {
@@ -50,44 +52,30 @@ bool sort_inside_between(const Mesh& mesh, std::vector<std::uint32_t>& sides) {
 
 } // namespace
 
-std::vector<Side> sorted_sides(const Mesh& mesh) {
-    std::vector<Side> sides;
-    sides.reserve(3 * mesh.triangles.size());
-    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-        const Triangle& t = mesh.triangles[i];
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            const std::uint32_t from = t[k], to = t[(k + 1) % 3];
-            sides.push_back({std::min(from, to), std::max(from, to), 3 * i + k});
-        }
-    }
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-        return std::tie(a.low, a.high, a.side) < std::tie(b.low, b.high, b.side);
-    });
-    return sides;
-}
-
 std::optional<Neighbours> neighbours(const Mesh& mesh) {
-    const std::vector<Side> sides = sorted_sides(mesh);
+    const std::vector<Side> sides = sides_by_edge(mesh.triangles, mesh.vertices.size());
+    if (sides.size() != 3 * mesh.triangles.size()) {
+        return std::nullopt; // a triangle passes a vertex twice
+    }
     Neighbours result(sides.size(), none);
-    for (std::size_t begin = 0; begin < sides.size();) {
-        std::size_t end = begin + 1;
-        while (end < sides.size() && sides[end].same_edge(sides[begin])) {
-            ++end;
+    bool sound = true;
+    std::vector<std::uint32_t> around;
+    for_each_edge(sides, [&](std::span<const Side> edge) {
+        sound = sound && edge.size() % 2 == 0;
+        if (!sound) {
+            return;
         }
-        std::vector<std::uint32_t> around;
-        for (std::size_t i = begin; i < end; ++i) {
-            around.push_back(sides[i].side);
+        around.clear();
+        for (const Side& side : edge) {
+            around.push_back(side.number);
         }
-        if (around.size() % 2 != 0 || (around.size() > 2 && !sort_inside_between(mesh, around))) {
-            return std::nullopt;
-        }
+        sound = around.size() == 2 || sort_inside_between(mesh, around);
         for (std::size_t i = 0; i < around.size(); i += 2) {
             result[around[i]] = around[i + 1];
             result[around[i + 1]] = around[i];
         }
-        begin = end;
-    }
-    return result;
+    });
+    return sound ? std::optional(std::move(result)) : std::nullopt;
 }
 
 Components components(const Mesh& mesh, const Neighbours& neighbours) {

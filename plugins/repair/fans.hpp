@@ -8,22 +8,12 @@
 
 namespace foam::repair {
 
-/// Side `side` % 3 of triangle `side` / 3, with the ends of its edge in ascending order.
-struct Side {
-    std::uint32_t low, high, side;
-
-    bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
-};
-
-/// All sides, by edge, then by number. O(n log n).
-std::vector<Side> sorted_sides(const Mesh& mesh);
-
 /// For side k of triangle i (from corner k to corner k + 1) at 3 i + k: the side of the other triangle at that edge.
 using Neighbours = std::vector<std::uint32_t>;
 
 /// Where more than two triangles meet at an edge, those are neighbours that have the inside between them: bodies that
-/// touch along an edge are separate. Nothing if an edge has an odd number of triangles, or more than two that do not
-/// face in and out by turns around it.
+/// touch along an edge are separate. Nothing if a triangle passes a vertex twice, or an edge has an odd number of
+/// triangles, or more than two that do not face in and out by turns around it.
 std::optional<Neighbours> neighbours(const Mesh& mesh);
 
 /// Component numbers of the triangles, in the order of their first triangle.

@@ -18,16 +18,41 @@ Cell child_place(const Cell& parent, int child) {
 
 using Lists = std::array<std::vector<std::uint32_t>, 8>;
 
+/// The box lies in the cube.
+bool is_in_cube(const Box& box, const Vec3& center, double half_size) {
+    const Vec3 low = box.low - center, high = box.high - center;
+    return std::min({low.x, low.y, low.z}) >= -half_size && std::max({high.x, high.y, high.z}) <= half_size;
+}
+
 /// The triangles of a node, dealt out to its children.
 Lists deal(const Mesh& mesh, const Node& node, std::span<const std::uint32_t> triangles) {
     Lists lists;
     const double size = std::ldexp(1.0, -(node.level + 1));
+    std::array<Vec3, 8> centers;
     for (int child = 0; child < 8; ++child) {
         const Cell place = child_place(node.place, child);
-        const Vec3 center = Vec3{place[0] + 0.5, place[1] + 0.5, place[2] + 0.5} * size;
-        for (const std::uint32_t t : triangles) {
-            if (overlaps_cube(corners(mesh, mesh.triangles[t]), center, size / 2 * margin)) {
-                lists[static_cast<std::size_t>(child)].push_back(t);
+        centers[static_cast<std::size_t>(child)] = Vec3{place[0] + 0.5, place[1] + 0.5, place[2] + 0.5} * size;
+    }
+    const Vec3 middle = (centers[0] + centers[7]) * 0.5;
+    for (const std::uint32_t t : triangles) {
+        const Corners c = corners(mesh, mesh.triangles[t]);
+        Box box;
+        for (const Vec3& p : c) {
+            box.add(p);
+        }
+        // Most triangles are small, and lie in the one child that holds their middle.
+        const Vec3 p = box.center();
+        const std::size_t home = (p.x > middle.x) + 2 * (p.y > middle.y) + 4 * (p.z > middle.z);
+        const double reach = std::max({box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z}) / 2;
+        const Vec3 away = p - middle;
+        const double clear = std::min({std::abs(away.x), std::abs(away.y), std::abs(away.z)}) - reach;
+        if (clear > size * (margin - 1) && is_in_cube(box, centers[home], size / 2)) {
+            lists[home].push_back(t);
+            continue;
+        }
+        for (std::size_t child = 0; child < 8; ++child) {
+            if (overlaps_cube(c, centers[child], size / 2 * margin)) {
+                lists[child].push_back(t);
             }
         }
     }

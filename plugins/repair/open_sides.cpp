@@ -1,21 +1,18 @@
 #include "open_sides.hpp"
 
-#include "fans.hpp"
+#include <foam/edges.hpp>
 
 #include <algorithm>
 
 namespace foam::repair {
 
 std::vector<OpenSide> open_sides(const Mesh& mesh) {
-    const std::vector<Side> sides = sorted_sides(mesh);
     std::vector<std::uint32_t> alone;
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-        const bool partner =
-            (i > 0 && sides[i - 1].same_edge(sides[i])) || (i + 1 < sides.size() && sides[i + 1].same_edge(sides[i]));
-        if (!partner) {
-            alone.push_back(sides[i].side);
+    for_each_edge(sides_by_edge(mesh.triangles, mesh.vertices.size()), [&](std::span<const Side> edge) {
+        if (edge.size() == 1) {
+            alone.push_back(edge[0].number);
         }
-    }
+    });
     std::sort(alone.begin(), alone.end());
     std::vector<OpenSide> open;
     for (const std::uint32_t side : alone) {

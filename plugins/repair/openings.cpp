@@ -55,21 +55,23 @@ void fill_openings(Octree& octree, const Solid& solid, Context& context) {
             open.push_back(i);
         }
     }
+    const auto is_finest = [&](std::uint32_t i) { return octree.nodes()[i].level == octree.depth(); };
     while (!open.empty()) {
         context.check_cancelled();
         std::vector<Place> places;
         for (const std::uint32_t i : open) {
             const Probes probes = probes_of(octree, octree.nodes()[i]);
-            places.insert(places.end(), probes.begin(), probes.end());
+            // A leaf that cannot be split is judged by its middle alone.
+            places.insert(places.end(), is_finest(i) ? probes.end() - 1 : probes.begin(), probes.end());
         }
         const Insides insides(std::move(places), octree, solid);
         std::vector<std::uint32_t> next;
         for (const std::uint32_t i : open) {
             const Probes probes = probes_of(octree, octree.nodes()[i]);
             const bool middle = insides.at(probes[8]);
-            const bool mixed =
-                std::any_of(probes.begin(), probes.end(), [&](const Place& p) { return insides.at(p) != middle; });
-            if (mixed && octree.nodes()[i].level < octree.depth()) {
+            const bool mixed = !is_finest(i) && std::any_of(probes.begin(), probes.end(),
+                                                            [&](const Place& p) { return insides.at(p) != middle; });
+            if (mixed) {
                 const std::uint32_t first = octree.split(i);
                 for (std::uint32_t child = 0; child < 8; ++child) {
                     next.push_back(first + child);

@@ -34,12 +34,18 @@ double seam_width(const Cleaned& cleaned, const SoupOptions& options) {
 
 /// What sound() tries. `sewn`: the mesh with its seams closed, once that is made.
 std::optional<Mesh> tried_as_sound(const Cleaned& cleaned, const SoupOptions& options, Mesh& sewn, Context& context) {
-    for (const Mesh* candidate : {&cleaned.distinct, &cleaned.all}) {
-        if (std::optional<Mesh> closed = closed_manifold(*candidate, context)) {
+    if (std::optional<Mesh> closed = closed_manifold(cleaned.distinct, context)) {
+        return closed;
+    }
+    if (cleaned.all.triangles.size() != cleaned.distinct.triangles.size()) {
+        if (std::optional<Mesh> closed = closed_manifold(cleaned.all, context)) {
             return closed;
         }
     }
     sewn = welded_within(cleaned.distinct, seam_width(cleaned, options));
+    if (sewn.vertices.size() == cleaned.distinct.vertices.size()) {
+        return std::nullopt; // no seam: tried already
+    }
     std::optional<Mesh> closed = closed_manifold(sewn, context);
     if (closed) {
         context.log(Severity::info, fmt::format("seams narrower than {:g} of the size were closed", options.seam));

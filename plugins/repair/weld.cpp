@@ -1,41 +1,91 @@
 #include "weld.hpp"
 
-#include <array>
-#include <map>
+#include <bit>
 
 namespace foam::repair {
 namespace {
 
-using Key = std::array<double, 3>;
-
-Key key_of(const Vec3& p, double cell) {
+/// Along each axis the number of the cell that holds a point; whole, but possibly beyond the range of integers.
+Vec3 cell_of(const Vec3& p, double cell) {
     return {std::floor(p.x / cell), std::floor(p.y / cell), std::floor(p.z / cell)};
 }
+
+/// The vertices that were kept, in a hashed grid.
+class Kept {
+public:
+    Kept(const std::vector<Vec3>& points, double tolerance)
+        : points_(points), tolerance_(tolerance), mask_(std::bit_ceil(2 * points.size() + 1) - 1),
+          newest_(mask_ + 1, none), older_(points.size(), none) {}
+
+    /// A kept vertex within the tolerance of the point: the first in the order of cells as long as the tolerance (z, y,
+    /// x), then of vertices. `none` if there is none.
+    std::uint32_t near(const Vec3& p) const {
+        const Vec3 low = cell_of(p - Vec3{1, 1, 1} * tolerance_, cell()),
+                   high = cell_of(p + Vec3{1, 1, 1} * tolerance_, cell());
+        std::uint32_t best = none;
+        for (double z = low.z; z <= high.z; ++z) {
+            for (double y = low.y; y <= high.y; ++y) {
+                for (double x = low.x; x <= high.x; ++x) {
+                    for (std::uint32_t i = newest_[slot(x, y, z)]; i != none; i = older_[i]) {
+                        if (i != best && distance(points_[i], p) <= tolerance_ &&
+                            (best == none || comes_before(i, best))) {
+                            best = i;
+                        }
+                    }
+                }
+            }
+        }
+        return best;
+    }
+
+    void add(std::uint32_t i) {
+        const Vec3 at = cell_of(points_[i], cell());
+        std::uint32_t& newest = newest_[slot(at.x, at.y, at.z)];
+        older_[i] = newest;
+        newest = i;
+    }
+
+    static constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+private:
+    /// Long against the tolerance, so that most points have to look into one cell only; but a cell holds few vertices,
+    /// since those that are kept are no nearer to each other than the tolerance.
+    double cell() const { return 8 * tolerance_; }
+
+    std::size_t slot(double x, double y, double z) const {
+        std::uint64_t hash = 0;
+        for (const double value : {x, y, z}) {
+            hash = (hash ^ std::bit_cast<std::uint64_t>(value + 0.0)) * 0x9E3779B97F4A7C15u; // -0 becomes 0
+            hash ^= hash >> 32;
+        }
+        return hash & mask_;
+    }
+
+    bool comes_before(std::uint32_t i, std::uint32_t k) const {
+        const Vec3 a = cell_of(points_[i], tolerance_), b = cell_of(points_[k], tolerance_);
+        return a.z != b.z ? a.z < b.z : a.y != b.y ? a.y < b.y : a.x != b.x ? a.x < b.x : i < k;
+    }
+
+    const std::vector<Vec3>& points_;
+    double tolerance_;
+    std::size_t mask_;
+    std::vector<std::uint32_t> newest_; // of the vertices in the cells of a slot
+    std::vector<std::uint32_t> older_;  // the next one in its slot
+};
 
 } // namespace
 
 Mesh welded_within(const Mesh& mesh, double tolerance) {
-    // A grid whose cells are as long as the tolerance: partners are in the same cell or one beside it.
-    std::map<Key, std::vector<std::uint32_t>> kept;
+    if (!(tolerance > 0)) {
+        return welded(mesh);
+    }
+    Kept kept(mesh.vertices, tolerance);
     std::vector<std::uint32_t> stands_for(mesh.vertices.size());
     for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) {
-        const Vec3& p = mesh.vertices[i];
-        const Key key = key_of(p, tolerance);
-        stands_for[i] = i;
-        for (int step = 0; step < 27 && stands_for[i] == i; ++step) {
-            const auto found = kept.find({key[0] + step % 3 - 1, key[1] + step / 3 % 3 - 1, key[2] + step / 9 - 1});
-            if (found == kept.end()) {
-                continue;
-            }
-            for (const std::uint32_t other : found->second) {
-                if (distance(mesh.vertices[other], p) <= tolerance) {
-                    stands_for[i] = other;
-                    break;
-                }
-            }
-        }
-        if (stands_for[i] == i) {
-            kept[key].push_back(i);
+        stands_for[i] = kept.near(mesh.vertices[i]);
+        if (stands_for[i] == Kept::none) {
+            stands_for[i] = i;
+            kept.add(i);
         }
     }
     Mesh result{mesh.vertices, {}};

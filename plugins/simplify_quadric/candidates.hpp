@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
+#include <iterator>
 #include <vector>
 
 namespace foam::simplify {
@@ -13,51 +15,79 @@ struct Candidate {
     std::uint32_t u, v;
     std::uint32_t stamp_u, stamp_v; ///< of the vertices when the cost was computed
 
-    bool operator<(const Candidate& other) const {
-        return cost != other.cost ? cost < other.cost : u != other.u ? u < other.u : v < other.v;
+    bool operator>(const Candidate& other) const {
+        return cost != other.cost ? cost > other.cost : u != other.u ? u > other.u : v > other.v;
     }
 };
 
-/// The edges of the mesh are sorted once and read in their order; those that come in while edges are collapsed wait in
-/// a heap, which stays small: candidates that have become stale are swept out of it as it grows.
+/// A priority queue that reads and writes memory in order, as Sanders: Fast Priority Queues for Cached Memory, 2000: a
+/// heap small enough for the cache takes what comes in; when it is full it becomes a sorted run, and runs of like
+/// length are merged. In one heap over the millions of edges of a large mesh every step would wait for memory.
 class Candidates {
 public:
-    explicit Candidates(std::vector<Candidate> all) : sorted_(std::move(all)) {
-        std::sort(sorted_.begin(), sorted_.end());
+    explicit Candidates(std::vector<Candidate> all) { add_run(std::move(all)); }
+
+    bool empty() const { return runs_.empty() && heap_.empty(); }
+
+    void push(const Candidate& candidate) {
+        heap_.push_back(candidate);
+        std::push_heap(heap_.begin(), heap_.end(), std::greater<>());
+        if (heap_.size() == heap_limit) {
+            add_run(std::move(heap_));
+            heap_.clear();
+        }
     }
 
-    bool empty() const { return next_ == sorted_.size() && heap_.empty(); }
-
-    /// Removes the cheapest one.
+    /// Removes the cheapest one. Precondition: not empty().
     Candidate pop() {
-        if (heap_.empty() || (next_ < sorted_.size() && sorted_[next_] < heap_.front())) {
-            return sorted_[next_++];
+        std::size_t cheapest = runs_.size(); // the heap
+        for (std::size_t r = 0; r < runs_.size(); ++r) {
+            if (cheapest == runs_.size() ? heap_.empty() || heap_.front() > runs_[r].back()
+                                         : runs_[cheapest].back() > runs_[r].back()) {
+                cheapest = r;
+            }
         }
-        std::pop_heap(heap_.begin(), heap_.end(), Dearer());
-        const Candidate candidate = heap_.back();
-        heap_.pop_back();
+        if (cheapest == runs_.size()) {
+            std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
+            return taken_from(heap_);
+        }
+        const Candidate candidate = taken_from(runs_[cheapest]);
+        if (runs_[cheapest].empty()) {
+            runs_.erase(runs_.begin() + static_cast<std::ptrdiff_t>(cheapest));
+        }
         return candidate;
     }
 
-    /// `is_stale` tells of a candidate whether it may be dropped.
-    template <class IsStale> void push(const Candidate& candidate, IsStale is_stale) {
-        if (heap_.size() >= limit_) {
-            std::erase_if(heap_, is_stale);
-            std::make_heap(heap_.begin(), heap_.end(), Dearer());
-            limit_ = std::max(limit_, 2 * heap_.size());
-        }
-        heap_.push_back(candidate);
-        std::push_heap(heap_.begin(), heap_.end(), Dearer());
+private:
+    using Run = std::vector<Candidate>; // the cheapest at the end
+
+    static constexpr std::size_t heap_limit = 8192;
+
+    static Candidate taken_from(std::vector<Candidate>& list) {
+        const Candidate candidate = list.back();
+        list.pop_back();
+        return candidate;
     }
 
-private:
-    struct Dearer {
-        bool operator()(const Candidate& a, const Candidate& b) const { return b < a; }
-    };
+    void add_run(std::vector<Candidate> candidates) {
+        if (candidates.empty()) {
+            return;
+        }
+        std::sort(candidates.begin(), candidates.end(), std::greater<>());
+        runs_.push_back(std::move(candidates));
+        while (runs_.size() > 1 && runs_[runs_.size() - 2].size() <= 2 * runs_.back().size()) {
+            const Run last = std::move(runs_.back());
+            runs_.pop_back();
+            Run merged;
+            merged.reserve(runs_.back().size() + last.size());
+            std::merge(runs_.back().begin(), runs_.back().end(), last.begin(), last.end(), std::back_inserter(merged),
+                       std::greater<>());
+            runs_.back() = std::move(merged);
+        }
+    }
 
-    std::vector<Candidate> sorted_, heap_;
-    std::size_t next_ = 0; // in sorted_
-    std::size_t limit_ = 4096;
+    std::vector<Run> runs_;
+    std::vector<Candidate> heap_;
 };
 
 } // namespace foam::simplify

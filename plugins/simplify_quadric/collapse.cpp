@@ -290,9 +290,7 @@ bool Collapse::try_collapse(const Candidate& cheapest, Candidates& queue) {
     triangles_of_[v].clear();
     ++vertices_[u].stamp;
     ++vertices_[v].stamp;
-    for_each_neighbour(u, [&](std::uint32_t neighbour) {
-        queue.push(candidate(u, neighbour), [&](const Candidate& old) { return is_stale(old); });
-    });
+    for_each_neighbour(u, [&](std::uint32_t neighbour) { queue.push(candidate(u, neighbour)); });
     return true;
 }
 
