@@ -42,6 +42,24 @@ TEST(Refined, SplitsTheLongestEdges) {
     EXPECT_LT(longest, 0.02); // at first 0.3 m
 }
 
+TEST(Refined, NumbersNeighboursAlike) {
+    const Mesh fine = refined(cylinder(), 20000);
+    std::uint32_t used = 0; // vertices come in the order of their first use
+    double farthest = 0, sum = 0;
+    for (std::size_t t = 0; t < fine.triangles.size(); ++t) {
+        for (const std::uint32_t corner : fine.triangles[t]) {
+            EXPECT_LE(corner, used);
+            used += corner == used ? 1 : 0;
+        }
+        const double step =
+            norm(fine.vertices[fine.triangles[t][0]] - fine.vertices[fine.triangles[t > 0 ? t - 1 : 0][0]]);
+        sum += step;
+        farthest = std::max(farthest, step);
+    }
+    EXPECT_EQ(used, fine.vertices.size());
+    EXPECT_LT(sum / static_cast<double>(fine.triangles.size()), 0.4 * farthest);
+}
+
 TEST(Refined, LeavesHolesAsTheyAre) {
     Mesh mesh = cylinder();
     mesh.triangles.pop_back();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <queue>
 #include <tuple>
 
@@ -13,7 +14,9 @@ constexpr std::uint32_t none = UINT32_MAX;
 /// Splits edges of a growing mesh. A side is number 3 t + k: from corner k to corner k + 1 of triangle t.
 class Refinement {
 public:
-    explicit Refinement(const Mesh& mesh) : mesh_(mesh), twins_(3 * mesh.triangles.size(), none) {
+    explicit Refinement(const Mesh& mesh)
+        : mesh_(mesh), twins_(3 * mesh.triangles.size(), none), origins_(mesh.triangles.size()) {
+        std::iota(origins_.begin(), origins_.end(), 0U);
         join_sides();
         for (std::uint32_t side = 0; side < twins_.size(); ++side) {
             enqueue(side);
@@ -28,7 +31,7 @@ public:
                 split(longest.side);
             }
         }
-        return std::move(mesh_);
+        return in_order();
     }
 
 private:
@@ -95,6 +98,7 @@ private:
         const auto fresh = static_cast<std::uint32_t>(3 * mesh_.triangles.size());
         mesh_.triangles.push_back({middle, corner(second), corner(third)}); // sides: half, second, the cut
         twins_.resize(fresh + 3, none);
+        origins_.push_back(origins_[side / 3]);
         join(fresh + 1, twins_[second]);
         join(fresh + 2, second);
         corner(second) = middle;
@@ -123,8 +127,32 @@ private:
         }
     }
 
+    /// Pieces of a triangle one behind the other, vertices in the order of their first use: neighbours are near in
+    /// memory, as in meshes of modellers. Edges are split all over the mesh, and times would tell of the cache.
+    Mesh in_order() const {
+        std::vector<std::uint32_t> order(mesh_.triangles.size());
+        std::iota(order.begin(), order.end(), 0U);
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::uint32_t a, std::uint32_t b) { return origins_[a] < origins_[b]; });
+        std::vector<std::uint32_t> numbers(mesh_.vertices.size(), none);
+        Mesh result;
+        for (const std::uint32_t t : order) {
+            Triangle triangle = mesh_.triangles[t];
+            for (std::uint32_t& corner : triangle) {
+                if (numbers[corner] == none) {
+                    numbers[corner] = static_cast<std::uint32_t>(result.vertices.size());
+                    result.vertices.push_back(mesh_.vertices[corner]);
+                }
+                corner = numbers[corner];
+            }
+            result.triangles.push_back(triangle);
+        }
+        return result;
+    }
+
     Mesh mesh_;
     std::vector<std::uint32_t> twins_;
+    std::vector<std::uint32_t> origins_; ///< of each triangle the one it is a piece of
     std::priority_queue<Edge> queue_;
 };
 

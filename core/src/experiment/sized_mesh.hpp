@@ -8,7 +8,8 @@ namespace foam::experiment {
 
 /// The same surface in at least `triangles` triangles, one more at most: the longest edge is split at its middle, again
 /// and again (Rivara, 1984), with the triangles on both its sides, so that what is closed stays closed. O(n log n),
-/// deterministic. A mesh that has as many is returned as it is. Precondition: no edge of zero length.
+/// deterministic. Neighbours
+/// stay near each other in memory. A mesh that has as many is returned as it is. Precondition: no edge of zero length.
 Mesh refined(const Mesh& mesh, std::size_t triangles);
 
 /// refined(), or simplified by simplify.quadric to the count or as near as that comes.
