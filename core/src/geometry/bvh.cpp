@@ -10,16 +10,34 @@ constexpr std::size_t bin_count = 16;
 /// Deeper than this the heuristic gives way to the median, which halves: 2^32 items end within 32 more levels.
 constexpr std::size_t heuristic_depth = 56;
 
+/// A box as its low corner and its negated high one: growing is six times the lesser of two, without a branch.
+struct Extent {
+    std::array<double, 6> least;
+
+    static Extent empty() {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        return {{infinity, infinity, infinity, infinity, infinity, infinity}};
+    }
+    static Extent of(const Vec3& low, const Vec3& high) { return {{low.x, low.y, low.z, -high.x, -high.y, -high.z}}; }
+
+    Vec3 low() const { return {least[0], least[1], least[2]}; }
+    Vec3 high() const { return {-least[3], -least[4], -least[5]}; }
+    void add(const Extent& other) {
+        for (std::size_t k = 0; k < 6; ++k) {
+            least[k] = other.least[k] < least[k] ? other.least[k] : least[k];
+        }
+    }
+    double half_area() const {
+        const Vec3 s = high() - low();
+        return s.x * s.y + s.y * s.z + s.z * s.x;
+    }
+};
+
 struct Item {
-    Box box;
+    Extent extent;
     Vec3 center;
     std::uint32_t index;
 };
-
-double half_area(const Box& box) {
-    const Vec3 s = box.size();
-    return s.x * s.y + s.y * s.z + s.z * s.x;
-}
 
 /// Where to cut a range of items: along `axis`, behind bin `bin`; no cut if axis < 0.
 struct Cut {
@@ -27,51 +45,48 @@ struct Cut {
     std::size_t bin = 0;
 };
 
-void grow(Box& box, const Box& other) {
-    box.low = {std::min(box.low.x, other.low.x), std::min(box.low.y, other.low.y), std::min(box.low.z, other.low.z)};
-    box.high = {std::max(box.high.x, other.high.x), std::max(box.high.y, other.high.y),
-                std::max(box.high.z, other.high.z)};
-}
-
 /// The items of a range by the place of their centres along an axis.
 class Bins {
 public:
     void clear() { occupied_ = 0; }
-    void add(std::size_t bin, const Box& box) {
+    void add(std::size_t bin, const Extent& extent) {
         const std::uint32_t bit = 1u << bin;
         if ((occupied_ & bit) == 0) { // the first one overwrites what a former range left
             occupied_ |= bit;
-            bins_[bin] = {box, 1};
+            bins_[bin] = {extent, 1};
             return;
         }
-        grow(bins_[bin].box, box);
+        bins_[bin].extent.add(extent);
         ++bins_[bin].count;
     }
 
     /// Calls visit(bin, cost) for the cuts behind every occupied bin but the last, ascending.
     template <class Visit> void for_each_cut(Visit visit) {
-        Bin sum;
-        std::array<double, bin_count> right_cost; // of what lies behind a bin
+        std::array<double, bin_count> right_cost; // of what lies behind a bin, but for the last one
+        Bin sum{Extent::empty(), 0};
         for (std::uint32_t left = occupied_; left != 0;) {
             const auto bin = static_cast<std::size_t>(std::bit_width(left)) - 1;
-            right_cost[bin] = sum.count * half_area(sum.box);
-            grow(sum.box, bins_[bin].box);
-            sum.count += bins_[bin].count;
+            right_cost[bin] = sum.count * sum.extent.half_area();
+            sum.add(bins_[bin]);
             left &= ~(1u << bin);
         }
-        sum = {};
+        sum = {Extent::empty(), 0};
         for (std::uint32_t left = occupied_; (left & (left - 1)) != 0; left &= left - 1) {
             const auto bin = static_cast<std::size_t>(std::countr_zero(left));
-            grow(sum.box, bins_[bin].box);
-            sum.count += bins_[bin].count;
-            visit(bin, sum.count * half_area(sum.box) + right_cost[bin]);
+            sum.add(bins_[bin]);
+            visit(bin, sum.count * sum.extent.half_area() + right_cost[bin]);
         }
     }
 
 private:
     struct Bin {
-        Box box;
-        std::uint32_t count = 0;
+        Extent extent;
+        std::uint32_t count;
+
+        void add(const Bin& other) {
+            extent.add(other.extent);
+            count += other.count;
+        }
     };
     static_assert(bin_count <= 32);
     std::uint32_t occupied_ = 0; // a bit for each bin
@@ -83,7 +98,7 @@ public:
     Builder(std::span<const Box> boxes, std::uint32_t leaf_size) : leaf_size_(leaf_size) {
         items_.reserve(boxes.size());
         for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-            items_.push_back({boxes[i], boxes[i].center(), i});
+            items_.push_back({Extent::of(boxes[i].low, boxes[i].high), boxes[i].center(), i});
         }
         nodes_.reserve(2 * boxes.size() / leaf_size + 2);
         nodes_.emplace_back();
@@ -102,19 +117,21 @@ public:
 
 private:
     static std::size_t bin_of(double value, double low, double scale) {
-        return std::min(bin_count - 1, static_cast<std::size_t>(std::max(0.0, (value - low) * scale)));
+        const double place = (value - low) * scale; // not negative: `low` is the least value
+        return place < bin_count ? static_cast<std::size_t>(static_cast<int>(place)) : bin_count - 1;
     }
 
     void split(std::size_t node, std::uint32_t begin, std::uint32_t end, std::size_t depth) {
-        Box box, centers;
+        Extent extent = Extent::empty(), middles = Extent::empty();
         for (std::uint32_t i = begin; i < end; ++i) {
-            grow(box, items_[i].box);
-            centers.add(items_[i].center);
+            extent.add(items_[i].extent);
+            middles.add(Extent::of(items_[i].center, items_[i].center));
         }
-        nodes_[node] = {box.low, box.high, begin, end - begin};
+        nodes_[node] = {extent.low(), extent.high(), begin, end - begin};
         if (end - begin <= leaf_size_) {
             return;
         }
+        const Box centers{middles.low(), middles.high()};
         std::uint32_t middle = begin;
         if (depth < heuristic_depth) {
             middle = partition(best_cut(begin, end, centers), begin, end, centers);
@@ -140,7 +157,7 @@ private:
                 continue;
             }
             for (std::uint32_t i = begin; i < end; ++i) {
-                bins.add(bin_of(items_[i].center[axis], centers.low[axis], scale[axis]), items_[i].box);
+                bins.add(bin_of(items_[i].center[axis], centers.low[axis], scale[axis]), items_[i].extent);
             }
         }
         Cut best;
