@@ -128,7 +128,9 @@ Grid best_grid_in(const Cell& cell, std::size_t most, Context& context) {
             return std::move(*grid);
         }
     }
-    return *exact(cell, {1, 1, 1}, 1);
+    // The cell as it is: even one that holds nothing but rounding errors has its place in a tree.
+    const Sphere ball = cell.ball();
+    return {{cell}, {ball}, union_volume(std::vector<Sphere>{ball})};
 }
 
 Grid best_grid(const Cell& whole, const Cell& rough, const Axes& principal, std::size_t most, Context& context) {

@@ -258,7 +258,8 @@ Box Cell::extent() const {
     for (const Vec3& corner : inside_corners({extent.center(), -1})) {
         extent.add(corner);
     }
-    return extent;
+    // A sliver beside the surface, thinner than rounding: inside by its middle, but not by its corners.
+    return extent.empty() ? box_ : extent;
 }
 
 Sphere Cell::ball() const {
