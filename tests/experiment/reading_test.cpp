@@ -76,7 +76,7 @@ TEST_F(Reading, AllThatIsMissing) {
 TEST_F(Reading, WrongValues) {
     EXPECT_EQ(
         findings(time + "mesh: a.stl\nrepeat: 3\ntime_limit: 10 s\ntriangles: [500, 2, 400]\nfigures:\n"
-                        "  a/b: [repair.soup]\n  c: [repair.sop, repair.soup: {size: 3}, write.csv]\n"
+                        "  a/b: [repair.soup]\n  c: [repair.sop, repair.soup: {largest_hol: 3}, write.csv]\n"
                         "  d: [[spherize.grid, repair.soup], [repair.soup, load.mesh], repair.soup, repair.soup]\n"),
         "x.yaml:5:1: error[unknown-key]: unknown key 'repeat'; did you mean 'repeats'?\n"
         "x.yaml:6:13: error[wrong-type]: 'time_limit' expects a number between 0.001 and 1000000, got the text "
@@ -86,9 +86,8 @@ TEST_F(Reading, WrongValues) {
         "x.yaml:9:3: error[bad-name]: 'a/b' names the file of a figure, but holds other characters than letters, "
         "digits, _ - + = and .\n"
         "x.yaml:10:7: error[unknown-stage]: unknown stage 'repair.sop'; did you mean 'repair.soup'?\n"
-        "x.yaml:10:33: error[unknown-key]: unknown key 'size' in repair.soup; known: seam, largest_hole, isolate, "
-        "time_limit, memory_limit\n"
-        "x.yaml:10:43: error[wrong-kind]: 'write.csv' is a writer; 'c' holds mesh loaders, mesh filters and "
+        "x.yaml:10:33: error[unknown-key]: unknown key 'largest_hol' in repair.soup; did you mean 'largest_hole'?\n"
+        "x.yaml:10:50: error[wrong-kind]: 'write.csv' is a writer; 'c' holds mesh loaders, mesh filters and "
         "spherizers\n"
         "x.yaml:11:23: error[wrong-kind]: 'repair.soup' stands behind the spherizer 'spherize.grid'; remedy: move it "
         "before that\n"
