@@ -72,6 +72,7 @@ int run_program(int count, char** arguments) {
     add_stages(program);
     add_describe(program);
     add_plugins(program);
+    add_cache(program);
     add_schema(program);
     add_sdk(program);
     add_new_plugin(program);

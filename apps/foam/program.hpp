@@ -48,6 +48,7 @@ void add_bench(Program& program);
 void add_stages(Program& program);
 void add_describe(Program& program);
 void add_plugins(Program& program);
+void add_cache(Program& program);
 void add_schema(Program& program);
 void add_sdk(Program& program);
 void add_new_plugin(Program& program);

@@ -4,6 +4,8 @@
 #include <foam/vector.hpp>
 
 #include <array>
+#include <cmath>
+#include <optional>
 
 namespace foam::load_mesh {
 
@@ -31,6 +33,18 @@ struct Affine {
     static Affine translation(const Vec3& t) { return {Affine{}.rows, t}; }
     static Affine scaling(const Vec3& s) { return {{Vec3{s.x, 0, 0}, Vec3{0, s.y, 0}, Vec3{0, 0, s.z}}, {}}; }
     static Affine rotation(const Pose& pose) { return {pose.rotation, {}}; }
+    /// By a quaternion of any length; nothing for one that is no rotation.
+    static std::optional<Affine> rotation(double x, double y, double z, double w) {
+        const double length = std::hypot(std::hypot(x, y), std::hypot(z, w));
+        if (!(length > 0) || !std::isfinite(length)) {
+            return std::nullopt;
+        }
+        x /= length, y /= length, z /= length, w /= length;
+        return Affine{{Vec3{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
+                       Vec3{2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)},
+                       Vec3{2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)}},
+                      {}};
+    }
 };
 
 } // namespace foam::load_mesh

@@ -1,11 +1,12 @@
 // glTF 2.0: the meshes that the nodes of the scene show, in metres; the up-axis (y) is not turned, as with COLLADA.
 #include "gltf_accessor.hpp"
 #include "gltf_container.hpp"
-#include "part.hpp"
+#include "gltf_extensions.hpp"
 #include "readers.hpp"
 
 #include <fmt/format.h>
 
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -35,15 +36,11 @@ json parsed(const Source& source, std::string_view text) {
 
 Affine rotation(const JsonPlace& place) {
     const std::vector<double> q = place.numbers(4);
-    const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
-    if (!(length > 0) || !std::isfinite(length)) {
+    const auto turned = Affine::rotation(q[0], q[1], q[2], q[3]);
+    if (!turned) {
         throw place.error("is no rotation");
     }
-    const double x = q[0] / length, y = q[1] / length, z = q[2] / length, w = q[3] / length;
-    return {{Vec3{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
-             Vec3{2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)},
-             Vec3{2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)}},
-            {}};
+    return *turned;
 }
 
 Vec3 vector(const JsonPlace& place) {
@@ -76,7 +73,7 @@ public:
         if (!version || !version->text().starts_with("2")) {
             throw source_.error("it does not say that it is glTF 2 (asset.version); remedy: export glTF 2.0");
         }
-        check_extensions();
+        check_extensions(source_, root_, context_);
         std::vector<JsonPlace> roots = root_nodes();
         if (roots.empty()) {
             all_meshes();
@@ -97,20 +94,6 @@ private:
         std::size_t parent; ///< index in visited_, or none
     };
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
-
-    void check_extensions() const {
-        static const std::set<std::string> unread{"KHR_draco_mesh_compression", "EXT_meshopt_compression",
-                                                  "KHR_meshopt_compression", "EXT_mesh_gpu_instancing"};
-        const auto required = root_.find("extensionsRequired");
-        for (std::size_t i = 0; required && i < required->size(); ++i) {
-            const std::string name = (*required)[i].text();
-            if (unread.contains(name)) {
-                throw source_.error(fmt::format("it needs the extension {}, which is not read; remedy: export without "
-                                                "compression and instancing",
-                                                printable(name)));
-            }
-        }
-    }
 
     /// Of the default scene, or of the first; without scenes the nodes that are no one's children.
     std::vector<JsonPlace> root_nodes() const {
@@ -142,7 +125,7 @@ private:
     void all_meshes() {
         const auto meshes = root_.find("meshes");
         for (std::size_t i = 0; meshes && i < meshes->size(); ++i) {
-            mesh((*meshes)[i], Affine{});
+            mesh((*meshes)[i], {Affine{}});
         }
     }
 
@@ -158,7 +141,7 @@ private:
             const std::size_t self = enter(visit);
             const Affine pose = visit.pose * transform_of(visit.node);
             if (const auto index = visit.node.find("mesh")) {
-                mesh(index->target(root_, "meshes"), pose);
+                mesh(index->target(root_, "meshes"), instances(visit.node, pose, accessors_));
                 deformed_ = deformed_ || visit.node.find("skin");
             }
             const auto children = visit.node.find("children");
@@ -181,19 +164,26 @@ private:
         return visited_.size() - 1;
     }
 
-    void mesh(const JsonPlace& item, const Affine& pose) {
+    void mesh(const JsonPlace& item, const std::vector<Affine>& poses) {
         const auto primitives = item.find("primitives");
         for (std::size_t i = 0; primitives && i < primitives->size(); ++i) {
-            context_.check_cancelled();
             const JsonPlace primitive = (*primitives)[i];
             const std::uint64_t mode = primitive.natural("mode", triangles);
             if (mode > triangle_fan) {
                 throw primitive.error(fmt::format("has the unknown mode {}", mode));
             }
-            if (mode >= triangles) {
-                place(part(primitive, mode), pose, builder_);
-                deformed_ = deformed_ || primitive.find("targets");
+            if (mode < triangles) {
+                continue; // points and lines
             }
+            auto known = parts_.find(primitive.path());
+            if (known == parts_.end()) {
+                known = parts_.emplace(primitive.path(), compacted(part(primitive, mode))).first;
+            }
+            for (const Affine& pose : known->second.sizes.empty() ? std::vector<Affine>{} : poses) {
+                context_.check_cancelled();
+                place(known->second, pose, builder_);
+            }
+            deformed_ = deformed_ || primitive.find("targets");
         }
     }
 
@@ -244,7 +234,8 @@ private:
     GltfAccessors accessors_;
     MeshBuilder& builder_;
     Context& context_;
-    std::set<std::string> reached_; ///< paths of nodes
+    std::map<std::string, Part> parts_; ///< read once, by the path of the primitive
+    std::set<std::string> reached_;     ///< paths of nodes
     std::vector<std::pair<JsonPlace, std::size_t>> visited_;
     bool deformed_ = false;
 };

@@ -41,17 +41,22 @@ GltfAccessors::GltfAccessors(const Source& source, const JsonPlace& root, std::s
     : source_(source), root_(root), binary_(binary), bytes_left_(max_bytes), max_count_(max_count) {}
 
 std::vector<Vec3> GltfAccessors::points(const JsonPlace& index) {
-    const JsonPlace accessor = index.target(root_, "accessors");
-    const Shape shape{count_of(accessor), 3, component_of(accessor), accessor.flag("normalized")};
-    if (accessor.at("type").text() != "VEC3" || shape.component == Component::uint32) {
-        throw index.error("is to be an accessor of three floats, or integers of 8 or 16 bits");
-    }
-    const std::vector<double> numbers = values(accessor, shape);
-    std::vector<Vec3> result(shape.count);
+    const std::vector<double> numbers = vectors(index, 3);
+    std::vector<Vec3> result(numbers.size() / 3);
     for (std::size_t i = 0; i < result.size(); ++i) {
         result[i] = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
     }
     return result;
+}
+
+std::vector<double> GltfAccessors::vectors(const JsonPlace& index, std::uint64_t width) {
+    const JsonPlace accessor = index.target(root_, "accessors");
+    const Shape shape{count_of(accessor), width, component_of(accessor), accessor.flag("normalized")};
+    if (accessor.at("type").text() != fmt::format("VEC{}", width) || shape.component == Component::uint32) {
+        throw index.error(fmt::format("is to be an accessor of {} floats, or integers of 8 or 16 bits",
+                                      width == 3 ? "three" : "four"));
+    }
+    return values(accessor, shape);
 }
 
 std::vector<std::uint32_t> GltfAccessors::indices(const JsonPlace& index) {

@@ -17,6 +17,8 @@ public:
 
     /// The accessor that this index means, as points. They need not be finite.
     std::vector<Vec3> points(const JsonPlace& index);
+    /// Its elements of `width` numbers (VEC3, VEC4), one after the other.
+    std::vector<double> vectors(const JsonPlace& index, std::uint64_t width);
     /// The same as unsigned integers.
     std::vector<std::uint32_t> indices(const JsonPlace& index);
 

@@ -22,6 +22,25 @@ Vec3 placed(const Part& part, std::size_t i, const Affine& pose) {
 
 } // namespace
 
+Part compacted(Part part) {
+    constexpr std::uint32_t unused = 0xFFFFFFFFu;
+    std::vector<std::uint32_t> renumbered(part.points.size(), unused), original;
+    std::vector<Vec3> points;
+    for (std::uint32_t& corner : part.corners) {
+        std::uint32_t& number = renumbered[corner];
+        if (number == unused) {
+            number = static_cast<std::uint32_t>(points.size());
+            points.push_back(part.points[corner]);
+            original.push_back(corner);
+        }
+        corner = number;
+    }
+    part.points = std::move(points);
+    part.error = [original = std::move(original), error = std::move(part.error)](
+                     std::size_t i, const std::string& what) { return error(original[i], what); };
+    return part;
+}
+
 void place(const Part& part, const Affine& pose, MeshBuilder& builder) {
     constexpr std::uint32_t unused = 0xFFFFFFFFu;
     std::vector<std::uint32_t> vertices(part.points.size(), unused), polygon;

@@ -17,6 +17,10 @@ struct Part {
     std::function<Error(std::size_t i, const std::string& what)> error;
 };
 
+/// Without the points that no face uses, so that placing it costs no more than its faces. Errors keep the numbers of
+/// the points in the file.
+Part compacted(Part part);
+
 /// Adds the polygons at `pose`, turned round where it mirrors, so that the outside stays outside. Throws part.error()
 /// for a used point that is not finite.
 void place(const Part& part, const Affine& pose, MeshBuilder& builder);

@@ -13,8 +13,8 @@ namespace foam::test {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::IsSupersetOf;
 using ::testing::HasSubstr;
+using ::testing::IsSupersetOf;
 
 class Isolation : public ::testing::Test {
 protected:
@@ -113,14 +113,31 @@ TEST_F(Isolation, SharesItsCacheWithRunsInOneProcess) {
     RunOptions cached = options();
     cached.fresh = false;
     cached.cache = folder.path() / "cache";
-    run(recipe(chain + "isolate: process\n"), registry, cached);
+    const RunResult first = run(recipe(chain + "isolate: process\n"), registry, cached);
     const RunResult again = run(recipe(chain), registry, cached);
+    EXPECT_EQ(messages_of(first), messages_of(again));
+    EXPECT_EQ(metrics_of(first), metrics_of(again));
     for (const LinkReport& link : again.links) {
         for (const StageReport& stage : link.stages) {
             const bool of_plugin = stage.stage == "repair.ill" || stage.stage == "spherize.ill";
             EXPECT_EQ(stage.cached, of_plugin) << link.link << " " << stage.stage;
         }
     }
+}
+
+/// Its child loads the plugins of the others, too.
+TEST_F(Isolation, AStageMadeOfOthersHasThem) {
+    for (const char* fixture : {"/fixture_composed.so", "/fixture_used.so"}) {
+        const PluginRecord& plugin = registry.load(FOAM_TEST_FIXTURES + std::string(fixture));
+        ASSERT_TRUE(plugin.loaded()) << plugin.rejection;
+    }
+    const std::string chain = "stages: [repair.composed, spherize.ill]\nbudget: {spheres: 2}\n";
+    const RunResult here = run_of(chain, "here"), there = run_of(chain + "isolate: process\n", "there");
+    const auto composed = [](const RunResult& result) { return result.links.at(0).stages.at(1); };
+    EXPECT_EQ(composed(here).stage, "repair.composed");
+    EXPECT_EQ(composed(there).output, composed(here).output);
+    EXPECT_GT(composed(there).change.value().input_to_output.max, 0.5)
+        << "repair.shift, of the other plugin, is missing";
 }
 
 TEST_F(Isolation, HandsOnWhatAStageThrows) {

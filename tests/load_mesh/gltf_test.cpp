@@ -182,6 +182,103 @@ TEST_F(LoadMesh, GltfExtensions) {
         HasSubstr("meshes[0].primitives[0] is compressed (KHR_draco_mesh_compression), which is not read"));
 }
 
+TEST_F(LoadMesh, GltfExtensionsThatMayBelongToTheShape) {
+    const std::string all = R"({"attributes":{"POSITION":0},"mode":5})";
+    EXPECT_THAT(error_of("a.glb", square(all, points, R"(,"extensionsRequired":["ACME_inflated"])")),
+                HasSubstr("it needs the extension 'ACME_inflated', which is not read; remedy: export without it"));
+    const auto file = write("b.glb", square(all, points,
+                                            R"(,"extensionsUsed":["ACME_inflated","KHR_materials_ior",)"
+                                            R"("KHR_draco_mesh_compression","KHR_mesh_quantization"])"));
+    EXPECT_EQ(load(file).triangles.size(), 2u);
+    EXPECT_THAT(context.messages,
+                ::testing::ElementsAre(file.string() + ": it uses the extension 'ACME_inflated', which is not read; "
+                                                       "what that adds to the shape is left out"));
+}
+
+/// EXT_mesh_gpu_instancing: nodes[0] shows its mesh at every listed pose.
+TEST_F(LoadMesh, GltfInstances) {
+    // Accessors 1: two translations, 2: two rotations (none, a quarter turn about z), 3: two scales, 4: three scales.
+    const std::string vec3 = R"({"bufferView":1,"componentType":5126,"type":"VEC3",)";
+    const std::string accessors = std::string(points) + "," + vec3 + R"("count":2},)" +
+                                  R"({"bufferView":1,"byteOffset":24,"componentType":5126,"type":"VEC4","count":2},)" +
+                                  vec3 + R"("byteOffset":56,"count":2},)" + vec3 + R"("byteOffset":56,"count":3})";
+    const std::string binary = bytes_of<float>({0,
+                                                0,
+                                                0,
+                                                0,
+                                                0,
+                                                5,
+                                                /* rotations */ 0,
+                                                0,
+                                                0,
+                                                1,
+                                                0,
+                                                0,
+                                                3,
+                                                3,
+                                                /* scales */ 1,
+                                                1,
+                                                1,
+                                                4,
+                                                -2,
+                                                1,
+                                                1,
+                                                1,
+                                                1});
+    const auto scene = [&](const std::string& attributes) {
+        std::string text = square(R"({"attributes":{"POSITION":0},"mode":5})", accessors,
+                                  R"(,"extensionsRequired":["EXT_mesh_gpu_instancing"])", binary);
+        const std::string node = R"([{"mesh":0}])";
+        const std::string with = R"([{"mesh":0,"translation":[0,0,100],"extensions":{"EXT_mesh_gpu_instancing":)"
+                                 R"({"attributes":{)" +
+                                 attributes + "}}}}]";
+        const std::string json = text.substr(20, text.find("BIN") - 4 - 20);
+        return glb(std::string(json).replace(json.find(node), node.size(), with), text.substr(text.find("BIN") + 4));
+    };
+    const Mesh mesh = load(write("a.glb", scene(R"("TRANSLATION":1,"ROTATION":2,"SCALE":3,"_ID":9)")));
+    ASSERT_EQ(mesh.triangles.size(), 4u);
+    EXPECT_THAT(mesh.vertices, ::testing::Contains(Vec3{1, 1, 100}));
+    const auto near = [](const Vec3& p) {
+        return ::testing::Contains(::testing::Truly([p](const Vec3& v) { return distance(v, p) < 1e-12; }));
+    };
+    EXPECT_THAT(mesh.vertices, near(Vec3{2, 4, 105})) << "(1,1) scaled to (4,-2), turned to (2,4)";
+    const auto normal = [&](std::size_t t) {
+        const auto& [a, b, c] = mesh.triangles[t];
+        return cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]).z;
+    };
+    EXPECT_GT(normal(0), 0);
+    EXPECT_GT(normal(2), 0) << "mirrored instances are turned round";
+    EXPECT_EQ(load(write("b.glb", scene(R"("SCALE":4)"))).triangles.size(), 6u);
+    EXPECT_THAT(error_of("c.glb", scene(R"("TRANSLATION":1,"SCALE":4)")),
+                HasSubstr("EXT_mesh_gpu_instancing.attributes is to name accessors of the same count"));
+    EXPECT_THAT(error_of("d.glb", scene(R"("ROTATION":1)")),
+                HasSubstr("attributes.ROTATION is to be an accessor of four floats"));
+}
+
+/// Nodes that show one mesh share what was read of it.
+TEST_F(LoadMesh, GltfManyNodesOfAPartWithManyUnusedPoints) {
+    std::string nodes = R"([{"mesh":0,"children":[1)";
+    std::string more;
+    for (int i = 1; i <= 1000; ++i) {
+        nodes += i > 1 ? "," + std::to_string(i) : "";
+        more += R"(,{"mesh":0,"translation":[)" + std::to_string(i) + ",0,0]}";
+    }
+    std::string text = gltf(nodes + "]}" + more + "]", "3");
+    // A million claimed points, three of them used: work for each node does not grow with the claim.
+    const auto replace = [&](const std::string& from, const std::string& to) {
+        text.replace(text.find(from), from.size(), to);
+    };
+    replace(R"("primitives":[{"attributes":{"POSITION":0}}])",
+            R"("primitives":[{"attributes":{"POSITION":0},"indices":1}])");
+    replace(R"("accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":3})",
+            R"("accessors":[{"componentType":5126,"type":"VEC3","count":1000000,"sparse":{"count":3,)"
+            R"("indices":{"bufferView":1,"componentType":5121},"values":{"bufferView":0}}},)"
+            R"({"bufferView":1,"componentType":5121,"type":"SCALAR","count":3})");
+    replace(R"({"buffer":0,"byteLength":36})", R"({"buffer":0,"byteLength":36},{"buffer":1,"byteLength":3})");
+    replace(R"(AAAAgD8AAAAA"}])", R"(AAAAgD8AAAAA"},{"byteLength":3,"uri":"data:;base64,AAEC"}])");
+    EXPECT_EQ(load(write("a.gltf", text)).triangles.size(), 1001u);
+}
+
 TEST_F(LoadMesh, GltfWithoutScenesOrNodes) {
     const std::string text = gltf(R"([{"mesh":0}])", "3");
     const auto without = [](std::string from, const std::string& part) {

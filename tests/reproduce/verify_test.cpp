@@ -119,6 +119,39 @@ TEST_F(Verify, AMissingInputIsSaidWithThePlacesTried) {
     EXPECT_EQ(differences[1]["stage"], "run");
 }
 
+/// A run whose robot lies in a package, which is then not on the path any more.
+TEST_F(Verify, APackageThatIsNotOnThePathIsNamedWithWhatToSet) {
+    std::filesystem::create_directories(path() / "packages/two_description");
+    std::filesystem::rename(path() / "bumpy.obj", path() / "packages/two_description/bumpy.obj");
+    std::filesystem::rename(path() / "two.urdf", path() / "packages/two_description/two.urdf");
+    std::string recipe = two_links_recipe;
+    recipe.replace(recipe.find("two.urdf"), 8, "[package://two_description/two.urdf, other.urdf]");
+    write("two.yaml", recipe);
+    write("other.urdf", "<robot name=\"two\"><link name=\"base\"><collision><geometry><sphere radius=\"1\"/>"
+                        "</geometry></collision></link></robot>\n");
+    const std::string folder = (path() / "packages").string(), set = "FOAM_PACKAGE_PATH='" + folder + "' ";
+    ASSERT_EQ(shell(set + "'" FOAM_TEST_BINARY "' run two.yaml --fresh --out packed").code, 0);
+    EXPECT_EQ(shell(set + "'" FOAM_TEST_BINARY "' verify packed").code, 0);
+
+    const std::string place = "input: the run found 'package://two_description/two.urdf' at " + folder +
+                              "/two_description/two.urdf; remedy: FOAM_PACKAGE_PATH=" + folder + "\n";
+    const Outcome other = foam("verify packed");
+    EXPECT_EQ(other.code, 1);
+    EXPECT_THAT(other.out, HasSubstr("first difference: input file, 'two.urdf'\n"));
+    EXPECT_THAT(other.out, HasSubstr("likely reasons:\n  " + place));
+    std::filesystem::remove(path() / "other.urdf");
+    const Outcome none = foam("verify packed");
+    EXPECT_EQ(none.code, 1);
+    EXPECT_THAT(none.out, ::testing::EndsWith("likely reasons:\n  " + place));
+    const Outcome locked = foam("run --locked packed/manifest.json two.yaml --out again");
+    EXPECT_EQ(locked.code, 2);
+    EXPECT_THAT(locked.err, HasSubstr("  " + place));
+
+    std::filesystem::rename(path() / "packages", path() / "moved");
+    EXPECT_THAT(foam("verify packed").out,
+                HasSubstr("; remedy: set FOAM_PACKAGE_PATH to the folder that holds the package here\n"));
+}
+
 TEST_F(Verify, AMeshThatCannotBeReadAnyMoreIsNamedBeforeTheFailure) {
     write("bumpy.obj", "v 0 0\n");
     const json differences = verify_json()["differences"];

@@ -2,14 +2,21 @@
 #pragma once
 
 #include "digest.hpp"
+#include "journal.hpp"
 
 #include <foam/mesh.hpp>
 #include <foam/sphere.hpp>
 
+#include <atomic>
 #include <filesystem>
 #include <optional>
 
 namespace foam {
+
+template <class T> struct Cached {
+    T result;
+    StageLog said; ///< when it was made; of the findings severity and message
+};
 
 class Cache {
 public:
@@ -17,11 +24,14 @@ public:
     explicit Cache(std::filesystem::path folder);
 
     /// Absent: not there, or damaged (a damaged entry counts as not there).
-    std::optional<Mesh> mesh(const Digest& key) const;
-    std::optional<SphereTree> tree(const Digest& key) const;
+    std::optional<Cached<Mesh>> mesh(const Digest& key) const;
+    std::optional<Cached<SphereTree>> tree(const Digest& key) const;
     /// Failures to write are not errors: the entry is then not there the next time.
-    void put(const Digest& key, const Mesh& mesh) const;
-    void put(const Digest& key, const SphereTree& tree) const;
+    void put(const Digest& key, const Mesh& mesh, const StageLog& said) const;
+    void put(const Digest& key, const SphereTree& tree, const StageLog& said) const;
+
+    /// trim_cache() if something was put; 0: no limit.
+    void keep_within(std::uintmax_t bytes) const;
 
     /// $XDG_CACHE_HOME/foam or ~/.cache/foam; empty if neither is known.
     static std::filesystem::path default_folder();
@@ -31,6 +41,7 @@ private:
     std::optional<std::string> load(const Digest& key) const;
     void store(const Digest& key, std::string payload) const;
     std::filesystem::path folder_;
+    mutable std::atomic<bool> grew_{false};
 };
 
 } // namespace foam

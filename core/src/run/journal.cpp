@@ -139,6 +139,12 @@ void Journal::finding(Finding finding) {
     deliver(std::move(event));
 }
 
+void Journal::repeat(const StageLog& log, const std::string& link, const std::string& stage) {
+    for (const Finding& said : log.findings) {
+        finding({said.severity, link, stage, said.message});
+    }
+}
+
 void Journal::emit(Event::Kind kind, const std::string& message) {
     const std::lock_guard lock(mutex_);
     Event event;
@@ -171,7 +177,12 @@ void StageContext::progress(double fraction) {
 }
 
 void StageContext::log(Severity severity, std::string_view message) {
-    journal_.finding({severity, link_, stage_, std::string(message)});
+    const Finding finding{severity, link_, stage_, std::string(message)};
+    {
+        const std::lock_guard lock(mutex_);
+        findings_.push_back(finding);
+    }
+    journal_.finding(finding);
 }
 
 void StageContext::metric(std::string_view name, double value, std::string_view unit) {
@@ -179,13 +190,14 @@ void StageContext::metric(std::string_view name, double value, std::string_view 
     metrics_[std::string(name)] = {std::string(name), value, std::string(unit)};
 }
 
-std::vector<StageReport::Metric> StageContext::metrics() const {
+StageLog StageContext::said() const {
     const std::lock_guard lock(mutex_);
-    std::vector<StageReport::Metric> result;
+    StageLog log;
+    log.findings = findings_;
     for (const auto& [name, metric] : metrics_) {
-        result.push_back(metric);
+        log.metrics.push_back(metric);
     }
-    return result;
+    return log;
 }
 
 } // namespace foam

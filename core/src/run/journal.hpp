@@ -11,6 +11,13 @@
 
 namespace foam {
 
+/// What a stage said while it made a result; goes with the result into the cache.
+struct StageLog {
+    std::string call; ///< tells calls apart: results made in one call share its log
+    std::vector<Finding> findings;
+    std::vector<StageReport::Metric> metrics;
+};
+
 /// Thread-safe.
 class Journal {
 public:
@@ -22,6 +29,8 @@ public:
     void finished(const std::string& link, const StageReport& report);
     void progress(const std::string& link, const std::string& stage, double fraction);
     void finding(Finding finding);
+    /// The findings of a result that comes from the cache, as if the stage had worked on this link now.
+    void repeat(const StageLog& log, const std::string& link, const std::string& stage);
     void emit(Event::Kind kind, const std::string& message = {});
 
     double seconds() const;
@@ -43,7 +52,7 @@ private:
     std::string events_;
 };
 
-/// The context of one stage call. Metrics are kept for the caller; findings go to the journal at once.
+/// The context of one stage call. Findings go to the journal at once; they and the metrics are kept for the caller.
 class StageContext final : public Context {
 public:
     StageContext(Journal& journal, std::string link, std::string stage, std::uint64_t seed,
@@ -53,7 +62,7 @@ public:
     void progress(double fraction) override;
     void log(Severity severity, std::string_view message) override;
     void metric(std::string_view name, double value, std::string_view unit) override;
-    std::vector<StageReport::Metric> metrics() const;
+    StageLog said() const;
 
 private:
     Journal& journal_;
@@ -61,6 +70,7 @@ private:
     std::uint64_t seed_;
     const std::atomic<bool>* cancel_;
     mutable std::mutex mutex_;
+    std::vector<Finding> findings_;
     std::map<std::string, StageReport::Metric> metrics_;
 };
 

@@ -1,6 +1,6 @@
 #include <foam/host/verify.hpp>
 
-#include "inputs_here.hpp"
+#include "input_places.hpp"
 #include "settings.hpp"
 
 #include <foam/error.hpp>
@@ -49,16 +49,22 @@ std::vector<std::string> other_settings(const Record& record, const Recipe& reci
 
 std::vector<std::string> other_inputs(const Record& record, const Recipe& recipe, const Registry& registry) {
     std::vector<std::string> list;
+    std::optional<InputsHere> here;
     try {
-        const InputsHere here = inputs_here(recipe, registry);
-        for (const Difference& d : compare(record.inputs, here.digests)) {
-            const auto file = here.files.find(d.input);
+        here = inputs_here(recipe, registry);
+        for (const Difference& d : compare(record.inputs, here->digests)) {
+            const auto file = here->files.find(d.input);
             list.push_back(fmt::format("{} {}: the manifest has {}, here is {}{}", d.stage, d.input, d.expected,
                                        d.found,
-                                       file == here.files.end() ? "" : fmt::format(" ({})", file->second.string())));
+                                       file == here->files.end() ? "" : fmt::format(" ({})", file->second.string())));
         }
     } catch (const Error& error) {
         list.push_back(fmt::format("input: {}", error.what()));
+    }
+    if (!list.empty()) {
+        for (std::string& sentence : inputs_elsewhere(record, here)) {
+            list.push_back(std::move(sentence));
+        }
     }
     return list;
 }

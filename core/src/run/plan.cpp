@@ -27,7 +27,7 @@ std::size_t cached_filters(const Workspace& workspace, const FilterTask& task) {
         if (!cached) {
             return i;
         }
-        mesh = std::make_shared<const Mesh>(std::move(*cached));
+        mesh = std::make_shared<const Mesh>(std::move(cached->result));
     }
     return task.filters.size();
 }

@@ -142,15 +142,19 @@ void filter(const Workspace& workspace, const std::vector<LinkWork>& links, Filt
         if (auto cached = workspace.cache.mesh(key)) {
             report.stage = call.stage;
             report.cached = true;
+            report.metrics = cached->said.metrics;
+            workspace.journal.repeat(cached->said, link, call.stage);
             workspace.journal.finished(link, report);
-            mesh = std::make_shared<const Mesh>(std::move(*cached));
+            mesh = std::make_shared<const Mesh>(std::move(cached->result));
         } else {
-            mesh = run_stage(workspace, call.stage, link, input, content, report, [&](Context& context) {
+            StageLog said;
+            mesh = run_stage(workspace, call.stage, link, input, content, report, [&](StageContext& context) {
                 Mesh result = call_filter(workspace, call, *mesh, context);
                 check_triangles(result, "filter");
+                said = context.said();
                 return std::make_shared<const Mesh>(std::move(result));
             });
-            workspace.cache.put(key, *mesh);
+            workspace.cache.put(key, *mesh, said);
         }
         report.output = digest_of_content(*mesh);
         task.results.push_back(mesh);

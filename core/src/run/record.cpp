@@ -89,6 +89,22 @@ std::vector<Checkpoint> settings_by_path(const Json& settings) {
     return checkpoints;
 }
 
+/// What is published may lack 'execution', or have lost what names folders.
+std::vector<InputPlace> read_places(const Json& manifest) {
+    std::vector<InputPlace> places;
+    try {
+        const Json& execution = manifest.at("execution");
+        places.push_back({text(execution.at("input"), "taken"), text(execution.at("input"), "file")});
+        const Json &meshes = manifest.at("mesh_files"), &files = execution.at("mesh_files");
+        for (std::size_t i = 0; i < meshes.size() && i < files.size(); ++i) {
+            places.push_back({text(meshes[i], "file"), files[i].get<std::string>()});
+        }
+    } catch (const Json::exception&) {
+        return places;
+    }
+    return places;
+}
+
 } // namespace
 
 Record parse_record(const std::string& bytes, const std::string& source) {
@@ -128,6 +144,7 @@ Record parse_record(const std::string& bytes, const std::string& source) {
             record.inputs.push_back({"", "mesh file", text(mesh, "file"), text(mesh, "digest")});
         }
     });
+    record.places = read_places(manifest);
     section(manifest, "links", source, [&](const Json& links) {
         for (const Json& link : links) {
             read_link(link, record);

@@ -31,6 +31,12 @@ struct RecordedFile {
     std::size_t bytes = 0;
 };
 
+/// Where a run found an input.
+struct InputPlace {
+    std::string reference; ///< as written: "package://arm/meshes/hand.stl"
+    std::filesystem::path file;
+};
+
 struct Record {
     std::string source; ///< the manifest's path, for messages
     std::string foam_version;
@@ -38,6 +44,7 @@ struct Record {
     std::vector<PluginVersion> plugins;
     nlohmann::ordered_json settings;
     std::vector<Checkpoint> inputs; ///< robot or mesh file, then the mesh files of the links
+    std::vector<InputPlace> places; ///< of the inputs, as far as the manifest still says it
     std::vector<Checkpoint> stages; ///< what each stage made: the robot, then link by link
     std::vector<Checkpoint> outputs, debug_meshes;
     std::vector<RecordedFile> files; ///< outputs and debug meshes as they lie in the run directory

@@ -1,3 +1,4 @@
+#include <foam/host/cache.hpp>
 #include <foam/host/run.hpp>
 
 #include "debug.hpp"
@@ -64,6 +65,7 @@ RunResult run(const Recipe& recipe, const Registry& registry, const RunOptions& 
     }
     Journal journal(options.observer);
     const Cache cache(cache_folder(options));
+    const std::uintmax_t limit = options.fresh ? 0 : cache_limit();
     const Workspace workspace{recipe, registry, options, journal, cache};
 
     RunResult result;
@@ -117,6 +119,7 @@ RunResult run(const Recipe& recipe, const Registry& registry, const RunOptions& 
     } else {
         journal.emit(Event::Kind::run_finished);
     }
+    cache.keep_within(limit);
     result.model = std::move(finished.model);
     return result;
 }

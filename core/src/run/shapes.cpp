@@ -153,9 +153,9 @@ static void take_better_row(const Workspace& workspace, const Solid& solid, std:
 
 /// One tree for each budget, checked.
 static std::vector<SphereTree> run_spherizer(const Workspace& workspace, ShapeWork& work,
-                                             const std::vector<Budget>& budgets) {
+                                             const std::vector<Budget>& budgets, StageLog& said) {
     return run_stage(
-        workspace, work.spherizer.stage, work.link, work.input, work.digest, work.report, [&](Context& context) {
+        workspace, work.spherizer.stage, work.link, work.input, work.digest, work.report, [&](StageContext& context) {
             std::vector<SphereTree> made = call_spherizer(workspace, work.spherizer, *work.shape, budgets, context);
             if (made.size() != budgets.size()) {
                 throw Error(ErrorCode::plugin, fmt::format("the spherizer broke its contract: {} trees for {} budgets",
@@ -164,22 +164,48 @@ static std::vector<SphereTree> run_spherizer(const Workspace& workspace, ShapeWo
             for (std::size_t i = 0; i < made.size(); ++i) {
                 check_tree(made[i], budgets[i]);
             }
+            said = context.said();
             return made;
         });
+}
+
+/// A call by the trees that it was to make.
+static std::string call_name(const std::vector<Digest>& keys) {
+    Hasher hasher;
+    for (const Digest& key : keys) {
+        hasher.add(key);
+    }
+    return hasher.finish();
+}
+
+/// Adds what the spherizer said to the run, once a call: by rising count, whatever the cache held, so that the metrics
+/// of the same call stay.
+static void add_words(const Workspace& workspace, ShapeWork& work,
+                      const std::map<std::size_t, Cached<SphereTree>>& known) {
+    for (const auto& [count, entry] : known) {
+        const StageLog& said = entry.said;
+        if (said.call.empty()) {
+            continue; // no spherizer was asked
+        }
+        if (work.calls.insert(said.call).second) {
+            workspace.journal.repeat(said, work.link, work.spherizer.stage);
+        }
+        work.report.metrics = said.metrics;
+    }
 }
 
 void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts) {
     std::vector<Budget> budgets;
     std::vector<Digest> keys;
     std::vector<std::size_t> missing;
-    std::map<std::size_t, SphereTree> known; // by the count asked for
+    std::map<std::size_t, Cached<SphereTree>> known; // by the count asked for
     const auto sphere = as_sphere(work.shape->original());
     for (const std::size_t count : counts) {
         if (work.asked.contains(count)) {
             continue;
         }
         if (sphere) {
-            known.emplace(count, flat_tree({*sphere}));
+            known[count].result = flat_tree({*sphere});
             continue;
         }
         Budget budget;
@@ -199,18 +225,22 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
     }
     work.report.cached = missing.empty() && (work.report.cached || work.report.seconds == 0);
     if (!missing.empty()) {
-        const std::vector<SphereTree> trees = run_spherizer(workspace, work, budgets);
+        StageLog said;
+        std::vector<SphereTree> trees = run_spherizer(workspace, work, budgets, said);
+        said.call = call_name(keys);
+        work.calls.insert(said.call); // its findings are in the journal
         for (std::size_t i = 0; i < trees.size(); ++i) {
-            workspace.cache.put(keys[i], trees[i]);
-            known.emplace(missing[i], trees[i]);
+            workspace.cache.put(keys[i], trees[i], said);
+            known[missing[i]] = {std::move(trees[i]), said};
         }
     }
+    add_words(workspace, work, known);
     // By count, whatever the cache held: of two trees of one size the one that was asked for less stays.
-    for (auto& [count, tree] : known) {
-        take_better_row(workspace, work.shape->original(), count, tree);
-        const std::size_t got = tree.finest().size();
+    for (auto& [count, entry] : known) {
+        take_better_row(workspace, work.shape->original(), count, entry.result);
+        const std::size_t got = entry.result.finest().size();
         work.asked[count] = got;
-        work.trees.try_emplace(got, std::move(tree));
+        work.trees.try_emplace(got, std::move(entry.result));
     }
 }
 

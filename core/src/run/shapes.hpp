@@ -7,6 +7,8 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 namespace foam {
@@ -23,6 +25,7 @@ struct ShapeWork {
     std::map<std::size_t, std::size_t> asked; ///< count asked for → count got
     CostCurve curve;
     StageReport report;
+    std::set<std::string> calls; ///< of the spherizer whose findings and metrics the run has
     std::optional<Error> error;
 };
 

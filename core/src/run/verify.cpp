@@ -1,7 +1,7 @@
 #include <foam/host/verify.hpp>
 
 #include "files.hpp"
-#include "inputs_here.hpp"
+#include "input_places.hpp"
 #include "settings.hpp"
 
 #include <foam/error.hpp>
@@ -78,13 +78,22 @@ Recipe resolved_recipe(const fs::path& directory, const Record& record, Registry
     return recipe;
 }
 
-std::vector<Difference> compare_inputs(const Record& expected, const Recipe& recipe, const Registry& registry) {
+/// `elsewhere`: reasons for the differences.
+std::vector<Difference> compare_inputs(const Record& expected, const Recipe& recipe, const Registry& registry,
+                                       std::vector<std::string>& elsewhere) {
+    std::optional<InputsHere> here;
+    std::vector<Difference> differences;
     try {
-        return compare(expected.inputs, inputs_here(recipe, registry).digests);
+        here = inputs_here(recipe, registry);
+        differences = compare(expected.inputs, here->digests);
     } catch (const Error& error) {
         const Checkpoint& input = expected.inputs.front();
-        return {{"", input.stage, input.input, input.digest, error.what()}};
+        differences.push_back({"", input.stage, input.input, input.digest, error.what()});
     }
+    if (!differences.empty()) {
+        elsewhere = inputs_elsewhere(expected, here);
+    }
+    return differences;
 }
 
 /// Runs the recipe; what stops it is a difference, too.
@@ -162,14 +171,16 @@ Verification verify(const fs::path& directory, Registry& registry, const RunOpti
         std::move(differences.begin(), differences.end(), std::back_inserter(result.differences));
     };
     add(compare_settings(expected.settings, settings_of(recipe, registry)));
-    add(compare_inputs(expected, recipe, registry));
+    add(compare_inputs(expected, recipe, registry, result.reasons));
     result.compared = expected.inputs.size();
     if (const auto found = run_again(recipe, registry, options, result.differences)) {
         for (const auto list : {&Record::stages, &Record::outputs, &Record::debug_meshes}) {
             add(compare(expected.*list, (*found).*list));
             result.compared += (expected.*list).size();
         }
-        result.reasons = other_versions(expected, *found);
+        for (std::string& reason : other_versions(expected, *found)) {
+            result.reasons.push_back(std::move(reason));
+        }
     }
     add(compare_files(directory, expected.files));
     result.compared += expected.files.size();

@@ -41,8 +41,9 @@ std::filesystem::path cache_folder(const RunOptions& options);
 /// An Error that names stage, link and input, whatever was thrown. Cancellation stays cancellation.
 Error described(std::exception_ptr thrown, const std::string& stage, const std::string& link, const std::string& input);
 
-/// Runs `body(context)` as a task of the journal: timed, its metrics kept, what it throws described. `seed` should
-/// depend on what is worked on, not on where it stands, so that equal geometry gives equal results.
+/// Runs `body(context)`, with a StageContext, as a task of the journal: timed, its metrics kept, what it throws
+/// described. `seed` should depend on what is worked on, not on where it stands, so that equal geometry gives equal
+/// results.
 template <class Body>
 auto run_stage(const Workspace& workspace, const std::string& stage, const std::string& link, const std::string& input,
                const Digest& content, StageReport& report, Body&& body) {
@@ -55,11 +56,11 @@ auto run_stage(const Workspace& workspace, const std::string& stage, const std::
     const auto close = [&] {
         report.stage = stage;
         report.seconds += workspace.journal.seconds() - begin;
-        report.metrics = context.metrics();
+        report.metrics = context.said().metrics;
         workspace.journal.finished(link, report);
     };
     try {
-        auto result = body(static_cast<Context&>(context));
+        auto result = body(context);
         close();
         return result;
     } catch (...) {

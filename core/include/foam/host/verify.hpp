@@ -21,7 +21,7 @@ struct Difference {
 
 struct Verification {
     std::vector<Difference> differences; ///< in the order of the work: the first is where it began
-    std::vector<std::string> reasons;    ///< versions and builds other than the manifest's
+    std::vector<std::string> reasons;    ///< inputs in other places, versions and builds other than the manifest's
     std::size_t compared = 0;            ///< digests
     bool equal() const { return differences.empty(); }
 };
