@@ -9,16 +9,10 @@
 
 namespace foam {
 
-/// Runs repair, simplification, smoothing and spherize.medial with `spheres` over the whole model.
-inline RunResult spherized(Registry& registry, const std::filesystem::path& file, std::size_t spheres,
-                           const std::filesystem::path& out) {
-    const bool robot = file.extension() == ".urdf";
-    const std::string input = "'" + file.string() + "'";
-    const std::string text =
-        "foam: 1\nname: corpus\n" + (robot ? "robot: {urdf: " + input + "}\n" : "mesh: " + input + "\n") +
-        "stages: [repair.auto, simplify.quadric, smooth.humphrey, spherize.medial]\n"
-        "budget: {spheres: " +
-        std::to_string(spheres) + "}\noutputs: [write.urdf: {file: corpus.urdf}, write.json: {file: corpus.json}]\n";
+/// Runs a recipe of which the version, the name and the outputs corpus.urdf and corpus.json are given.
+inline RunResult run_text(const std::string& rest, Registry& registry, const std::filesystem::path& out) {
+    const std::string text = "foam: 1\nname: corpus\n" + rest +
+                             "outputs: [write.urdf: {file: corpus.urdf}, write.json: {file: corpus.json}]\n";
     const RecipeResult recipe = parse_recipe(text, {}, registry);
     if (!recipe.ok()) {
         throw Error(ErrorCode::recipe, recipe.diagnostics.at(0).text());
@@ -27,6 +21,18 @@ inline RunResult spherized(Registry& registry, const std::filesystem::path& file
     options.out = out;
     options.fresh = true;
     return run(recipe.recipes.at(0), registry, options);
+}
+
+/// Runs repair, simplification, smoothing and spherize.medial with `spheres` over the whole model.
+inline RunResult spherized(Registry& registry, const std::filesystem::path& file, std::size_t spheres,
+                           const std::filesystem::path& out) {
+    const bool robot = file.extension() == ".urdf";
+    const std::string input = "'" + file.string() + "'";
+    return run_text((robot ? "robot: {urdf: " + input + "}\n" : "mesh: " + input + "\n") +
+                        "stages: [repair.auto, simplify.quadric, smooth.humphrey, spherize.medial]\n"
+                        "budget: {spheres: " +
+                        std::to_string(spheres) + "}\n",
+                    registry, out);
 }
 
 } // namespace foam

@@ -71,8 +71,17 @@ def row(parameter):
             f"| `{cell(literal(parameter['default']))}` | {cell(text)} |\n")
 
 
+def picture_of(stage):
+    """The stage's picture, where one was made."""
+    image = f"images/stages/{stage['name']}.png"
+    if not (pathlib.Path(sys.argv[2]) / "docs" / image).exists():
+        return ""
+    return f"![A link of the embedded Panda by {stage['name']}](../../{image})\n\n"
+
+
 def stage_page(stage):
     page = f"# {stage['name']}\n\n{MADE}\n{sentence(stage['summary'])}\n\n"
+    page += picture_of(stage)
     page += f"- kind: {stage['kind']}\n"
     page += f"- plugin: `{stage['plugin']}` {stage['plugin_version']}, licence {stage['license']}\n"
     if stage["extensions"]:
