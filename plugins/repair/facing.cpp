@@ -51,15 +51,19 @@ std::vector<std::vector<std::uint32_t>> patches_of(const Mesh& mesh) {
 enum class Facing { outwards, inwards, wall };
 
 /// By the winding number before and behind the middles of the patch's largest triangles.
-Facing facing_of(const Mesh& mesh, std::vector<std::uint32_t> patch, const Solid& solid) {
+Facing facing_of(const Mesh& mesh, const std::vector<std::uint32_t>& patch, const Solid& solid) {
     constexpr std::size_t most_samples = 9;
-    const auto area = [&](std::uint32_t i) { return squared_norm(area_vector(corners(mesh, mesh.triangles[i]))); };
-    std::stable_sort(patch.begin(), patch.end(), [&](std::uint32_t a, std::uint32_t b) { return area(a) > area(b); });
+    std::vector<std::pair<double, std::uint32_t>> by_area; // negated; ties in the order of the patch
+    by_area.reserve(patch.size());
+    for (std::uint32_t k = 0; k < patch.size(); ++k) {
+        by_area.emplace_back(-squared_norm(area_vector(corners(mesh, mesh.triangles[patch[k]]))), k);
+    }
     const double step = 1e-6 * solid.bounds().diagonal();
     std::size_t turned = 0, walls = 0;
     const std::size_t samples = std::min(most_samples, patch.size());
+    std::partial_sort(by_area.begin(), by_area.begin() + static_cast<std::ptrdiff_t>(samples), by_area.end());
     for (std::size_t i = 0; i < samples; ++i) {
-        const Corners t = corners(mesh, mesh.triangles[patch[i]]);
+        const Corners t = corners(mesh, mesh.triangles[patch[by_area[i].second]]);
         const Vec3 middle = (t[0] + t[1] + t[2]) / 3, normal = normalized(area_vector(t));
         const bool before = solid.contains(middle + normal * step), behind = solid.contains(middle - normal * step);
         turned += before && !behind;

@@ -20,6 +20,23 @@ template <class Visit> void for_each_side(std::span<const Triangle> triangles, s
     }
 }
 
+/// Keeps the order of sides with the same higher end. By insertion as long as they are few, as they are in nearly all
+/// meshes.
+void sort_by_higher_end(std::span<Side> sides) {
+    if (sides.size() > 32) {
+        std::stable_sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.high < b.high; });
+        return;
+    }
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+        const Side side = sides[i];
+        std::size_t k = i;
+        for (; k > 0 && sides[k - 1].high > side.high; --k) {
+            sides[k] = sides[k - 1];
+        }
+        sides[k] = side;
+    }
+}
+
 } // namespace
 
 std::vector<Side> sides_by_edge(std::span<const Triangle> triangles, std::size_t vertex_count,
@@ -32,9 +49,7 @@ std::vector<Side> sides_by_edge(std::span<const Triangle> triangles, std::size_t
     std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
     for_each_side(triangles, use, [&](const Side& side) { sides[next[side.low]++] = side; });
     for (std::size_t v = 0; v < vertex_count; ++v) {
-        std::sort(sides.begin() + start[v], sides.begin() + start[v + 1], [](const Side& a, const Side& b) {
-            return a.high != b.high ? a.high < b.high : a.number < b.number;
-        });
+        sort_by_higher_end(std::span(sides).subspan(start[v], start[v + 1] - start[v]));
     }
     return sides;
 }

@@ -65,6 +65,7 @@ private:
         std::array<double, 10> third{}; ///< of ∫ (n·r)(y·r)²: xxx, yyy, zzz, xxy, xxz, yyx, yyz, zzx, zzy, xyz
 
         void add(const Corners& corners);
+        void add(const Moments& other);
         double winding(const Vec3& r, double r2) const;
     };
 
@@ -72,6 +73,7 @@ private:
     bool winding_by_line(const Vec3& p, int axis, int& winding) const;
     double winding_by_expansion(const Vec3& p) const;
     void compute_moments();
+    double radius_about(const Vec3& center, std::uint32_t begin, std::uint32_t end) const;
 
     Bvh bvh_;
     std::vector<Item> items_;

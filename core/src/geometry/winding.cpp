@@ -11,6 +11,20 @@ namespace {
 /// far_factor^-3 of the cluster's share: the winding number is then right to about 1e-3.
 constexpr double far_factor = 2.5;
 
+/// The cubic form (a·r) q(r) of a linear form and a quadratic one (xx, yy, zz, xy, yz, zx), as Moments::third has it.
+std::array<double, 10> product(const Vec3& a, const std::array<double, 6>& q) {
+    return {a.x * q[0],
+            a.y * q[1],
+            a.z * q[2],
+            a.x * q[3] + a.y * q[0],
+            a.x * q[5] + a.z * q[0],
+            a.x * q[1] + a.y * q[3],
+            a.y * q[4] + a.z * q[1],
+            a.x * q[2] + a.z * q[5],
+            a.y * q[2] + a.z * q[4],
+            a.x * q[4] + a.y * q[5] + a.z * q[3]};
+}
+
 } // namespace
 
 void MeshPart::Moments::add(const Corners& corners) {
@@ -43,7 +57,29 @@ void MeshPart::Moments::add(const Corners& corners) {
     for (std::size_t k = 0; k < 10; ++k) {
         third[k] += cubic[k];
     }
-    radius = std::max({radius, norm(a), norm(b), norm(c)});
+}
+
+/// With the other centre at s from this one, y becomes y + s in every integral; the products are multiplied out.
+void MeshPart::Moments::add(const Moments& other) {
+    const Vec3 s = other.center - center;
+    const Vec3& n = other.normal;
+    const std::array<double, 6>& q = other.second;
+    normal += n;
+    trace += other.trace + dot(n, s);
+    const std::array<double, 6> linear{
+        n.x * s.x, n.y * s.y, n.z * s.z, n.x * s.y + n.y * s.x, n.y * s.z + n.z * s.y, n.z * s.x + n.x * s.z};
+    for (std::size_t k = 0; k < 6; ++k) {
+        second[k] += q[k] + linear[k];
+    }
+    const Vec3 across{2 * q[0] * s.x + q[3] * s.y + q[5] * s.z, // ∫ (n·s) y + n (y·s)
+                      q[3] * s.x + 2 * q[1] * s.y + q[4] * s.z, q[5] * s.x + q[4] * s.y + 2 * q[2] * s.z};
+    third_trace += other.third_trace + 2 * other.trace * s + 2 * across + 2 * dot(n, s) * s + n * squared_norm(s);
+    const std::array<double, 10> once = product(s, q);
+    const std::array<double, 10> twice =
+        product(n, {s.x * s.x, s.y * s.y, s.z * s.z, 2 * s.x * s.y, 2 * s.y * s.z, 2 * s.z * s.x});
+    for (std::size_t k = 0; k < 10; ++k) {
+        third[k] += other.third[k] + 2 * once[k] + twice[k];
+    }
 }
 
 /// 4π times the winding number. r: from the point to the centre. With f(x) = x/|x|³:
@@ -60,29 +96,57 @@ double MeshPart::Moments::winding(const Vec3& r, double r2) const {
            inverse2 * std::sqrt(inverse2);
 }
 
+/// Of the triangles that count among the items; negative if there is none.
+double MeshPart::radius_about(const Vec3& center, std::uint32_t begin, std::uint32_t end) const {
+    double squared = -1;
+    for (std::uint32_t i = begin; i < end; ++i) {
+        if (items_[i].counts) {
+            const auto& [a, b, c] = items_[i].corners;
+            squared = std::max({squared, squared_norm(a - center), squared_norm(b - center), squared_norm(c - center)});
+        }
+    }
+    return squared < 0 ? -1 : std::sqrt(squared);
+}
+
+/// Leaves from their triangles, other nodes from their children.
 void MeshPart::compute_moments() {
+    struct Below {
+        std::uint32_t begin, end; // items
+        double area = 0;          // twice that of those that count
+    };
     const std::vector<BvhNode>& nodes = bvh_.nodes();
     moments_.assign(nodes.size(), {});
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> range(nodes.size()); // of items below a node
-    for (std::size_t n = nodes.size(); n-- > 0;) {                            // children come behind their parents
+    std::vector<Below> below(nodes.size());
+    for (std::size_t n = nodes.size(); n-- > 0;) { // children come behind their parents
         const BvhNode& node = nodes[n];
-        range[n] = node.leaf() ? std::pair{node.first, node.first + node.count}
-                               : std::pair{range[node.first].first, range[node.first + 1].second};
+        Moments& moments = moments_[n];
         const Vec3 middle = (node.low + node.high) * 0.5;
-        double weight = 0;
-        Vec3 sum{};
-        for (std::uint32_t i = range[n].first; i < range[n].second; ++i) {
-            const auto& [a, b, c] = items_[i].corners;
-            if (items_[i].counts) {
-                const double area = norm(cross(b - a, c - a));
-                weight += area;
+        Vec3 sum{}; // of centroids about the middle, weighted by area
+        if (node.leaf()) {
+            below[n] = {node.first, node.first + node.count};
+            for (std::uint32_t i = below[n].begin; i < below[n].end; ++i) {
+                const auto& [a, b, c] = items_[i].corners;
+                const double area = items_[i].counts ? norm(cross(b - a, c - a)) : 0;
+                below[n].area += area;
                 sum += ((a - middle) + (b - middle) + (c - middle)) * (area / 3);
             }
+        } else {
+            below[n] = {below[node.first].begin, below[node.first + 1].end};
+            for (const std::uint32_t child : {node.first, node.first + 1}) {
+                below[n].area += below[child].area;
+                sum += (moments_[child].center - middle) * below[child].area;
+            }
         }
-        moments_[n].center = weight > 0 ? middle + sum / weight : middle;
-        for (std::uint32_t i = range[n].first; i < range[n].second; ++i) {
+        moments.center = below[n].area > 0 ? middle + sum / below[n].area : middle;
+        moments.radius = radius_about(moments.center, below[n].begin, below[n].end);
+        if (!node.leaf()) {
+            moments.add(moments_[node.first]);
+            moments.add(moments_[node.first + 1]);
+            continue;
+        }
+        for (std::uint32_t i = below[n].begin; i < below[n].end; ++i) {
             if (items_[i].counts) {
-                moments_[n].add(items_[i].corners);
+                moments.add(items_[i].corners);
             }
         }
     }
