@@ -35,14 +35,15 @@ struct Extent {
 
 struct Item {
     Extent extent;
-    Vec3 center;
     std::uint32_t index;
+
+    double center(std::size_t axis) const { return (extent.least[axis] - extent.least[axis + 3]) * 0.5; }
 };
 
-/// Where to cut a range of items: along `axis`, behind bin `bin`; no cut if axis < 0.
+/// Where to cut a range of items: along `axis`, behind bin `bin`.
 struct Cut {
-    int axis = -1;
-    std::size_t bin = 0;
+    std::size_t axis = 0, bin = 0;
+    bool found = false;
 };
 
 /// The items of a range by the place of their centres along an axis.
@@ -98,7 +99,7 @@ public:
     Builder(std::span<const Box> boxes, std::uint32_t leaf_size) : leaf_size_(leaf_size) {
         items_.reserve(boxes.size());
         for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-            items_.push_back({Extent::of(boxes[i].low, boxes[i].high), boxes[i].center(), i});
+            items_.push_back({Extent::of(boxes[i].low, boxes[i].high), i});
         }
         nodes_.reserve(2 * boxes.size() / leaf_size + 2);
         nodes_.emplace_back();
@@ -116,22 +117,26 @@ public:
     }
 
 private:
+    /// Bins per unit; not a number that counts where all centres are at one place: they are in one bin then.
+    static double scale_of(const Extent& centers, std::size_t axis) {
+        return bin_count / (-centers.least[axis + 3] - centers.least[axis]);
+    }
     static std::size_t bin_of(double value, double low, double scale) {
         const double place = (value - low) * scale; // not negative: `low` is the least value
         return place < bin_count ? static_cast<std::size_t>(static_cast<int>(place)) : bin_count - 1;
     }
 
     void split(std::size_t node, std::uint32_t begin, std::uint32_t end, std::size_t depth) {
-        Extent extent = Extent::empty(), middles = Extent::empty();
+        Extent extent = Extent::empty(), centers = Extent::empty();
         for (std::uint32_t i = begin; i < end; ++i) {
+            const Vec3 center{items_[i].center(0), items_[i].center(1), items_[i].center(2)};
             extent.add(items_[i].extent);
-            middles.add(Extent::of(items_[i].center, items_[i].center));
+            centers.add(Extent::of(center, center));
         }
         nodes_[node] = {extent.low(), extent.high(), begin, end - begin};
         if (end - begin <= leaf_size_) {
             return;
         }
-        const Box centers{middles.low(), middles.high()};
         std::uint32_t middle = begin;
         if (depth < heuristic_depth) {
             middle = partition(best_cut(begin, end, centers), begin, end, centers);
@@ -147,52 +152,50 @@ private:
         split(children + 1, middle, end, depth + 1);
     }
 
-    Cut best_cut(std::uint32_t begin, std::uint32_t end, const Box& centers) {
-        const Vec3 extent = centers.high - centers.low;
-        const Vec3 scale{bin_count / extent.x, bin_count / extent.y, bin_count / extent.z};
-        for (int axis = 0; axis < 3; ++axis) {
-            Bins& bins = bins_[static_cast<std::size_t>(axis)];
-            bins.clear();
-            if (!(extent[axis] > 0)) {
-                continue;
-            }
-            for (std::uint32_t i = begin; i < end; ++i) {
-                bins.add(bin_of(items_[i].center[axis], centers.low[axis], scale[axis]), items_[i].extent);
+    Cut best_cut(std::uint32_t begin, std::uint32_t end, const Extent& centers) {
+        std::array<double, 3> low, scale;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            low[axis] = centers.least[axis];
+            scale[axis] = scale_of(centers, axis);
+            bins_[axis].clear();
+        }
+        for (std::uint32_t i = begin; i < end; ++i) {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                bins_[axis].add(bin_of(items_[i].center(axis), low[axis], scale[axis]), items_[i].extent);
             }
         }
         Cut best;
         double least = std::numeric_limits<double>::infinity();
-        for (int axis = 0; axis < 3; ++axis) {
-            bins_[static_cast<std::size_t>(axis)].for_each_cut([&](std::size_t bin, double cost) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            bins_[axis].for_each_cut([&](std::size_t bin, double cost) {
                 if (cost < least) {
                     least = cost;
-                    best = {axis, bin};
+                    best = {axis, bin, true};
                 }
             });
         }
         return best;
     }
 
-    std::uint32_t partition(const Cut& cut, std::uint32_t begin, std::uint32_t end, const Box& centers) {
-        if (cut.axis < 0) {
+    std::uint32_t partition(const Cut& cut, std::uint32_t begin, std::uint32_t end, const Extent& centers) {
+        if (!cut.found) {
             return begin;
         }
-        const double low = centers.low[cut.axis];
-        const double scale = bin_count / (centers.high[cut.axis] - low);
+        const double low = centers.least[cut.axis], scale = scale_of(centers, cut.axis);
         const auto middle = std::partition(items_.begin() + begin, items_.begin() + end, [&](const Item& item) {
-            return bin_of(item.center[cut.axis], low, scale) <= cut.bin;
+            return bin_of(item.center(cut.axis), low, scale) <= cut.bin;
         });
         return static_cast<std::uint32_t>(middle - items_.begin());
     }
 
-    std::uint32_t median(std::uint32_t begin, std::uint32_t end, const Box& centers) {
-        const Vec3 size = centers.size();
-        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    std::uint32_t median(std::uint32_t begin, std::uint32_t end, const Extent& centers) {
+        const Vec3 size = centers.high() - centers.low();
+        const std::size_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
         const std::uint32_t middle = begin + (end - begin) / 2;
         std::nth_element(items_.begin() + begin, items_.begin() + middle, items_.begin() + end,
                          [axis](const Item& a, const Item& b) {
-                             return a.center[axis] != b.center[axis] ? a.center[axis] < b.center[axis]
-                                                                     : a.index < b.index;
+                             const double p = a.center(axis), q = b.center(axis);
+                             return p != q ? p < q : a.index < b.index;
                          });
         return middle;
     }
