@@ -4,11 +4,14 @@
 #include <foam/parallel.hpp>
 
 #include <map>
+#include <set>
 
 namespace foam::medial {
-namespace {
 
-std::vector<std::size_t> counts_up_to(std::size_t most) {
+/// Of union_volume(): an error of about 1/4000, so that what claims as much is not told apart by noise.
+static constexpr std::size_t directions = 4'000;
+
+std::vector<std::size_t> many_fewer(std::size_t most) {
     std::vector<std::size_t> counts;
     for (std::size_t count = 1; count < most;
          count = count < 12 ? count + 1 : (count % 3 == 0 ? count / 3 * 4 : count / 2 * 3)) {
@@ -18,39 +21,51 @@ std::vector<std::size_t> counts_up_to(std::size_t most) {
     return counts;
 }
 
-} // namespace
+std::vector<std::size_t> one_or_all(std::size_t most) {
+    constexpr std::size_t few = 4;
+    return most > 1 && most <= few ? std::vector<std::size_t>{1, most} : std::vector<std::size_t>{most};
+}
 
-std::vector<SphereTree> best_with_at_most(const Solid& solid, std::span<const Budget> budgets, const Maker& make) {
+std::vector<SphereTree> best_with_at_most(const Solid& solid, std::span<const Budget> budgets, const Counts& counts,
+                                          const Maker& make) {
     std::vector<Budget> all;
     std::map<std::size_t, std::size_t> index; // of a count in `all`
+    std::set<std::size_t> compared;           // indices
     for (const Budget& budget : budgets) {
         if (!budget.max_spheres) {
             continue;
         }
-        for (const std::size_t count : counts_up_to(*budget.max_spheres)) {
+        const std::vector<std::size_t> list = counts(*budget.max_spheres);
+        for (const std::size_t count : list) {
             if (index.try_emplace(count, all.size()).second) {
                 all.push_back({count, budget.max_protrusion, budget.guarantee});
             }
+            if (list.size() > 1) {
+                compared.insert(index.at(count));
+            }
         }
     }
-    const std::size_t compared = all.size();
+    const std::size_t numbers = all.size();
     for (const Budget& budget : budgets) {
         if (!budget.max_spheres) {
             all.push_back(budget);
         }
     }
     std::vector<SphereTree> trees = make(all);
-    std::vector<double> claimed(compared);
-    parallel_for(compared, [&](std::size_t i) { claimed[i] = union_volume(grown_to_cover(solid, trees[i].finest())); });
+    std::vector<double> claimed(numbers);
+    parallel_for(numbers, [&](std::size_t i) {
+        claimed[i] = compared.contains(i) ? union_volume(grown_to_cover(solid, trees[i].finest()), directions) : 0;
+    });
     std::vector<SphereTree> result;
-    std::size_t without_number = compared;
+    std::size_t without_number = numbers;
     for (const Budget& budget : budgets) {
         if (!budget.max_spheres) {
             result.push_back(trees[without_number++]);
             continue;
         }
-        std::size_t best = index.at(1);
-        for (const std::size_t count : counts_up_to(*budget.max_spheres)) {
+        const std::vector<std::size_t> list = counts(*budget.max_spheres);
+        std::size_t best = index.at(list.front());
+        for (const std::size_t count : list) {
             best = claimed[index.at(count)] < claimed[best] ? index.at(count) : best;
         }
         result.push_back(trees[best]);

@@ -22,7 +22,7 @@ FOAM_PLUGIN("spherize_medial", "1.1", "GPL-3.0-or-later") {
                 "Bradshaw, O'Sullivan: Adaptive medial-axis approximation for sphere-tree construction. ACM TOG 23(1), "
                 "2004; Wang et al.: Variational sphere set approximation for solid objects. The Visual Computer 22, "
                 "2006",
-            .revision = 2,
+            .revision = 3,
             .parameters = Settings::medial_parameters(),
             .extensions = {},
         },

@@ -189,10 +189,7 @@ SphereTree MedialSpherizer::spherize(const Shape& shape, const Budget& budget, C
 
 std::vector<SphereTree> MedialSpherizer::spherize_each(const Shape& shape, std::span<const Budget> budgets,
                                                        Context& context) const {
-    if (!settings_.compare_with_fewer) {
-        return made(shape, budgets, context);
-    }
-    return best_with_at_most(shape.original(), budgets,
+    return best_with_at_most(shape.original(), budgets, settings_.compare_with_fewer ? many_fewer : one_or_all,
                              [&](std::span<const Budget> all) { return made(shape, all, context); });
 }
 

@@ -28,9 +28,9 @@ TEST_P(GrowingBudget, NeverClaimsMoreNorLeavesMoreOpen) {
         for (std::size_t i = 0; i < trees.size(); ++i) {
             const std::vector<Sphere> grown = grown_to_cover(*solid, trees[i].finest());
             EXPECT_TRUE(certify(*solid, grown).holds);
-            // A thousandth is what the figure itself may be off.
-            const double claimed = union_volume(grown);
-            EXPECT_LE(claimed, least * 1.001) << *budgets[i].max_spheres << " spheres";
+            // The figures that stages choose by are right to about 1/4000.
+            const double claimed = union_volume(grown, 10'000);
+            EXPECT_LE(claimed, least * (1 + 5e-4)) << *budgets[i].max_spheres << " spheres";
             least = std::min(least, claimed);
         }
         EXPECT_LT(least, 0.95 * union_volume(trees[0].finest())) << "no use is made of 32 spheres";

@@ -55,7 +55,7 @@ std::optional<std::vector<Sphere>> row_cover(const Solid& solid, std::size_t mos
         return {};
     }
     // Proofs then need not cut finely where balls meet.
-    constexpr double aside = 1 + 1e-5;
+    constexpr double aside = 1 + 1e-4;
     const double radius = outermost(solid, primitive, part.pose.inverse()) * aside;
     const double length = primitive.length * aside;
     BallRow best;
