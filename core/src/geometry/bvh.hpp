@@ -5,7 +5,9 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace foam::geometry {
@@ -58,23 +60,29 @@ void for_each_nearer(const Bvh& bvh, const Vec3& p, Nearest nearest, Visit visit
     const std::vector<BvhNode>& nodes = bvh.nodes();
     std::array<Waiting, Bvh::max_depth> stack;
     std::size_t size = 0;
-    stack[size++] = {squared_distance(nodes[0], p), 0};
-    while (size > 0) {
-        const Waiting waiting = stack[--size];
-        if (!(waiting.squared_distance < nearest())) {
+    Waiting next{squared_distance(nodes[0], p), 0};
+    while (true) {
+        while (!(next.squared_distance < nearest())) {
+            if (size == 0) {
+                return;
+            }
+            next = stack[--size];
+        }
+        const BvhNode& node = nodes[next.node];
+        if (node.leaf()) {
+            for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+                visit(k);
+            }
+            next.squared_distance = std::numeric_limits<double>::infinity(); // done
             continue;
         }
-        const BvhNode& node = nodes[waiting.node];
-        if (!node.leaf()) {
-            const Waiting first{squared_distance(nodes[node.first], p), node.first};
-            const Waiting second{squared_distance(nodes[node.first + 1], p), node.first + 1};
-            const bool ordered = first.squared_distance <= second.squared_distance;
-            stack[size++] = ordered ? second : first; // the nearer one is looked at first
-            stack[size++] = ordered ? first : second;
-            continue;
+        Waiting other{squared_distance(nodes[node.first + 1], p), node.first + 1};
+        next = {squared_distance(nodes[node.first], p), node.first};
+        if (other.squared_distance < next.squared_distance) {
+            std::swap(next, other);
         }
-        for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-            visit(k);
+        if (other.squared_distance < nearest()) {
+            stack[size++] = other;
         }
     }
 }
