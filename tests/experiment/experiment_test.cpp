@@ -87,6 +87,8 @@ TEST_F(Running, TimeAgainstTriangles) {
         EXPECT_THAT(result.markdown, HasSubstr(part));
     }
     EXPECT_EQ(without(run(time_experiment).csv, 4), without(result.csv, 4)); // replaces its own folder
+    EXPECT_THAT(run(time_experiment + "prepare: {repair.soup: {largest_hole: 3}}\n").markdown,
+                HasSubstr("finger.stl, then repair.soup (largest_hole: 3); "));
 }
 
 TEST_F(Running, ATimeLimitEndsACurve) {

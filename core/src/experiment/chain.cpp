@@ -12,14 +12,8 @@ using namespace reading;
 std::string label_of(const Chain& chain, bool parameters) {
     std::string label;
     for (const StageCall& call : chain.calls()) {
-        label += (label.empty() ? "" : " + ") + call.stage;
-        if (parameters && !call.given.empty()) {
-            std::vector<std::string> texts;
-            for (const auto& [name, value] : call.given) {
-                texts.push_back(fmt::format("{}: {}", name, to_text(value)));
-            }
-            label += fmt::format(" ({})", fmt::join(texts, ", "));
-        }
+        label += label.empty() ? "" : " + ";
+        label += parameters ? text_of(call) : call.stage;
     }
     return label;
 }
@@ -121,6 +115,14 @@ std::vector<Chain> read_chains(const Value& value, const std::string& list, cons
         chain.label = label_of(chain, labels.count(chain.label) > 1);
     }
     return chains;
+}
+
+std::string text_of(const StageCall& call) {
+    std::vector<std::string> texts;
+    for (const auto& [name, value] : call.given) {
+        texts.push_back(fmt::format("{}: {}", name, to_text(value)));
+    }
+    return texts.empty() ? call.stage : fmt::format("{} ({})", call.stage, fmt::join(texts, ", "));
 }
 
 void add_names(const Chain& chain, std::set<std::string>& names) {

@@ -35,6 +35,9 @@ std::optional<Chain> read_chain(const reading::Value& value, const std::string& 
 std::vector<Chain> read_chains(const reading::Value& value, const std::string& list, const ChainRule& rule,
                                const reading::Checking& checking);
 
+/// "repair.watertight (leaves: 10000)": a stage with the parameters that are given.
+std::string text_of(const StageCall& call);
+
 void add_names(const Chain& chain, std::set<std::string>& names);
 
 } // namespace foam::experiment

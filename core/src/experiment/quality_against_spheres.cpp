@@ -265,7 +265,7 @@ private:
         if (!filters.empty()) {
             std::vector<std::string> names;
             for (const StageCall& filter : filters) {
-                names.push_back(filter.stage);
+                names.push_back(text_of(filter));
             }
             text += fmt::format("Before every method: {}. ", fmt::join(names, ", "));
         }

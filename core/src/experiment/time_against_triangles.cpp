@@ -212,7 +212,7 @@ private:
     std::string method_text(const std::string& chosen, const std::vector<SizedMesh>& meshes) const {
         std::string text = fmt::format("The mesh is {}", chosen);
         for (const StageCall& call : prepare) {
-            text += fmt::format(", then {}", call.stage);
+            text += fmt::format(", then {}", text_of(call));
         }
         text += fmt::format("; simplify.quadric takes it down to a number of triangles, splitting longest edges takes "
                             "it up. Every stage "
@@ -231,6 +231,7 @@ private:
         text += " Growth is the exponent of the number of triangles n in the law fitted by least squares to the "
                 "logarithms, "
                 "over the counts from a tenth of the curve's largest on.";
+        text += parameters_text();
         const SizedMesh* off = nullptr;
         for (const SizedMesh& m : meshes) {
             off = m.mesh.triangles.size() > m.asked + 1 ? &m : off;
@@ -238,6 +239,21 @@ private:
         return off ? text + fmt::format(" The coarsest mesh has {} triangles: its shape needs them.",
                                         meshes.front().mesh.triangles.size())
                    : text;
+    }
+
+    /// The stages whose parameters are not all at their defaults.
+    std::string parameters_text() const {
+        std::set<std::string> texts;
+        for (const Group& group : groups) {
+            for (const Chain& chain : group.curves) {
+                for (const StageCall& call : chain.calls()) {
+                    if (!call.given.empty()) {
+                        texts.insert(text_of(call));
+                    }
+                }
+            }
+        }
+        return texts.empty() ? "" : fmt::format(" Parameters that are given: {}.", fmt::join(texts, ", "));
     }
 
     static void add_cases(const Group& group, const Curve& curve, Table& table) {
