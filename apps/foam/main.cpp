@@ -1,3 +1,4 @@
+#include "judge.hpp"
 #include "program.hpp"
 
 #include <foam/error.hpp>
@@ -67,6 +68,9 @@ int run_program(int count, char** arguments) {
     add_spherize(program);
     add_verify(program);
     add_bench(program);
+    add_evaluate(program);
+    add_certify(program);
+    add_compare(program);
     add_check(program);
     add_plan(program);
     add_stages(program);

@@ -52,7 +52,9 @@ Geometry read_shape(const xml::Element& shape, const Reader& reader) {
         return read_box(shape, reader);
     }
     if (shape.name == "sphere") {
-        return Primitive{.kind = Primitive::Kind::sphere, .radius = positive(shape, "radius", reader)};
+        return Primitive{.kind = Primitive::Kind::sphere,
+                         .radius = reader.lenient() ? reader.required_number(shape, "radius")
+                                                    : positive(shape, "radius", reader)};
     }
     if (shape.name == "cylinder") {
         return Primitive{.kind = Primitive::Kind::cylinder,

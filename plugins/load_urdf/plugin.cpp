@@ -54,9 +54,11 @@ std::string explain(const std::vector<MissingMesh>& missing, const std::string& 
 
 class UrdfLoader final : public RobotLoader {
 public:
+    explicit UrdfLoader(const Parameters& parameters) : lenient_(parameters.boolean("lenient")) {}
+
     Robot load(const std::string& text, const std::filesystem::path& file, const ResourceResolver& resources,
                Context& context) const override {
-        const Reader reader(file.string());
+        const Reader reader(file.string(), lenient_);
         const auto root = xml::parse(text, reader.label(), ErrorCode::input);
         Robot robot = read_robot(*root, file.stem().string(), reader, context);
         for (const std::string& complaint : complaints_of_urdfdom(text, *root)) {
@@ -70,7 +72,7 @@ public:
     }
 
 private:
-    static void resolve_collisions(Robot& robot, const ResourceResolver& resources, const std::string& label) {
+    void resolve_collisions(Robot& robot, const ResourceResolver& resources, const std::string& label) const {
         std::vector<MissingMesh> missing;
         for (Link& link : robot.links) {
             for (GeometryElement& element : link.collisions) {
@@ -83,7 +85,7 @@ private:
                 }
             }
         }
-        if (!missing.empty()) {
+        if (!missing.empty() && !lenient_) {
             throw Error(ErrorCode::input, explain(missing, label));
         }
     }
@@ -107,15 +109,22 @@ private:
                                     missing.size(), missing.front()));
         }
     }
+
+    bool lenient_;
 };
 
 } // namespace
 } // namespace foam::urdf
 
 FOAM_PLUGIN("load_urdf", "1.0", "Apache-2.0") {
-    enrol.add<foam::urdf::UrdfLoader>({.name = "load.urdf",
-                                       .summary = "Reads a robot from a URDF file.",
-                                       .reference = "http://wiki.ros.org/urdf/XML",
-                                       .parameters = {},
-                                       .extensions = {"urdf"}});
+    enrol.add<foam::urdf::UrdfLoader>(
+        {.name = "load.urdf",
+         .summary = "Reads a robot from a URDF file.",
+         .reference = "http://wiki.ros.org/urdf/XML",
+         .parameters = {foam::Parameter::boolean("lenient", false)
+                            .doc(
+                                "Takes spheres whose radius is not above 0 and collision meshes that are not found, as "
+                                "`foam evaluate` needs it for sphere models of others.")
+                            .source("A robot that is to become spheres must be whole.")},
+         .extensions = {"urdf"}});
 }

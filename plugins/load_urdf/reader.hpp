@@ -13,9 +13,11 @@ namespace foam::urdf {
 /// Reads elements of one file.
 class Reader {
 public:
-    explicit Reader(std::string label) : label_(std::move(label)) {}
+    /// `lenient`: a sphere model of another program may hold spheres without size, and meshes that are not here.
+    explicit Reader(std::string label, bool lenient = false) : label_(std::move(label)), lenient_(lenient) {}
 
     const std::string& label() const { return label_; }
+    bool lenient() const { return lenient_; }
     /// "file:line"
     std::string place(const xml::Element& element) const;
     /// Throws Error(input) "file:line: what".
@@ -37,6 +39,7 @@ private:
     double parse(const xml::Element& element, std::string_view attribute, std::string_view text) const;
 
     std::string label_;
+    bool lenient_;
 };
 
 /// Whether the text holds an expression that xacro has not replaced: "${...}" or "$(...)".

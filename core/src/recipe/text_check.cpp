@@ -5,8 +5,6 @@
 namespace foam::reading {
 namespace {
 
-constexpr std::size_t most_bytes = 1'000'000;
-
 /// Length of the UTF-8 character at `at` (RFC 3629: no overlong forms, no surrogates, at most U+10FFFF); 0: none.
 std::size_t character_length(std::string_view text, std::size_t at) {
     const auto byte = [&](std::size_t i) -> unsigned {
@@ -33,10 +31,10 @@ std::size_t character_length(std::string_view text, std::size_t at) {
 
 } // namespace
 
-bool check_text(const std::string& text, int source, Findings& findings) {
-    if (text.size() > most_bytes) {
+bool check_text(const std::string& text, int source, Findings& findings, const TextKind& kind) {
+    if (text.size() > kind.most_bytes) {
         findings.error({source, 0, 0}, "too-large",
-                       fmt::format("the text has more than {} bytes; is this file a recipe?", most_bytes));
+                       fmt::format("the text has more than {} bytes; is this file a {}?", kind.most_bytes, kind.name));
         return false;
     }
     int line = 1, column = 1;
@@ -45,14 +43,14 @@ bool check_text(const std::string& text, int source, Findings& findings) {
         const std::size_t length = character_length(text, at);
         if (length == 0) {
             findings.error({source, line, column}, "encoding",
-                           fmt::format("byte 0x{:02x} is not UTF-8; remedy: save the recipe as UTF-8", byte));
+                           fmt::format("byte 0x{:02x} is not UTF-8; remedy: save the {} as UTF-8", byte, kind.name));
             return false;
         }
         if ((byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r') || byte == 0x7F) {
             findings.error({source, line, column}, "encoding",
                            fmt::format("control character 0x{:02x} in the text; remedy: delete it (UTF-16 files: save "
-                                       "the recipe as UTF-8)",
-                                       byte));
+                                       "the {} as UTF-8)",
+                                       byte, kind.name));
             return false;
         }
         if (byte == '\n') {

@@ -42,12 +42,18 @@ struct Value {
 /// A plain scalar by the core schema of YAML 1.2 (section 10.3.2): 010 is ten, yes is text, 0x1F is 31, 1_000 is text.
 Value plain_scalar(std::string text, const Place& where);
 
-/// Reads one YAML document. Of YAML that is left out which surprises: anchors, aliases, merge keys, tags, duplicate
-/// keys, further documents. Returns nothing if the text has no tree; what is wrong is among the findings in any case.
-/// `source`: see Place. `text` must have passed check_text().
-std::optional<Value> read_yaml(const std::string& text, int source, Findings& findings);
+/// What a text is, for messages, and how long it may be.
+struct TextKind {
+    std::string_view name = "recipe";
+    std::size_t most_bytes = 1'000'000;
+};
 
-/// Size and encoding: UTF-8 without control characters, at most 1 MB. False after a finding.
-bool check_text(const std::string& text, int source, Findings& findings);
+/// Reads one YAML document, or JSON, which is YAML. Of YAML that is left out which surprises: anchors, aliases, merge
+/// keys, tags, duplicate keys, further documents. Returns nothing if the text has no tree; what is wrong is among the
+/// findings in any case. `source`: see Place. `text` must have passed check_text().
+std::optional<Value> read_yaml(const std::string& text, int source, Findings& findings, const TextKind& kind = {});
+
+/// Size and encoding: UTF-8 without control characters. False after a finding.
+bool check_text(const std::string& text, int source, Findings& findings, const TextKind& kind = {});
 
 } // namespace foam::reading

@@ -91,8 +91,8 @@ private:
 
 class TreeBuilder final : public YAML::EventHandler {
 public:
-    TreeBuilder(const PlaceFinder& place, std::size_t most_events, Findings& findings)
-        : place_(place), events_left_(most_events), findings_(findings) {}
+    TreeBuilder(const PlaceFinder& place, std::size_t most_events, Findings& findings, std::string_view kind)
+        : place_(place), events_left_(most_events), findings_(findings), kind_(kind) {}
 
     bool has_document() const { return documents_ > 0; }
     /// The first document has been read whole.
@@ -105,8 +105,10 @@ public:
         if (++documents_ > 1) {
             findings_.error(
                 place_(mark), "second-document",
-                "a recipe is one YAML document, and it ended before this line; remedy: delete '---' and '...', "
-                "and write the recipe as one map whose keys start in the same column");
+                fmt::format(
+                    "a {0} is one YAML document, and it ended before this line; remedy: delete '---' and '...', "
+                    "and write the {0} as one map whose keys start in the same column",
+                    kind_));
             throw Stop{};
         }
     }
@@ -123,11 +125,10 @@ public:
         add(std::move(value), true);
     }
     void OnAnchor(const YAML::Mark& mark, const std::string& name) override {
-        findings_.error(
-            place_(mark), "alias",
-            fmt::format("anchors such as {} are not part of recipes; remedy: delete it and write the value out "
-                        "where it is needed",
-                        in_quotes("&" + name)));
+        findings_.error(place_(mark), "alias",
+                        fmt::format("anchors such as {} are not part of {}s; remedy: delete it and write the value out "
+                                    "where it is needed",
+                                    in_quotes("&" + name), kind_));
     }
     void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t, const std::string& text) override {
         const Place where = place_(mark);
@@ -161,8 +162,9 @@ public:
     void refuse_alias(const Place& where) {
         findings_.error(
             where, "alias",
-            "aliases (*name) are not part of recipes; remedy: put a name that begins with * in quotes, as in "
-            "\"*finger\", and write shared values out");
+            fmt::format("aliases (*name) are not part of {}s; remedy: put a name that begins with * in quotes, as in "
+                        "\"*finger\", and write shared values out",
+                        kind_));
     }
 
 private:
@@ -180,7 +182,7 @@ private:
             const std::string shown = tag.starts_with(core) ? "!!" + tag.substr(core.size()) : tag;
             findings_.error(
                 where, "tag",
-                fmt::format("tags such as {} are not part of recipes; remedy: delete it", in_quotes(shown)));
+                fmt::format("tags such as {} are not part of {}s; remedy: delete it", in_quotes(shown), kind_));
         }
     }
 
@@ -190,8 +192,9 @@ private:
         frame.value.where = place_(mark);
         check_tag(tag, frame.value.where);
         if (frames_.size() >= deepest) {
-            findings_.error(frame.value.where, "too-deep",
-                            fmt::format("lists and maps are nested more than {} deep; no recipe needs that", deepest));
+            findings_.error(
+                frame.value.where, "too-deep",
+                fmt::format("lists and maps are nested more than {} deep; no {} needs that", deepest, kind_));
             throw Stop{};
         }
         frames_.push_back(std::move(frame));
@@ -242,7 +245,7 @@ private:
                 fmt::format("a key must be a word, got {}; remedy: write 'key: value'", value.description()));
         } else if (value.text == "<<" && !value.quoted) {
             findings_.error(value.where, "merge-key",
-                            "the merge key '<<' is not part of recipes; remedy: write the keys out");
+                            fmt::format("the merge key '<<' is not part of {}s; remedy: write the keys out", kind_));
         } else if (const auto [first, fresh] = frame.seen.emplace(value.text, value.where); !fresh) {
             findings_.error(value.where, "duplicate-key",
                             fmt::format("key {} is given twice, first in line {}; remedy: delete one",
@@ -255,6 +258,7 @@ private:
     const PlaceFinder& place_;
     std::size_t events_left_;
     Findings& findings_;
+    std::string_view kind_;
     int documents_ = 0;
     Value root_;
     std::vector<Frame> frames_;
@@ -299,11 +303,11 @@ void report(const YAML::Exception& error, const PlaceFinder& place, TreeBuilder&
 
 } // namespace
 
-std::optional<Value> read_yaml(const std::string& text, int source, Findings& findings) {
+std::optional<Value> read_yaml(const std::string& text, int source, Findings& findings, const TextKind& kind) {
     const PlaceFinder place(text, source);
     // Every event takes a character, but for the empty keys and values in "{,,,}": more events than that is an endless
     // loop.
-    TreeBuilder builder(place, 4 * text.size() + 16, findings);
+    TreeBuilder builder(place, 4 * text.size() + 16, findings, kind.name);
     std::istringstream stream(text);
     try {
         YAML::Parser parser(stream);

@@ -73,6 +73,10 @@ std::vector<Vec3> vertices_of(const LinkWork& link) {
 
 } // namespace
 
+std::shared_ptr<const Solid> solid_of(const LinkWork& link) {
+    return solid_of(link, all_elements(link));
+}
+
 FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Robot> robot, std::vector<LinkWork>& links,
                            std::vector<Group> groups) {
     FinishedModel result;
@@ -119,7 +123,7 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
             }
         }
         if (parts > 0) {
-            link.solid = solid_of(links[l], all_elements(links[l]));
+            link.solid = solid_of(links[l]);
             if (parts > 1) {
                 links[l].report.measures = measured(workspace, *link.solid, link.spheres);
             }

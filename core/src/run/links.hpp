@@ -26,6 +26,8 @@ struct FinishedModel {
 
 /// The geometry of some elements of a link as the URDF gives it, in the link's frame.
 std::shared_ptr<const Solid> solid_of(const LinkWork& link, const std::vector<std::size_t>& elements);
+/// Of all its elements. Its meshes are loaded.
+std::shared_ptr<const Solid> solid_of(const LinkWork& link);
 
 /// Grows what the guarantee asks for, proves it, measures it. Link reports are filled in.
 FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Robot> robot, std::vector<LinkWork>& links,

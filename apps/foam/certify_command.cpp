@@ -1,0 +1,114 @@
+// foam certify: the proof alone.
+#include "judge.hpp"
+
+#include <fmt/format.h>
+
+namespace foam::cli {
+namespace {
+
+struct Arguments {
+    JudgeOptions judge;
+    std::string spheres, guarantee = "outer";
+    bool json = false;
+};
+
+constexpr int not_certified = 1;
+
+std::string point_text(const Vec3& p) {
+    return fmt::format("[{:.6f}, {:.6f}, {:.6f}]", p.x, p.y, p.z);
+}
+
+/// The links whose proof fails, with the place where it does.
+std::string table_of(const Original& original, const MatchedModel& model, const std::vector<LinkProof>& proofs,
+                     bool outer) {
+    std::size_t width = 4;
+    for (const OriginalLink& link : original.links) {
+        width = std::max(width, link.link.size());
+    }
+    std::string table = fmt::format("{:<{}}  {:>9}  {:>8}  {}\n", "link", width, outer ? "growth mm" : "excess mm",
+                                    outer ? "triangle" : "sphere", outer ? "witness, m" : "center, m");
+    for (std::size_t i = 0; i < proofs.size(); ++i) {
+        if (proofs[i].holds) {
+            continue;
+        }
+        if (outer && model.spheres[i].empty()) {
+            table += fmt::format("{:<{}}  it has no spheres\n", original.links[i].link, width);
+            continue;
+        }
+        table +=
+            fmt::format("{:<{}}  {:>9}  {:>8}  {}\n", original.links[i].link, width, millimetres(proofs[i].growth, 6),
+                        outer ? proofs[i].triangle : proofs[i].sphere, point_text(proofs[i].witness));
+    }
+    return table;
+}
+
+nlohmann::ordered_json json_of_proofs(const Original& original, const std::vector<LinkProof>& proofs, bool outer) {
+    auto links = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < proofs.size(); ++i) {
+        nlohmann::ordered_json link{{"link", original.links[i].link}, {"certified", proofs[i].holds}};
+        if (!proofs[i].holds) {
+            link[outer ? "growth_m" : "excess_m"] = json_number(proofs[i].growth);
+            link[outer ? "triangle" : "sphere"] = outer ? proofs[i].triangle : proofs[i].sphere;
+            const Vec3& p = proofs[i].witness;
+            link[outer ? "witness_m" : "center_m"] = {p.x, p.y, p.z};
+        }
+        links.push_back(std::move(link));
+    }
+    return links;
+}
+
+int certify_spheres(Program& program, const Arguments& arguments) {
+    const ThreadLimit limit(arguments.judge.threads);
+    const bool outer = arguments.guarantee == "outer";
+    const Original original = original_of(program, arguments.judge);
+    const MatchedModel model = model_of(program, arguments.judge, original, arguments.spheres);
+    const std::vector<LinkProof> proofs = prove(original, model, outer ? Guarantee::outer : Guarantee::inner);
+    const auto failed = std::count_if(proofs.begin(), proofs.end(), [](const LinkProof& p) { return !p.holds; });
+    if (arguments.json) {
+        const nlohmann::ordered_json json{{"original", arguments.judge.original},
+                                          {"model", arguments.spheres},
+                                          {"format", model.file.format},
+                                          {"guarantee", arguments.guarantee},
+                                          {"certified", failed == 0},
+                                          {"notes", model.notes},
+                                          {"links", json_of_proofs(original, proofs, outer)}};
+        print(json.dump(2) + "\n");
+    } else if (failed == 0) {
+        print(fmt::format("Certified ({}): {} on {} link{}, {} sphere{}.\n", arguments.guarantee,
+                          outer ? "the geometry lies inside the spheres" : "the spheres lie inside the geometry",
+                          proofs.size(), proofs.size() == 1 ? "" : "s", sphere_count(model),
+                          sphere_count(model) == 1 ? "" : "s"));
+    } else {
+        print(table_of(original, model, proofs, outer) + fmt::format("Not certified ({}): {} of {} link{}.\n",
+                                                                     arguments.guarantee, failed, proofs.size(),
+                                                                     proofs.size() == 1 ? "" : "s"));
+    }
+    return failed == 0 ? 0 : not_certified;
+}
+
+} // namespace
+
+void add_certify(Program& program) {
+    CLI::App* command = add_command(
+        program, "certify", "Prove that a sphere model encloses its geometry, or say where it does not",
+        "  foam certify robot.urdf robot_spheres.urdf\n"
+        "  foam certify part.stl part.json --json\n"
+        "Every triangle of the raw geometry is proved to lie in the spheres, or a point is named where the\n"
+        "proof fails (witness) and how much the nearest sphere would have to grow there.\n"
+        "Exit codes: 0 certified, 1 not, 2 wrong command line");
+    auto arguments = std::make_shared<Arguments>();
+    add_judge_options(*command, arguments->judge);
+    command->add_option("spheres", arguments->spheres, "The sphere model")->type_name("SPHERES")->required();
+    command
+        ->add_option("--guarantee", arguments->guarantee,
+                     "outer: the geometry lies in the spheres; inner: the spheres lie in the geometry")
+        ->type_name("outer|inner")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"outer", "inner"}).description(""));
+    command->add_flag("--json", arguments->json, "Print the proof of each link as JSON");
+    command->callback([&program, arguments] {
+        program.action = [&program, arguments] { return certify_spheres(program, *arguments); };
+    });
+}
+
+} // namespace foam::cli

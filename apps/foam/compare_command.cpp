@@ -1,0 +1,99 @@
+// foam compare: several sphere models of one robot.
+#include "comparison.hpp"
+
+#include <foam/error.hpp>
+#include <foam/stage.hpp>
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace foam::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+    JudgeOptions judge;
+    std::vector<std::string> models;
+    std::string html;
+    std::uint64_t seed = 0;
+    bool json = false;
+};
+
+/// A, B, …, Z, then 27, 28, …
+std::string label_of(std::size_t i) {
+    return i < 26 ? std::string(1, static_cast<char>('A' + i)) : std::to_string(i + 1);
+}
+
+/// Empty, with a warning, if there is no renderer.
+std::string picture_of(Program& program, const Comparison& comparison) {
+    const Registry& registry = program.registry();
+    for (const auto& [name, stage] : registry.stages()) {
+        if (stage.kind == StageKind::renderer) {
+            QuietContext context;
+            return registry.make<Renderer>(name)->render(figure_of(comparison), context).png;
+        }
+    }
+    tell("warning: no plugin renders pictures; the page has none");
+    return {};
+}
+
+/// In one step, so that a reader never sees half of it.
+void write_page(const fs::path& file, const std::string& html) {
+    const fs::path partial = file.string() + fmt::format(".partial-{}", getpid());
+    std::ofstream stream(partial, std::ios::binary | std::ios::trunc);
+    stream << html;
+    stream.close();
+    std::error_code error = stream ? std::error_code() : std::make_error_code(std::errc::io_error);
+    if (!error) {
+        fs::rename(partial, file, error);
+    }
+    if (error) {
+        std::error_code ignored;
+        fs::remove(partial, ignored);
+        throw Error(ErrorCode::output, fmt::format("{}: it cannot be written; remedy: check that its folder exists and "
+                                                   "has room",
+                                                   file.string()));
+    }
+}
+
+int compare_models(Program& program, const Arguments& arguments) {
+    const ThreadLimit limit(arguments.judge.threads);
+    Comparison comparison{original_of(program, arguments.judge), {}};
+    for (const std::string& file : arguments.models) {
+        MatchedModel model = model_of(program, arguments.judge, comparison.original, file);
+        Evaluation evaluation = evaluate(comparison.original, model, arguments.seed);
+        comparison.models.push_back({label_of(comparison.models.size()), std::move(model), std::move(evaluation)});
+    }
+    if (!arguments.html.empty()) {
+        write_page(arguments.html, html_of(comparison, picture_of(program, comparison)));
+        tell(fmt::format("written: {}", arguments.html));
+    }
+    print(arguments.json ? json_of(comparison).dump(2) + "\n" : table_of(comparison));
+    return 0;
+}
+
+} // namespace
+
+void add_compare(Program& program) {
+    CLI::App* command =
+        add_command(program, "compare", "Judge several sphere models of one robot side by side",
+                    "  foam compare robot.urdf a.urdf b.yaml c.json\n"
+                    "  foam compare robot.urdf a.urdf b.urdf --html comparison.html   with pictures; one file\n"
+                    "The figures are those of `foam evaluate`.");
+    auto arguments = std::make_shared<Arguments>();
+    add_judge_options(*command, arguments->judge);
+    command->add_option("models", arguments->models, "The sphere models")->type_name("SPHERES")->required();
+    command->add_option("--html", arguments->html, "Write a page, too")->type_name("FILE");
+    command->add_option("--seed", arguments->seed, "Seed of the samples; default 0")->type_name("N");
+    command->add_flag("--json", arguments->json, "Print the figures as JSON: metres, not millimetres");
+    command->callback([&program, arguments] {
+        program.action = [&program, arguments] { return compare_models(program, *arguments); };
+    });
+}
+
+} // namespace foam::cli

@@ -1,0 +1,102 @@
+#include "comparison.hpp"
+
+#include <foam/robot.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace foam::cli {
+namespace {
+
+std::string ratio(double value) {
+    return std::isfinite(value) ? fmt::format("{:.3f}", value) : "inf";
+}
+
+std::string total_row(const std::string& label, const Figures& figures) {
+    const Measures& m = figures.measures;
+    return fmt::format("{:<5}  {:>7}  {:>9.2f}  {:>8}  {:>8}  {:>8}  {:>8}  {:>8}  {:>9}\n", label, m.spheres,
+                       100 * m.covered, millimetres(m.gap), ratio(m.excess), ratio(m.missing),
+                       millimetres(m.protrusion_max), millimetres(m.protrusion_mean), m.certified ? "yes" : "no");
+}
+
+std::string cells(const Figures& figures) {
+    const Measures& m = figures.measures;
+    return m.spheres == 0
+               ? fmt::format("  |{:>8}{:>9}{:>9}", "-", "-", "-")
+               : fmt::format("  |{:>8}{:>9}{:>9}", m.spheres, ratio(m.excess), m.certified ? "0" : millimetres(m.gap));
+}
+
+std::string table_of_links(const Comparison& comparison) {
+    std::size_t width = 5;
+    for (const OriginalLink& link : comparison.original.links) {
+        width = std::max(width, link.link.size());
+    }
+    std::string first = fmt::format("{:<{}}", "", width), second = fmt::format("{:<{}}", "link", width);
+    for (const JudgedModel& judged : comparison.models) {
+        first += fmt::format("  |  {:<24}", judged.label);
+        second += fmt::format("  |{:>8}{:>9}{:>9}", "spheres", "excess", "gap mm");
+    }
+    std::string table = first + "\n" + second + "\n";
+    for (std::size_t i = 0; i < comparison.original.links.size(); ++i) {
+        table += fmt::format("{:<{}}", comparison.original.links[i].link, width);
+        for (const JudgedModel& judged : comparison.models) {
+            table += cells(judged.evaluation.links[i]);
+        }
+        table += "\n";
+    }
+    return table;
+}
+
+} // namespace
+
+std::string table_of(const Comparison& comparison) {
+    std::string table;
+    for (const JudgedModel& judged : comparison.models) {
+        table +=
+            fmt::format("{:<3} {} ({})\n", judged.label, judged.model.file.file.string(), judged.model.file.format);
+    }
+    table += fmt::format("\n{:<5}  {:>7}  {:>9}  {:>8}  {:>8}  {:>8}  {:>8}  {:>8}  {:>9}\n", "model", "spheres",
+                         "covered %", "gap mm", "excess", "missing", "out max", "mean mm", "certified");
+    for (const JudgedModel& judged : comparison.models) {
+        table += total_row(judged.label, judged.evaluation.total);
+    }
+    return table + "\n" + table_of_links(comparison);
+}
+
+nlohmann::ordered_json json_of(const Comparison& comparison) {
+    nlohmann::ordered_json json{{"original", comparison.original.file.string()},
+                                {"models", nlohmann::ordered_json::array()}};
+    for (const JudgedModel& judged : comparison.models) {
+        json["models"].push_back(json_of(comparison.original, judged.model, judged.evaluation));
+    }
+    return json;
+}
+
+Figure figure_of(const Comparison& comparison) {
+    const auto poses = link_poses(*comparison.original.robot);
+    Figure figure;
+    figure.width = std::min(3840, 640 * static_cast<int>(comparison.models.size()));
+    figure.height = 720;
+    for (const JudgedModel& judged : comparison.models) {
+        Panel panel;
+        panel.caption = fmt::format("{}: {} spheres", judged.label, sphere_count(judged.model));
+        for (std::size_t i = 0; i < comparison.original.links.size(); ++i) {
+            const OriginalLink& link = comparison.original.links[i];
+            const auto pose = poses.find(link.link);
+            if (pose == poses.end()) {
+                continue;
+            }
+            panel.meshes.push_back(
+                {std::shared_ptr<const Mesh>(link.solid, &link.solid->surface()), pose->second, true});
+            for (const Sphere& sphere : judged.model.spheres[i]) {
+                panel.spheres.push_back({pose->second * sphere.center, sphere.radius});
+            }
+        }
+        figure.panels.push_back(std::move(panel));
+    }
+    return figure;
+}
+
+} // namespace foam::cli

@@ -1,0 +1,44 @@
+// What evaluate, certify and compare share: options, input, and the figures as table and JSON.
+#pragma once
+
+#include "program.hpp"
+
+#include <foam/host/evaluate.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace foam::cli {
+
+void add_evaluate(Program& program);
+void add_certify(Program& program);
+void add_compare(Program& program);
+
+struct JudgeOptions {
+    std::string original;
+    std::vector<std::string> renames, links;
+    std::size_t threads = 0; ///< 0: all cores
+};
+
+/// ORIGINAL, --rename, --link, -j.
+void add_judge_options(CLI::App& command, JudgeOptions& options);
+
+/// The geometry, with what its loader warned of told on stderr.
+Original original_of(Program& program, const JudgeOptions& options);
+/// The spheres brought onto its links, with the notes told on stderr.
+MatchedModel model_of(Program& program, const JudgeOptions& options, const Original& original, const std::string& file);
+
+/// Lengths for people: millimetres; "inf" for what has no end.
+std::string millimetres(double metres, int digits = 2);
+/// A number, or null if it is not finite.
+nlohmann::ordered_json json_number(double value);
+/// The names are those of manifest.json.
+nlohmann::ordered_json json_of(const Figures& figures);
+/// File, format, notes and figures of one model.
+nlohmann::ordered_json json_of(const Original& original, const MatchedModel& model, const Evaluation& evaluation);
+/// The number of spheres that are judged.
+std::size_t sphere_count(const MatchedModel& model);
+
+} // namespace foam::cli

@@ -1,0 +1,34 @@
+// Sphere models as files of many programs hold them.
+#pragma once
+
+#include <foam/host/registry.hpp>
+#include <foam/model.hpp>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace foam {
+
+/// Spheres by link, as a file has them. Metres; the frame is that of the link.
+struct SphereFile {
+    std::filesystem::path file;
+    std::string format;             ///< "URDF", "cuRobo YAML", "GPMP2 rows", …
+    std::vector<LinkSpheres> links; ///< in the order of the file; a format that names no link has one called ""
+    /// URDF: joints that do not move, by the name of the child link. A link that only carries spheres of its parent
+    /// (MorphIt) can be folded into it with them.
+    struct FixedJoint {
+        std::string parent;
+        Pose origin; ///< from the child's frame to the parent's
+    };
+    std::map<std::string, FixedJoint> fixed_joints;
+    std::vector<std::string> notes; ///< what was left out, and what is not said by the spheres alone
+};
+
+/// Reads a sphere model; its content says the format. Spheres whose radius is not above 0 are switched off (cuMotion):
+/// they are left out, with a note. `registry`: for URDF, and for the formats of foam's writers. Throws Error(input)
+/// naming file, line and remedy.
+SphereFile read_sphere_file(const std::filesystem::path& file, const Registry& registry);
+
+} // namespace foam

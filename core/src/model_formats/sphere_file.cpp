@@ -1,0 +1,80 @@
+// Which format a file has, and what holds for all of them.
+#include "formats.hpp"
+
+#include "run/files.hpp"
+
+#include <foam/error.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foam {
+namespace {
+
+/// The text behind a byte order mark, blanks and comments of `#`.
+std::string_view first_token(std::string_view text) {
+    text.remove_prefix(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+    for (;;) {
+        text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+        if (!text.starts_with('#')) {
+            return text;
+        }
+        text.remove_prefix(std::min(text.find('\n'), text.size()));
+    }
+}
+
+/// Whether a line holds numbers apart by spaces or commas, and nothing else; the first may be a name.
+bool is_row(std::string_view text) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    return !line.empty() && line.find_first_of(":{[<\"") == std::string_view::npos &&
+           std::count_if(line.begin(), line.end(), [](char c) { return c >= '0' && c <= '9'; }) >= 4;
+}
+
+/// Spheres of no radius are switched off; those that are no balls are an error.
+void drop_disabled(SphereFile& result) {
+    std::size_t dropped = 0;
+    for (LinkSpheres& link : result.links) {
+        dropped += std::erase_if(link.spheres, [](const Sphere& s) { return !(s.radius > 0); });
+    }
+    if (dropped > 0) {
+        result.notes.push_back(fmt::format("{} sphere{} of a radius not above 0 {} switched off and left out", dropped,
+                                           dropped == 1 ? "" : "s", dropped == 1 ? "is" : "are"));
+    }
+}
+
+} // namespace
+
+std::vector<Sphere>& model_formats::spheres_of(SphereFile& result, const std::string& link) {
+    auto it =
+        std::find_if(result.links.begin(), result.links.end(), [&](const LinkSpheres& l) { return l.link == link; });
+    if (it == result.links.end()) {
+        it = result.links.insert(it, {link, {}});
+    }
+    return it->spheres;
+}
+
+SphereFile read_sphere_file(const std::filesystem::path& file, const Registry& registry) {
+    SphereFile result;
+    result.file = file;
+    const std::string text = read_file(file);
+    const std::string_view begin = first_token(text);
+    if (begin.empty()) {
+        throw Error(ErrorCode::input, fmt::format("{}: the file is empty; a sphere model is needed", file.string()));
+    }
+    if (begin.starts_with('<')) {
+        model_formats::read_urdf(text, registry, result);
+    } else if (begin.starts_with("ply")) {
+        model_formats::read_written(text, "ply", registry, result);
+    } else if (begin.starts_with("link,")) {
+        model_formats::read_written(text, "csv", registry, result);
+    } else if (is_row(begin)) {
+        model_formats::read_rows(text, result);
+    } else {
+        model_formats::read_tree(text, result);
+    }
+    drop_disabled(result);
+    return result;
+}
+
+} // namespace foam

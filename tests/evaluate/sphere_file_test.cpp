@@ -1,0 +1,211 @@
+// Every format that is read, by a minimal example; and what is said of files that are wrong.
+#include "evaluate/files.hpp"
+
+#include <gmock/gmock.h>
+
+namespace foam::test {
+namespace {
+
+using ::testing::ElementsAre;
+
+const Sphere one{{0.1, 0.2, 0.3}, 0.05}, two{{-1, 0, 2.5}, 0.25};
+
+/// Two spheres of link l, and one of m.
+void expect_both_links(const SphereFile& file, const std::string& format) {
+    EXPECT_EQ(file.format, format);
+    ASSERT_EQ(file.links.size(), 2u);
+    EXPECT_EQ(file.links[0].link, "l");
+    EXPECT_THAT(file.links[0].spheres, ElementsAre(one, two));
+    EXPECT_EQ(file.links[1].link, "m");
+    EXPECT_THAT(file.links[1].spheres, ElementsAre(one));
+    EXPECT_THAT(file.notes, ElementsAre());
+}
+
+void expect_nameless(const SphereFile& file, const std::string& format) {
+    EXPECT_EQ(file.format, format);
+    ASSERT_EQ(file.links.size(), 1u);
+    EXPECT_EQ(file.links[0].link, "");
+    EXPECT_THAT(file.links[0].spheres, ElementsAre(one, two));
+}
+
+const std::string lists = "{l: [{center: [0.1, 0.2, 0.3], radius: 0.05}, {center: [-1, 0, 2.5], radius: 0.25}], "
+                          "m: [{center: [0.1, 0.2, 0.3], radius: 0.05}]}";
+
+using SphereFiles = Files;
+
+TEST_F(SphereFiles, Urdf) {
+    expect_both_links(read(R"(<?xml version="1.0"?>
+<robot name="r">
+  <link name="l">
+    <collision><origin xyz="0.1 0.2 0.3" rpy="0 0 0"/><geometry><sphere radius="0.05"/></geometry></collision>
+    <collision><origin xyz="-1 0 2.5"/><geometry><sphere radius="0.25"/></geometry></collision>
+  </link>
+  <link name="m"><collision><origin xyz="0.1 0.2 0.3"/><geometry><sphere radius="0.05"/></geometry></collision></link>
+  <joint name="j" type="revolute"><parent link="l"/><child link="m"/><limit effort="1" velocity="1"/></joint>
+</robot>)"),
+                      "URDF");
+}
+
+TEST_F(SphereFiles, UrdfWithOtherGeometryAndSpheresOfNoSize) {
+    const SphereFile file = read(R"(<robot name="r">
+  <link name="l">
+    <collision><geometry><mesh filename="package://nowhere/m.stl"/></geometry></collision>
+    <collision><geometry><box size="1 1 1"/></geometry></collision>
+    <collision><geometry><sphere radius="0"/></geometry></collision>
+    <collision><origin xyz="-1 0 2.5"/><geometry><sphere radius="0.25"/></geometry></collision>
+  </link>
+</robot>)");
+    EXPECT_THAT(file.links.at(0).spheres, ElementsAre(two));
+    EXPECT_THAT(file.notes,
+                ElementsAre("link 'l' has collision geometry other than spheres (box, mesh), which is not judged",
+                            "1 sphere of a radius not above 0 is switched off and left out"));
+}
+
+TEST_F(SphereFiles, FoamJson) {
+    expect_both_links(read(R"({"foam_spheres": 1, "name": "r", "links": {
+  "l": {"spheres": [[0.1, 0.2, 0.3, 0.05], [-1, 0, 2.5, 0.25]], "groups": []}, "m": {"spheres": [[0.1, 0.2, 0.3, 0.05]]}}})"),
+                      "foam JSON");
+    EXPECT_EQ(refusal(R"({"foam_spheres": 2, "links": {}})"), "FILE:1:18: foam_spheres is 2; this foam reads 1");
+}
+
+TEST_F(SphereFiles, CsvAndPly) {
+    expect_both_links(read("link,x,y,z,radius\nl,0.1,0.2,0.3,0.05\nl,-1,0,2.5,0.25\nm,0.1,0.2,0.3,0.05\n"), "CSV");
+    expect_both_links(read("ply\nformat ascii 1.0\ncomment link 0 l\ncomment link 1 m\nelement vertex 3\n"
+                           "property double x\nproperty double y\nproperty double z\nproperty double radius\n"
+                           "property int link\nend_header\n0.1 0.2 0.3 0.05 0\n-1 0 2.5 0.25 0\n0.1 0.2 0.3 0.05 1\n"),
+                      "PLY");
+    EXPECT_EQ(refusal("link,x,y,z,radius\nl,0.1,0.2,0.3,abc\n"),
+              "FILE: CSV: row 2: 'abc' is not a finite number; remedy: write the file again with write.csv");
+}
+
+TEST_F(SphereFiles, DatabaseOfTheFirstFoam) {
+    const std::string level = R"({"mean": 0, "best": null, "worst": 1, "spheres": )";
+    expect_both_links(read(R"({"l::a.stl": {"8": {"0": )" + level + R"([]}, "1": )" + level +
+                           R"([{"origin": [0.1, 0.2, 0.3], "radius": 0.05}]}}}, "l::a.stl#2": {"8": {"10": )" + level +
+                           R"([{"origin": [-1, 0, 2.5], "radius": 0.25}]}, "9": )" + level +
+                           R"([]}}}, "m::package://p/m.stl": {"2": {"1": )" + level +
+                           R"([{"origin": [0.1, 0.2, 0.3], "radius": 0.05}]}}}})"),
+                      "database of the first foam");
+    expect_nameless(
+        read("[" + level + "[]}, " + level +
+             R"([{"origin": [0.1, 0.2, 0.3], "radius": 0.05}, {"origin": [-1, 0, 2.5], "radius": 0.25}]}])"),
+        "list of the first foam");
+}
+
+TEST_F(SphereFiles, CuRobo) {
+    expect_both_links(read("# comment\nrobot_cfg:\n  kinematics:\n    base_link: l\n    collision_spheres: " + lists +
+                           "\n    collision_sphere_buffer: 0.0\n"),
+                      "cuRobo YAML");
+    EXPECT_THAT(
+        read("kinematics:\n  collision_sphere_buffer: 0.005\n  collision_spheres: " + lists).notes,
+        ElementsAre("collision_sphere_buffer (line 2) is not added to the radii: the spheres are judged as they "
+                    "stand"));
+    EXPECT_EQ(refusal("robot_cfg:\n  kinematics:\n    collision_spheres: spheres/franka.yml\n"),
+              "FILE:3:24: the spheres are in another file, 'spheres/franka.yml'; remedy: give that one");
+}
+
+TEST_F(SphereFiles, ANegativeRadiusSwitchesASphereOff) {
+    const SphereFile file =
+        read("collision_spheres: {l: [{center: [0, 0, 0], radius: -1}, {center: [0, 0, 0], radius: -10}, "
+             "{center: [-1, 0, 2.5], radius: 0.25}]}");
+    EXPECT_THAT(file.links.at(0).spheres, ElementsAre(two));
+    EXPECT_THAT(file.notes, ElementsAre("2 spheres of a radius not above 0 are switched off and left out"));
+}
+
+TEST_F(SphereFiles, Lula) {
+    expect_both_links(read(R"(api_version: 1.0
+collision_spheres:
+  - l:
+    - "center": [0.1, 0.2, 0.3]
+      "radius": 0.05
+    - center: [-1, 0.0, 2.5]
+      radius: 0.25
+  - m:
+    - {center: [0.1, 0.2, 0.3], radius: 0.05}
+)"),
+                      "Lula YAML");
+}
+
+TEST_F(SphereFiles, Xrdf) {
+    for (const char* key : {"collision", "world_collision"}) {
+        expect_both_links(
+            read("format: xrdf\nformat_version: 1.0\n" + std::string(key) +
+                 ": {geometry: g, buffer_distance: {l: 0.0}}\ngeometry: {other: {spheres: {}}, g: {spheres: " + lists +
+                 "}}\n"),
+            "XRDF");
+    }
+    EXPECT_EQ(refusal("format: xrdf\ncollision: {geometry: g}\ngeometry: {h: {}}\n"),
+              "FILE:3:11: expected a map with the key 'g', got one without");
+}
+
+TEST_F(SphereFiles, MorphItBallparkAndPyroki) {
+    const std::string columns = R"({"centers": [[0.1, 0.2, 0.3], [-1, 0, 2.5]], "radii": [0.05, 0.25]})";
+    expect_nameless(read(columns), "MorphIt JSON");
+    expect_both_links(read(R"({"l": )" + columns + R"(, "m": {"centers": [[0.1, 0.2, 0.3]], "radii": [0.05]}})"),
+                      "centers and radii by link");
+    EXPECT_EQ(refusal(R"({"centers": [[0, 0, 0]], "radii": [1, 2]})"), "FILE:1:1: 1 centers and 2 radii");
+}
+
+TEST_F(SphereFiles, BubblifyAndPlainmp) {
+    expect_both_links(read("collision_spheres: " + lists + "\nmetadata: {}\n"), "collision_spheres YAML");
+    expect_both_links(
+        read("collision_spheres: {l: {spheres: [[0.1, 0.2, 0.3, 0.05], [-1, 0, 2.5, 0.25]]}, m: {spheres: "
+             "[[0.1, 0.2, 0.3, 0.05]]}}\n"),
+        "plainmp YAML");
+}
+
+TEST_F(SphereFiles, RowsOfNumbers) {
+    expect_both_links(read("# GPMP2\nl 0.1 0.2 0.3 0.05\nl -1 0 2.5 0.25   % elbow\n\nm 0.1 0.2 0.3 0.05\n"),
+                      "GPMP2 rows");
+    expect_nameless(read("0.1,0.2,0.3,0.05\n-1,0,2.5,0.25\n"), "rows of numbers");
+    EXPECT_EQ(refusal("0 0 0 1\n0 0 0 1 1\n"),
+              "FILE:2: a row of 5 fields after rows of 4; remedy: give all rows the same");
+    EXPECT_EQ(refusal("0 0 0 1\n0 0 nan 1\n"), "FILE:2: 'nan' is not a finite number");
+    EXPECT_EQ(refusal("0 0 0 1 2 3\n"), "FILE:1: a row of 6 fields; expected are x y z radius, or link x y z radius");
+}
+
+TEST_F(SphereFiles, SpheresByLink) {
+    expect_both_links(
+        read(
+            R"({"robot": "r", "spheres": {"l": [[0.1, 0.2, 0.3, 0.05], [-1, 0, 2.5, 0.25]], "m": [[0.1, 0.2, 0.3, 0.05]]}})"),
+        "spheres by link");
+}
+
+TEST_F(SphereFiles, WhatIsWrongIsSaidWithItsPlace) {
+    EXPECT_EQ(refusal(""), "FILE: the file is empty; a sphere model is needed");
+    EXPECT_EQ(refusal("collision_spheres:\n  l:\n  - center: [0, 0]\n    radius: 1\n"),
+              "FILE:3:13: expected three numbers, got 2");
+    EXPECT_EQ(refusal("collision_spheres:\n  l:\n  - center: [0, 0, x]\n    radius: 1\n"),
+              "FILE:3:20: expected a finite number of metres, got the text 'x'");
+    EXPECT_EQ(refusal("collision_spheres:\n  l:\n  - center: [0, 0, 0]\n    radius: .nan\n"),
+              "FILE:4:13: expected a finite number of metres, got .nan");
+    EXPECT_EQ(refusal("collision_spheres:\n  l:\n  - center: [0, 0, 0]\n    radius: .inf\n"),
+              "FILE:4:13: expected a finite number of metres, got .inf");
+    EXPECT_EQ(refusal("collision_spheres:\n  l:\n  - center: [0, 0, 0]\n"),
+              "FILE:3:5: expected a map with the key 'radius', got one without");
+    EXPECT_EQ(refusal("collision_spheres:\n  l: []\n  l: []\n"),
+              "FILE:3:3: key 'l' is given twice, first in line 2; remedy: delete one");
+    EXPECT_EQ(refusal(R"({"collision_spheres": {"l": [[0, 0, 0]]}})"),
+              "FILE:1:30: expected a sphere [x, y, z, radius], got a list of 3");
+    EXPECT_EQ(refusal(R"({"collision_spheres": {"l": [[0, 0, 0, 1]]})"),
+              "FILE:1:1: this '{' is never closed, or a ',' is missing in it; remedy: complete it");
+    EXPECT_EQ(
+        refusal(
+            "<robot name=\"r\"><link name=\"l\"><collision><geometry><sphere radius=\"big\"/></geometry></collision>"
+            "</link></robot>"),
+        "FILE:1: <sphere radius>: 'big' is not a finite number");
+    const std::string unknown =
+        ": no sphere model is known that looks like this; read are URDF, the JSON, CSV and PLY of foam, the database "
+        "of "
+        "the first foam, cuRobo, Lula, bubblify and plainmp YAML, XRDF, MorphIt, ballpark and pyroki JSON, and rows of "
+        "numbers";
+    EXPECT_EQ(refusal("{\"a\": 1}"), "FILE:1:1" + unknown);
+    EXPECT_EQ(refusal("just words"), "FILE:1:1" + unknown);
+}
+
+TEST_F(SphereFiles, AFileThatIsNotThere) {
+    EXPECT_THROW(read_sphere_file("/nowhere/at/all.json", registry), Error);
+}
+
+} // namespace
+} // namespace foam::test
