@@ -1,0 +1,44 @@
+// Spheres in the loop: geometry in memory to spheres in memory, without recipe, files or plugins.
+#pragma once
+
+#include <foam/measure.hpp>
+#include <foam/solid.hpp>
+#include <foam/sphere.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace foam {
+
+/// How long spherize() looks for better spheres. What each costs: docs/guide/spherizers.md.
+enum class Effort { fast, normal, best };
+
+struct SpherizeOptions {
+    Effort effort = Effort::normal;
+    std::uint64_t seed = 0;
+    /// Asked now and then; true ends the search with what has been found so far, covered and certified all the same.
+    /// Results are the same from run to run only if it never says true.
+    std::function<bool()> stop{};
+};
+
+/// Spheres that hold a solid, with the proof.
+struct Cover {
+    std::vector<Sphere> spheres; ///< m, in the solid's frame; at least one
+    Certificate certificate;     ///< that solid.surface() lies in their union; it always holds
+    double volume = 0;           ///< of their union, m³; to about 0.1 %
+};
+
+/// At most `count` spheres (at least 1) that hold the whole surface of the solid and claim little volume outside it.
+/// More spheres never claim more. The same result on any number of threads. Throws Error(geometry) where Solid::make
+/// does, Error(usage) for a count of 0.
+Cover spherize(const Solid& solid, std::size_t count, const SpherizeOptions& options = {});
+/// The same of a mesh: metres, any frame.
+Cover spherize(const Mesh& mesh, std::size_t count, const SpherizeOptions& options = {});
+/// One cover for each count: what spherize() gives, with the work shared between them.
+std::vector<Cover> spherize_each(const Solid& solid, std::span<const std::size_t> counts,
+                                 const SpherizeOptions& options = {});
+
+} // namespace foam

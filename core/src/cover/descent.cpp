@@ -1,0 +1,147 @@
+#include "cover/descent.hpp"
+
+#include "cover/exposed.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace foam::cover {
+
+/// Rounds over the points that press, after the first.
+static constexpr int sweeps = 8;
+
+void Descent::run(Points& points, Balls& balls, const DescentPlan& plan, const Refresh& refresh) {
+    owner_.assign(points.size(), 0);
+    pressed_.assign(points.size(), 0);
+    mean_.assign(balls.size(), {});
+    square_.assign(balls.size(), 0);
+    mean_scale_ = square_scale_ = 1;
+    float size = 0;
+    for (const Ball& ball : balls) {
+        size += ball.r / static_cast<float>(balls.size());
+    }
+    const float ratio =
+        plan.steps > 1 ? std::pow(plan.last_step / plan.first_step, 1 / static_cast<float>(plan.steps - 1)) : 1;
+    float length = plan.first_step * size;
+    for (int i = 0; i < plan.steps; ++i, length *= ratio) {
+        if (refresh && i % plan.refresh == 0) {
+            refresh(balls, points, length);
+            owner_.resize(points.size(), 0);
+            pressed_.resize(points.size(), 0);
+        }
+        slopes_.assign(balls.size(), {});
+        add_exposed_areas(balls, directions_[static_cast<std::size_t>(i) % directions_.size()]);
+        step(balls, length);
+        hold(points, balls, length);
+    }
+}
+
+void Descent::add_exposed_areas(const Balls& balls, const Points& directions) {
+    Exposed exposed;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        if (!exposed.look(balls, i, directions)) {
+            continue;
+        }
+        const Ball ball = balls[i];
+        Slope sum;
+        for (std::size_t k = 0; k < directions.size(); ++k) {
+            if (exposed.depth()[k] > 0) {
+                const float nx = directions.x[k], ny = directions.y[k], nz = directions.z[k];
+                const float w = occupancy_.outside(ball.x + ball.r * nx, ball.y + ball.r * ny, ball.z + ball.r * nz);
+                sum.x += w * nx;
+                sum.y += w * ny;
+                sum.z += w * nz;
+                sum.r += w;
+            }
+        }
+        const float area = 4 * std::numbers::pi_v<float> * ball.r * ball.r / static_cast<float>(directions.size());
+        slopes_[i] = {area * sum.x, area * sum.y, area * sum.z, area * sum.r};
+    }
+}
+
+void Descent::hold(const Points& points, Balls& balls, float slack) {
+    held_.clear();
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        const float x = points.x[p], y = points.y[p], z = points.z[p];
+        const Ball& last = balls[owner_[p]];
+        const float inner = last.r - slack;
+        if (inner > 0 && last.squared_distance(x, y, z) <= inner * inner) {
+            continue;
+        }
+        float least = std::numeric_limits<float>::infinity();
+        for (std::uint32_t i = 0; i < balls.size(); ++i) {
+            const float gap = std::sqrt(balls[i].squared_distance(x, y, z)) - balls[i].r;
+            if (gap < least) {
+                least = gap;
+                owner_[p] = i;
+            }
+        }
+        if (least > -slack) {
+            held_.push_back({x, y, z, 0, owner_[p], static_cast<std::uint32_t>(p)});
+        }
+    }
+    // Those that press in the first sweep are gone over again and again, the others once more at the end.
+    const auto press = [&](Held& h) {
+        Ball& ball = balls[h.owner];
+        const float dx = h.x - ball.x, dy = h.y - ball.y, dz = h.z - ball.z;
+        const float squared = dx * dx + dy * dy + dz * dz;
+        if (h.force == 0 && squared <= ball.r * ball.r) {
+            return;
+        }
+        const float distance = std::sqrt(squared);
+        const float change = std::max((distance - ball.r) / 2, -h.force);
+        h.force += change;
+        const float share = distance > 0 ? change / distance : 0;
+        ball.x += share * dx;
+        ball.y += share * dy;
+        ball.z += share * dz;
+        ball.r += change;
+    };
+    // Those that pressed in the last step come first: most of the others then find themselves held.
+    std::stable_partition(held_.begin(), held_.end(), [&](const Held& h) { return pressed_[h.point] != 0; });
+    for (Held& h : held_) {
+        press(h);
+    }
+    std::size_t pressing = held_.size();
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        std::size_t left = 0;
+        for (std::size_t k = 0; k < pressing; ++k) {
+            if (held_[k].force > 0) {
+                press(held_[k]);
+                std::swap(held_[k], held_[left++]);
+            }
+        }
+        pressing = left;
+    }
+    for (std::size_t k = pressing; k < held_.size(); ++k) {
+        press(held_[k]);
+    }
+    for (const Held& h : held_) {
+        pressed_[h.point] = h.force > 0;
+    }
+}
+
+void Descent::step(Balls& balls, float length) {
+    constexpr float mean_decay = 0.8f, square_decay = 0.95f;
+    mean_scale_ *= mean_decay;
+    square_scale_ *= square_decay;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        const Slope& s = slopes_[i];
+        Slope& m = mean_[i];
+        m = {mean_decay * m.x + (1 - mean_decay) * s.x, mean_decay * m.y + (1 - mean_decay) * s.y,
+             mean_decay * m.z + (1 - mean_decay) * s.z, mean_decay * m.r + (1 - mean_decay) * s.r};
+        // One scale for the four: a ball keeps its direction of steepest descent.
+        const float square = (s.x * s.x + s.y * s.y + s.z * s.z + s.r * s.r) / 4;
+        square_[i] = square_decay * square_[i] + (1 - square_decay) * square;
+        const float rms = std::sqrt(square_[i] / (1 - square_scale_));
+        const float scale = rms > 0 ? -length / (1 - mean_scale_) / rms : 0;
+        balls[i].x += scale * m.x;
+        balls[i].y += scale * m.y;
+        balls[i].z += scale * m.z;
+        balls[i].r = std::max(balls[i].r + scale * m.r, 1e-6f);
+    }
+}
+
+} // namespace foam::cover

@@ -1,0 +1,58 @@
+// Balls moved and sized so that their union claims less outside a solid and still holds its surface.
+#pragma once
+
+#include "cover/directions.hpp"
+#include "cover/problem.hpp"
+
+#include <functional>
+
+namespace foam::cover {
+
+/// Lengths of steps are in units of the balls' mean radius, falling from first to last geometrically.
+struct DescentPlan {
+    int steps = 100;
+    float first_step = 0.01f, last_step = 0.001f;
+    int refresh = 10; ///< steps between two looks at which points matter
+};
+
+/// Descent along the shape derivative (Wang et al. 2006 minimise the same outside volume): ∂ vol(U \ S) / ∂ r_i is the
+/// area of ball i outside the other balls and outside S, ∂ / ∂ c_i the integral of the normal over it. Steps
+/// of even length by adaptive moments (Kingma and Ba 2015). After each, the points that it left outside are taken back
+/// in by the least change of the balls in which they lie deepest: the projection onto linearised constraints by
+/// Hildreth's method, force by force. A ball that has little to gain shrinks less, so points change hands to where they
+/// cost less. Deterministic.
+class Descent {
+public:
+    /// `directions`: sets that steps take in turn.
+    Descent(const Occupancy& occupancy, const std::vector<Points>& directions)
+        : occupancy_(occupancy), directions_(directions) {}
+
+    /// `refresh(balls, points, length)` is called every `plan.refresh` steps, before the step, and may change the
+    /// points.
+    using Refresh = std::function<void(const Balls& balls, Points& points, float length)>;
+    void run(Points& points, Balls& balls, const DescentPlan& plan, const Refresh& refresh = {});
+
+private:
+    struct Held {
+        float x, y, z, force;
+        std::uint32_t owner, point;
+    };
+    struct Slope {
+        float x = 0, y = 0, z = 0, r = 0;
+    };
+    void add_exposed_areas(const Balls& balls, const Points& directions);
+    /// Takes the points back in; those nearer than `slack` to the outside are minded.
+    void hold(const Points& points, Balls& balls, float slack);
+    void step(Balls& balls, float length);
+
+    const Occupancy& occupancy_;
+    const std::vector<Points>& directions_;
+    std::vector<std::uint32_t> owner_;
+    std::vector<char> pressed_;
+    std::vector<Held> held_;
+    std::vector<Slope> slopes_, mean_;
+    std::vector<float> square_;
+    float mean_scale_ = 1, square_scale_ = 1;
+};
+
+} // namespace foam::cover

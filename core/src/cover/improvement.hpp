@@ -1,0 +1,39 @@
+// A set of balls made better: descents with the points that matter, rated by what the balls claim once closed.
+#pragma once
+
+#include "cover/descent.hpp"
+
+namespace foam::cover {
+
+/// Balls with the volume that they claim when they are closed, units³.
+struct Rated {
+    double volume = 0;
+    Balls balls;
+};
+
+class Improvement {
+public:
+    /// `directions`: a ball. The problem must outlive this.
+    Improvement(const Problem& problem, std::size_t directions, std::size_t first_points);
+
+    /// `creases`: points between balls are minded too; without, the rating is right to some hundredths only.
+    Rated improved(Balls balls, const DescentPlan& plan, bool creases) const;
+    /// The last touch: with all points, many directions and small steps.
+    void refine(Balls& balls, int steps) const;
+
+    /// Radii that the first points ask for, rated roughly.
+    Rated tightened(Balls balls) const;
+    /// Indices of the balls, the one that claims most outside first.
+    std::vector<std::size_t> by_waste(const Balls& balls) const;
+    std::vector<Sphere> spheres_of(const Balls& balls) const;
+
+private:
+    double closed_volume(const Balls& balls) const;
+
+    const Problem& problem_;
+    std::size_t first_points_;
+    Points first_;
+    std::vector<Points> directions_, fine_directions_;
+};
+
+} // namespace foam::cover

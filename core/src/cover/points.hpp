@@ -1,0 +1,66 @@
+// Points and balls as the descent reads them: coordinates apart and in single precision, so that compilers make vector
+// code of plain loops.
+#pragma once
+
+#include <foam/solid.hpp>
+#include <foam/sphere.hpp>
+
+#include <vector>
+
+namespace foam::cover {
+
+/// Lengths in units of half the diagonal of the solid's bounds, about their middle: parts of a tenth of a micrometre
+/// and parts a kilometre from the origin are the same to single precision.
+struct Frame {
+    Vec3 origin{};
+    double unit = 1; ///< m
+
+    explicit Frame(const Box& bounds)
+        : origin(bounds.center()), unit(bounds.diagonal() > 0 ? bounds.diagonal() / 2 : 1) {}
+    Vec3 to_unit(const Vec3& p) const { return (p - origin) / unit; }
+    Vec3 from_unit(const Vec3& p) const { return p * unit + origin; }
+};
+
+struct Points {
+    std::vector<float> x, y, z;
+
+    std::size_t size() const { return x.size(); }
+    void add(const Vec3& p) {
+        x.push_back(static_cast<float>(p.x));
+        y.push_back(static_cast<float>(p.y));
+        z.push_back(static_cast<float>(p.z));
+    }
+    void add(const Points& other, std::size_t i) {
+        x.push_back(other.x[i]);
+        y.push_back(other.y[i]);
+        z.push_back(other.z[i]);
+    }
+    void append(const Points& other) {
+        x.insert(x.end(), other.x.begin(), other.x.end());
+        y.insert(y.end(), other.y.begin(), other.y.end());
+        z.insert(z.end(), other.z.begin(), other.z.end());
+    }
+    Vec3 at(std::size_t i) const { return {x[i], y[i], z[i]}; }
+};
+
+/// A ball of the search, in the unit frame.
+struct Ball {
+    float x = 0, y = 0, z = 0, r = 0;
+
+    float squared_distance(float px, float py, float pz) const {
+        const float dx = px - x, dy = py - y, dz = pz - z;
+        return dx * dx + dy * dy + dz * dz;
+    }
+    bool operator==(const Ball&) const = default;
+};
+using Balls = std::vector<Ball>;
+
+inline Ball ball_of(const Sphere& s) {
+    return {static_cast<float>(s.center.x), static_cast<float>(s.center.y), static_cast<float>(s.center.z),
+            static_cast<float>(s.radius)};
+}
+inline float squared_distance(const Ball& a, const Ball& b) {
+    return a.squared_distance(b.x, b.y, b.z);
+}
+
+} // namespace foam::cover

@@ -1,0 +1,21 @@
+// What the search knows of a solid.
+#pragma once
+
+#include "cover/occupancy.hpp"
+
+#include <memory>
+
+namespace foam::cover {
+
+struct Problem {
+    const Solid* solid;
+    Frame frame;
+    Occupancy occupancy;
+    Points surface; ///< places that must be held: vertices and points spread evenly over the area
+    double volume;  ///< units³
+
+    /// `resolution`: of the occupancy; `points`: about as many places on the surface.
+    Problem(const Solid& solid, int resolution, std::size_t points, std::uint64_t seed);
+};
+
+} // namespace foam::cover

@@ -1,0 +1,61 @@
+// Covers of one solid by 1, 2, 3, … balls, each from those before.
+#pragma once
+
+#include "cover/improvement.hpp"
+
+#include <foam/host/spherize.hpp>
+#include <foam/random.hpp>
+
+#include <map>
+
+namespace foam::cover {
+
+/// What an effort means.
+struct Plan {
+    int resolution;           ///< cells of the occupancy along the longest extent
+    std::size_t points;       ///< on the surface
+    std::size_t first_points; ///< of them, that every descent minds
+    std::size_t directions;   ///< a ball
+    std::size_t starts;       ///< at random, beside those by rule
+    std::size_t kept;         ///< starts of each kind that are gone on with
+    int first_steps, steps, last_steps;
+    int moves; ///< of a ball to another place, tried one after another
+};
+Plan plan_for(Effort effort);
+
+class Search {
+public:
+    /// The solid must outlive this.
+    Search(const Solid& solid, const SpherizeOptions& options);
+
+    const Cover& cover(std::size_t count) { return model(count).cover; }
+
+private:
+    struct Model {
+        Balls balls;
+        Cover cover;
+    };
+    struct Starts {
+        std::vector<Balls> from_before, afresh;
+    };
+    const Model& model(std::size_t count);
+    Balls smallest_ball() const;
+    Starts starts(std::size_t count, const Balls& before) const;
+    Balls with_splits(const Balls& before, std::size_t count, std::size_t first, Random& random) const;
+    Rated best_of(const Starts& starts) const;
+    Rated moved_about(Rated best, Random random) const;
+    Balls thinned(Balls balls, std::size_t count, Random& random) const;
+    Balls moved(const Balls& balls, Random& random) const;
+    Model finished(const Balls& balls) const;
+    bool stopped() const { return options_.stop && options_.stop(); }
+
+    const Solid& solid_;
+    SpherizeOptions options_;
+    Plan plan_;
+    Problem problem_;
+    Points body_;
+    Improvement improvement_;
+    std::map<std::size_t, Model> models_;
+};
+
+} // namespace foam::cover

@@ -1,0 +1,31 @@
+#include "cover/search.hpp"
+
+#include <foam/error.hpp>
+
+namespace foam {
+
+std::vector<Cover> spherize_each(const Solid& solid, std::span<const std::size_t> counts,
+                                 const SpherizeOptions& options) {
+    for (const std::size_t count : counts) {
+        if (count == 0) {
+            throw Error(ErrorCode::usage,
+                        "spherize: a cover needs at least 1 sphere, got a count of 0; remedy: ask for 1 or more");
+        }
+    }
+    cover::Search search(solid, options);
+    std::vector<Cover> covers;
+    for (const std::size_t count : counts) {
+        covers.push_back(search.cover(count));
+    }
+    return covers;
+}
+
+Cover spherize(const Solid& solid, std::size_t count, const SpherizeOptions& options) {
+    return spherize_each(solid, {&count, 1}, options).front();
+}
+
+Cover spherize(const Mesh& mesh, std::size_t count, const SpherizeOptions& options) {
+    return spherize(*Solid::make(mesh), count, options);
+}
+
+} // namespace foam

@@ -1,0 +1,119 @@
+// foam::spherize(): known covers, monotony, what it refuses.
+#include "geometry/shapes.hpp"
+
+#include <foam/error.hpp>
+#include <foam/host/contract.hpp>
+#include <foam/host/spherize.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace foam;
+
+Mesh cube() {
+    return test::box({0, 0, 0}, {1, 1, 1});
+}
+
+/// Equal balls about the middles of a grid of boxes that the cube is cut into.
+std::vector<Sphere> balls_of_boxes(int nx, int ny, int nz) {
+    const Vec3 size{1.0 / nx, 1.0 / ny, 1.0 / nz};
+    std::vector<Sphere> balls;
+    for (int i = 0; i < nx * ny * nz; ++i) {
+        const Vec3 middle{(i % nx + 0.5) * size.x, (i / nx % ny + 0.5) * size.y, (i / nx / ny + 0.5) * size.z};
+        balls.push_back({middle, norm(size) / 2});
+    }
+    return balls;
+}
+
+void expect_as_good(const Cover& cover, const std::vector<Sphere>& known) {
+    EXPECT_LE(cover.spheres.size(), known.size());
+    EXPECT_TRUE(cover.certificate.holds);
+    EXPECT_LE(cover.volume, 1.02 * union_volume(known));
+}
+
+TEST(Spherize, CubeByOneTwoFourAndEightBalls) {
+    const auto solid = Solid::make(cube());
+    const std::vector<std::size_t> counts{1, 2, 4, 8};
+    const std::vector<Cover> covers = spherize_each(*solid, counts);
+    ASSERT_EQ(covers.size(), 4u);
+    EXPECT_NEAR(covers[0].spheres[0].radius, std::sqrt(3.0) / 2, 1e-4);
+    EXPECT_NEAR(distance(covers[0].spheres[0].center, {0.5, 0.5, 0.5}), 0, 1e-6);
+    expect_as_good(covers[0], balls_of_boxes(1, 1, 1));
+    expect_as_good(covers[1], balls_of_boxes(2, 1, 1));
+    expect_as_good(covers[2], balls_of_boxes(2, 2, 1));
+    expect_as_good(covers[3], balls_of_boxes(2, 2, 2));
+}
+
+TEST(Spherize, BallByOne) {
+    const auto solid = Solid::make(test::ball({1, 2, 3}, 0.5));
+    const Cover cover = spherize(*solid, 1);
+    EXPECT_NEAR(cover.spheres[0].radius, 0.5, 1e-4);
+    EXPECT_TRUE(cover.certificate.holds);
+    EXPECT_LE(spherize(*solid, 5).volume, cover.volume) << "more balls are of no use, but do no harm";
+}
+
+TEST(Spherize, LongBoxByARow) {
+    const auto solid = Solid::make(test::box({0, 0, 0}, {6, 1, 1}));
+    std::vector<Sphere> row;
+    for (int i = 0; i < 6; ++i) {
+        row.push_back({{i + 0.5, 0.5, 0.5}, std::sqrt(3.0) / 2});
+    }
+    expect_as_good(spherize(*solid, 6), row);
+}
+
+TEST(Spherize, Capsule) {
+    Primitive capsule;
+    capsule.kind = Primitive::Kind::capsule;
+    capsule.radius = 0.1;
+    capsule.length = 0.2;
+    const auto solid = Solid::make(std::vector<Solid::Part>{{nullptr, capsule, Pose{}}});
+    expect_as_good(spherize(*solid, 1), {{{0, 0, 0}, 0.2}});
+    // Those at the ends hold their caps and meet the one in the middle on the cylinder.
+    expect_as_good(spherize(*solid, 3), {{{0, 0, -0.08}, 0.12}, {{0, 0, 0}, 0.101}, {{0, 0, 0.08}, 0.12}});
+}
+
+TEST(Spherize, MoreBallsNeverClaimMore) {
+    const std::vector<std::size_t> counts{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 16, 20};
+    for (const char* name : {"Bracket", "Torus"}) {
+        SCOPED_TRACE(name);
+        const auto solid = sample::solids().at(name)();
+        double least = std::numeric_limits<double>::infinity();
+        std::size_t i = 0;
+        for (const Cover& cover : spherize_each(*solid, counts, {.effort = Effort::fast})) {
+            EXPECT_TRUE(cover.certificate.holds);
+            EXPECT_LE(cover.spheres.size(), counts[i++]);
+            EXPECT_LE(cover.volume, least);
+            least = cover.volume;
+        }
+    }
+}
+
+TEST(Spherize, TheSameAloneAndBesideOtherCounts) {
+    const auto solid = sample::solids().at("Bracket")();
+    const std::vector<std::size_t> counts{7, 3};
+    const std::vector<Cover> covers = spherize_each(*solid, counts, {.effort = Effort::fast});
+    EXPECT_EQ(covers[0].spheres, spherize(*solid, 7, {.effort = Effort::fast}).spheres);
+    EXPECT_EQ(covers[1].spheres, spherize(*solid, 3, {.effort = Effort::fast}).spheres);
+}
+
+TEST(Spherize, StoppedItIsCertifiedAllTheSame) {
+    const auto solid = sample::solids().at("Torus")();
+    const Cover cover = spherize(*solid, 12, {.stop = [] { return true; }});
+    EXPECT_TRUE(cover.certificate.holds);
+    EXPECT_TRUE(certify(*solid, cover.spheres).holds);
+}
+
+TEST(Spherize, OfNoSpheresIsRefused) {
+    try {
+        spherize(cube(), 0);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::usage);
+        EXPECT_STREQ(error.what(),
+                     "spherize: a cover needs at least 1 sphere, got a count of 0; remedy: ask for 1 or more");
+    }
+}
+
+} // namespace
