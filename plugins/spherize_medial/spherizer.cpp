@@ -1,6 +1,7 @@
 #include "spherizer.hpp"
 
 #include "best_with_at_most.hpp"
+#include "inner_balls.hpp"
 #include "stock.hpp"
 
 #include <foam/error.hpp>
@@ -171,6 +172,18 @@ SphereTree tree(const Stock& stock, const Level& first) {
     return result;
 }
 
+/// Two levels whatever the depth: what balls inside the solid stand for are no parts of its surface.
+SphereTree inner_tree(const Shape& shape, const Stock& stock, std::size_t count, Context& context) {
+    Level level;
+    level.balls = inner_balls(shape.original(), stock.frame(), stock.columns(), stock.spheres(), count, context);
+    if (level.balls.empty()) {
+        throw Error(ErrorCode::geometry,
+                    shape.name() + " has no interior that a sphere would fit in; remedy: guarantee outer or fitted");
+    }
+    level.parents.assign(level.balls.size(), 0);
+    return tree(stock, level);
+}
+
 /// Geometry that is a single point.
 SphereTree point_tree(const Shape& shape) {
     const Vec3 p = shape.original().bounds().center();
@@ -189,6 +202,10 @@ SphereTree MedialSpherizer::spherize(const Shape& shape, const Budget& budget, C
 
 std::vector<SphereTree> MedialSpherizer::spherize_each(const Shape& shape, std::span<const Budget> budgets,
                                                        Context& context) const {
+    if (std::any_of(budgets.begin(), budgets.end(),
+                    [](const Budget& budget) { return budget.guarantee == Guarantee::inner; })) {
+        return made(shape, budgets, context); // more balls inside never miss more
+    }
     return best_with_at_most(shape.original(), budgets, settings_.compare_with_fewer ? many_fewer : one_or_all,
                              [&](std::span<const Budget> all) { return made(shape, all, context); });
 }
@@ -208,6 +225,12 @@ std::vector<SphereTree> MedialSpherizer::made(const Shape& shape, std::span<cons
     }
     for (const auto& [tier, indices] : by_tier) {
         Stock stock(shape, tier, settings_, context);
+        if (budgets[indices.front()].guarantee == Guarantee::inner) {
+            for (const std::size_t i : indices) {
+                trees[i] = inner_tree(shape, stock, budgets[i].max_spheres.value_or(settings_.branch), context);
+            }
+            continue;
+        }
         std::vector<std::size_t> counts;
         for (const std::size_t i : indices) {
             counts.push_back(first_count(budgets[i], settings_));

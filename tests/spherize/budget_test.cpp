@@ -2,6 +2,7 @@
 #include "all_spherizers.hpp"
 
 #include <foam/host/contract.hpp>
+#include <foam/inner.hpp>
 #include <foam/measure.hpp>
 
 #include <gtest/gtest.h>
@@ -34,6 +35,26 @@ TEST_P(GrowingBudget, NeverClaimsMoreNorLeavesMoreOpen) {
             least = std::min(least, claimed);
         }
         EXPECT_LT(least, 0.95 * union_volume(trees[0].finest())) << "no use is made of 32 spheres";
+    }
+}
+
+TEST_P(GrowingBudget, InsideNeverMissesMore) {
+    const auto stage = all_spherizers().make<Spherizer>(GetParam());
+    for (const std::string name : {"Box", "Bracket", "Torus"}) {
+        SCOPED_TRACE(name);
+        const auto solid = sample::solids().at(name)();
+        QuietContext context;
+        double most = 0;
+        for (const std::size_t count : {1, 2, 4, 8, 16, 32}) {
+            const SphereTree tree = stage->spherize({name, solid, solid}, {count, {}, Guarantee::inner}, context);
+            const std::vector<Sphere> inside = shrunk_to_fit(*solid, tree.finest());
+            EXPECT_TRUE(certify_inner(*solid, inside).holds);
+            std::vector<Sphere> left = inside;
+            std::erase_if(left, [](const Sphere& sphere) { return sphere.radius == 0; });
+            const double held = union_volume(left, 4'000);
+            EXPECT_GE(held, most * (1 - 1e-3)) << count << " spheres";
+            most = std::max(most, held);
+        }
     }
 }
 

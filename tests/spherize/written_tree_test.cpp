@@ -105,7 +105,7 @@ TEST_P(WrittenTree, EveryLevelLiesInside) {
     const RunResult result = run_with("inner");
     EXPECT_TRUE(result.certified);
     const SphereTree tree = read_levels();
-    ASSERT_GE(tree.levels.size(), 2u); // inner balls of cells are no tree
+    ASSERT_GE(tree.levels.size(), 2u); // balls inside are no tree of parts
     QuietContext context;
     const auto part = Solid::make(registry.make<MeshLoader>("load.mesh")->load(folder.path() / "part.obj", context));
     for (const SphereTree::Level& level : tree.levels) {

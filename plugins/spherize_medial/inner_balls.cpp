@@ -1,0 +1,104 @@
+#include "inner_balls.hpp"
+
+#include <foam/parallel.hpp>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace foam::medial {
+namespace {
+
+/// The points inside of a cubic lattice over the box of half edge 1/2 about the origin, in which the solid lies.
+std::vector<Vec3> points_inside(const Columns& columns, int along) {
+    std::vector<Vec3> points;
+    const auto at = [&](int i) { return (i + 0.5) / along - 0.5; };
+    for (int x = 0; x < along; ++x) {
+        for (int y = 0; y < along; ++y) {
+            for (int z = 0; z < along; ++z) {
+                const Vec3 p{at(x), at(y), at(z)};
+                if (columns.inside(p)) {
+                    points.push_back(p);
+                }
+            }
+        }
+    }
+    return points;
+}
+
+/// Enough points for a choice, also in slender solids that fill little of the lattice's box.
+std::vector<Vec3> points_inside(const Columns& columns) {
+    constexpr std::size_t enough = 3'000;
+    std::vector<Vec3> points;
+    for (int along = 24; along <= 96 && points.size() < enough; along *= 2) {
+        points = points_inside(columns, along);
+    }
+    return points;
+}
+
+/// The ball about a centre, as large as the solid lets it; radius not above zero outside.
+Sphere ball_about(const Vec3& center, const Solid& solid, const Frame& frame) {
+    return {center, -solid.signed_distance(frame.to_world(center)) / frame.scale};
+}
+
+/// A larger ball near by: pattern search (Hooke and Jeeves 1961).
+Sphere enlarged(Sphere best, const Solid& solid, const Frame& frame) {
+    for (double step = best.radius / 2; step > best.radius / 20;) {
+        bool better = false;
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const double side : {-step, step}) {
+                Vec3 next = best.center;
+                next[axis] += side;
+                if (const Sphere ball = ball_about(next, solid, frame); ball.radius > best.radius) {
+                    best = ball;
+                    better = true;
+                }
+            }
+        }
+        step = better ? step : step / 2;
+    }
+    return best;
+}
+
+} // namespace
+
+std::vector<Sphere> inner_balls(const Solid& solid, const Frame& frame, const Columns& columns,
+                                std::span<const Sphere> centers, std::size_t count, Context& context) {
+    // As they are, and moved to where there is more room.
+    std::vector<Sphere> balls(2 * centers.size());
+    parallel_for(centers.size(), [&](std::size_t i) {
+        balls[2 * i] = ball_about(centers[i].center, solid, frame);
+        balls[2 * i + 1] = enlarged(balls[2 * i], solid, frame);
+    });
+    std::erase_if(balls, [](const Sphere& ball) { return !(ball.radius > 0); });
+    std::stable_sort(balls.begin(), balls.end(), [](const Sphere& a, const Sphere& b) { return a.radius > b.radius; });
+    const std::vector<Vec3> points = points_inside(columns);
+    std::vector<std::vector<std::uint32_t>> held(balls.size());
+    parallel_for(balls.size(), [&](std::size_t i) {
+        for (std::uint32_t p = 0; p < points.size(); ++p) {
+            if (distance(points[p], balls[i].center) <= balls[i].radius) {
+                held[i].push_back(p);
+            }
+        }
+    });
+    std::vector<Sphere> chosen;
+    std::vector<char> open(points.size(), 1);
+    while (chosen.size() < count && !balls.empty()) {
+        context.check_cancelled();
+        std::vector<std::size_t> gain(balls.size());
+        parallel_for(balls.size(), [&](std::size_t i) {
+            gain[i] = static_cast<std::size_t>(
+                std::count_if(held[i].begin(), held[i].end(), [&](std::uint32_t p) { return open[p] != 0; }));
+        });
+        const auto best = static_cast<std::size_t>(std::max_element(gain.begin(), gain.end()) - gain.begin());
+        if (gain[best] == 0 && !chosen.empty()) {
+            break; // what is left is finer than the lattice
+        }
+        chosen.push_back(balls[best]);
+        for (const std::uint32_t p : held[best]) {
+            open[p] = 0;
+        }
+    }
+    return chosen;
+}
+
+} // namespace foam::medial
