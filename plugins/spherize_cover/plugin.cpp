@@ -56,8 +56,7 @@ FOAM_PLUGIN("spherize_cover", "1.0", "Apache-2.0") {
         .parameters =
             {
                 foam::Parameter::choice("effort", {"fast", "normal", "best"}, "normal")
-                    .doc("How long to look for better spheres: fast takes about a third of normal, best twenty times "
-                         "as long."),
+                    .doc("How long to look: fast takes about half as long as normal, best fifteen times as long."),
                 foam::Parameter::integer("spheres", 8).bounds(1, 256).doc("Number of spheres where no budget says."),
             },
     });
