@@ -45,6 +45,7 @@ def check_files(program, source):
                   "FOAM_TEST_UPDATE=1 ./foam test -R schema.files")
             failures += 1
     recipes = [file for folder in ("configs", "apps", "docs/examples") for file in sorted((source / folder).rglob("*.yaml"))]
+    recipes = [file for file in recipes if "\nfoam_experiment: " not in file.read_text(encoding="utf-8")] # these have no schema
     assert len(recipes) > 10, recipes
     for recipe in recipes:
         if not recipe.read_text(encoding="utf-8").startswith("# yaml-language-server: $schema="):
