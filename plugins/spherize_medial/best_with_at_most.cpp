@@ -11,6 +11,10 @@ namespace foam::medial {
 /// Of union_volume(): an error of about 1/4000, so that what claims as much is not told apart by noise.
 static constexpr std::size_t directions = 4'000;
 
+/// Spheres that claim less than this share of what one ball claims before they grow, do so after it too: a method's
+/// spheres nearly cover. Growing is the dear part.
+static constexpr double clearly_less = 0.75;
+
 std::vector<std::size_t> many_fewer(std::size_t most) {
     std::vector<std::size_t> counts;
     for (std::size_t count = 1; count < most;
@@ -31,6 +35,7 @@ std::vector<SphereTree> best_with_at_most(const Solid& solid, std::span<const Bu
     std::vector<Budget> all;
     std::map<std::size_t, std::size_t> index; // of a count in `all`
     std::set<std::size_t> compared;           // indices
+    bool with_one_only = true;
     for (const Budget& budget : budgets) {
         if (!budget.max_spheres) {
             continue;
@@ -44,6 +49,7 @@ std::vector<SphereTree> best_with_at_most(const Solid& solid, std::span<const Bu
                 compared.insert(index.at(count));
             }
         }
+        with_one_only = with_one_only && list.size() <= 2;
     }
     const std::size_t numbers = all.size();
     for (const Budget& budget : budgets) {
@@ -52,9 +58,16 @@ std::vector<SphereTree> best_with_at_most(const Solid& solid, std::span<const Bu
         }
     }
     std::vector<SphereTree> trees = make(all);
+    const double clear =
+        with_one_only && !compared.empty() ? clearly_less * union_volume(trees[index.at(1)].finest(), directions) : 0;
     std::vector<double> claimed(numbers);
     parallel_for(numbers, [&](std::size_t i) {
-        claimed[i] = compared.contains(i) ? union_volume(grown_to_cover(solid, trees[i].finest()), directions) : 0;
+        if (compared.contains(i)) {
+            claimed[i] = union_volume(trees[i].finest(), directions);
+            if (claimed[i] >= clear) {
+                claimed[i] = union_volume(grown_to_cover(solid, trees[i].finest()), directions);
+            }
+        }
     });
     std::vector<SphereTree> result;
     std::size_t without_number = numbers;
