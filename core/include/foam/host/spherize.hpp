@@ -32,7 +32,8 @@ struct Cover {
 };
 
 /// At most `count` spheres (at least 1) that hold the whole surface of the solid and claim little volume outside it.
-/// More spheres never claim more. The same result on any number of threads. Throws Error(geometry) where Solid::make
+/// Along the counts 1 to 12, 14, 16, 20, 24, 30, 36, 44… more spheres never claim more; any other count claims no more
+/// than the one of these below it. The same result on any number of threads. Throws Error(geometry) where Solid::make
 /// does, Error(usage) for a count of 0.
 Cover spherize(const Solid& solid, std::size_t count, const SpherizeOptions& options = {});
 /// The same of a mesh: metres, any frame.
