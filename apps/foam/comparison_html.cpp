@@ -1,6 +1,7 @@
 // A comparison as one HTML file: no other file, no network, no script.
 #include "comparison.hpp"
 
+#include <foam/host/markup.hpp>
 #include <foam/host/version.hpp>
 
 #include <fmt/format.h>
@@ -22,29 +23,6 @@ th,td{padding:.25rem .7rem;text-align:right;border-bottom:1px solid var(--line);
 th:first-child,td:first-child{text-align:left}th.first,td.first{border-left:2px solid var(--line)}
 .bar{display:block;height:.35rem;background:var(--bar)}.yes{color:var(--good)}.no{color:var(--bad)}
 img{max-width:100%;height:auto;background:#fff;border:1px solid var(--line)}footer{margin-top:2rem;opacity:.7})";
-
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-        case '&':
-            result += "&amp;";
-            break;
-        case '<':
-            result += "&lt;";
-            break;
-        case '>':
-            result += "&gt;";
-            break;
-        case '"':
-            result += "&quot;";
-            break;
-        default:
-            result += c;
-        }
-    }
-    return result;
-}
 
 std::string base64(std::string_view bytes) {
     constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -79,8 +57,8 @@ std::string total_table(const Comparison& comparison) {
         html += fmt::format(
             "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
             "<td>{}</td><td>{}</td>{}</tr>\n",
-            judged.label, escaped(judged.model.file.file.string()), escaped(judged.model.file.format), m.spheres,
-            number(100 * m.covered, 2), number(1000 * m.gap, 2), number(m.excess, 3), number(m.missing, 3),
+            judged.label, markup_escaped(judged.model.file.file.string()), markup_escaped(judged.model.file.format),
+            m.spheres, number(100 * m.covered, 2), number(1000 * m.gap, 2), number(m.excess, 3), number(m.missing, 3),
             number(1000 * m.protrusion_max, 1), number(1000 * m.protrusion_mean, 1), certified(m.certified));
     }
     return html + "</tbody></table></div>\n";
@@ -120,7 +98,7 @@ std::string link_table(const Comparison& comparison) {
     html += "</tr></thead><tbody>\n";
     const double longest = longest_bar(comparison);
     for (std::size_t i = 0; i < comparison.original.links.size(); ++i) {
-        html += fmt::format("<tr><td>{}</td>", escaped(comparison.original.links[i].link));
+        html += fmt::format("<tr><td>{}</td>", markup_escaped(comparison.original.links[i].link));
         for (const JudgedModel& judged : comparison.models) {
             html += link_cells(judged.evaluation.links[i].measures, longest);
         }
@@ -133,7 +111,7 @@ std::string notes(const Comparison& comparison) {
     std::string html;
     for (const JudgedModel& judged : comparison.models) {
         for (const std::string& note : judged.model.notes) {
-            html += fmt::format("<li>{}: {}</li>\n", judged.label, escaped(note));
+            html += fmt::format("<li>{}: {}</li>\n", judged.label, markup_escaped(note));
         }
     }
     return html.empty() ? "" : "<h2>Notes</h2>\n<ul>\n" + html + "</ul>\n";
@@ -142,7 +120,7 @@ std::string notes(const Comparison& comparison) {
 } // namespace
 
 std::string html_of(const Comparison& comparison, const std::string& png) {
-    const std::string title = "Sphere models of " + escaped(comparison.original.file.filename().string());
+    const std::string title = "Sphere models of " + markup_escaped(comparison.original.file.filename().string());
     std::string html =
         fmt::format("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title>\n"
                     "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"

@@ -1,5 +1,7 @@
 #include "scale.hpp"
 
+#include <foam/host/markup.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,29 +23,6 @@ constexpr std::array<const char*, 8> light{"#0072b2", "#c04a00", "#008060", "#b0
 constexpr std::array<const char*, 8> dark{"#58a6ff", "#ff9350", "#3fd0a0", "#f29ac6",
                                           "#e0c84a", "#f0f6fc", "#b99cff", "#ff7b7b"};
 constexpr std::size_t marker_kinds = 5;
-
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-        case '&':
-            result += "&amp;";
-            break;
-        case '<':
-            result += "&lt;";
-            break;
-        case '>':
-            result += "&gt;";
-            break;
-        case '"':
-            result += "&quot;";
-            break;
-        default:
-            result += c;
-        }
-    }
-    return result;
-}
 
 std::size_t letters(const std::string& text) {
     return static_cast<std::size_t>(std::count_if(
@@ -109,20 +88,20 @@ public:
             "\n"
             R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0:.0f}" height="{1:.0f}" viewBox="0 0 {0:.0f} {1:.0f}" role="img" aria-label="{2}">)"
             "\n<title>{2}</title>\n",
-            width, height, escaped(plot_.title));
+            width, height, markup_escaped(plot_.title));
         add_style();
         add("<rect class=\"paper\" width=\"{:.0f}\" height=\"{:.0f}\"/>\n", width, height);
         add("<text class=\"title\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", margin, margin + letter,
-            escaped(plot_.title));
+            markup_escaped(plot_.title));
         for (std::size_t p = 0; p < plot_.panels.size(); ++p) {
             add_panel(plot_.panels[p], left + static_cast<double>(p) * (panel_width_ + between), p == 0);
         }
         const double middle = top_ + panel_height_ / 2;
         add("<text class=\"label\" text-anchor=\"middle\" transform=\"translate({:.1f} {:.1f}) "
             "rotate(-90)\">{}</text>\n",
-            margin, middle, escaped(plot_.y.label));
+            margin, middle, markup_escaped(plot_.y.label));
         add("<text class=\"label\" text-anchor=\"middle\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
-            (left + legend_x - margin) / 2, top_ + panel_height_ + below - margin / 2, escaped(plot_.x.label));
+            (left + legend_x - margin) / 2, top_ + panel_height_ + below - margin / 2, markup_escaped(plot_.x.label));
         add_legend(legend_x);
         return std::move(text_) + "</svg>\n";
     }
@@ -189,7 +168,7 @@ private:
     void add_panel(const Panel& panel, double x0, bool first) {
         if (!panel.title.empty()) {
             add("<text class=\"title\" text-anchor=\"middle\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
-                x0 + panel_width_ / 2, top_ - 8, escaped(panel.title));
+                x0 + panel_width_ / 2, top_ - 8, markup_escaped(panel.title));
         }
         add_axes(x0, first);
         for (const Series& series : panel.series) {
@@ -254,7 +233,7 @@ private:
             add("<path class=\"line {}\" d=\"M{:.1f} {:.1f}h{:.1f}\"/>\n", look(i), x0, y, legend_symbol - 8);
             add_marker(i, x0 + (legend_symbol - 8) / 2, y);
             add("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x0 + legend_symbol, y + 0.35 * letter,
-                escaped(legend_.labels[i]));
+                markup_escaped(legend_.labels[i]));
         }
     }
 

@@ -2,6 +2,8 @@
 
 #include "files.hpp"
 
+#include <foam/host/markup.hpp>
+
 #include <fmt/format.h>
 
 namespace foam {
@@ -24,29 +26,6 @@ ResourceResolver resolver_of(const Recipe& recipe) {
     return ResourceResolver::from_environment().preceded_by(std::move(folders));
 }
 
-std::string xml_escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-        case '&':
-            result += "&amp;";
-            break;
-        case '<':
-            result += "&lt;";
-            break;
-        case '>':
-            result += "&gt;";
-            break;
-        case '"':
-            result += "&quot;";
-            break;
-        default:
-            result += c;
-        }
-    }
-    return result;
-}
-
 /// A robot of one link whose collision geometry is the mesh.
 Robot robot_of_mesh(const fs::path& file, const std::string& reference) {
     Robot robot;
@@ -64,7 +43,7 @@ Robot robot_of_mesh(const fs::path& file, const std::string& reference) {
                                "    </collision>\n"
                                "  </link>\n"
                                "</robot>\n",
-                               xml_escaped(robot.name), xml_escaped(reference));
+                               markup_escaped(robot.name), markup_escaped(reference));
     Link link;
     link.name = robot.name;
     GeometryElement element;
