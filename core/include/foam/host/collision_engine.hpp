@@ -1,0 +1,70 @@
+// What a collision library is asked about a robot among obstacles. Each library has a program of its own, so that this
+// foam needs none of them and survives when one aborts.
+#pragma once
+
+#include <foam/mesh.hpp>
+#include <foam/robot.hpp>
+#include <foam/vector.hpp>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace foam {
+
+/// A solid in the frame of its body; metres. A mesh is in the frame of the shape.
+struct EngineShape {
+    Pose pose;
+    std::variant<Primitive, std::shared_ptr<const Mesh>> geometry;
+};
+
+/// A link.
+using EngineBody = std::vector<EngineShape>;
+
+struct EngineRobot {
+    std::vector<EngineBody> bodies;
+    std::vector<std::array<std::uint32_t, 2>> pairs; ///< bodies that are tested against each other, lower index first
+};
+
+/// A box or a sphere, in the frame of the robot's root.
+struct Obstacle {
+    Pose pose;
+    Primitive shape;
+};
+
+/// A robot and obstacles in a collision library.
+class CollisionEngine {
+public:
+    virtual ~CollisionEngine();
+    CollisionEngine(const CollisionEngine&) = delete;
+    CollisionEngine& operator=(const CollisionEngine&) = delete;
+
+    /// As many as before and of the same kinds, one by one.
+    virtual void set_obstacles(const std::vector<Obstacle>& obstacles) = 0;
+    /// The poses of the bodies in the frame of the robot's root.
+    virtual void move(std::span<const Pose> poses) = 0;
+    /// May stop at the first collision.
+    virtual bool hits_obstacle() = 0;
+    virtual bool hits_itself() = 0;
+    /// m; 0 or below in collision; infinity if there is no pair.
+    virtual double distance_to_obstacles() = 0;
+    virtual double distance_to_itself() = 0;
+
+protected:
+    CollisionEngine();
+};
+
+/// `name`: of the engine, where a program has several.
+using EngineMaker = std::function<std::unique_ptr<CollisionEngine>(const std::string& name, const EngineRobot& robot,
+                                                                   const std::vector<Obstacle>& obstacles)>;
+
+/// The whole main() of an engine's program: reads a problem from standard input, asks, answers to who started it.
+/// `version`: of the library.
+int serve_engine(const std::string& version, const EngineMaker& make);
+
+} // namespace foam
