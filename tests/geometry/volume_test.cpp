@@ -2,6 +2,8 @@
 #include "geometry/shapes.hpp"
 
 #include <foam/measure.hpp>
+#include <foam/random.hpp>
+#include <foam/union_volume.hpp>
 
 #include <gtest/gtest.h>
 
@@ -69,6 +71,65 @@ TEST(UnionVolume, AnalyticCases) {
         EXPECT_NEAR(union_volume(two), 2 * unit - pi * (4 + d) * (2 - d) * (2 - d) / 12, 0.01);
         EXPECT_NEAR(union_volume(two, 100'000), 2 * unit - pi * (4 + d) * (2 - d) * (2 - d) / 12, 2e-4);
     }
+}
+
+TEST(ExactUnionVolume, ClosedForms) {
+    const double unit = 4 / 3.0 * pi;
+    EXPECT_EQ(exact_union_volume({}), 0);
+    EXPECT_NEAR(exact_union_volume(std::vector<Sphere>{{{5, 6, 7}, 1}}), unit, 1e-13);
+    EXPECT_NEAR(exact_union_volume(std::vector<Sphere>{{{}, 1}, {{}, 1}, {{0.1, 0, 0}, 0.5}, {{}, 1}}), unit, 1e-13);
+    EXPECT_NEAR(exact_union_volume(std::vector<Sphere>{{{}, 1}, {{3, 0, 0}, 0.5}}), unit * 1.125, 1e-13);
+    EXPECT_NEAR(exact_union_volume(std::vector<Sphere>{{{}, 1}, {{1.5, 0, 0}, 0.5}}), unit * 1.125, 1e-13) << "touch";
+    EXPECT_NEAR(exact_union_volume(std::vector<Sphere>{{{}, 1}, {{0.5, 0, 0}, 0.5}}), unit, 1e-13) << "touch inside";
+    for (const double d : {1e-3, 0.3, 1.0, 1.9, 1.999}) {
+        const std::vector<Sphere> two{{{}, 1}, {{0, 0, d}, 1}};
+        EXPECT_NEAR(exact_union_volume(two), 2 * unit - pi * (4 + d) * (2 - d) * (2 - d) / 12, 1e-12) << d;
+    }
+}
+
+TEST(ExactUnionVolume, DegenerateArrangements) {
+    // A row of three of which the middle one lies between the circles of the others; three that share a circle.
+    const double lens = pi * 5 / 12; // of unit balls at distance 1
+    const double unit = 4 / 3.0 * pi;
+    EXPECT_NEAR(exact_union_volume(std::vector<Sphere>{{{0, 0, 0}, 1}, {{0, 0, 1}, 1}, {{0, 0, 2}, 1}}),
+                3 * unit - 2 * lens, 1e-12);
+    const double wide = std::sqrt(2.0);
+    const std::vector<Sphere> shared{{{0, 0, 0}, 1}, {{0, 0, 1}, wide}, {{0, 0, -1}, wide}};
+    const std::vector<Sphere> pair{{{0, 0, 1}, wide}, {{0, 0, -1}, wide}};
+    EXPECT_NEAR(exact_union_volume(shared), exact_union_volume(pair), 1e-12) << "the first lies within the others";
+    // Corners of a cube with circumscribed balls of radius √3/2: all spheres meet in its centre, and pairs in one
+    // plane.
+    std::vector<Sphere> cube;
+    for (int i = 0; i < 8; ++i) {
+        cube.push_back({{i & 1 ? 1.0 : 0.0, i & 2 ? 1.0 : 0.0, i & 4 ? 1.0 : 0.0}, std::sqrt(3.0) / 2});
+    }
+    EXPECT_NEAR(exact_union_volume(cube), 4 * pi + 2, 1e-12);
+    std::vector<Sphere> twice = cube;
+    twice.insert(twice.end(), cube.begin(), cube.end());
+    EXPECT_NEAR(exact_union_volume(twice), exact_union_volume(cube), 1e-12);
+}
+
+TEST(ExactUnionVolume, AgreesWithQuadratureOnRandomBalls) {
+    Random random(7);
+    for (const std::size_t count : {5, 20, 60}) {
+        std::vector<Sphere> balls;
+        for (std::size_t i = 0; i < count; ++i) {
+            balls.push_back({{random.uniform(), random.uniform(), random.uniform()}, 0.05 + 0.3 * random.uniform()});
+        }
+        const double exact = exact_union_volume(balls);
+        EXPECT_NEAR(exact / union_volume(balls, 50'000), 1, 2e-4) << count;
+        std::reverse(balls.begin(), balls.end());
+        EXPECT_NEAR(exact_union_volume(balls) / exact, 1, 1e-13) << "the order is of no concern";
+        for (Sphere& ball : balls) {
+            ball.center += Vec3{100, -50, 7};
+        }
+        EXPECT_NEAR(exact_union_volume(balls) / exact, 1, 1e-10) << "nor the place";
+    }
+}
+
+TEST(ExactUnionVolume, IgnoresWhatIsNoBall) {
+    const std::vector<Sphere> spheres{{{}, 1}, {{}, -3}, {{std::nan(""), 0, 0}, 2}, {{1, 0, 0}, 0}, {{}, std::nan("")}};
+    EXPECT_NEAR(exact_union_volume(spheres), 4 / 3.0 * pi, 1e-13);
 }
 
 TEST(UnionVolume, IgnoresWhatIsNoBall) {

@@ -5,6 +5,7 @@
 #include <foam/error.hpp>
 #include <foam/host/run.hpp>
 #include <foam/measure.hpp>
+#include <foam/union_volume.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -76,6 +77,44 @@ TEST_F(Run, WritesACertifiedRobotWithinItsBudget) {
         EXPECT_TRUE(fs::exists(folder.path() / "out" / file)) << file;
     }
     EXPECT_THAT(read_file(folder.path() / "out/two.urdf"), HasSubstr("<!-- the base -->"));
+}
+
+TEST_F(Run, MoreSpheresForTheRobotNeverClaimMore) {
+    write_file(folder.path() / "arm.urdf", R"(<?xml version="1.0"?>
+<robot name="arm">
+  <link name="base"><collision><geometry><box size="0.4 0.3 0.1"/></geometry></collision></link>
+  <link name="bracket">
+    <collision><geometry><box size="0.3 0.05 0.1"/></geometry></collision>
+    <collision><origin xyz="0.125 0.1 0"/><geometry><box size="0.05 0.2 0.1"/></geometry></collision>
+  </link>
+  <link name="pole"><collision><geometry><cylinder radius="0.05" length="0.5"/></geometry></collision></link>
+  <link name="left"><collision><geometry><box size="0.02 0.03 0.15"/></geometry></collision></link>
+  <link name="right"><collision><geometry><box size="0.02 0.03 0.15"/></geometry></collision></link>
+  <joint name="a" type="fixed"><parent link="base"/><child link="bracket"/></joint>
+  <joint name="b" type="fixed"><parent link="bracket"/><child link="pole"/></joint>
+  <joint name="c" type="fixed"><parent link="pole"/><child link="left"/></joint>
+  <joint name="d" type="fixed"><parent link="pole"/><child link="right"/></joint>
+</robot>
+)");
+    double least = std::numeric_limits<double>::infinity(), first = 0;
+    for (std::size_t budget = 5; budget <= 18; ++budget) {
+        Recipe arm = recipe("stages: [spherize.grid]\nlinks: {base: {max_spheres: 5}}\nbudget: {spheres: " +
+                            std::to_string(budget) + "}\n");
+        arm.urdf = {"arm.urdf"};
+        const RunResult result = run(arm, registry, options());
+        EXPECT_TRUE(result.certified);
+        double claimed = 0;
+        for (const auto& [link, spheres] :
+             registry.make<Writer>("write.urdf")->read(read_file(folder.path() / "out/two.urdf"))) {
+            EXPECT_LE(spheres.size(), link == "base" ? 5u : budget);
+            claimed += exact_union_volume(spheres);
+        }
+        // What is written is rounded to about a millionth of a link's size.
+        EXPECT_LE(claimed, least * (1 + 1e-5)) << budget;
+        least = std::min(least, claimed);
+        first = std::max(first, claimed);
+    }
+    EXPECT_LT(least, 0.6 * first);
 }
 
 TEST_F(Run, ASphereStaysOneSphereWhateverTheSpherizer) {
@@ -198,9 +237,8 @@ TEST_F(Run, ALostLinkIsOnlyLostOnRequest) {
     EXPECT_FALSE(fallback.links_lost);
     EXPECT_TRUE(fallback.certified);
     EXPECT_EQ(fallback.links[1].measures.spheres, 1u);
-    EXPECT_THAT(fallback.findings,
-                ::testing::Contains(::testing::Field(&Finding::message,
-                                                     HasSubstr("one enclosing sphere stands in for the link"))));
+    EXPECT_THAT(fallback.findings, ::testing::Contains(::testing::Field(
+                                       &Finding::message, HasSubstr("one enclosing sphere stands in for the link"))));
 }
 
 TEST_F(Run, ABudgetBelowOneSphereALinkIsRefused) {

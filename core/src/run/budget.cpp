@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 namespace foam {
 namespace {
@@ -43,74 +42,86 @@ void explore(const Workspace& workspace, std::vector<ShapeWork>& shapes,
     }
 }
 
-std::vector<Claim> claims_of(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups, std::size_t total,
-                             bool known_only) {
-    std::vector<Claim> claims;
+/// The shapes of the groups that have no error, one a group.
+std::vector<const ShapeWork*> takers(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups) {
+    std::vector<const ShapeWork*> works;
     for (const Group& group : groups) {
-        const ShapeWork& work = shapes[group.shape];
-        if (!work.error) {
-            claims.push_back({&work.curve, work.least, std::min(work.most, total), known_only});
+        if (!shapes[group.shape].error) {
+            works.push_back(&shapes[group.shape]);
         }
     }
-    return claims;
+    return works;
 }
 
-/// The count of every group (0 for those with an error) so that the robot has `total` spheres at the least wrong
-/// volume. The curves are explored where the allocation goes, until it only rests on known counts.
-std::vector<std::size_t> share_spheres(const Workspace& workspace, std::vector<ShapeWork>& shapes,
-                                       const std::vector<Group>& groups, std::size_t total) {
+/// What a sphere more than were explored may save, m³: costs were seen to fall as count^-0.4 on links of robots.
+double expected_gain(const ShapeWork& work) {
+    return work.asked.rbegin()->first < work.most
+               ? 0.4 * work.curve.least() / static_cast<double>(work.asked.rbegin()->first)
+               : 0;
+}
+
+/// Explores the curves, always where a sphere more may save most, until at the price of what it may save there the
+/// shapes would take as many as there are. The order does not depend on `total`, only its end does: more spheres to
+/// share mean that the same is known and perhaps more, and the best sharing is never worse.
+void explore_curves(const Workspace& workspace, std::vector<ShapeWork>& shapes, const std::vector<Group>& groups,
+                    std::size_t total) {
     std::vector<std::vector<std::size_t>> wanted(shapes.size());
     for (std::size_t s = 0; s < shapes.size(); ++s) {
         wanted[s] = first_counts(workspace.recipe, shapes[s], groups.size());
     }
-    std::vector<std::size_t> counts;
-    constexpr int rounds = 8;
-    for (int round = 0; round < rounds; ++round) {
+    while (true) {
         explore(workspace, shapes, wanted);
-        const std::vector<Claim> claims = claims_of(shapes, groups, total, false);
-        counts = allocate(claims, total);
-        if (counts.empty()) {
-            break;
-        }
-        bool settled = true;
-        for (auto& list : wanted) {
-            list.clear();
-        }
-        std::size_t c = 0;
-        for (const Group& group : groups) {
-            ShapeWork& work = shapes[group.shape];
-            if (work.error) {
-                continue;
-            }
-            const std::size_t count = counts[c++];
-            // The neighbours too: the next round then knows whether one more or less pays.
-            for (std::size_t near = std::max(work.least, count - 1); near <= std::min({work.most, total, count + 1});
-                 ++near) {
-                if (!work.asked.contains(near)) {
-                    wanted[group.shape].push_back(near);
-                    settled &= near != count;
-                }
+        const std::vector<const ShapeWork*> works = takers(shapes, groups);
+        double price = 0;
+        std::size_t explored = 0; // of the shape that may save most
+        for (const ShapeWork* work : works) {
+            if (const double gain = expected_gain(*work); gain > price) {
+                price = gain;
+                explored = work->asked.rbegin()->first;
             }
         }
-        if (settled && round > 0) {
-            break;
+        std::size_t demand = 0;
+        for (const ShapeWork* work : works) {
+            demand += work->curve.demand(price);
+        }
+        if (price == 0 || demand >= total || explored >= total || groups.size() == 1) {
+            return;
+        }
+        // Those that may save nearly as much at once, to use all cores.
+        constexpr double nearly = 0.5;
+        for (std::size_t s = 0; s < shapes.size(); ++s) {
+            wanted[s].clear();
+            if (!shapes[s].error && expected_gain(shapes[s]) >= nearly * price) {
+                wanted[s] = next_rungs(shapes[s].asked.rbegin()->first, shapes[s].least, shapes[s].most);
+            }
         }
     }
-    // Only counts that spherizers delivered, and no more of them than help.
-    const std::vector<std::size_t> known = allocate_at_most(claims_of(shapes, groups, total, true), total);
+}
+
+/// The count of every group (0 for those with an error) so that the robot has at most `total` spheres at the least
+/// wrong volume.
+std::vector<std::size_t> share_spheres(const Workspace& workspace, std::vector<ShapeWork>& shapes,
+                                       const std::vector<Group>& groups, std::size_t total) {
+    explore_curves(workspace, shapes, groups, total);
+    std::vector<const CostCurve*> curves;
+    for (const ShapeWork* work : takers(shapes, groups)) {
+        curves.push_back(&work->curve);
+    }
+    const std::vector<std::size_t> shared = allocate_at_most(curves, total);
     std::vector<std::size_t> result(groups.size(), 0);
     std::size_t c = 0, sum = 0;
-    for (std::size_t g = 0; g < groups.size() && !known.empty(); ++g) {
+    for (std::size_t g = 0; g < groups.size() && !shared.empty(); ++g) {
         if (!shapes[groups[g].shape].error) {
-            result[g] = known[c++];
+            result[g] = shared[c++];
             sum += result[g];
         }
     }
     if (sum > 0 && sum < total) {
-        workspace.journal.finding({Severity::warning, "", "",
-                                   fmt::format("{} of {} spheres are used: the spherizer has no use for more on these "
-                                               "links",
-                                               sum, total)});
+        workspace.journal.finding(
+            {Severity::warning, "", "",
+             fmt::format("{} of {} spheres are used: more that the spherizer tried on these links "
+                         "would not lower the excess",
+                         sum, total)});
     }
     return result;
 }
@@ -152,15 +163,15 @@ std::vector<std::size_t> first_counts(const Recipe& recipe, const ShapeWork& sha
     if (!recipe.budget_spheres) {
         return {recipe.budget_max_protrusion ? shape.least : shape.most == SIZE_MAX ? 0 : shape.most};
     }
-    // A first look at small counts and, on large budgets, at multiples of the fair share.
-    const std::size_t total = *recipe.budget_spheres;
-    const std::size_t fair = std::max<std::size_t>(1, total / std::max<std::size_t>(1, groups));
-    std::set<std::size_t> counts;
-    for (const std::size_t count :
-         {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{4}, fair, 2 * fair, 4 * fair}) {
-        counts.insert(std::clamp(count, shape.least, std::max(shape.least, std::min(shape.most, total))));
+    std::vector<std::size_t> counts = next_rungs(0, shape.least, shape.most);
+    if (groups == 1) { // nothing to share: all of them, or fewer where more claim more
+        std::erase_if(counts, [&](std::size_t count) { return count > *recipe.budget_spheres; });
+        if (const std::size_t all = std::min(*recipe.budget_spheres, shape.most);
+            counts.empty() || counts.back() < all) {
+            counts.push_back(all);
+        }
     }
-    return {counts.begin(), counts.end()};
+    return counts;
 }
 
 std::vector<std::size_t> choose_counts(const Workspace& workspace, std::vector<ShapeWork>& shapes,

@@ -3,6 +3,7 @@
 #include <foam/error.hpp>
 #include <foam/inner.hpp>
 #include <foam/measure.hpp>
+#include <foam/union_volume.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -122,10 +123,10 @@ SphereTree inner_tree(const Solid& solid, const SphereTree& tree, const DecimalG
 double wrong_volume(const Solid& solid, std::vector<Sphere> spheres, Guarantee guarantee) {
     if (guarantee == Guarantee::outer) {
         spheres = grown_to_cover(solid, std::move(spheres));
-        return std::max(0.0, union_volume(spheres) - solid.volume());
+        return std::max(0.0, exact_union_volume(spheres) - solid.volume());
     }
     if (guarantee == Guarantee::inner) {
-        return std::max(0.0, solid.volume() - union_volume(inside_of(solid, std::move(spheres))));
+        return std::max(0.0, solid.volume() - exact_union_volume(inside_of(solid, std::move(spheres))));
     }
     MeasureOptions options;
     options.surface_points = 1'000;

@@ -10,7 +10,8 @@
 namespace foam {
 
 /// Volume that the spheres claim wrongly once the guarantee is kept, m³: outer: of the grown union; inner: what the
-/// shrunk ones miss; fitted: excess plus missing. Up to a constant of the solid, so fit for comparing spheres of one solid.
+/// shrunk ones miss; fitted: excess plus missing. Up to a constant of the solid, so fit for comparing spheres of one
+/// solid.
 double wrong_volume(const Solid& solid, std::vector<Sphere> spheres, Guarantee guarantee);
 
 /// Largest distance of the exposed surface of the spheres from the solid, once the guarantee is kept, m.
