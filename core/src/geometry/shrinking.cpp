@@ -10,100 +10,113 @@ namespace {
 /// Pieces smaller than this share of the extent are not split: they count as needed whole.
 constexpr double smallest_piece = 1e-8;
 
-/// Branch and bound over the pieces that no other ball holds, the farthest first.
+/// Branch and bound over the pieces that no other ball holds, the farthest first: only those are split that reach
+/// farther than the need.
+///
+/// What lies farther away than `limit` is held by other balls, as ball and others together hold everything.
 class Need {
 public:
-    Need(const Balls& balls, std::uint32_t ball) : balls_(balls), ball_(ball) {}
+    Need(const Balls& balls, std::uint32_t ball, double limit) : balls_(balls), ball_(ball), limit_(limit) {}
 
     /// Leaves out the triangles with skip[i] != 0.
-    double run(double limit, const std::vector<char>& skip) {
-        std::vector<std::pair<double, std::uint32_t>> order;
+    double run(const std::vector<char>& skip) {
         for (std::uint32_t i = 0; i < balls_.piece_count(); ++i) {
-            if (skip[i]) {
-                continue;
+            if (!skip[i]) {
+                push(balls_.piece(i), i);
             }
-            const Piece piece = balls_.piece(i);
-            const double far = reach(center(), piece);
-            if (far - diameter_of(piece) > limit) {
-                continue; // no point of it is in the ball: others hold it
-            }
-            order.push_back({-far, i});
         }
-        std::sort(order.begin(), order.end());
-        for (const auto& [far, i] : order) {
-            if (-far <= need_) {
-                break;
-            }
-            examine_triangle(i);
+        std::make_heap(queue_.begin(), queue_.end());
+        while (!queue_.empty() && queue_.front().far > need_) {
+            std::pop_heap(queue_.begin(), queue_.end());
+            const Entry next = queue_.back();
+            queue_.pop_back();
+            examine(next);
         }
         return need_;
     }
 
 private:
-    struct Waiting {
+    /// Indices of candidates, [begin, end) among candidates_.
+    struct Range {
+        std::size_t begin = 0, end = 0;
+    };
+    struct Part {
         Piece piece;
-        std::size_t begin, end;
+        Range candidates; ///< of the piece it was cut from
+    };
+    struct Entry {
+        double far;         ///< the most that a point of it is away from the ball's centre
+        std::uint32_t name; ///< a whole triangle, or piece_count() + the number of a part
+        bool operator<(const Entry& other) const { return far != other.far ? far < other.far : name > other.name; }
     };
 
     Vec3 center() const { return balls_.center(ball_); }
 
-    void examine_triangle(std::uint32_t i) {
-        const Piece whole = balls_.piece(i);
-        indices_.clear();
-        balls_.candidates(whole, indices_);
-        waiting_.assign(1, {whole, 0, indices_.size()});
-        while (!waiting_.empty()) {
-            const Waiting next = waiting_.back();
-            waiting_.pop_back();
-            indices_.resize(next.end);
-            if (reach(center(), next.piece) <= need_) {
-                continue;
-            }
-            if (next.piece.level == 0) {
-                examine(next);
-            } else if (next.begin == next.end) {
-                examine(next);
-            } else {
-                balls_.candidates(next.piece, next.begin, next.end, indices_);
-                examine({next.piece, next.end, indices_.size()});
-            }
+    /// No more than the distance of the piece from the ball's centre.
+    double nearest(const Piece& piece) const {
+        return piece.curved ? reach(center(), piece) - diameter_of(piece)
+                            : distance(center(), closest_on_triangle(piece.corners, center()));
+    }
+
+    bool push(const Piece& piece, std::uint32_t name) {
+        const double far = reach(center(), piece);
+        if (far <= need_ || (far > limit_ && nearest(piece) > limit_)) {
+            return false;
+        }
+        queue_.push_back({far, name});
+        return true;
+    }
+
+    void push_part(const Piece& piece, const Range& candidates) {
+        if (push(piece, static_cast<std::uint32_t>(balls_.piece_count() + parts_.size()))) {
+            parts_.push_back({piece, candidates});
+            std::push_heap(queue_.begin(), queue_.end());
         }
     }
 
-    void examine(const Waiting& item) {
-        for (std::size_t k = item.begin; k < item.end; ++k) {
-            if (balls_.holds(indices_[k], item.piece)) {
-                return;
+    void examine(const Entry& entry) {
+        Range range{candidates_.size(), 0};
+        Piece piece;
+        if (entry.name < balls_.piece_count()) {
+            piece = balls_.piece(entry.name);
+            balls_.candidates(piece, candidates_);
+        } else {
+            const Part& part = parts_[entry.name - balls_.piece_count()];
+            piece = part.piece;
+            if (part.candidates.begin < part.candidates.end) {
+                balls_.candidates(piece, part.candidates.begin, part.candidates.end, candidates_);
             }
         }
-        for (const Vec3& corner : PiecePoints(item.piece)) {
-            bool uncovered = true;
-            for (std::size_t k = item.begin; uncovered && k < item.end; ++k) {
-                uncovered = balls_.gap(indices_[k], corner) > 0;
-            }
-            if (uncovered) {
+        range.end = candidates_.size();
+        const std::span<const std::uint32_t> candidates(candidates_.data() + range.begin, range.end - range.begin);
+        if (std::any_of(candidates.begin(), candidates.end(),
+                        [&](std::uint32_t i) { return balls_.holds(i, piece); })) {
+            return;
+        }
+        for (const Vec3& corner : PiecePoints(piece)) {
+            if (std::all_of(candidates.begin(), candidates.end(),
+                            [&](std::uint32_t i) { return balls_.gap(i, corner) > 0; })) {
                 need_ = std::max(need_, distance(center(), corner));
             }
         }
-        const double far = reach(center(), item.piece);
-        if (far <= need_) {
+        if (size_of(piece) <= smallest_piece * balls_.extent() || piece.level >= growth_halvings) {
+            need_ = std::max(need_, entry.far);
             return;
         }
-        if (size_of(item.piece) <= smallest_piece * balls_.extent() || item.piece.level >= growth_halvings) {
-            need_ = far;
-            return;
+        if (entry.far > need_) {
+            const auto [first, second] = halves(piece);
+            push_part(first, range);
+            push_part(second, range);
         }
-        const auto [first, second] = halves(item.piece);
-        const bool first_is_farther = reach(center(), first) >= reach(center(), second);
-        waiting_.push_back({first_is_farther ? second : first, item.begin, item.end});
-        waiting_.push_back({first_is_farther ? first : second, item.begin, item.end});
     }
 
     const Balls& balls_;
     std::uint32_t ball_;
+    double limit_;
     double need_ = 0;
-    std::vector<Waiting> waiting_;
-    std::vector<std::uint32_t> indices_;
+    std::vector<Part> parts_;
+    std::vector<Entry> queue_; ///< a heap
+    std::vector<std::uint32_t> candidates_;
 };
 
 } // namespace
@@ -111,7 +124,7 @@ private:
 double needed_radius(Balls& balls, std::uint32_t i, double limit) {
     balls.set_radius(i, -std::numeric_limits<double>::infinity());
     const auto need_of = [&](const std::vector<char>& skip) {
-        const double need = Need(balls, i).run(limit, skip);
+        const double need = Need(balls, i, limit).run(skip);
         return need > 0 ? balls.full_radius(i, need) : 0;
     };
     // Round parts that another ball holds need nothing. Those that this one can hold may be held whole or by pieces.
