@@ -2,11 +2,11 @@
 #include "program.hpp"
 
 #include <foam/error.hpp>
+#include <foam/host/scratch_folder.hpp>
 #include <foam/host/sdk.hpp>
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <regex>
@@ -152,20 +152,11 @@ int new_plugin(Program& program, const std::string& stage, const std::string& di
         throw Error(ErrorCode::usage,
                     fmt::format("{}: it exists already; remedy: another folder by --dir", target.string()));
     }
-    std::string pattern = (parent / ".foam-new-XXXXXX").string();
-    if (!fs::is_directory(parent) || !mkdtemp(pattern.data())) {
-        throw Error(ErrorCode::output, fmt::format("cannot write to the folder {}", parent.string()));
-    }
-    try { // in one step, so that there is never half a project
-        write_project(pattern, project);
-        fs::permissions(pattern, fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
-                                     fs::perms::others_read | fs::perms::others_exec);
-        fs::rename(pattern, full.has_filename() ? full : full.parent_path());
-    } catch (...) {
-        std::error_code ignored;
-        fs::remove_all(pattern, ignored);
-        throw;
-    }
+    const ScratchFolder scratch(parent);
+    const fs::path made = scratch.path() / project.plugin;
+    fs::create_directory(made);
+    write_project(made, project);
+    fs::rename(made, full.has_filename() ? full : full.parent_path()); // in one step: there is never half a project
     const std::string folder = shell_quoted(target.string()), build = shell_quoted((target / "build").string());
     print(fmt::format("{} is written. Next:\n"
                       "  cmake -S {} -B {} -DCMAKE_PREFIX_PATH={}\n"

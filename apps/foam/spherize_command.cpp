@@ -3,12 +3,12 @@
 #include "summary.hpp"
 
 #include <foam/error.hpp>
+#include <foam/host/scratch_folder.hpp>
 
 #include <fmt/format.h>
 
 #include <fstream>
 #include <iterator>
-#include <unistd.h>
 
 namespace foam::cli {
 namespace {
@@ -21,28 +21,6 @@ struct Arguments {
     std::vector<std::string> settings;
     ExecuteOptions execute;
     bool print_recipe = false, json = false;
-};
-
-/// A run directory that is gone at the end, whatever happens. `beside`: on the same file system, for a rename.
-class ScratchFolder {
-public:
-    explicit ScratchFolder(const fs::path& beside) {
-        std::string pattern = (beside / ".foam-XXXXXX").string();
-        if (!mkdtemp(pattern.data())) {
-            throw Error(ErrorCode::output, fmt::format("cannot write to the folder {}", fs::absolute(beside).string()));
-        }
-        path_ = pattern;
-    }
-    ~ScratchFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-    const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
 };
 
 bool to_stdout(const Arguments& arguments) {
@@ -88,12 +66,11 @@ void deliver(const fs::path& made, const fs::path& scratch, const fs::path& targ
 
 int run_quick(const Arguments& arguments, const Recipe& recipe, const QuickRecipe& quick, const Registry& registry) {
     const fs::path target = output_file(arguments, quick);
-    fs::path beside = to_stdout(arguments) ? fs::temp_directory_path() : target.parent_path();
-    beside = beside.empty() ? fs::path(".") : beside;
-    if (!fs::is_directory(beside)) {
+    const fs::path beside = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    if (!to_stdout(arguments) && !fs::is_directory(beside)) {
         throw Error(ErrorCode::output, fmt::format("{}: there is no folder {}", target.string(), beside.string()));
     }
-    const ScratchFolder scratch(beside);
+    const ScratchFolder scratch = to_stdout(arguments) ? ScratchFolder() : ScratchFolder(beside);
     const fs::path directory = arguments.out.empty() ? scratch.path() / "run" : fs::path(arguments.out);
     const RunResult result = execute(recipe, registry, directory, arguments.execute);
     const fs::path made = directory / recipe.outputs.at(0).file;

@@ -1,10 +1,10 @@
 // Where plugins are looked for, and what is near to a word.
+#include "support/environment_variable.hpp"
+
 #include <foam/host/registry.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <cstdlib>
 
 namespace foam::test {
 namespace {
@@ -12,21 +12,9 @@ namespace {
 namespace fs = std::filesystem;
 using testing::ElementsAre;
 
-/// Sets FOAM_PLUGIN_PATH for the life of the object.
-class PluginPath {
-public:
-    explicit PluginPath(const char* value) {
-        if (const char* before = std::getenv("FOAM_PLUGIN_PATH")) {
-            before_ = before;
-        }
-        value ? setenv("FOAM_PLUGIN_PATH", value, 1) : unsetenv("FOAM_PLUGIN_PATH");
-    }
-    ~PluginPath() { before_.empty() ? unsetenv("FOAM_PLUGIN_PATH") : setenv("FOAM_PLUGIN_PATH", before_.c_str(), 1); }
-    PluginPath(const PluginPath&) = delete;
-    PluginPath& operator=(const PluginPath&) = delete;
-
-private:
-    std::string before_;
+/// For the life of the object.
+struct PluginPath : EnvironmentVariable {
+    explicit PluginPath(const char* value) : EnvironmentVariable("FOAM_PLUGIN_PATH", value) {}
 };
 
 TEST(PluginDirectories, AreExtraThenEnvironmentThenInstalled) {

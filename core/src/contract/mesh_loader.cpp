@@ -1,8 +1,8 @@
 #include "promises.hpp"
 
 #include <foam/error.hpp>
+#include <foam/host/scratch_folder.hpp>
 
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 
@@ -11,30 +11,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder for files that are made to be refused; gone at the end.
-class Scratch {
-public:
-    Scratch() {
-        std::string pattern = (fs::temp_directory_path() / "foam-contract-XXXXXX").string();
-        require(mkdtemp(pattern.data()) != nullptr, "cannot make a temporary folder");
-        path_ = pattern;
-    }
-    ~Scratch() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-
-    fs::path file(const std::string& name, const std::string& bytes) const {
-        std::ofstream(path_ / name, std::ios::binary) << bytes;
-        return path_ / name;
-    }
-    const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
-};
+fs::path written(const fs::path& file, const std::string& bytes) {
+    std::ofstream(file, std::ios::binary) << bytes;
+    return file;
+}
 
 void require_loaded(const fs::path& file, const Mesh& mesh) {
     require(!mesh.triangles.empty(), fmt::format("{}: it gives no triangle", file.string()));
@@ -74,10 +54,10 @@ void check_mesh_loader(const MeshLoader& loader, const StageInfo& info, const Co
     });
     const std::string ending = info.extensions.empty() ? "mesh" : info.extensions.front();
     promises.check("refuses what is no mesh", [&] {
-        const Scratch scratch;
+        const ScratchFolder scratch;
         require_mesh_or_refusal(loader, scratch.path() / ("missing." + ending), true);
-        require_mesh_or_refusal(loader, scratch.file("empty." + ending, ""), true);
-        require_mesh_or_refusal(loader, scratch.file("noise." + ending, std::string(3000, '\x7f')), true);
+        require_mesh_or_refusal(loader, written(scratch.path() / ("empty." + ending), ""), true);
+        require_mesh_or_refusal(loader, written(scratch.path() / ("noise." + ending), std::string(3000, '\x7f')), true);
     });
     for (const fs::path& sample : options.samples) {
         promises.check(fmt::format("loads {}, whole, and cut off without a crash", sample.filename().string()), [&] {
@@ -87,10 +67,10 @@ void check_mesh_loader(const MeshLoader& loader, const StageInfo& info, const Co
             require(loader.load(sample, context) == mesh, "the second time it gives another mesh");
             std::ifstream stream(sample, std::ios::binary);
             const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-            const Scratch scratch;
+            const ScratchFolder scratch;
             for (const std::size_t share : {1, 3, 5, 7}) {
-                const fs::path cut =
-                    scratch.file(fmt::format("cut{}.{}", share, ending), bytes.substr(0, bytes.size() * share / 8));
+                const fs::path cut = written(scratch.path() / fmt::format("cut{}.{}", share, ending),
+                                             bytes.substr(0, bytes.size() * share / 8));
                 require_mesh_or_refusal(loader, cut, false);
             }
         });

@@ -1,46 +1,13 @@
 #include "report.hpp"
 #include "run/run_directory.hpp"
 
-#include <foam/error.hpp>
+#include <foam/host/scratch_folder.hpp>
 
-#include <fmt/format.h>
 #include <tbb/global_control.h>
 
-#include <cstdlib>
 #include <optional>
 
 namespace foam {
-namespace {
-
-namespace fs = std::filesystem;
-
-/// A folder that is gone at the end, after a crash too.
-class Scratch {
-public:
-    Scratch() : path_(made()), unfinished_(path_) {}
-    ~Scratch() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-    const fs::path& path() const { return path_; }
-
-private:
-    static fs::path made() {
-        std::string pattern = (fs::temp_directory_path() / "foam-bench-XXXXXX").string();
-        if (!mkdtemp(pattern.data())) {
-            throw Error(ErrorCode::output,
-                        fmt::format("no folder can be made in {}", fs::temp_directory_path().string()));
-        }
-        return pattern;
-    }
-
-    fs::path path_;
-    UnfinishedFolder unfinished_;
-};
-
-} // namespace
 
 ExperimentResult run_experiment(const Experiment& experiment, const Registry& registry,
                                 const ExperimentOptions& options) {
@@ -53,7 +20,7 @@ ExperimentResult run_experiment(const Experiment& experiment, const Registry& re
     if (!options.out.empty()) {
         directory.emplace(options.out, csv);
     }
-    const Scratch scratch;
+    const ScratchFolder scratch;
     experiment::Bench bench(registry, options, scratch.path());
     const experiment::Outcome outcome = experiment.run(bench);
     bench.check_cancelled();
@@ -62,7 +29,7 @@ ExperimentResult run_experiment(const Experiment& experiment, const Registry& re
     result.csv = to_csv(outcome.cases);
     result.markdown = to_markdown(experiment, outcome, registry, options.threads);
     if (directory) {
-        const auto write = [&](const fs::path& file, const std::string& bytes) {
+        const auto write = [&](const std::filesystem::path& file, const std::string& bytes) {
             directory->write(file, bytes);
             result.files.push_back(file);
         };

@@ -5,38 +5,15 @@
 #include "settings.hpp"
 
 #include <foam/error.hpp>
+#include <foam/host/scratch_folder.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace foam {
 namespace fs = std::filesystem;
 namespace {
-
-/// Where the run is made once more; removed at the end, whatever happens.
-class ScratchFolder {
-public:
-    ScratchFolder() {
-        std::string pattern = (fs::temp_directory_path() / "foam-verify-XXXXXX").string();
-        if (!mkdtemp(pattern.data())) {
-            throw Error(ErrorCode::output, fmt::format("cannot write to the folder {}; remedy: set TMPDIR",
-                                                       fs::temp_directory_path().string()));
-        }
-        path_ = pattern;
-    }
-    ~ScratchFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-    const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
-};
 
 void require_plugins(const Record& record, const Registry& registry) {
     std::string missing;
