@@ -1,5 +1,6 @@
 // foam certify: the proof alone.
 #include "judge.hpp"
+#include "table.hpp"
 
 #include <fmt/format.h>
 
@@ -21,10 +22,7 @@ std::string point_text(const Vec3& p) {
 /// The links whose proof fails, with the place where it does.
 std::string table_of(const Original& original, const MatchedModel& model, const std::vector<LinkProof>& proofs,
                      bool outer) {
-    std::size_t width = 4;
-    for (const OriginalLink& link : original.links) {
-        width = std::max(width, link.link.size());
-    }
+    const std::size_t width = column_width("link", original.links, &OriginalLink::link);
     std::string table = fmt::format("{:<{}}  {:>9}  {:>8}  {}\n", "link", width, outer ? "growth mm" : "excess mm",
                                     outer ? "triangle" : "sphere", outer ? "witness, m" : "center, m");
     for (std::size_t i = 0; i < proofs.size(); ++i) {

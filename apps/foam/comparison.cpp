@@ -1,4 +1,5 @@
 #include "comparison.hpp"
+#include "table.hpp"
 
 #include <foam/robot.hpp>
 
@@ -29,10 +30,7 @@ std::string cells(const Figures& figures) {
 }
 
 std::string table_of_links(const Comparison& comparison) {
-    std::size_t width = 5;
-    for (const OriginalLink& link : comparison.original.links) {
-        width = std::max(width, link.link.size());
-    }
+    const std::size_t width = column_width("total", comparison.original.links, &OriginalLink::link);
     std::string first = fmt::format("{:<{}}", "", width), second = fmt::format("{:<{}}", "link", width);
     for (const JudgedModel& judged : comparison.models) {
         first += fmt::format("  |  {:<24}", judged.label);

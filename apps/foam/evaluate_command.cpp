@@ -1,5 +1,6 @@
 // foam evaluate: every figure of a sphere model, anybody's.
 #include "judge.hpp"
+#include "table.hpp"
 
 #include <fmt/format.h>
 
@@ -26,10 +27,7 @@ std::string row(const std::string& name, std::size_t width, const Figures& figur
 }
 
 std::string table_of(const Original& original, const Evaluation& evaluation) {
-    std::size_t width = 5;
-    for (const OriginalLink& link : original.links) {
-        width = std::max(width, link.link.size());
-    }
+    const std::size_t width = column_width("total", original.links, &OriginalLink::link);
     std::string table =
         fmt::format("{:<{}}  {:>7}  {:>13}  {:>9}  {:>13}  {:>13}  {:>9}  {:>9}  {:>9}\n", "link", width, "spheres",
                     "covered %", "gap mm", "excess", "missing", "out max", "mean mm", "certified");

@@ -1,5 +1,6 @@
 // foam plan: what would run.
 #include "execute.hpp"
+#include "table.hpp"
 
 #include <foam/error.hpp>
 #include <foam/host/plan.hpp>
@@ -100,10 +101,7 @@ std::string text_of(const Plan& plan, const Recipe& recipe) {
              fmt::format("{}{} ({})", stage.stage, parameters_text(stage), plugin(stage)));
     }
     line("budget", budget_text(recipe));
-    std::size_t width = 0;
-    for (const PlannedLink& link : plan.links) {
-        width = std::max(width, link.link.size());
-    }
+    const std::size_t width = column_width("", plan.links, &PlannedLink::link);
     for (const PlannedLink& link : plan.links) {
         line(&link == &plan.links.front() ? "links" : "", fmt::format("{:<{}}  {}", link.link, width, link_text(link)));
     }

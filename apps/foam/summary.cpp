@@ -1,4 +1,5 @@
 #include "summary.hpp"
+#include "table.hpp"
 
 #include <fmt/format.h>
 
@@ -77,10 +78,7 @@ std::string filter_table(const RunResult& result) {
     if (totals.empty()) {
         return {};
     }
-    std::size_t width = 6;
-    for (const FilterTotal& total : totals) {
-        width = std::max(width, total.stage.size());
-    }
+    const std::size_t width = column_width("filter", totals, &FilterTotal::stage);
     std::string table = fmt::format("{:<{}}  {:>6}  {:>20}  {:>11}  {:>8}\n", "filter", width, "meshes", "triangles",
                                     "distance mm", "volume %");
     for (const FilterTotal& total : totals) {
@@ -93,10 +91,7 @@ std::string filter_table(const RunResult& result) {
 } // namespace
 
 std::string table_of(const RunResult& result, Guarantee guarantee) {
-    std::size_t width = 5;
-    for (const LinkReport& link : result.links) {
-        width = std::max(width, link.link.size());
-    }
+    const std::size_t width = column_width("total", result.links, &LinkReport::link);
     std::string table = filter_table(result);
     table += fmt::format("{:<{}}  {:>7}  {:>8}  {:>8}  {:>9}  {:>9}\n", "link", width, "spheres",
                          guarantee == Guarantee::inner ? "missing" : "excess", "gap mm", "certified", "growth mm");
