@@ -25,6 +25,16 @@ std::vector<std::string> findings(const std::string& plugin, const std::string& 
     return texts;
 }
 
+TEST(Sample, SolidsAreClosedAndOutward) {
+    for (const auto& [mesh, volume] : {std::pair{sample::box({0.1, 0.2, 0.3}), 0.1 * 0.2 * 0.3},
+                                       {sample::bracket(), 0.1 * (0.2 * 0.05 + 0.05 * 0.1)}}) {
+        EXPECT_TRUE(topology(mesh).closed_manifold()) << describe(topology(mesh));
+        EXPECT_NEAR(signed_volume(mesh), volume, 1e-12);
+    }
+    EXPECT_TRUE(topology(sample::torus(0.1, 0.03)).closed_manifold());
+    EXPECT_GT(signed_volume(sample::torus(0.1, 0.03)), 0);
+}
+
 TEST(Contract, NothingIsSaidOfAGoodStage) {
     EXPECT_THAT(findings("broken_spherizers", "spherize.good"), IsEmpty());
 }

@@ -50,15 +50,12 @@ Mesh bracket() {
     }
     for (std::uint32_t i = 0; i < 6; ++i) {
         const std::uint32_t next = (i + 1) % 6;
-        mesh.triangles.push_back({i, next, next + 6});
-        mesh.triangles.push_back({i, next + 6, i + 6});
+        mesh.triangles.push_back({i, next + 6, next});
+        mesh.triangles.push_back({i, i + 6, next + 6});
     }
-    for (const Triangle& t : {Triangle{0, 3, 1}, {1, 3, 2}, {0, 5, 3}, {3, 5, 4}}) {
-        mesh.triangles.push_back({t[0], t[2], t[1]});
-        mesh.triangles.push_back({t[0] + 6, t[1] + 6, t[2] + 6});
-    }
-    for (Triangle& t : mesh.triangles) {
-        std::swap(t[1], t[2]);
+    for (const auto& [a, b, c] : {Triangle{0, 1, 3}, {1, 2, 3}, {0, 3, 5}, {3, 4, 5}}) {
+        mesh.triangles.push_back({a, b, c});
+        mesh.triangles.push_back({a + 6, c + 6, b + 6});
     }
     return mesh;
 }
