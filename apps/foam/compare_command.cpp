@@ -1,20 +1,12 @@
 // foam compare: several sphere models of one robot.
 #include "comparison.hpp"
 
-#include <foam/error.hpp>
 #include <foam/stage.hpp>
 
 #include <fmt/format.h>
 
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
-
 namespace foam::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct Arguments {
     JudgeOptions judge;
@@ -42,25 +34,6 @@ std::string picture_of(Program& program, const Comparison& comparison) {
     return {};
 }
 
-/// In one step, so that a reader never sees half of it.
-void write_page(const fs::path& file, const std::string& html) {
-    const fs::path partial = file.string() + fmt::format(".partial-{}", getpid());
-    std::ofstream stream(partial, std::ios::binary | std::ios::trunc);
-    stream << html;
-    stream.close();
-    std::error_code error = stream ? std::error_code() : std::make_error_code(std::errc::io_error);
-    if (!error) {
-        fs::rename(partial, file, error);
-    }
-    if (error) {
-        std::error_code ignored;
-        fs::remove(partial, ignored);
-        throw Error(ErrorCode::output, fmt::format("{}: it cannot be written; remedy: check that its folder exists and "
-                                                   "has room",
-                                                   file.string()));
-    }
-}
-
 int compare_models(Program& program, const Arguments& arguments) {
     const ThreadLimit limit(arguments.judge.threads);
     Comparison comparison{original_of(program, arguments.judge), {}};
@@ -70,7 +43,7 @@ int compare_models(Program& program, const Arguments& arguments) {
         comparison.models.push_back({label_of(comparison.models.size()), std::move(model), std::move(evaluation)});
     }
     if (!arguments.html.empty()) {
-        write_page(arguments.html, html_of(comparison, picture_of(program, comparison)));
+        write_whole_file(arguments.html, html_of(comparison, picture_of(program, comparison)));
         tell(fmt::format("written: {}", arguments.html));
     }
     print(arguments.json ? json_of(comparison).dump(2) + "\n" : table_of(comparison));

@@ -4,12 +4,17 @@
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <cmath>
+#include <fstream>
 
 namespace foam::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+} // namespace
 
 Renames renames_of(const std::vector<std::string>& texts) {
     Renames renames;
@@ -23,19 +28,21 @@ Renames renames_of(const std::vector<std::string>& texts) {
     return renames;
 }
 
-} // namespace
-
-void add_judge_options(CLI::App& command, JudgeOptions& options) {
-    command.add_option("original", options.original, "The geometry: a URDF or a mesh file")
-        ->type_name("ORIGINAL")
-        ->required();
+void add_renames(CLI::App& command, std::vector<std::string>& texts) {
     command
-        .add_option("--rename", options.renames,
+        .add_option("--rename", texts,
                     "A link of SPHERES that is called OLD, or begins with it, is NEW in ORIGINAL; '=LINK' for "
                     "spheres that name no link; repeatable")
         ->type_name("OLD=NEW")
         ->expected(1)
         ->take_all();
+}
+
+void add_judge_options(CLI::App& command, JudgeOptions& options) {
+    command.add_option("original", options.original, "The geometry: a URDF or a mesh file")
+        ->type_name("ORIGINAL")
+        ->required();
+    add_renames(command, options.renames);
     command.add_option("--link", options.links, "Judge only links that this glob names; repeatable")
         ->type_name("GLOB")
         ->expected(1)
@@ -60,6 +67,24 @@ MatchedModel model_of(Program& program, const JudgeOptions& options, const Origi
         tell(fmt::format("warning: {}: {}", file, note));
     }
     return model;
+}
+
+void write_whole_file(const std::filesystem::path& file, const std::string& text) {
+    const std::filesystem::path partial = file.string() + fmt::format(".partial-{}", getpid());
+    std::ofstream stream(partial, std::ios::binary | std::ios::trunc);
+    stream << text;
+    stream.close();
+    std::error_code error = stream ? std::error_code() : std::make_error_code(std::errc::io_error);
+    if (!error) {
+        std::filesystem::rename(partial, file, error);
+    }
+    if (error) {
+        std::error_code ignored;
+        std::filesystem::remove(partial, ignored);
+        throw Error(ErrorCode::output, fmt::format("{}: it cannot be written; remedy: check that its folder exists and "
+                                                   "has room",
+                                                   file.string()));
+    }
 }
 
 std::string millimetres(double metres, int digits) {

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,10 @@ struct JudgeOptions {
     std::size_t threads = 0; ///< 0: all cores
 };
 
+/// --rename OLD=NEW, repeatable.
+void add_renames(CLI::App& command, std::vector<std::string>& texts);
+/// Throws Error(usage) for a text without '='.
+Renames renames_of(const std::vector<std::string>& texts);
 /// ORIGINAL, --rename, --link, -j.
 void add_judge_options(CLI::App& command, JudgeOptions& options);
 
@@ -29,6 +34,9 @@ void add_judge_options(CLI::App& command, JudgeOptions& options);
 Original original_of(Program& program, const JudgeOptions& options);
 /// The spheres brought onto its links, with the notes told on stderr.
 MatchedModel model_of(Program& program, const JudgeOptions& options, const Original& original, const std::string& file);
+
+/// In one step, so that a reader never sees half of it. Throws Error(output).
+void write_whole_file(const std::filesystem::path& file, const std::string& text);
 
 /// Lengths for people: millimetres; "inf" for what has no end.
 std::string millimetres(double metres, int digits = 2);

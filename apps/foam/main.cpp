@@ -71,6 +71,7 @@ int run_program(int count, char** arguments) {
     add_evaluate(program);
     add_certify(program);
     add_compare(program);
+    add_self_collision(program);
     add_check(program);
     add_plan(program);
     add_stages(program);

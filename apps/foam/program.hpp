@@ -45,6 +45,7 @@ void add_plan(Program& program);
 void add_spherize(Program& program);
 void add_verify(Program& program);
 void add_bench(Program& program);
+void add_self_collision(Program& program);
 void add_stages(Program& program);
 void add_describe(Program& program);
 void add_plugins(Program& program);

@@ -1,0 +1,267 @@
+// foam self-collision: which pairs of links never need a check.
+#include "interrupt.hpp"
+#include "judge.hpp"
+#include "program.hpp"
+
+#include <foam/error.hpp>
+#include <foam/host/self_collision.hpp>
+#include <foam/text.hpp>
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+namespace foam::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Arguments {
+    std::string urdf, model, srdf, curobo;
+    std::vector<std::string> renames, pose;
+    std::size_t spheres = 32, threads = 0;
+    SelfCollisionOptions options;
+    bool json = false;
+};
+
+JointValues pose_of(const std::vector<std::string>& texts) {
+    JointValues values;
+    for (const std::string& text : texts) {
+        const std::size_t equals = text.rfind('=');
+        const auto value = equals == text.npos ? std::nullopt : parse_number(text.substr(equals + 1));
+        if (!value) {
+            throw Error(ErrorCode::usage, fmt::format("--pose expects JOINT=NUMBER, got '{}'", text));
+        }
+        values[text.substr(0, equals)] = *value;
+    }
+    return values;
+}
+
+CollisionModel model_of(Program& program, const Arguments& arguments) {
+    CollisionModel model =
+        arguments.model.empty()
+            ? load_collision_model(arguments.urdf, program.registry(), arguments.spheres)
+            : load_collision_model(arguments.urdf, arguments.model, program.registry(), renames_of(arguments.renames));
+    for (const std::string& note : model.notes) {
+        tell(fmt::format("warning: {}: {}", arguments.urdf, note));
+    }
+    return model;
+}
+
+std::size_t count(const CollisionModel& model, CollisionModel::Source source) {
+    return static_cast<std::size_t>(std::count(model.sources.begin(), model.sources.end(), source));
+}
+
+std::string model_text(const Arguments& arguments, const CollisionModel& model) {
+    using Source = CollisionModel::Source;
+    const std::size_t given = count(model, Source::given), covers = count(model, Source::cover);
+    if (!arguments.model.empty()) {
+        return fmt::format("the spheres of {}", arguments.model);
+    }
+    if (covers == 0) {
+        return "its own spheres";
+    }
+    return fmt::format("certified covers of at most {} spheres for {} link{}{}", arguments.spheres, covers,
+                       covers == 1 ? "" : "s", given == 0 ? "" : fmt::format(", its own spheres for {}", given));
+}
+
+std::string percent(double share) {
+    return fmt::format("{:.3g} %", 100 * share);
+}
+
+std::string evidence(const SelfCollisionMatrix& matrix, const LinkPair& pair) {
+    if (pair.reason == PairReason::adjacent) {
+        return "joined";
+    }
+    if (pair.proved) {
+        return "proved";
+    }
+    if (pair.unbounded) {
+        return "a planar or floating joint lies in between";
+    }
+    if (pair.samples == 0) {
+        return "";
+    }
+    const std::string seen = fmt::format("touch in {} of {}", pair.touching, pair.samples);
+    if (pair.reason == PairReason::never) {
+        return fmt::format("{}: in less than {}", seen, percent(matrix.rate_bound()));
+    }
+    if (pair.reason == PairReason::always) {
+        return fmt::format("{}: in more than {:.10g} %", seen, 100 * (1 - matrix.rate_bound()));
+    }
+    return fmt::format("{}: {}", seen, percent(static_cast<double>(pair.touching) / static_cast<double>(pair.samples)));
+}
+
+std::string summary(const SelfCollisionMatrix& matrix) {
+    const std::size_t checked = matrix.count(PairReason::none);
+    const auto proved =
+        std::count_if(matrix.pairs.begin(), matrix.pairs.end(), [](const LinkPair& pair) { return pair.proved; });
+    std::string text =
+        fmt::format("{} pairs: {} adjacent, {} always touching, {} touching in the reference pose, {} "
+                    "never touching; {} proved; {} to check.\n",
+                    matrix.pairs.size(), matrix.count(PairReason::adjacent), matrix.count(PairReason::always),
+                    matrix.count(PairReason::default_pose), matrix.count(PairReason::never), proved, checked);
+    const auto sampled = std::count_if(matrix.pairs.begin(), matrix.pairs.end(), [](const LinkPair& pair) {
+        return pair.reason == PairReason::never && !pair.proved;
+    });
+    if (sampled > 0) {
+        text += fmt::format("Never by samples: at {:g} % confidence less than {} of the configurations for one pair, "
+                            "{} for all {} such pairs at once.\n",
+                            100 * matrix.confidence, percent(matrix.rate_bound()), percent(matrix.joint_rate_bound()),
+                            sampled);
+    }
+    return text;
+}
+
+std::string table_of(const Arguments& arguments, const CollisionModel& model, const SelfCollisionMatrix& matrix) {
+    const std::vector<Link>& links = model.robot->links;
+    std::size_t width = 5;
+    for (const LinkPair& pair : matrix.pairs) {
+        width = std::max({width, links[pair.first].name.size(), links[pair.second].name.size()});
+    }
+    std::string text = fmt::format("{}: {}\n{:<{}}  {:<{}}  {:<8}  {}\n", arguments.urdf, model_text(arguments, model),
+                                   "link", width, "link", width, "reason", "evidence");
+    for (const LinkPair& pair : matrix.pairs) {
+        text +=
+            fmt::format("{:<{}}  {:<{}}  {:<8}  {}\n", links[pair.first].name, width, links[pair.second].name, width,
+                        pair.reason == PairReason::none ? "(check)" : to_string(pair.reason), evidence(matrix, pair));
+    }
+    return text + summary(matrix);
+}
+
+Json json_of_links(const CollisionModel& model) {
+    Json links = Json::array();
+    for (std::size_t i = 0; i < model.spheres.size(); ++i) {
+        if (!model.spheres[i].empty()) {
+            links.push_back({{"link", model.robot->links[i].name},
+                             {"spheres", model.spheres[i].size()},
+                             {"certified_cover", model.sources[i] == CollisionModel::Source::cover}});
+        }
+    }
+    return links;
+}
+
+Json json_of_pairs(const CollisionModel& model, const SelfCollisionMatrix& matrix) {
+    Json pairs = Json::array();
+    for (const LinkPair& pair : matrix.pairs) {
+        Json json{{"link1", model.robot->links[pair.first].name},
+                  {"link2", model.robot->links[pair.second].name},
+                  {"ignored", pair.reason != PairReason::none},
+                  {"reason", pair.reason == PairReason::none ? Json() : Json(to_string(pair.reason))},
+                  {"proved", pair.proved}};
+        if (pair.samples > 0) {
+            json["samples"] = pair.samples;
+            json["touching"] = pair.touching;
+        }
+        pairs.push_back(std::move(json));
+    }
+    return pairs;
+}
+
+Json json_of(const Arguments& arguments, const Kinematics& kinematics, const CollisionModel& model,
+             const SelfCollisionMatrix& matrix) {
+    Json reference = Json::object();
+    for (std::size_t i = 0; i < matrix.reference.size(); ++i) {
+        reference[kinematics.freedoms()[i].joint] = matrix.reference[i];
+    }
+    return {{"robot", arguments.urdf},
+            {"model", model_text(arguments, model)},
+            {"seed", arguments.options.seed},
+            {"samples", matrix.samples},
+            {"confidence", matrix.confidence},
+            {"rate_bound", matrix.samples > 0 ? Json(matrix.rate_bound()) : Json()},
+            {"joint_rate_bound", matrix.samples > 0 ? Json(matrix.joint_rate_bound()) : Json()},
+            {"reference", std::move(reference)},
+            {"notes", model.notes},
+            {"links", json_of_links(model)},
+            {"pairs", json_of_pairs(model, matrix)}};
+}
+
+int self_collision(Program& program, Arguments& arguments) {
+    const ThreadLimit limit(arguments.threads);
+    arguments.options.reference = pose_of(arguments.pose);
+    arguments.options.cancel = &stop_on_interrupt();
+    const CollisionModel model = model_of(program, arguments);
+    const Kinematics kinematics(model.robot);
+    const SelfCollisionMatrix matrix = self_collision_matrix(kinematics, model, arguments.options);
+    if (!arguments.srdf.empty()) {
+        write_whole_file(arguments.srdf, srdf_text(*model.robot, matrix));
+    }
+    if (!arguments.curobo.empty()) {
+        write_whole_file(arguments.curobo, curobo_text(*model.robot, matrix));
+    }
+    print(arguments.json ? json_of(arguments, kinematics, model, matrix).dump(2) + "\n"
+                         : table_of(arguments, model, matrix));
+    return 0;
+}
+
+void add_model_options(CLI::App& command, Arguments& arguments) {
+    command.add_option("robot", arguments.urdf, "The robot, a URDF; its collision spheres are taken as they are")
+        ->type_name("ROBOT")
+        ->required();
+    command
+        .add_option("--spheres", arguments.spheres,
+                    "A link with other geometry gets a certified cover of at most so many spheres")
+        ->type_name("N")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1000}))
+        ->capture_default_str();
+    command
+        .add_option("--model", arguments.model,
+                    "Spheres for the robot's links, of any format that `foam evaluate` reads")
+        ->type_name("SPHERES");
+    add_renames(command, arguments.renames);
+}
+
+void add_sampling_options(CLI::App& command, Arguments& arguments) {
+    SelfCollisionOptions& options = arguments.options;
+    command
+        .add_option("--samples", options.samples,
+                    "Random configurations for pairs of which nothing is proved; 0: proofs alone")
+        ->type_name("N")
+        ->check(CLI::Range(std::size_t{0}, std::size_t{1000000000}))
+        ->capture_default_str();
+    command.add_option("--confidence", options.confidence, "Of the bound that samples without touch give; in (0, 1)")
+        ->type_name("C")
+        ->capture_default_str();
+    command.add_option("--seed", options.seed, "Seed of the samples")->type_name("N")->capture_default_str();
+    command
+        .add_option("--pose", arguments.pose,
+                    "A joint's value in the reference pose, rad or m; default: zero, moved into the limits; repeatable")
+        ->type_name("JOINT=VALUE")
+        ->expected(1)
+        ->take_all();
+    command
+        .add_option("--proof-boxes", options.proof_boxes,
+                    "A proof gives up after so many boxes of joint values for a pair; 0: no proofs")
+        ->type_name("N")
+        ->check(CLI::Range(std::size_t{0}, std::size_t{1000000000}))
+        ->capture_default_str();
+}
+
+} // namespace
+
+void add_self_collision(Program& program) {
+    CLI::App* command = add_command(
+        program, "self-collision", "Find the pairs of links that never need a collision check",
+        "  foam self-collision panda_22.urdf --srdf panda.srdf      for MoveIt: <disable_collisions>\n"
+        "  foam self-collision panda.urdf --curobo ignore.yaml      for cuRobo: self_collision_ignore\n"
+        "  foam self-collision panda.urdf --model franka.yml --json\n"
+        "  foam self-collision panda.urdf --samples 1000000 --confidence 0.99\n"
+        "Reasons: Adjacent: joined by a joint; Always, Never: touching in all, in no configuration, proved or, with\n"
+        "the bound that is printed, by samples; Default: touching in the reference pose. All others are to check.");
+    auto arguments = std::make_shared<Arguments>();
+    add_model_options(*command, *arguments);
+    add_sampling_options(*command, *arguments);
+    command->add_option("--srdf", arguments->srdf, "Write an SRDF with the pairs")->type_name("FILE");
+    command->add_option("--curobo", arguments->curobo, "Write the pairs as cuRobo's self_collision_ignore (YAML)")
+        ->type_name("FILE");
+    command->add_flag("--json", arguments->json, "Print the matrix as JSON");
+    command->add_option("-j,--threads", arguments->threads, "Number of threads; default: one a core")
+        ->type_name("N")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1024}));
+    command->callback([&program, arguments] {
+        program.action = [&program, arguments] { return self_collision(program, *arguments); };
+    });
+}
+
+} // namespace foam::cli

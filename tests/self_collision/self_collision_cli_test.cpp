@@ -1,0 +1,126 @@
+// foam self-collision as a user runs it.
+#include "cli/program.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace foam::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+constexpr const char* arm = R"(<robot name="arm">
+  <link name="base"><collision><geometry><sphere radius="0.3"/></geometry></collision></link>
+  <link name="upper"><collision><origin xyz="0.5 0 0"/><geometry><sphere radius="0.05"/></geometry></collision></link>
+  <link name="hand"><collision><origin xyz="1 0 0"/><geometry><sphere radius="0.2"/></geometry></collision></link>
+  <joint name="shoulder" type="continuous"><parent link="base"/><child link="upper"/><axis xyz="0 0 1"/></joint>
+  <joint name="elbow" type="revolute"><parent link="upper"/><child link="hand"/><origin xyz="1 0 0"/>
+    <axis xyz="0 0 1"/><limit lower="-1" upper="3" effort="1" velocity="1"/></joint>
+</robot>)";
+
+class SelfCollisionCli : public Cli {
+protected:
+    SelfCollisionCli() { write("arm.urdf", arm); }
+};
+
+TEST_F(SelfCollisionCli, ATableWithReasons) {
+    const Outcome outcome = foam("self-collision arm.urdf --samples 2000 --proof-boxes 200");
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_THAT(outcome.out, HasSubstr("arm.urdf: its own spheres\n"
+                                       "link   link   reason    evidence\n"
+                                       "base   upper  Adjacent  joined\n"
+                                       "base   hand   (check)   touch in "));
+    EXPECT_THAT(outcome.out, HasSubstr("\nupper  hand   Adjacent  joined\n"
+                                       "3 pairs: 2 adjacent, 0 always touching, 0 touching in the reference pose, "
+                                       "0 never touching; 0 proved; 1 to check.\n"));
+}
+
+TEST_F(SelfCollisionCli, SamplesComeWithTheirBound) {
+    std::string narrow = arm;
+    narrow.replace(narrow.find("upper=\"3\""), 9, "upper=\"1\"");
+    write("narrow.urdf", narrow);
+    EXPECT_THAT(foam("self-collision narrow.urdf").out, HasSubstr("\nbase   hand   Never     proved\n"));
+    const Outcome outcome = foam("self-collision narrow.urdf --proof-boxes 0 --samples 1000 --confidence 0.99");
+    EXPECT_THAT(outcome.out, HasSubstr("\nbase   hand   Never     touch in 0 of 1000: in less than 0.459 %\n"));
+    EXPECT_THAT(outcome.out, HasSubstr("Never by samples: at 99 % confidence less than 0.459 % of the configurations "
+                                       "for one pair, 0.459 % for all 1 such pairs at once.\n"));
+}
+
+TEST_F(SelfCollisionCli, FilesForPlanners) {
+    const Outcome outcome = foam("self-collision arm.urdf --samples 100 --srdf arm.srdf --curobo ignore.yaml");
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(contents(path() / "arm.srdf"),
+              "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n"
+              "<robot name=\"arm\">\n"
+              "  <disable_collisions link1=\"base\" link2=\"upper\" reason=\"Adjacent\"/>\n"
+              "  <disable_collisions link1=\"upper\" link2=\"hand\" reason=\"Adjacent\"/>\n"
+              "</robot>\n");
+    EXPECT_EQ(contents(path() / "ignore.yaml"),
+              "self_collision_ignore:\n  \"base\": [\"upper\"]\n  \"upper\": [\"hand\"]\n");
+}
+
+TEST_F(SelfCollisionCli, JsonIsTheSameOnAnyNumberOfThreads) {
+    const Outcome one = foam("self-collision arm.urdf --json --samples 5000 --seed 3 --pose elbow=3 -j 1");
+    EXPECT_EQ(one.code, 0);
+    EXPECT_EQ(foam("self-collision arm.urdf --json --samples 5000 --seed 3 --pose elbow=3 -j 3").out, one.out);
+    EXPECT_NE(foam("self-collision arm.urdf --json --samples 5000 --seed 4 --pose elbow=3").out, one.out);
+    const json data = json::parse(one.out);
+    EXPECT_EQ(data["model"], "its own spheres");
+    EXPECT_EQ(data["reference"], json({{"elbow", 3.0}, {"shoulder", 0.0}}));
+    ASSERT_EQ(data["pairs"].size(), 3u);
+    const json& hand = data["pairs"][1];
+    EXPECT_EQ(hand["link2"], "hand");
+    EXPECT_EQ(hand["reason"], "Default");
+    EXPECT_EQ(hand["ignored"], true);
+    EXPECT_EQ(hand["proved"], false);
+    EXPECT_EQ(hand["samples"], 5000);
+    EXPECT_GT(hand["touching"], 0);
+    EXPECT_EQ(data["links"][0], json({{"link", "base"}, {"spheres", 1}, {"certified_cover", false}}));
+}
+
+TEST_F(SelfCollisionCli, OtherGeometryIsCoveredFirst) {
+    std::string boxes = arm;
+    boxes.replace(boxes.find("<sphere radius=\"0.3\"/>"), 22, "<box size=\"0.2 0.2 0.2\"/>");
+    write("boxes.urdf", boxes);
+    const Outcome outcome = foam("self-collision boxes.urdf --samples 100 --spheres 2");
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_THAT(outcome.out, HasSubstr("boxes.urdf: certified covers of at most 2 spheres for 1 link, its own spheres "
+                                       "for 2\n"));
+    EXPECT_TRUE(json::parse(
+        foam("self-collision boxes.urdf --samples 100 --spheres 2 --json").out)["links"][0]["certified_cover"]);
+}
+
+TEST_F(SelfCollisionCli, SpheresOfAFile) {
+    write("model.csv", "link,x,y,z,radius\nbase,0,0,0,0.4\nhand,1,0,0,0.3\n");
+    const Outcome outcome = foam("self-collision arm.urdf --model model.csv --samples 100");
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.err, "foam: warning: arm.urdf: 1 of 3 links with collision geometry have no spheres: upper\n");
+    EXPECT_THAT(outcome.out, HasSubstr("arm.urdf: the spheres of model.csv\n"));
+    EXPECT_THAT(outcome.out, HasSubstr("1 pairs: "));
+}
+
+TEST_F(SelfCollisionCli, Refusals) {
+    write("one.urdf", "<robot name='one'><link name='a'><collision><geometry><sphere radius='1'/></geometry>"
+                      "</collision></link></robot>");
+    write("box.obj", box_obj);
+    const auto refusal = [&](const std::string& arguments, int code) {
+        const Outcome outcome = foam("self-collision " + arguments);
+        EXPECT_EQ(outcome.code, code) << arguments;
+        EXPECT_EQ(outcome.out, "");
+        return outcome.err;
+    };
+    EXPECT_EQ(refusal("one.urdf", 1),
+              "foam: error: one.urdf: only one link has collision geometry: there is no pair of links to check\n");
+    EXPECT_EQ(refusal("box.obj", 1), "foam: error: box.obj: a mesh has no joints; remedy: give a URDF\n");
+    EXPECT_EQ(refusal("arm.urdf --pose elbow", 2), "foam: error: --pose expects JOINT=NUMBER, got 'elbow'\n");
+    EXPECT_EQ(refusal("arm.urdf --pose wrist=1", 2),
+              "foam: error: a value is given for joint 'wrist', but robot 'arm' has no such joint\n");
+    EXPECT_EQ(refusal("arm.urdf --confidence 1", 2), "foam: error: the confidence must lie between 0 and 1, got 1\n");
+    EXPECT_EQ(refusal("arm.urdf --samples 10 --srdf no/such/folder/a.srdf", 1),
+              "foam: error: no/such/folder/a.srdf: it cannot be written; remedy: check that its folder exists and has "
+              "room\n");
+}
+
+} // namespace
+} // namespace foam::test
