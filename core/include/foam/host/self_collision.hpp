@@ -68,7 +68,7 @@ struct SelfCollisionOptions {
     std::uint64_t seed = 0;
     /// A proof gives up after so many boxes of joint values, for one pair; 0: no proofs.
     std::size_t proof_boxes = 20000;
-    JointValues reference; ///< of the reference configuration; joints that are not named are at zero, or at the limit
+    JointValues reference{}; ///< of the reference configuration; joints that are not named are at zero, or at the limit
     const std::atomic<bool>* cancel = nullptr;
 };
 
