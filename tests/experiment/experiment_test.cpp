@@ -1,4 +1,6 @@
 // Tiny experiments, run as `foam bench` does.
+#include "experiment/table.hpp"
+#include "queries/engine.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <foam/error.hpp>
@@ -14,6 +16,8 @@ namespace foam {
 namespace {
 
 namespace fs = std::filesystem;
+using experiment::parse_csv;
+using experiment::Table;
 using ::testing::HasSubstr;
 using ::testing::UnorderedElementsAre;
 
@@ -139,6 +143,105 @@ TEST_F(Running, QualityAgainstSpheres) {
     // A unit cube in its circumscribed ball is most of the volume: excess = √3 π / 2 − 1.
     EXPECT_THAT(result.csv, HasSubstr("spherize.octree,1,2,1.7"));
     EXPECT_EQ(without(run(quality_experiment).csv, 11), without(result.csv, 11));
+}
+
+const std::string queries_experiment =
+    "foam_experiment: 1\nname: x\nkind: collision_queries\nrobots:\n"
+    "  arm: {urdf: [no.urdf, arm.urdf], spheres: 6}\n  other: {urdf: arm.urdf, spheres: spheres.urdf}\n"
+    "  none: {urdf: no.urdf, spheres: 1}\n"
+    "method: [repair.soup, spherize.octree]\nqueries: 20\ndistances: 5\nenvironments: 4\nobstacles: 3\n";
+
+class Queries : public Running {
+protected:
+    void SetUp() override {
+        Running::SetUp();
+        ::setenv("XDG_CACHE_HOME", (path() / "cache").c_str(), 1);
+        write("arm.urdf", arm("<mesh filename='" + meshes + "finger.stl'/>", "<box size='0.1 0.1 0.3'/>"));
+        write("spheres.urdf", arm("<sphere radius='0.1'/>", "<sphere radius='0.2'/>"));
+    }
+    /// A base, and an arm on two joints.
+    static std::string arm(const std::string& tip, const std::string& base) {
+        const auto link = [](const std::string& name, const std::string& shape) {
+            return "<link name='" + name + "'><collision><geometry>" + shape + "</geometry></collision></link>";
+        };
+        const auto joint = [](const std::string& parent, const std::string& child, const std::string& axis) {
+            return "<joint name='to_" + child + "' type='continuous'><parent link='" + parent + "'/><child link='" +
+                   child + "'/><origin xyz='0.4 0 0.2'/><axis xyz='" + axis + "'/></joint>";
+        };
+        return "<robot name='arm'>" + link("base", base) + link("upper", base) + link("tip", tip) +
+               joint("base", "upper", "0 0 1") + joint("upper", "tip", "0 1 0") + "</robot>";
+    }
+    static bool have(const char* engine) {
+        const auto all = engine_names();
+        return std::filesystem::exists(engine_program(
+            *std::find_if(all.begin(), all.end(), [&](const EngineName& e) { return engine == std::string(e.name); })));
+    }
+    static std::string cell(const Table& table, std::size_t row, const std::string& column) {
+        const auto it = std::find(table.columns.begin(), table.columns.end(), column);
+        return table.rows.at(row).at(static_cast<std::size_t>(it - table.columns.begin()));
+    }
+};
+
+TEST_F(Queries, TablesAndFiles) {
+    const ExperimentResult result = run(queries_experiment);
+    EXPECT_THAT(result.files, UnorderedElementsAre("results.csv", "results.md"));
+    EXPECT_THAT(result.csv,
+                HasSubstr("robot,engine,version,model,shapes,queries,aborted,move_ms,collision_ms,collision_ms_error,"
+                          "collision_ms_difference,collision_ms_difference_error,distances,distance_ms,"
+                          "distance_ms_error,distance_ms_difference,distance_ms_difference_error,mean_distance_m,"
+                          "collides,collides_alone,remark\n"));
+    EXPECT_THAT(
+        result.markdown,
+        HasSubstr(
+            "| robot | FCL: Δ collision, ms | FCL: Δ distance, ms | FCL: Δ validity, % "
+            "| FCL, pair by pair: Δ collision, ms | FCL, pair by pair: Δ distance, ms "
+            "| FCL, pair by pair: Δ validity, % | Bullet: Δ collision, ms | Bullet: Δ distance, ms "
+            "| Bullet: Δ validity, % | MuJoCo: Δ collision, ms | MuJoCo: Δ distance, ms | MuJoCo: Δ validity, % |"));
+    EXPECT_THAT(result.markdown, HasSubstr("| robot | shapes | spheres | queries | collision, ms | by spheres, ms "
+                                           "| distances | distance, ms | by spheres, ms | collides, % "
+                                           "| spheres collide, % | only spheres | only the original | aborted "
+                                           "| aborted by spheres |"));
+    EXPECT_THAT(result.markdown, HasSubstr("Left out, as no candidate is here: none."));
+    EXPECT_THAT(result.markdown, HasSubstr("arm is arm.urdf: 3 links, 6 spheres, "));
+    EXPECT_THAT(result.markdown, HasSubstr("other is arm.urdf: 3 links, 3 spheres, "));
+    EXPECT_THAT(told, HasSubstr("warning: x: none is left out: "));
+    const Table table = parse_csv(result.csv, "results.csv");
+    ASSERT_EQ(table.rows.size(), 16u); // 2 robots, 4 engines, 2 models
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        const bool here = have(cell(table, row, "engine").c_str());
+        EXPECT_EQ(cell(table, row, "queries"), here ? "20" : "0");
+        EXPECT_EQ(cell(table, row, "distances"), here ? "5" : "0");
+        EXPECT_EQ(cell(table, row, "remark").empty(), here);
+    }
+}
+
+TEST_F(Queries, AMissingLibraryIsNamed) {
+    if (have("mujoco")) {
+        GTEST_SKIP() << "libmujoco-dev is here";
+    }
+    const ExperimentResult result = run(queries_experiment + "engines: mujoco\n");
+    EXPECT_THAT(result.markdown, HasSubstr("| arm | not measured | not measured | not measured |"));
+    EXPECT_THAT(
+        result.markdown,
+        HasSubstr("arm: the program foam-engine-mujoco is not built; remedy: apt-get install libmujoco-dev, then "
+                  "configure and build foam again"));
+}
+
+TEST_F(Queries, CertifiedSpheresMissNothingAndVerdictsAreTheSameEveryTime) {
+    if (!have("fcl")) {
+        GTEST_SKIP() << "libfcl-dev is not here";
+    }
+    const std::string text = queries_experiment + "engines: [fcl, fcl_pairs]\nseed: 3\n";
+    const ExperimentResult result = run(text);
+    EXPECT_THAT(result.markdown, ::testing::ContainsRegex("certified; of [1-9][0-9]* such hits of obstacles, over all "
+                                                          "libraries, their spheres missed 0, of "));
+    const Table first = parse_csv(result.csv, "a"), second = parse_csv(run(text).csv, "b");
+    for (std::size_t row = 0; row < first.rows.size(); ++row) {
+        for (const char* column : {"shapes", "queries", "aborted", "collides", "collides_alone", "mean_distance_m"}) {
+            EXPECT_EQ(cell(first, row, column), cell(second, row, column));
+            EXPECT_EQ(cell(first, row, column), cell(first, row ^ 2, column)) << "with trees and without, row " << row;
+        }
+    }
 }
 
 TEST_F(Running, NoRobotIsThere) {

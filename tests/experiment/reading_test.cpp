@@ -56,7 +56,7 @@ TEST_F(Reading, NoExperiment) {
     EXPECT_EQ(
         findings("foam_experiment: 1\nkind: time_against_triangle\n"),
         "x.yaml:2:7: error[unknown-choice]: 'kind' expects one of time_against_triangles, quality_against_spheres, "
-        "got the text 'time_against_triangle'; did you mean 'time_against_triangles'?\n");
+        "collision_queries, got the text 'time_against_triangle'; did you mean 'time_against_triangles'?\n");
 }
 
 TEST_F(Reading, AllThatIsMissing) {
@@ -106,6 +106,38 @@ TEST_F(Reading, StagesWhereTheyDoNotBelong) {
         "x.yaml:7:24: error[wrong-kind]: 'load.mesh' is a mesh loader; 'methods' holds mesh filters and spherizers\n"
         "x.yaml:7:35: error[unsupported]: 'spherize.grid' is measured in this process; remedy: delete isolate, "
         "time_limit, memory_limit\n");
+}
+
+const std::string collision = head + "kind: collision_queries\n";
+
+TEST_F(Reading, CollisionQueries) {
+    const auto good =
+        parse_experiment(collision + "robots: {r: {urdf: [a.urdf, b.urdf], spheres: 8}, "
+                                     "s: {urdf: a.urdf, spheres: s.urdf}}\n"
+                                     "method: [repair.soup, spherize.grid]\nengines: bullet\nqueries: 10\n",
+                         "x.yaml", registry);
+    ASSERT_TRUE(good.ok());
+    EXPECT_EQ(good.experiment->stages(), (std::set<std::string>{"repair.soup", "spherize.grid"}));
+    EXPECT_EQ(findings(collision),
+              "x.yaml:1:1: error[missing-key]: 'robots' is missing; remedy: write robots: {panda: {urdf: FILE.urdf, "
+              "spheres: 60}}\n");
+    EXPECT_EQ(
+        findings(collision + "robots: {r: {urdf: a.urdf, spheres: 8}}\n"),
+        "x.yaml:4:13: error[missing-key]: 'r' is to get 8 spheres, but 'method' is missing; remedy: write method: "
+        "spherize.medial\n");
+    EXPECT_EQ(findings(collision + "robots: {r: {spheres: s.urdf, size: 3}}\n"),
+              "x.yaml:4:13: error[missing-key]: 'r' needs 'urdf'; remedy: write r: {urdf: FILE.urdf, spheres: 60}\n"
+              "x.yaml:4:31: error[unknown-key]: unknown key 'size' in r; known: urdf, spheres\n");
+    const std::string robots = "robots: {s: {urdf: a.urdf, spheres: s.urdf}}\n";
+    EXPECT_EQ(
+        findings(collision + robots + "engines: [fcl, bulet, fcl]\n"),
+        "x.yaml:5:16: error[unknown-choice]: 'engines' holds fcl, fcl_pairs, bullet, mujoco, got 'bulet'; did you "
+        "mean 'bullet'?\nx.yaml:5:23: error[twice]: 'engines' holds 'fcl' twice\n");
+    EXPECT_EQ(findings(collision + robots + "method: repair.soup\nsmallest: 0.5\n"),
+              "x.yaml:1:1: error[out-of-order]: 'smallest' is 0.5 m and 'largest' 0.3 m; remedy: the other way round\n"
+              "x.yaml:5:9: error[missing-stage]: 'method' has no spherizer; remedy: add one as its last stage\n");
+    EXPECT_EQ(findings(collision + robots + "queries: 0\n"),
+              "x.yaml:5:10: error[out-of-bounds]: 'queries' expects an integer between 1 and 100000000, got 0\n");
 }
 
 } // namespace

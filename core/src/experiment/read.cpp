@@ -118,8 +118,9 @@ ExperimentReading finish(std::unique_ptr<Experiment> experiment, const std::stri
 } // namespace
 
 std::span<const Kind> kinds() {
-    static constexpr std::array<Kind, 2> all{{{"time_against_triangles", read_time_against_triangles},
-                                              {"quality_against_spheres", read_quality_against_spheres}}};
+    static constexpr std::array<Kind, 3> all{{{"time_against_triangles", read_time_against_triangles},
+                                              {"quality_against_spheres", read_quality_against_spheres},
+                                              {"collision_queries", read_collision_queries}}};
     return all;
 }
 

@@ -131,4 +131,11 @@ EngineReport ask_engine(EngineProblem problem, const std::function<bool()>& canc
     return report;
 }
 
+void append(EngineReport& report, EngineReport later) {
+    report.version = std::move(later.version);
+    report.error = std::move(later.error);
+    report.answers.insert(report.answers.end(), later.answers.begin(), later.answers.end());
+    report.aborts.insert(report.aborts.end(), later.aborts.begin(), later.aborts.end());
+}
+
 } // namespace foam

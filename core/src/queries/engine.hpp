@@ -49,6 +49,7 @@ struct EngineAnswer {
     double distance_seconds = 0;                                ///< to both
     double distance = std::numeric_limits<double>::quiet_NaN(); ///< m; NaN: not asked
 
+    double seconds() const { return move_seconds + collision_seconds + distance_seconds; }
     bool collides() const { return hits_obstacle || hits_itself; }
 };
 
@@ -72,6 +73,9 @@ std::filesystem::path engine_program(const EngineName& engine);
 /// Error(cancelled).
 EngineReport ask_engine(EngineProblem problem, const std::function<bool()>& cancelled = {},
                         std::filesystem::path program = {});
+
+/// The answers of a later portion of the queries behind those of the earlier ones.
+void append(EngineReport& report, EngineReport later);
 
 /// Bytes between the two processes.
 std::string to_bytes(const EngineProblem& problem);
