@@ -1,4 +1,5 @@
 #include "activity.hpp"
+#include "handover.hpp"
 
 #include <foam/parallel.hpp>
 
@@ -15,9 +16,12 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
     std::exception_ptr first;
     std::size_t first_index = count;
     const Activity* const activity = current_activity();
+    Handover work, results;
+    work.give();
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, count, 1),
         [&](const tbb::blocked_range<std::size_t>& range) {
+            work.take();
             const ActivityLoan loan(activity);
             for (std::size_t i = range.begin(); i != range.end(); ++i) {
                 try {
@@ -30,8 +34,10 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
                     }
                 }
             }
+            results.give();
         },
         tbb::auto_partitioner());
+    results.take();
     if (first) {
         std::rethrow_exception(first);
     }
