@@ -1,4 +1,4 @@
-// A comparison as one HTML file: no other file, no network, no script.
+// A comparison as one HTML file: no other file, no network.
 #include "comparison.hpp"
 
 #include <foam/host/markup.hpp>
@@ -8,36 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace foam::cli {
 namespace {
-
-constexpr std::string_view style =
-    R"(:root{color-scheme:light dark;--line:#c8ccd0;--bar:#8ab4e8;--bad:#c0392b;--good:#1e8449}
-@media(prefers-color-scheme:dark){:root{--line:#454b52;--bar:#3b5f8a;--bad:#ff8a75;--good:#7bd88f}}
-body{font:15px/1.5 system-ui,sans-serif;margin:2rem auto;max-width:75rem;padding:0 1rem}
-h1{font-size:1.5rem}h2{font-size:1.15rem;margin-top:2rem}
-.wide{overflow-x:auto}table{border-collapse:collapse;font-variant-numeric:tabular-nums}
-th,td{padding:.25rem .7rem;text-align:right;border-bottom:1px solid var(--line);white-space:nowrap}
-th:first-child,td:first-child{text-align:left}th.first,td.first{border-left:2px solid var(--line)}
-.bar{display:block;height:.35rem;background:var(--bar)}.yes{color:var(--good)}.no{color:var(--bad)}
-img{max-width:100%;height:auto;background:#fff;border:1px solid var(--line)}footer{margin-top:2rem;opacity:.7})";
-
-std::string base64(std::string_view bytes) {
-    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string result;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t group = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-        }
-        for (std::size_t k = 0; k < 4; ++k) {
-            result += i + k > bytes.size() ? '=' : digits[group >> (18 - 6 * k) & 63U];
-        }
-    }
-    return result;
-}
 
 std::string number(double value, int digits) {
     return std::isfinite(value) ? fmt::format("{:.{}f}", value, digits) : "∞";
@@ -80,10 +53,11 @@ std::string link_cells(const Measures& m, double longest) {
         return "<td class=\"first\">–</td><td>–</td><td>–</td>";
     }
     const double share = longest > 0 && std::isfinite(m.excess) ? m.excess / longest : 0;
-    return fmt::format("<td class=\"first\">{}</td><td>{}<span class=\"bar\" style=\"width:{:.1f}%\"></span></td>"
-                       "<td class=\"{}\">{}</td>",
-                       m.spheres, number(m.excess, 3), 100 * share, m.certified ? "yes" : "no",
-                       number(1000 * m.gap, 2));
+    return fmt::format(
+        "<td class=\"first\">{}</td><td>{}<svg class=\"bar\" viewBox=\"0 0 100 4\" "
+        "preserveAspectRatio=\"none\" aria-hidden=\"true\"><rect width=\"{:.1f}\" height=\"4\"/></svg></td>"
+        "<td class=\"{}\">{}</td>",
+        m.spheres, number(m.excess, 3), 100 * share, m.certified ? "yes" : "no", number(1000 * m.gap, 2));
 }
 
 std::string link_table(const Comparison& comparison) {
@@ -120,25 +94,20 @@ std::string notes(const Comparison& comparison) {
 } // namespace
 
 std::string html_of(const Comparison& comparison, const std::string& png) {
-    const std::string title = "Sphere models of " + markup_escaped(comparison.original.file.filename().string());
-    std::string html =
-        fmt::format("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title>\n"
-                    "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
-                    "<style>{1}</style></head><body>\n<h1>{0}</h1>\n",
-                    title, style);
-    html += total_table(comparison);
+    const std::string title = "Sphere models of " + comparison.original.file.filename().string();
+    std::string html = "<header><h1>" + markup_escaped(title) + "</h1></header>\n" + total_table(comparison);
     if (!png.empty()) {
         html += fmt::format(
             "<p><img alt=\"The robot under the spheres of each model\" src=\"data:image/png;base64,{}\"></p>\n",
             base64(png));
     }
     html += "<h2>Links</h2>\n" + link_table(comparison) + notes(comparison);
-    return html +
-           fmt::format("<footer>covered: share of the surface that lies in the spheres. gap: how far the geometry "
-                       "sticks out. excess, missing: volume wrongly claimed and left out, over the volume of the "
-                       "geometry. out: how far the spheres stick out. certified: gap 0 is proved. foam {}.</footer>\n"
-                       "</body></html>\n",
-                       version());
+    return html_page(title,
+                     html + fmt::format("<footer>covered: share of the surface that lies in the spheres. gap: how far "
+                                        "the geometry sticks out. excess, missing: volume wrongly claimed and left "
+                                        "out, over the volume of the geometry. out: how far the spheres stick out. "
+                                        "certified: gap 0 is proved. foam {}.</footer>\n",
+                                        version()));
 }
 
 } // namespace foam::cli

@@ -28,7 +28,8 @@ std::string files_text(const Recipe& recipe, const RunResult& result, const fs::
     }
     const std::size_t others = result.files.size() - std::min(result.files.size(), recipe.outputs.size());
     return text + (others > 0 ? fmt::format(" and {} more files", others) : "") +
-           fmt::format(" ({:.2f} s, CPU {:.2f} s)\n", result.seconds, result.cpu_seconds);
+           fmt::format(" ({:.2f} s, CPU {:.2f} s)\nReport: {}\n", result.seconds, result.cpu_seconds,
+                       (directory / "report.html").string());
 }
 
 /// Of a sweep, the one run that the manifest is of.
@@ -52,8 +53,7 @@ int run_recipe(Program& program, Arguments arguments) {
     } else if (arguments.recipe.empty()) {
         throw Error(ErrorCode::usage, "recipe is required; `foam run --help` says how to use it");
     }
-    RecipeResult read =
-        read_recipe(arguments.recipe, registry, settings_of(arguments.settings), arguments.variants);
+    RecipeResult read = read_recipe(arguments.recipe, registry, settings_of(arguments.settings), arguments.variants);
     if (lock && !read.ok()) {
         lock->check_plugins(registry);
     }

@@ -15,10 +15,14 @@ namespace foam {
 std::vector<OutputFile> write_debug_meshes(const Workspace& workspace, const FinishedModel& finished,
                                            const RunDirectory& directory);
 
+struct Snapshots {
+    std::vector<std::filesystem::path> files; ///< relative to the run directory
+    std::string robot;                        ///< PNG of the whole robot; empty if the recipe wants none
+};
+
 /// snapshots/robot.png and links/<link>/spheres.png (recipe: snapshots), links/<link>/stages.png (recipe:
 /// debug.snapshots).
-std::vector<std::filesystem::path> write_snapshots(const Workspace& workspace, const FinishedModel& finished,
-                                                   const RunDirectory& directory);
+Snapshots write_snapshots(const Workspace& workspace, const FinishedModel& finished, const RunDirectory& directory);
 
 /// The link after filter `stage` (0: as loaded), all elements in one mesh, link frame.
 Mesh link_mesh(const LinkWork& link, std::size_t stage);

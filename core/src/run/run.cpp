@@ -4,6 +4,7 @@
 #include "debug.hpp"
 #include "input.hpp"
 #include "manifest.hpp"
+#include "report.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -90,6 +91,7 @@ RunResult run(const Recipe& recipe, const Registry& registry, const RunOptions& 
                     fmt::format("{}: every link was skipped: there is nothing to write", input.file.string()));
     }
 
+    Snapshots pictures;
     if (directory) {
         files.outputs = write_outputs(workspace, finished, *directory);
         if (recipe.debug_meshes) {
@@ -100,18 +102,21 @@ RunResult run(const Recipe& recipe, const Registry& registry, const RunOptions& 
                 result.files.emplace_back(file.file);
             }
         }
-        const auto pictures = write_snapshots(workspace, finished, *directory);
-        result.files.insert(result.files.end(), pictures.begin(), pictures.end());
+        pictures = write_snapshots(workspace, finished, *directory);
+        result.files.insert(result.files.end(), pictures.files.begin(), pictures.files.end());
     }
     result.certified = all_certified(finished);
     fill_result(result, journal, links, cpu_begin);
     if (directory) {
-        directory->write("recipe.resolved.yaml", to_yaml(recipe, registry, true));
+        const std::string resolved = to_yaml(recipe, registry, true);
+        directory->write("recipe.resolved.yaml", resolved);
         const std::string manifest = manifest_json(workspace, files, result);
         if (options.accept) {
             options.accept(manifest);
         }
         directory->write("manifest.json", manifest);
+        directory->write("report.html", report_html(workspace, finished, manifest, resolved, pictures));
+        result.files.emplace_back("report.html");
         journal.emit(Event::Kind::run_finished);
         directory->write("events.jsonl", journal.events_jsonl());
         workspace.check_cancelled();

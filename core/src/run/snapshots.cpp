@@ -13,12 +13,14 @@ public:
         renderer_ = workspace.registry.make<Renderer>(stage_, workspace.recipe.renderer.given);
     }
 
-    void add(const std::filesystem::path& file, const std::string& link, const Figure& figure) {
+    /// Returns the PNG.
+    std::string add(const std::filesystem::path& file, const std::string& link, const Figure& figure) {
         StageReport report;
-        const Image image = run_stage(workspace_, stage_, link, file.string(), file.string(), report,
-                                      [&](Context& context) { return renderer_->render(figure, context); });
+        Image image = run_stage(workspace_, stage_, link, file.string(), file.string(), report,
+                                [&](Context& context) { return renderer_->render(figure, context); });
         directory_.write(file, image.png);
         files.push_back(file);
+        return std::move(image.png);
     }
 
     std::vector<std::filesystem::path> files;
@@ -104,8 +106,7 @@ Figure stages_figure(const Recipe& recipe, const FinishedLink& link) {
 
 } // namespace
 
-std::vector<std::filesystem::path> write_snapshots(const Workspace& workspace, const FinishedModel& finished,
-                                                   const RunDirectory& directory) {
+Snapshots write_snapshots(const Workspace& workspace, const FinishedModel& finished, const RunDirectory& directory) {
     const Recipe& recipe = workspace.recipe;
     if (!recipe.snapshots && !recipe.debug_snapshots) {
         return {};
@@ -113,8 +114,9 @@ std::vector<std::filesystem::path> write_snapshots(const Workspace& workspace, c
     workspace.journal.expect((recipe.snapshots ? 1 + finished.links.size() : 0) +
                              (recipe.debug_snapshots ? finished.links.size() : 0));
     Album album(workspace, directory);
+    std::string robot;
     if (recipe.snapshots) {
-        album.add("snapshots/robot.png", "", robot_figure(recipe, finished));
+        robot = album.add("snapshots/robot.png", "", robot_figure(recipe, finished));
     }
     for (const FinishedLink& link : finished.links) {
         const std::string& name = link.work->link->name;
@@ -126,7 +128,7 @@ std::vector<std::filesystem::path> write_snapshots(const Workspace& workspace, c
             album.add(folder / "stages.png", name, stages_figure(recipe, link));
         }
     }
-    return album.files;
+    return {std::move(album.files), std::move(robot)};
 }
 
 } // namespace foam

@@ -1,0 +1,102 @@
+// The figures of every link.
+#include "sections.hpp"
+#include "text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace foam::report {
+namespace {
+
+constexpr double mm_per_m = 1000;
+constexpr int columns = 10;
+
+/// The largest finite value of a figure over the links: the length of a full bar.
+double greatest(const Json& links, const char* figure) {
+    double most = 0;
+    for (const Json& link : links) {
+        if (link.contains("measures")) {
+            const double value = value_of(link["measures"][figure]);
+            most = std::isfinite(value) ? std::max(most, value) : most;
+        }
+    }
+    return most;
+}
+
+class LinkTable {
+public:
+    explicit LinkTable(const Json& manifest) : manifest_(manifest) {
+        for (const char* figure : {"excess", "missing", "gap_m", "protrusion_max_m"}) {
+            full_[figure] = greatest(manifest["links"], figure);
+        }
+    }
+
+    std::string html() const {
+        std::string rows;
+        for (const Json& link : manifest_["links"]) {
+            rows += link.contains("measures") ? row(link) : empty_row(link);
+        }
+        const Json& total = manifest_["total"];
+        return fmt::format(
+            "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Figures of every link\">"
+            "<table class=\"sortable\">\n<thead><tr><th scope=\"col\">link</th><th scope=\"col\">spheres</th>"
+            "<th scope=\"col\">excess</th><th scope=\"col\">missing</th><th scope=\"col\">gap mm</th>"
+            "<th scope=\"col\">certified</th><th scope=\"col\">covered %</th><th scope=\"col\">out max mm</th>"
+            "<th scope=\"col\">out mean mm</th><th scope=\"col\">growth mm</th></tr></thead>\n<tbody>\n{}</tbody>\n"
+            "<tfoot><tr><th scope=\"row\">total</th>{}<td></td></tr></tfoot>\n</table></div>\n",
+            rows, figures(total, false));
+    }
+
+private:
+    std::string row(const Json& link) const {
+        const double growth = mm_per_m * value_of(link["growth_m"]);
+        return fmt::format("<tr data-link=\"{0}\"><th scope=\"row\">{0}</th>{1}{2}</tr>\n", escaped(link["link"]),
+                           figures(link["measures"], true), cell(growth, number(growth, 3)));
+    }
+
+    static std::string empty_row(const Json& link) {
+        const std::string why = link.contains("error") ? escaped(link["error"]) : "left out by the recipe";
+        return fmt::format("<tr><th scope=\"row\">{}</th><td class=\"why\" colspan=\"{}\">{}</td></tr>\n",
+                           escaped(link["link"]), columns - 1, why);
+    }
+
+    std::string figures(const Json& m, bool bars) const {
+        const auto estimate = [&](const std::string& figure) {
+            const double value = value_of(m[figure]), error = value_of(m[figure + "_standard_error"]);
+            const std::string text =
+                number(value, 3) +
+                (error > 0 && std::isfinite(error) ? fmt::format(" <small>± {}</small>", number(error, 3)) : "");
+            return figure_cell(figure, value, text, bars);
+        };
+        const auto length = [&](const char* figure, int digits) {
+            const double mm = mm_per_m * value_of(m[figure]);
+            return figure_cell(figure, mm / mm_per_m, number(mm, digits), bars);
+        };
+        const double covered = 100 * value_of(m["covered"]), mean = mm_per_m * value_of(m["protrusion_mean_m"]);
+        const auto spheres = m["spheres"].get<std::size_t>();
+        return cell(static_cast<double>(spheres), fmt::format("{}", spheres)) + estimate("excess") +
+               estimate("missing") + length("gap_m", 3) + yes_no_cell(m["certified"].get<bool>()) +
+               cell(covered, number(covered, 2)) + length("protrusion_max_m", 1) + cell(mean, number(mean, 1));
+    }
+
+    std::string figure_cell(const std::string& figure, double value, const std::string& text, bool bar) const {
+        const double full = full_.at(figure);
+        return bar && full > 0 && value > 0 ? bar_cell(value, text, value / full) : cell(value, text);
+    }
+
+    const Json& manifest_;
+    std::map<std::string, double> full_;
+};
+
+} // namespace
+
+std::string links_section(const Report& report) {
+    return section("links", "Links",
+                   LinkTable(report.manifest).html() +
+                       "<p class=\"note\">Bars compare the links within a column. Out: how far spheres stick out of "
+                       "the geometry. Growth: by how much the sphere that grew most was made larger than what the "
+                       "spherizer gave, for the guarantee.</p>\n");
+}
+
+} // namespace foam::report

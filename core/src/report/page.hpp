@@ -1,0 +1,14 @@
+// HTML pages that need no other file.
+#pragma once
+
+#include "resource.hpp"
+
+#include <string>
+#include <vector>
+
+namespace foam::report {
+
+/// `title` is text, `body` is HTML; `scripts` run after it, in their order.
+std::string page(const std::string& title, const std::string& body, const std::vector<Resource>& scripts);
+
+} // namespace foam::report

@@ -1,0 +1,20 @@
+#include "report.hpp"
+
+#include "page.hpp"
+#include "sections.hpp"
+#include "text.hpp"
+
+namespace foam::report {
+
+std::string to_html(const Report& report) {
+    std::string body = header_section(report) + "<main>\n";
+    for (const auto section :
+         {summary_section, viewer_section, links_section, radii_section, stages_section, proof_section,
+          findings_section, recipe_section, files_section, reproduce_section, execution_section}) {
+        body += section(report);
+    }
+    const auto name = report.manifest["settings"]["name"].get<std::string>();
+    return page(name + " as spheres", body + "</main>\n", {page_js, renderer_js, viewer_js});
+}
+
+} // namespace foam::report

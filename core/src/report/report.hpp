@@ -1,0 +1,31 @@
+// The report of a run: one HTML file for people, from what its manifest says, its recipe and what it made.
+#pragma once
+
+#include "scene.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace foam::report {
+
+struct ReportLink {
+    SceneLink scene;
+    std::string spherizer; ///< the stage that made its spheres
+};
+
+struct Report {
+    nlohmann::ordered_json manifest;
+    std::string recipe;             ///< as YAML, with every default
+    std::string name;               ///< of the robot or mesh
+    std::vector<ReportLink> links;  ///< those that have spheres, in the robot's order
+    std::string picture;            ///< PNG of the robot; may be empty
+    std::vector<std::string> files; ///< further files of the run directory to look at
+};
+
+/// Equal reports give equal bytes. What may differ between two runs of a recipe (see manifest.hpp) lies between the
+/// comments <!--execution--> and <!--/execution-->.
+std::string to_html(const Report& report);
+
+} // namespace foam::report

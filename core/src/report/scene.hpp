@@ -1,0 +1,45 @@
+// What the viewer of a report draws, as JSON with typed arrays in base64.
+#pragma once
+
+#include <foam/mesh.hpp>
+#include <foam/sphere.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace foam::report {
+
+/// The mesh of a link after a stage; link frame.
+struct StageMesh {
+    std::string stage; ///< "original", "repair.auto", …
+    std::shared_ptr<const Mesh> mesh;
+};
+
+struct SceneLink {
+    std::string name;
+    Pose pose;                               ///< from its frame to the robot's
+    std::vector<StageMesh> meshes;           ///< the original first
+    std::vector<std::vector<Sphere>> levels; ///< coarse to fine; link frame
+};
+
+/// A mesh whose corners lie on a grid: what a 16-bit vertex buffer holds.
+struct GridMesh {
+    Vec3 low;        ///< corner (0, 0, 0)
+    double step = 0; ///< m, from one corner to the next
+    std::vector<std::array<std::uint16_t, 3>> corners;
+    std::vector<Triangle> triangles;
+};
+
+/// Moves the corners to the nearest of a grid of 2^bits a side around the mesh and welds them; triangles that become
+/// degenerate go, those that occur twice stay once (vertex clustering: Rossignac and Borrel, 1993).
+GridMesh on_grid(const Mesh& mesh, int bits);
+
+/// `max_triangles`: over all distinct meshes. Where there are more, those of most triangles are drawn coarser.
+///
+/// {"links": [{"name", "pose": 3 rows of 4 numbers, "meshes": [index, …], "levels": [float32 x, y, z, radius, …]}, …],
+///  "meshes": [{"low", "step", "wide", "corners": uint16 × 3, "triangles": uint16 × 3, or uint32 × 3 if wide}, …],
+///  "drawn": share of the triangles}. Little-endian. No '<' in it: it may stand in a script element.
+std::string scene_json(const std::vector<SceneLink>& links, std::size_t max_triangles);
+
+} // namespace foam::report

@@ -1,0 +1,168 @@
+// Name, verdict and figures of the whole, and the proof in words.
+#include "sections.hpp"
+#include "text.hpp"
+
+#include <foam/host/markup.hpp>
+
+#include <fmt/format.h>
+
+namespace foam::report {
+namespace {
+
+constexpr double mm_per_m = 1000;
+
+std::string guarantee_of(const Report& report) {
+    return report.manifest["settings"]["guarantee"].get<std::string>();
+}
+
+bool certified(const Report& report) {
+    return report.manifest["certified"].get<bool>();
+}
+
+std::string verdict(const Report& report) {
+    const std::string guarantee = guarantee_of(report);
+    if (guarantee == "fitted") {
+        return "No guarantee was asked for: the figures say how well the spheres fit.";
+    }
+    if (guarantee == "inner") {
+        return certified(report) ? "Proved: the spheres of every link lie inside its geometry."
+                                 : "Not proved for every link: spheres may stick out of the geometry.";
+    }
+    return certified(report) ? "Proved: the geometry of every link lies inside its spheres."
+                             : "Not proved for every link: geometry may stick out of the spheres.";
+}
+
+std::string verdict_class(const Report& report) {
+    return guarantee_of(report) == "fitted" ? "plain" : certified(report) ? "yes" : "no";
+}
+
+std::string tile(const std::string& term, const std::string& value, const std::string& detail) {
+    return fmt::format("<div><dt>{}</dt><dd>{}<small>{}</small></dd></div>\n", term, value, detail);
+}
+
+/// "22", or "20 of at most 22".
+std::string budget_text(const Json& manifest) {
+    const Json& settings = manifest["settings"];
+    if (!settings.contains("budget") || !settings["budget"].is_object()) {
+        return "no budget: the spherizer’s own parameters ruled";
+    }
+    const Json& budget = settings["budget"];
+    std::string text;
+    if (budget.contains("spheres") && budget["spheres"].is_number()) {
+        text = fmt::format("budget {}", budget["spheres"].get<std::size_t>());
+    }
+    if (budget.contains("max_protrusion") && budget["max_protrusion"].is_number()) {
+        text += fmt::format("{}at most {} mm out", text.empty() ? "" : ", ",
+                            number(mm_per_m * budget["max_protrusion"].get<double>(), 1));
+    }
+    return text.empty() ? "no budget: the spherizer’s own parameters ruled" : text;
+}
+
+std::string link_count_text(const Json& manifest) {
+    std::size_t skipped = 0, lost = 0;
+    for (const Json& link : manifest["links"]) {
+        skipped += link.contains("skipped") ? 1 : 0;
+        lost += link.contains("error") ? 1 : 0;
+    }
+    std::string text = skipped > 0 ? fmt::format("{} left out by the recipe", skipped) : "";
+    if (lost > 0) {
+        text += fmt::format("{}{} with an error", text.empty() ? "" : ", ", lost);
+    }
+    return text.empty() ? "with collision geometry" : text;
+}
+
+std::string share_text(const Json& measures, const char* figure) {
+    return number(value_of(measures[figure]), 3);
+}
+
+std::string error_text(const Json& measures, const char* figure) {
+    const std::string key = std::string(figure) + "_standard_error";
+    return fmt::format("± {} (standard error)", number(value_of(measures[key]), 4));
+}
+
+/// Names of the links that stand in the way of the proof.
+std::string open_links(const Report& report) {
+    std::string list;
+    for (const Json& link : report.manifest["links"]) {
+        if (link.contains("measures") && !link["measures"]["certified"].get<bool>()) {
+            list += fmt::format("<li>{}: gap {} mm</li>\n", escaped(link["link"]),
+                                number(mm_per_m * value_of(link["measures"]["gap_m"]), 3));
+        }
+    }
+    return list.empty() ? "" : "<ul>\n" + list + "</ul>\n";
+}
+
+std::string output_names(const Report& report) {
+    std::string names;
+    for (const Json& output : report.manifest["outputs"]) {
+        names += fmt::format("{}<code>{}</code>", names.empty() ? "" : ", ", escaped(output["file"]));
+    }
+    return names;
+}
+
+/// Links that have no spheres are not part of any proof.
+std::string not_part_of_it(const Report& report) {
+    std::string names;
+    for (const Json& link : report.manifest["links"]) {
+        if (!link.contains("measures")) {
+            names += fmt::format("{}<code>{}</code>", names.empty() ? "" : ", ", escaped(link["link"]));
+        }
+    }
+    return names.empty() ? "" : fmt::format("<p>No part of it: {}, left out of the model.</p>\n", names);
+}
+
+} // namespace
+
+std::string header_section(const Report& report) {
+    const Json& manifest = report.manifest;
+    return fmt::format("<header>\n<h1>{}</h1>\n<p>{} · {} · made by foam {}</p>\n"
+                       "<p class=\"verdict {}\">{}</p>\n</header>\n",
+                       escaped(manifest["settings"]["name"]), markup_escaped(report.name),
+                       escaped(manifest["input"]["file"]), escaped(manifest["foam_version"]), verdict_class(report),
+                       verdict(report));
+}
+
+std::string summary_section(const Report& report) {
+    const Json& manifest = report.manifest;
+    const Json &total = manifest["total"], &execution = manifest["execution"];
+    std::string html = "<dl class=\"tiles\">\n";
+    html += tile("Spheres", fmt::format("{}", total["spheres"].get<std::size_t>()), budget_text(manifest));
+    html += tile("Links", fmt::format("{}", report.links.size()), link_count_text(manifest));
+    html += tile("Excess", share_text(total, "excess"), error_text(total, "excess"));
+    html += tile("Missing", share_text(total, "missing"), error_text(total, "missing"));
+    html += tile("Gap", number(mm_per_m * value_of(total["gap_m"]), 3) + " mm",
+                 fmt::format("{} % of the surface covered", number(100 * value_of(total["covered"]), 2)));
+    html += tile("Protrusion", number(mm_per_m * value_of(total["protrusion_max_m"]), 1) + " mm",
+                 fmt::format("mean {} mm", number(mm_per_m * value_of(total["protrusion_mean_m"]), 1)));
+    html += execution_only(tile("Time", number(execution["seconds"].get<double>(), 2) + " s",
+                                fmt::format("CPU {} s", number(execution["cpu_seconds"].get<double>(), 2))));
+    return section("summary", "Summary",
+                   html + "</dl>\n<p class=\"note\">Excess: volume that the spheres wrongly claim, over the volume of "
+                          "the geometry. Missing: volume that they leave out. Gap: how far geometry sticks out of the "
+                          "spheres. Protrusion: how far spheres stick out of the geometry. All against the collision "
+                          "geometry as the input gives it, overlaps counted once.</p>\n");
+}
+
+std::string proof_section(const Report& report) {
+    const std::string guarantee = guarantee_of(report);
+    std::string html = fmt::format("<p class=\"verdict {}\">{}</p>\n", verdict_class(report), verdict(report));
+    if (guarantee == "fitted") {
+        html += "<p>With <code>guarantee: outer</code> spheres grow until they hold all of the geometry, and the file "
+                "is proved; with <code>guarantee: inner</code> they shrink until they stick out nowhere.</p>\n";
+        return section("proof", "Certificate", html);
+    }
+    html += certified(report) ? "" : open_links(report);
+    html += fmt::format("<p>The proof is about the numbers read back from {}, as another program reads them, and the "
+                        "meshes and primitives as the input gives them, not the repaired or simplified ones.</p>\n",
+                        output_names(report));
+    html += guarantee == "outer"
+                ? "<p>How: a ball that holds the three corners of a triangle holds the triangle. A triangle that no "
+                  "single ball holds is split, and its halves are asked again; what is still open at the end counts "
+                  "as not covered. Round primitives are proved on a polyhedron around them. Rounding is on the safe "
+                  "side: no point outside the spheres passes.</p>\n"
+                : "<p>How: a ball lies inside if its centre does and no triangle comes nearer to it than the radius. "
+                  "Rounding is on the safe side: no ball that sticks out passes.</p>\n";
+    return section("proof", "Certificate", html + not_part_of_it(report));
+}
+
+} // namespace foam::report

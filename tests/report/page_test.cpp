@@ -1,0 +1,45 @@
+// Pages that need no other file.
+#include "fixture.hpp"
+#include "report/page.hpp"
+
+#include <foam/host/markup.hpp>
+
+namespace foam::test {
+namespace {
+
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+
+TEST(Page, Base64OfRfc4648) {
+    EXPECT_EQ(base64(""), "");
+    EXPECT_EQ(base64("f"), "Zg==");
+    EXPECT_EQ(base64("fo"), "Zm8=");
+    EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+    EXPECT_EQ(base64(std::string("\xFF\x00\xFE", 3)), "/wD+");
+}
+
+TEST(Page, ItsTitleIsText) {
+    EXPECT_THAT(html_page("a <b> & \"c\"", ""), HasSubstr("<title>a &lt;b&gt; &amp; &quot;c&quot;</title>"));
+}
+
+TEST(Page, OnlyItsOwnScriptsRunAndNothingIsLoaded) {
+    // SHA-256 of "1" and "2", as `printf 1 | openssl sha256 -binary | base64` says.
+    const report::Resource one{"1", "6b86b273ff34fce19d6b804eff5a3f5747ada4eaa22f1d49c01e52ddb7875b4b"};
+    const report::Resource two{"2", "d4735e3a265e16eee03f59718b9b5d03019c07d8b6c51f90da3a666eec13ab35"};
+    const std::string page = report::page("t", "<p>body</p>", {one, two});
+    EXPECT_THAT(page, HasSubstr("content=\"default-src 'none'; img-src data:; style-src 'sha256-"));
+    EXPECT_THAT(page, HasSubstr("script-src 'sha256-a4ayc/80/OGda4BO/1o/V0etpOqiLx1JwB5S3beHW0s=' "
+                                "'sha256-1HNeOiZeFu7gP1lxi5tdAwGcB9i2xR+Q2jpmbuwTqzU='; base-uri 'none'"));
+    EXPECT_THAT(page, EndsWith("<p>body</p><script>1</script>\n<script>2</script>\n</body>\n</html>\n"));
+}
+
+TEST(Page, ResourcesEndNoElement) {
+    for (const auto* resource : {&report::page_js, &report::renderer_js, &report::viewer_js}) {
+        EXPECT_EQ(resource->text.find("</script"), std::string_view::npos);
+        EXPECT_EQ(resource->sha256.size(), 64u);
+    }
+    EXPECT_EQ(report::page_css.text.find("</style"), std::string_view::npos);
+}
+
+} // namespace
+} // namespace foam::test
