@@ -1,6 +1,7 @@
 #include "shapes.hpp"
 
 #include "cover.hpp"
+#include "fitted/fit.hpp"
 #include "geometry/row_cover.hpp"
 #include "isolated.hpp"
 
@@ -151,6 +152,18 @@ static void take_better_row(const Workspace& workspace, const Solid& solid, std:
     }
 }
 
+/// With guarantee fitted the finest level is fitted, whatever stage it is from: stages give spheres that cover. Coarser
+/// levels stay bounds of it; in deep trees spheres stay near their parents.
+static void fit_finest(const Solid& solid, const Budget& budget, SphereTree& tree) {
+    SphereTree::Level& finest = tree.levels.back();
+    const bool flat = tree.levels.size() <= 2;
+    finest.spheres = fitted::fit(solid, finest.spheres, budget.max_spheres.value_or(finest.spheres.size()),
+                                 flat ? fitted::Reach::far : fitted::Reach::near);
+    if (tree.levels.size() > 1 && flat) {
+        finest.parents.assign(finest.spheres.size(), 0);
+    }
+}
+
 /// One tree for each budget, checked.
 static std::vector<SphereTree> run_spherizer(const Workspace& workspace, ShapeWork& work,
                                              const std::vector<Budget>& budgets, StageLog& said) {
@@ -163,6 +176,10 @@ static std::vector<SphereTree> run_spherizer(const Workspace& workspace, ShapeWo
             }
             for (std::size_t i = 0; i < made.size(); ++i) {
                 check_tree(made[i], budgets[i]);
+            }
+            if (workspace.recipe.guarantee == Guarantee::fitted) {
+                parallel_for(made.size(),
+                             [&](std::size_t i) { fit_finest(work.shape->original(), budgets[i], made[i]); });
             }
             said = context.said();
             return made;

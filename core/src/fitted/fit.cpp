@@ -1,0 +1,183 @@
+#include "fitted/fit.hpp"
+
+#include "cover/starts.hpp"
+#include "fitted/misfit.hpp"
+
+#include <foam/random.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace foam::fitted {
+namespace {
+
+using cover::Ball;
+using cover::Balls;
+
+/// Steps in units of the balls' mean radius, falling from first to last geometrically.
+struct Steps {
+    std::size_t count;
+    float first, last;
+};
+constexpr Steps look{40, 0.06f, 0.01f}, settle{120, 0.04f, 0.001f};
+
+/// Descent along the shape derivative, in steps of even length by adaptive moments (Kingma and Ba 2015, "Adam"). At the
+/// optimum half of every ball's exposed surface lies inside the solid.
+Balls descend(const Misfit& misfit, Balls balls, const Steps& steps) {
+    using Slope = Misfit::Slope;
+    constexpr float mean_decay = 0.8f, square_decay = 0.95f;
+    float size = 0;
+    for (const Ball& ball : balls) {
+        size += ball.r / static_cast<float>(balls.size());
+    }
+    std::vector<Slope> slopes, mean(balls.size());
+    std::vector<float> square(balls.size(), 0);
+    float mean_scale = 1, square_scale = 1, length = steps.first * size;
+    const float ratio = std::pow(steps.last / steps.first, 1 / static_cast<float>(steps.count - 1));
+    for (std::size_t step = 0; step < steps.count; ++step, length *= ratio) {
+        misfit.slopes(balls, step, slopes);
+        mean_scale *= mean_decay;
+        square_scale *= square_decay;
+        for (std::size_t i = 0; i < balls.size(); ++i) {
+            const auto blend = [&](float& m, float s) { m = mean_decay * m + (1 - mean_decay) * s; };
+            const Slope& s = slopes[i];
+            blend(mean[i].x, s.x);
+            blend(mean[i].y, s.y);
+            blend(mean[i].z, s.z);
+            blend(mean[i].r, s.r);
+            // One scale for the four: a ball keeps its direction of steepest descent.
+            square[i] =
+                square_decay * square[i] + (1 - square_decay) * (s.x * s.x + s.y * s.y + s.z * s.z + s.r * s.r) / 4;
+            const float rms = std::sqrt(square[i] / (1 - square_scale));
+            const float scale = rms > 0 ? -length / (1 - mean_scale) / rms : 0;
+            balls[i].x += scale * mean[i].x;
+            balls[i].y += scale * mean[i].y;
+            balls[i].z += scale * mean[i].z;
+            balls[i].r = std::max(balls[i].r + scale * mean[i].r, 1e-6f);
+        }
+    }
+    return balls;
+}
+
+/// Balls and what they cost.
+struct Candidate {
+    Balls balls;
+    double cost = 0;
+};
+
+class Search {
+public:
+    explicit Search(const Misfit& misfit) : misfit_(misfit) {}
+
+    Candidate candidate(Balls balls) const {
+        const double cost = misfit_.of(balls);
+        return {std::move(balls), cost};
+    }
+
+    /// With balls in the largest pockets that are left, up to `most` in all.
+    Balls filled(Balls balls, std::size_t most) const {
+        while (balls.size() < most) {
+            const Ball pocket = misfit_.largest_pocket(balls);
+            if (!(pocket.r > 0)) {
+                break;
+            }
+            balls.push_back(pocket);
+        }
+        return balls;
+    }
+
+    /// The best of the start, balls packed into the solid and a few clusterings of it, each taken downhill a little
+    /// way.
+    Candidate best_start(const Balls& start, std::size_t most) const {
+        Random random(1);
+        std::vector<Balls> starts{start, filled({}, most)};
+        constexpr int clusterings = 3;
+        for (int i = 0; i < clusterings && misfit_.inside().size() > most; ++i) {
+            starts.push_back(cover::clusters(misfit_.inside(), most, random));
+            for (Ball& ball : starts.back()) {
+                ball.r *= 0.75f; // they hold their clusters: about the volume of these
+            }
+        }
+        Candidate best;
+        best.cost = std::numeric_limits<double>::infinity();
+        for (Balls& balls : starts) {
+            if (balls.empty()) {
+                continue;
+            }
+            Candidate other = candidate(descend(misfit_, std::move(balls), look));
+            if (other.cost < best.cost) {
+                best = std::move(other);
+            }
+        }
+        return best;
+    }
+
+    /// The balls with the one that is of least use moved to where most is missing.
+    Balls moved(const Candidate& now) const {
+        std::size_t least = 0;
+        double cost = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < now.balls.size(); ++i) {
+            Balls others = now.balls;
+            others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+            if (const double without = misfit_.of(others); without < cost) {
+                cost = without;
+                least = i;
+            }
+        }
+        Balls balls = now.balls;
+        balls.erase(balls.begin() + static_cast<std::ptrdiff_t>(least));
+        return filled(std::move(balls), now.balls.size());
+    }
+
+    Candidate far(const Balls& start, std::size_t most) const {
+        Candidate best = candidate(descend(misfit_, best_start(start, most).balls, settle));
+        constexpr int moves = 8;
+        for (int i = 0; i < moves && best.balls.size() > 1; ++i) {
+            Candidate other = candidate(descend(misfit_, moved(best), settle));
+            if (!(other.cost < best.cost)) {
+                break;
+            }
+            best = std::move(other);
+        }
+        return best;
+    }
+
+private:
+    const Misfit& misfit_;
+};
+
+/// Cells along the longest extent so that the box has about as many, whatever its shape.
+int resolution(const Vec3& size) {
+    constexpr double of_a_cube = 56;
+    const double longest = std::max({size.x, size.y, size.z}), volume = size.x * size.y * size.z;
+    const double slenderness = volume > 0 ? longest / std::cbrt(volume) : 4;
+    return static_cast<int>(of_a_cube * std::min(slenderness, 4.0));
+}
+
+} // namespace
+
+std::vector<Sphere> fit(const Solid& solid, std::span<const Sphere> start, std::size_t most, Reach reach) {
+    const cover::Frame frame(solid.bounds());
+    const Misfit misfit(solid, frame, resolution(solid.bounds().size()), 96);
+    Balls balls;
+    for (const Sphere& sphere : start) {
+        balls.push_back(cover::ball_of({frame.to_unit(sphere.center), sphere.radius / frame.unit}));
+    }
+    if (!(misfit.volume() > 0) || balls.empty()) {
+        return {start.begin(), start.end()};
+    }
+    const Search search(misfit);
+    const Candidate before = search.candidate(balls);
+    const Candidate after =
+        reach == Reach::far ? search.far(balls, most) : search.candidate(descend(misfit, std::move(balls), settle));
+    if (!(after.cost < before.cost)) {
+        return {start.begin(), start.end()};
+    }
+    std::vector<Sphere> result;
+    for (const Ball& ball : after.balls) {
+        result.push_back({frame.from_unit({ball.x, ball.y, ball.z}), ball.r * frame.unit});
+    }
+    return result;
+}
+
+} // namespace foam::fitted
