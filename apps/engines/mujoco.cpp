@@ -50,6 +50,33 @@ std::string shape_text(const Primitive& p) {
     return fmt::format("type='{}' size='{}'", to_string(p.kind), fmt::join(size_of(p), " "));
 }
 
+/// The vertices; those of a flat mesh, which MuJoCo takes no hull of, twice, 0.1 mm to both sides of its plane.
+std::vector<Vec3> solid_points(const Mesh& mesh) {
+    constexpr double flat = 1e-6, half_thickness = 1e-4; // m
+    Vec3 normal{};
+    Vec3 origin{};
+    for (const Triangle& t : mesh.triangles) { // the largest one says where the plane is
+        const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+        if (const Vec3 candidate = cross(b - a, c - a); norm(candidate) > norm(normal)) {
+            normal = candidate;
+            origin = a;
+        }
+    }
+    normal = normalized(normal);
+    const bool is_flat = std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
+                                     [&](const Vec3& v) { return std::abs(dot(v - origin, normal)) < flat; });
+    std::vector<Vec3> points;
+    for (const Vec3& v : mesh.vertices) {
+        if (is_flat) {
+            points.push_back(v + half_thickness * normal);
+            points.push_back(v - half_thickness * normal);
+        } else {
+            points.push_back(v);
+        }
+    }
+    return points;
+}
+
 /// The scene in MuJoCo's own format.
 class Text {
 public:
@@ -97,7 +124,7 @@ private:
     /// Its vertices alone: MuJoCo makes their hull.
     void add(const Mesh& mesh) {
         std::string coordinates;
-        for (const Vec3& v : welded(mesh).vertices) {
+        for (const Vec3& v : solid_points(welded(mesh))) {
             coordinates += fmt::format("{} {} {} ", v.x, v.y, v.z);
         }
         assets_ += fmt::format("<mesh name='m{}' vertex='{}'/>\n", meshes_++, coordinates);

@@ -244,6 +244,25 @@ TEST_F(Queries, CertifiedSpheresMissNothingAndVerdictsAreTheSameEveryTime) {
     }
 }
 
+TEST_F(Running, Fidelity) {
+    ::setenv("XDG_CACHE_HOME", (path() / "cache").c_str(), 1);
+    write("pair.urdf", "<robot name='pair'>"
+                       "<link name='a'><visual><geometry><sphere radius='1'/></geometry></visual>"
+                       "<collision><geometry><box size='1 1 1'/></geometry></collision></link>"
+                       "<link name='b'><collision><geometry><box size='1 1 2'/></geometry></collision></link>"
+                       "<joint name='j' type='continuous'><parent link='a'/><child link='b'/></joint></robot>");
+    const ExperimentResult result =
+        run("foam_experiment: 1\nname: x\nkind: fidelity\nrobot: [no.urdf, pair.urdf]\nmethod: spherize.octree\n"
+            "spheres: [2, 4]\nsnapshots: {size: [400, 200], pose: {j: 1}}\n");
+    EXPECT_THAT(result.files, UnorderedElementsAre("results.csv", "results.md", "fidelity.png"));
+    EXPECT_THAT(contents("out/fidelity.png"), testing::StartsWith("\x89PNG"));
+    EXPECT_THAT(result.markdown, HasSubstr("![x](fidelity.png)"));
+    EXPECT_THAT(result.markdown, HasSubstr("| spheres | made | excess | excess error | mean protrusion, mm "
+                                           "| largest protrusion, mm | certified |"));
+    // The cubes' circumscribed balls: radii √3/2 and √6/2 around volumes of 1 and 2.
+    EXPECT_THAT(result.csv, HasSubstr("\n2,2,2.4"));
+}
+
 TEST_F(Running, NoRobotIsThere) {
     EXPECT_THROW(run(quality_experiment), Error);
     EXPECT_FALSE(fs::exists(path() / "out"));

@@ -56,7 +56,7 @@ TEST_F(Reading, NoExperiment) {
     EXPECT_EQ(
         findings("foam_experiment: 1\nkind: time_against_triangle\n"),
         "x.yaml:2:7: error[unknown-choice]: 'kind' expects one of time_against_triangles, quality_against_spheres, "
-        "collision_queries, got the text 'time_against_triangle'; did you mean 'time_against_triangles'?\n");
+        "collision_queries, fidelity, got the text 'time_against_triangle'; did you mean 'time_against_triangles'?\n");
 }
 
 TEST_F(Reading, AllThatIsMissing) {
@@ -138,6 +138,20 @@ TEST_F(Reading, CollisionQueries) {
               "x.yaml:5:9: error[missing-stage]: 'method' has no spherizer; remedy: add one as its last stage\n");
     EXPECT_EQ(findings(collision + robots + "queries: 0\n"),
               "x.yaml:5:10: error[out-of-bounds]: 'queries' expects an integer between 1 and 100000000, got 0\n");
+}
+
+TEST_F(Reading, Fidelity) {
+    const std::string fidelity = head + "kind: fidelity\n";
+    EXPECT_EQ(findings(fidelity),
+              "x.yaml:1:1: error[missing-key]: 'robot' is missing; remedy: write robot: FILE.urdf\n"
+              "x.yaml:1:1: error[missing-key]: 'method' is missing; remedy: write method: spherize.medial\n"
+              "x.yaml:1:1: error[missing-key]: 'spheres' is missing; remedy: write spheres: [11, 22]\n"
+              "x.yaml:1:1: error[missing-key]: 'snapshots' is missing; remedy: write snapshots: {size: [2520, 720]}\n");
+    EXPECT_EQ(
+        findings(fidelity + "robot: a.urdf\nmethod: spherize.grid\nspheres: [2]\nsnapshots: true\ncolour: red\n"),
+        "x.yaml:7:12: error[wrong-type]: 'snapshots' expects a map, got true; remedy: write snapshots: {size: "
+        "[2520, 720]}\nx.yaml:8:1: error[unknown-key]: unknown key 'colour'; known: robot, method, spheres, snapshots, "
+        "foam_experiment, name, title, kind\n");
 }
 
 } // namespace

@@ -170,6 +170,21 @@ TEST_P(EveryEngine, BoxAndItsMeshAgainstABall) {
     }
 }
 
+TEST_P(EveryEngine, AFlatMesh) {
+    Mesh square;
+    square.vertices = {{-0.1, -0.1, 0}, {0.1, -0.1, 0}, {0.1, 0.1, 0}, {-0.1, 0.1, 0}};
+    square.triangles = {{0, 1, 2}, {0, 2, 3}};
+    EngineProblem problem =
+        problem_of({{{}, std::make_shared<const Mesh>(square)}}, {{at({0, 0, 0.2}), box({0.1, 0.1, 0.1})}});
+    const Pose away = at({0, 0, 7});
+    problem.queries = {{0, false, {{}, away}}, {0, false, {at({0, 0, 0.16}), away}}};
+    const EngineReport report = ask(problem);
+    for (std::size_t model = 0; model < 2; ++model) {
+        EXPECT_FALSE(report.answers[0][model].collides());
+        EXPECT_TRUE(report.answers[1][model].hits_obstacle);
+    }
+}
+
 TEST_P(EveryEngine, CylindersAndCapsules) {
     const Primitive cylinder{Primitive::Kind::cylinder, {}, 0.1, 0.4}, capsule{Primitive::Kind::capsule, {}, 0.1, 0.4};
     EngineProblem problem = problem_of({{{}, cylinder}}, {{{}, ball(0.05)}});

@@ -68,15 +68,20 @@ struct Section {
     Table table;
 };
 
-struct Figure {
+struct PlotFigure {
     std::string file;
     plot::Plot plot;
+};
+
+struct Picture {
+    std::string file, bytes;
 };
 
 struct Outcome {
     Table cases; ///< results.csv: a row for each measurement
     std::vector<Section> sections;
-    std::vector<Figure> figures;
+    std::vector<PlotFigure> figures; ///< plots
+    std::vector<Picture> pictures;   ///< other figures, encoded
 };
 
 /// "0.0123": three digits that count, at most six behind the point; "–" for what is not finite.

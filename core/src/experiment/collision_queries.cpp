@@ -241,12 +241,7 @@ std::unique_ptr<Experiment> read_collision_queries(const Value& root, const Chec
     }
     experiment->engines = read_engines(root.find("engines"), findings);
     if (const Value* method = root.find("method")) {
-        experiment->method =
-            read_chain(*method, "method", {false, true, true, "mesh filters and a spherizer"}, checking);
-        if (experiment->method && !experiment->method->spherizer) {
-            findings.error(method->where, "missing-stage",
-                           "'method' has no spherizer; remedy: add one as its last stage");
-        }
+        experiment->method = read_method(*method, checking);
     }
     if (const Value* robots = required(root, "robots", "robots: {panda: {urdf: FILE.urdf, spheres: 60}}", findings);
         robots && expect_map(*robots, "robots", "robots: {panda: {urdf: FILE.urdf, spheres: 60}}", findings)) {

@@ -28,12 +28,15 @@ std::span<const Kind> kinds();
 std::unique_ptr<Experiment> read_time_against_triangles(const reading::Value& root, const reading::Checking& checking);
 std::unique_ptr<Experiment> read_quality_against_spheres(const reading::Value& root, const reading::Checking& checking);
 std::unique_ptr<Experiment> read_collision_queries(const reading::Value& root, const reading::Checking& checking);
+std::unique_ptr<Experiment> read_fidelity(const reading::Value& root, const reading::Checking& checking);
 
 /// The plain values of a kind; a finding for each key that is neither among them, nor among `structures`, nor shared.
 std::map<std::string, ParameterValue> read_kind_values(const reading::Value& root,
                                                        const std::vector<Parameter>& declared,
                                                        std::initializer_list<const char*> structures,
                                                        const reading::Checking& checking);
+/// Mesh filters and the spherizer that is the last of `method`; a finding where there is none.
+std::optional<Chain> read_method(const reading::Value& value, const reading::Checking& checking);
 /// The value of a key that must be there; nullptr after a finding.
 const reading::Value* required(const reading::Value& root, const char* key, const char* example,
                                reading::Findings& findings);

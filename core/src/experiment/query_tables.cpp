@@ -166,9 +166,10 @@ std::string method_text(const QueryResults& results) {
         "{} configurations, uniform within the limits of the joints, in {} environments of {} obstacles: boxes and "
         "spheres in turn, edges and diameters from {:g} to {:g} m, anywhere in the box that the robot reaches, clear "
         "of "
-        "the links that do not move. The same for both models and all libraries. Links that are neighbours, and pairs "
-        "whose spheres touch in the zero configuration or always, are not tested against each other, in either "
-        "model.\n\n"
+        "the links that do not move. The same for both models and all libraries. Pairs of links "
+        "that a [self-collision matrix](../../guide/self_collision.md) of the spheres leaves out (neighbours, and what "
+        "touches in the zero configuration, or in all or none of 10000 random ones), and those that touch in most, "
+        "are not tested against each other, in either model.\n\n"
         "A time is the CPU time of the one thread that asks, in milliseconds, and has in it to bring the geometry to "
         "the "
         "poses of the links. A collision check stops at the first collision where the library can, obstacles before "
@@ -194,7 +195,8 @@ std::string engine_text(const QueryResults& results, std::size_t engine) {
     } else if (name == "bullet") {
         text = "A link is a compound shape, a mesh its convex hull, as in PyBullet, without margins. Signed distances.";
     } else {
-        text = "Meshes are convex hulls. There is no query for distances: all contacts within a margin larger than the "
+        text = "Meshes are convex hulls, flat ones 0.2 mm thick. There is no query for distances: all contacts within "
+               "a margin larger than the "
                "scene are asked for; those of hulls and cylinders are not exact.";
     }
     std::vector<std::string> remarks;

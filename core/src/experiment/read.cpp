@@ -118,9 +118,10 @@ ExperimentReading finish(std::unique_ptr<Experiment> experiment, const std::stri
 } // namespace
 
 std::span<const Kind> kinds() {
-    static constexpr std::array<Kind, 3> all{{{"time_against_triangles", read_time_against_triangles},
+    static constexpr std::array<Kind, 4> all{{{"time_against_triangles", read_time_against_triangles},
                                               {"quality_against_spheres", read_quality_against_spheres},
-                                              {"collision_queries", read_collision_queries}}};
+                                              {"collision_queries", read_collision_queries},
+                                              {"fidelity", read_fidelity}}};
     return all;
 }
 
@@ -133,6 +134,15 @@ std::map<std::string, ParameterValue> read_kind_values(const Value& root, const 
         others.push_back(p.name);
     }
     return read_values(root, declared, "", others, checking.findings);
+}
+
+std::optional<Chain> read_method(const Value& value, const Checking& checking) {
+    auto method = read_chain(value, "method", {false, true, true, "mesh filters and a spherizer"}, checking);
+    if (method && !method->spherizer) {
+        checking.findings.error(value.where, "missing-stage",
+                                "'method' has no spherizer; remedy: add one as its last stage");
+    }
+    return method;
 }
 
 const Value* required(const Value& root, const char* key, const char* example, Findings& findings) {

@@ -35,8 +35,11 @@ ExperimentResult run_experiment(const Experiment& experiment, const Registry& re
         };
         write(csv, result.csv);
         write("results.md", result.markdown);
-        for (const experiment::Figure& figure : outcome.figures) {
+        for (const experiment::PlotFigure& figure : outcome.figures) {
             write(figure.file, plot::to_svg(figure.plot));
+        }
+        for (const experiment::Picture& picture : outcome.pictures) {
+            write(picture.file, picture.bytes);
         }
         bench.check_cancelled();
         directory->commit();

@@ -31,6 +31,7 @@ struct Said {
             return false;
         case EngineWord::error:
             report.error = message.substr(1);
+            std::replace(report.error.begin(), report.error.end(), '\n', ' '); // it stands in tables
             return done = true;
         case EngineWord::begin:
             begun = in.take<std::uint64_t>();

@@ -1,75 +1,46 @@
 #include "pairs.hpp"
 
-#include <algorithm>
+#include <foam/host/self_collision.hpp>
+
+#include <map>
 
 namespace foam {
 namespace {
 
-struct Ball {
-    Vec3 center;
-    double radius;
-};
-
-std::vector<std::vector<Ball>> placed(const TwoModels& models, const std::vector<double>& configuration) {
-    const std::vector<Pose> poses = models.kinematics->link_poses(configuration);
-    std::vector<std::vector<Ball>> result;
+CollisionModel collision_model(const TwoModels& models) {
+    CollisionModel result;
+    result.robot = std::shared_ptr<const Robot>(models.kinematics, &models.kinematics->robot());
+    result.spheres.resize(result.robot->links.size());
+    result.sources.resize(result.robot->links.size(), CollisionModel::Source::none);
     for (std::size_t b = 0; b < models.links.size(); ++b) {
-        std::vector<Ball>& balls = result.emplace_back();
         for (const EngineShape& shape : models.spheres.bodies[b]) {
-            balls.push_back(
-                {poses[models.links[b]] * shape.pose.translation, std::get<Primitive>(shape.geometry).radius});
+            result.spheres[models.links[b]].push_back(
+                {shape.pose.translation, std::get<Primitive>(shape.geometry).radius});
         }
+        result.sources[models.links[b]] = CollisionModel::Source::given;
     }
     return result;
 }
 
-bool touch(const std::vector<Ball>& a, const std::vector<Ball>& b) {
-    return std::any_of(a.begin(), a.end(), [&](const Ball& p) {
-        return std::any_of(b.begin(), b.end(),
-                           [&](const Ball& q) { return distance(p.center, q.center) <= p.radius + q.radius; });
-    });
-}
-
-/// The nearest body above each link; none: there is none.
-std::optional<std::uint32_t> body_above(const TwoModels& models, std::size_t link) {
-    const Kinematics& kinematics = *models.kinematics;
-    for (auto joint = kinematics.joint_above()[link]; joint; joint = kinematics.joint_above()[link]) {
-        link = kinematics.link_above()[*joint];
-        const auto it = std::find(models.links.begin(), models.links.end(), link);
-        if (it != models.links.end()) {
-            return static_cast<std::uint32_t>(it - models.links.begin());
-        }
-    }
-    return {};
-}
-
 } // namespace
 
-std::vector<std::array<std::uint32_t, 2>> tested_pairs(const TwoModels& models, std::uint64_t seed) {
-    constexpr std::size_t samples = 1000;
-    std::vector<std::array<std::uint32_t, 2>> candidates, result;
-    const auto zero = placed(models, models.kinematics->configuration());
-    const auto count = static_cast<std::uint32_t>(models.links.size());
-    for (std::uint32_t a = 0; a < count; ++a) {
-        for (std::uint32_t b = a + 1; b < count; ++b) {
-            const bool neighbours =
-                body_above(models, models.links[a]) == b || body_above(models, models.links[b]) == a;
-            if (!neighbours && !touch(zero[a], zero[b])) {
-                candidates.push_back({a, b});
-            }
-        }
+std::vector<std::array<std::uint32_t, 2>> tested_pairs(const TwoModels& models, std::uint64_t seed,
+                                                       const std::atomic<bool>* cancel) {
+    SelfCollisionOptions options;
+    options.samples = 10000;
+    options.seed = seed;
+    options.proof_boxes = 0; // samples are enough to choose what to measure
+    options.cancel = cancel;
+    const SelfCollisionMatrix matrix = self_collision_matrix(*models.kinematics, collision_model(models), options);
+    std::map<std::size_t, std::uint32_t> body_of;
+    for (std::size_t b = 0; b < models.links.size(); ++b) {
+        body_of[models.links[b]] = static_cast<std::uint32_t>(b);
     }
-    std::vector<bool> apart(candidates.size(), false);
-    Random random(derive_seed(seed, "pairs"));
-    for (std::size_t s = 0; s < samples && std::find(apart.begin(), apart.end(), false) != apart.end(); ++s) {
-        const auto bodies = placed(models, models.kinematics->random_configuration(random));
-        for (std::size_t c = 0; c < candidates.size(); ++c) {
-            apart[c] = apart[c] || !touch(bodies[candidates[c][0]], bodies[candidates[c][1]]);
-        }
-    }
-    for (std::size_t c = 0; c < candidates.size(); ++c) {
-        if (apart[c]) {
-            result.push_back(candidates[c]);
+    std::vector<std::array<std::uint32_t, 2>> result;
+    for (const LinkPair& pair : matrix.pairs) {
+        if (pair.reason == PairReason::none && 2 * pair.touching <= pair.samples) {
+            const auto [low, high] = std::minmax(body_of.at(pair.first), body_of.at(pair.second));
+            result.push_back({low, high});
         }
     }
     return result;

@@ -3,11 +3,14 @@
 
 #include "robots.hpp"
 
+#include <atomic>
+
 namespace foam {
 
-/// All pairs of bodies but those that are neighbours (no body between them) and those whose spheres touch in the zero
-/// configuration or in all of many random ones: such a pair says nothing about a configuration. Since the spheres hold
-/// the original, the original's pairs of that kind are among them.
-std::vector<std::array<std::uint32_t, 2>> tested_pairs(const TwoModels& models, std::uint64_t seed);
+/// The pairs of bodies that self_collision_matrix() of the spheres says to check, but for those that touch in most
+/// configurations, which say little about a configuration. Since the spheres hold the original, what never touches, or
+/// is left out because it always does, is so for both models.
+std::vector<std::array<std::uint32_t, 2>> tested_pairs(const TwoModels& models, std::uint64_t seed,
+                                                       const std::atomic<bool>* cancel = nullptr);
 
 } // namespace foam

@@ -55,7 +55,7 @@ TwoModels two_models(const Workspace& workspace, const Input& input, const Spher
             models.spheres.bodies.push_back(body_of(it->second));
         }
     }
-    models.original.pairs = tested_pairs(models, workspace.recipe.seed);
+    models.original.pairs = tested_pairs(models, workspace.recipe.seed, workspace.options.cancel);
     models.spheres.pairs = models.original.pairs;
     const std::size_t bodies = models.links.size();
     models.ignored_pairs = bodies * (bodies - 1) / 2 - models.original.pairs.size();
