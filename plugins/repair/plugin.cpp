@@ -59,6 +59,7 @@ FOAM_PLUGIN("repair", "1.0", "Apache-2.0") {
         {.name = "repair.auto",
          .summary = "The lightest repair that gives a solid: repair.soup, repair.watertight ever finer, repair.wrap.",
          .reference = "the references of the three",
+         .revision = 2,
          .parameters = {seam(), largest_hole(), leaves()},
          .uses = {"repair.wrap"}});
     enrol.add<SoupFilter>(
@@ -74,6 +75,6 @@ FOAM_PLUGIN("repair", "1.0", "Apache-2.0") {
          .reference =
              "Huang, Su, Guibas: Robust Watertight Manifold Surface Generation Method for ShapeNet Models, arXiv "
              "1802.01698, 2018",
-         .revision = 2,
+         .revision = 3,
          .parameters = {leaves(), fill_openings(), keep_closed()}});
 }

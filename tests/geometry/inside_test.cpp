@@ -86,6 +86,57 @@ TEST(Inside, LinesAgreeWithContains) {
     }
 }
 
+TEST(Inside, LinesThroughOpenMeshesAgreeWithTheWindingNumber) {
+    const Mesh lower = without(ball({}, 1, 16), 0, 240), upper = without(ball({}, 1, 16), 240, 480);
+    Mesh apart = upper; // a crack all around
+    for (Vec3& v : apart.vertices) {
+        v += Vec3{0.004, 0.002, 0.003};
+    }
+    Random random(7);
+    for (const Mesh& mesh : {lower, without(torus(1, 0.4, 24), 0, 100), together(lower, apart),
+                             together(without(box({0, 0, 0}, {2, 2, 2}), 0, 2), box({3, 0, 0}, {4, 1, 1}))}) {
+        const auto solid = Solid::make(mesh);
+        ASSERT_FALSE(solid->closed());
+        const double diagonal = solid->bounds().diagonal();
+        constexpr int lines = 60, points = 300;
+        double sum = 0;
+        for (int i = 0; i < lines; ++i) {
+            const Vec3 origin = random_point(random, solid->bounds()), direction = random_direction(random);
+            double found = 0, expected = 0;
+            for (const auto& [enter, leave] : solid->inside_along(origin, direction)) {
+                found += leave - enter;
+            }
+            for (int k = 0; k < points; ++k) {
+                const double t = (2 * (k + 0.5) / points - 1) * diagonal;
+                expected += plain_winding(mesh, origin + t * direction) > 0.5 ? 2 * diagonal / points : 0;
+            }
+            EXPECT_NEAR(found, expected, 0.04 * diagonal);
+            sum += found - expected;
+        }
+        EXPECT_NEAR(sum / lines, 0, 0.002 * diagonal);
+    }
+}
+
+TEST(Inside, TrianglesApartHaveNoInside) {
+    Mesh mesh;
+    Random random(8);
+    for (std::uint32_t i = 0; i < 50; ++i) {
+        const Vec3 p = random_point(random, {{0, 0, 0}, {1, 1, 1}});
+        mesh.vertices.insert(mesh.vertices.end(),
+                             {p, p + 0.1 * random_direction(random), p + 0.1 * random_direction(random)});
+        mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    const auto solid = Solid::make(mesh);
+    double length = 0;
+    for (int i = 0; i < 300; ++i) {
+        for (const auto& [enter, leave] :
+             solid->inside_along(random_point(random, solid->bounds()), random_direction(random))) {
+            length += leave - enter;
+        }
+    }
+    EXPECT_NEAR(length / 300, 0, 1e-3);
+}
+
 TEST(Inside, LinesThroughVerticesOfAGrid) {
     // A mesh whose vertices lie on a grid, and lines along the grid: every line meets vertices and edges.
     const Mesh mesh = soup(together(box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3})));

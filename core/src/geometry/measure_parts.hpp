@@ -15,7 +15,7 @@ struct Difference {
     Estimate missing; ///< vol(S \ U)
 };
 
-/// vol(U \ S) and vol(S \ U): along lines for closed solids, with points for others.
+/// vol(U \ S) and vol(S \ U), along lines.
 Difference volume_difference(const Solid& solid, std::span<const Sphere> balls, const MeasureOptions& options);
 
 /// Share of the surface's area that lies in the balls.

@@ -11,7 +11,6 @@ namespace {
 
 /// Replicates: independent estimates whose scatter gives the standard error.
 constexpr std::size_t line_replicates = 4; // for each of the three axes
-constexpr std::size_t point_replicates = 12;
 
 struct Lengths {
     double excess = 0, missing = 0;
@@ -85,8 +84,10 @@ Difference combined(std::span<const Lengths> estimates) {
 /// Lines parallel to each axis, one in each cell of a square grid over the joint box; exact along the lines.
 Difference along_lines(const Solid& solid, std::span<const Sphere> balls, const Box& box,
                        const MeasureOptions& options) {
+    // Lines through holes are cut into about a dozen pieces.
+    const std::size_t lines = solid.closed() ? options.volume_rays : options.volume_points / 12;
     const auto across = static_cast<std::size_t>(
-        std::max(2.0, std::round(std::sqrt(static_cast<double>(options.volume_rays) / (3 * line_replicates)))));
+        std::max(2.0, std::round(std::sqrt(static_cast<double>(lines) / (3 * line_replicates)))));
     constexpr std::size_t estimates = 3 * line_replicates;
     const Vec3 size = box.size();
     std::vector<Lengths> rows(estimates * across);
@@ -117,40 +118,6 @@ Difference along_lines(const Solid& solid, std::span<const Sphere> balls, const 
     return combined(sums);
 }
 
-/// Points, one in each cell of a cubic grid over the joint box.
-Difference at_points(const Solid& solid, std::span<const Sphere> balls, const Box& box, const MeasureOptions& options) {
-    const auto across = static_cast<std::size_t>(
-        std::max(2.0, std::ceil(std::cbrt(static_cast<double>(options.volume_points) / point_replicates))));
-    const Vec3 size = box.size();
-    const double cell = size.x * size.y * size.z / static_cast<double>(across * across * across);
-    std::vector<Lengths> slabs(point_replicates * across);
-    parallel_for(slabs.size(), [&](std::size_t task) {
-        Random random(derive_seed(options.seed + task, "volume points"));
-        const auto place = [&](std::size_t k, double low, double extent) {
-            return low + extent * (static_cast<double>(k) + random.uniform()) / static_cast<double>(across);
-        };
-        for (std::size_t y = 0; y < across; ++y) {
-            for (std::size_t z = 0; z < across; ++z) {
-                const double px = place(task % across, box.low.x, size.x);
-                const double py = place(y, box.low.y, size.y);
-                const Vec3 p{px, py, place(z, box.low.z, size.z)};
-                const bool in_balls = std::any_of(balls.begin(), balls.end(), [&](const Sphere& s) {
-                    return squared_norm(p - s.center) <= s.radius * s.radius;
-                });
-                const bool in_solid = solid.contains(p);
-                slabs[task].excess += in_balls && !in_solid ? cell : 0;
-                slabs[task].missing += in_solid && !in_balls ? cell : 0;
-            }
-        }
-    });
-    std::array<Lengths, point_replicates> sums{};
-    for (std::size_t task = 0; task < slabs.size(); ++task) {
-        sums[task / across].excess += slabs[task].excess;
-        sums[task / across].missing += slabs[task].missing;
-    }
-    return combined(sums);
-}
-
 } // namespace
 
 Difference volume_difference(const Solid& solid, std::span<const Sphere> balls, const MeasureOptions& options) {
@@ -159,7 +126,7 @@ Difference volume_difference(const Solid& solid, std::span<const Sphere> balls, 
         box.add(s.center - Vec3{s.radius, s.radius, s.radius});
         box.add(s.center + Vec3{s.radius, s.radius, s.radius});
     }
-    return solid.closed() ? along_lines(solid, balls, box, options) : at_points(solid, balls, box, options);
+    return along_lines(solid, balls, box, options);
 }
 
 } // namespace foam::geometry

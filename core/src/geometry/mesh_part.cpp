@@ -1,8 +1,32 @@
 #include "geometry/mesh_part.hpp"
 
-namespace foam::geometry {
+#include "geometry/closing_surface.hpp"
 
-MeshPart::MeshPart(const Mesh& mesh, const Reading& reading) : closed_(reading.closed) {
+namespace foam::geometry {
+namespace {
+
+/// Of the closing triangles to those that count. With more the surface itself is asked for winding numbers.
+constexpr double most_closing = 0.5;
+
+} // namespace
+
+MeshPart::MeshPart(const Mesh& mesh, const Reading& reading) : MeshPart(mesh, reading, Unclosed{}) {
+    if (closed_) {
+        return;
+    }
+    const Mesh closing = closing_surface(mesh, reading);
+    const Reading closing_reading{std::vector(closing.triangles.size(), Facing::as_given), false};
+    closing_.reset(new MeshPart(closing, closing_reading, Unclosed{}));
+    const auto counting = std::count_if(items_.begin(), items_.end(), [](const Item& item) { return item.counts; });
+    quick_closing_ = static_cast<double>(closing.triangles.size()) <= most_closing * static_cast<double>(counting);
+    const Vec3 center = box_.center();
+    for (const auto& [a, b, c] : closing.triangles) {
+        const std::vector<Vec3>& v = closing.vertices;
+        signed_volume_ += dot(v[a] - center, cross(v[b] - center, v[c] - center)) / 6;
+    }
+}
+
+MeshPart::MeshPart(const Mesh& mesh, const Reading& reading, Unclosed) : closed_(reading.closed) {
     const std::size_t count = mesh.triangles.size();
     std::vector<Box> boxes(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -66,15 +90,24 @@ bool MeshPart::contains(const Vec3& p) const {
 }
 
 double MeshPart::winding(const Vec3& p) const {
-    if (closed_) {
-        int result = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            if (winding_by_line(p, axis, result)) {
-                return result;
+    if (closed_ || quick_closing_) {
+        int whole = 0;
+        bool found = false;
+        for (int axis = 0; axis < 3 && !found; ++axis) {
+            found = winding_by_line(p, axis, whole);
+        }
+        if (found && closed_) {
+            return whole;
+        }
+        if (found) {
+            // On the closing surface the line and its winding number may disagree on which side the point is.
+            const Winding closing = closing_->winding_by_expansion(p);
+            if (!closing.on_triangle) {
+                return whole - closing.value;
             }
         }
     }
-    return winding_by_expansion(p);
+    return winding_by_expansion(p).value;
 }
 
 template <class Visit> void MeshPart::visit_line(const Line& line, Visit visit) const {
@@ -98,7 +131,8 @@ template <class Visit> void MeshPart::visit_line(const Line& line, Visit visit) 
     };
     std::array<std::uint32_t, Bvh::max_depth> stack;
     std::size_t size = 0;
-    stack[size++] = 0;
+    stack[size] = 0;
+    size += !nodes.empty();
     while (size > 0) {
         const BvhNode& node = nodes[stack[--size]];
         if (!hit(node)) {
@@ -124,10 +158,15 @@ bool MeshPart::winding_by_line(const Vec3& p, int axis, int& winding) const {
     Vec3 direction{};
     direction[axis] = 1;
     int before = 0, total = 0;
-    visit_line(Line(p, direction), [&](double t, int change) {
+    const Line line(p, direction);
+    const auto add = [&](double t, int change) {
         before += t <= 0 ? change : 0;
         total += change;
-    });
+    };
+    visit_line(line, add);
+    if (closing_) {
+        closing_->visit_line(line, add);
+    }
     winding = before;
     return total == 0;
 }
@@ -140,10 +179,15 @@ void MeshPart::crossings(const Vec3& origin, const Vec3& direction, std::vector<
     for (int attempt = 0; attempt < 8; ++attempt) {
         result.clear();
         int total = 0;
-        visit_line(Line(shifted, direction), [&](double t, int change) {
+        const Line line(shifted, direction);
+        const auto add = [&](double t, int change) {
             result.push_back({t, change});
             total += change;
-        });
+        };
+        visit_line(line, add);
+        if (closing_) {
+            closing_->visit_line(line, add);
+        }
         if (total == 0) {
             break;
         }

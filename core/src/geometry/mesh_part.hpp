@@ -7,7 +7,10 @@
 #include "geometry/triangle.hpp"
 
 #include <foam/mesh.hpp>
+#include <foam/solid.hpp>
 
+#include <memory>
+#include <span>
 #include <vector>
 
 namespace foam::geometry {
@@ -34,7 +37,8 @@ public:
     /// The triangles that count bound a solid without holes.
     bool closed() const { return closed_; }
     const Box& bounds() const { return box_; }
-    /// By the divergence theorem; the volume if no point is wound around twice.
+    /// By the divergence theorem, of the surface and what closes it; the volume if no point is wound around
+    /// twice.
     double signed_volume() const { return signed_volume_; }
 
     /// Improves `nearest` if a triangle is nearer than nearest.squared_distance.
@@ -45,8 +49,15 @@ public:
     bool contains(const Vec3& p) const;
     /// Generalised winding number: a whole number, exact, if closed; else to about 1e-3, exact near the surface.
     double winding(const Vec3& p) const;
-    /// Crossings of a whole line, ascending by t; their changes sum to zero. Precondition: closed().
+    /// Crossings of a whole line with the surface and what closes it, ascending by t; their changes sum to
+    /// zero.
     void crossings(const Vec3& origin, const Vec3& direction, std::vector<Crossing>& result) const;
+
+    /// Appends the parts of a line where the winding number is above one half, ascending; some may touch. `crossings`:
+    /// those of the line. Whole parts are decided at once where what closes holes cannot matter, on the rest to the
+    /// accuracy of the winding number. Precondition: not closed().
+    void inside_along(const Vec3& origin, const Vec3& direction, std::span<const Crossing> crossings,
+                      std::vector<Solid::Interval>& result) const;
 
 private:
     struct Item {
@@ -58,6 +69,7 @@ private:
     struct Moments {
         Vec3 center{};                  ///< about which the moments are taken
         double radius = -1;             ///< of the node's triangles about it; negative: none that counts
+        double area = 0;                ///< of the node's triangles that count
         Vec3 normal{};                  ///< ∫ n
         std::array<double, 6> second{}; ///< of the form ∫ (n·r)(y·r): xx, yy, zz, xy, yz, zx
         double trace = 0;               ///< ∫ n·y
@@ -69,15 +81,36 @@ private:
         double winding(const Vec3& r, double r2) const;
     };
 
+    struct Winding {
+        double value;
+        bool on_triangle; ///< the point lies on one or so near that rounding decides on which side
+    };
+    struct Unclosed {};
+    MeshPart(const Mesh& mesh, const Reading& reading, Unclosed);
+
     template <class Visit> void visit_line(const Line& line, Visit visit) const;
+    /// Of the surface and what closes it.
     bool winding_by_line(const Vec3& p, int axis, int& winding) const;
-    double winding_by_expansion(const Vec3& p) const;
+    Winding winding_by_expansion(const Vec3& p) const;
+    template <class Far, class Near> void visit_clusters(const Vec3& p, Far far, Near near) const;
+    struct Variation {
+        double value;     ///< the winding number at the middle, to about 1e-3
+        double variation; ///< no point of the ball is off by more; `most` and no value if that may be `most` or more
+    };
+    Variation winding_around(const Vec3& center, double radius, double most) const;
+    /// No less than the absolute winding number in the box; infinity if it may be `enough` or more.
+    double winding_at_most(const Box& region, double enough) const;
+    /// Of the line's part between `enter` and `leave`; `winding`: there, of the surface and what closes it.
+    void inside_stretch(const Vec3& origin, const Vec3& direction, double enter, double leave, int winding,
+                        std::vector<Solid::Interval>& result) const;
     void compute_moments();
     double radius_about(const Vec3& center, std::uint32_t begin, std::uint32_t end) const;
 
     Bvh bvh_;
     std::vector<Item> items_;
-    std::vector<Moments> moments_; // of open meshes only
+    std::vector<Moments> moments_;            // of open meshes only
+    std::unique_ptr<const MeshPart> closing_; // of open meshes only: the closing surface
+    bool quick_closing_ = false;              // asking that costs less than asking the surface
     Box box_;
     double signed_volume_ = 0;
     double tolerance_ = 0; // rounding of coordinates: a point this near is on the surface

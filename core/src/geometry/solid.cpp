@@ -115,7 +115,7 @@ bool Solid::closed() const {
 double Solid::volume() const {
     // Isolated: a thread that waits inside must not take up another task that asks for the same volume.
     std::call_once(data_->volume_once, [this] {
-        tbb::this_task_arena::isolate([this] { data_->volume = geometry::union_of_parts_volume(*data_, *this); });
+        tbb::this_task_arena::isolate([this] { data_->volume = geometry::union_of_parts_volume(*data_); });
     });
     return data_->volume;
 }

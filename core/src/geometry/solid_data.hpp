@@ -18,7 +18,7 @@ struct PartQueries {
 
     bool closed() const { return primitive.has_value() || mesh.closed(); }
     bool contains(const Vec3& p) const { return primitive ? primitive->signed_distance(p) <= 0 : mesh.contains(p); }
-    /// Of one part on its own.
+    /// Of one part on its own; of a mesh that is not closed: with what closes it.
     double volume() const { return primitive ? primitive->volume() : mesh.signed_volume(); }
 };
 
@@ -35,7 +35,7 @@ struct SolidData {
     mutable double volume = 0;
 };
 
-/// Where the winding number of a mesh part, or the inside of a primitive, begins and ends along a line: pieces of a
+/// Where the winding number of a closed mesh, or the inside of a primitive, begins and ends along a line: pieces of a
 /// piece-wise constant function. Appends to `pieces`.
 struct WindingPiece {
     double enter, leave;
@@ -43,11 +43,15 @@ struct WindingPiece {
 };
 void winding_along(const PartQueries& part, const Vec3& origin, const Vec3& direction, std::vector<Crossing>& scratch,
                    std::vector<WindingPiece>& pieces);
+/// Appends the parts of a line inside a mesh that is not closed, and gives the winding number of the mesh and what
+/// closes it, integrated along the line.
+double open_along(const MeshPart& mesh, const Vec3& origin, const Vec3& direction, std::vector<Crossing>& scratch,
+                  std::vector<Solid::Interval>& intervals);
 /// The union of intervals: sorted, disjoint; those that touch become one.
 void unite(std::vector<Solid::Interval>& intervals);
 
 /// volume.cpp
-double union_of_parts_volume(const SolidData& data, const Solid& solid);
+double union_of_parts_volume(const SolidData& data);
 
 } // namespace foam::geometry
 

@@ -1,8 +1,6 @@
 // Solids along lines.
 #include "geometry/solid_data.hpp"
 
-#include <foam/error.hpp>
-
 namespace foam {
 namespace geometry {
 
@@ -24,6 +22,19 @@ void winding_along(const PartQueries& part, const Vec3& origin, const Vec3& dire
     }
 }
 
+double open_along(const MeshPart& mesh, const Vec3& origin, const Vec3& direction, std::vector<Crossing>& scratch,
+                  std::vector<Solid::Interval>& intervals) {
+    mesh.crossings(origin, direction, scratch);
+    mesh.inside_along(origin, direction, scratch, intervals);
+    double wound = 0;
+    int winding = 0;
+    for (std::size_t i = 0; i + 1 < scratch.size(); ++i) {
+        winding += scratch[i].change;
+        wound += winding * (scratch[i + 1].t - scratch[i].t);
+    }
+    return wound;
+}
+
 void unite(std::vector<Solid::Interval>& intervals) {
     std::sort(intervals.begin(), intervals.end(), [](const Solid::Interval& a, const Solid::Interval& b) {
         return a.enter != b.enter ? a.enter < b.enter : a.leave < b.leave;
@@ -42,9 +53,6 @@ void unite(std::vector<Solid::Interval>& intervals) {
 } // namespace geometry
 
 std::vector<Solid::Interval> Solid::inside_along(const Vec3& origin, const Vec3& direction) const {
-    if (!closed()) {
-        throw Error(ErrorCode::internal, "Solid::inside_along was called for a solid that is not closed");
-    }
     if (!is_finite(origin) || !is_finite(direction) || direction == Vec3{}) {
         return {};
     }
@@ -52,6 +60,10 @@ std::vector<Solid::Interval> Solid::inside_along(const Vec3& origin, const Vec3&
     std::vector<geometry::Crossing> scratch;
     std::vector<geometry::WindingPiece> pieces;
     for (const geometry::PartQueries& part : data_->queries) {
+        if (!part.closed()) {
+            geometry::open_along(part.mesh, origin, direction, scratch, result);
+            continue;
+        }
         pieces.clear();
         geometry::winding_along(part, origin, direction, scratch, pieces);
         for (const geometry::WindingPiece& piece : pieces) {

@@ -8,7 +8,6 @@ namespace foam::geometry {
 namespace {
 
 constexpr std::size_t lines_across = 48; // a side of the grid of lines along each axis
-constexpr std::size_t cells_across = 56; // a side of the grid of points, for open solids
 
 /// What a line tells: the length inside the union, and the parts' windings integrated along it.
 struct LineSums {
@@ -16,15 +15,30 @@ struct LineSums {
     bool once = true; ///< nowhere on the line do the two differ
 };
 
+double length(std::span<const Solid::Interval> intervals) {
+    double sum = 0;
+    for (const Solid::Interval& interval : intervals) {
+        sum += interval.leave - interval.enter;
+    }
+    return sum;
+}
+
 LineSums along(const SolidData& data, const Vec3& origin, const Vec3& direction, std::vector<Crossing>& scratch,
                std::vector<WindingPiece>& pieces, std::vector<Solid::Interval>& intervals) {
     LineSums sums;
     pieces.clear();
     intervals.clear();
-    for (const PartQueries& part : data.queries) {
-        winding_along(part, origin, direction, scratch, pieces);
-    }
     const double noise = 1e-9 * data.box.diagonal();
+    for (const PartQueries& part : data.queries) {
+        if (part.closed()) {
+            winding_along(part, origin, direction, scratch, pieces);
+            continue;
+        }
+        const std::size_t before = intervals.size();
+        const double wound = open_along(part.mesh, origin, direction, scratch, intervals);
+        sums.wound += wound;
+        sums.once = sums.once && std::abs(wound - length({intervals.begin() + before, intervals.end()})) <= noise;
+    }
     for (const WindingPiece& piece : pieces) {
         sums.wound += piece.winding * (piece.leave - piece.enter);
         sums.once = sums.once && ((piece.winding == 1) || piece.leave - piece.enter < noise);
@@ -33,16 +47,17 @@ LineSums along(const SolidData& data, const Vec3& origin, const Vec3& direction,
         }
     }
     unite(intervals);
-    for (const Solid::Interval& interval : intervals) {
-        sums.inside += interval.leave - interval.enter;
-    }
+    sums.inside = length(intervals);
     sums.once = sums.once && std::abs(sums.inside - sums.wound) <= noise;
     return sums;
 }
 
-/// The parts' own volumes are exact; lines tell how much of that is wound around more than once. That correction is
-/// zero for parts that do not overlap, and then no error comes in.
-double closed_volume(const SolidData& data) {
+} // namespace
+
+/// The parts' own volumes are exact; lines tell how much of that is wound around more than once, and how much
+/// what closes holes takes in more than the winding number does. That correction is zero for closed parts that do not
+/// overlap, and then no error comes in.
+double union_of_parts_volume(const SolidData& data) {
     double exact = 0;
     for (const PartQueries& part : data.queries) {
         exact += part.volume();
@@ -74,36 +89,6 @@ double closed_volume(const SolidData& data) {
         sum += s;
     }
     return std::max(0.0, exact - sum / (3.0 * lines_across * lines_across));
-}
-
-/// One point in each cell of a grid over the box.
-double open_volume(const SolidData& data, const Solid& solid) {
-    const Vec3 size = data.box.size();
-    std::vector<std::size_t> inside(cells_across, 0);
-    parallel_for(cells_across, [&](std::size_t x) {
-        Random random(derive_seed(x, "volume"));
-        for (std::size_t y = 0; y < cells_across; ++y) {
-            for (std::size_t z = 0; z < cells_across; ++z) {
-                const auto place = [&](std::size_t cell) {
-                    return (static_cast<double>(cell) + random.uniform()) / cells_across;
-                };
-                const Vec3 share{place(x), place(y), place(z)};
-                inside[x] += solid.contains(data.box.low + Vec3{share.x * size.x, share.y * size.y, share.z * size.z});
-            }
-        }
-    });
-    std::size_t count = 0;
-    for (const std::size_t n : inside) {
-        count += n;
-    }
-    constexpr double cells = static_cast<double>(cells_across * cells_across * cells_across);
-    return size.x * size.y * size.z * (static_cast<double>(count) / cells);
-}
-
-} // namespace
-
-double union_of_parts_volume(const SolidData& data, const Solid& solid) {
-    return data.closed ? closed_volume(data) : open_volume(data, solid);
 }
 
 } // namespace foam::geometry

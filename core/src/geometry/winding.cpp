@@ -1,5 +1,6 @@
 // Fast winding numbers (Barill, Dickson, Schmidt, Levin, Jacobson 2018): far clusters of triangles act through the
 // Taylor expansion of the dipole field about their centre, to the third order (their equations 7 to 9).
+#include "geometry/angle_sum.hpp"
 #include "geometry/mesh_part.hpp"
 
 #include <numbers>
@@ -137,6 +138,7 @@ void MeshPart::compute_moments() {
                 sum += (moments_[child].center - middle) * below[child].area;
             }
         }
+        moments.area = below[n].area / 2;
         moments.center = below[n].area > 0 ? middle + sum / below[n].area : middle;
         moments.radius = radius_about(moments.center, below[n].begin, below[n].end);
         if (!node.leaf()) {
@@ -152,15 +154,16 @@ void MeshPart::compute_moments() {
     }
 }
 
-double MeshPart::winding_by_expansion(const Vec3& p) const {
+/// Calls far(node, r, r²) for the clusters that are far from `p`, r being the way to their centre, and near(node) for
+/// the leaves that are not, until one of them is false.
+template <class Far, class Near> void MeshPart::visit_clusters(const Vec3& p, Far far, Near near) const {
     const std::vector<BvhNode>& nodes = bvh_.nodes();
-    double near = 0, far = 0;
     std::array<std::uint32_t, Bvh::max_depth> stack;
     std::size_t size = 0;
-    stack[size++] = 0;
+    stack[size] = 0;
+    size += !nodes.empty();
     while (size > 0) {
         const std::uint32_t n = stack[--size];
-        const BvhNode& node = nodes[n];
         if (!moments_.empty()) {
             const Moments& m = moments_[n];
             const Vec3 r = m.center - p;
@@ -169,20 +172,73 @@ double MeshPart::winding_by_expansion(const Vec3& p) const {
                 continue;
             }
             if (r2 > far_factor * far_factor * m.radius * m.radius) {
-                far += m.winding(r, r2);
+                if (!far(n, r, r2)) {
+                    return;
+                }
                 continue;
             }
         }
-        if (!node.leaf()) {
-            stack[size++] = node.first + 1;
-            stack[size++] = node.first;
-            continue;
-        }
-        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-            near += items_[i].counts ? winding_of_triangle(items_[i].corners, p) : 0;
+        if (!nodes[n].leaf()) {
+            stack[size++] = nodes[n].first + 1;
+            stack[size++] = nodes[n].first;
+        } else if (!near(nodes[n])) {
+            return;
         }
     }
-    return near + far / (4 * std::numbers::pi);
+}
+
+MeshPart::Winding MeshPart::winding_by_expansion(const Vec3& p) const {
+    AngleSum near; // half the solid angles
+    double far = 0;
+    bool on_triangle = false;
+    visit_clusters(
+        p,
+        [&](std::uint32_t n, const Vec3& r, double r2) {
+            far += moments_[n].winding(r, r2);
+            return true;
+        },
+        [&](const BvhNode& leaf) {
+            for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
+                if (items_[i].counts) {
+                    const HalfSolidAngle angle(items_[i].corners, p);
+                    on_triangle = on_triangle || angle.on_triangle();
+                    near.add(angle);
+                }
+            }
+            return true;
+        });
+    return {near.value() / (2 * std::numbers::pi) + far / (4 * std::numbers::pi), on_triangle};
+}
+
+/// A dipole's field changes by no more than 2/d³ a unit of length, d being the distance.
+MeshPart::Variation MeshPart::winding_around(const Vec3& center, double radius, double most) const {
+    AngleSum near;
+    double far = 0, variation = 0;
+    const auto add_variation = [&](double area, double distance) {
+        const double d = distance - radius;
+        variation += d > 0 ? area * radius / (2 * std::numbers::pi * d * d * d) : most;
+        return variation < most;
+    };
+    visit_clusters(
+        center,
+        [&](std::uint32_t n, const Vec3& r, double r2) {
+            far += moments_[n].winding(r, r2);
+            return add_variation(moments_[n].area, std::sqrt(r2) - moments_[n].radius);
+        },
+        [&](const BvhNode& leaf) {
+            for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
+                if (items_[i].counts) {
+                    const Corners& t = items_[i].corners;
+                    near.add(HalfSolidAngle(t, center));
+                    const double area = norm(cross(t.b - t.a, t.c - t.a)) / 2;
+                    if (!add_variation(area, distance(closest_on_triangle(t, center), center))) {
+                        return false;
+                    }
+                }
+            }
+            return true;
+        });
+    return {near.value() / (2 * std::numbers::pi) + far / (4 * std::numbers::pi), variation};
 }
 
 } // namespace foam::geometry
