@@ -20,16 +20,18 @@ struct Arguments {
     bool json = false;
 };
 
-/// The outputs by name, the rest by number.
+/// The outputs and the report by name, the rest by number.
 std::string files_text(const Recipe& recipe, const RunResult& result, const fs::path& directory) {
     std::string text = fmt::format("Written to {}:", directory.string());
     for (const OutputCall& output : recipe.outputs) {
         text += " " + output.file;
     }
-    const std::size_t others = result.files.size() - std::min(result.files.size(), recipe.outputs.size());
-    return text + (others > 0 ? fmt::format(" and {} more files", others) : "") +
-           fmt::format(" ({:.2f} s, CPU {:.2f} s)\nReport: {}\n", result.seconds, result.cpu_seconds,
-                       (directory / "report.html").string());
+    const std::size_t others = result.files.size() - std::min(result.files.size(), recipe.outputs.size() + 1);
+    if (others > 0) {
+        text += fmt::format(" and {} more file{}", others, others == 1 ? "" : "s");
+    }
+    text += fmt::format(" ({:.2f} s, CPU {:.2f} s)\n", result.seconds, result.cpu_seconds);
+    return text + fmt::format("Report: {}\n", (directory / "report.html").string());
 }
 
 /// Of a sweep, the one run that the manifest is of.

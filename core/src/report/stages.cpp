@@ -89,7 +89,8 @@ std::string controls(const Report& report) {
     html += choice("clear", "spheres", "spheres", !inner) + choice("clear", "geometry", "geometry", inner) +
             choice("clear", "none", "nothing", false);
     html += "</fieldset>\n<fieldset><legend>Colour by</legend>\n";
-    html += choice("colour", "radius", "radius", true) + choice("colour", "link", "link", false) + "</fieldset>\n";
+    html += choice("colour", "radius", "radius", true) + choice("colour", "link", "link", false) +
+            "<p id=\"radius-scale\"><span></span><span class=\"gradient\"></span><span></span></p>\n</fieldset>\n";
     if (levels > 1) {
         html += fmt::format("<fieldset><legend>Level of the sphere tree</legend>\n<label><input type=\"range\" "
                             "id=\"level\" min=\"0\" max=\"{0}\" value=\"{0}\" aria-label=\"Level\"> "

@@ -212,6 +212,9 @@
     find("link-list").append(label);
     return { box, swatch };
   });
+  const scale = find("radius-scale");
+  [scale.firstElementChild.textContent, scale.lastElementChild.textContent] =
+    [least, most].map((radius) => `${(1000 * radius).toFixed(radius < 0.01 ? 2 : 0)} mm`);
   const showLinks = (wanted) => {
     shown.clear();
     boxes.forEach(({ box }, l) => {
@@ -230,6 +233,7 @@
     choice.addEventListener("change", () => {
       state[choice.name] = choice.value;
       boxes.forEach(({ swatch }) => { swatch.hidden = state.colour !== "link"; });
+      scale.hidden = state.colour === "link";
       redraw();
     });
   }
