@@ -27,8 +27,11 @@ double greatest(const Json& links, const char* figure) {
 class LinkTable {
 public:
     explicit LinkTable(const Json& manifest) : manifest_(manifest) {
-        for (const char* figure : {"excess", "missing", "gap_m", "protrusion_max_m"}) {
-            full_[figure] = greatest(manifest["links"], figure);
+        // A column that reads 0 everywhere needs no bars.
+        for (const auto& [figure, least] :
+             {std::pair{"excess", 5e-4}, {"missing", 5e-4}, {"gap_m", 5e-7}, {"protrusion_max_m", 5e-5}}) {
+            const double most = greatest(manifest["links"], figure);
+            full_[figure] = most < least ? 0 : most;
         }
     }
 

@@ -109,7 +109,7 @@ std::string findings_section(const Report& report) {
     if (const std::string list = findings_list(findings, false, notes); notes > 0) {
         html += fmt::format("<details><summary>{}</summary>\n{}</details>\n", counted(notes, "note"), list);
     }
-    return section("findings", "Findings", html);
+    return section("findings", "Findings", execution_only(html));
 }
 
 std::string recipe_section(const Report& report) {

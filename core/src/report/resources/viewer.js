@@ -14,6 +14,7 @@
   } catch (error) {
     message.textContent = `There is no 3-D view: ${error.message}. All figures are in the tables below.`;
     canvas.dataset.error = error.message;
+    document.querySelector("#view details")?.setAttribute("open", "");
     return;
   }
 
