@@ -167,7 +167,7 @@ std::string method_text(const QueryResults& results) {
         "spheres in turn, edges and diameters from {:g} to {:g} m, anywhere in the box that the robot reaches, clear "
         "of "
         "the links that do not move. The same for both models and all libraries. Pairs of links "
-        "that a [self-collision matrix](../../guide/self_collision.md) of the spheres leaves out (neighbours, and what "
+        "that a self-collision matrix of the spheres leaves out (neighbours, and what "
         "touches in the zero configuration, or in all or none of 10000 random ones), and those that touch in most, "
         "are not tested against each other, in either model.\n\n"
         "A time is the CPU time of the one thread that asks, in milliseconds, and has in it to bring the geometry to "
