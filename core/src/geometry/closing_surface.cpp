@@ -10,8 +10,9 @@
 namespace foam::geometry {
 namespace {
 
-/// Corners of the rim nearer to each other than this share of the extent are drawn together.
-constexpr double crack = 1.0 / 100;
+/// Corners of the rim nearer to each other than this share of the extent, and of the mean length of its edges, are
+/// drawn together.
+constexpr double crack_of_extent = 1.0 / 100, crack_of_edge = 1.0 / 2;
 
 /// An edge that the triangles pass `times` more often from `from` to `to` than back.
 struct RimEdge {
@@ -76,11 +77,14 @@ private:
     /// Every corner of the rim goes to the first one that is near enough.
     void draw_together() {
         Box box;
+        double length = 0;
         for (const RimEdge& edge : rim_) {
             drawn_[edge.from] = edge.from; // the rim is of closed curves: every corner begins an edge
             box.add(mesh_.vertices[edge.from]);
+            length += distance(mesh_.vertices[edge.from], mesh_.vertices[edge.to]);
         }
-        const double limit = crack * box.diagonal();
+        const double mean = length / static_cast<double>(std::max<std::size_t>(rim_.size(), 1));
+        const double limit = std::min(crack_of_extent * box.diagonal(), crack_of_edge * mean);
         std::map<Cell, std::vector<std::uint32_t>> kept;
         for (auto& [corner, target] : drawn_) {
             const Vec3 p = mesh_.vertices[corner];
