@@ -2,14 +2,12 @@
 
 #include <foam/measure.hpp>
 #include <foam/parallel.hpp>
+#include <foam/union_volume.hpp>
 
 #include <map>
 #include <set>
 
 namespace foam::medial {
-
-/// Of union_volume(): an error of about 1/4000, so that what claims as much is not told apart by noise.
-static constexpr std::size_t directions = 4'000;
 
 /// Spheres that claim less than this share of what one ball claims before they grow, do so after it too: a method's
 /// spheres nearly cover. Growing is the dear part.
@@ -59,13 +57,13 @@ std::vector<SphereTree> best_with_at_most(const Solid& solid, std::span<const Bu
     }
     std::vector<SphereTree> trees = make(all);
     const double clear =
-        with_one_only && !compared.empty() ? clearly_less * union_volume(trees[index.at(1)].finest(), directions) : 0;
+        with_one_only && !compared.empty() ? clearly_less * exact_union_volume(trees[index.at(1)].finest()) : 0;
     std::vector<double> claimed(numbers);
     parallel_for(numbers, [&](std::size_t i) {
         if (compared.contains(i)) {
-            claimed[i] = union_volume(trees[i].finest(), directions);
+            claimed[i] = exact_union_volume(trees[i].finest());
             if (claimed[i] >= clear) {
-                claimed[i] = union_volume(grown_to_cover(solid, trees[i].finest()), directions);
+                claimed[i] = exact_union_volume(grown_to_cover(solid, trees[i].finest()));
             }
         }
     });

@@ -4,6 +4,7 @@
 #include "spawn.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace foam::medial {
 namespace {
@@ -69,6 +70,9 @@ std::vector<Vec3> every_nth(const std::vector<Vec3>& points, std::size_t count) 
     }
     return result;
 }
+
+/// Radius of a ball that holds no point: fitted() moves it to where it is of use.
+constexpr double nothing = -1e9;
 
 constexpr std::size_t first_limit = 16; ///< largest count of tier 0; each next tier's is four times as large
 constexpr int last_tier = 5;
@@ -187,13 +191,36 @@ Region::Region(std::vector<Vec3> points, std::span<const Sphere> medial, std::sp
 std::vector<std::vector<Sphere>> Region::candidates(std::size_t count) const {
     std::vector<std::vector<Sphere>> result;
     for (std::vector<Sphere> balls : raw_.at(count)) {
-        balls.resize(std::min(count, points_.size()),
-                     Sphere{balls[0].center, -1e9}); // holds nothing: fitted() moves it
+        balls.resize(std::min(count, points_.size()), Sphere{balls[0].center, nothing});
         result.push_back(fitted(points_, std::move(balls), columns_, 4));
     }
     std::stable_sort(result.begin(), result.end(),
                      [&](const auto& a, const auto& b) { return columns_.outside(a) < columns_.outside(b); });
     return result;
+}
+
+/// The cover with one ball less where it is missed least, and the ball that is then widest as two. Descent does not
+/// find such changes.
+static std::vector<Sphere> with_one_moved(std::span<const Vec3> points, const std::vector<Sphere>& balls,
+                                          const Columns& columns) {
+    constexpr std::size_t tried = 8; // the smallest
+    std::vector<std::size_t> order(balls.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return balls[a].radius < balls[b].radius; });
+    order.resize(std::min(order.size(), tried));
+    std::vector<Sphere> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::size_t i : order) {
+        std::vector<Sphere> moved = balls;
+        moved[i].radius = nothing;
+        moved = fitted(points, std::move(moved), columns, 2);
+        if (const double cost = columns.outside(moved); cost < least) {
+            least = cost;
+            best = std::move(moved);
+        }
+    }
+    return best;
 }
 
 std::vector<std::vector<Sphere>> starts(const Stock& stock, const Region& region, std::size_t count, bool optimise,
@@ -208,17 +235,26 @@ std::vector<std::vector<Sphere>> starts(const Stock& stock, const Region& region
     if (settings.optimiser == Settings::Optimiser::balance) {
         return {balance(region.points(), reduced, settings.balance_excess, columns, context)};
     }
-    constexpr std::size_t tried = 2;
     const DescentOptions options{.directions = settings.tester_points};
     std::vector<Sphere> best;
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < std::min(tried, candidates.size()); ++i) {
-        auto balls = variational(region.points(), candidates[i], columns, options, context);
+    const auto descend = [&](const std::vector<Sphere>& start) {
+        auto balls = variational(region.points(), start, columns, options, context);
         const double cost = columns.outside(balls);
-        if (cost < least) {
+        const bool better = cost < least;
+        if (better) {
             least = cost;
             best = std::move(balls);
         }
+        return better;
+    };
+    for (const std::vector<Sphere>& candidate : candidates) {
+        descend(candidate);
+    }
+    constexpr int moves = 6;
+    bool better = best.size() > 1;
+    for (int i = 0; i < moves && better; ++i) {
+        better = descend(with_one_moved(region.points(), best, stock.coarse_columns()));
     }
     return {std::move(best), reduced};
 }
