@@ -252,7 +252,8 @@ std::vector<std::vector<Sphere>> starts(const Stock& stock, const Region& region
         descend(candidate);
     }
     constexpr int moves = 6;
-    bool better = best.size() > 1;
+    // Not where balls are parents: those that moved would share out their surface worse.
+    bool better = best.size() > 1 && settings.depth == 1;
     for (int i = 0; i < moves && better; ++i) {
         better = descend(with_one_moved(region.points(), best, stock.coarse_columns()));
     }
