@@ -56,7 +56,8 @@ TEST_F(Reading, NoExperiment) {
     EXPECT_EQ(
         findings("foam_experiment: 1\nkind: time_against_triangle\n"),
         "x.yaml:2:7: error[unknown-choice]: 'kind' expects one of time_against_triangles, quality_against_spheres, "
-        "collision_queries, fidelity, got the text 'time_against_triangle'; did you mean 'time_against_triangles'?\n");
+        "collision_queries, fidelity, throughput, got the text 'time_against_triangle'; did you mean "
+        "'time_against_triangles'?\n");
 }
 
 TEST_F(Reading, AllThatIsMissing) {

@@ -29,6 +29,7 @@ std::unique_ptr<Experiment> read_time_against_triangles(const reading::Value& ro
 std::unique_ptr<Experiment> read_quality_against_spheres(const reading::Value& root, const reading::Checking& checking);
 std::unique_ptr<Experiment> read_collision_queries(const reading::Value& root, const reading::Checking& checking);
 std::unique_ptr<Experiment> read_fidelity(const reading::Value& root, const reading::Checking& checking);
+std::unique_ptr<Experiment> read_throughput(const reading::Value& root, const reading::Checking& checking);
 
 /// The plain values of a kind; a finding for each key that is neither among them, nor among `structures`, nor shared.
 std::map<std::string, ParameterValue> read_kind_values(const reading::Value& root,

@@ -118,10 +118,11 @@ ExperimentReading finish(std::unique_ptr<Experiment> experiment, const std::stri
 } // namespace
 
 std::span<const Kind> kinds() {
-    static constexpr std::array<Kind, 4> all{{{"time_against_triangles", read_time_against_triangles},
+    static constexpr std::array<Kind, 5> all{{{"time_against_triangles", read_time_against_triangles},
                                               {"quality_against_spheres", read_quality_against_spheres},
                                               {"collision_queries", read_collision_queries},
-                                              {"fidelity", read_fidelity}}};
+                                              {"fidelity", read_fidelity},
+                                              {"throughput", read_throughput}}};
     return all;
 }
 
