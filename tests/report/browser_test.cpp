@@ -32,6 +32,10 @@ protected:
     }
 };
 
+std::string attribute(const std::string& key, std::size_t first, std::size_t second) {
+    return key + "=\"" + std::to_string(first) + "," + std::to_string(second) + "\"";
+}
+
 constexpr const char* chain = "stages: [repair.auto, spherize.octree]\nbudget: {spheres: 9}\n";
 
 TEST_F(ReportInBrowser, DrawsEveryLinkAndRunsNoForeignScript) {
@@ -50,6 +54,46 @@ TEST_F(ReportInBrowser, DrawsEveryLinkAndRunsNoForeignScript) {
                       Not(HasSubstr("data-error")), Not(HasSubstr("hidden"))));
     EXPECT_THAT(html, AllOf(HasSubstr("<title>arm as spheres</title>"), HasSubstr("class=\"theme\">Theme: system"),
                             HasSubstr("<th scope=\"col\"><button type=\"button\">excess</button></th>")));
+}
+
+/// Clicks, and writes what came of it into attributes of the body.
+constexpr const char* visitor = R"(<script>
+const column = () => [...document.querySelectorAll("#links tbody tr")].map((row) => row.cells[1].textContent).join();
+const head = document.querySelectorAll("#links thead button")[1], told = document.body.dataset;
+head.click();
+told.ascending = column();
+head.click();
+told.descending = column();
+document.querySelector("#links tr[data-link=tip] th button").click();
+const level = document.getElementById("level");
+level.value = 0;
+level.dispatchEvent(new Event("input"));
+setTimeout(() => {
+  const viewer = document.getElementById("viewer").dataset;
+  told.alone = document.querySelector("#link-list input:checked").parentNode.textContent;
+  told.drawn = `${viewer.links} ${viewer.meshes} ${viewer.spheres}`;
+}, 1000);
+</script></body>)";
+
+TEST_F(ReportInBrowser, SortsFiguresAndShowsALinkAlone) {
+    std::string html = report_of(recipe(chain));
+    const std::size_t policy = html.find("<meta http-equiv=\"Content-Security-Policy\"");
+    html.erase(policy, html.find('>', policy) + 1 - policy); // it would refuse the visitor
+    html.replace(html.rfind("</body>"), 7, visitor);
+    write_file(folder.path() / "out/report.html", html);
+    const std::string shown = document("--use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader");
+    if (shown.empty()) {
+        GTEST_SKIP() << "the browser does not start here: " << read_file(folder.path() / "browser.txt");
+    }
+    if (shown.find("data-error=\"this browser has no WebGL 2") != shown.npos) {
+        GTEST_SKIP() << "the browser has no WebGL 2 here";
+    }
+    std::vector<std::size_t> counts{result.links[0].measures.spheres, result.links[1].measures.spheres};
+    std::sort(counts.begin(), counts.end());
+    const std::string body = between(shown, "<body", ">");
+    EXPECT_THAT(body, HasSubstr(attribute("data-ascending", counts[0], counts[1])));
+    EXPECT_THAT(body, HasSubstr(attribute("data-descending", counts[1], counts[0])));
+    EXPECT_THAT(body, AllOf(HasSubstr("data-alone=\"tip\""), HasSubstr("data-drawn=\"1 1 1\"")));
 }
 
 TEST_F(ReportInBrowser, SaysWhatIsMissingWithoutWebGl) {
