@@ -50,26 +50,67 @@ std::vector<std::vector<std::uint32_t>> patches_of(const Mesh& mesh) {
 
 enum class Facing { outwards, inwards, wall };
 
-/// By the winding number before and behind the middles of the patch's largest triangles.
-Facing facing_of(const Mesh& mesh, const std::vector<std::uint32_t>& patch, const Solid& solid) {
-    constexpr std::size_t most_samples = 9;
-    std::vector<std::pair<double, std::uint32_t>> by_area; // negated; ties in the order of the patch
+/// How often the inside is behind, before, or on both sides of a patch.
+struct Sides {
+    std::size_t outwards = 0, inwards = 0, walls = 0;
+
+    void look(const Solid& solid, const Vec3& point, const Vec3& step) {
+        const bool before = solid.contains(point + step), behind = solid.contains(point - step);
+        outwards += behind && !before;
+        inwards += before && !behind;
+        walls += before && behind;
+    }
+};
+
+/// The triangles of `patch`, largest first, ties in the order of the patch; at most `most` of them.
+std::vector<std::uint32_t> largest(const Mesh& mesh, const std::vector<std::uint32_t>& patch, std::size_t most) {
+    std::vector<std::pair<double, std::uint32_t>> by_area; // negated
     by_area.reserve(patch.size());
     for (std::uint32_t k = 0; k < patch.size(); ++k) {
         by_area.emplace_back(-squared_norm(area_vector(corners(mesh, mesh.triangles[patch[k]]))), k);
     }
-    const double step = 1e-6 * solid.bounds().diagonal();
-    std::size_t turned = 0, walls = 0;
-    const std::size_t samples = std::min(most_samples, patch.size());
-    std::partial_sort(by_area.begin(), by_area.begin() + static_cast<std::ptrdiff_t>(samples), by_area.end());
-    for (std::size_t i = 0; i < samples; ++i) {
-        const Corners t = corners(mesh, mesh.triangles[patch[by_area[i].second]]);
-        const Vec3 middle = (t[0] + t[1] + t[2]) / 3, normal = normalized(area_vector(t));
-        const bool before = solid.contains(middle + normal * step), behind = solid.contains(middle - normal * step);
-        turned += before && !behind;
-        walls += before && behind;
+    const std::size_t count = std::min(most, patch.size());
+    std::partial_sort(by_area.begin(), by_area.begin() + static_cast<std::ptrdiff_t>(count), by_area.end());
+    std::vector<std::uint32_t> result(count);
+    std::transform(by_area.begin(), by_area.begin() + static_cast<std::ptrdiff_t>(count), result.begin(),
+                   [&](const auto& entry) { return patch[entry.second]; });
+    return result;
+}
+
+/// All of `patch`, in the middle and near the corners of every triangle.
+Sides all_sides(const Mesh& mesh, const std::vector<std::uint32_t>& patch, const Solid& solid, double step) {
+    constexpr double near = 0.98; // share of the way from the middle to a corner
+    Sides sides;
+    for (const std::uint32_t i : patch) {
+        const Corners t = corners(mesh, mesh.triangles[i]);
+        const Vec3 middle = (t[0] + t[1] + t[2]) / 3, ahead = normalized(area_vector(t)) * step;
+        sides.look(solid, middle, ahead);
+        for (const Vec3& corner : t) {
+            sides.look(solid, middle + (corner - middle) * near, ahead);
+        }
     }
-    return 2 * walls > samples ? Facing::wall : 2 * turned > samples ? Facing::inwards : Facing::outwards;
+    return sides;
+}
+
+/// By the winding number before and behind the middles of the patch's largest triangles. A wall only if no part of the
+/// patch sees the outside: a body that stands in another for the most part still counts where it comes out of it.
+Facing facing_of(const Mesh& mesh, const std::vector<std::uint32_t>& patch, const Solid& solid) {
+    constexpr std::size_t most_samples = 9;
+    const double step = 1e-6 * solid.bounds().diagonal();
+    const std::vector<std::uint32_t> samples = largest(mesh, patch, most_samples);
+    Sides sides;
+    for (const std::uint32_t i : samples) {
+        const Corners t = corners(mesh, mesh.triangles[i]);
+        sides.look(solid, (t[0] + t[1] + t[2]) / 3, normalized(area_vector(t)) * step);
+    }
+    if (2 * sides.walls > samples.size()) {
+        sides = all_sides(mesh, patch, solid, step);
+        if (sides.outwards + sides.inwards == 0) {
+            return Facing::wall;
+        }
+        return sides.inwards > sides.outwards ? Facing::inwards : Facing::outwards;
+    }
+    return 2 * sides.inwards > samples.size() ? Facing::inwards : Facing::outwards;
 }
 
 } // namespace

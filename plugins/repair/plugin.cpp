@@ -59,7 +59,7 @@ FOAM_PLUGIN("repair", "1.0", "Apache-2.0") {
         {.name = "repair.auto",
          .summary = "The lightest repair that gives a solid: repair.soup, repair.watertight ever finer, repair.wrap.",
          .reference = "the references of the three",
-         .revision = 2,
+         .revision = 3,
          .parameters = {seam(), largest_hole(), leaves()},
          .uses = {"repair.wrap"}});
     enrol.add<SoupFilter>(
@@ -68,6 +68,7 @@ FOAM_PLUGIN("repair", "1.0", "Apache-2.0") {
          .reference =
              "Guéziec, Taubin, Lazarus, Horn: Cutting and Stitching, 2001; Barequet, Sharir: Filling Gaps in the "
              "Boundary of a Polyhedron, 1995; Jacobson et al.: Robust Inside-Outside Segmentation, 2013",
+         .revision = 2,
          .parameters = {seam(), largest_hole()}});
     enrol.add<WatertightFilter>(
         {.name = "repair.watertight",

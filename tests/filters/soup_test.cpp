@@ -12,6 +12,7 @@ namespace foam::test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const Mesh& defective(const std::string& name) {
     static const std::vector<Named> shapes = defective_meshes();
@@ -87,6 +88,37 @@ TEST(Soup, FillsAConcaveHoleAlongItsPlane) {
     EXPECT_NEAR(signed_volume(result.mesh), 3, 1e-12);
     EXPECT_NEAR(surface_area(result.mesh), 8 + 2 * 3, 1e-12);
     EXPECT_THAT(result.said, HasSubstr("2 holes filled"));
+}
+
+/// A cube of side 2, and a pipe of square section that stands in it, open at the bottom, and comes out by 0.5; its
+/// largest triangles are inside of the cube.
+Mesh pipe_in_a_cube() {
+    Mesh pipe;
+    for (const double z : {-0.9, 0.9, 1.5}) {
+        for (const Vec3& corner : {Vec3{-0.5, -0.5, z}, {0.5, -0.5, z}, {0.5, 0.5, z}, {-0.5, 0.5, z}}) {
+            pipe.vertices.push_back(corner);
+        }
+    }
+    for (std::uint32_t ring : {0u, 4u}) {
+        for (std::uint32_t k = 0; k < 4; ++k) {
+            const std::uint32_t a = ring + k, b = ring + (k + 1) % 4;
+            pipe.triangles.push_back({a, b, b + 4});
+            pipe.triangles.push_back({a, b + 4, a + 4});
+        }
+    }
+    pipe.triangles.push_back({8, 9, 10});
+    pipe.triangles.push_back({8, 10, 11});
+    return united(box({}, {2, 2, 2}), pipe);
+}
+
+TEST(Soup, KeepsABodyThatComesOutOfAnother) {
+    for (const char* repair : {"repair.soup", "repair.auto"}) {
+        SCOPED_TRACE(repair);
+        const Outcome result = outcome(repair, pipe_in_a_cube());
+        EXPECT_NEAR(bounds(result.mesh).high.z, 1.5, 1e-9);
+        EXPECT_NEAR(signed_volume(result.mesh), 8 + 2.4, 1e-9); // the cube and the whole pipe: they overlap
+        EXPECT_THAT(result.said, Not(HasSubstr("taken out")));
+    }
 }
 
 TEST(Soup, RefusesWhatHasNoInside) {
