@@ -1,14 +1,13 @@
 // MuJoCo. Every link is a free body, so that any configuration can be set; a mesh is its convex hull. MuJoCo has no
 // query for distances: contacts are asked for within a margin that is larger than the scene. Between hulls it finds
 // them by Minkowski portal refinement, which gives no exact distances there.
-#include <foam/host/collision_engine.hpp>
+#include "mujoco_model.hpp"
 
-#include <mujoco/mujoco.h>
+#include <foam/host/collision_engine.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <set>
 #include <stdexcept>
@@ -153,32 +152,10 @@ private:
     std::size_t meshes_ = 0, contacts_ = 0;
 };
 
-struct DeleteModel {
-    void operator()(mjModel* model) const { mj_deleteModel(model); }
-};
-struct DeleteData {
-    void operator()(mjData* data) const { mj_deleteData(data); }
-};
-
-std::unique_ptr<mjModel, DeleteModel> compiled(const std::string& text) {
-    constexpr const char* file = "scene.xml";
-    const auto files = std::make_unique<mjVFS>();
-    mj_defaultVFS(files.get());
-    mj_makeEmptyFileVFS(files.get(), file, static_cast<int>(text.size()));
-    std::memcpy(files->filedata[mj_findFileVFS(files.get(), file)], text.data(), text.size());
-    char why[1000] = "";
-    std::unique_ptr<mjModel, DeleteModel> model(mj_loadXML(file, files.get(), why, sizeof why));
-    mj_deleteVFS(files.get());
-    if (!model) {
-        throw std::runtime_error(fmt::format("MuJoCo does not take the scene: {}", why));
-    }
-    return model;
-}
-
 class MuJoCo final : public CollisionEngine {
 public:
     MuJoCo(const EngineRobot& robot, const std::vector<Obstacle>& obstacles)
-        : model_(compiled(Text(robot, obstacles).text())), data_(mj_makeData(model_.get())) {}
+        : model_(mujoco::compiled(Text(robot, obstacles).text())), data_(mj_makeData(model_.get())) {}
 
     void set_obstacles(const std::vector<Obstacle>& obstacles) override {
         for (std::size_t i = 0; i < obstacles.size(); ++i) {
@@ -236,8 +213,8 @@ private:
         return result;
     }
 
-    std::unique_ptr<mjModel, DeleteModel> model_;
-    std::unique_ptr<mjData, DeleteData> data_;
+    mujoco::Model model_;
+    mujoco::Data data_;
     Found found_ = Found::nothing;
 };
 

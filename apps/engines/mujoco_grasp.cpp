@@ -1,7 +1,7 @@
 // Many simulations of one scene in MuJoCo, side by side on all threads: a robot follows position commands to grasp an
 // object. Reads a request as JSON from standard input, answers as JSON in one message on descriptor 3, or on standard
 // output if that is not open. Keys: core/src/experiment/throughput.cpp.
-#include <mujoco/mujoco.h>
+#include "mujoco_model.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -27,30 +27,6 @@
 namespace {
 
 using nlohmann::json;
-
-struct DeleteModel {
-    void operator()(mjModel* model) const { mj_deleteModel(model); }
-};
-struct DeleteData {
-    void operator()(mjData* data) const { mj_deleteData(data); }
-};
-using Model = std::unique_ptr<mjModel, DeleteModel>;
-using Data = std::unique_ptr<mjData, DeleteData>;
-
-Model compiled(const std::string& text) {
-    constexpr const char* file = "scene.xml";
-    const auto files = std::make_unique<mjVFS>();
-    mj_defaultVFS(files.get());
-    mj_makeEmptyFileVFS(files.get(), file, static_cast<int>(text.size()));
-    std::memcpy(files->filedata[mj_findFileVFS(files.get(), file)], text.data(), text.size());
-    char why[1000] = "";
-    Model model(mj_loadXML(file, files.get(), why, sizeof why));
-    mj_deleteVFS(files.get());
-    if (!model) {
-        throw std::runtime_error(std::string("MuJoCo does not take the scene: ") + why);
-    }
-    return model;
-}
 
 int id_of(const mjModel* model, int kind, const std::string& name) {
     const int id = mj_name2id(model, kind, name.c_str());
@@ -98,7 +74,7 @@ struct Ending {
 
 class Simulations {
 public:
-    explicit Simulations(const json& request) : model_(compiled(request.at("scene"))) {
+    explicit Simulations(const json& request) : model_(foam::mujoco::compiled(request.at("scene"))) {
         object_ = id_of(model_.get(), mjOBJ_BODY, request.at("object"));
         for (const json& finger : request.at("fingers")) {
             fingers_.push_back(id_of(model_.get(), mjOBJ_BODY, finger));
@@ -196,8 +172,8 @@ private:
         return ending;
     }
 
-    Model model_;
-    std::vector<Data> data_;
+    foam::mujoco::Model model_;
+    std::vector<foam::mujoco::Data> data_;
     std::vector<double> height_;
     std::vector<std::uint64_t> contacts_;
     Motion motion_;

@@ -216,24 +216,14 @@ std::unique_ptr<Experiment> read_collision_queries(const Value& root, const Chec
     auto experiment = std::make_unique<CollisionQueries>();
     Findings& findings = checking.findings;
     const auto values = read_kind_values(root, plain_values(), {"robots", "method", "engines"}, checking);
-    const auto count = [&](const char* key, auto& target) {
-        if (const auto it = values.find(key); it != values.end()) {
-            target = static_cast<std::remove_reference_t<decltype(target)>>(std::get<std::int64_t>(it->second));
-        }
-    };
-    const auto number = [&](const char* key, double& target) {
-        if (const auto it = values.find(key); it != values.end()) {
-            target = std::get<double>(it->second);
-        }
-    };
-    count("queries", experiment->queries);
-    count("distances", experiment->distances);
-    count("environments", experiment->environments);
-    count("obstacles", experiment->rule.obstacles);
-    count("seed", experiment->seed);
-    number("smallest", experiment->rule.smallest);
-    number("largest", experiment->rule.largest);
-    number("time_limit", experiment->time_limit);
+    take(values, "queries", experiment->queries);
+    take(values, "distances", experiment->distances);
+    take(values, "environments", experiment->environments);
+    take(values, "obstacles", experiment->rule.obstacles);
+    take(values, "seed", experiment->seed);
+    take(values, "smallest", experiment->rule.smallest);
+    take(values, "largest", experiment->rule.largest);
+    take(values, "time_limit", experiment->time_limit);
     if (experiment->rule.smallest > experiment->rule.largest) {
         findings.error({0, 1, 1}, "out-of-order",
                        fmt::format("'smallest' is {:g} m and 'largest' {:g} m; remedy: the other way round",

@@ -6,10 +6,13 @@
 
 #include <foam/host/experiment.hpp>
 
+#include <cstdint>
 #include <initializer_list>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace foam::experiment {
@@ -36,6 +39,15 @@ std::map<std::string, ParameterValue> read_kind_values(const reading::Value& roo
                                                        const std::vector<Parameter>& declared,
                                                        std::initializer_list<const char*> structures,
                                                        const reading::Checking& checking);
+/// Sets `target`, an integer or a double as it was declared, to the value of `key`; left alone where that was not
+/// given.
+template <class Number>
+void take(const std::map<std::string, ParameterValue>& values, const char* key, Number& target) {
+    using Declared = std::conditional_t<std::is_floating_point_v<Number>, double, std::int64_t>;
+    if (const auto it = values.find(key); it != values.end()) {
+        target = static_cast<Number>(std::get<Declared>(it->second));
+    }
+}
 /// Mesh filters and the spherizer that is the last of `method`; a finding where there is none.
 std::optional<Chain> read_method(const reading::Value& value, const reading::Checking& checking);
 /// The value of a key that must be there; nullptr after a finding.

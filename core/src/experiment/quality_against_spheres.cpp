@@ -301,9 +301,7 @@ std::unique_ptr<Experiment> read_quality_against_spheres(const Value& root, cons
     Findings& findings = checking.findings;
     const auto values = read_kind_values(root, {Parameter::number("time_limit", 60).bounds(0.001, 1e6).unit("s")},
                                          {"robots", "filters", "methods", "spheres"}, checking);
-    if (const auto it = values.find("time_limit"); it != values.end()) {
-        experiment->time_limit = std::get<double>(it->second);
-    }
+    take(values, "time_limit", experiment->time_limit);
     if (const Value* robots = required(root, "robots", "robots: {panda: FILE.urdf}", findings)) {
         experiment->robots = read_robots(*robots, findings);
         experiment->robots_where = findings.locate(robots->where);

@@ -459,22 +459,12 @@ std::unique_ptr<Experiment> read_throughput(const Value& root, const Checking& c
     const auto values =
         read_kind_values(root, plain_values(),
                          {"robot", "method", "spheres", "object", "fingers", "object_ignores", "motion"}, checking);
-    const auto count = [&](const char* key, std::size_t& target) {
-        if (const auto it = values.find(key); it != values.end()) {
-            target = static_cast<std::size_t>(std::get<std::int64_t>(it->second));
-        }
-    };
-    const auto number = [&](const char* key, double& target) {
-        if (const auto it = values.find(key); it != values.end()) {
-            target = std::get<double>(it->second);
-        }
-    };
-    count("simulations", experiment->simulations);
-    count("repeats", experiment->repeats);
-    count("threads", experiment->threads);
-    number("timestep", experiment->timestep);
-    number("spread", experiment->spread);
-    number("lift", experiment->lift);
+    take(values, "simulations", experiment->simulations);
+    take(values, "repeats", experiment->repeats);
+    take(values, "threads", experiment->threads);
+    take(values, "timestep", experiment->timestep);
+    take(values, "spread", experiment->spread);
+    take(values, "lift", experiment->lift);
     if (const Value* robot = required(root, "robot", "robot: FILE.urdf", findings)) {
         experiment->robot = read_references(*robot, "robot", findings);
         experiment->robot_where = findings.locate(robot->where);
@@ -483,12 +473,7 @@ std::unique_ptr<Experiment> read_throughput(const Value& root, const Checking& c
         experiment->spheres = read_counts(*spheres, "spheres", 1, 1e5, findings);
     }
     if (const Value* method = required(root, "method", "method: spherize.medial", findings)) {
-        experiment->method =
-            read_chain(*method, "method", {false, true, true, "mesh filters and a spherizer"}, checking);
-        if (experiment->method && !experiment->method->spherizer) {
-            findings.error(method->where, "missing-stage",
-                           "'method' has no spherizer; remedy: add one as its last stage");
-        }
+        experiment->method = read_method(*method, checking);
     }
     if (const Value* object = root.find("object")) {
         read_object(*object, experiment->object, findings);

@@ -340,15 +340,9 @@ std::unique_ptr<Experiment> read_time_against_triangles(const Value& root, const
                                           Parameter::number("time_limit", 10).bounds(0.001, 1e6).unit("s"),
                                           Parameter::integer("spheres", 8).bounds(1, 1e6)},
                                          {"mesh", "prepare", "triangles", "figures", "references"}, checking);
-    if (const auto it = values.find("repeats"); it != values.end()) {
-        experiment->repeats = static_cast<std::size_t>(std::get<std::int64_t>(it->second));
-    }
-    if (const auto it = values.find("time_limit"); it != values.end()) {
-        experiment->time_limit = std::get<double>(it->second);
-    }
-    if (const auto it = values.find("spheres"); it != values.end()) {
-        experiment->spheres = static_cast<std::size_t>(std::get<std::int64_t>(it->second));
-    }
+    take(values, "repeats", experiment->repeats);
+    take(values, "time_limit", experiment->time_limit);
+    take(values, "spheres", experiment->spheres);
     if (const Value* mesh = required(root, "mesh", "mesh: FILE", findings)) {
         experiment->candidates = read_references(*mesh, "mesh", findings);
         experiment->candidates_where = findings.locate(mesh->where);
