@@ -49,10 +49,11 @@ private:
 FOAM_PLUGIN("spherize_cover", "1.0", "Apache-2.0") {
     enrol.add<CoverSpherizer>({
         .name = "spherize.cover",
-        .summary = "Spheres that claim the least volume outside: descent along the shape derivative from many starts, "
-                   "then closed and proved.",
+        .summary = "Spheres that claim the least volume outside: planes hand the surface to them, two at a time; "
+                   "proved.",
         .reference =
             "Wang et al.: Variational sphere set approximation for solid objects. The Visual Computer 22, 2006",
+        .revision = 2,
         .parameters =
             {
                 foam::Parameter::choice("effort", {"fast", "normal", "best"}, "normal")

@@ -121,14 +121,18 @@ std::vector<Sphere> Improvement::spheres_of(const Balls& balls) const {
     return spheres;
 }
 
-/// Points tell what is held only where they are: without closing, the balls that slip best between them would win.
-double Improvement::closed_volume(const Balls& balls) const {
-    constexpr double finest = 1e-3; // units
+Balls Improvement::closed_balls(const Balls& balls, double finest) const {
     Balls grown;
     for (const Sphere& s : closed(*problem_.solid, spheres_of(balls), finest * problem_.frame.unit)) {
         grown.push_back(ball_of({problem_.frame.to_unit(s.center), s.radius / problem_.frame.unit}));
     }
-    return claimed_volume(grown, fine_directions_[0]);
+    return grown;
+}
+
+/// Points tell what is held only where they are: without closing, the balls that slip best between them would win.
+double Improvement::closed_volume(const Balls& balls) const {
+    constexpr double finest = 1e-3; // units
+    return claimed_volume(closed_balls(balls, finest), fine_directions_[0]);
 }
 
 } // namespace foam::cover

@@ -25,6 +25,8 @@ public:
     Rated tightened(Balls balls) const;
     /// Indices of the balls, the one that claims most outside first.
     std::vector<std::size_t> by_waste(const Balls& balls) const;
+    /// Grown so that they hold the surface; pieces of triangles are followed down to `finest`, units.
+    Balls closed_balls(const Balls& balls, double finest) const;
     std::vector<Sphere> spheres_of(const Balls& balls) const;
 
 private:

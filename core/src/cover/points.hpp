@@ -40,6 +40,12 @@ struct Points {
         y.insert(y.end(), other.y.begin(), other.y.end());
         z.insert(z.end(), other.z.begin(), other.z.end());
     }
+    void clear() { resize(0); }
+    void resize(std::size_t count) {
+        x.resize(count);
+        y.resize(count);
+        z.resize(count);
+    }
     Vec3 at(std::size_t i) const { return {x[i], y[i], z[i]}; }
 };
 

@@ -13,6 +13,12 @@ namespace {
 /// Counts up to this build on the one before; larger ones on the next below of 12, 14, 16, 20, 24, 30, 36, 44, ….
 constexpr std::size_t every_count = 12;
 
+/// Surfaces with more points are coarsened for the search.
+constexpr std::size_t few_points = 500;
+
+/// Balls are closed down to this, units, before they exchange.
+constexpr double finest_start = 1e-3;
+
 std::size_t count_before(std::size_t count) {
     if (count <= every_count) {
         return count - 1;
@@ -39,7 +45,11 @@ Plan plan_for(Effort effort) {
                 .first_steps = 30,
                 .steps = 60,
                 .last_steps = 30,
-                .moves = 0};
+                .moves = 0,
+                .only_split = 4,
+                .most_split = 4,
+                .exchange = {{20, 5, 3, 40}, 40, 4, 14},
+                .skin_resolution = 10};
     case Effort::normal:
         return {.resolution = 48,
                 .points = 3000,
@@ -50,7 +60,11 @@ Plan plan_for(Effort effort) {
                 .first_steps = 60,
                 .steps = 80,
                 .last_steps = 40,
-                .moves = 1};
+                .moves = 1,
+                .only_split = 3,
+                .most_split = 12,
+                .exchange = {{24, 7, 4, 50}, 50, 6, 16},
+                .skin_resolution = 16};
     case Effort::best:
         return {.resolution = 96,
                 .points = 6000,
@@ -61,15 +75,20 @@ Plan plan_for(Effort effort) {
                 .first_steps = 80,
                 .steps = 200,
                 .last_steps = 100,
-                .moves = 24};
+                .moves = 24,
+                .only_split = 1,
+                .most_split = 12,
+                .exchange = {{60, 9, 4, 80}, 100, 12, 20},
+                .skin_resolution = 32};
     }
     return {};
 }
 
 Search::Search(const Solid& solid, const SpherizeOptions& options)
     : solid_(solid), options_(options), plan_(plan_for(options.effort)),
-      problem_(solid, plan_.resolution, plan_.points, options.seed), body_(body_points(problem_, 800)),
-      improvement_(problem_, plan_.directions, plan_.first_points) {}
+      problem_(solid, plan_.resolution, plan_.points, options.seed), skin_(solid.surface(), problem_.frame),
+      coarse_skin_(skin_.points.size() > few_points ? skin_.coarse(plan_.skin_resolution) : skin_),
+      body_(body_points(problem_, 800)), improvement_(problem_, plan_.directions, plan_.first_points) {}
 
 const Search::Model& Search::model(std::size_t count) {
     if (const auto known = models_.find(count); known != models_.end()) {
@@ -82,14 +101,42 @@ const Search::Model& Search::model(std::size_t count) {
     if (stopped()) {
         return before;
     }
-    Rated best = best_of(starts(count, before.balls));
-    if (count <= every_count) {
-        best = moved_about(std::move(best), Random(derive_seed(options_.seed, "moves") + count));
+    Model best = before;
+    const auto take = [&](const Balls& balls) {
+        Model model = finished(balls);
+        // More balls are never worse.
+        if (model.cover.volume < best.cover.volume) {
+            best = std::move(model);
+        }
+    };
+    if (count <= plan_.most_split) {
+        take(one_more(before.balls));
     }
-    improvement_.refine(best.balls, plan_.last_steps);
-    Model model = finished(best.balls);
-    // More balls are never worse.
-    return models_.emplace(count, model.cover.volume < before.cover.volume ? std::move(model) : before).first->second;
+    if (count > plan_.only_split) {
+        Rated found = best_of(starts(count, before.balls));
+        if (count <= every_count) {
+            found = moved_about(std::move(found), Random(derive_seed(options_.seed, "moves") + count));
+        }
+        take(settled(found.balls));
+    }
+    return models_.emplace(count, std::move(best)).first->second;
+}
+
+Balls Search::one_more(const Balls& cover) const {
+    constexpr std::size_t most_candidates = 3;
+    std::vector<std::size_t> candidates = improvement_.by_waste(cover);
+    candidates.resize(std::min(candidates.size(), most_candidates));
+    Exchange exchange(problem_, coarse_skin_, plan_.exchange, cover);
+    if (exchange.split(candidates)) {
+        exchange.settle();
+    }
+    return exchange.balls();
+}
+
+Balls Search::settled(const Balls& balls) const {
+    Exchange exchange(problem_, coarse_skin_, plan_.exchange, improvement_.closed_balls(balls, finest_start));
+    exchange.settle();
+    return exchange.balls();
 }
 
 Balls Search::smallest_ball() const {
@@ -190,13 +237,26 @@ Balls Search::moved(const Balls& balls, Random& random) const {
     return split(fewer, order[random.below(std::min(order.size(), wasteful))], body_, random);
 }
 
+/// Made to fit the surface itself after a search on a coarse one.
+Balls Search::fitted(const Balls& balls) const {
+    if (coarse_skin_.points.size() == skin_.points.size()) {
+        return balls;
+    }
+    ExchangePlan plan = plan_.exchange;
+    plan.evaluations = 12;
+    plan.rounds = 1;
+    Exchange exchange(problem_, skin_, plan, improvement_.closed_balls(balls, finest_start));
+    exchange.settle();
+    return exchange.balls();
+}
+
 Search::Model Search::finished(const Balls& balls) const {
-    const double diagonal = 2 * problem_.frame.unit;
-    const double finest = 1e-6 * diagonal;
-    const double margin = 1e-6 * diagonal; // centres are rounded by less when they are written
-    Model model{balls, {closed(solid_, improvement_.spheres_of(balls), finest), {}, 0}};
+    const double margin = 2e-6 * problem_.frame.unit; // centres are rounded by less when they are written
+    // Where balls only just meet, a proof by halving would have to cut very finely: a hair of overlap helps.
+    constexpr double overlap = 1e-4;
+    Model model{balls, {improvement_.spheres_of(fitted(balls)), {}, 0}};
     for (Sphere& s : model.cover.spheres) {
-        s.radius += margin;
+        s.radius += overlap * s.radius + margin;
     }
     model.cover.certificate = certify(solid_, model.cover.spheres);
     if (!model.cover.certificate.holds) {

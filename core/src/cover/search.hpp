@@ -1,6 +1,7 @@
 // Covers of one solid by 1, 2, 3, … balls, each from those before.
 #pragma once
 
+#include "cover/exchange.hpp"
 #include "cover/improvement.hpp"
 
 #include <foam/host/spherize.hpp>
@@ -19,7 +20,11 @@ struct Plan {
     std::size_t starts;       ///< at random, beside those by rule
     std::size_t kept;         ///< starts of each kind that are gone on with
     int first_steps, steps, last_steps;
-    int moves; ///< of a ball to another place, tried one after another
+    int moves;              ///< of a ball to another place, tried one after another
+    std::size_t only_split; ///< counts up to this come from splits alone
+    std::size_t most_split; ///< counts up to this come from splits too
+    ExchangePlan exchange;
+    int skin_resolution; ///< of a finely meshed surface, for the search
 };
 Plan plan_for(Effort effort);
 
@@ -46,6 +51,11 @@ private:
     Rated moved_about(Rated best, Random random) const;
     Balls thinned(Balls balls, std::size_t count, Random& random) const;
     Balls moved(const Balls& balls, Random& random) const;
+    /// One ball more than a cover has, by a plane through one of those that waste most.
+    Balls one_more(const Balls& cover) const;
+    /// Closed, and improved by exchanges.
+    Balls settled(const Balls& balls) const;
+    Balls fitted(const Balls& balls) const;
     Model finished(const Balls& balls) const;
     bool stopped() const { return options_.stop && options_.stop(); }
 
@@ -53,6 +63,7 @@ private:
     SpherizeOptions options_;
     Plan plan_;
     Problem problem_;
+    Skin skin_, coarse_skin_; ///< the same where there are few points anyway
     Points body_;
     Improvement improvement_;
     std::map<std::size_t, Model> models_;

@@ -1,0 +1,138 @@
+#include "cover/exchange.hpp"
+
+#include <foam/sphere.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <utility>
+
+namespace foam::cover {
+namespace {
+
+Sphere sphere_of(const Ball& ball) {
+    return {{ball.x, ball.y, ball.z}, ball.r};
+}
+
+} // namespace
+
+Exchange::Exchange(const Problem& problem, const Skin& skin, const ExchangePlan& plan, Balls balls)
+    : skin_(skin), plan_(plan), balls_(std::move(balls)), home_(skin.faces.size(), none), remainder_(skin),
+      outside_(problem.occupancy, plan.cells) {
+    find_homes();
+}
+
+bool Exchange::meet(std::size_t i, std::size_t j) const {
+    const float sum = balls_[i].r + balls_[j].r;
+    return squared_distance(balls_[i], balls_[j]) < sum * sum;
+}
+
+bool Exchange::holds(const Ball& ball, const Skin::Face& face) const {
+    constexpr float rounding = 4e-6f;
+    const float squared = ball.r * ball.r * (1 + rounding);
+    return std::all_of(face.corners.begin(), face.corners.end(), [&](std::uint32_t p) {
+        return ball.squared_distance(skin_.points.x[p], skin_.points.y[p], skin_.points.z[p]) <= squared;
+    });
+}
+
+void Exchange::find_homes() {
+    for (std::size_t f = 0; f < home_.size(); ++f) {
+        const Skin::Face& face = skin_.faces[f];
+        if (home_[f] != none && holds(balls_[home_[f]], face)) {
+            continue;
+        }
+        home_[f] = none;
+        for (std::uint32_t i = 0; i < balls_.size() && home_[f] == none; ++i) {
+            home_[f] = holds(balls_[i], face) ? i : none;
+        }
+    }
+}
+
+void Exchange::look_at(std::size_t i, std::size_t j, const Ball& region) {
+    faces_.clear();
+    for (std::uint32_t f = 0; f < home_.size(); ++f) {
+        const Ball& bounds = skin_.faces[f].bounds;
+        const auto near = [&](std::size_t k) {
+            const float sum = balls_[k].r + bounds.r;
+            return squared_distance(balls_[k], bounds) <= sum * sum;
+        };
+        if (home_[f] == i || home_[f] == j || (home_[f] == none && (near(i) || near(j)))) {
+            faces_.push_back(f);
+        }
+    }
+    others_.clear();
+    for (std::size_t k = 0; k < balls_.size(); ++k) {
+        if (k != i && k != j && (meet(k, i) || meet(k, j))) {
+            others_.push_back(balls_[k]);
+        }
+    }
+    remainder_.find(faces_, others_, content_);
+    outside_.look(others_, region);
+}
+
+bool Exchange::split(const std::vector<std::size_t>& candidates) {
+    TwoBalls best;
+    std::size_t chosen = balls_.size();
+    double most = -std::numeric_limits<double>::infinity();
+    for (const std::size_t i : candidates) {
+        look_at(i, i, balls_[i]);
+        if (content_.points.size() < 2) {
+            continue;
+        }
+        const double before = outside_.of({&balls_[i], 1});
+        const TwoBalls two = TwoBallSearch(content_, outside_).anywhere(plan_.split);
+        if (before - two.volume > most && two.balls[0].r > 0 && two.balls[1].r > 0) {
+            most = before - two.volume;
+            best = two;
+            chosen = i;
+        }
+    }
+    if (chosen == balls_.size()) {
+        return false;
+    }
+    balls_[chosen] = best.balls[0];
+    balls_.push_back(best.balls[1]);
+    find_homes();
+    return true;
+}
+
+bool Exchange::exchange(std::size_t i, std::size_t j) {
+    constexpr double least_gain = 2e-4; // of the larger ball's cube
+    const Ball a = balls_[i], b = balls_[j];
+    look_at(i, j, ball_of(enclosing_sphere(sphere_of(a), sphere_of(b))));
+    const double before = outside_.of(std::array{a, b});
+    const TwoBalls two = TwoBallSearch(content_, outside_).near({a, b}, plan_.evaluations);
+    const double size = std::max(a.r, b.r);
+    if (two.volume > before - least_gain * size * size * size) {
+        return false;
+    }
+    balls_[i] = two.balls[0];
+    balls_[j] = two.balls[1];
+    find_homes();
+    return true;
+}
+
+void Exchange::settle() {
+    std::set<std::pair<std::size_t, std::size_t>> open;
+    const auto open_about = [&](std::size_t i) {
+        for (std::size_t k = 0; k < balls_.size(); ++k) {
+            if (k != i && meet(k, i)) {
+                open.insert(std::minmax(i, k));
+            }
+        }
+    };
+    for (std::size_t i = 0; i < balls_.size(); ++i) {
+        open_about(i);
+    }
+    for (int round = 0; round < plan_.rounds && !open.empty(); ++round) {
+        const auto now = std::exchange(open, {});
+        for (const auto& [i, j] : now) {
+            if (meet(i, j) && exchange(i, j)) {
+                open_about(i);
+                open_about(j);
+            }
+        }
+    }
+}
+
+} // namespace foam::cover

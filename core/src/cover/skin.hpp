@@ -1,0 +1,39 @@
+// The surface as the exchange of pieces between balls reads it.
+#pragma once
+
+#include "cover/points.hpp"
+
+#include <foam/mesh.hpp>
+
+#include <array>
+#include <cstdint>
+#include <utility>
+
+namespace foam::cover {
+
+using Line = std::pair<std::uint32_t, std::uint32_t>; ///< indices of its ends
+
+/// Triangles in the unit frame; corners at one place and edges between them are named once, whatever the mesh does.
+struct Skin {
+    struct Face {
+        std::array<std::uint32_t, 3> corners, edges; ///< edge k goes from corner k to the next one
+        Ball bounds;
+    };
+    Points points;
+    std::vector<Line> edges;
+    std::vector<Face> faces;
+
+    Skin(const Mesh& surface, const Frame& frame);
+    /// The same for a first look: of the points in each cell of a lattice, cells of about 1/`resolution` of the longest
+    /// extent, one stands for all (Rossignac and Borrel 1993). It lies on the surface, but the surface may bulge out
+    /// between points.
+    Skin coarse(int resolution) const;
+
+private:
+    Skin() = default;
+    void add_edges();
+    /// For each vertex in use the point at its place.
+    std::vector<std::uint32_t> name_places(const Mesh& surface, const Frame& frame);
+};
+
+} // namespace foam::cover
