@@ -189,7 +189,7 @@ TEST_F(Queries, TablesAndFiles) {
                 HasSubstr("robot,engine,version,model,shapes,queries,aborted,move_ms,collision_ms,collision_ms_error,"
                           "collision_ms_difference,collision_ms_difference_error,distances,distance_ms,"
                           "distance_ms_error,distance_ms_difference,distance_ms_difference_error,mean_distance_m,"
-                          "collides,collides_alone,remark\n"));
+                          "collides,collides_alone,hits_obstacle,hits_itself,remark\n"));
     EXPECT_THAT(
         result.markdown,
         HasSubstr(
@@ -198,8 +198,7 @@ TEST_F(Queries, TablesAndFiles) {
             "| FCL, pair by pair: Δ validity, % | Bullet: Δ collision, ms | Bullet: Δ distance, ms "
             "| Bullet: Δ validity, % | MuJoCo: Δ collision, ms | MuJoCo: Δ distance, ms | MuJoCo: Δ validity, % |"));
     EXPECT_THAT(result.markdown, HasSubstr("| robot | shapes | spheres | queries | collision, ms | by spheres, ms "
-                                           "| distances | distance, ms | by spheres, ms | collides, % "
-                                           "| spheres collide, % | only spheres | only the original | aborted "
+                                           "| distances | distance, ms | by spheres, ms | aborted "
                                            "| aborted by spheres |"));
     EXPECT_THAT(result.markdown, HasSubstr("Left out, as no candidate is here: none."));
     EXPECT_THAT(result.markdown, HasSubstr("arm is arm.urdf: 3 links, 6 spheres, "));
@@ -237,10 +236,45 @@ TEST_F(Queries, CertifiedSpheresMissNothingAndVerdictsAreTheSameEveryTime) {
                                                           "libraries, their spheres missed 0, of "));
     const Table first = parse_csv(result.csv, "a"), second = parse_csv(run(text).csv, "b");
     for (std::size_t row = 0; row < first.rows.size(); ++row) {
-        for (const char* column : {"shapes", "queries", "aborted", "collides", "collides_alone", "mean_distance_m"}) {
+        for (const char* column : {"shapes", "queries", "aborted", "collides", "collides_alone", "hits_obstacle",
+                                   "hits_itself", "mean_distance_m"}) {
             EXPECT_EQ(cell(first, row, column), cell(second, row, column));
             EXPECT_EQ(cell(first, row, column), cell(first, row ^ 2, column)) << "with trees and without, row " << row;
         }
+    }
+}
+
+TEST_F(Queries, VerdictsAreSplitIntoObstaclesAndTheRobotItself) {
+    if (!have("fcl")) {
+        GTEST_SKIP() << "libfcl-dev is not here";
+    }
+    const ExperimentResult result = run(queries_experiment + "engines: fcl\n");
+    EXPECT_THAT(result.markdown,
+                HasSubstr("| robot | library | collides, % | spheres collide, % | Δ, % | Δ by obstacles, % "
+                          "| Δ by itself, % | only spheres | only the original |"));
+    const Table table = parse_csv(result.csv, "results.csv");
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        const int all = std::stoi(cell(table, row, "collides"));
+        const int obstacle = std::stoi(cell(table, row, "hits_obstacle"));
+        const int itself = std::stoi(cell(table, row, "hits_itself"));
+        EXPECT_LE(std::max(obstacle, itself), all);
+        EXPECT_GE(obstacle + itself, all);
+    }
+}
+
+TEST_F(Queries, DistancesOfEachEngine) {
+    if (!have("fcl")) {
+        GTEST_SKIP() << "libfcl-dev is not here";
+    }
+    std::string text = queries_experiment + "engines: [fcl, fcl_pairs]\n";
+    text.replace(text.find("distances: 5"), 12, "distances: {fcl: 7}");
+    const ExperimentResult result = run(text);
+    EXPECT_THAT(result.markdown, HasSubstr("to itself: 7 in FCL; 0 in FCL, pair by pair. The two models"));
+    const Table table = parse_csv(result.csv, "results.csv");
+    ASSERT_EQ(table.rows.size(), 8u); // 2 robots, 2 engines, 2 models
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        EXPECT_EQ(cell(table, row, "queries"), "20");
+        EXPECT_EQ(cell(table, row, "distances"), cell(table, row, "engine") == "fcl" ? "7" : "0");
     }
 }
 

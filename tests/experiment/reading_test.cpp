@@ -134,6 +134,15 @@ TEST_F(Reading, CollisionQueries) {
         findings(collision + robots + "engines: [fcl, bulet, fcl]\n"),
         "x.yaml:5:16: error[unknown-choice]: 'engines' holds fcl, fcl_pairs, bullet, mujoco, got 'bulet'; did you "
         "mean 'bullet'?\nx.yaml:5:23: error[twice]: 'engines' holds 'fcl' twice\n");
+    EXPECT_EQ(
+        findings(collision + robots + "engines: [fcl, bullet]\ndistances: {bulet: 3, mujoco: 4, fcl: -1}\n"),
+        "x.yaml:6:13: error[unknown-choice]: 'distances' names 'bulet', which 'engines' has not; did "
+        "you mean 'bullet'?\n"
+        "x.yaml:6:23: error[unknown-choice]: 'distances' names 'mujoco', which 'engines' has not; known: fcl, bullet\n"
+        "x.yaml:6:39: error[out-of-bounds]: 'distances' expects an integer between 0 and 100000000, got -1\n");
+    EXPECT_EQ(findings(collision + robots + "distances: many\n"),
+              "x.yaml:5:12: error[wrong-type]: 'distances' expects an integer between 0 and 100000000, got the text "
+              "'many'\n");
     EXPECT_EQ(findings(collision + robots + "method: repair.soup\nsmallest: 0.5\n"),
               "x.yaml:1:1: error[out-of-order]: 'smallest' is 0.5 m and 'largest' 0.3 m; remedy: the other way round\n"
               "x.yaml:5:9: error[missing-stage]: 'method' has no spherizer; remedy: add one as its last stage\n");

@@ -29,9 +29,10 @@ class CollisionQueries final : public Experiment {
 public:
     std::vector<RobotSource> robots;
     std::vector<std::string> engines;
+    std::vector<std::size_t> distances; ///< by engine
     std::optional<Chain> method;
     EnvironmentRule rule;
-    std::size_t queries = 100000, distances = 100000, environments = 100;
+    std::size_t queries = 100000, environments = 100;
     std::uint64_t seed = 0;
     double time_limit = 3600; ///< CPU s, of an engine on a robot
     Location robots_where;
@@ -48,6 +49,7 @@ public:
         QueryResults results{.rule = rule,
                              .counts = counts(),
                              .engines = engines,
+                             .distances = distances,
                              .method = method ? method->label : "",
                              .robots = {},
                              .missing = {}};
@@ -70,7 +72,7 @@ public:
     }
 
 private:
-    QueryCounts counts() const { return {queries, std::min(distances, queries), std::min(environments, queries)}; }
+    QueryCounts counts() const { return {queries, std::min(environments, queries)}; }
 
     Recipe recipe_of(const RobotSource& robot) const {
         Recipe recipe;
@@ -104,8 +106,9 @@ private:
                                result.models.links.size(), shape_count(result.models.spheres),
                                result.models.original.pairs.size()));
         const QueryPlan plan(result.models, rule, counts(), seed);
-        for (const std::string& engine : engines) {
-            result.reports.push_back(asked(bench, result.models, plan, engine));
+        for (std::size_t e = 0; e < engines.size(); ++e) {
+            const std::string& engine = engines[e];
+            result.reports.push_back(asked(bench, result.models, plan, engine, distances[e]));
             const EngineReport& report = result.reports.back();
             const EngineComparison comparison = compare_models(report.answers);
             bench.tell(report.error.empty()
@@ -120,9 +123,9 @@ private:
 
     /// In portions, so that poses of many queries need not be in memory at once. The time that is left goes on to the
     /// next portion.
-    EngineReport asked(const Bench& bench, const TwoModels& models, const QueryPlan& plan,
-                       const std::string& engine) const {
-        constexpr std::size_t portion = 5000;
+    EngineReport asked(const Bench& bench, const TwoModels& models, const QueryPlan& plan, const std::string& engine,
+                       std::size_t distances_asked) const {
+        constexpr std::size_t portion = 20000;
         EngineReport all;
         double seconds = time_limit;
         for (std::size_t first = 0; first < queries && all.error.empty(); first += portion) {
@@ -130,7 +133,7 @@ private:
             problem.engine = engine;
             problem.models = {models.original, models.spheres};
             problem.environments = plan.environments();
-            problem.queries = plan.queries(first, std::min(portion, queries - first));
+            problem.queries = plan.queries(first, std::min(portion, queries - first), distances_asked);
             problem.time_limit = seconds;
             EngineReport report = ask_engine(std::move(problem), [&bench] { return bench.cancelled(); });
             for (const auto& both : report.answers) {
@@ -196,10 +199,35 @@ std::vector<std::string> read_engines(const Value* value, Findings& findings) {
     return engines;
 }
 
+/// A number for all engines, or {ENGINE: NUMBER, …}; those that are not named ask for none.
+std::vector<std::size_t> read_distances(const Value* value, const std::vector<std::string>& engines,
+                                        Findings& findings) {
+    const Parameter declared = Parameter::integer("distances", 100000).bounds(0, 1e8);
+    const auto count = [&](const Value& one) {
+        const auto read = read_value(one, declared, "", findings);
+        return read ? static_cast<std::size_t>(std::get<std::int64_t>(*read)) : 0;
+    };
+    if (!value || !value->is(Value::Kind::map)) {
+        return std::vector<std::size_t>(engines.size(), value ? count(*value) : 100000);
+    }
+    std::vector<std::size_t> result(engines.size(), 0);
+    for (std::size_t i = 0; i < value->keys.size(); ++i) {
+        const std::string& name = value->keys[i].text;
+        const auto it = std::find(engines.begin(), engines.end(), name);
+        if (it == engines.end()) {
+            findings.error(value->keys[i].where, "unknown-choice",
+                           fmt::format("'distances' names {}, which 'engines' has not{}", in_quotes(name),
+                                       suggestion(name, engines)));
+        } else {
+            result[static_cast<std::size_t>(it - engines.begin())] = count(value->items[i]);
+        }
+    }
+    return result;
+}
+
 const std::vector<Parameter>& plain_values() {
     static const std::vector<Parameter> values{
         Parameter::integer("queries", 100000).bounds(1, 1e8),
-        Parameter::integer("distances", 100000).bounds(0, 1e8),
         Parameter::integer("environments", 100).bounds(1, 1e5),
         Parameter::integer("obstacles", 16).bounds(1, 1e4),
         Parameter::number("smallest", 0.05).bounds(1e-4, 10).unit("m"),
@@ -215,9 +243,8 @@ const std::vector<Parameter>& plain_values() {
 std::unique_ptr<Experiment> read_collision_queries(const Value& root, const Checking& checking) {
     auto experiment = std::make_unique<CollisionQueries>();
     Findings& findings = checking.findings;
-    const auto values = read_kind_values(root, plain_values(), {"robots", "method", "engines"}, checking);
+    const auto values = read_kind_values(root, plain_values(), {"robots", "method", "engines", "distances"}, checking);
     take(values, "queries", experiment->queries);
-    take(values, "distances", experiment->distances);
     take(values, "environments", experiment->environments);
     take(values, "obstacles", experiment->rule.obstacles);
     take(values, "seed", experiment->seed);
@@ -230,6 +257,10 @@ std::unique_ptr<Experiment> read_collision_queries(const Value& root, const Chec
                                    experiment->rule.smallest, experiment->rule.largest));
     }
     experiment->engines = read_engines(root.find("engines"), findings);
+    experiment->distances = read_distances(root.find("distances"), experiment->engines, findings);
+    for (std::size_t& count : experiment->distances) {
+        count = std::min(count, experiment->queries);
+    }
     if (const Value* method = root.find("method")) {
         experiment->method = read_method(*method, checking);
     }

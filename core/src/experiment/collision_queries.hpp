@@ -20,7 +20,8 @@ struct QueryResults {
     EnvironmentRule rule;
     QueryCounts counts;
     std::vector<std::string> engines;
-    std::string method; ///< that made spheres; empty: none did
+    std::vector<std::size_t> distances; ///< by engine: queries that ask for distances too
+    std::string method;                 ///< that made spheres; empty: none did
     std::vector<RobotQueries> robots;
     std::vector<std::string> missing; ///< robots that are not here
 };

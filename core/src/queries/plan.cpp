@@ -17,13 +17,13 @@ QueryPlan::QueryPlan(const TwoModels& models, const EnvironmentRule& rule, const
     }
 }
 
-std::vector<EngineQuery> QueryPlan::queries(std::size_t first, std::size_t count) const {
+std::vector<EngineQuery> QueryPlan::queries(std::size_t first, std::size_t count, std::size_t distances) const {
     std::vector<EngineQuery> result;
     const Kinematics& kinematics = *models_.kinematics;
     for (std::size_t i = first; i < first + count; ++i) {
         EngineQuery& query = result.emplace_back();
         query.environment = static_cast<std::uint32_t>(i * counts_.environments / counts_.queries);
-        query.distance = i * counts_.distances % counts_.queries < counts_.distances;
+        query.distance = i * distances % counts_.queries < distances;
         Random random(derive_seed(seed_, fmt::format("configuration {}", i)));
         const std::vector<Pose> poses = kinematics.link_poses(kinematics.random_configuration(random));
         for (const std::size_t link : models_.links) {

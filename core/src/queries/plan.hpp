@@ -9,7 +9,6 @@ namespace foam {
 
 struct QueryCounts {
     std::size_t queries = 0;
-    std::size_t distances = 0; ///< queries that are asked for distances too, evenly among all
     std::size_t environments = 0;
 };
 
@@ -19,7 +18,8 @@ public:
     QueryPlan(const TwoModels& models, const EnvironmentRule& rule, const QueryCounts& counts, std::uint64_t seed);
     const std::vector<std::vector<Obstacle>>& environments() const { return environments_; }
     /// Query i is in environment i · environments / queries; its configuration is uniform within the limits.
-    std::vector<EngineQuery> queries(std::size_t first, std::size_t count) const;
+    /// `distances` of all queries, evenly spread, ask for distances too.
+    std::vector<EngineQuery> queries(std::size_t first, std::size_t count, std::size_t distances) const;
 
 private:
     const TwoModels& models_;

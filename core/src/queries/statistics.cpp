@@ -35,8 +35,12 @@ void Paired::add(double of_original, double of_spheres) {
     difference.add(of_spheres - of_original);
 }
 
-double EngineComparison::validity_difference() const {
-    return (static_cast<double>(collides[1]) - static_cast<double>(collides[0])) / static_cast<double>(queries());
+void Verdicts::add(bool of_original, bool of_spheres) {
+    holds[0] += of_original ? 1 : 0;
+    holds[1] += of_spheres ? 1 : 0;
+    only_original += of_original && !of_spheres ? 1 : 0;
+    only_spheres += of_spheres && !of_original ? 1 : 0;
+    difference.add((of_spheres ? 1 : 0) - (of_original ? 1 : 0));
 }
 
 EngineComparison compare_models(const std::vector<std::array<EngineAnswer, 2>>& answers) {
@@ -54,12 +58,9 @@ EngineComparison compare_models(const std::vector<std::array<EngineAnswer, 2>>& 
         result.move.add(original.move_seconds, spheres.move_seconds);
         result.collision.add(original.move_seconds + original.collision_seconds,
                              spheres.move_seconds + spheres.collision_seconds);
-        result.collides[0] += original.collides() ? 1 : 0;
-        result.collides[1] += spheres.collides() ? 1 : 0;
-        result.only_original += original.collides() && !spheres.collides() ? 1 : 0;
-        result.only_spheres += spheres.collides() && !original.collides() ? 1 : 0;
-        result.original_hits_obstacle += original.hits_obstacle ? 1 : 0;
-        result.missed_obstacles += original.hits_obstacle && !spheres.hits_obstacle ? 1 : 0;
+        result.collides.add(original.collides(), spheres.collides());
+        result.hits_obstacle.add(original.hits_obstacle, spheres.hits_obstacle);
+        result.hits_itself.add(original.hits_itself, spheres.hits_itself);
         if (!std::isnan(original.distance) && !std::isnan(spheres.distance)) {
             result.distance.add(original.move_seconds + original.distance_seconds,
                                 spheres.move_seconds + spheres.distance_seconds);

@@ -26,6 +26,14 @@ struct Paired {
     void add(double of_original, double of_spheres);
 };
 
+/// In which queries a condition holds for the original and for the spheres.
+struct Verdicts {
+    std::size_t holds[2] = {0, 0}; ///< by model
+    std::size_t only_original = 0, only_spheres = 0;
+    Mean difference; ///< of the share of queries, spheres minus original
+    void add(bool of_original, bool of_spheres);
+};
+
 /// What an engine says of two models, over the queries that it answered for both.
 struct EngineComparison {
     std::size_t aborted[2] = {0, 0}; ///< by model
@@ -33,14 +41,10 @@ struct EngineComparison {
     Paired move, collision;          ///< CPU s
     Paired distance;                 ///< CPU s
     Paired metres;                   ///< the distance itself, where neither model collides
-    std::size_t collides[2] = {0, 0};
-    std::size_t only_original = 0, only_spheres = 0; ///< one collides, the other does not
-    std::size_t original_hits_obstacle = 0;
-    std::size_t missed_obstacles = 0; ///< the original hits one, the spheres do not
+    Verdicts collides;               ///< with an obstacle, or with itself
+    Verdicts hits_obstacle, hits_itself;
 
     std::size_t queries() const { return collision.original.count(); }
-    /// Share of the queries in which the spheres collide, minus that of the original.
-    double validity_difference() const;
 };
 
 EngineComparison compare_models(const std::vector<std::array<EngineAnswer, 2>>& answers);
