@@ -44,6 +44,9 @@ std::string budget_text(const Recipe& recipe) {
     if (recipe.budget_spheres) {
         parts.push_back(fmt::format("{} spheres", *recipe.budget_spheres));
     }
+    if (recipe.budget_excess) {
+        parts.push_back(fmt::format("excess of at most {}", to_text(*recipe.budget_excess)));
+    }
     if (recipe.budget_max_protrusion) {
         parts.push_back(fmt::format("protrusion of at most {} m", to_text(*recipe.budget_max_protrusion)));
     }
@@ -182,6 +185,9 @@ Json json_of(const Plan& plan, const Recipe& recipe) {
     }
     if (recipe.budget_spheres) {
         json["budget"]["spheres"] = *recipe.budget_spheres;
+    }
+    if (recipe.budget_excess) {
+        json["budget"]["excess"] = *recipe.budget_excess;
     }
     if (recipe.budget_max_protrusion) {
         json["budget"]["max_protrusion"] = *recipe.budget_max_protrusion;

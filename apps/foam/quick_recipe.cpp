@@ -56,6 +56,20 @@ std::string spherizer(const std::string& method, const Registry& registry) {
                             near.empty() ? "" : fmt::format("; did you mean '{}'?", near), fmt::join(methods, ", ")));
 }
 
+std::string budget_text(const QuickBudget& budget) {
+    std::vector<std::string> parts;
+    if (budget.spheres) {
+        parts.push_back(fmt::format("spheres: {}", *budget.spheres));
+    }
+    if (budget.excess) {
+        parts.push_back("excess: " + to_text(*budget.excess));
+    }
+    if (budget.max_protrusion) {
+        parts.push_back("max_protrusion: " + to_text(*budget.max_protrusion));
+    }
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 } // namespace
 
 bool is_mesh(const std::filesystem::path& input, const Registry& registry) {
@@ -76,7 +90,7 @@ bool is_mesh(const std::filesystem::path& input, const Registry& registry) {
 }
 
 QuickRecipe quick_recipe(const std::filesystem::path& input, const std::string& method, const std::string& ending,
-                         std::optional<std::size_t> spheres, const Registry& registry) {
+                         const QuickBudget& budget, const Registry& registry) {
     const RegisteredStage* writer = registry.find_for_extension(StageKind::writer, ending);
     if (!writer) {
         throw Error(ErrorCode::usage, fmt::format("no format is known for '.{}'; there are: {}", ending,
@@ -101,8 +115,8 @@ QuickRecipe quick_recipe(const std::filesystem::path& input, const std::string& 
         }
     }
     recipe.text += fmt::format("  - {}: {{}}\n", spherizer(method, registry));
-    if (spheres) {
-        recipe.text += fmt::format("budget: {{spheres: {}}}   # over the whole robot\n", *spheres);
+    if (const std::string text = budget_text(budget); !text.empty()) {
+        recipe.text += fmt::format("budget: {{{}}}   # over the whole robot\n", text);
     }
     recipe.text +=
         fmt::format("guarantee: outer\noutputs:\n  - {}: {{file: {}}}\n", writer->info.name, quoted(recipe.output));

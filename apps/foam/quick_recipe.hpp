@@ -10,6 +10,12 @@
 
 namespace foam::cli {
 
+/// What 'budget' says; nothing: the spherizer's own parameters rule.
+struct QuickBudget {
+    std::optional<std::size_t> spheres;
+    std::optional<double> excess, max_protrusion; ///< max_protrusion: m
+};
+
 struct QuickRecipe {
     std::string name;
     std::string text;                  ///< YAML
@@ -20,7 +26,7 @@ struct QuickRecipe {
 /// `input`: a mesh or a URDF; `method`: a spherizer, with or without "spherize."; `ending`: of the output's name, for
 /// which there must be a writer. Throws Error(usage) for what is not known.
 QuickRecipe quick_recipe(const std::filesystem::path& input, const std::string& method, const std::string& ending,
-                         std::optional<std::size_t> spheres, const Registry& registry);
+                         const QuickBudget& budget, const Registry& registry);
 
 /// Whether the registry can load it as a mesh; otherwise it is taken for a robot. Throws Error(usage) if it is neither.
 bool is_mesh(const std::filesystem::path& input, const Registry& registry);

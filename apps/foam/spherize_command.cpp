@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 struct Arguments {
     std::string input, method = "medial", output, format, out;
-    std::size_t spheres = 0; ///< 0: the spherizer's own parameters rule
+    QuickBudget budget;
     std::vector<std::string> settings;
     ExecuteOptions execute;
     bool print_recipe = false, json = false;
@@ -100,9 +100,8 @@ int spherize(Program& program, const Arguments& arguments) {
                                                   fs::exists(arguments.input, error) ? "it is not a regular file"
                                                                                      : "there is no such file"));
     }
-    const auto spheres = arguments.spheres > 0 ? std::optional(arguments.spheres) : std::nullopt;
     const QuickRecipe quick =
-        quick_recipe(arguments.input, arguments.method, output_ending(arguments, registry), spheres, registry);
+        quick_recipe(arguments.input, arguments.method, output_ending(arguments, registry), arguments.budget, registry);
     for (const std::string& stage : quick.left_out) {
         tell(fmt::format("warning: no plugin offers {}; it is left out", stage));
     }
@@ -121,15 +120,24 @@ void add_spherize(Program& program) {
     CLI::App* command = add_command(program, "spherize", "Turn a robot or a mesh into spheres without a recipe",
                                     "  foam spherize robot.urdf -n 60                       writes robot_spheres.urdf\n"
                                     "  foam spherize part.stl -n 16 -o part.json\n"
+                                    "  foam spherize robot.urdf --excess 0.5                as few as claim no more\n"
                                     "  foam spherize part.stl --method grid -o - --format csv\n"
                                     "  foam spherize robot.urdf -n 60 --print-recipe > robot.yaml");
     auto arguments = std::make_shared<Arguments>();
     command->add_option("input", arguments->input, "A URDF or a mesh file")->type_name("INPUT")->required();
     command
-        ->add_option("-n,--spheres", arguments->spheres,
-                     "Number of spheres over the whole robot; default: as the method's own parameters say")
+        ->add_option("-n,--spheres", arguments->budget.spheres,
+                     "Most spheres over the whole robot; default: as the method's own parameters say")
         ->type_name("N")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}));
+    command
+        ->add_option("--excess", arguments->budget.excess,
+                     "The fewest spheres that claim no more than X times the robot's own volume outside it")
+        ->type_name("X");
+    command
+        ->add_option("--max-protrusion", arguments->budget.max_protrusion,
+                     "Spheres stand out of no link by more than M metres, as far as their number allows")
+        ->type_name("M");
     command->add_option("-m,--method", arguments->method, "Spherizer, with or without 'spherize.'")
         ->type_name("METHOD")
         ->capture_default_str();

@@ -63,6 +63,8 @@ TEST_F(CliSpherize, ThePrintedRecipeGivesTheSame) {
     ASSERT_EQ(printed.code, 0) << printed.err;
     EXPECT_THAT(printed.out, HasSubstr("- spherize.grid: {}\n"));
     EXPECT_THAT(printed.out, HasSubstr("budget: {spheres: 5}"));
+    EXPECT_THAT(foam("spherize box.obj -n 5 --excess 0.5 --max-protrusion 0.01 --print-recipe").out,
+                HasSubstr("budget: {spheres: 5, excess: 0.5, max_protrusion: 0.01} "));
     EXPECT_FALSE(std::filesystem::exists(path() / "box_spheres.json"));
     write("printed.yaml", printed.out);
     ASSERT_EQ(foam("run printed.yaml").code, 0);
@@ -74,6 +76,15 @@ TEST_F(CliSpherize, TheRunDirectoryIsKeptIfAskedFor) {
     ASSERT_EQ(foam("spherize box.obj -n 3 --method grid -o out.csv --out kept").code, 0);
     EXPECT_TRUE(std::filesystem::exists(path() / "kept/manifest.json"));
     EXPECT_TRUE(std::filesystem::exists(path() / "out.csv"));
+}
+
+TEST_F(CliSpherize, AsFewSpheresAsAnExcessTakes) {
+    const Outcome enough = foam("spherize box.obj --excess 1 --method grid -o out.csv");
+    EXPECT_EQ(enough.code, 0) << enough.err;
+    const Outcome wrong = foam("spherize box.obj --excess 0 --method grid -o none.csv");
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_THAT(wrong.err, HasSubstr("'excess' of budget expects a number between 1e-06 and 1000000, got 0"));
+    EXPECT_FALSE(std::filesystem::exists(path() / "none.csv"));
 }
 
 TEST_F(CliSpherize, ErrorsNameTheCause) {

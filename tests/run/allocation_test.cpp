@@ -12,9 +12,18 @@ namespace {
 CostCurve curve_of(std::initializer_list<std::pair<std::size_t, double>> points) {
     CostCurve curve;
     for (const auto& [count, cost] : points) {
-        curve.set(count, cost);
+        curve.set(count, {0, cost});
     }
     return curve;
+}
+
+/// The counts of curves that all weigh the same.
+std::vector<std::size_t> allocate_at_most(std::initializer_list<const CostCurve*> curves, std::size_t total) {
+    std::vector<Claimant> claimants;
+    for (const CostCurve* curve : curves) {
+        claimants.push_back({curve});
+    }
+    return Sharing(claimants, total).best();
 }
 
 TEST(CostCurve, DemandFallsWithThePrice) {
@@ -24,7 +33,17 @@ TEST(CostCurve, DemandFallsWithThePrice) {
     EXPECT_EQ(curve.demand(0.5), 4u) << "of equal sums the largest";
     EXPECT_EQ(curve.demand(0.4), 4u);
     EXPECT_EQ(curve.demand(0), 5u);
-    EXPECT_EQ(curve.least(), 3.5);
+    EXPECT_EQ(curve.least(), (Cost{0, 3.5}));
+    EXPECT_EQ(curve.demand(1, 2), 4u) << "twice the weight is half the price";
+}
+
+TEST(CostCurve, TheLimitIsKeptAtAnyPrice) {
+    CostCurve curve;
+    curve.set(1, {0.02, 1});
+    curve.set(2, {0.01, 0.5});
+    curve.set(3, {0, 9});
+    EXPECT_EQ(curve.least(), (Cost{0, 9}));
+    EXPECT_EQ(curve.demand(100), 3u);
 }
 
 TEST(Allocate, GivesSpheresToWhomTheyHelpMost) {
@@ -47,7 +66,7 @@ TEST(Allocate, IsOptimalAgainstBruteForce) {
         CostCurve curves[3];
         for (CostCurve& curve : curves) {
             for (const std::size_t count : counts) {
-                curve.set(count, random.uniform());
+                curve.set(count, {0, random.uniform()});
             }
         }
         double previous = std::numeric_limits<double>::infinity();
@@ -57,8 +76,8 @@ TEST(Allocate, IsOptimalAgainstBruteForce) {
                 for (const std::size_t j : counts) {
                     for (const std::size_t k : counts) {
                         if (i + j + k <= total) {
-                            best = std::min(best, curves[0].known().at(i) + curves[1].known().at(j) +
-                                                      curves[2].known().at(k));
+                            best = std::min(best, curves[0].known().at(i).volume + curves[1].known().at(j).volume +
+                                                      curves[2].known().at(k).volume);
                         }
                     }
                 }
@@ -66,8 +85,8 @@ TEST(Allocate, IsOptimalAgainstBruteForce) {
             const auto shared = allocate_at_most({&curves[0], &curves[1], &curves[2]}, total);
             ASSERT_EQ(shared.size(), 3u) << total;
             EXPECT_LE(shared[0] + shared[1] + shared[2], total);
-            const double cost =
-                curves[0].known().at(shared[0]) + curves[1].known().at(shared[1]) + curves[2].known().at(shared[2]);
+            const double cost = curves[0].known().at(shared[0]).volume + curves[1].known().at(shared[1]).volume +
+                                curves[2].known().at(shared[2]).volume;
             EXPECT_DOUBLE_EQ(cost, best);
             EXPECT_LE(cost, previous) << "more is never worse";
             previous = cost;
@@ -81,6 +100,38 @@ TEST(Allocate, LeavesSpheresOutThatMakeItWorse) {
     EXPECT_EQ(allocate_at_most({&falling, &rising}, 6), (std::vector<std::size_t>{3, 1}));
     EXPECT_EQ(allocate_at_most({&falling, &rising}, 3), (std::vector<std::size_t>{2, 1}));
     EXPECT_TRUE(allocate_at_most({&falling, &rising}, 1).empty());
+}
+
+TEST(Sharing, AWeightDrawsSpheres) {
+    const CostCurve curve = curve_of({{1, 10}, {2, 6}, {3, 4}, {4, 3}});
+    EXPECT_EQ(Sharing({{&curve, 1}, {&curve, 10}}, 5).best(), (std::vector<std::size_t>{1, 4}));
+    EXPECT_EQ(Sharing({{&curve, 10}, {&curve, 1}}, 5).best(), (std::vector<std::size_t>{4, 1}));
+    EXPECT_EQ(Sharing({{&curve, 0}, {&curve, 1}}, 8).best(), (std::vector<std::size_t>{1, 4})) << "nothing to gain";
+    EXPECT_EQ(Sharing({{&curve, 3}, {&curve, 1}}, 8).cost({1, 4}), (Cost{0, 13})) << "as it is, without weights";
+}
+
+TEST(Sharing, ALimitComesBeforeVolume) {
+    const CostCurve free = curve_of({{1, 10}, {2, 4}, {3, 2}});
+    CostCurve tight;
+    tight.set(1, {0.02, 1});
+    tight.set(2, {0.01, 1});
+    tight.set(3, {0, 1});
+    EXPECT_EQ(Sharing({{&free}, {&tight}}, 4).best(), (std::vector<std::size_t>{1, 3}));
+    EXPECT_EQ(Sharing({{&free}, {&tight}}, 3).best(), (std::vector<std::size_t>{1, 2})) << "as near as there are";
+    EXPECT_EQ(Sharing({{&free}, {&tight}}, 9).fewest(100), (std::vector<std::size_t>{1, 3}));
+}
+
+TEST(Sharing, TheFewestThatAreEnough) {
+    const CostCurve a = curve_of({{1, 10}, {2, 4}, {3, 2}, {4, 1}});
+    const CostCurve b = curve_of({{1, 3}, {2, 2}, {3, 1.5}});
+    const Sharing sharing({{&a}, {&b}}, 100);
+    EXPECT_EQ(sharing.fewest(13), (std::vector<std::size_t>{1, 1}));
+    EXPECT_EQ(sharing.fewest(7), (std::vector<std::size_t>{2, 1}));
+    EXPECT_EQ(sharing.fewest(6.99), (std::vector<std::size_t>{3, 1}));
+    EXPECT_EQ(sharing.fewest(2.5), (std::vector<std::size_t>{4, 3}));
+    EXPECT_TRUE(sharing.fewest(2.49).empty());
+    EXPECT_TRUE(Sharing({{&a}, {&b}}, 4).fewest(4).empty()) << "more than there are";
+    EXPECT_TRUE(Sharing({{&a}, {&b}}, 1).fewest(100).empty());
 }
 
 TEST(Rungs, AreThoseOfALadderWithinBounds) {

@@ -117,6 +117,123 @@ TEST_F(Run, MoreSpheresForTheRobotNeverClaimMore) {
     EXPECT_LT(least, 0.6 * first);
 }
 
+/// Warnings and errors of a run, in their order.
+std::vector<std::string> warnings_of(const RunResult& result) {
+    std::vector<std::string> warnings;
+    for (const Finding& finding : result.findings) {
+        if (finding.severity >= Severity::warning) {
+            warnings.push_back(finding.link + ": " + finding.message);
+        }
+    }
+    return warnings;
+}
+
+TEST_F(Run, TheFewestSpheresForAnExcess) {
+    const auto made = [&](const std::string& budget) {
+        return run(recipe("stages: [spherize.grid]\nbudget: " + budget + "\n"), registry, options());
+    };
+    const RunResult enough = made("{excess: 0.8}");
+    EXPECT_TRUE(enough.certified);
+    EXPECT_LE(enough.total.excess, 0.8 + 4 * enough.total.excess_error);
+    EXPECT_THAT(warnings_of(enough), ::testing::IsEmpty());
+    const std::size_t count = enough.total.spheres;
+    EXPECT_GT(made("{spheres: " + std::to_string(count - 1) + "}").total.excess, 0.8) << "one less is not enough";
+
+    EXPECT_EQ(made("{excess: 0.8, spheres: 100}").total.spheres, count) << "no more than are enough";
+    const RunResult limited = made("{excess: 0.8, spheres: " + std::to_string(count - 1) + "}");
+    EXPECT_LT(limited.total.spheres, count);
+    ASSERT_EQ(warnings_of(limited).size(), 1u);
+    EXPECT_THAT(
+        warnings_of(limited)[0],
+        ::testing::MatchesRegex(": budget\\.excess: 0\\.8 is not reached: with [0-9]+ spheres it is 0\\.[89][0-9]*; "
+                                "remedy: raise budget\\.spheres"));
+}
+
+TEST_F(Run, AnExcessOutOfReachTakesTheLeastThereIs) {
+    const RunResult result =
+        run(recipe("stages: [spherize.grid]\nlinks: {\"*\": {max_spheres: 3}}\nbudget: {excess: 0.001}\n"), registry,
+            options());
+    EXPECT_TRUE(result.certified);
+    EXPECT_LE(result.total.spheres, 6u);
+    ASSERT_EQ(warnings_of(result).size(), 1u);
+    EXPECT_THAT(warnings_of(result)[0], HasSubstr("budget.excess: 0.001 is not reached: with "));
+    EXPECT_THAT(warnings_of(result)[0], HasSubstr("; remedy: raise max_spheres of the links"));
+}
+
+TEST_F(Run, TheFewestSpheresForTheExcessOfOneLink) {
+    // Between two rungs of the counts that a robot's links are explored at.
+    const auto made = [&](const std::string& budget) {
+        return run(recipe("stages: [spherize.grid]\nlinks: {tip: {skip: true}}\nbudget: " + budget + "\n"), registry,
+                   options());
+    };
+    const RunResult enough = made("{excess: 0.42}");
+    EXPECT_GT(enough.total.spheres, 8u);
+    EXPECT_LE(enough.total.excess, 0.42 + 4 * enough.total.excess_error);
+    EXPECT_GT(made("{spheres: " + std::to_string(enough.total.spheres - 1) + "}").total.excess,
+              0.42 - 4 * enough.total.excess_error);
+    EXPECT_EQ(made("{excess: 0.42, spheres: " + std::to_string(enough.total.spheres) + "}").total.spheres,
+              enough.total.spheres);
+}
+
+TEST_F(Run, NoExcessOfASurface) {
+    write_file(folder.path() / "two.urdf", "<robot name=\"two\"><link name=\"sheet\"><collision><geometry><mesh "
+                                           "filename=\"sheet.obj\"/></geometry></collision></link></robot>");
+    write_file(folder.path() / "sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_EQ(failure("stages: [spherize.grid]\nbudget: {excess: 0.5}\n"),
+              "budget.excess: the geometry has no volume to compare with; remedy: budget: {spheres: …} or "
+              "{max_protrusion: …}");
+    EXPECT_EQ(code, ErrorCode::recipe);
+}
+
+TEST_F(Run, AWeightDrawsSpheres) {
+    const auto spheres_of_tip = [&](const std::string& links) {
+        run(recipe("stages: [spherize.grid]\nbudget: {spheres: 12}\n" + links), registry, options());
+        return registry.make<Writer>("write.urdf")->read(read_file(folder.path() / "out/two.urdf")).at("tip").size();
+    };
+    const std::size_t even = spheres_of_tip("");
+    EXPECT_GT(spheres_of_tip("links: {tip: {weight: 100}}\n"), even);
+    EXPECT_EQ(spheres_of_tip("links: {\"*\": {weight: 100}}\n"), even) << "the same for all";
+    EXPECT_EQ(spheres_of_tip("links: {\"*\": {weight: 100}, tip: {weight: 0}}\n"), 1u) << "the later one wins";
+}
+
+TEST_F(Run, ALinkThatMayProtrudeLessGetsMoreSpheres) {
+    const auto made = [&](const std::string& base) {
+        return run(
+            recipe("stages: [spherize.grid]\nbudget: {spheres: 16}\nlinks: {tip: {weight: 1000, max_spheres: 12}" +
+                   base + "}\n"),
+            registry, options());
+    };
+    const auto base = [](const RunResult& result) -> const Measures& { return result.links.at(0).measures; };
+    const RunResult free = made("");
+    EXPECT_GT(base(free).protrusion_max, 0.061);
+    const RunResult tight = made(", base: {max_protrusion: 0.06}");
+    EXPECT_TRUE(tight.certified);
+    EXPECT_LE(base(tight).protrusion_max, 0.061);
+    EXPECT_GT(base(tight).spheres, base(free).spheres);
+    EXPECT_LE(tight.total.spheres, 16u);
+    EXPECT_THAT(warnings_of(tight), ::testing::Not(::testing::Contains(HasSubstr("max_protrusion"))));
+
+    const RunResult tighter = made(", base: {max_protrusion: 0.001}");
+    EXPECT_LE(tighter.total.spheres, 16u);
+    EXPECT_THAT(warnings_of(tighter),
+                ::testing::Contains(::testing::MatchesRegex(
+                    "base: its spheres \\([0-9]+\\) protrude by 0\\.0[0-9]+ m, max_protrusion allows 0\\.001 m; "
+                    "remedy: more spheres for the robot or for this link")));
+}
+
+TEST_F(Run, AProtrusionOfOneLinkWithoutABudget) {
+    const RunResult without = run(recipe("stages: [spherize.grid]\n"), registry, options());
+    const double limit = 0.06;
+    const RunResult result =
+        run(recipe("stages: [spherize.grid]\nlinks: {base: {max_protrusion: 0.06}}\n"), registry, options());
+    EXPECT_LE(result.links.at(0).measures.protrusion_max, limit * 1.02);
+    EXPECT_EQ(result.links.at(1).measures.spheres, without.links.at(1).measures.spheres);
+    const RunResult unreachable =
+        run(recipe("stages: [spherize.grid]\nlinks: {base: {max_protrusion: 0.01, max_spheres: 4}}\n"), registry,
+            options());
+    EXPECT_EQ(warnings_of(unreachable), std::vector<std::string>{"base: 4 spheres still protrude by more than 0.01 m"});
+}
+
 TEST_F(Run, ASphereStaysOneSphereWhateverTheSpherizer) {
     write_file(folder.path() / "ball.urdf", R"(<?xml version="1.0"?>
 <robot name="ball">

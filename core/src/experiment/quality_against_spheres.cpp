@@ -129,8 +129,10 @@ private:
 
         Curve curve{&method, {}};
         for (const std::size_t count : spheres) {
-            recipe.links = {
-                {.glob = "*", .skip = {}, .stages = {}, .min_spheres = {}, .max_spheres = count, .where = {}}};
+            LinkOverride all;
+            all.glob = "*";
+            all.max_spheres = count;
+            recipe.links = {std::move(all)};
             for (LinkWork& link : links) {
                 link.recipe = recipe.for_link(link.link->name);
             }

@@ -28,6 +28,7 @@ std::string default_name(const std::filesystem::path& file) {
 void refuse_unknown_top_level_keys(const Value& root, const Checking& checking) {
     static constexpr std::pair<std::string_view, std::string_view> homes[] = {
         {"spheres", "budget: {spheres: …}"},  {"max_protrusion", "budget: {max_protrusion: …}"},
+        {"excess", "budget: {excess: …}"},    {"weight", "links: {…: {weight: …}}"},
         {"urdf", "robot: {urdf: …}"},         {"pose", "snapshots: {pose: …}"},
         {"size", "snapshots: {size: …}"},     {"renderer", "snapshots: {renderer: …}"},
         {"skip", "links: {…: {skip: true}}"}, {"min_spheres", "links: {…: {min_spheres: …}}"},
@@ -147,6 +148,9 @@ void check_budget(const Value& budget, Recipe& recipe, Findings& findings) {
     if (const auto it = values.find("spheres"); it != values.end()) {
         recipe.budget_spheres = static_cast<std::size_t>(std::get<std::int64_t>(it->second));
     }
+    if (const auto it = values.find("excess"); it != values.end()) {
+        recipe.budget_excess = std::get<double>(it->second);
+    }
     if (const auto it = values.find("max_protrusion"); it != values.end()) {
         recipe.budget_max_protrusion = std::get<double>(it->second);
     }
@@ -160,6 +164,11 @@ void refuse_outer_keys(const Value& root, const Recipe& recipe, Findings& findin
     if (recipe.budget_max_protrusion) {
         findings.error(root.find("budget")->find_key("max_protrusion")->where, "conflict",
                        "spheres inside the geometry protrude nowhere: 'max_protrusion' says nothing with guarantee: "
+                       "inner; remedy: give 'spheres' instead");
+    }
+    if (recipe.budget_excess) {
+        findings.error(root.find("budget")->find_key("excess")->where, "conflict",
+                       "spheres inside the geometry claim nothing outside: 'excess' says nothing with guarantee: "
                        "inner; remedy: give 'spheres' instead");
     }
     if (recipe.on_error == OnError::fallback) {

@@ -77,6 +77,19 @@ void read_stage_override(const Key& key, const Value& value, const Recipe& recip
     link.stages.push_back(std::move(item.call));
 }
 
+/// What says nothing, given the rest of the recipe.
+void refuse_idle_key(const Key& key, const Recipe& recipe, Findings& findings) {
+    if (key.text == "max_protrusion" && recipe.guarantee == Guarantee::inner) {
+        findings.error(key.where, "conflict",
+                       "spheres inside the geometry protrude nowhere: 'max_protrusion' says nothing with guarantee: "
+                       "inner; remedy: delete it");
+    } else if (key.text == "weight" && !recipe.budget_spheres && !recipe.budget_excess && !findings.any_error()) {
+        findings.error(key.where, "conflict",
+                       "'weight' is for sharing spheres out: it says nothing without budget: {spheres: …} or "
+                       "{excess: …}; remedy: give a budget, or delete it");
+    }
+}
+
 LinkOverride read_override(const Key& glob, const Value& map, const Recipe& recipe, const Checking& checking) {
     LinkOverride link;
     link.glob = glob.text;
@@ -97,9 +110,12 @@ LinkOverride read_override(const Key& glob, const Value& map, const Recipe& reci
             read_stage_override(key, map.items[i], recipe, link, checking);
             continue;
         }
+        refuse_idle_key(key, recipe, checking.findings);
         const auto read = read_value(map.items[i], *p, "link " + glob.text, checking.findings);
         if (read && key.text == "skip") {
             link.skip = std::get<bool>(*read);
+        } else if (read && p->type == Parameter::Type::number) {
+            (key.text == "weight" ? link.weight : link.max_protrusion) = std::get<double>(*read);
         } else if (read) {
             (key.text == "min_spheres" ? link.min_spheres : link.max_spheres) =
                 static_cast<std::size_t>(std::get<std::int64_t>(*read));

@@ -22,7 +22,12 @@ std::vector<Parameter> top_level_values() {
 
 std::vector<Parameter> budget_values() {
     return {
-        Parameter::integer("spheres", 1).at_least(1).unit("1").doc("Number of spheres over the whole robot."),
+        Parameter::integer("spheres", 1).at_least(1).unit("1").doc("Most spheres over the whole robot."),
+        Parameter::number("excess", 0.5)
+            .bounds(1e-6, 1e6)
+            .unit("1")
+            .doc("Volume that the spheres claim outside the geometry over the volume of the geometry, of the whole "
+                 "robot: the fewest spheres that claim no more, as far as their number allows."),
         Parameter::number("max_protrusion", 0)
             .at_least(0)
             .unit("m")
@@ -36,6 +41,11 @@ std::vector<Parameter> link_values() {
         Parameter::boolean("skip", false).doc("Leave these links without spheres."),
         Parameter::integer("min_spheres", 1).at_least(1).unit("1").doc("Fewest spheres of each of these links."),
         Parameter::integer("max_spheres", 1).at_least(1).unit("1").doc("Most spheres of each of these links."),
+        Parameter::number("weight", 1)
+            .bounds(0, 1e6)
+            .unit("1")
+            .doc("How much the volume that these links' spheres claim wrongly counts when spheres are shared out."),
+        Parameter::number("max_protrusion", 0).at_least(0).unit("m").doc("As in 'budget', for each of these links."),
     };
 }
 
@@ -63,8 +73,9 @@ std::vector<Parameter> isolation_values() {
 }
 
 bool is_optional(const std::string& key) {
-    static constexpr const char* keys[] = {"name",        "spheres", "max_protrusion", "skip",        "min_spheres",
-                                           "max_spheres", "isolate", "time_limit",     "memory_limit"};
+    static constexpr const char* keys[] = {"name",    "spheres",     "excess",      "max_protrusion",
+                                           "skip",    "min_spheres", "max_spheres", "weight",
+                                           "isolate", "time_limit",  "memory_limit"};
     return std::find(std::begin(keys), std::end(keys), key) != std::end(keys);
 }
 

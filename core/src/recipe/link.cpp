@@ -88,6 +88,7 @@ Recipe::LinkRecipe Recipe::for_link(const std::string& link) const {
         filter.isolation = filter.isolation.over(isolation);
     }
     result.spherizer.isolation = spherizer.isolation.over(isolation);
+    result.max_protrusion = budget_max_protrusion;
     for (const LinkOverride& change : links) {
         // A glob names itself, too: "[" has no other way to stand for itself.
         if (change.glob != link && !glob_matches(change.glob, link)) {
@@ -96,6 +97,8 @@ Recipe::LinkRecipe Recipe::for_link(const std::string& link) const {
         result.skip = change.skip.value_or(result.skip);
         result.min_spheres = change.min_spheres.value_or(result.min_spheres);
         result.max_spheres = change.max_spheres ? change.max_spheres : result.max_spheres;
+        result.weight = change.weight.value_or(result.weight);
+        result.max_protrusion = change.max_protrusion ? change.max_protrusion : result.max_protrusion;
         for (StageCall& filter : result.filters) {
             merge(filter, change);
         }

@@ -163,6 +163,9 @@ private:
         if (recipe_.budget_spheres) {
             parts.push_back(fmt::format("spheres: {}", *recipe_.budget_spheres));
         }
+        if (recipe_.budget_excess) {
+            parts.push_back("excess: " + to_text(*recipe_.budget_excess));
+        }
         if (recipe_.budget_max_protrusion) {
             parts.push_back("max_protrusion: " + to_text(*recipe_.budget_max_protrusion));
         }
@@ -185,6 +188,12 @@ private:
             }
             if (link.max_spheres) {
                 parts.push_back(fmt::format("max_spheres: {}", *link.max_spheres));
+            }
+            if (link.weight) {
+                parts.push_back("weight: " + to_text(*link.weight));
+            }
+            if (link.max_protrusion) {
+                parts.push_back("max_protrusion: " + to_text(*link.max_protrusion));
             }
             for (const StageCall& call : link.stages) {
                 parts.push_back(stage(call, "", false));

@@ -51,6 +51,10 @@ std::string budget_text(const Json& manifest) {
     if (budget.contains("spheres") && budget["spheres"].is_number()) {
         text = fmt::format("budget {}", budget["spheres"].get<std::size_t>());
     }
+    if (budget.contains("excess") && budget["excess"].is_number()) {
+        text +=
+            fmt::format("{}excess of at most {}", text.empty() ? "" : ", ", number(budget["excess"].get<double>(), 3));
+    }
     if (budget.contains("max_protrusion") && budget["max_protrusion"].is_number()) {
         text += fmt::format("{}at most {} mm out", text.empty() ? "" : ", ",
                             number(mm_per_m * budget["max_protrusion"].get<double>(), 1));

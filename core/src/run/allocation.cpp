@@ -7,19 +7,29 @@
 
 namespace foam {
 
-double CostCurve::least() const {
-    double least = std::numeric_limits<double>::infinity();
+namespace {
+
+constexpr Cost impossible{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+
+Cost weighted(const Cost& cost, double weight) {
+    return {cost.over, weight * cost.volume};
+}
+
+} // namespace
+
+Cost CostCurve::least() const {
+    Cost least = impossible;
     for (const auto& [count, cost] : known_) {
         least = std::min(least, cost);
     }
     return least;
 }
 
-std::size_t CostCurve::demand(double price) const {
+std::size_t CostCurve::demand(double price, double weight) const {
     std::size_t best = 0;
-    double least = std::numeric_limits<double>::infinity();
+    Cost least = impossible;
     for (const auto& [count, cost] : known_) {
-        if (const double sum = cost + price * static_cast<double>(count); sum <= least) {
+        if (const Cost sum = weighted(cost, weight) + Cost{0, price * static_cast<double>(count)}; sum <= least) {
             least = sum;
             best = count;
         }
@@ -27,36 +37,69 @@ std::size_t CostCurve::demand(double price) const {
     return best;
 }
 
-std::vector<std::size_t> allocate_at_most(const std::vector<const CostCurve*>& curves, std::size_t total) {
-    constexpr double impossible = std::numeric_limits<double>::infinity();
-    const std::size_t columns = total + 1;
-    // best[sum]: least cost of the curves so far with counts that add up to `sum`
-    std::vector<double> best(columns, impossible), next(columns);
-    std::vector<std::uint32_t> choice(curves.size() * columns, 0);
-    best[0] = 0;
-    for (std::size_t i = 0; i < curves.size(); ++i) {
+/// No sum of known counts is above.
+static std::size_t largest_sum(const std::vector<Claimant>& claimants) {
+    std::size_t sum = 0;
+    for (const Claimant& claimant : claimants) {
+        sum += claimant.curve->known().empty() ? 0 : claimant.curve->known().rbegin()->first;
+    }
+    return sum;
+}
+
+Sharing::Sharing(std::vector<Claimant> claimants, std::size_t most)
+    : claimants_(std::move(claimants)), columns_(std::min(most, largest_sum(claimants_)) + 1),
+      best_(columns_, impossible), choice_(claimants_.size() * columns_, 0) {
+    best_[0] = {};
+    std::vector<Cost> next(columns_);
+    for (std::size_t i = 0; i < claimants_.size(); ++i) {
         std::fill(next.begin(), next.end(), impossible);
-        for (const auto& [count, cost] : curves[i]->known()) {
-            for (std::size_t sum = count; sum <= total; ++sum) {
-                if (best[sum - count] + cost < next[sum]) {
-                    next[sum] = best[sum - count] + cost;
-                    choice[i * columns + sum] = static_cast<std::uint32_t>(count);
+        for (const auto& [count, known] : claimants_[i].curve->known()) {
+            const Cost cost = weighted(known, claimants_[i].weight);
+            for (std::size_t sum = count; sum < columns_; ++sum) {
+                if (const Cost with = best_[sum - count] + cost; with < next[sum]) {
+                    next[sum] = with;
+                    choice_[i * columns_ + sum] = static_cast<std::uint32_t>(count);
                 }
             }
         }
-        std::swap(best, next);
+        std::swap(best_, next);
     }
-    const auto least = std::min_element(best.begin(), best.end());
-    if (*least == impossible) {
-        return {};
-    }
-    std::size_t sum = static_cast<std::size_t>(least - best.begin());
-    std::vector<std::size_t> counts(curves.size());
-    for (std::size_t i = curves.size(); i-- > 0;) {
-        counts[i] = choice[i * columns + sum];
+}
+
+std::vector<std::size_t> Sharing::counts_of(std::size_t sum) const {
+    std::vector<std::size_t> counts(claimants_.size());
+    for (std::size_t i = claimants_.size(); i-- > 0;) {
+        counts[i] = choice_[i * columns_ + sum];
         sum -= counts[i];
     }
     return counts;
+}
+
+std::vector<std::size_t> Sharing::best() const {
+    const auto least = std::min_element(best_.begin(), best_.end());
+    return *least == impossible ? std::vector<std::size_t>{}
+                                : counts_of(static_cast<std::size_t>(least - best_.begin()));
+}
+
+std::vector<std::size_t> Sharing::fewest(double volume) const {
+    const double over = std::min_element(best_.begin(), best_.end())->over;
+    for (std::size_t sum = 0; sum < columns_; ++sum) {
+        if (best_[sum] == impossible || best_[sum].over > over) {
+            continue;
+        }
+        if (std::vector<std::size_t> counts = counts_of(sum); cost(counts).volume <= volume) {
+            return counts;
+        }
+    }
+    return {};
+}
+
+Cost Sharing::cost(const std::vector<std::size_t>& counts) const {
+    Cost sum;
+    for (std::size_t i = 0; i < claimants_.size(); ++i) {
+        sum = sum + claimants_[i].curve->known().at(counts[i]);
+    }
+    return sum;
 }
 
 /// The least number of the ladder above `count`: 1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24, 28, 32, 40…

@@ -34,6 +34,12 @@ Json to_json(const LinkOverride& link, const Registry& registry) {
     if (link.max_spheres) {
         json["max_spheres"] = *link.max_spheres;
     }
+    if (link.weight) {
+        json["weight"] = *link.weight;
+    }
+    if (link.max_protrusion) {
+        json["max_protrusion"] = *link.max_protrusion;
+    }
     for (const StageCall& call : link.stages) {
         json.update(to_json(call, registry, false));
     }
@@ -64,6 +70,9 @@ Json settings_of(const Recipe& recipe, const Registry& registry) {
     json["budget"] = Json::object();
     if (recipe.budget_spheres) {
         json["budget"]["spheres"] = *recipe.budget_spheres;
+    }
+    if (recipe.budget_excess) {
+        json["budget"]["excess"] = *recipe.budget_excess;
     }
     if (recipe.budget_max_protrusion) {
         json["budget"]["max_protrusion"] = *recipe.budget_max_protrusion;

@@ -34,6 +34,7 @@ std::vector<Group> make_groups(const Workspace& workspace, const std::vector<Lin
                 Group& group = groups.emplace_back();
                 group.link = l;
                 group.frame = links[l].elements[e].source->origin;
+                group.weight = links[l].recipe.weight;
             }
             groups.back().elements.push_back(e);
         }
@@ -60,6 +61,7 @@ std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::ve
         }
         const Digest digest = hasher.finish();
         add_isolation(hasher, link.recipe.spherizer.isolation);
+        hasher.add(link.recipe.max_protrusion.value_or(-1));
         const auto [it, fresh] = known.try_emplace(hasher.finish(), shapes.size());
         if (fresh) {
             ShapeWork& work = shapes.emplace_back();
@@ -70,6 +72,7 @@ std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::ve
             work.report.stage = work.spherizer.stage;
             work.least = std::max<std::size_t>(1, link.recipe.min_spheres);
             work.most = std::max(work.least, link.recipe.max_spheres.value_or(SIZE_MAX));
+            work.max_protrusion = link.recipe.max_protrusion;
         }
         groups[g].shape = it->second;
         shapes[it->second].groups.push_back(g);
@@ -127,7 +130,7 @@ Digest tree_key(const Workspace& workspace, const ShapeWork& work, std::size_t c
     Hasher hasher;
     hasher.add("spherize").add(work.digest).add(workspace.recipe.seed).add(static_cast<std::uint64_t>(count));
     hasher.add(static_cast<std::uint64_t>(workspace.recipe.guarantee));
-    return hasher.add(workspace.recipe.budget_max_protrusion.value_or(-1)).finish();
+    return hasher.add(work.max_protrusion.value_or(-1)).finish();
 }
 
 /// The sphere that a shape is, if it is one: no spherizer could do better.
@@ -141,11 +144,12 @@ static std::optional<Sphere> as_sphere(const Solid& solid) {
 
 /// A cylinder or capsule with a number of spheres: a row of equal ones along the axis, in closed form, stands in for
 /// what the spherizer found where it claims less.
-static void take_better_row(const Workspace& workspace, const Solid& solid, std::size_t count, SphereTree& tree) {
+static void take_better_row(const Workspace& workspace, const ShapeWork& work, std::size_t count, SphereTree& tree) {
     const Recipe& recipe = workspace.recipe;
-    if (count == 0 || recipe.guarantee != Guarantee::outer || recipe.budget_max_protrusion || tree.levels.size() > 2) {
+    if (count == 0 || recipe.guarantee != Guarantee::outer || work.max_protrusion || tree.levels.size() > 2) {
         return;
     }
+    const Solid& solid = work.shape->original();
     if (auto row = geometry::row_cover(solid, count);
         row && wrong_volume(solid, *row, recipe.guarantee) < wrong_volume(solid, tree.finest(), recipe.guarantee)) {
         tree = flat_tree(std::move(*row));
@@ -227,7 +231,7 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
         }
         Budget budget;
         budget.guarantee = workspace.recipe.guarantee;
-        budget.max_protrusion = workspace.recipe.budget_max_protrusion;
+        budget.max_protrusion = work.max_protrusion;
         if (count > 0) {
             budget.max_spheres = count;
         }
@@ -254,7 +258,7 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
     add_words(workspace, work, known);
     // By count, whatever the cache held: of two trees of one size the one that was asked for less stays.
     for (auto& [count, entry] : known) {
-        take_better_row(workspace, work.shape->original(), count, entry.result);
+        take_better_row(workspace, work, count, entry.result);
         const std::size_t got = entry.result.finest().size();
         work.asked[count] = got;
         work.trees.try_emplace(got, std::move(entry.result));

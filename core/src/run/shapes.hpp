@@ -21,6 +21,7 @@ struct ShapeWork {
     std::string link, input; ///< of the first group, for messages
     std::vector<std::size_t> groups;
     std::size_t least = 1, most = 1;          ///< bounds of the count
+    std::optional<double> max_protrusion;     ///< m
     std::map<std::size_t, SphereTree> trees;  ///< by the number of spheres they have
     std::map<std::size_t, std::size_t> asked; ///< count asked for → count got
     CostCurve curve;

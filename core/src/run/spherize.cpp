@@ -40,7 +40,7 @@ std::vector<Group> spherize_links(const Workspace& workspace, std::vector<LinkWo
             throw described(std::current_exception(), "geometry", shapes[s].link, shapes[s].input);
         }
     });
-    const std::vector<std::size_t> counts = choose_counts(workspace, shapes, groups);
+    const std::vector<std::size_t> counts = choose_counts(workspace, links, shapes, groups);
     std::vector<Group> done;
     for (std::size_t g = 0; g < groups.size(); ++g) {
         ShapeWork& work = shapes[groups[g].shape];

@@ -18,6 +18,7 @@ struct Group {
     /// From the frame of the first element, in which the shape is spherized, to the link's. Equal geometry at different
     /// places (a pair of fingers) is one shape that way.
     Pose frame;
+    double weight = 1;     ///< of its wrong volume in the sharing of spheres
     std::size_t shape = 0; ///< index of the distinct shape
     SphereTree tree;       ///< link frame; as the spherizer made it, moved
 };

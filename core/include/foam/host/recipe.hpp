@@ -58,6 +58,7 @@ struct LinkOverride {
     std::optional<bool> skip;
     std::vector<StageCall> stages; ///< merged into the chain's stages of the same name
     std::optional<std::size_t> min_spheres, max_spheres;
+    std::optional<double> weight, max_protrusion; ///< max_protrusion: m
     Location where;
 };
 
@@ -95,8 +96,10 @@ struct Recipe {
     std::vector<StageCall> filters;        ///< mesh filters in order
     StageCall spherizer;
     bool per_link = true;                        ///< false: spherize every collision element on its own
-    std::optional<std::size_t> budget_spheres;   ///< over the whole robot
-    std::optional<double> budget_max_protrusion; ///< m
+    std::optional<std::size_t> budget_spheres;   ///< over the whole robot, at most
+    std::optional<double> budget_excess;         ///< of the whole robot; no more spheres than that takes
+    std::optional<double> budget_max_protrusion; ///< m; of each link that does not say otherwise
+    std::optional<double> budget_time_limit;     ///< s; the search for better spheres ends then
     Guarantee guarantee = Guarantee::outer;
     std::vector<LinkOverride> links;
     std::vector<OutputCall> outputs;
@@ -115,6 +118,8 @@ struct Recipe {
         StageCall spherizer;
         std::size_t min_spheres = 1;
         std::optional<std::size_t> max_spheres;
+        double weight = 1;                    ///< of its wrong volume in the sharing of spheres
+        std::optional<double> max_protrusion; ///< m
     };
     LinkRecipe for_link(const std::string& link) const;
     /// What the recipe says of a loader.

@@ -40,6 +40,9 @@ struct RunOptions {
     bool fresh = false;        ///< neither read nor write the cache
     std::size_t threads = 0;   ///< 0: all cores
     const std::atomic<bool>* cancel = nullptr;
+    /// Ends the search for better spheres: the best so far are written. Before there are any it cancels the run.
+    const std::atomic<bool>* stop = nullptr;
+    std::optional<double> time_limit; ///< s since the start, as `stop`; instead of the recipe's
     Observer* observer = nullptr;
     /// The program that runs the calls of isolated stages in child processes: its main() begins with
     /// serve_isolated_call(). Empty: this one, if its main() does; else a recipe that isolates a stage is refused.
@@ -79,6 +82,9 @@ struct LinkReport {
     std::string error;    ///< why it was lost; empty if it was not
 };
 
+/// What ended the search for better spheres before its time.
+enum class Cut { none, time_limit, stop };
+
 struct RunResult {
     SphereModel model;
     std::string input; ///< the candidate that was taken, as written
@@ -90,6 +96,7 @@ struct RunResult {
     bool certified = false; ///< the guarantee is proved on what was read back from every written file
     double seconds = 0;     ///< wall
     double cpu_seconds = 0;
+    Cut cut = Cut::none;     ///< if not none, the same run may give other spheres
     bool links_lost = false; ///< done, but links were skipped after errors: exit code 4
 };
 
