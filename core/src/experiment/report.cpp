@@ -43,7 +43,7 @@ Table circumstances(const Experiment& experiment, const Registry& registry, std:
     const unsigned cores = std::thread::hardware_concurrency();
     return {{"measured on", ""},
             {{"processor", fmt::format("{}, {} thread{}", processor(), cores, cores == 1 ? "" : "s")},
-             {"threads used", threads == 0 ? "all" : std::to_string(threads)},
+             {"threads of a stage", threads == 0 ? "all" : std::to_string(threads)},
              {"foam", version()},
              {"compiler", fmt::format("{} {}",
 #ifdef __clang__

@@ -2,16 +2,19 @@
 """The experiment of configs/experiments/throughput.yaml in Genesis (pip install genesis-world pyyaml), for one model at a time.
 
     foam run configs/panda_22.yaml -o panda_22
-    genesis.py configs/experiments/throughput.yaml panda.urdf panda_22/panda_22.urdf --backend gpu
+    grasp_in_genesis.py configs/experiments/throughput.yaml panda.urdf panda_22/panda_22.urdf --backend gpu
 
-Genesis is not among the packages that foam is built and tested with: this script is written from Genesis's documented
-interface and has no results in these pages. It plays the same motion with the same box, timestep, gains and number of
-simulations; masses and inertias are those that Genesis gives the URDF, and contacts between the robot's own links are off,
-equally for all models. Each model runs in a process of its own. Mesh references must be such that Genesis finds them.
+Genesis is not among the packages that foam is built and tested with: this script has no results in these pages. It follows
+Genesis's guide (genesis-world.readthedocs.io: control your robot, parallel simulation), and a test plays it against a stand-in
+that knows the calls of that guide. It plays the same motion with the same box, timestep, gains and number of simulations;
+masses and inertias are those that Genesis gives the URDF, contacts between the robot's own links are off and all of its links
+touch the box, equally for all models. Each model runs in a process of its own. Mesh references must be such that Genesis
+finds them.
 """
 
 import argparse
 import multiprocessing
+import random
 import time
 
 JOINT_GAINS = {"kp": 10000.0, "kv": 200.0, "limit": 500.0}
@@ -23,7 +26,9 @@ def moments_of(experiment):
     values, moments = {}, []
     for moment in experiment["motion"]:
         values = values | moment.get("joints", {})
-        moments.append((float(moment["time"]), dict(values)))
+        # The second finger follows the first: Genesis does not read <mimic> everywhere.
+        both = values | {"panda_finger_joint2": values["panda_finger_joint1"]}
+        moments.append((float(moment["time"]), both))
     return moments
 
 
@@ -35,53 +40,61 @@ def command(moments, joints, now):
     return [a[joint] + share * (b[joint] - a[joint]) for joint in joints]
 
 
+def places_of(experiment):
+    """Where the middle of the box begins, for each simulation: the same for all models."""
+    x, y, z = experiment["object"]["position"]
+    chance, spread = random.Random(0), experiment["spread"]
+    height = z + experiment["object"]["size"][2] / 2
+    return [[x + chance.uniform(-spread, spread), y + chance.uniform(-spread, spread), height]
+            for _ in range(experiment["simulations"])]
+
+
 def simulate(file, experiment, backend, answers):
     import genesis as gs
-    import numpy as np
+    import torch
 
     gs.init(backend=getattr(gs, backend), logging_level="warning")
+
+    def on_device(values):
+        return torch.tensor(values, dtype=gs.tc_float, device=gs.device)
+
     dt, count, box = experiment["timestep"], experiment["simulations"], experiment["object"]
+    width, depth, height = box["size"]
     scene = gs.Scene(sim_options=gs.options.SimOptions(dt=dt), show_viewer=False,
                      rigid_options=gs.options.RigidOptions(dt=dt, enable_self_collision=False))
     scene.add_entity(gs.morphs.Plane())
-    x, y, z = box["position"]
-    density = box["mass"] / np.prod(box["size"])
-    held = scene.add_entity(gs.morphs.Box(size=tuple(box["size"]), pos=(x, y, z + box["size"][2] / 2)),
-                            material=gs.materials.Rigid(rho=density))
+    places = places_of(experiment)
+    held = scene.add_entity(gs.morphs.Box(size=(width, depth, height), pos=tuple(places[0])),
+                            material=gs.materials.Rigid(rho=box["mass"] / (width * depth * height)))
     robot = scene.add_entity(gs.morphs.URDF(file=file, fixed=True))
     scene.build(n_envs=count)
 
     moments = moments_of(experiment)
-    # The second finger follows the first: Genesis does not read <mimic> everywhere.
-    for _, values in moments:
-        values.setdefault("panda_finger_joint2", values["panda_finger_joint1"])
     joints = list(moments[0][1])
-    dofs = [robot.get_joint(joint).dof_idx_local for joint in joints]
+    dofs = [robot.get_joint(joint).dofs_idx_local[0] for joint in joints]
     gains = [FINGER_GAINS if "finger" in joint else JOINT_GAINS for joint in joints]
-    robot.set_dofs_kp(np.array([g["kp"] for g in gains]), dofs)
-    robot.set_dofs_kv(np.array([g["kv"] for g in gains]), dofs)
-    limits = np.array([g["limit"] for g in gains])
-    robot.set_dofs_force_range(-limits, limits, dofs)
-
-    def all_at(now):
-        return np.tile(command(moments, joints, now), (count, 1))
+    limits = [g["limit"] for g in gains]
+    robot.set_dofs_kp(kp=on_device([g["kp"] for g in gains]), dofs_idx_local=dofs)
+    robot.set_dofs_kv(kv=on_device([g["kv"] for g in gains]), dofs_idx_local=dofs)
+    robot.set_dofs_force_range(lower=on_device([-l for l in limits]), upper=on_device(limits), dofs_idx_local=dofs)
 
     def heights():
-        position = held.get_pos()
-        return np.asarray(position.cpu() if hasattr(position, "cpu") else position).reshape(-1, 3)[:, 2]
+        return [place[2] for place in held.get_pos().tolist()]
 
     scene.step()  # compiles
     scene.reset()
-    robot.set_dofs_position(all_at(0.0), dofs)
-    start = heights()
     steps = round(moments[-1][0] / dt)
+    commands = on_device([command(moments, joints, step * dt) for step in range(steps)])
+    robot.set_dofs_position(commands[0].expand(count, -1), dofs)
+    held.set_pos(on_device(places))
+    start = heights()
     begin = time.perf_counter()
     for step in range(steps):
-        robot.control_dofs_position(all_at(step * dt), dofs)
+        robot.control_dofs_position(commands[step].expand(count, -1), dofs)
         scene.step()
-    lift = heights() - start  # waits for the device
+    end = heights()  # waits for the device
     seconds = time.perf_counter() - begin
-    answers.put((steps * count / seconds, int((lift >= experiment["lift"]).sum())))
+    answers.put((steps * count / seconds, sum(e - s >= experiment["lift"] for s, e in zip(start, end))))
 
 
 def main():
