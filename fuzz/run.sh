@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# fuzz/run.sh TARGET SECONDS [FOLDER]: builds a fuzzer and runs it. TARGET: stl, obj, off, ply, dae, gltf, urdf or recipe.
-# FOLDER (build/fuzz_corpus) keeps what was learned, in FOLDER/TARGET, and findings, in FOLDER/findings/TARGET. Seeds: the
+# fuzz/run.sh TARGET SECONDS [FOLDER]: builds a fuzzer and runs it. TARGET: stl, obj, off, ply, dae, gltf, urdf, spheres or
+# recipe. FOLDER (build/fuzz_corpus) keeps what was learned, in FOLDER/TARGET, and findings, in FOLDER/findings/TARGET. Seeds: the
 # committed ones, and with FOAM_SHARED=PATH the small files of that folder. Needs clang++ with libFuzzer.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -19,9 +19,12 @@ mkdir -p "$folder/$target" "$folder/findings/$target"
 if [[ -n ${FOAM_SHARED:-} ]]; then
   shared=$folder/shared/$target
   mkdir -p "$shared"
-  [[ $target == gltf ]] && other=glb
-  find "$FOAM_SHARED" -type f \( -iname "*.$target" -o -iname "*.${other:-$target}" \) -size -64k \
-    -exec cp -n {} "$shared/" \;
+  case $target in
+    gltf) endings='gltf|glb' ;;
+    spheres) endings='spher[a-z_0-9]*\.urdf|ya?ml|spheres\.json' ;;
+    *) endings=$target ;;
+  esac
+  find "$FOAM_SHARED" -type f -regextype posix-extended -iregex ".*($endings)" -size -64k -exec cp -n {} "$shared/" \;
   seeds+=("$shared")
 fi
 exec "$build/bin/fuzz_$target" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2048 -max_len=65536 -use_value_profile=1 \

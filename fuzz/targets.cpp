@@ -5,13 +5,14 @@
 namespace foam::fuzz {
 
 std::span<const NamedTarget> targets() {
-    static constexpr std::array<NamedTarget, 8> all{{{"stl", read_stl},
+    static constexpr std::array<NamedTarget, 9> all{{{"stl", read_stl},
                                                      {"obj", read_obj},
                                                      {"off", read_off},
                                                      {"ply", read_ply},
                                                      {"dae", read_dae},
                                                      {"gltf", read_gltf},
                                                      {"urdf", read_urdf},
+                                                     {"spheres", read_spheres},
                                                      {"recipe", read_recipe}}};
     return all;
 }

@@ -26,6 +26,7 @@ void read_ply(std::string_view bytes);
 void read_dae(std::string_view bytes);
 void read_gltf(std::string_view bytes);
 void read_urdf(std::string_view bytes);
+void read_spheres(std::string_view bytes);
 void read_recipe(std::string_view bytes);
 
 } // namespace foam::fuzz

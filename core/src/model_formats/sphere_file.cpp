@@ -55,9 +55,12 @@ std::vector<Sphere>& model_formats::spheres_of(SphereFile& result, const std::st
 }
 
 SphereFile read_sphere_file(const std::filesystem::path& file, const Registry& registry) {
+    return parse_sphere_file(read_file(file), file, registry);
+}
+
+SphereFile parse_sphere_file(const std::string& text, const std::filesystem::path& file, const Registry& registry) {
     SphereFile result;
     result.file = file;
-    const std::string text = read_file(file);
     const std::string_view begin = first_token(text);
     if (begin.empty()) {
         throw Error(ErrorCode::input, fmt::format("{}: the file is empty; a sphere model is needed", file.string()));

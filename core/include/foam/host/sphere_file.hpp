@@ -31,4 +31,7 @@ struct SphereFile {
 /// naming file, line and remedy.
 SphereFile read_sphere_file(const std::filesystem::path& file, const Registry& registry);
 
+/// The same of a text in memory; `file`: what messages call it, and where a URDF's references begin.
+SphereFile parse_sphere_file(const std::string& text, const std::filesystem::path& file, const Registry& registry);
+
 } // namespace foam
