@@ -44,6 +44,11 @@ nlohmann::ordered_json json_of_proofs(const Original& original, const std::vecto
     auto links = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < proofs.size(); ++i) {
         nlohmann::ordered_json link{{"link", original.links[i].link}, {"certified", proofs[i].holds}};
+        if (outer) {
+            link["triangles"] = proofs[i].triangles;
+            link["pieces"] = proofs[i].pieces;
+            link["halvings"] = proofs[i].halvings;
+        }
         if (!proofs[i].holds) {
             link[outer ? "growth_m" : "excess_m"] = json_number(proofs[i].growth);
             link[outer ? "triangle" : "sphere"] = outer ? proofs[i].triangle : proofs[i].sphere;

@@ -21,13 +21,18 @@ std::string label_of(std::size_t i) {
     return i < 26 ? std::string(1, static_cast<char>('A' + i)) : std::to_string(i + 1);
 }
 
-/// Empty, with a warning, if there is no renderer.
-std::string picture_of(Program& program, const Comparison& comparison) {
+/// None, with a warning, if there is no renderer.
+Pictures pictures_of(Program& program, const Comparison& comparison) {
     const Registry& registry = program.registry();
     for (const auto& [name, stage] : registry.stages()) {
         if (stage.kind == StageKind::renderer) {
             QuietContext context;
-            return registry.make<Renderer>(name)->render(figure_of(comparison), context).png;
+            const auto renderer = registry.make<Renderer>(name);
+            Pictures pictures{renderer->render(figure_of(comparison), context).png, {}};
+            for (std::size_t i = 0; comparison.original.links.size() > 1 && i < comparison.original.links.size(); ++i) {
+                pictures.links.push_back(renderer->render(figure_of_link(comparison, i), context).png);
+            }
+            return pictures;
         }
     }
     tell("warning: no plugin renders pictures; the page has none");
@@ -43,7 +48,7 @@ int compare_models(Program& program, const Arguments& arguments) {
         comparison.models.push_back({label_of(comparison.models.size()), std::move(model), std::move(evaluation)});
     }
     if (!arguments.html.empty()) {
-        write_whole_file(arguments.html, html_of(comparison, picture_of(program, comparison)));
+        write_whole_file(arguments.html, html_of(comparison, pictures_of(program, comparison)));
         tell(fmt::format("written: {}", arguments.html));
     }
     print(arguments.json ? json_of(comparison).dump(2) + "\n" : table_of(comparison));

@@ -47,6 +47,22 @@ std::string table_of_links(const Comparison& comparison) {
     return table;
 }
 
+/// Without panels yet; `width`, `height`: of one, in pixels.
+Figure empty_figure(const Comparison& comparison, int width, int height) {
+    Figure figure;
+    figure.width = std::min(3840, width * static_cast<int>(comparison.models.size()));
+    figure.height = height;
+    return figure;
+}
+
+/// `pose`: from the link's frame to the panel's.
+void add_link(Panel& panel, const OriginalLink& link, const std::vector<Sphere>& spheres, const Pose& pose) {
+    panel.meshes.push_back({std::shared_ptr<const Mesh>(link.solid, &link.solid->surface()), pose, true});
+    for (const Sphere& sphere : spheres) {
+        panel.spheres.push_back({pose * sphere.center, sphere.radius});
+    }
+}
+
 } // namespace
 
 std::string table_of(const Comparison& comparison) {
@@ -74,24 +90,28 @@ nlohmann::ordered_json json_of(const Comparison& comparison) {
 
 Figure figure_of(const Comparison& comparison) {
     const auto poses = link_poses(*comparison.original.robot);
-    Figure figure;
-    figure.width = std::min(3840, 640 * static_cast<int>(comparison.models.size()));
-    figure.height = 720;
+    Figure figure = empty_figure(comparison, 640, 720);
     for (const JudgedModel& judged : comparison.models) {
         Panel panel;
         panel.caption = fmt::format("{}: {} spheres", judged.label, sphere_count(judged.model));
         for (std::size_t i = 0; i < comparison.original.links.size(); ++i) {
-            const OriginalLink& link = comparison.original.links[i];
-            const auto pose = poses.find(link.link);
-            if (pose == poses.end()) {
-                continue;
-            }
-            panel.meshes.push_back(
-                {std::shared_ptr<const Mesh>(link.solid, &link.solid->surface()), pose->second, true});
-            for (const Sphere& sphere : judged.model.spheres[i]) {
-                panel.spheres.push_back({pose->second * sphere.center, sphere.radius});
+            const auto pose = poses.find(comparison.original.links[i].link);
+            if (pose != poses.end()) {
+                add_link(panel, comparison.original.links[i], judged.model.spheres[i], pose->second);
             }
         }
+        figure.panels.push_back(std::move(panel));
+    }
+    return figure;
+}
+
+Figure figure_of_link(const Comparison& comparison, std::size_t link) {
+    Figure figure = empty_figure(comparison, 400, 320);
+    for (const JudgedModel& judged : comparison.models) {
+        const std::vector<Sphere>& spheres = judged.model.spheres[link];
+        Panel panel;
+        panel.caption = fmt::format("{}: {} sphere{}", judged.label, spheres.size(), spheres.size() == 1 ? "" : "s");
+        add_link(panel, comparison.original.links[link], spheres, Pose{});
         figure.panels.push_back(std::move(panel));
     }
     return figure;

@@ -25,7 +25,15 @@ std::string table_of(const Comparison& comparison);
 nlohmann::ordered_json json_of(const Comparison& comparison);
 /// The robot in its zero pose under the spheres of each model, a panel each.
 Figure figure_of(const Comparison& comparison);
-/// A page that needs no other file. `png`: the picture, may be empty.
-std::string html_of(const Comparison& comparison, const std::string& png);
+/// One link of the original under the spheres of each model.
+Figure figure_of_link(const Comparison& comparison, std::size_t link);
+
+/// PNG files.
+struct Pictures {
+    std::string whole;              ///< may be empty
+    std::vector<std::string> links; ///< of each link of the original; none where there is only one
+};
+/// A page that needs no other file.
+std::string html_of(const Comparison& comparison, const Pictures& pictures);
 
 } // namespace foam::cli

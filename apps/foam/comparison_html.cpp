@@ -1,6 +1,7 @@
 // A comparison as one HTML file: no other file, no network.
 #include "comparison.hpp"
 
+#include <foam/host/bar_scale.hpp>
 #include <foam/host/markup.hpp>
 #include <foam/host/version.hpp>
 
@@ -22,13 +23,13 @@ std::string certified(bool yes) {
 
 std::string total_table(const Comparison& comparison) {
     std::string html =
-        "<div class=\"wide\"><table><thead><tr><th>model</th><th>file</th><th>format</th><th>spheres</th>"
+        "<div class=\"wide\"><table><thead><tr><th>model</th><th class=\"why\">file</th><th>format</th><th>spheres</th>"
         "<th>covered %</th><th>gap mm</th><th>excess</th><th>missing</th><th>out max mm</th>"
         "<th>out mean mm</th><th>certified</th></tr></thead><tbody>\n";
     for (const JudgedModel& judged : comparison.models) {
         const Measures& m = judged.evaluation.total.measures;
         html += fmt::format(
-            "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+            "<tr><td>{}</td><td class=\"why\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
             "<td>{}</td><td>{}</td>{}</tr>\n",
             judged.label, markup_escaped(judged.model.file.file.string()), markup_escaped(judged.model.file.format),
             m.spheres, number(100 * m.covered, 2), number(1000 * m.gap, 2), number(m.excess, 3), number(m.missing, 3),
@@ -37,27 +38,23 @@ std::string total_table(const Comparison& comparison) {
     return html + "</tbody></table></div>\n";
 }
 
-/// The largest finite excess of a link: the length of a full bar.
-double longest_bar(const Comparison& comparison) {
-    double longest = 0;
+/// One scale for all models.
+BarScale excess_scale(const Comparison& comparison) {
+    std::vector<double> numbers;
     for (const JudgedModel& judged : comparison.models) {
         for (const Figures& link : judged.evaluation.links) {
-            longest = std::isfinite(link.measures.excess) ? std::max(longest, link.measures.excess) : longest;
+            numbers.push_back(link.measures.excess);
         }
     }
-    return longest;
+    return BarScale(numbers, 5e-4);
 }
 
-std::string link_cells(const Measures& m, double longest) {
+std::string link_cells(const Measures& m, const BarScale& scale) {
     if (m.spheres == 0) {
         return "<td class=\"first\">–</td><td>–</td><td>–</td>";
     }
-    const double share = longest > 0 && std::isfinite(m.excess) ? m.excess / longest : 0;
-    return fmt::format(
-        "<td class=\"first\">{}</td><td>{}<svg class=\"bar\" viewBox=\"0 0 100 4\" "
-        "preserveAspectRatio=\"none\" aria-hidden=\"true\"><rect width=\"{:.1f}\" height=\"4\"/></svg></td>"
-        "<td class=\"{}\">{}</td>",
-        m.spheres, number(m.excess, 3), 100 * share, m.certified ? "yes" : "no", number(1000 * m.gap, 2));
+    return fmt::format("<td class=\"first\">{}</td><td>{}{}</td><td class=\"{}\">{}</td>", m.spheres,
+                       number(m.excess, 3), scale.svg(m.excess), m.certified ? "yes" : "no", number(1000 * m.gap, 2));
 }
 
 std::string link_table(const Comparison& comparison) {
@@ -70,15 +67,38 @@ std::string link_table(const Comparison& comparison) {
         html += "<th class=\"first\">spheres</th><th>excess</th><th>gap mm</th>";
     }
     html += "</tr></thead><tbody>\n";
-    const double longest = longest_bar(comparison);
+    const BarScale scale = excess_scale(comparison);
     for (std::size_t i = 0; i < comparison.original.links.size(); ++i) {
         html += fmt::format("<tr><td>{}</td>", markup_escaped(comparison.original.links[i].link));
         for (const JudgedModel& judged : comparison.models) {
-            html += link_cells(judged.evaluation.links[i].measures, longest);
+            html += link_cells(judged.evaluation.links[i].measures, scale);
         }
         html += "</tr>\n";
     }
-    return html + "</tbody></table></div>\n";
+    html += "</tbody><tfoot><tr><td>total</td>";
+    for (const JudgedModel& judged : comparison.models) {
+        html += link_cells(judged.evaluation.total.measures, BarScale({}));
+    }
+    html += "</tr></tfoot></table></div>\n";
+    return html + fmt::format("<p class=\"note\">Bars compare excess over links and models{}.</p>\n",
+                              scale.logarithmic() ? fmt::format(", on a logarithmic scale from {:.3g} to {:.3g}",
+                                                                scale.lowest(), scale.greatest())
+                                                  : "");
+}
+
+std::string image(const std::string& png, const std::string& text) {
+    return fmt::format("<figure><img alt=\"{}\" src=\"data:image/png;base64,{}\"></figure>\n", markup_escaped(text),
+                       base64(png));
+}
+
+std::string link_pictures(const Comparison& comparison, const Pictures& pictures) {
+    std::string html;
+    for (std::size_t i = 0; i < pictures.links.size(); ++i) {
+        const std::string& link = comparison.original.links[i].link;
+        html += fmt::format("<h3>{}</h3>\n{}", markup_escaped(link),
+                            image(pictures.links[i], link + " under the spheres of each model"));
+    }
+    return html.empty() ? "" : "<h2>Link by link</h2>\n" + html;
 }
 
 std::string notes(const Comparison& comparison) {
@@ -93,15 +113,14 @@ std::string notes(const Comparison& comparison) {
 
 } // namespace
 
-std::string html_of(const Comparison& comparison, const std::string& png) {
+std::string html_of(const Comparison& comparison, const Pictures& pictures) {
     const std::string title = "Sphere models of " + comparison.original.file.filename().string();
-    std::string html = "<header><h1>" + markup_escaped(title) + "</h1></header>\n" + total_table(comparison);
-    if (!png.empty()) {
-        html += fmt::format(
-            "<p><img alt=\"The robot under the spheres of each model\" src=\"data:image/png;base64,{}\"></p>\n",
-            base64(png));
+    std::string html =
+        "<header><h1>" + markup_escaped(title) + "</h1></header>\n<h2>The whole</h2>\n" + total_table(comparison);
+    if (!pictures.whole.empty()) {
+        html += image(pictures.whole, "The robot under the spheres of each model");
     }
-    html += "<h2>Links</h2>\n" + link_table(comparison) + notes(comparison);
+    html += "<h2>Links</h2>\n" + link_table(comparison) + link_pictures(comparison, pictures) + notes(comparison);
     return html_page(title,
                      html + fmt::format("<footer>covered: share of the surface that lies in the spheres. gap: how far "
                                         "the geometry sticks out. excess, missing: volume wrongly claimed and left "

@@ -110,6 +110,9 @@ TEST_F(EvaluateCli, CertifySaysWhereTheProofFails) {
     EXPECT_NEAR(proof["links"][0]["growth_m"].get<double>(), 0.1 * std::sqrt(3.0) - 0.1731, 1e-6);
     EXPECT_NEAR(std::abs(proof["links"][0]["witness_m"][2].get<double>()), 0.1, 1e-9);
     EXPECT_TRUE(proof["links"][1]["certified"].get<bool>());
+    EXPECT_EQ(proof["links"][0]["triangles"], 12);
+    EXPECT_GE(proof["links"][0]["pieces"].get<int>(), 12);
+    EXPECT_GE(proof["links"][0]["halvings"].get<int>(), 0);
 }
 
 TEST_F(EvaluateCli, ALinkWithoutSpheresIsNotCertified) {
@@ -139,8 +142,15 @@ TEST_F(EvaluateCli, CompareWritesAPageThatNeedsNothingElse) {
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_THAT(outcome.err, EndsWith("foam: written: page.html\n"));
     const std::string page = contents(path() / "page.html");
-    EXPECT_THAT(page, HasSubstr("<td>&lt;b&gt;.yaml</td>"));
+    EXPECT_THAT(page, HasSubstr("<td class=\"why\">&lt;b&gt;.yaml</td>"));
     EXPECT_THAT(page, Not(HasSubstr("<b>")));
+    EXPECT_THAT(page, HasSubstr("<tfoot><tr><td>total</td><td class=\"first\">2</td>"));
+    std::size_t pictures = 0;
+    for (std::size_t at = 0; (at = page.find("src=\"data:image/png;base64,iVBOR", at)) != page.npos; ++at) {
+        ++pictures;
+    }
+    EXPECT_EQ(pictures, 3u); // of the whole and of each link
+    EXPECT_THAT(page, HasSubstr("<h3>base</h3>\n<figure><img alt=\"base under the spheres of each model\""));
     EXPECT_THAT(page, HasSubstr("color-scheme: light dark"));
     EXPECT_THAT(page, HasSubstr("default-src 'none'"));
     EXPECT_THAT(page, Not(HasSubstr("://")));

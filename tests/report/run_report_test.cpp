@@ -45,6 +45,23 @@ TEST_F(ReportOfRun, SaysWhatTheRunSays) {
     EXPECT_THAT(html, HasSubstr("largest_hole: 0.1")); // the recipe with its defaults
 }
 
+TEST_F(ReportOfRun, SaysWhatTheProofTook) {
+    const std::string html = report_of(recipe(chain));
+    const auto manifest = nlohmann::json::parse(read_file(folder.path() / "out/manifest.json"));
+    for (const auto& output : manifest["outputs"]) {
+        ASSERT_EQ(output["proofs"].size(), 2u);
+        const auto& box = output["proofs"][0];
+        EXPECT_EQ(box["link"], hostile_link);
+        EXPECT_EQ(box["triangles"], 10); // five quadrilaterals
+        EXPECT_GE(box["pieces"].get<int>(), 10);
+        EXPECT_THAT(html, HasSubstr("<code>" + output["file"].get<std::string>() + "</code>: 2 links, "));
+    }
+    EXPECT_THAT(html, HasSubstr("<th scope=\"col\">pieces</th><th scope=\"col\">halvings</th>"));
+    const std::string inner = report_of(recipe(std::string(chain) + "guarantee: inner\n"), "inner");
+    EXPECT_THAT(inner, HasSubstr("<code>arm.urdf</code>: "));
+    EXPECT_THAT(inner, Not(HasSubstr("<th scope=\"col\">pieces</th>")));
+}
+
 TEST_F(ReportOfRun, HoldsTheSpheresThatWereWritten) {
     const auto scene = scene_of(report_of(recipe(chain)));
     const auto written = registry.make<Writer>("write.urdf")->read(read_file(folder.path() / "out/arm.urdf"));

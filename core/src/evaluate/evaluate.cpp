@@ -1,4 +1,6 @@
 // Figures and proofs of all links.
+#include "geometry/proof.hpp"
+
 #include <foam/error.hpp>
 #include <foam/host/evaluate.hpp>
 #include <foam/inner.hpp>
@@ -42,11 +44,15 @@ Figures total_of(const std::vector<Figures>& links) {
 }
 
 LinkProof prove_outer(const Solid& solid, const std::vector<Sphere>& spheres) {
-    const Certificate certificate = certify(solid, spheres);
+    const geometry::CoverProof proof = geometry::prove_cover(solid, spheres);
+    const Certificate& certificate = proof.certificate;
     return {.holds = certificate.holds,
             .growth = certificate.growth,
             .witness = certificate.witness,
-            .triangle = certificate.triangle};
+            .triangle = certificate.triangle,
+            .triangles = proof.triangles,
+            .pieces = certificate.pieces,
+            .halvings = proof.halvings};
 }
 
 LinkProof prove_inner(const Solid& solid, const std::vector<Sphere>& spheres) {

@@ -1,7 +1,6 @@
 // Proof that a surface lies in a union of balls, or the worst gap by branch and bound.
 #include "geometry/cover.hpp"
-
-#include <foam/measure.hpp>
+#include "geometry/proof.hpp"
 
 namespace foam {
 namespace {
@@ -21,7 +20,7 @@ public:
         : shrink_(std::ldexp(1.0, -depth)), most_halvings_(static_cast<std::uint32_t>(3 * depth)),
           balls_(solid, spheres, most_halvings_) {}
 
-    Certificate run() {
+    geometry::CoverProof run() {
         certificate_.holds = true;
         std::vector<char> proved(balls_.piece_count(), 0);
         for (const geometry::RoundPart& part : balls_.round_parts()) {
@@ -36,7 +35,7 @@ public:
             certificate_.growth = std::max(certificate_.growth, proved_gap_);
             certificate_.witness = balls_.to_solid(certificate_.witness);
         }
-        return certificate_;
+        return {certificate_, balls_.piece_count(), halvings_};
     }
 
 private:
@@ -64,6 +63,7 @@ private:
                 continue;
             }
             ++certificate_.pieces;
+            halvings_ = std::max(halvings_, next.piece.level);
             balls_.candidates(next.piece, next.begin, next.end, indices_);
             examine({next.piece, next.end, indices_.size()});
         }
@@ -119,6 +119,7 @@ private:
     Balls balls_;
     double smallest_ = 0;
     double proved_gap_ = 0; // of a corner that no ball holds
+    std::uint32_t halvings_ = 0;
     Certificate certificate_;
     std::vector<Waiting> waiting_;
     std::vector<std::uint32_t> indices_;
@@ -126,8 +127,12 @@ private:
 
 } // namespace
 
-Certificate certify(const Solid& solid, std::span<const Sphere> spheres, int depth) {
+geometry::CoverProof geometry::prove_cover(const Solid& solid, std::span<const Sphere> spheres, int depth) {
     return Proof(solid, spheres, std::clamp(depth, 0, 60)).run();
+}
+
+Certificate certify(const Solid& solid, std::span<const Sphere> spheres, int depth) {
+    return geometry::prove_cover(solid, spheres, depth).certificate;
 }
 
 } // namespace foam

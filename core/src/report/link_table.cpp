@@ -2,6 +2,8 @@
 #include "sections.hpp"
 #include "text.hpp"
 
+#include <foam/host/bar_scale.hpp>
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -12,27 +14,48 @@ namespace {
 constexpr double mm_per_m = 1000;
 constexpr int columns = 10;
 
-/// The largest finite value of a figure over the links: the length of a full bar.
-double greatest(const Json& links, const char* figure) {
-    double most = 0;
+std::vector<double> values_of(const Json& links, const char* figure) {
+    std::vector<double> values;
     for (const Json& link : links) {
         if (link.contains("measures")) {
-            const double value = value_of(link["measures"][figure]);
-            most = std::isfinite(value) ? std::max(most, value) : most;
+            values.push_back(value_of(link["measures"][figure]));
         }
     }
-    return most;
+    return values;
 }
+
+/// A figure of the table that has bars.
+struct BarColumn {
+    const char* figure;
+    const char* name; ///< in the table's head
+    double unit;      ///< of the table, in the manifest's
+    double least;     ///< what reads 0 in the table needs no bar
+};
+
+constexpr BarColumn bar_columns[] = {{"excess", "excess", 1, 5e-4},
+                                     {"missing", "missing", 1, 5e-4},
+                                     {"gap_m", "gap", 1e-3, 5e-7},
+                                     {"protrusion_max_m", "out max", 1e-3, 5e-5}};
 
 class LinkTable {
 public:
     explicit LinkTable(const Json& manifest) : manifest_(manifest) {
-        // A column that reads 0 everywhere needs no bars.
-        for (const auto& [figure, least] :
-             {std::pair{"excess", 5e-4}, {"missing", 5e-4}, {"gap_m", 5e-7}, {"protrusion_max_m", 5e-5}}) {
-            const double most = greatest(manifest["links"], figure);
-            full_[figure] = most < least ? 0 : most;
+        for (const BarColumn& column : bar_columns) {
+            scales_.emplace(column.figure, BarScale(values_of(manifest["links"], column.figure), column.least));
         }
+    }
+
+    /// What bars mean.
+    std::string note() const {
+        std::string logarithmic;
+        for (const BarColumn& column : bar_columns) {
+            if (const BarScale& scale = scales_.at(column.figure); scale.logarithmic()) {
+                logarithmic += fmt::format("{} {} from {:.3g} to {:.3g}", logarithmic.empty() ? "" : ",", column.name,
+                                           scale.lowest() / column.unit, scale.greatest() / column.unit);
+            }
+        }
+        return "Bars compare the links within a column" +
+               (logarithmic.empty() ? "." : ", on a logarithmic scale where values span decades:" + logarithmic + ".");
     }
 
     std::string html() const {
@@ -84,22 +107,21 @@ private:
     }
 
     std::string figure_cell(const std::string& figure, double value, const std::string& text, bool bar) const {
-        const double full = full_.at(figure);
-        return bar && full > 0 && value > 0 ? bar_cell(value, text, value / full) : cell(value, text);
+        return cell(value, bar ? text + scales_.at(figure).svg(value) : text);
     }
 
     const Json& manifest_;
-    std::map<std::string, double> full_;
+    std::map<std::string, BarScale> scales_;
 };
 
 } // namespace
 
 std::string links_section(const Report& report) {
+    const LinkTable table(report.manifest);
     return section("links", "Links",
-                   LinkTable(report.manifest).html() +
-                       "<p class=\"note\">Bars compare the links within a column. Out: how far spheres stick out of "
-                       "the geometry. Growth: by how much the sphere that grew most was made larger than what the "
-                       "spherizer gave, for the guarantee.</p>\n");
+                   table.html() + "<p class=\"note\">" + table.note() +
+                       " Out: how far spheres stick out of the geometry. Growth: by how much the sphere that grew most "
+                       "was made larger than what the spherizer gave, for the guarantee.</p>\n");
 }
 
 } // namespace foam::report

@@ -2,6 +2,7 @@
 #include "sections.hpp"
 #include "text.hpp"
 
+#include <foam/host/bar_scale.hpp>
 #include <foam/host/markup.hpp>
 
 #include <fmt/format.h>
@@ -173,16 +174,17 @@ std::string reproduce_section(const Report& report) {
 std::string execution_section(const Report& report) {
     const Json& execution = report.manifest["execution"];
     const auto times = stage_times(execution);
-    double most = 0;
+    std::vector<double> all;
     for (const auto& [stage, time] : times) {
-        most = std::max(most, time.seconds);
+        all.push_back(time.seconds);
     }
+    const BarScale scale(all, 0, true);
     std::string rows;
     for (const auto& [stage, time] : times) {
         rows += fmt::format("<tr><th scope=\"row\">{}</th>{}{}{}</tr>\n", markup_escaped(stage),
                             cell(static_cast<double>(time.calls), fmt::format("{}", time.calls)),
                             cell(static_cast<double>(time.cached), fmt::format("{}", time.cached)),
-                            bar_cell(time.seconds, number(time.seconds, 3), most > 0 ? time.seconds / most : 0));
+                            cell(time.seconds, number(time.seconds, 3) + scale.svg(time.seconds)));
     }
     const auto seconds = [&](const char* key) { return number(execution[key].get<double>(), 2); };
     return section(

@@ -1,6 +1,7 @@
-// Name, verdict and figures of the whole, and the proof in words.
+// Name, verdict and figures of the whole.
 #include "sections.hpp"
 #include "text.hpp"
+#include "verdict.hpp"
 
 #include <foam/host/markup.hpp>
 
@@ -10,31 +11,6 @@ namespace foam::report {
 namespace {
 
 constexpr double mm_per_m = 1000;
-
-std::string guarantee_of(const Report& report) {
-    return report.manifest["settings"]["guarantee"].get<std::string>();
-}
-
-bool certified(const Report& report) {
-    return report.manifest["certified"].get<bool>();
-}
-
-std::string verdict(const Report& report) {
-    const std::string guarantee = guarantee_of(report);
-    if (guarantee == "fitted") {
-        return "No guarantee was asked for: the figures say how well the spheres fit.";
-    }
-    if (guarantee == "inner") {
-        return certified(report) ? "Proved: the spheres of every link lie inside its geometry."
-                                 : "Not proved for every link: spheres may stick out of the geometry.";
-    }
-    return certified(report) ? "Proved: the geometry of every link lies inside its spheres."
-                             : "Not proved for every link: geometry may stick out of the spheres.";
-}
-
-std::string verdict_class(const Report& report) {
-    return guarantee_of(report) == "fitted" ? "plain" : certified(report) ? "yes" : "no";
-}
 
 std::string tile(const std::string& term, const std::string& value, const std::string& detail) {
     return fmt::format("<div><dt>{}</dt><dd>{}<small>{}</small></dd></div>\n", term, value, detail);
@@ -84,37 +60,6 @@ std::string error_text(const Json& measures, const char* figure) {
     return fmt::format("± {} (standard error)", number(value_of(measures[key]), 4));
 }
 
-/// Names of the links that stand in the way of the proof.
-std::string open_links(const Report& report) {
-    std::string list;
-    for (const Json& link : report.manifest["links"]) {
-        if (link.contains("measures") && !link["measures"]["certified"].get<bool>()) {
-            list += fmt::format("<li>{}: gap {} mm</li>\n", escaped(link["link"]),
-                                number(mm_per_m * value_of(link["measures"]["gap_m"]), 3));
-        }
-    }
-    return list.empty() ? "" : "<ul>\n" + list + "</ul>\n";
-}
-
-std::string output_names(const Report& report) {
-    std::string names;
-    for (const Json& output : report.manifest["outputs"]) {
-        names += fmt::format("{}<code>{}</code>", names.empty() ? "" : ", ", escaped(output["file"]));
-    }
-    return names;
-}
-
-/// Links that have no spheres are not part of any proof.
-std::string not_part_of_it(const Report& report) {
-    std::string names;
-    for (const Json& link : report.manifest["links"]) {
-        if (!link.contains("measures")) {
-            names += fmt::format("{}<code>{}</code>", names.empty() ? "" : ", ", escaped(link["link"]));
-        }
-    }
-    return names.empty() ? "" : fmt::format("<p>No part of it: {}, left out of the model.</p>\n", names);
-}
-
 } // namespace
 
 std::string header_section(const Report& report) {
@@ -145,28 +90,6 @@ std::string summary_section(const Report& report) {
                           "the geometry. Missing: volume that they leave out. Gap: how far geometry sticks out of the "
                           "spheres. Protrusion: how far spheres stick out of the geometry. All against the collision "
                           "geometry as the input gives it, overlaps counted once.</p>\n");
-}
-
-std::string proof_section(const Report& report) {
-    const std::string guarantee = guarantee_of(report);
-    std::string html = fmt::format("<p class=\"verdict {}\">{}</p>\n", verdict_class(report), verdict(report));
-    if (guarantee == "fitted") {
-        html += "<p>With <code>guarantee: outer</code> spheres grow until they hold all of the geometry, and the file "
-                "is proved; with <code>guarantee: inner</code> they shrink until they stick out nowhere.</p>\n";
-        return section("proof", "Certificate", html);
-    }
-    html += certified(report) ? "" : open_links(report);
-    html += fmt::format("<p>The proof is about the numbers read back from {}, as another program reads them, and the "
-                        "meshes and primitives as the input gives them, not the repaired or simplified ones.</p>\n",
-                        output_names(report));
-    html += guarantee == "outer"
-                ? "<p>How: a ball that holds the three corners of a triangle holds the triangle. A triangle that no "
-                  "single ball holds is split, and its halves are asked again; what is still open at the end counts "
-                  "as not covered. Round primitives are proved on a polyhedron around them. Rounding is on the safe "
-                  "side: no point outside the spheres passes.</p>\n"
-                : "<p>How: a ball lies inside if its centre does and no triangle comes nearer to it than the radius. "
-                  "Rounding is on the safe side: no ball that sticks out passes.</p>\n";
-    return section("proof", "Certificate", html + not_part_of_it(report));
 }
 
 } // namespace foam::report

@@ -26,13 +26,6 @@ std::string cell(double value, const std::string& html) {
                        html);
 }
 
-std::string bar_cell(double value, const std::string& html, double share) {
-    const double length = std::isfinite(share) ? std::clamp(100 * share, 0.0, 100.0) : 100;
-    return cell(value, fmt::format("{}<svg class=\"bar\" viewBox=\"0 0 100 4\" preserveAspectRatio=\"none\" "
-                                   "aria-hidden=\"true\"><rect width=\"{:.1f}\" height=\"4\"/></svg>",
-                                   html, length));
-}
-
 std::string yes_no_cell(bool yes) {
     return fmt::format("<td data-value=\"{}\" class=\"{}\">{}</td>", yes ? 1 : 0, yes ? "yes" : "no",
                        yes ? "✓ yes" : "✗ no");

@@ -17,8 +17,6 @@ std::string number(double value, int digits);
 std::string escaped(const Json& text);
 /// A cell that sorts by its value. `html`: what it shows.
 std::string cell(double value, const std::string& html);
-/// A number with a bar below it, its length `share` of the cell.
-std::string bar_cell(double value, const std::string& html, double share);
 std::string yes_no_cell(bool yes);
 /// "1 link", "3 links".
 std::string counted(std::size_t count, const std::string& noun);

@@ -58,10 +58,21 @@ Json to_json(const InputFile& mesh) {
     return {{"file", mesh.reference}, {"digest", mesh.digest}, {"bytes", mesh.bytes}};
 }
 
+Json to_json(const WrittenProof& proof) {
+    return {{"link", proof.link},
+            {"spheres", proof.spheres},
+            {"triangles", proof.triangles},
+            {"pieces", proof.pieces},
+            {"halvings", proof.halvings}};
+}
+
+template <class T> Json to_json(const std::vector<T>& list);
+
 Json to_json(const OutputFile& output) {
     Json json{{"file", output.file}, {"digest", output.digest}, {"bytes", output.bytes}};
     if (!output.stage.empty()) {
         json["stage"] = output.stage;
+        json["proofs"] = to_json(output.proofs);
     }
     return json;
 }

@@ -1,5 +1,7 @@
 #include "output.hpp"
 
+#include "geometry/proof.hpp"
+
 #include <foam/inner.hpp>
 #include <foam/measure.hpp>
 
@@ -8,21 +10,29 @@
 namespace foam {
 namespace {
 
-/// What the spheres lack of the guarantee; empty if it is proved.
-std::string broken_promise(const Solid& solid, const std::vector<Sphere>& spheres, Guarantee guarantee) {
+/// What the spheres lack of the guarantee; empty if it is proved, and then `took` is filled in.
+std::string broken_promise(const Solid& solid, const std::vector<Sphere>& spheres, Guarantee guarantee,
+                           WrittenProof& took) {
+    took.spheres = spheres.size();
     if (guarantee == Guarantee::outer) {
-        const Certificate proof = certify(solid, spheres);
+        const geometry::CoverProof cover = geometry::prove_cover(solid, spheres);
+        const Certificate& proof = cover.certificate;
+        took.triangles = cover.triangles;
+        took.pieces = proof.pieces;
+        took.halvings = cover.halvings;
         return proof.holds ? ""
                            : fmt::format("{} m are missing at [{}, {}, {}]", proof.growth, proof.witness.x,
                                          proof.witness.y, proof.witness.z);
     }
     const InnerCertificate proof = certify_inner(solid, spheres);
+    took.triangles = solid.surface().triangles.size();
     return proof.holds ? "" : fmt::format("sphere {} sticks out by {} m", proof.sphere, proof.excess);
 }
 
-void check_written(const Workspace& workspace, const FinishedModel& finished, const OutputCall& output,
-                   const std::string& bytes, const Writer& writer) {
+std::vector<WrittenProof> check_written(const Workspace& workspace, const FinishedModel& finished,
+                                        const OutputCall& output, const std::string& bytes, const Writer& writer) {
     const auto spheres = writer.read(bytes);
+    std::vector<WrittenProof> proofs;
     for (const FinishedLink& link : finished.links) {
         const std::string& name = link.work->link->name;
         const auto found = spheres.find(name);
@@ -33,13 +43,15 @@ void check_written(const Workspace& workspace, const FinishedModel& finished, co
         if (!link.work->report.measures.certified) {
             continue;
         }
-        if (const std::string lack = broken_promise(*link.solid, found->second, workspace.recipe.guarantee);
+        WrittenProof& took = proofs.emplace_back(WrittenProof{.link = name});
+        if (const std::string lack = broken_promise(*link.solid, found->second, workspace.recipe.guarantee, took);
             !lack.empty()) {
             throw Error(ErrorCode::internal,
                         fmt::format("{}: link '{}': the certificate does not hold on the numbers read back: {}",
                                     output.file, name, lack));
         }
     }
+    return proofs;
 }
 
 } // namespace
@@ -51,15 +63,16 @@ std::vector<OutputFile> write_outputs(const Workspace& workspace, const Finished
     parallel_for(files.size(), [&](std::size_t i) {
         const OutputCall& output = workspace.recipe.outputs[i];
         StageReport report;
+        std::vector<WrittenProof> proofs;
         const std::string bytes =
             run_stage(workspace, output.writer.stage, "", output.file, output.file, report, [&](Context& context) {
                 const auto writer = workspace.registry.make<Writer>(output.writer.stage, output.writer.given);
                 std::string text = writer->write(finished.model, context);
-                check_written(workspace, finished, output, text, *writer);
+                proofs = check_written(workspace, finished, output, text, *writer);
                 return text;
             });
         directory.write(output.file, bytes);
-        files[i] = {output.writer.stage, output.file, digest_of(bytes), bytes.size()};
+        files[i] = {output.writer.stage, output.file, digest_of(bytes), bytes.size(), std::move(proofs)};
     });
     return files;
 }

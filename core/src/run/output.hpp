@@ -9,11 +9,20 @@
 
 namespace foam {
 
+/// What the proof on a written file took for one link. Guarantee::inner: `pieces` and `halvings` are 0, as nothing is
+/// split.
+struct WrittenProof {
+    std::string link;
+    std::size_t spheres = 0, triangles = 0, pieces = 0;
+    std::uint32_t halvings = 0; ///< of the smallest piece
+};
+
 struct OutputFile {
     std::string stage; ///< the writer; empty for a debug mesh
     std::string file;  ///< relative to the run directory
     Digest digest;
     std::size_t bytes = 0;
+    std::vector<WrittenProof> proofs = {}; ///< of the links for which the guarantee is proved
 };
 
 /// Writes every output of the recipe, reads it back as another program would, compares the spheres and runs the

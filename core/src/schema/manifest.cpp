@@ -129,7 +129,7 @@ std::string manifest_schema() {
     "outputs": {
       "type": "array",
       "items": {
-        "$ref": "#/$defs/file"
+        "$ref": "#/$defs/output"
       }
     },
     "debug_meshes": {
@@ -300,6 +300,66 @@ std::string manifest_schema() {
         },
         "stage": {
           "type": "string"
+        }
+      },
+      "additionalProperties": false
+    },
+    "output": {
+      "type": "object",
+      "required": [
+        "file",
+        "digest",
+        "bytes",
+        "stage",
+        "proofs"
+      ],
+      "properties": {
+        "file": {
+          "type": "string"
+        },
+        "digest": {
+          "$ref": "#/$defs/digest"
+        },
+        "bytes": {
+          "$ref": "#/$defs/count"
+        },
+        "stage": {
+          "type": "string"
+        },
+        "proofs": {
+          "type": "array",
+          "description": "What the proof on the numbers read back took, for each link for which the guarantee is proved.",
+          "items": {
+            "type": "object",
+            "required": [
+              "link",
+              "spheres",
+              "triangles",
+              "pieces",
+              "halvings"
+            ],
+            "properties": {
+              "link": {
+                "type": "string"
+              },
+              "spheres": {
+                "$ref": "#/$defs/count"
+              },
+              "triangles": {
+                "$ref": "#/$defs/count",
+                "description": "Of the surface; round primitives by the polyhedron around them."
+              },
+              "pieces": {
+                "$ref": "#/$defs/count",
+                "description": "Triangles and pieces of them that were looked at. inner: 0."
+              },
+              "halvings": {
+                "$ref": "#/$defs/count",
+                "description": "Of the smallest piece that was looked at."
+              }
+            },
+            "additionalProperties": false
+          }
         }
       },
       "additionalProperties": false

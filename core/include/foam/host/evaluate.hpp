@@ -85,6 +85,9 @@ struct LinkProof {
     Vec3 witness{};    ///< outer: a corner of that piece, inner: the centre of that sphere; link frame
     std::uint32_t triangle = 0; ///< outer: of Solid::surface()
     std::size_t sphere = 0;     ///< inner: its index among the link's spheres
+    std::size_t triangles = 0;  ///< outer: of the surface; round primitives by the polyhedron around them
+    std::size_t pieces = 0;     ///< outer: triangles and parts of them that were looked at
+    std::uint32_t halvings = 0; ///< outer: of the smallest of these
 };
 
 /// One for each link of the original. A link without spheres is not covered; without spheres nothing sticks out. Throws
