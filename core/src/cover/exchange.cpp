@@ -14,6 +14,11 @@ Sphere sphere_of(const Ball& ball) {
     return {{ball.x, ball.y, ball.z}, ball.r};
 }
 
+bool meet(const Ball& a, const Ball& b) {
+    const float sum = a.r + b.r;
+    return squared_distance(a, b) < sum * sum;
+}
+
 } // namespace
 
 Exchange::Exchange(const Problem& problem, const Skin& skin, const ExchangePlan& plan, Balls balls)
@@ -23,8 +28,7 @@ Exchange::Exchange(const Problem& problem, const Skin& skin, const ExchangePlan&
 }
 
 bool Exchange::meet(std::size_t i, std::size_t j) const {
-    const float sum = balls_[i].r + balls_[j].r;
-    return squared_distance(balls_[i], balls_[j]) < sum * sum;
+    return foam::cover::meet(balls_[i], balls_[j]);
 }
 
 bool Exchange::holds(const Ball& ball, const Skin::Face& face) const {
@@ -60,13 +64,14 @@ void Exchange::look_at(std::size_t i, std::size_t j, const Ball& region) {
             faces_.push_back(f);
         }
     }
-    others_.clear();
-    for (std::size_t k = 0; k < balls_.size(); ++k) {
-        if (k != i && k != j && (meet(k, i) || meet(k, j))) {
-            others_.push_back(balls_[k]);
-        }
+    // A face that reaches far beyond the two may be held there by balls that meet neither.
+    others_ = balls_;
+    others_.erase(others_.begin() + static_cast<std::ptrdiff_t>(std::max(i, j)));
+    if (i != j) {
+        others_.erase(others_.begin() + static_cast<std::ptrdiff_t>(std::min(i, j)));
     }
     remainder_.find(faces_, others_, content_);
+    std::erase_if(others_, [&](const Ball& other) { return !cover::meet(other, balls_[i]) && !cover::meet(other, balls_[j]); });
     outside_.look(others_, region);
 }
 
