@@ -31,6 +31,11 @@ void add_execute_options(CLI::App& command, ExecuteOptions& options) {
         ->type_name("N")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1024}));
     command.add_flag("--fresh", options.fresh, "Neither read nor write the cache");
+    command
+        .add_option("--time-limit", options.time_limit,
+                    "Look for better spheres until S seconds after the start, then write the best so far")
+        ->type_name("S")
+        ->check(CLI::PositiveNumber);
     command.add_flag("-v,--verbose", options.verbose, "Tell notes too, not only warnings and errors");
 }
 
@@ -53,7 +58,8 @@ void require_ok(const RecipeResult& read, const std::string& what) {
 RunResult execute(const Recipe& recipe, const Registry& registry, const std::filesystem::path& directory,
                   const ExecuteOptions& options) {
     RunOptions run_options;
-    run_options.cancel = &stop_on_interrupt();
+    run_options.stop = &stop_on_interrupt();
+    run_options.time_limit = options.time_limit;
     tell_input(recipe);
     run_options.out = directory;
     run_options.fresh = options.fresh;
@@ -66,7 +72,7 @@ RunResult execute(const Recipe& recipe, const Registry& registry, const std::fil
 
 int exit_code_of(const RunResult& result) {
     constexpr int links_left_out = 4;
-    return result.links_lost ? links_left_out : 0;
+    return result.cut == Cut::stop ? exit_code(ErrorCode::cancelled) : result.links_lost ? links_left_out : 0;
 }
 
 } // namespace foam::cli

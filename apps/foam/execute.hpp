@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace foam::cli {
@@ -15,11 +16,12 @@ struct ExecuteOptions {
     std::size_t threads = 0; ///< 0: all cores
     bool fresh = false;
     bool verbose = false;
+    std::optional<double> time_limit; ///< s; instead of the recipe's
     /// Looks at the manifest before anything is put in place; see RunOptions.
     std::function<void(const std::string& manifest)> accept;
 };
 
-/// `-j`, `--fresh` and `-v`.
+/// `-j`, `--fresh`, `--time-limit` and `-v`.
 void add_execute_options(CLI::App& command, ExecuteOptions& options);
 /// Each on a line of its own.
 void tell_findings(const std::vector<Diagnostic>& findings);
@@ -28,7 +30,7 @@ void require_ok(const RecipeResult& read, const std::string& what);
 /// Says which input is taken, runs, and shows the progress.
 RunResult execute(const Recipe& recipe, const Registry& registry, const std::filesystem::path& directory,
                   const ExecuteOptions& options);
-/// 0, or 4 if links were left out after errors.
+/// 0; 4 if links were left out after errors; 130 if the user ended the search.
 int exit_code_of(const RunResult& result);
 
 } // namespace foam::cli

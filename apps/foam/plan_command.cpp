@@ -53,7 +53,19 @@ std::string budget_text(const Recipe& recipe) {
     if (parts.empty()) {
         parts.emplace_back("as the spherizer's parameters say");
     }
+    if (recipe.budget_time_limit) {
+        parts.push_back(fmt::format("the best within {} s", to_text(*recipe.budget_time_limit)));
+    }
     return fmt::format("{}; guarantee {}; seed {}", fmt::join(parts, ", "), to_string(recipe.guarantee), recipe.seed);
+}
+
+std::string pose_text(const JointValues& values) {
+    std::vector<std::string> joints;
+    for (const auto& [joint, value] : values) {
+        joints.push_back(fmt::format("{} at {}", joint, to_text(value)));
+    }
+    joints.emplace_back(values.empty() ? "all joints at zero" : "others at zero");
+    return fmt::format("spheres of links that are not neighbours, with {}", fmt::join(joints, ", "));
 }
 
 std::string places_text(const PlannedLink& link) {
@@ -104,6 +116,9 @@ std::string text_of(const Plan& plan, const Recipe& recipe) {
              fmt::format("{}{} ({})", stage.stage, parameters_text(stage), plugin(stage)));
     }
     line("budget", budget_text(recipe));
+    if (recipe.self_collision) {
+        line("apart", pose_text(recipe.self_collision_pose));
+    }
     const std::size_t width = column_width("", plan.links, &PlannedLink::link);
     for (const PlannedLink& link : plan.links) {
         line(&link == &plan.links.front() ? "links" : "", fmt::format("{:<{}}  {}", link.link, width, link_text(link)));
@@ -191,6 +206,12 @@ Json json_of(const Plan& plan, const Recipe& recipe) {
     }
     if (recipe.budget_max_protrusion) {
         json["budget"]["max_protrusion"] = *recipe.budget_max_protrusion;
+    }
+    if (recipe.budget_time_limit) {
+        json["budget"]["time_limit"] = *recipe.budget_time_limit;
+    }
+    if (recipe.self_collision) {
+        json["self_collision"] = {{"pose", recipe.self_collision_pose}};
     }
     for (const PlannedLink& link : plan.links) {
         json["links"].push_back(json_of(link));

@@ -79,6 +79,9 @@ int run_recipe(Program& program, Arguments arguments) {
         } else {
             print(table_of(result, recipe.guarantee) + files_text(recipe, result, directory));
         }
+        if (result.cut == Cut::stop) {
+            break; // the other runs of a sweep are not wanted either
+        }
     }
     if (arguments.json) {
         print(nlohmann::ordered_json{{"runs", runs}}.dump(2) + "\n");

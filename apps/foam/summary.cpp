@@ -129,6 +129,9 @@ Json json_of(const RunResult& result, const Recipe& recipe, const std::filesyste
               {"filters", Json::array()},
               {"files", Json::array()},
               {"findings", Json::array()}};
+    if (result.cut != Cut::none) {
+        json["cut"] = to_string(result.cut);
+    }
     for (const LinkReport& link : result.links) {
         Json entry{{"link", link.link}, {"skipped", link.skipped}, {"growth", link.growth}};
         entry.update(json_of(link.measures));

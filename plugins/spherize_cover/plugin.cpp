@@ -20,10 +20,8 @@ public:
         foam::SpherizeOptions options;
         options.effort = effort_;
         options.seed = context.seed();
-        options.stop = [&] {
-            context.check_cancelled();
-            return false;
-        };
+        context.check_cancelled();
+        options.stop = [&] { return context.cancelled(); }; // what was found until then is a cover, too
         std::vector<std::size_t> counts;
         for (const foam::Budget& budget : budgets) {
             counts.push_back(budget.max_spheres.value_or(spheres_));

@@ -4,6 +4,7 @@
 
 #include <foam/error.hpp>
 #include <foam/host/run.hpp>
+#include <foam/host/verify.hpp>
 #include <foam/measure.hpp>
 #include <foam/union_volume.hpp>
 
@@ -497,6 +498,187 @@ TEST_F(Run, CancellationLeavesTheFormerRunAsItWas) {
     for (const auto& entry : fs::directory_iterator(folder.path())) {
         EXPECT_THAT(entry.path().filename().string(), ::testing::Not(HasSubstr("partial")));
     }
+}
+
+/// Asks the run to stop once a stage has finished so many tasks.
+class StopAfter final : public Observer {
+public:
+    StopAfter(std::string stage, std::size_t tasks) : stage_(std::move(stage)), tasks_(tasks) {}
+    void on(const Event& event) override {
+        if (event.kind == Event::Kind::task_finished && event.stage == stage_ && --tasks_ == 0) {
+            stop = true;
+        }
+    }
+    std::atomic<bool> stop = false;
+
+private:
+    std::string stage_;
+    std::size_t tasks_;
+};
+
+TEST_F(Run, AStopGivesTheBestSoFar) {
+    const Recipe r = recipe("stages: [spherize.grid]\nbudget: {spheres: 60}\n");
+    const RunResult whole = run(r, registry, options("whole"));
+    EXPECT_EQ(whole.cut, Cut::none);
+    StopAfter observer("spherize.grid", 4); // the first two rounds of both links
+    RunOptions o = options();
+    o.observer = &observer;
+    o.stop = &observer.stop;
+    const RunResult result = run(r, registry, o);
+    EXPECT_EQ(result.cut, Cut::stop);
+    EXPECT_TRUE(result.certified);
+    EXPECT_GE(result.total.spheres, 8u) << "counts to four are known of each after the first round";
+    EXPECT_LT(result.total.spheres, whole.total.spheres);
+    EXPECT_EQ(warnings_of(result),
+              std::vector<std::string>{": the search was stopped: these are the best spheres until "
+                                       "then, and another run may give others"});
+    EXPECT_THAT(read_file(folder.path() / "out/manifest.json"), HasSubstr("\"cut\": \"stop\""));
+    EXPECT_THAT(read_file(folder.path() / "whole/manifest.json"), ::testing::Not(HasSubstr("\"cut\"")));
+    try {
+        verify(folder.path() / "out", registry, {});
+        ADD_FAILURE() << "verified";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.what(), (folder.path() / "out/manifest.json").string() +
+                                    ": the search of this run was cut short (stop), so it cannot be expected to come "
+                                    "out the same again; remedy: run its recipe without a limit");
+    }
+}
+
+TEST_F(Run, AStopBeforeThereIsAModelCancels) {
+    run(recipe("stages: [spherize.grid]\n"), registry, options());
+    const std::string before = read_file(folder.path() / "out/manifest.json");
+    for (const std::string budget : {"{spheres: 60}", "{excess: 0.2}", "{max_protrusion: 0.06}", "{}"}) {
+        StopAfter observer("load.urdf", 1);
+        RunOptions o = options();
+        o.observer = &observer;
+        o.stop = &observer.stop;
+        try {
+            run(recipe("stages: [spherize.grid]\nbudget: " + budget + "\n"), registry, o);
+            ADD_FAILURE() << "the run ended by itself";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::cancelled);
+        }
+        EXPECT_EQ(read_file(folder.path() / "out/manifest.json"), before);
+    }
+}
+
+TEST_F(Run, AStopAtTheEndChangesNothing) {
+    const Recipe r = recipe("stages: [spherize.grid]\nbudget: {spheres: 9}\n");
+    run(r, registry, options("whole"));
+    StopAfter observer("cover", 1);
+    RunOptions o = options();
+    o.observer = &observer;
+    o.stop = &observer.stop;
+    EXPECT_EQ(run(r, registry, o).cut, Cut::none);
+    EXPECT_EQ(read_file(folder.path() / "out/two.urdf"), read_file(folder.path() / "whole/two.urdf"));
+}
+
+TEST_F(Run, ATimeLimitThatIsOverLeavesTheFewestSpheres) {
+    for (const std::string budget : {"spheres: 60, ", "excess: 0.2, ", "max_protrusion: 0.06, ", ""}) {
+        for (const std::string links : {"", "links: {tip: {skip: true}}\n"}) {
+            const RunResult result =
+                run(recipe("stages: [spherize.grid]\n" + links + "budget: {" + budget + "time_limit: 0.001}\n"),
+                    registry, options());
+            EXPECT_EQ(result.cut, Cut::time_limit) << budget;
+            EXPECT_TRUE(result.certified);
+            EXPECT_EQ(result.total.spheres, links.empty() ? 2u : 1u) << budget;
+            EXPECT_THAT(warnings_of(result),
+                        ::testing::Contains(": the search ended at its time limit of 0.001 s: these are the best "
+                                            "spheres until then, and another run may give others"));
+        }
+    }
+}
+
+TEST_F(Run, ATimeLimitThatDoesNotComeChangesNothing) {
+    for (const std::string links : {"", "links: {tip: {skip: true}}\n"}) {
+        const Recipe r = recipe("stages: [spherize.grid]\n" + links + "budget: {spheres: 30}\n");
+        run(r, registry, options("without"));
+        RunOptions o = options();
+        o.time_limit = 1e9;
+        EXPECT_EQ(run(r, registry, o).cut, Cut::none);
+        EXPECT_EQ(read_file(folder.path() / "out/two.json"), read_file(folder.path() / "without/two.json"));
+    }
+}
+
+TEST_F(Run, ATimeLimitInBetweenKeepsTheStepsOfOneLink) {
+    const Recipe r = recipe("stages: [spherize.grid]\nlinks: {tip: {skip: true}}\nbudget: {spheres: 100}\n");
+    StopAfter observer("spherize.grid", 2); // 1 to 4, then 16
+    RunOptions o = options();
+    o.observer = &observer;
+    o.stop = &observer.stop;
+    o.time_limit = 1e9;
+    const RunResult result = run(r, registry, o);
+    EXPECT_EQ(result.cut, Cut::stop);
+    EXPECT_TRUE(result.certified);
+    EXPECT_GT(result.total.spheres, 4u);
+    EXPECT_LE(result.total.spheres, 16u);
+}
+
+TEST_F(Run, WhatWasCutIsNotKeptInTheCache) {
+    const Recipe r = recipe("stages: [spherize.cover]\nbudget: {spheres: 12}\n");
+    run(r, registry, options("whole"));
+    StopAfter observer("spherize.cover", 2);
+    RunOptions o = options();
+    o.fresh = false;
+    o.cache = folder.path() / "cache";
+    o.observer = &observer;
+    o.stop = &observer.stop;
+    EXPECT_EQ(run(r, registry, o).cut, Cut::stop);
+    o.stop = nullptr;
+    EXPECT_EQ(run(r, registry, o).cut, Cut::none);
+    EXPECT_EQ(read_file(folder.path() / "out/two.urdf"), read_file(folder.path() / "whole/two.urdf"));
+}
+
+/// A tool over a table that carries its arm: 4 cm apart at zero, flat on it at -0.04.
+constexpr const char* tool_over_table = R"(<?xml version="1.0"?>
+<robot name="table">
+  <link name="table"><collision><geometry><box size="0.4 0.4 0.1"/></geometry></collision></link>
+  <link name="arm"><collision><origin xyz="0 0 0.2"/><geometry><cylinder radius="0.01" length="0.1"/></geometry></collision></link>
+  <link name="tool"><collision><geometry><box size="0.1 0.1 0.1"/></geometry></collision></link>
+  <joint name="turn" type="continuous"><origin xyz="0.3 0 0.05"/><parent link="table"/><child link="arm"/></joint>
+  <joint name="slide" type="prismatic">
+    <origin xyz="-0.3 0 0.09"/><axis xyz="0 0 1"/><limit lower="-0.1" upper="0.1" effort="1" velocity="1"/>
+    <parent link="arm"/><child link="tool"/>
+  </joint>
+</robot>
+)";
+
+TEST_F(Run, SpheresOfLinksThatAreApartStayApart) {
+    write_file(folder.path() / "two.urdf", tool_over_table);
+    const auto made = [&](const std::string& rest) {
+        return run(recipe("stages: [spherize.grid]\nlinks: {table: {weight: 0.1}, tool: {weight: 0.01}}\n" + rest),
+                   registry, options());
+    };
+    const auto overlap = [&] {
+        const auto spheres = registry.make<Writer>("write.urdf")->read(read_file(folder.path() / "out/two.urdf"));
+        double deepest = 0;
+        for (const Sphere& a : spheres.at("table")) {
+            for (const Sphere& b : spheres.at("tool")) {
+                deepest = std::max(deepest, a.radius + b.radius - distance(a.center, b.center + Vec3{0, 0, 0.14}));
+            }
+        }
+        return deepest;
+    };
+    made("budget: {spheres: 60}\n");
+    EXPECT_GT(overlap(), 0);
+    const RunResult apart = made("budget: {spheres: 60}\nself_collision: true\n");
+    EXPECT_EQ(overlap(), 0);
+    EXPECT_TRUE(apart.certified);
+    EXPECT_LE(apart.total.spheres, 60u);
+    EXPECT_THAT(warnings_of(apart), ::testing::Not(::testing::Contains(HasSubstr("overlap"))));
+
+    const RunResult few = made("budget: {spheres: 4}\nself_collision: true\n");
+    EXPECT_GT(overlap(), 0);
+    EXPECT_THAT(warnings_of(few),
+                ::testing::Contains(::testing::MatchesRegex(
+                    "table: its spheres overlap those of tool by 0\\.[0-9]+ m in the pose of self_collision, where the "
+                    "geometry of the two is apart; remedy: more spheres for both, or max_protrusion")));
+    // Where the geometry touches, spheres that cover it must.
+    const RunResult touching = made("budget: {spheres: 4}\nself_collision: {pose: {slide: -0.04}}\n");
+    EXPECT_THAT(warnings_of(touching), ::testing::Not(::testing::Contains(HasSubstr("overlap"))));
+    EXPECT_EQ(failure("stages: [spherize.grid]\nself_collision: {pose: {knee: 1}}\n").substr(0, 21),
+              "self_collision.pose: ");
+    EXPECT_EQ(code, ErrorCode::recipe);
 }
 
 TEST_F(Run, NoInputThatExists) {

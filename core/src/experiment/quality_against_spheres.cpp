@@ -153,7 +153,7 @@ private:
     /// Spheres of all links, grown to cover, and measured; the measuring is not timed.
     static Case judged(const Workspace& workspace, std::vector<LinkWork> links) {
         const double begin = cpu_seconds();
-        std::vector<Group> groups = spherize_links(workspace, links);
+        std::vector<Group> groups = spherize_links(workspace, links).groups;
         std::vector<Group> lost;
         handle_errors(workspace, links, lost);
         std::vector<std::shared_ptr<const Solid>> solids(groups.size());

@@ -151,8 +151,32 @@ void check_budget(const Value& budget, Recipe& recipe, Findings& findings) {
     if (const auto it = values.find("excess"); it != values.end()) {
         recipe.budget_excess = std::get<double>(it->second);
     }
+    if (const auto it = values.find("time_limit"); it != values.end()) {
+        recipe.budget_time_limit = std::get<double>(it->second);
+    }
     if (const auto it = values.find("max_protrusion"); it != values.end()) {
         recipe.budget_max_protrusion = std::get<double>(it->second);
+    }
+}
+
+void check_self_collision(const Value& value, const Value& root, Recipe& recipe, Findings& findings) {
+    if (value.is(Value::Kind::boolean)) {
+        recipe.self_collision = value.flag;
+    } else if (value.is(Value::Kind::map)) {
+        recipe.self_collision = true;
+        refuse_unknown_keys(value, "self_collision", {"pose"}, findings);
+        if (const Value* pose = value.find("pose")) {
+            recipe.self_collision_pose = read_pose(*pose, findings);
+        }
+    } else {
+        findings.error(value.where, "wrong-type",
+                       fmt::format("'self_collision' expects true, false or a map, got {}; remedy: write "
+                                   "self_collision: true, or {{pose: {{joint: 0.5}}}}",
+                                   value.description()));
+    }
+    if (recipe.self_collision && root.find("mesh")) {
+        findings.error(root.find_key("self_collision")->where, "conflict",
+                       "'self_collision' is about the links of a robot: it says nothing of a mesh; remedy: delete it");
     }
 }
 
@@ -251,6 +275,9 @@ Recipe check_recipe(const Value& root, const std::filesystem::path& file, const 
     }
     if (const Value* budget = root.find("budget")) {
         check_budget(*budget, recipe, findings);
+    }
+    if (const Value* self_collision = root.find("self_collision")) {
+        check_self_collision(*self_collision, root, recipe, findings);
     }
     refuse_outer_keys(root, recipe, findings);
     if (const Value* debug = root.find("debug")) {

@@ -38,6 +38,8 @@ void check_stages(const Value* stages, const Value& root, Recipe& recipe, const 
 void check_loaders(const Value& loaders, Recipe& recipe, const Checking& checking);
 void check_links(const Value& links, Recipe& recipe, const Checking& checking);
 void check_outputs(const Value* outputs, const Value& root, Recipe& recipe, const Checking& checking);
+/// Values of joints by name: rad or m.
+JointValues read_pose(const Value& value, Findings& findings);
 void check_snapshots(const Value* snapshots, const Value& root, Recipe& recipe, const Checking& checking);
 
 /// Whether it is a map with the keys of a recipe; else a finding.

@@ -145,17 +145,6 @@ void read_size(const Value& value, Recipe& recipe, Findings& findings) {
     }
 }
 
-void read_pose(const Value& value, Recipe& recipe, Findings& findings) {
-    if (!expect_map(value, "pose", "pose: {joint: 0.5}", findings)) {
-        return;
-    }
-    for (std::size_t i = 0; i < value.keys.size(); ++i) {
-        if (const auto read = read_value(value.items[i], Parameter::number(value.keys[i].text, 0), "pose", findings)) {
-            recipe.pose[value.keys[i].text] = std::get<double>(*read);
-        }
-    }
-}
-
 void read_renderer(const Value& value, Recipe& recipe, const Checking& checking) {
     StageItem item = read_stage_item(value, "renderer", checking);
     read_stage_parameters(item, {}, checking);
@@ -168,6 +157,19 @@ void read_renderer(const Value& value, Recipe& recipe, const Checking& checking)
 }
 
 } // namespace
+
+JointValues read_pose(const Value& value, Findings& findings) {
+    JointValues pose;
+    if (expect_map(value, "pose", "pose: {joint: 0.5}", findings)) {
+        for (std::size_t i = 0; i < value.keys.size(); ++i) {
+            const Parameter joint = Parameter::number(value.keys[i].text, 0);
+            if (const auto read = read_value(value.items[i], joint, "pose", findings)) {
+                pose[value.keys[i].text] = std::get<double>(*read);
+            }
+        }
+    }
+    return pose;
+}
 
 void check_outputs(const Value* outputs, const Value& root, Recipe& recipe, const Checking& checking) {
     if (!outputs) {
@@ -189,7 +191,7 @@ void check_snapshots(const Value* snapshots, const Value& root, Recipe& recipe, 
             read_size(*size, recipe, checking.findings);
         }
         if (const Value* pose = snapshots->find("pose")) {
-            read_pose(*pose, recipe, checking.findings);
+            recipe.pose = read_pose(*pose, checking.findings);
         }
         if (const Value* renderer = snapshots->find("renderer")) {
             read_renderer(*renderer, recipe, checking);

@@ -33,6 +33,11 @@ std::vector<Parameter> budget_values() {
             .unit("m")
             .doc("Largest distance by which spheres may stand out of the geometry, as far as the number of spheres "
                  "allows."),
+        Parameter::number("time_limit", 10)
+            .at_least(0.001)
+            .unit("s")
+            .doc("Time since the start after which no better spheres are looked for: the best so far are written, and "
+                 "the run may not give the same again. Absent: no limit."),
     };
 }
 
@@ -80,8 +85,8 @@ bool is_optional(const std::string& key) {
 }
 
 std::vector<std::string> top_level_structures() {
-    return {"foam",   "extends", "set",   "robot",   "mesh",      "package_path", "plugins", "loaders",
-            "stages", "budget",  "links", "outputs", "snapshots", "debug",        "sweep",   "variants"};
+    return {"foam",   "extends",        "set",   "robot",   "mesh",      "package_path", "plugins", "loaders", "stages",
+            "budget", "self_collision", "links", "outputs", "snapshots", "debug",        "sweep",   "variants"};
 }
 
 } // namespace foam::reading

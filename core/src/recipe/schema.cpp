@@ -220,6 +220,16 @@ Json top_level(const Registry& registry) {
                    {"minContains", 1},
                    {"maxContains", 1}};
     p["budget"] = object(properties_of(budget_values()));
+    p["self_collision"] = {
+        {"description", "Keep the spheres of links that are not neighbours apart in a reference pose, where their "
+                        "geometry is: such links get more spheres; true: all joints at zero."},
+        {"anyOf", Json::array({{{"type", "boolean"}},
+                               object({{"pose",
+                                        {{"description", "Joint values of that pose, rad or m; joints not named are at "
+                                                         "zero, or at the limit nearest to it."},
+                                         {"type", "object"},
+                                         {"additionalProperties", {{"type", "number"}}}}}})})},
+        {"default", false}};
     p["links"] = {
         {"description", "What is different for the links that a name or glob (* ? [a-z]) matches; later ones win."},
         {"type", "object"},

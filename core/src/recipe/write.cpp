@@ -73,6 +73,7 @@ public:
         line("per: {}", recipe_.per_link ? "link" : "collision");
         write_budget();
         line("guarantee: {}", to_string(recipe_.guarantee));
+        write_self_collision();
         write_links();
         write_outputs();
         write_snapshots();
@@ -169,8 +170,25 @@ private:
         if (recipe_.budget_max_protrusion) {
             parts.push_back("max_protrusion: " + to_text(*recipe_.budget_max_protrusion));
         }
+        if (recipe_.budget_time_limit) {
+            parts.push_back("time_limit: " + to_text(*recipe_.budget_time_limit));
+        }
         if (!parts.empty()) {
             line("budget: {{{}}}", fmt::join(parts, ", "));
+        }
+    }
+
+    static std::string pose_text(const JointValues& values) {
+        std::vector<std::string> joints;
+        for (const auto& [joint, value] : values) {
+            joints.push_back(fmt::format("{}: {}", yaml_text(joint), to_text(value)));
+        }
+        return fmt::format("{{{}}}", fmt::join(joints, ", "));
+    }
+
+    void write_self_collision() {
+        if (recipe_.self_collision) {
+            line("self_collision: {{pose: {}}}", pose_text(recipe_.self_collision_pose));
         }
     }
 
@@ -214,15 +232,11 @@ private:
             line("snapshots: false");
             return;
         }
-        std::vector<std::string> pose;
-        for (const auto& [joint, value] : recipe_.pose) {
-            pose.push_back(fmt::format("{}: {}", yaml_text(joint), to_text(value)));
-        }
         StageCall renderer = recipe_.renderer;
         renderer.stage = renderer.stage.empty() ? reading::default_renderer : renderer.stage;
         line("snapshots:");
         line("  size: [{}, {}]", recipe_.snapshot_size[0], recipe_.snapshot_size[1]);
-        line("  pose: {{{}}}", fmt::join(pose, ", "));
+        line("  pose: {}", pose_text(recipe_.pose));
         line("  renderer: {{{}}}", stage(renderer, "", true));
     }
 

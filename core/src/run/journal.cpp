@@ -169,8 +169,9 @@ std::string Journal::events_jsonl() const {
 }
 
 StageContext::StageContext(Journal& journal, std::string link, std::string stage, std::uint64_t seed,
-                           const std::atomic<bool>* cancel)
-    : journal_(journal), link_(std::move(link)), stage_(std::move(stage)), seed_(seed), cancel_(cancel) {}
+                           std::function<bool()> cancelled)
+    : journal_(journal), link_(std::move(link)), stage_(std::move(stage)), seed_(seed),
+      cancelled_(std::move(cancelled)) {}
 
 void StageContext::progress(double fraction) {
     journal_.progress(link_, stage_, fraction);

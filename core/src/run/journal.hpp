@@ -4,6 +4,7 @@
 #include <foam/host/run.hpp>
 
 #include <chrono>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <string>
@@ -56,9 +57,9 @@ private:
 class StageContext final : public Context {
 public:
     StageContext(Journal& journal, std::string link, std::string stage, std::uint64_t seed,
-                 const std::atomic<bool>* cancel);
+                 std::function<bool()> cancelled);
     std::uint64_t seed() const override { return seed_; }
-    bool cancelled() const override { return cancel_ && cancel_->load(std::memory_order_relaxed); }
+    bool cancelled() const override { return cancelled_(); }
     void progress(double fraction) override;
     void log(Severity severity, std::string_view message) override;
     void metric(std::string_view name, double value, std::string_view unit) override;
@@ -68,7 +69,7 @@ private:
     Journal& journal_;
     std::string link_, stage_;
     std::uint64_t seed_;
-    const std::atomic<bool>* cancel_;
+    std::function<bool()> cancelled_;
     mutable std::mutex mutex_;
     std::vector<Finding> findings_;
     std::map<std::string, StageReport::Metric> metrics_;

@@ -109,6 +109,7 @@ Lock::Lock(const fs::path& manifest) : state_(std::make_unique<State>()) {
     std::error_code error;
     state_->manifest = fs::is_directory(manifest, error) ? manifest / "manifest.json" : manifest;
     state_->record = read_record(state_->manifest);
+    require_whole(state_->record);
 }
 
 Lock::~Lock() = default;

@@ -207,24 +207,27 @@ Json execution_of(const Workspace& workspace, const RunFiles& files, const RunRe
 
 std::string manifest_json(const Workspace& workspace, const RunFiles& files, const RunResult& result) {
     const StageReport& loading = files.input.report;
-    const Json manifest{{"foam_manifest", 1},
-                        {"foam_version", version()},
-                        {"libraries", library_versions()},
-                        {"plugins", plugins_used(workspace, files, result)},
-                        {"settings", settings_of(workspace.recipe, workspace.registry)},
-                        {"input",
-                         {{"file", loading.input},
-                          {"digest", files.input.digest},
-                          {"bytes", files.input.bytes},
-                          {"stage", loading.stage},
-                          {"output", loading.output}}},
-                        {"mesh_files", to_json(files.meshes)},
-                        {"links", to_json(result.links)},
-                        {"certified", result.certified},
-                        {"total", to_json(result.total)},
-                        {"outputs", to_json(files.outputs)},
-                        {"debug_meshes", to_json(files.debug_meshes)},
-                        {"execution", execution_of(workspace, files, result)}};
+    Json manifest{{"foam_manifest", 1},
+                  {"foam_version", version()},
+                  {"libraries", library_versions()},
+                  {"plugins", plugins_used(workspace, files, result)},
+                  {"settings", settings_of(workspace.recipe, workspace.registry)},
+                  {"input",
+                   {{"file", loading.input},
+                    {"digest", files.input.digest},
+                    {"bytes", files.input.bytes},
+                    {"stage", loading.stage},
+                    {"output", loading.output}}},
+                  {"mesh_files", to_json(files.meshes)},
+                  {"links", to_json(result.links)},
+                  {"certified", result.certified},
+                  {"total", to_json(result.total)},
+                  {"outputs", to_json(files.outputs)},
+                  {"debug_meshes", to_json(files.debug_meshes)},
+                  {"execution", execution_of(workspace, files, result)}};
+    if (result.cut != Cut::none) {
+        manifest["cut"] = to_string(result.cut);
+    }
     return manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -123,6 +123,9 @@ Record parse_record(const std::string& bytes, const std::string& source) {
     Record record;
     record.source = source;
     section(manifest, "foam_version", source, [&](const Json& v) { record.foam_version = v.get<std::string>(); });
+    if (manifest.contains("cut")) {
+        section(manifest, "cut", source, [&](const Json& cut) { record.cut = cut.get<std::string>(); });
+    }
     section(manifest, "libraries", source, [&](const Json& v) { v.get_to(record.libraries); });
     section(manifest, "plugins", source, [&](const Json& list) {
         for (const Json& plugin : list) {
@@ -171,6 +174,15 @@ Record read_record(const std::filesystem::path& manifest) {
             throw;
         }
         throw Error(ErrorCode::usage, failure.what()); // it cannot be read
+    }
+}
+
+void require_whole(const Record& record) {
+    if (!record.cut.empty()) {
+        throw Error(ErrorCode::usage,
+                    fmt::format("{}: the search of this run was cut short ({}), so it cannot be expected to come out "
+                                "the same again; remedy: run its recipe without a limit",
+                                record.source, record.cut));
     }
 }
 

@@ -40,6 +40,7 @@ struct InputPlace {
 struct Record {
     std::string source; ///< the manifest's path, for messages
     std::string foam_version;
+    std::string cut; ///< what ended the search for better spheres before its time; empty: nothing
     std::map<std::string, std::string> libraries;
     std::vector<PluginVersion> plugins;
     nlohmann::ordered_json settings;
@@ -54,6 +55,9 @@ struct Record {
 Record parse_record(const std::string& text, const std::string& source);
 /// Throws Error(usage) if there is no manifest.
 Record read_record(const std::filesystem::path& manifest);
+
+/// Throws Error(usage) for the record of a run that was cut short: it cannot be expected to come out the same again.
+void require_whole(const Record& record);
 
 /// What differs between two lists of checkpoints, in the order of `expected`; what `found` has besides at the end.
 std::vector<Difference> compare(const std::vector<Checkpoint>& expected, const std::vector<Checkpoint>& found);

@@ -5,6 +5,7 @@
 #include "input.hpp"
 #include "manifest.hpp"
 #include "report.hpp"
+#include "separation.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -54,6 +55,18 @@ void fill_result(RunResult& result, const Journal& journal, const std::vector<Li
 
 } // namespace
 
+const char* to_string(Cut cut) {
+    switch (cut) {
+    case Cut::none:
+        return "";
+    case Cut::time_limit:
+        return "time limit";
+    case Cut::stop:
+        return "stop";
+    }
+    return "";
+}
+
 RunResult run(const Recipe& recipe, const Registry& registry, const RunOptions& options) {
     std::optional<tbb::global_control> threads;
     if (options.threads > 0) {
@@ -67,28 +80,37 @@ RunResult run(const Recipe& recipe, const Registry& registry, const RunOptions& 
     Journal journal(options.observer);
     const Cache cache(cache_folder(options));
     const std::uintmax_t limit = options.fresh ? 0 : cache_limit();
-    const Workspace workspace{recipe, registry, options, journal, cache};
+    const Workspace preparing{recipe, registry, options, journal, cache};
 
     RunResult result;
     journal.expect(1);
-    const Input input = load_input(workspace);
+    const Input input = load_input(preparing);
     result.input = input.chosen;
     result.input_file = input.file;
     journal.emit(Event::Kind::run_started, input.file.string());
 
     RunFiles files{.input = input, .meshes = {}, .outputs = {}, .debug_meshes = {}};
-    std::vector<LinkWork> links = prepare_links(workspace, *input.robot, files.meshes);
+    std::vector<LinkWork> links = prepare_links(preparing, *input.robot, files.meshes);
     if (links.empty()) {
         throw Error(ErrorCode::input,
                     fmt::format("{}: no link has collision geometry: there is nothing to turn into spheres",
                                 input.file.string()));
     }
-    std::vector<Group> groups = spherize_links(workspace, links);
-    result.links_lost = handle_errors(workspace, links, groups);
-    FinishedModel finished = finish_links(workspace, input.robot, links, std::move(groups));
+    std::optional<ReferencePose> pose;
+    if (recipe.self_collision) {
+        pose.emplace(input.robot, recipe.self_collision_pose, links);
+    }
+    SpherizedLinks spherized = spherize_links(preparing, links, pose ? &*pose : nullptr);
+    result.cut = spherized.cut;
+    const Workspace workspace = preparing.in(Phase::finishing);
+    result.links_lost = handle_errors(workspace, links, spherized.groups);
+    FinishedModel finished = finish_links(workspace, input.robot, links, std::move(spherized.groups));
     if (finished.links.empty()) {
         throw Error(ErrorCode::input,
                     fmt::format("{}: every link was skipped: there is nothing to write", input.file.string()));
+    }
+    if (pose) {
+        report_overlaps(workspace, finished, links, *pose);
     }
 
     Snapshots pictures;

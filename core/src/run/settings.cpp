@@ -78,6 +78,9 @@ Json settings_of(const Recipe& recipe, const Registry& registry) {
         json["budget"]["max_protrusion"] = *recipe.budget_max_protrusion;
     }
     json["guarantee"] = to_string(recipe.guarantee);
+    if (recipe.self_collision) {
+        json["self_collision"] = {{"pose", recipe.self_collision_pose}};
+    }
     json["links"] = Json::array();
     for (const LinkOverride& link : recipe.links) {
         json["links"].push_back(to_json(link, registry));

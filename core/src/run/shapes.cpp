@@ -12,6 +12,16 @@
 
 namespace foam {
 
+void KnownTrees::add(KnownTrees other) {
+    for (const auto& [count, cost] : other.curve.known()) {
+        if (!curve.knows(count)) {
+            curve.set(count, cost);
+        }
+    }
+    trees.merge(std::move(other.trees));
+    asked.merge(std::move(other.asked));
+}
+
 static Solid::Part part_of(const Element& element, const Pose& pose, bool processed) {
     Solid::Part part;
     if (const Primitive* primitive = element.primitive()) {
@@ -222,7 +232,7 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
     std::map<std::size_t, Cached<SphereTree>> known; // by the count asked for
     const auto sphere = as_sphere(work.shape->original());
     for (const std::size_t count : counts) {
-        if (work.asked.contains(count)) {
+        if (work.known.asked.contains(count)) {
             continue;
         }
         if (sphere) {
@@ -249,9 +259,12 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
         StageLog said;
         std::vector<SphereTree> trees = run_spherizer(workspace, work, budgets, said);
         said.call = call_name(keys);
-        work.calls.insert(said.call); // its findings are in the journal
+        work.calls.insert(said.call);          // its findings are in the journal
+        const bool whole = !workspace.ended(); // else the stage may have given what it had when it was asked to stop
         for (std::size_t i = 0; i < trees.size(); ++i) {
-            workspace.cache.put(keys[i], trees[i], said);
+            if (whole) {
+                workspace.cache.put(keys[i], trees[i], said);
+            }
             known[missing[i]] = {std::move(trees[i]), said};
         }
     }
@@ -260,8 +273,8 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
     for (auto& [count, entry] : known) {
         take_better_row(workspace, work, count, entry.result);
         const std::size_t got = entry.result.finest().size();
-        work.asked[count] = got;
-        work.trees.try_emplace(got, std::move(entry.result));
+        work.known.asked[count] = got;
+        work.known.trees.try_emplace(got, std::move(entry.result));
     }
 }
 

@@ -13,6 +13,16 @@
 
 namespace foam {
 
+/// What a spherizer made of a shape.
+struct KnownTrees {
+    std::map<std::size_t, SphereTree> trees;  ///< by the number of spheres they have
+    std::map<std::size_t, std::size_t> asked; ///< count asked for → count got
+    CostCurve curve;
+
+    /// What `other` knows beyond this.
+    void add(KnownTrees other);
+};
+
 /// A distinct shape and what is known of it.
 struct ShapeWork {
     std::unique_ptr<Shape> shape;
@@ -20,11 +30,9 @@ struct ShapeWork {
     Digest digest;
     std::string link, input; ///< of the first group, for messages
     std::vector<std::size_t> groups;
-    std::size_t least = 1, most = 1;          ///< bounds of the count
-    std::optional<double> max_protrusion;     ///< m
-    std::map<std::size_t, SphereTree> trees;  ///< by the number of spheres they have
-    std::map<std::size_t, std::size_t> asked; ///< count asked for → count got
-    CostCurve curve;
+    std::size_t least = 1, most = 1;      ///< bounds of the count
+    std::optional<double> max_protrusion; ///< m
+    KnownTrees known;
     StageReport report;
     std::set<std::string> calls; ///< of the spherizer whose findings and metrics the run has
     std::optional<Error> error;

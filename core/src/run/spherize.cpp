@@ -22,7 +22,7 @@ void require_inside(const Workspace& workspace, ShapeWork& work, std::size_t cou
         return;
     }
     try {
-        require_room(work.shape->original(), work.trees.at(count));
+        require_room(work.shape->original(), work.known.trees.at(count));
     } catch (...) {
         work.error.emplace(described(std::current_exception(), work.spherizer.stage, work.link, work.input));
     }
@@ -30,7 +30,7 @@ void require_inside(const Workspace& workspace, ShapeWork& work, std::size_t cou
 
 } // namespace
 
-std::vector<Group> spherize_links(const Workspace& workspace, std::vector<LinkWork>& links) {
+SpherizedLinks spherize_links(const Workspace& workspace, std::vector<LinkWork>& links, ReferencePose* pose) {
     std::vector<Group> groups = make_groups(workspace, links);
     std::vector<ShapeWork> shapes = distinct_shapes(workspace, links, groups);
     for_each_shape(shapes, [&](std::size_t s) {
@@ -40,7 +40,8 @@ std::vector<Group> spherize_links(const Workspace& workspace, std::vector<LinkWo
             throw described(std::current_exception(), "geometry", shapes[s].link, shapes[s].input);
         }
     });
-    const std::vector<std::size_t> counts = choose_counts(workspace, links, shapes, groups);
+    const ChosenCounts chosen = choose_counts(workspace, links, shapes, groups, pose);
+    const std::vector<std::size_t>& counts = chosen.of_group;
     std::vector<Group> done;
     for (std::size_t g = 0; g < groups.size(); ++g) {
         ShapeWork& work = shapes[groups[g].shape];
@@ -54,12 +55,12 @@ std::vector<Group> spherize_links(const Workspace& workspace, std::vector<LinkWo
             }
             continue;
         }
-        groups[g].tree = moved(work.trees.at(counts[g]), groups[g].frame);
+        groups[g].tree = moved(work.known.trees.at(counts[g]), groups[g].frame);
         link.report.stages.back().output = digest_of_content(groups[g].tree);
         done.push_back(std::move(groups[g]));
     }
     std::erase_if(done, [&](const Group& group) { return links[group.link].error.has_value(); });
-    return done;
+    return {std::move(done), chosen.cut};
 }
 
 } // namespace foam

@@ -11,6 +11,8 @@
 
 namespace foam {
 
+class ReferencePose;
+
 /// What is spherized as one: a link, or one collision element of it.
 struct Group {
     std::size_t link = 0;              ///< index into the links
@@ -23,8 +25,14 @@ struct Group {
     SphereTree tree;       ///< link frame; as the spherizer made it, moved
 };
 
+struct SpherizedLinks {
+    std::vector<Group> groups;
+    Cut cut = Cut::none; ///< of the search for better spheres
+};
+
 /// Spherizes all links without an error, within the recipe's budget. Errors go to the links. Throws for a budget that
-/// cannot be kept (fewer spheres than groups) and for cancellation.
-std::vector<Group> spherize_links(const Workspace& workspace, std::vector<LinkWork>& links);
+/// cannot be kept (fewer spheres than groups), for cancellation, and for a stop before there is a model.
+/// `pose`: where spheres of links are to stay apart; null: nowhere.
+SpherizedLinks spherize_links(const Workspace& workspace, std::vector<LinkWork>& links, ReferencePose* pose = nullptr);
 
 } // namespace foam

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace foam {
 namespace fs = std::filesystem;
@@ -82,6 +83,7 @@ std::optional<Record> run_again(const Recipe& recipe, const Registry& registry, 
     again.fresh = true;
     again.threads = options.threads;
     again.cancel = options.cancel;
+    again.time_limit = std::numeric_limits<double>::infinity();
     again.observer = options.observer;
     again.program = options.program;
     try {
@@ -141,6 +143,7 @@ Verification verify(const fs::path& directory, Registry& registry, const RunOpti
                                 fs::exists(directory, error) ? "this is not a folder" : "there is no such folder"));
     }
     const Record expected = read_record(directory / "manifest.json");
+    require_whole(expected);
     const Recipe recipe = resolved_recipe(directory, expected, registry);
 
     Verification result;

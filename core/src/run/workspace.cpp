@@ -7,6 +7,35 @@
 
 namespace foam {
 
+static bool is_set(const std::atomic<bool>* flag) {
+    return flag && flag->load(std::memory_order_relaxed);
+}
+
+Cut Workspace::cut() const {
+    if (phase == Phase::finishing) {
+        return Cut::none;
+    }
+    if (is_set(options.stop)) {
+        return Cut::stop;
+    }
+    const std::optional<double> limit = time_limit();
+    return phase == Phase::searching && limit && journal.seconds() >= *limit ? Cut::time_limit : Cut::none;
+}
+
+std::optional<double> Workspace::time_limit() const {
+    return options.time_limit ? options.time_limit : recipe.budget_time_limit;
+}
+
+bool Workspace::ended() const {
+    return is_set(options.cancel) || cut() != Cut::none;
+}
+
+void Workspace::check_cancelled() const {
+    if (ended()) {
+        throw Error(ErrorCode::cancelled, "cancelled; nothing was written");
+    }
+}
+
 std::filesystem::path cache_folder(const RunOptions& options) {
     if (options.fresh) {
         return {};

@@ -17,6 +17,13 @@
 
 namespace foam {
 
+/// How far a run is, which says what a request to stop means.
+enum class Phase {
+    preparing, ///< there is nothing to write yet: a stop cancels the run, a time limit waits
+    searching, ///< a stop or the time limit ends the search for better spheres, what is known stays
+    finishing, ///< what was found is written
+};
+
 /// Belongs to one run.
 struct Workspace {
     const Recipe& recipe;
@@ -24,13 +31,18 @@ struct Workspace {
     const RunOptions& options;
     Journal& journal;
     const Cache& cache;
+    Phase phase = Phase::preparing;
 
-    /// Throws Error(cancelled) once the user has asked to stop.
-    void check_cancelled() const {
-        if (options.cancel && options.cancel->load(std::memory_order_relaxed)) {
-            throw Error(ErrorCode::cancelled, "cancelled; nothing was written");
-        }
-    }
+    /// The same in another phase of the run.
+    Workspace in(Phase other) const { return {recipe, registry, options, journal, cache, other}; }
+    /// What ends the work of this phase before its time, but for a cancellation.
+    Cut cut() const;
+    /// s since the start of the run; nothing: none.
+    std::optional<double> time_limit() const;
+    /// Whether stages are to give up.
+    bool ended() const;
+    /// Throws Error(cancelled) if ended().
+    void check_cancelled() const;
 };
 
 /// "stage 'spherize.medial', link 'hand', input 'hand.stl'"; what is empty is left out.
@@ -50,7 +62,7 @@ auto run_stage(const Workspace& workspace, const std::string& stage, const std::
     workspace.check_cancelled();
     workspace.journal.started(link, stage);
     StageContext context(workspace.journal, link, stage, derive_seed(workspace.recipe.seed, stage + content),
-                         workspace.options.cancel);
+                         [&workspace] { return workspace.ended(); });
     const ActivityScope activity(place_of(stage, link, input), CrashRemedy::isolate_stage);
     const double begin = workspace.journal.seconds();
     const auto close = [&] {

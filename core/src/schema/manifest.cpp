@@ -123,6 +123,13 @@ std::string manifest_schema() {
       "type": "boolean",
       "description": "The guarantee is proved for all links on what was read back from every written file; which: settings.guarantee. outer: the geometry is inside the spheres; inner: the spheres are inside the geometry; fitted: false."
     },
+    "cut": {
+      "enum": [
+        "time limit",
+        "stop"
+      ],
+      "description": "What ended the search for better spheres before its time; the run may then give others when it is repeated. Absent: nothing did."
+    },
     "total": {
       "$ref": "#/$defs/measures"
     },

@@ -112,4 +112,18 @@ SplitChain split(const Chain& chain, std::size_t cut) {
     return {reversed(head), tail};
 }
 
+bool adjacent(const Kinematics& kinematics, const std::vector<bool>& has_geometry, std::size_t first,
+              std::size_t second) {
+    const Way way = way_between(kinematics, first, second);
+    std::vector<std::size_t> links = way.up;
+    links.insert(links.end(), way.down.begin(), way.down.end());
+    const auto movable = std::count_if(links.begin(), links.end(), [&](std::size_t link) {
+        return kinematics.robot().joints[*kinematics.joint_above()[link]].kind != Joint::Kind::fixed;
+    });
+    links.push_back(way.meeting);
+    return movable <= 1 && std::all_of(links.begin(), links.end(), [&](std::size_t link) {
+               return link == first || link == second || !has_geometry[link];
+           });
+}
+
 } // namespace foam::self_collision

@@ -17,6 +17,10 @@ struct Way {
 };
 Way way_between(const Kinematics& kinematics, std::size_t from, std::size_t to);
 
+/// Joined by at most one joint that moves, with no link in between that has geometry (one flag a link of the robot).
+bool adjacent(const Kinematics& kinematics, const std::vector<bool>& has_geometry, std::size_t first,
+              std::size_t second);
+
 /// A joint on the way, walked in either direction.
 struct Step {
     Pose before; ///< from the end of the step before it to the joint's frame

@@ -50,23 +50,15 @@ std::vector<LinkPair> pairs_of(const Groups& groups) {
     return pairs;
 }
 
-/// Joined by at most one joint that moves, with nothing in between that could be touched.
-bool adjacent(const Kinematics& kinematics, const Groups& groups, const LinkPair& pair) {
-    const Way way = way_between(kinematics, pair.first, pair.second);
-    std::vector<std::size_t> links = way.up;
-    links.insert(links.end(), way.down.begin(), way.down.end());
-    const auto movable = std::count_if(links.begin(), links.end(), [&](std::size_t link) {
-        return kinematics.robot().joints[*kinematics.joint_above()[link]].kind != Joint::Kind::fixed;
-    });
-    links.push_back(way.meeting);
-    return movable <= 1 && std::all_of(links.begin(), links.end(), [&](std::size_t link) {
-               return link == pair.first || link == pair.second || !groups[link];
-           });
+std::vector<bool> have_geometry(const Groups& groups) {
+    std::vector<bool> have(groups.size());
+    std::transform(groups.begin(), groups.end(), have.begin(), [](const auto& group) { return group.has_value(); });
+    return have;
 }
 
 void judge_by_proof(LinkPair& pair, const Kinematics& kinematics, const Groups& groups,
                     const SelfCollisionOptions& options) {
-    if (adjacent(kinematics, groups, pair)) {
+    if (adjacent(kinematics, have_geometry(groups), pair.first, pair.second)) {
         pair.reason = PairReason::adjacent;
         return;
     }

@@ -101,6 +101,8 @@ struct Recipe {
     std::optional<double> budget_max_protrusion; ///< m; of each link that does not say otherwise
     std::optional<double> budget_time_limit;     ///< s; the search for better spheres ends then
     Guarantee guarantee = Guarantee::outer;
+    bool self_collision = false;     ///< keep the spheres of links apart whose geometry is, in this pose
+    JointValues self_collision_pose; ///< rad or m; of joints that are not named: zero, or the limit nearest to it
     std::vector<LinkOverride> links;
     std::vector<OutputCall> outputs;
     bool snapshots = false;

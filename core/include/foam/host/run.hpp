@@ -84,6 +84,8 @@ struct LinkReport {
 
 /// What ended the search for better spheres before its time.
 enum class Cut { none, time_limit, stop };
+/// As manifests write it: "time limit", "stop"; empty for none.
+const char* to_string(Cut cut);
 
 struct RunResult {
     SphereModel model;

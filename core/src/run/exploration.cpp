@@ -1,0 +1,305 @@
+#include "exploration.hpp"
+
+#include "cover.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace foam {
+
+/// The groups of which the shape has no error.
+std::vector<std::size_t> takers(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups) {
+    std::vector<std::size_t> takers;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        if (!shapes[groups[g].shape].error) {
+            takers.push_back(g);
+        }
+    }
+    return takers;
+}
+
+std::size_t most_of(const Recipe& recipe, const ShapeWork& work) {
+    constexpr std::size_t most_unasked = 256;
+    return work.most == SIZE_MAX && !recipe.budget_spheres ? std::max(work.least, most_unasked) : work.most;
+}
+
+std::vector<std::size_t> first_counts(const Recipe& recipe, const ShapeWork& shape, std::size_t groups) {
+    if (!recipe.budget_spheres && !recipe.budget_excess) {
+        return {shape.max_protrusion ? shape.least : shape.most == SIZE_MAX ? 0 : shape.most};
+    }
+    std::vector<std::size_t> counts = next_rungs(0, shape.least, most_of(recipe, shape));
+    if (groups == 1 && recipe.budget_spheres) { // nothing to share: all of them, or fewer where more claim more
+        std::erase_if(counts, [&](std::size_t count) { return count > *recipe.budget_spheres; });
+        if (const std::size_t all = std::min(*recipe.budget_spheres, shape.most);
+            !recipe.budget_excess && (counts.empty() || counts.back() < all)) {
+            counts.push_back(all);
+        }
+    }
+    return counts;
+}
+
+CostCurve within(const CostCurve& curve, const Bounds& bounds) {
+    CostCurve result;
+    for (const auto& [count, cost] : curve.known()) {
+        if (count >= bounds.least && count <= bounds.most) {
+            result.set(count, cost);
+        }
+    }
+    return result;
+}
+
+Shared share(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups, const Goal& goal,
+             const std::vector<Bounds>& bounds) {
+    std::vector<CostCurve> curves;
+    for (const std::size_t g : takers(shapes, groups)) {
+        curves.push_back(
+            within(shapes[groups[g].shape].known.curve, bounds.empty() ? Bounds{} : bounds[curves.size()]));
+    }
+    std::vector<Claimant> claimants;
+    for (const std::size_t g : takers(shapes, groups)) {
+        claimants.push_back({&curves[claimants.size()], groups[g].weight});
+    }
+    const Sharing sharing(claimants, goal.most);
+    if (goal.enough) {
+        if (std::vector<std::size_t> counts = sharing.fewest(*goal.enough); !counts.empty()) {
+            return {std::move(counts), true};
+        }
+    }
+    return {sharing.best(), false};
+}
+
+void compute_until_cut(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts) {
+    try {
+        compute_trees(workspace, work, counts);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::cancelled || workspace.cut() == Cut::none) {
+            throw;
+        }
+    }
+    if (work.known.trees.empty() && workspace.cut() != Cut::none) {
+        const Workspace unlimited = workspace.in(Phase::preparing);
+        unlimited.check_cancelled();
+        workspace.journal.expect(1);
+        compute_trees(unlimited, work, {work.least});
+    }
+}
+
+/// What a tree of a shape costs once the guarantee is kept.
+static Cost cost_of(const Workspace& workspace, const ShapeWork& work, const SphereTree& tree) {
+    const Solid& solid = work.shape->original();
+    const Guarantee guarantee = workspace.recipe.guarantee;
+    Cost cost;
+    cost.volume = wrong_volume(solid, tree.finest(), guarantee);
+    if (work.max_protrusion) {
+        cost.over = std::max(0.0, covered_protrusion(solid, tree.finest(), guarantee) - *work.max_protrusion);
+    }
+    return cost;
+}
+
+Cut explore(const Workspace& workspace, std::vector<ShapeWork>& shapes,
+            const std::vector<std::vector<std::size_t>>& counts) {
+    for (std::size_t s = 0; s < shapes.size(); ++s) {
+        workspace.journal.expect(counts[s].empty() ? 0 : 1);
+    }
+    for_each_shape(shapes, [&](std::size_t s) { compute_until_cut(workspace, shapes[s], counts[s]); });
+    const Cut cut = workspace.cut();
+    struct Point {
+        std::size_t shape, count;
+        Cost cost;
+    };
+    std::vector<Point> points;
+    for (std::size_t s = 0; s < shapes.size(); ++s) {
+        for (const auto& [count, tree] : shapes[s].known.trees) {
+            if (!shapes[s].error && !shapes[s].known.curve.knows(count)) {
+                points.push_back({s, count, {}});
+            }
+        }
+    }
+    const Workspace measuring = workspace.in(Phase::finishing); // takes a moment, and is of no use undone
+    parallel_for(points.size(), [&](std::size_t i) {
+        measuring.check_cancelled();
+        const ShapeWork& work = shapes[points[i].shape];
+        points[i].cost = cost_of(workspace, work, work.known.trees.at(points[i].count));
+    });
+    for (const Point& point : points) {
+        shapes[point.shape].known.curve.set(point.count, point.cost);
+    }
+    return cut;
+}
+
+namespace {
+
+/// What a sphere more than were explored may save, m³: costs were seen to fall as count^-0.4 on links of robots.
+double expected_gain(const Recipe& recipe, const ShapeWork& work) {
+    return work.known.asked.rbegin()->first < most_of(recipe, work)
+               ? 0.4 * work.known.curve.least().volume / static_cast<double>(work.known.asked.rbegin()->first)
+               : 0;
+}
+
+class Exploration {
+public:
+    Exploration(const Workspace& workspace, std::vector<ShapeWork>& shapes, const std::vector<Group>& groups,
+                const Goal& goal)
+        : workspace_(workspace), shapes_(shapes), groups_(groups), goal_(goal), weights_(shapes.size(), 0) {
+        for (const Group& group : groups) {
+            weights_[group.shape] = std::max(weights_[group.shape], group.weight);
+            least_ += shapes[group.shape].least;
+        }
+    }
+
+    /// Explores the curves, those first that do not keep their limit yet, then always where a sphere more may save
+    /// most, until at the price of what it may save there the shapes would take as many as there are, or as are enough.
+    /// The order does not depend on the goal, only its end does: more spheres to share mean that the same is known and
+    /// perhaps more, and the best sharing is never worse.
+    Cut run() {
+        std::vector<std::vector<std::size_t>> wanted(shapes_.size());
+        for (std::size_t s = 0; s < shapes_.size(); ++s) {
+            wanted[s] = first_counts(workspace_.recipe, shapes_[s], groups_.size());
+        }
+        Cut cut = Cut::none;
+        do {
+            cut = explore(workspace_, shapes_, wanted);
+            wanted = rungs_over_limit();
+            if (wanted.empty()) {
+                wanted = rungs_that_save();
+            }
+        } while (!wanted.empty() && cut == Cut::none);
+        return cut;
+    }
+
+private:
+    double gain(std::size_t s) const { return weights_[s] * expected_gain(workspace_.recipe, shapes_[s]); }
+
+    std::vector<std::size_t> rungs(std::size_t s) const {
+        return next_rungs(shapes_[s].known.asked.rbegin()->first, shapes_[s].least,
+                          most_of(workspace_.recipe, shapes_[s]));
+    }
+
+    /// Of the shapes of which no count is known that keeps the limit. Empty: none of them could have more spheres.
+    std::vector<std::vector<std::size_t>> rungs_over_limit() const {
+        std::vector<std::vector<std::size_t>> wanted(shapes_.size());
+        bool any = false;
+        for (std::size_t s = 0; s < shapes_.size(); ++s) {
+            const ShapeWork& work = shapes_[s];
+            // With the least number for each of the others.
+            if (!work.error && work.known.curve.least().over > 0 &&
+                least_ - work.least + work.known.asked.rbegin()->first < goal_.most) {
+                wanted[s] = rungs(s);
+                any = any || !wanted[s].empty();
+            }
+        }
+        return any ? wanted : std::vector<std::vector<std::size_t>>{};
+    }
+
+    /// Of the shapes of which a sphere may save most, or nearly as much, to use all cores. Empty: that is enough.
+    std::vector<std::vector<std::size_t>> rungs_that_save() const {
+        const std::vector<std::size_t> takers = foam::takers(shapes_, groups_);
+        double price = 0;
+        std::size_t explored = 0; // of the shape that may save most
+        for (const std::size_t g : takers) {
+            if (const double saved = gain(groups_[g].shape); saved > price) {
+                price = saved;
+                explored = shapes_[groups_[g].shape].known.asked.rbegin()->first;
+            }
+        }
+        std::size_t demand = 0;
+        for (const std::size_t g : takers) {
+            demand += shapes_[groups_[g].shape].known.curve.demand(price, groups_[g].weight);
+        }
+        const std::size_t total = total_wanted();
+        if (price == 0 || demand >= total || explored >= total) {
+            return {};
+        }
+        constexpr double nearly = 0.5;
+        std::vector<std::vector<std::size_t>> wanted(shapes_.size());
+        for (std::size_t s = 0; s < shapes_.size(); ++s) {
+            if (!shapes_[s].error && gain(s) >= nearly * price) {
+                wanted[s] = rungs(s);
+            }
+        }
+        return wanted;
+    }
+
+    std::size_t total_wanted() const {
+        const Shared shared = goal_.enough ? share(shapes_, groups_, goal_) : Shared{};
+        return shared.enough ? std::accumulate(shared.counts.begin(), shared.counts.end(), std::size_t{0}) : goal_.most;
+    }
+
+    const Workspace& workspace_;
+    std::vector<ShapeWork>& shapes_;
+    const std::vector<Group>& groups_;
+    const Goal& goal_;
+    std::vector<double> weights_; ///< of each shape, the largest of its groups
+    std::size_t least_ = 0;       ///< spheres that all groups need
+};
+
+/// One group has nothing to share: it takes all there are, or fewer where more claim more.
+Cut explore_alone(const Workspace& workspace, std::vector<ShapeWork>& shapes) {
+    ShapeWork& work = shapes.front();
+    const std::vector<std::size_t> counts = first_counts(workspace.recipe, work, 1);
+    if (!workspace.time_limit()) {
+        return explore(workspace, shapes, {counts});
+    }
+    // All at once would leave nothing when the limit comes. So the number is quadrupled from step to step, which costs
+    // a third more; the steps on the way only count if the limit does come.
+    Cut cut = explore(workspace, shapes, {{counts.begin(), counts.end() - 1}});
+    const KnownTrees known = work.known;
+    for (std::size_t count = 4 * counts.front(); count < counts.back() && cut == Cut::none; count *= 4) {
+        cut = explore(workspace, shapes, {{count}});
+    }
+    if (cut != Cut::none) {
+        return cut;
+    }
+    KnownTrees steps = std::exchange(work.known, known);
+    cut = explore(workspace, shapes, {{counts.back()}});
+    if (cut != Cut::none) {
+        work.known.add(std::move(steps));
+    }
+    return cut;
+}
+
+/// One group: the fewest that are enough lie between two rungs: bisected.
+Cut narrow_down(const Workspace& workspace, std::vector<ShapeWork>& shapes, const Goal& goal) {
+    const ShapeWork& work = shapes.front();
+    if (!goal.enough || work.error) {
+        return Cut::none;
+    }
+    const auto enough = [&](const Cost& cost) {
+        return cost.over <= work.known.curve.least().over && cost.volume <= *goal.enough;
+    };
+    Cut cut = Cut::none;
+    while (cut == Cut::none) {
+        std::size_t low = 0, high = 0; // the most asked for before the fewest that are enough, and those
+        for (const auto& [asked, got] : work.known.asked) {
+            if (enough(work.known.curve.known().at(got))) {
+                high = asked;
+                break;
+            }
+            low = asked;
+        }
+        if (high <= low + 1 || high <= work.least) {
+            break;
+        }
+        cut = explore(workspace, shapes, {{(low + high) / 2}});
+    }
+    return cut;
+}
+
+} // namespace
+
+Cut explore_for(const Workspace& workspace, std::vector<ShapeWork>& shapes, const std::vector<Group>& groups,
+                const Goal& goal) {
+    const bool alone = groups.size() == 1;
+    if (alone) {
+        shapes.front().most = std::min(shapes.front().most, goal.most);
+    }
+    Cut cut =
+        alone && !goal.enough ? explore_alone(workspace, shapes) : Exploration(workspace, shapes, groups, goal).run();
+    if (alone && cut == Cut::none) {
+        cut = narrow_down(workspace, shapes, goal);
+    }
+    return cut;
+}
+
+} // namespace foam

@@ -1,0 +1,49 @@
+// Links in a reference pose: which of them must not touch there, and where their spheres do.
+#pragma once
+
+#include "prepare.hpp"
+
+#include <foam/solid.hpp>
+#include <foam/sphere.hpp>
+
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace foam {
+
+/// Spheres of a link, in its frame.
+struct SpheresOfLink {
+    std::size_t link = 0; ///< index into the links
+    std::vector<Sphere> spheres;
+};
+
+/// Two entries of a list of SpheresOfLink that overlap.
+struct Overlap {
+    std::size_t first = 0, second = 0;
+    double depth = 0; ///< m; of the two spheres that overlap most
+};
+
+/// Belongs to one run; not thread-safe.
+class ReferencePose {
+public:
+    /// Zero, moved into the limits, but for the joints that `values` names: rad or m. Throws Error(recipe) for a joint
+    /// that the robot does not have or that does not move by itself.
+    ReferencePose(std::shared_ptr<const Robot> robot, const JointValues& values, const std::vector<LinkWork>& links);
+
+    /// The overlaps of spheres of links that are to stay apart: links that are not neighbours and whose geometry does
+    /// not touch in this pose. Spheres that touch by less than numbers are rounded when they are written count too.
+    std::vector<Overlap> overlaps(const std::vector<SpheresOfLink>& all);
+
+private:
+    bool geometry_touches(std::size_t a, std::size_t b);
+
+    const std::vector<LinkWork>& links_;
+    std::vector<Pose> poses_; ///< of the links in the root link's frame
+    std::vector<std::vector<bool>> neighbours_;
+    std::map<std::size_t, std::shared_ptr<const Solid>> solids_; ///< in the link's frame
+    std::map<std::pair<std::size_t, std::size_t>, bool> touching_;
+};
+
+} // namespace foam
