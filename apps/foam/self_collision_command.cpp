@@ -1,4 +1,5 @@
 // foam self-collision: which pairs of links never need a check.
+#include "ignored_elsewhere.hpp"
 #include "interrupt.hpp"
 #include "judge.hpp"
 #include "program.hpp"
@@ -17,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Arguments {
-    std::string urdf, model, srdf, curobo;
+    std::string urdf, model, srdf, curobo, against;
     std::vector<std::string> renames, pose;
     std::size_t spheres = 32, threads = 0;
     SelfCollisionOptions options;
@@ -69,6 +70,29 @@ std::string percent(double share) {
     return fmt::format("{:.3g} %", 100 * share);
 }
 
+std::string summary(const SelfCollisionMatrix& matrix) {
+    const std::size_t checked = matrix.count(PairReason::none);
+    const auto proved =
+        std::count_if(matrix.pairs.begin(), matrix.pairs.end(), [](const LinkPair& pair) { return pair.proved; });
+    std::string text =
+        fmt::format("{} pairs: {} adjacent, {} always touching, {} touching in the reference pose, {} "
+                    "never touching; {} proved; {} to check.\n",
+                    matrix.pairs.size(), matrix.count(PairReason::adjacent), matrix.count(PairReason::always),
+                    matrix.count(PairReason::default_pose), matrix.count(PairReason::never), proved, checked);
+    const auto sampled = std::count_if(matrix.pairs.begin(), matrix.pairs.end(), [](const LinkPair& pair) {
+        return pair.reason == PairReason::never && !pair.proved;
+    });
+    if (sampled > 0) {
+        text += fmt::format("Never by samples: at {:g} % confidence less than {} of the configurations for one pair, "
+                            "{} for all {} such pairs at once.\n",
+                            100 * matrix.confidence, percent(matrix.rate_bound()), percent(matrix.joint_rate_bound()),
+                            sampled);
+    }
+    return text;
+}
+
+} // namespace
+
 std::string evidence(const SelfCollisionMatrix& matrix, const LinkPair& pair) {
     if (pair.reason == PairReason::adjacent) {
         return "joined";
@@ -92,26 +116,7 @@ std::string evidence(const SelfCollisionMatrix& matrix, const LinkPair& pair) {
     return fmt::format("{}: {}", seen, percent(static_cast<double>(pair.touching) / static_cast<double>(pair.samples)));
 }
 
-std::string summary(const SelfCollisionMatrix& matrix) {
-    const std::size_t checked = matrix.count(PairReason::none);
-    const auto proved =
-        std::count_if(matrix.pairs.begin(), matrix.pairs.end(), [](const LinkPair& pair) { return pair.proved; });
-    std::string text =
-        fmt::format("{} pairs: {} adjacent, {} always touching, {} touching in the reference pose, {} "
-                    "never touching; {} proved; {} to check.\n",
-                    matrix.pairs.size(), matrix.count(PairReason::adjacent), matrix.count(PairReason::always),
-                    matrix.count(PairReason::default_pose), matrix.count(PairReason::never), proved, checked);
-    const auto sampled = std::count_if(matrix.pairs.begin(), matrix.pairs.end(), [](const LinkPair& pair) {
-        return pair.reason == PairReason::never && !pair.proved;
-    });
-    if (sampled > 0) {
-        text += fmt::format("Never by samples: at {:g} % confidence less than {} of the configurations for one pair, "
-                            "{} for all {} such pairs at once.\n",
-                            100 * matrix.confidence, percent(matrix.rate_bound()), percent(matrix.joint_rate_bound()),
-                            sampled);
-    }
-    return text;
-}
+namespace {
 
 std::string table_of(const Arguments& arguments, const CollisionModel& model, const SelfCollisionMatrix& matrix) {
     const std::vector<Link>& links = model.robot->links;
@@ -190,8 +195,14 @@ int self_collision(Program& program, Arguments& arguments) {
     if (!arguments.curobo.empty()) {
         write_whole_file(arguments.curobo, curobo_text(*model.robot, matrix));
     }
-    print(arguments.json ? json_of(arguments, kinematics, model, matrix).dump(2) + "\n"
-                         : table_of(arguments, model, matrix));
+    Json json = json_of(arguments, kinematics, model, matrix);
+    std::string text = table_of(arguments, model, matrix);
+    if (!arguments.against.empty()) {
+        const Agreement found = agreement(arguments.against, *model.robot, matrix);
+        json["against"] = json_of(found, *model.robot);
+        text += text_of(found, *model.robot, matrix);
+    }
+    print(arguments.json ? json.dump(2) + "\n" : text);
     return 0;
 }
 
@@ -246,6 +257,7 @@ void add_self_collision(Program& program) {
         "  foam self-collision panda_22.urdf --srdf panda.srdf      for MoveIt: <disable_collisions>\n"
         "  foam self-collision panda.urdf --curobo ignore.yaml      for cuRobo: self_collision_ignore\n"
         "  foam self-collision panda.urdf --model franka.yml --json\n"
+        "  foam self-collision panda.urdf --against panda.srdf      where the two differ, and why\n"
         "  foam self-collision panda.urdf --samples 1000000 --confidence 0.99\n"
         "Reasons: Adjacent: joined by a joint; Always, Never: touching in all, in no configuration, proved or, with\n"
         "the bound that is printed, by samples; Default: touching in the reference pose. All others are to check.");
@@ -254,6 +266,10 @@ void add_self_collision(Program& program) {
     add_sampling_options(*command, *arguments);
     command->add_option("--srdf", arguments->srdf, "Write an SRDF with the pairs")->type_name("FILE");
     command->add_option("--curobo", arguments->curobo, "Write the pairs as cuRobo's self_collision_ignore (YAML)")
+        ->type_name("FILE");
+    command
+        ->add_option("--against", arguments->against,
+                     "Hold the pairs against those that an SRDF, a cuRobo file or an XRDF leaves out")
         ->type_name("FILE");
     command->add_flag("--json", arguments->json, "Print the matrix as JSON");
     command->add_option("-j,--threads", arguments->threads, "Number of threads; default: one a core")

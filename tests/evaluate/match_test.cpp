@@ -89,6 +89,14 @@ TEST_F(Match, NoLinkInCommon) {
                 HasSubstr("arm.urdf (base, tip); remedy: --rename OLD=NEW if only the names differ"));
 }
 
+TEST_F(Match, AModelWithoutSpheres) {
+    EXPECT_THAT(
+        refusal_of("<robot name='r'><link name='base'><collision><geometry><box size='1 1 1'/></geometry></collision>"
+                   "</link></robot>"),
+        HasSubstr("spheres: it holds no spheres (URDF); remedy: the geometry comes first and its sphere model second; "
+                  "`foam spherize` makes one"));
+}
+
 TEST_F(Match, AGlobOfNoLink) {
     try {
         original({"t*", "elbow"});

@@ -100,6 +100,52 @@ TEST_F(SelfCollisionCli, SpheresOfAFile) {
     EXPECT_THAT(outcome.out, HasSubstr("1 pairs: "));
 }
 
+TEST_F(SelfCollisionCli, AgainstTheListOfAnother) {
+    const std::string command = "self-collision arm.urdf --samples 1000 --proof-boxes 200 --against ";
+    write("theirs.srdf", "<robot name='arm'>\n<group name='all'/>\n"
+                         "<disable_collisions link1='upper' link2='base' reason='Adjacent'/>\n"
+                         "<disable_collisions link1='base' link2='hand' reason='Never'/>\n"
+                         "<disable_collisions link1='base' link2='camera' reason='User'/></robot>\n");
+    EXPECT_THAT(foam(command + "theirs.srdf").out,
+                HasSubstr("theirs.srdf leaves out 3 pairs: 1 of them are left out here, 1 to check here, 1 of links "
+                          "without spheres; 1 more are left out here.\n"
+                          "  to check here: base, hand (Never): touch in "));
+    const json against = json::parse(foam(command + "theirs.srdf --json").out)["against"];
+    EXPECT_EQ(against["both"], 1);
+    EXPECT_EQ(against["only_there"].dump(), R"([["base","hand"]])");
+    EXPECT_EQ(against["only_here"].dump(), R"([["upper","hand"]])");
+    EXPECT_EQ(against["without_spheres"].dump(), R"([["base","camera"]])");
+    for (const char* text : {"self_collision_ignore: {base: [upper], upper: [base, hand], hand: null}\n",
+                             "robot_cfg: {kinematics: {self_collision_ignore: {base: [upper], hand: [upper]}}}\n",
+                             "format: xrdf\nself_collision: {ignore: {base: [upper], hand: [upper]}}\n"}) {
+        write("theirs.yaml", text);
+        EXPECT_THAT(
+            foam(command + "theirs.yaml").out,
+            HasSubstr("theirs.yaml leaves out 2 pairs: 2 of them are left out here, 0 to check here, 0 of links "
+                      "without spheres; 0 more are left out here.\n"));
+    }
+}
+
+TEST_F(SelfCollisionCli, ListsThatCannotBeRead) {
+    const auto refusal = [&](const std::string& text) {
+        write("theirs", text);
+        const Outcome outcome = foam("self-collision arm.urdf --samples 10 --proof-boxes 0 --against theirs");
+        EXPECT_EQ(outcome.code, 1);
+        EXPECT_EQ(outcome.out, "");
+        return outcome.err;
+    };
+    EXPECT_EQ(refusal("<robot>\n<disable_collisions link1='base'/></robot>"),
+              "foam: error: theirs:2: <disable_collisions> does not name two links; remedy: <disable_collisions "
+              "link1=\"A\" link2=\"B\"/>\n");
+    EXPECT_EQ(refusal("<robot>\n<link></robot>"), "foam: error: theirs:2: no XML: mismatched tag\n");
+    EXPECT_EQ(
+        refusal("links: {}\n"),
+        "foam: error: theirs: it leaves out no pairs of links; read are the <disable_collisions> of SRDFs, cuRobo's "
+        "self_collision_ignore and XRDF's self_collision\n");
+    EXPECT_EQ(refusal("self_collision_ignore: {base: upper}\n"),
+              "foam: error: theirs:1:31: expected a list of links, got the text 'upper'\n");
+}
+
 TEST_F(SelfCollisionCli, Refusals) {
     write("one.urdf", "<robot name='one'><link name='a'><collision><geometry><sphere radius='1'/></geometry>"
                       "</collision></link></robot>");

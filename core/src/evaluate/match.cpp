@@ -112,6 +112,13 @@ private:
     }
 
     void fail_unmatched() const {
+        if (model_.file.links.empty()) {
+            throw Error(
+                ErrorCode::input,
+                fmt::format("{}: it holds no spheres ({}); remedy: the geometry comes first and its sphere model "
+                            "second; `foam spherize` makes one",
+                            model_.file.file.string(), model_.file.format));
+        }
         std::vector<std::string> theirs, ours;
         for (const LinkSpheres& link : model_.file.links) {
             theirs.push_back(link.link);

@@ -1,0 +1,19 @@
+// Pairs of links that files of others leave out of self-collision checks.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace foam {
+
+struct IgnoredPair {
+    std::string first, second; ///< links, in alphabetical order
+    std::string reason;        ///< as the file has it; may be empty
+};
+
+/// The <disable_collisions> of an SRDF, or the `self_collision_ignore` of a cuRobo file or `self_collision: {ignore:
+/// …}` of an XRDF; each pair once, in alphabetical order. Throws Error(input) naming file, line and remedy.
+std::vector<IgnoredPair> read_ignored_pairs(const std::filesystem::path& file);
+
+} // namespace foam
