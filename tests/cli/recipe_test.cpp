@@ -300,7 +300,7 @@ TEST_F(CliRecipe, ABadMeshFailsTheStageAndLeavesNothing) {
 /// The signal is sent when the run has said which input it takes; the whole run takes seconds.
 TEST_F(CliRecipe, InterruptLeavesNothing) {
     write("slow.yaml", "foam: 1\nname: slow\nrobot: {urdf: ['" FOAM_TEST_SOURCE "/configs/robots/panda/panda.urdf']}\n"
-                       "stages: [{repair.watertight: {}}, {spherize.medial: {}}]\nbudget: {spheres: 300}\n"
+                       "stages: [{repair.watertight: {}}, {spherize.medial: {branch: 300}}]\n"
                        "outputs: [{write.csv: {file: s.csv}}]\n");
     const Outcome outcome = shell("'" FOAM_TEST_BINARY "' run slow.yaml --fresh & pid=$!; for i in $(seq 500); do "
                                   "grep -q input .err && break; sleep 0.02; done; kill -INT $pid; wait $pid");

@@ -152,6 +152,18 @@ TEST_F(IsolationCli, NoOrphanStaysBehind) {
     wait_for_end(process_in(path() / "process"));
 }
 
+/// Ctrl-C in a terminal reaches the children, too: it is for foam alone to end them.
+TEST_F(IsolationCli, AnInterruptOfTheWholeGroupIsNoCrash) {
+    write("two.yaml", "foam: 1\nrobot: {urdf: two.urdf}\nplugins: ['" FOAM_TEST_ILL_BEHAVED "']\n"
+                      "stages: [spherize.ill: {isolate: process, how: loop, process_file: '" +
+                          (path() / "process").string() + "'}]\n");
+    const Outcome outcome = shell("'" FOAM_TEST_BINARY "' run two.yaml --fresh -j 1 & pid=$!; while [ ! -s process ]; "
+                                  "do sleep 0.02; done; kill -INT $(cat process); kill -INT $pid; wait $pid");
+    EXPECT_EQ(outcome.code, 130) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("foam: stopped: cancelled; nothing was written\n"));
+    expect_nothing_left();
+}
+
 /// A stage that never asks whether to stop is named; once more ends it.
 TEST_F(IsolationCli, ASecondInterruptEndsWhatNeverAsks) {
     write("two.yaml", "foam: 1\nrobot: {urdf: two.urdf}\nplugins: ['" FOAM_TEST_ILL_BEHAVED "']\n"

@@ -157,6 +157,8 @@ std::string answer_to(const StageRequest& request, Context& context) {
         [[maybe_unused]] const auto written = write(STDERR_FILENO, why.data(), why.size());
         _exit(exit_code(ErrorCode::usage));
     }
+    // Ctrl-C in a terminal goes to the children too, but is for foam, which may want what it has; it ends this process.
+    std::signal(SIGINT, SIG_IGN);
     die_with_parent(request.parent);
     limit_memory(request.memory_limit);
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
