@@ -86,7 +86,7 @@ private:
         };
         const auto weight = [&](std::size_t taker) { return groups_[takers_[taker]].weight; };
         const auto order = [&](const Pair& pair) {
-            return std::tuple(pair.depth, by_volume ? pair.volume : 0, pair.sum());
+            return std::tuple(pair.depth, by_volume ? 0 : pair.sum(), pair.volume, pair.sum());
         };
         Pair best{0, 0, std::numeric_limits<double>::infinity(), 0};
         for (const auto& [a, cost_of_a] : known(overlap.first)) {
