@@ -82,9 +82,16 @@ TEST_F(Running, TimeAgainstTriangles) {
                                       "slow,repair.soup + spherize.grid,100,100,2,\n"
                                       "slow,repair.soup + spherize.grid,200,200,2,\n"
                                       "slow,repair.soup + spherize.grid,400,400,2,\n");
-    EXPECT_THAT(result.files, UnorderedElementsAre("results.csv", "results.md", "fast.svg", "slow.svg"));
+    EXPECT_THAT(result.files,
+                UnorderedElementsAre("results.csv", "measured_on.csv", "results.md", "fast.svg", "slow.svg"));
     EXPECT_EQ(contents("out/results.csv"), result.csv);
     EXPECT_EQ(contents("out/results.md"), result.markdown);
+    const Table measured_on = parse_csv(contents("out/measured_on.csv"), "measured_on.csv");
+    ASSERT_EQ(measured_on.rows.size(), 7u);
+    EXPECT_EQ(measured_on.rows.front().front(), "processor");
+    for (const auto& row : measured_on.rows) {
+        EXPECT_THAT(result.markdown, HasSubstr("| " + row[0] + " | " + row[1] + " |\n"));
+    }
     EXPECT_THAT(contents("out/slow.svg"), HasSubstr("repair.soup + spherize.grid, n^"));
     for (const char* part : {"# A title\n", "![fast](fast.svg)", "at most 3 spheres", "| processor |", "| compiler |",
                              "| experiment | x.yaml, digest ", "| CPU s | 100 | 200 | 400 | growth |"}) {
@@ -132,8 +139,8 @@ TEST_F(Running, QualityAgainstSpheres) {
                            "finger.stl'/></geometry></collision></link>"
                            "<joint name='j' type='fixed'><parent link='a'/><child link='b'/></joint></robot>");
     const ExperimentResult result = run(quality_experiment);
-    EXPECT_THAT(result.files,
-                UnorderedElementsAre("results.csv", "results.md", "excess.svg", "protrusion.svg", "cpu.svg"));
+    EXPECT_THAT(result.files, UnorderedElementsAre("results.csv", "measured_on.csv", "results.md", "excess.svg",
+                                                   "protrusion.svg", "cpu.svg"));
     EXPECT_THAT(result.csv, HasSubstr("\npair,spherize.grid,1,2,"));
     EXPECT_THAT(result.csv, HasSubstr("\npair,spherize.octree,4,"));
     EXPECT_THAT(result.markdown, HasSubstr("Of the 4 models 4 are certified, the largest gap is 0.00 m."));
@@ -184,7 +191,7 @@ protected:
 
 TEST_F(Queries, TablesAndFiles) {
     const ExperimentResult result = run(queries_experiment);
-    EXPECT_THAT(result.files, UnorderedElementsAre("results.csv", "results.md"));
+    EXPECT_THAT(result.files, UnorderedElementsAre("results.csv", "measured_on.csv", "results.md"));
     EXPECT_THAT(result.csv,
                 HasSubstr("robot,engine,version,model,shapes,queries,aborted,move_ms,collision_ms,collision_ms_error,"
                           "collision_ms_difference,collision_ms_difference_error,distances,distance_ms,"
@@ -288,7 +295,7 @@ TEST_F(Running, Fidelity) {
     const ExperimentResult result =
         run("foam_experiment: 1\nname: x\nkind: fidelity\nrobot: [no.urdf, pair.urdf]\nmethod: spherize.octree\n"
             "spheres: [2, 4]\nsnapshots: {size: [400, 200], pose: {j: 1}}\n");
-    EXPECT_THAT(result.files, UnorderedElementsAre("results.csv", "results.md", "fidelity.png"));
+    EXPECT_THAT(result.files, UnorderedElementsAre("results.csv", "measured_on.csv", "results.md", "fidelity.png"));
     EXPECT_THAT(contents("out/fidelity.png"), testing::StartsWith("\x89PNG"));
     EXPECT_THAT(result.markdown, HasSubstr("![x](fidelity.png)"));
     EXPECT_THAT(result.markdown, HasSubstr("| spheres | made | excess | excess error | mean protrusion, mm "

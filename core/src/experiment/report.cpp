@@ -35,6 +35,8 @@ std::string plugin_versions(const Experiment& experiment, const Registry& regist
     return fmt::format("{}", fmt::join(plugins, ", "));
 }
 
+} // namespace
+
 Table circumstances(const Experiment& experiment, const Registry& registry, std::size_t threads) {
     std::vector<std::string> libraries;
     for (const auto& [name, version] : library_versions()) {
@@ -58,10 +60,7 @@ Table circumstances(const Experiment& experiment, const Registry& registry, std:
               fmt::format("{}, digest {}", experiment.file.filename().string(), digest_of(experiment.source))}}};
 }
 
-} // namespace
-
-std::string to_markdown(const Experiment& experiment, const Outcome& outcome, const Registry& registry,
-                        std::size_t threads) {
+std::string to_markdown(const Experiment& experiment, const Outcome& outcome, const Table& measured_on) {
     std::string text = fmt::format("# {}\n", experiment.title);
     for (const Section& section : outcome.sections) {
         if (!section.title.empty()) {
@@ -80,7 +79,7 @@ std::string to_markdown(const Experiment& experiment, const Outcome& outcome, co
         }
     }
     text += "\n## Measured on\n\n";
-    text += to_markdown(circumstances(experiment, registry, threads));
+    text += to_markdown(measured_on);
     return text;
 }
 

@@ -27,7 +27,8 @@ ExperimentResult run_experiment(const Experiment& experiment, const Registry& re
 
     ExperimentResult result;
     result.csv = to_csv(outcome.cases);
-    result.markdown = to_markdown(experiment, outcome, registry, options.threads);
+    const experiment::Table measured_on = experiment::circumstances(experiment, registry, options.threads);
+    result.markdown = to_markdown(experiment, outcome, measured_on);
     if (directory) {
         const auto write = [&](const std::filesystem::path& file, const std::string& bytes) {
             directory->write(file, bytes);
@@ -35,6 +36,7 @@ ExperimentResult run_experiment(const Experiment& experiment, const Registry& re
         };
         write(csv, result.csv);
         write("results.md", result.markdown);
+        write("measured_on.csv", to_csv(measured_on));
         for (const experiment::PlotFigure& figure : outcome.figures) {
             write(figure.file, plot::to_svg(figure.plot));
         }
