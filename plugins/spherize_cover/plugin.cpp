@@ -2,6 +2,9 @@
 #include <foam/host/spherize.hpp>
 #include <foam/plugin.hpp>
 
+#include <memory>
+#include <mutex>
+
 namespace {
 
 class CoverSpherizer final : public foam::Spherizer {
@@ -17,29 +20,51 @@ public:
 
     std::vector<foam::SphereTree> spherize_each(const foam::Shape& shape, std::span<const foam::Budget> budgets,
                                                 foam::Context& context) const override {
-        foam::SpherizeOptions options;
-        options.effort = effort_;
-        options.seed = context.seed();
         context.check_cancelled();
-        options.stop = [&] { return context.cancelled(); }; // what was found until then is a cover, too
-        std::vector<std::size_t> counts;
-        for (const foam::Budget& budget : budgets) {
-            counts.push_back(budget.max_spheres.value_or(spheres_));
-        }
         std::vector<foam::SphereTree> trees;
-        for (foam::Cover& cover : foam::spherize_each(shape.original(), counts, options)) {
-            trees.push_back(foam::flat_tree(std::move(cover.spheres)));
+        const auto run = [&](Kept& kept) {
+            kept.context = &context;
+            for (const foam::Budget& budget : budgets) {
+                foam::Cover cover = kept.search.cover(budget.max_spheres.value_or(spheres_));
+                trees.push_back(foam::flat_tree(std::move(cover.spheres)));
+            }
+        };
+        const std::unique_lock lock(mutex_, std::try_to_lock);
+        if (!lock.owns_lock()) {
+            Kept own(shape, effort_, context.seed());
+            run(own);
+            return trees;
         }
+        if (!kept_ || !kept_->is_of(shape, context.seed())) {
+            kept_ = std::make_unique<Kept>(shape, effort_, context.seed());
+        }
+        run(*kept_);
         return trees;
     }
 
 private:
+    /// A search that goes on when more is asked of the same shape.
+    struct Kept {
+        Kept(const foam::Shape& of, foam::Effort effort, std::uint64_t s)
+            : shape(of), seed(s), search(shape.original(), {effort, seed, [this] { return context->cancelled(); }}) {}
+        bool is_of(const foam::Shape& other, std::uint64_t other_seed) const {
+            return &shape.original() == &other.original() && seed == other_seed;
+        }
+
+        foam::Shape shape; ///< holds on to the solid
+        std::uint64_t seed;
+        foam::Context* context = nullptr; ///< of the present call; once it is cancelled, what was found is a cover, too
+        foam::CoverSearch search;
+    };
+
     static foam::Effort effort_named(const std::string& name) {
         return name == "fast" ? foam::Effort::fast : name == "best" ? foam::Effort::best : foam::Effort::normal;
     }
 
     foam::Effort effort_;
     std::size_t spheres_;
+    mutable std::mutex mutex_; ///< of what is kept; results do not depend on it
+    mutable std::unique_ptr<Kept> kept_;
 };
 
 } // namespace

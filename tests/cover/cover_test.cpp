@@ -121,6 +121,29 @@ TEST(Spherize, TheSameAloneAndBesideOtherCounts) {
     EXPECT_EQ(covers[1].spheres, spherize(*solid, 3, {.effort = Effort::fast}).spheres);
 }
 
+TEST(Spherize, ASearchGivesTheSameWhateverWasAskedBefore) {
+    const auto solid = sample::solids().at("Bracket")();
+    const SpherizeOptions options{.effort = Effort::fast};
+    CoverSearch search(*solid, options);
+    for (const std::size_t count : {7, 3, 9, 7}) {
+        EXPECT_EQ(search.cover(count).spheres, spherize(*solid, count, options).spheres) << count;
+    }
+}
+
+TEST(Spherize, ASearchThatWasBrokenOffGoesOn) {
+    const auto solid = sample::solids().at("Bracket")();
+    int questions = 0;
+    const auto stop = [&] {
+        if (++questions == 3) {
+            throw Error(ErrorCode::cancelled, "enough");
+        }
+        return false;
+    };
+    CoverSearch search(*solid, {.effort = Effort::fast, .stop = stop});
+    EXPECT_THROW(search.cover(7), Error);
+    EXPECT_EQ(search.cover(7).spheres, spherize(*solid, 7, {.effort = Effort::fast}).spheres);
+}
+
 TEST(Spherize, StoppedItIsCertifiedAllTheSame) {
     const auto solid = sample::solids().at("Torus")();
     const Cover cover = spherize(*solid, 12, {.stop = [] { return true; }});

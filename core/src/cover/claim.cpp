@@ -27,28 +27,28 @@ double claimed_volume(const Balls& balls, const Points& directions) {
     return volume * 4 * std::numbers::pi / (3 * static_cast<double>(directions.size()));
 }
 
-void find_owners(const Points& points, const Balls& balls, std::vector<std::uint32_t>& owner) {
+void find_owners(const Points& points, const Balls& balls, std::vector<std::uint32_t>& owner, std::vector<float>& gap) {
     owner.assign(points.size(), 0);
-    std::vector<float> least(points.size(), std::numeric_limits<float>::infinity());
+    gap.assign(points.size(), std::numeric_limits<float>::infinity());
     const float *x = points.x.data(), *y = points.y.data(), *z = points.z.data();
     for (std::uint32_t i = 0; i < balls.size(); ++i) {
         const Ball ball = balls[i];
-        float* l = least.data();
+        float* l = gap.data();
         std::uint32_t* o = owner.data();
         for (std::size_t p = 0; p < points.size(); ++p) {
             const float dx = x[p] - ball.x, dy = y[p] - ball.y, dz = z[p] - ball.z;
-            const float gap = std::sqrt(dx * dx + dy * dy + dz * dz) - ball.r;
-            o[p] = gap < l[p] ? i : o[p];
-            l[p] = gap < l[p] ? gap : l[p];
+            const float outside = std::sqrt(dx * dx + dy * dy + dz * dz) - ball.r;
+            o[p] = outside < l[p] ? i : o[p];
+            l[p] = outside < l[p] ? outside : l[p];
         }
     }
 }
 
 void tighten(const Points& points, Balls& balls) {
     std::vector<std::uint32_t> owner;
-    std::vector<float> squared(balls.size());
+    std::vector<float> gap, squared(balls.size());
     for (int round = 0; round < 3; ++round) {
-        find_owners(points, balls, owner);
+        find_owners(points, balls, owner, gap);
         std::fill(squared.begin(), squared.end(), 0.0f);
         for (std::size_t p = 0; p < points.size(); ++p) {
             float& s = squared[owner[p]];

@@ -1,5 +1,6 @@
 #include "cover/descent.hpp"
 
+#include "cover/claim.hpp"
 #include "cover/exposed.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ void Descent::run(Points& points, Balls& balls, const DescentPlan& plan, const R
     owner_.assign(points.size(), 0);
     pressed_.assign(points.size(), 0);
     mean_.assign(balls.size(), {});
-    square_.assign(balls.size(), 0);
+    square_ = 0;
     mean_scale_ = square_scale_ = 1;
     float size = 0;
     for (const Ball& ball : balls) {
@@ -27,7 +28,7 @@ void Descent::run(Points& points, Balls& balls, const DescentPlan& plan, const R
     float length = plan.first_step * size;
     for (int i = 0; i < plan.steps; ++i, length *= ratio) {
         if (refresh && i % plan.refresh == 0) {
-            refresh(balls, points, length);
+            refresh(points, length);
             owner_.resize(points.size(), 0);
             pressed_.resize(points.size(), 0);
         }
@@ -62,24 +63,23 @@ void Descent::add_exposed_areas(const Balls& balls, const Points& directions) {
 }
 
 void Descent::hold(const Points& points, Balls& balls, float slack) {
-    held_.clear();
+    doubtful_.clear();
+    doubtful_index_.clear();
     for (std::size_t p = 0; p < points.size(); ++p) {
-        const float x = points.x[p], y = points.y[p], z = points.z[p];
         const Ball& last = balls[owner_[p]];
         const float inner = last.r - slack;
-        if (inner > 0 && last.squared_distance(x, y, z) <= inner * inner) {
-            continue;
+        if (!(inner > 0) || last.squared_distance(points.x[p], points.y[p], points.z[p]) > inner * inner) {
+            doubtful_.add(points, p);
+            doubtful_index_.push_back(static_cast<std::uint32_t>(p));
         }
-        float least = std::numeric_limits<float>::infinity();
-        for (std::uint32_t i = 0; i < balls.size(); ++i) {
-            const float gap = std::sqrt(balls[i].squared_distance(x, y, z)) - balls[i].r;
-            if (gap < least) {
-                least = gap;
-                owner_[p] = i;
-            }
-        }
-        if (least > -slack) {
-            held_.push_back({x, y, z, 0, owner_[p], static_cast<std::uint32_t>(p)});
+    }
+    find_owners(doubtful_, balls, doubtful_owner_, gap_);
+    held_.clear();
+    for (std::size_t k = 0; k < doubtful_.size(); ++k) {
+        owner_[doubtful_index_[k]] = doubtful_owner_[k];
+        if (gap_[k] > -slack) {
+            held_.push_back(
+                {doubtful_.x[k], doubtful_.y[k], doubtful_.z[k], 0, doubtful_owner_[k], doubtful_index_[k]});
         }
     }
     // Those that press in the first sweep are gone over again and again, the others once more at the end.
@@ -124,23 +124,29 @@ void Descent::hold(const Points& points, Balls& balls, float slack) {
 }
 
 void Descent::step(Balls& balls, float length) {
-    constexpr float mean_decay = 0.8f, square_decay = 0.95f;
+    constexpr float mean_decay = 0.8f, square_decay = 0.95f, longest = 4;
     mean_scale_ *= mean_decay;
     square_scale_ *= square_decay;
+    // One scale for all: what two balls could hold goes to the one that loses least by it only if both gain at the
+    // same rate. With a scale for each a descent drifts away from the least volume.
+    float square = 0;
+    for (const Slope& s : slopes_) {
+        square += (s.x * s.x + s.y * s.y + s.z * s.z + s.r * s.r) / (4 * static_cast<float>(balls.size()));
+    }
+    square_ = square_decay * square_ + (1 - square_decay) * square;
+    const float rms = std::sqrt(square_ / (1 - square_scale_));
+    const float scale = rms > 0 ? length / (1 - mean_scale_) / rms : 0;
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const Slope& s = slopes_[i];
         Slope& m = mean_[i];
         m = {mean_decay * m.x + (1 - mean_decay) * s.x, mean_decay * m.y + (1 - mean_decay) * s.y,
              mean_decay * m.z + (1 - mean_decay) * s.z, mean_decay * m.r + (1 - mean_decay) * s.r};
-        // One scale for the four: a ball keeps its direction of steepest descent.
-        const float square = (s.x * s.x + s.y * s.y + s.z * s.z + s.r * s.r) / 4;
-        square_[i] = square_decay * square_[i] + (1 - square_decay) * square;
-        const float rms = std::sqrt(square_[i] / (1 - square_scale_));
-        const float scale = rms > 0 ? -length / (1 - mean_scale_) / rms : 0;
-        balls[i].x += scale * m.x;
-        balls[i].y += scale * m.y;
-        balls[i].z += scale * m.z;
-        balls[i].r = std::max(balls[i].r + scale * m.r, 1e-6f);
+        const float step = scale * std::sqrt((m.x * m.x + m.y * m.y + m.z * m.z + m.r * m.r) / 4);
+        const float share = step > longest * length ? scale * longest * length / step : scale;
+        balls[i].x -= share * m.x;
+        balls[i].y -= share * m.y;
+        balls[i].z -= share * m.z;
+        balls[i].r = std::max(balls[i].r - share * m.r, 1e-6f);
     }
 }
 

@@ -17,19 +17,19 @@ struct DescentPlan {
 
 /// Descent along the shape derivative (Wang et al. 2006 minimise the same outside volume): ∂ vol(U \ S) / ∂ r_i is the
 /// area of ball i outside the other balls and outside S, ∂ / ∂ c_i the integral of the normal over it. Steps
-/// of even length by adaptive moments (Kingma and Ba 2015). After each, the points that it left outside are taken back
-/// in by the least change of the balls in which they lie deepest: the projection onto linearised constraints by
-/// Hildreth's method, force by force. A ball that has little to gain shrinks less, so points change hands to where they
-/// cost less. Deterministic.
+/// of even length by moments (after Kingma and Ba 2015, with one scale for all balls). After each, the points that it
+/// left outside are taken back in by the least change of the balls in which they lie deepest: the projection onto
+/// linearised constraints by Hildreth's method, force by force. A ball that has little to gain shrinks less, so points
+/// change hands to where they cost less. Deterministic.
 class Descent {
 public:
     /// `directions`: sets that steps take in turn.
     Descent(const Occupancy& occupancy, const std::vector<Points>& directions)
         : occupancy_(occupancy), directions_(directions) {}
 
-    /// `refresh(balls, points, length)` is called every `plan.refresh` steps, before the step, and may change the
-    /// points.
-    using Refresh = std::function<void(const Balls& balls, Points& points, float length)>;
+    /// `refresh(points, length)` is called every `plan.refresh` steps, before the step, and may change the points and
+    /// where the balls are.
+    using Refresh = std::function<void(Points& points, float length)>;
     void run(Points& points, Balls& balls, const DescentPlan& plan, const Refresh& refresh = {});
 
 private:
@@ -51,8 +51,11 @@ private:
     std::vector<char> pressed_;
     std::vector<Held> held_;
     std::vector<Slope> slopes_, mean_;
-    std::vector<float> square_;
-    float mean_scale_ = 1, square_scale_ = 1;
+    float square_ = 0, mean_scale_ = 1, square_scale_ = 1;
+    // Of one call of hold(): points that may lie outside, what they are in `points`, how far outside.
+    Points doubtful_;
+    std::vector<std::uint32_t> doubtful_index_, doubtful_owner_;
+    std::vector<float> gap_;
 };
 
 } // namespace foam::cover

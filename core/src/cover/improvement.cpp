@@ -3,6 +3,7 @@
 #include "cover/claim.hpp"
 #include "cover/closing.hpp"
 #include "cover/exposed.hpp"
+#include "cover/starts.hpp"
 #include "cover/watch.hpp"
 
 #include <algorithm>
@@ -34,7 +35,7 @@ float mean_radius(const Balls& balls) {
 } // namespace
 
 Improvement::Improvement(const Problem& problem, std::size_t directions, std::size_t first_points)
-    : problem_(problem), first_points_(first_points), first_(prefix(problem.surface, first_points)) {
+    : problem_(problem), first_points_(first_points) {
     for (std::uint64_t turn = 0; turn < 4; ++turn) {
         directions_.push_back(spread_directions(directions, turn));
         fine_directions_.push_back(spread_directions(3 * directions, turn));
@@ -43,46 +44,52 @@ Improvement::Improvement(const Problem& problem, std::size_t directions, std::si
 
 Rated Improvement::improved(Balls balls, const DescentPlan& plan, bool creases) const {
     constexpr std::size_t points_per_ball = 50, crease_points_at_most = 500, crease_points_at_last = 4000;
+    constexpr float long_step = 0.02f;
     const float size = mean_radius(balls);
     Points points, base = prefix(problem_.surface, first_points_ + points_per_ball * balls.size());
     Watch watch(problem_.surface, base.size());
-    Descent(problem_.occupancy, directions_)
-        .run(points, balls, plan, [&](const Balls& now, Points& active, float length) {
-            watch.add_outside(now, base);
-            active = base;
-            if (creases) {
-                const float finest = std::max(finest_crease * size, crease_steps * length);
-                active.append(crease_points(*problem_.solid, problem_.frame, now, finest, crease_points_at_most));
-            }
-        });
-    if (creases) {
-        base.append(crease_points(*problem_.solid, problem_.frame, balls, 0.06 * size, crease_points_at_last));
-    }
+    Descent(problem_.occupancy, directions_).run(points, balls, plan, [&](Points& active, float length) {
+        watch.add_outside(balls, base);
+        if (length > long_step * size) {
+            put_idle_to_use(balls, base);
+        }
+        active = base;
+        if (creases) {
+            const float finest = std::max(finest_crease * size, crease_steps * length);
+            active.append(crease_points(*problem_.solid, problem_.frame, balls, finest, crease_points_at_most));
+        }
+    });
+    base.append(crease_points(*problem_.solid, problem_.frame, balls, 0.06 * size, crease_points_at_last));
     tighten(base, balls);
     return {closed_volume(balls), std::move(balls)};
 }
 
-void Improvement::refine(Balls& balls, int steps) const {
-    constexpr std::size_t crease_points_at_most = 8000;
-    const float size = mean_radius(balls);
-    const DescentPlan plan{.steps = steps, .first_step = 0.003f, .last_step = 0.0003f, .refresh = 10};
-    Points points, base;
-    Watch watch(problem_.surface, 0);
-    Descent(problem_.occupancy, fine_directions_)
-        .run(points, balls, plan, [&](const Balls& now, Points& active, float length) {
-            watch.add_outside(now, base);
-            active = base;
-            const float finest = std::max(finest_crease * size, crease_steps * length);
-            active.append(crease_points(*problem_.solid, problem_.frame, now, finest, crease_points_at_most));
-        });
-    points = problem_.surface;
-    points.append(crease_points(*problem_.solid, problem_.frame, balls, 0.002 * size, crease_points_at_most));
-    tighten(points, balls);
-}
-
-Rated Improvement::tightened(Balls balls) const {
-    tighten(first_, balls);
-    return {claimed_volume(balls, directions_[0]), std::move(balls)};
+void Improvement::put_idle_to_use(Balls& balls, const Points& points) const {
+    std::vector<char> needed(balls.size(), 0);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        std::size_t holders = 0, last = 0;
+        for (std::size_t i = 0; i < balls.size() && holders < 2; ++i) {
+            if (balls[i].squared_distance(points.x[p], points.y[p], points.z[p]) <= balls[i].r * balls[i].r) {
+                ++holders;
+                last = i;
+            }
+        }
+        needed[last] |= static_cast<char>(holders == 1);
+    }
+    for (std::size_t idle = 0; idle < balls.size(); ++idle) {
+        if (needed[idle]) {
+            continue;
+        }
+        const std::vector<std::size_t> order = by_waste(balls);
+        const auto other = std::find_if(order.begin(), order.end(), [&](std::size_t i) { return i != idle; });
+        Random random(idle);
+        if (const Balls more = other == order.end() ? balls : split(balls, *other, points, random);
+            more.size() > balls.size()) {
+            balls[*other] = more[*other];
+            balls[idle] = more.back();
+            needed[*other] = 1;
+        }
+    }
 }
 
 std::vector<std::size_t> Improvement::by_waste(const Balls& balls) const {

@@ -16,13 +16,8 @@ public:
     /// `directions`: a ball. The problem must outlive this.
     Improvement(const Problem& problem, std::size_t directions, std::size_t first_points);
 
-    /// `creases`: points between balls are minded too; without, the rating is right to some hundredths only.
+    /// `creases`: points between balls are minded all the time, not only in the rating.
     Rated improved(Balls balls, const DescentPlan& plan, bool creases) const;
-    /// The last touch: with all points, many directions and small steps.
-    void refine(Balls& balls, int steps) const;
-
-    /// Radii that the first points ask for, rated roughly.
-    Rated tightened(Balls balls) const;
     /// Indices of the balls, the one that claims most outside first.
     std::vector<std::size_t> by_waste(const Balls& balls) const;
     /// Grown so that they hold the surface; pieces of triangles are followed down to `finest`, units.
@@ -31,10 +26,11 @@ public:
 
 private:
     double closed_volume(const Balls& balls) const;
+    /// Puts balls that hold no point alone where one ball wastes most.
+    void put_idle_to_use(Balls& balls, const Points& points) const;
 
     const Problem& problem_;
     std::size_t first_points_;
-    Points first_;
     std::vector<Points> directions_, fine_directions_;
 };
 

@@ -6,18 +6,19 @@
 #include <foam/parallel.hpp>
 
 #include <algorithm>
+#include <bit>
 
 namespace foam::cover {
 namespace {
 
-/// Counts up to this build on the one before; larger ones on the next below of 12, 14, 16, 20, 24, 30, 36, 44, ….
+/// Counts up to this build on the one before; larger ones on the next below of 12, 14, 16, 20, 24, 28, 32, 40, ….
 constexpr std::size_t every_count = 12;
 
 /// Surfaces with more points are coarsened for the search.
 constexpr std::size_t few_points = 500;
 
-/// Balls are closed down to this, units, before they exchange.
-constexpr double finest_start = 1e-3;
+/// Balls are closed down to this, units, before they exchange; those that do not, down to the other.
+constexpr double finest_start = 1e-3, finest_end = 1e-4;
 
 std::size_t count_before(std::size_t count) {
     if (count <= every_count) {
@@ -26,7 +27,7 @@ std::size_t count_before(std::size_t count) {
     std::size_t before = every_count, step = 2;
     while (before + step < count) {
         before += step;
-        step = std::max<std::size_t>(2, before / 8 * 2);
+        step = std::bit_floor(before) / 4;
     }
     return before;
 }
@@ -42,12 +43,11 @@ Plan plan_for(Effort effort) {
                 .directions = 64,
                 .starts = 1,
                 .kept = 1,
-                .first_steps = 30,
-                .steps = 60,
-                .last_steps = 30,
-                .moves = 0,
+                .coarse_steps = 60,
+                .fine_steps = 40,
                 .only_split = 4,
                 .most_split = 4,
+                .most_exchanged = 8,
                 .exchange = {{20, 5, 3, 40}, 40, 4, 14},
                 .skin_resolution = 10};
     case Effort::normal:
@@ -55,14 +55,13 @@ Plan plan_for(Effort effort) {
                 .points = 3000,
                 .first_points = 500,
                 .directions = 96,
-                .starts = 3,
-                .kept = 1,
-                .first_steps = 60,
-                .steps = 80,
-                .last_steps = 40,
-                .moves = 1,
+                .starts = 2,
+                .kept = 2,
+                .coarse_steps = 120,
+                .fine_steps = 80,
                 .only_split = 3,
-                .most_split = 12,
+                .most_split = 4,
+                .most_exchanged = 8,
                 .exchange = {{24, 7, 4, 50}, 50, 6, 16},
                 .skin_resolution = 16};
     case Effort::best:
@@ -70,14 +69,13 @@ Plan plan_for(Effort effort) {
                 .points = 6000,
                 .first_points = 1000,
                 .directions = 128,
-                .starts = 32,
+                .starts = 24,
                 .kept = 6,
-                .first_steps = 80,
-                .steps = 200,
-                .last_steps = 100,
-                .moves = 24,
+                .coarse_steps = 200,
+                .fine_steps = 160,
                 .only_split = 1,
                 .most_split = 12,
+                .most_exchanged = 24,
                 .exchange = {{60, 9, 4, 80}, 100, 12, 20},
                 .skin_resolution = 32};
     }
@@ -113,11 +111,7 @@ const Search::Model& Search::model(std::size_t count) {
         take(one_more(before.balls));
     }
     if (count > plan_.only_split) {
-        Rated found = best_of(starts(count, before.balls));
-        if (count <= every_count) {
-            found = moved_about(std::move(found), Random(derive_seed(options_.seed, "moves") + count));
-        }
-        take(settled(found.balls));
+        take(settled(best_of(starts(count, before.balls)).balls));
     }
     return models_.emplace(count, std::move(best)).first->second;
 }
@@ -134,6 +128,9 @@ Balls Search::one_more(const Balls& cover) const {
 }
 
 Balls Search::settled(const Balls& balls) const {
+    if (balls.size() > plan_.most_exchanged) {
+        return improvement_.closed_balls(balls, finest_end);
+    }
     Exchange exchange(problem_, coarse_skin_, plan_.exchange, improvement_.closed_balls(balls, finest_start));
     exchange.settle();
     return exchange.balls();
@@ -145,24 +142,23 @@ Balls Search::smallest_ball() const {
 }
 
 Search::Starts Search::starts(std::size_t count, const Balls& before) const {
-    constexpr std::size_t most_splits = 2, most_rows = 6;
+    constexpr std::size_t most_splits = 2, most_rows = 6, most_in_grids = 8;
     Random random(derive_seed(options_.seed, "starts") + count);
     Starts result;
     for (std::size_t first = 0; first < std::min(before.size(), most_splits); ++first) {
-        result.from_before.push_back(with_splits(before, count, first, random));
+        result.rough.push_back(with_splits(before, count, first, random));
+    }
+    for (std::size_t i = 0; i < plan_.starts; ++i) {
+        result.rough.push_back(clusters(body_, count, random));
     }
     constexpr std::array<Vec3, 3> frame_axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
     for (const auto& axes : {frame_axes, axes_of(body_)}) {
-        result.afresh.push_back(grid(body_, axes, most_cubic(body_, axes, count)));
-        if (count <= most_rows) {
-            result.afresh.push_back(grid(body_, axes, {count, 1, 1}));
+        if (count <= most_in_grids) {
+            result.regular.push_back(grid(body_, axes, most_cubic(body_, axes, count)));
         }
-    }
-    if (Balls balls = dilated_inner_balls(problem_, count); !balls.empty()) {
-        result.afresh.push_back(std::move(balls));
-    }
-    for (std::size_t i = 0; i < plan_.starts; ++i) {
-        result.afresh.push_back(clusters(body_, count, random));
+        if (count <= most_rows) {
+            result.regular.push_back(grid(body_, axes, {count, 1, 1}));
+        }
     }
     return result;
 }
@@ -178,68 +174,29 @@ Balls Search::with_splits(const Balls& before, std::size_t count, std::size_t fi
     return balls;
 }
 
-/// The best of each kind are gone on with: what looks better at first, a split of a good model, often ends worse.
+/// Rough starts take long steps first: they have far to go, and balls that get lost are put to use elsewhere. Grids may
+/// be all but right.
 Rated Search::best_of(const Starts& starts) const {
-    const std::size_t split = starts.from_before.size();
-    std::vector<Rated> rated(split + starts.afresh.size());
+    const DescentPlan far{.steps = plan_.coarse_steps, .first_step = 0.2f, .last_step = 0.01f};
+    const DescentPlan near{.steps = plan_.coarse_steps / 3, .first_step = 0.04f, .last_step = 0.01f};
+    const DescentPlan last{.steps = plan_.fine_steps, .first_step = 0.02f, .last_step = 0.001f};
+    const std::size_t rough = starts.rough.size();
+    std::vector<Rated> rated(rough + starts.regular.size());
     parallel_for(rated.size(), [&](std::size_t i) {
-        const DescentPlan plan{.steps = plan_.first_steps, .first_step = 0.04f, .last_step = 0.003f};
-        rated[i] = improvement_.improved(i < split ? starts.from_before[i] : starts.afresh[i - split], plan, false);
+        rated[i] = i < rough ? improvement_.improved(starts.rough[i], far, false)
+                             : improvement_.improved(starts.regular[i - rough], near, false);
     });
     const auto better = [](const Rated& a, const Rated& b) { return a.volume < b.volume; };
-    const auto middle = rated.begin() + static_cast<std::ptrdiff_t>(split);
-    std::stable_sort(rated.begin(), middle, better);
-    std::stable_sort(middle, rated.end(), better);
-    std::vector<Rated> kept(rated.begin(), rated.begin() + static_cast<std::ptrdiff_t>(std::min(split, plan_.kept)));
-    for (auto next = middle; next != rated.end() && next < middle + static_cast<std::ptrdiff_t>(plan_.kept); ++next) {
-        kept.push_back(std::move(*next));
-    }
-    parallel_for(kept.size(), [&](std::size_t i) {
-        kept[i] = improvement_.improved(std::move(kept[i].balls), {.steps = plan_.steps}, true);
-    });
-    return std::move(*std::min_element(kept.begin(), kept.end(), better));
-}
-
-Rated Search::moved_about(Rated best, Random random) const {
-    for (int i = 0; i < plan_.moves && !stopped(); ++i) {
-        Rated other = improvement_.improved(moved(best.balls, random), {.steps = plan_.steps}, true);
-        if (other.volume < best.volume) {
-            best = std::move(other);
-        }
-    }
-    return best;
-}
-
-/// Without the balls whose points cost the others least, one after another, with some luck.
-Balls Search::thinned(Balls balls, std::size_t count, Random& random) const {
-    constexpr double luck = 1.1;
-    while (balls.size() > std::max<std::size_t>(count, 1)) {
-        Rated best;
-        for (std::size_t i = 0; i < balls.size(); ++i) {
-            Balls others = balls;
-            others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-            Rated rest = improvement_.tightened(std::move(others));
-            rest.volume *= random.uniform(1, luck);
-            if (best.balls.empty() || rest.volume < best.volume) {
-                best = std::move(rest);
-            }
-        }
-        balls = std::move(best.balls);
-    }
-    return balls;
-}
-
-/// Without the ball that is missed least, and with one of the most wasteful split instead.
-Balls Search::moved(const Balls& balls, Random& random) const {
-    constexpr std::size_t wasteful = 3;
-    const Balls fewer = thinned(balls, balls.size() - 1, random);
-    const std::vector<std::size_t> order = improvement_.by_waste(fewer);
-    return split(fewer, order[random.below(std::min(order.size(), wasteful))], body_, random);
+    std::stable_sort(rated.begin(), rated.end(), better);
+    rated.resize(std::min(rated.size(), plan_.kept));
+    parallel_for(rated.size(),
+                 [&](std::size_t i) { rated[i] = improvement_.improved(std::move(rated[i].balls), last, true); });
+    return std::move(*std::min_element(rated.begin(), rated.end(), better));
 }
 
 /// Made to fit the surface itself after a search on a coarse one.
 Balls Search::fitted(const Balls& balls) const {
-    if (coarse_skin_.points.size() == skin_.points.size()) {
+    if (coarse_skin_.points.size() == skin_.points.size() || balls.size() > plan_.most_exchanged) {
         return balls;
     }
     ExchangePlan plan = plan_.exchange;

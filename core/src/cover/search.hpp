@@ -18,11 +18,11 @@ struct Plan {
     std::size_t first_points; ///< of them, that every descent minds
     std::size_t directions;   ///< a ball
     std::size_t starts;       ///< at random, beside those by rule
-    std::size_t kept;         ///< starts of each kind that are gone on with
-    int first_steps, steps, last_steps;
-    int moves;              ///< of a ball to another place, tried one after another
-    std::size_t only_split; ///< counts up to this come from splits alone
-    std::size_t most_split; ///< counts up to this come from splits too
+    std::size_t kept;         ///< starts that are gone on with
+    int coarse_steps, fine_steps;
+    std::size_t only_split;     ///< counts up to this come from splits alone
+    std::size_t most_split;     ///< counts up to this come from splits too
+    std::size_t most_exchanged; ///< counts up to this exchange pieces after a descent
     ExchangePlan exchange;
     int skin_resolution; ///< of a finely meshed surface, for the search
 };
@@ -32,6 +32,8 @@ class Search {
 public:
     /// The solid must outlive this.
     Search(const Solid& solid, const SpherizeOptions& options);
+    Search(const Search&) = delete; ///< its parts refer to each other
+    Search& operator=(const Search&) = delete;
 
     const Cover& cover(std::size_t count) { return model(count).cover; }
 
@@ -41,19 +43,16 @@ private:
         Cover cover;
     };
     struct Starts {
-        std::vector<Balls> from_before, afresh;
+        std::vector<Balls> rough, regular;
     };
     const Model& model(std::size_t count);
     Balls smallest_ball() const;
     Starts starts(std::size_t count, const Balls& before) const;
     Balls with_splits(const Balls& before, std::size_t count, std::size_t first, Random& random) const;
     Rated best_of(const Starts& starts) const;
-    Rated moved_about(Rated best, Random random) const;
-    Balls thinned(Balls balls, std::size_t count, Random& random) const;
-    Balls moved(const Balls& balls, Random& random) const;
     /// One ball more than a cover has, by a plane through one of those that waste most.
     Balls one_more(const Balls& cover) const;
-    /// Closed, and improved by exchanges.
+    /// Closed, and, of few balls, improved by exchanges.
     Balls settled(const Balls& balls) const;
     Balls fitted(const Balls& balls) const;
     Model finished(const Balls& balls) const;

@@ -2,17 +2,36 @@
 
 #include <foam/error.hpp>
 
+#include <algorithm>
+
 namespace foam {
+
+struct CoverSearch::Data {
+    Data(const Solid& solid, const SpherizeOptions& options) : search(solid, options) {}
+    cover::Search search;
+};
+
+CoverSearch::CoverSearch(const Solid& solid, const SpherizeOptions& options)
+    : data_(std::make_unique<Data>(solid, options)) {}
+
+CoverSearch::~CoverSearch() = default;
+
+static void check(std::size_t count) {
+    if (count == 0) {
+        throw Error(ErrorCode::usage,
+                    "spherize: a cover needs at least 1 sphere, got a count of 0; remedy: ask for 1 or more");
+    }
+}
+
+Cover CoverSearch::cover(std::size_t count) {
+    check(count);
+    return data_->search.cover(count);
+}
 
 std::vector<Cover> spherize_each(const Solid& solid, std::span<const std::size_t> counts,
                                  const SpherizeOptions& options) {
-    for (const std::size_t count : counts) {
-        if (count == 0) {
-            throw Error(ErrorCode::usage,
-                        "spherize: a cover needs at least 1 sphere, got a count of 0; remedy: ask for 1 or more");
-        }
-    }
-    cover::Search search(solid, options);
+    std::for_each(counts.begin(), counts.end(), check);
+    CoverSearch search(solid, options);
     std::vector<Cover> covers;
     for (const std::size_t count : counts) {
         covers.push_back(search.cover(count));

@@ -39,11 +39,12 @@ std::vector<std::size_t> far_seeds(const Points& points, std::size_t count, Rand
 /// Centres at the middles of what is nearest to them; radii: root mean square distance, which weighs sizes right.
 void lloyd(const Points& points, Balls& balls, int rounds) {
     std::vector<std::uint32_t> owner;
+    std::vector<float> gap;
     for (int round = 0; round < rounds; ++round) {
         for (Ball& ball : balls) {
             ball.r = 0;
         }
-        find_owners(points, balls, owner);
+        find_owners(points, balls, owner, gap);
         std::vector<std::array<double, 4>> sum(balls.size());
         for (std::size_t p = 0; p < points.size(); ++p) {
             auto& s = sum[owner[p]];
@@ -151,7 +152,8 @@ std::array<Vec3, 3> axes_of(const Points& points) {
 
 Balls split(const Balls& balls, std::size_t i, const Points& points, Random& random) {
     std::vector<std::uint32_t> owner;
-    find_owners(points, balls, owner);
+    std::vector<float> gap;
+    find_owners(points, balls, owner, gap);
     Points owned;
     for (std::size_t p = 0; p < points.size(); ++p) {
         if (owner[p] == i) {
@@ -166,80 +168,6 @@ Balls split(const Balls& balls, std::size_t i, const Points& points, Random& ran
     result[i] = two[0];
     result.push_back(two[1]);
     return result;
-}
-
-Balls dilated_inner_balls(const Problem& problem, std::size_t count) {
-    constexpr std::size_t most_targets = 300, most_centers = 200;
-    const Points& inside = problem.occupancy.inside();
-    const std::vector<float>& depth = problem.occupancy.depth();
-    Points targets;
-    for (std::size_t i = 0; i < std::min(most_targets, problem.surface.size()); ++i) {
-        targets.add(problem.surface, i);
-    }
-    // Deep places first: of the lattice every n-th after sorting by depth, so that thin parts have theirs.
-    std::vector<std::size_t> order(inside.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        order[i] = i;
-    }
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return depth[a] > depth[b]; });
-    Balls centers;
-    for (std::size_t k = 0; k < order.size(); k += order.size() / most_centers + 1) {
-        const std::size_t i = order[k];
-        centers.push_back({inside.x[i], inside.y[i], inside.z[i], depth[i]});
-    }
-    if (centers.empty()) {
-        return {};
-    }
-    std::vector<float> distances(centers.size() * targets.size());
-    for (std::size_t c = 0; c < centers.size(); ++c) {
-        for (std::size_t t = 0; t < targets.size(); ++t) {
-            distances[c * targets.size() + t] =
-                std::sqrt(centers[c].squared_distance(targets.x[t], targets.y[t], targets.z[t])) - centers[c].r;
-        }
-    }
-    const auto greedy = [&](float margin) {
-        std::vector<char> held(targets.size(), 0);
-        std::vector<std::size_t> gain(centers.size());
-        Balls chosen;
-        std::size_t left = targets.size();
-        while (left > 0 && chosen.size() <= count) {
-            std::size_t best = 0, most = 0;
-            for (std::size_t c = 0; c < centers.size(); ++c) {
-                std::size_t sum = 0;
-                const float* row = distances.data() + c * targets.size();
-                for (std::size_t t = 0; t < targets.size(); ++t) {
-                    sum += static_cast<std::size_t>(!held[t] & (row[t] <= margin));
-                }
-                if (sum > most) {
-                    most = sum;
-                    best = c;
-                }
-            }
-            if (most == 0) {
-                break;
-            }
-            for (std::size_t t = 0; t < targets.size(); ++t) {
-                held[t] |= static_cast<char>(distances[best * targets.size() + t] <= margin);
-            }
-            left -= most;
-            chosen.push_back(centers[best]);
-            chosen.back().r += margin;
-        }
-        return left == 0 ? chosen : Balls{};
-    };
-    float low = 0, high = 2;
-    Balls best;
-    for (int round = 0; round < 8; ++round) {
-        const float middle = (low + high) / 2;
-        Balls balls = greedy(middle);
-        if (!balls.empty() && balls.size() <= count) {
-            best = std::move(balls);
-            high = middle;
-        } else {
-            low = middle;
-        }
-    }
-    return best;
 }
 
 } // namespace foam::cover

@@ -28,8 +28,4 @@ std::array<Vec3, 3> axes_of(const Points& points);
 /// few.
 Balls split(const Balls& balls, std::size_t i, const Points& points, Random& random);
 
-/// `count` inner balls of the lattice, each grown by the same margin so that together they hold the inside: greedy set
-/// cover, the margin by bisection (after Coverage Axis, Dou et al. 2022).
-Balls dilated_inner_balls(const Problem& problem, std::size_t count);
-
 } // namespace foam::cover

@@ -181,10 +181,14 @@ Mesh call_filter(const Workspace& workspace, const StageCall& call, const Mesh& 
     return mesh_from(call_in_child(workspace, std::move(request), call.isolation, context));
 }
 
-std::vector<SphereTree> call_spherizer(const Workspace& workspace, const StageCall& call, const Shape& shape,
+std::vector<SphereTree> call_spherizer(const Workspace& workspace, const StageCall& call,
+                                       std::unique_ptr<Spherizer>& stage, const Shape& shape,
                                        std::span<const Budget> budgets, Context& context) {
     if (!is_isolated(call.isolation)) {
-        return workspace.registry.make<Spherizer>(call.stage, call.given)->spherize_each(shape, budgets, context);
+        if (!stage) {
+            stage = workspace.registry.make<Spherizer>(call.stage, call.given);
+        }
+        return stage->spherize_each(shape, budgets, context);
     }
     StageRequest request;
     request.what = StageRequest::What::spherize;

@@ -4,8 +4,10 @@
 #include "workspace.hpp"
 
 #include <foam/solid.hpp>
+#include <foam/stage.hpp>
 
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -15,7 +17,9 @@ namespace foam {
 Mesh call_loader(const Workspace& workspace, const std::string& stage, const std::filesystem::path& file,
                  Context& context);
 Mesh call_filter(const Workspace& workspace, const StageCall& call, const Mesh& mesh, Context& context);
-std::vector<SphereTree> call_spherizer(const Workspace& workspace, const StageCall& call, const Shape& shape,
+/// `stage`: made at the first call, for the next ones with the same shape: a stage may go on where it was.
+std::vector<SphereTree> call_spherizer(const Workspace& workspace, const StageCall& call,
+                                       std::unique_ptr<Spherizer>& stage, const Shape& shape,
                                        std::span<const Budget> budgets, Context& context);
 
 /// Adds how a stage is isolated, for tasks that are one only if they run alike. No part of a cache key.

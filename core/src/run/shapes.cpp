@@ -183,7 +183,8 @@ static std::vector<SphereTree> run_spherizer(const Workspace& workspace, ShapeWo
                                              const std::vector<Budget>& budgets, StageLog& said) {
     return run_stage(
         workspace, work.spherizer.stage, work.link, work.input, work.digest, work.report, [&](StageContext& context) {
-            std::vector<SphereTree> made = call_spherizer(workspace, work.spherizer, *work.shape, budgets, context);
+            std::vector<SphereTree> made =
+                call_spherizer(workspace, work.spherizer, work.stage, *work.shape, budgets, context);
             if (made.size() != budgets.size()) {
                 throw Error(ErrorCode::plugin, fmt::format("the spherizer broke its contract: {} trees for {} budgets",
                                                            made.size(), budgets.size()));

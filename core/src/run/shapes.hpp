@@ -27,6 +27,7 @@ struct KnownTrees {
 struct ShapeWork {
     std::unique_ptr<Shape> shape;
     StageCall spherizer;
+    std::unique_ptr<Spherizer> stage; ///< of that call, once it was made; unless it is isolated
     Digest digest;
     std::string link, input; ///< of the first group, for messages
     std::vector<std::size_t> groups;

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -31,8 +32,27 @@ struct Cover {
     double volume = 0;           ///< of their union, m³; to about 0.1 %
 };
 
+/// The covers of one solid by one sphere, two, three…: each builds on those with fewer, and all that were made are kept
+/// for later questions. Not for several threads at once; it uses all cores itself.
+class CoverSearch {
+public:
+    /// The solid must outlive this.
+    CoverSearch(const Solid& solid, const SpherizeOptions& options);
+    ~CoverSearch();
+    CoverSearch(const CoverSearch&) = delete;
+    CoverSearch& operator=(const CoverSearch&) = delete;
+
+    /// What spherize() gives, whatever was asked before. Throws Error(usage) for a count of 0. What `stop` throws comes
+    /// out here; the search can be asked again.
+    Cover cover(std::size_t count);
+
+private:
+    struct Data;
+    std::unique_ptr<Data> data_;
+};
+
 /// At most `count` spheres (at least 1) that hold the whole surface of the solid and claim little volume outside it.
-/// Along the counts 1 to 12, 14, 16, 20, 24, 30, 36, 44… more spheres never claim more; any other count claims no more
+/// Along the counts 1 to 12, 14, 16, 20, 24, 28, 32, 40… more spheres never claim more; any other count claims no more
 /// than the one of these below it. The same result on any number of threads. Throws Error(geometry) where Solid::make
 /// does, Error(usage) for a count of 0.
 Cover spherize(const Solid& solid, std::size_t count, const SpherizeOptions& options = {});
