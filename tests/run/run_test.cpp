@@ -376,14 +376,18 @@ TEST_F(Run, SkippedLinksKeepTheirGeometry) {
 }
 
 TEST_F(Run, SameBytesOnOneAndFourThreads) {
-    const Recipe r = recipe("stages: [spherize.octree]\nbudget: {spheres: 20}\n");
-    RunOptions one = options("one"), four = options("four");
-    one.threads = 1;
-    four.threads = 4;
-    run(r, registry, one);
-    run(r, registry, four);
-    for (const char* file : {"two.urdf", "two.json"}) {
-        EXPECT_EQ(read_file(folder.path() / "one" / file), read_file(folder.path() / "four" / file)) << file;
+    for (const std::string budget :
+         {"{spheres: 20}", "{excess: 0.9}", "{spheres: 30, excess: 0.9, max_protrusion: 0.05}"}) {
+        const Recipe r = recipe("stages: [spherize.octree]\nself_collision: true\nbudget: " + budget + "\n");
+        RunOptions one = options("one"), four = options("four");
+        one.threads = 1;
+        four.threads = 4;
+        run(r, registry, one);
+        run(r, registry, four);
+        for (const char* file : {"two.urdf", "two.json"}) {
+            EXPECT_EQ(read_file(folder.path() / "one" / file), read_file(folder.path() / "four" / file))
+                << file << budget;
+        }
     }
 }
 

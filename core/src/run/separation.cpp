@@ -28,9 +28,9 @@ public:
         return pose_.overlaps(all);
     }
 
-    /// Binds the counts of two takers that overlap so that they do not, or do least: first to that many spheres or
-    /// more, and if that does not help, to just so many as they have together, or as it takes. What is not known yet is
-    /// explored, up to four times as many as they have. False if nothing is left to be done about them.
+    /// Binds the counts of two takers that overlap to some that do not: first to that many spheres or more, and if that
+    /// does not help, to just so many as they have together, or as it takes. What is not known yet is explored, up to
+    /// four times as many as they have. False if that is done already, or there are no such counts.
     bool part(const Overlap& overlap, const std::vector<std::size_t>& counts, std::vector<Bounds>& bounds, Cut& cut) {
         int& times = parted_[{overlap.first, overlap.second}];
         if (++times > 2) {
@@ -40,9 +40,12 @@ public:
         while (best.depth > 0 && cut == Cut::none && explore_more(overlap, counts, cut)) {
             best = best_pair(overlap, bounds, room(overlap), false);
         }
+        if (best.depth > 0) {
+            return false;
+        }
         if (times == 2) {
-            best =
-                best_pair(overlap, bounds, std::max(best.sum(), counts[overlap.first] + counts[overlap.second]), true);
+            const std::size_t together = std::max(best.sum(), counts[overlap.first] + counts[overlap.second]);
+            best = best_pair(overlap, bounds, goal_.enough ? room(overlap) : together, true);
         }
         bounds[overlap.first] = {best.first, times == 2 ? best.first : bounds[overlap.first].most};
         bounds[overlap.second] = {best.second, times == 2 ? best.second : bounds[overlap.second].most};
@@ -53,12 +56,17 @@ private:
     /// Counts of two takers.
     struct Pair {
         std::size_t first = 0, second = 0;
-        double depth = 0, volume = 0;
+        double depth = 0;
+        Cost cost;
 
         std::size_t sum() const { return first + second; }
     };
 
     const ShapeWork& shape_of(std::size_t taker) const { return shapes_[groups_[takers_[taker]].shape]; }
+
+    Cost weighted(std::size_t taker, const Cost& cost) const {
+        return {cost.over, groups_[takers_[taker]].weight * cost.volume};
+    }
 
     SpheresOfLink spheres_of(std::size_t taker, std::size_t count) {
         const Group& group = groups_[takers_[taker]];
@@ -84,11 +92,11 @@ private:
         const auto known = [&](std::size_t taker) {
             return within(shape_of(taker).known.curve, bounds[taker]).known();
         };
-        const auto weight = [&](std::size_t taker) { return groups_[takers_[taker]].weight; };
         const auto order = [&](const Pair& pair) {
-            return std::tuple(pair.depth, by_volume ? 0 : pair.sum(), pair.volume, pair.sum());
+            return std::tuple(pair.cost.over, pair.depth, by_volume ? 0 : pair.sum(), pair.cost.volume, pair.sum());
         };
-        Pair best{0, 0, std::numeric_limits<double>::infinity(), 0};
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        Pair best{0, 0, infinity, {infinity, infinity}};
         for (const auto& [a, cost_of_a] : known(overlap.first)) {
             const SpheresOfLink first = spheres_of(overlap.first, a);
             for (const auto& [b, cost_of_b] : known(overlap.second)) {
@@ -97,7 +105,7 @@ private:
                 }
                 const std::vector<Overlap> found = pose_.overlaps({first, spheres_of(overlap.second, b)});
                 const Pair pair{a, b, found.empty() ? 0 : found.front().depth,
-                                weight(overlap.first) * cost_of_a.volume + weight(overlap.second) * cost_of_b.volume};
+                                weighted(overlap.first, cost_of_a) + weighted(overlap.second, cost_of_b)};
                 best = order(pair) < order(best) ? pair : best;
             }
         }
@@ -173,7 +181,7 @@ Shared keep_apart(const Workspace& workspace, std::vector<ShapeWork>& shapes, co
             break; // more than there are
         }
         overlaps = separation.overlaps(shared.counts);
-        if (const double depth = total_depth(overlaps); depth < least) {
+        if (const double depth = total_depth(overlaps); depth < least && shared.enough == best.enough) {
             least = depth;
             best = shared;
         }

@@ -7,9 +7,9 @@
 
 namespace foam {
 
-/// A sharing in which no spheres of links that are to stay apart overlap, or the least: the
-/// counts of groups whose spheres do are bound to those that do not, which mostly are more, and explored as far as that
-/// takes. `shared`: the best without regard to that.
+/// A sharing in which no spheres of links that are to stay apart overlap, as far as there is one that keeps limits of
+/// protrusion as well and is enough for the goal if `shared` is: the best without regard to that. The counts of groups
+/// whose spheres overlap are bound to some that do not, which mostly are more, and explored as far as that takes.
 Shared keep_apart(const Workspace& workspace, std::vector<ShapeWork>& shapes, const std::vector<Group>& groups,
                   const Goal& goal, ReferencePose& pose, Shared shared, Cut& cut);
 
