@@ -1,8 +1,5 @@
 // The report as a browser shows it.
-#include "fixture.hpp"
-
-#include <cstdlib>
-#include <sys/wait.h>
+#include "browser.hpp"
 
 namespace foam::test {
 namespace {
@@ -11,24 +8,11 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-class ReportInBrowser : public ReportOfRun {
+class ReportInBrowser : public InBrowser {
 protected:
-    void SetUp() override {
-        if (std::string(FOAM_TEST_CHROMIUM).empty()) {
-            GTEST_SKIP() << "chromium is not installed";
-        }
-    }
-
     /// The document of out/report.html after its scripts have run; empty if the browser does not start here.
     std::string document(const std::string& options = "") const {
-        const std::string dir = folder.path().string();
-        const std::string command = "cd '" + dir + "' && HOME='" + dir +
-                                    "' timeout 200 '" FOAM_TEST_CHROMIUM
-                                    "' --headless --no-sandbox --disable-gpu --no-first-run --user-data-dir='" +
-                                    dir + "/profile' --virtual-time-budget=20000 " + options + " --dump-dom 'file://" +
-                                    dir + "/out/report.html' >dom.html 2>browser.txt";
-        const int status = std::system(command.c_str());
-        return status == 0 ? read_file(folder.path() / "dom.html") : "";
+        return browse("--dump-dom " + options, "dom.html") ? read_file(folder.path() / "dom.html") : "";
     }
 };
 
@@ -40,7 +24,7 @@ constexpr const char* chain = "stages: [repair.auto, spherize.octree]\nbudget: {
 
 TEST_F(ReportInBrowser, DrawsEveryLinkAndRunsNoForeignScript) {
     report_of(recipe(chain));
-    const std::string html = document("--use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader");
+    const std::string html = document(software_gl);
     if (html.empty()) {
         GTEST_SKIP() << "the browser does not start here: " << read_file(folder.path() / "browser.txt");
     }
@@ -57,7 +41,7 @@ TEST_F(ReportInBrowser, DrawsEveryLinkAndRunsNoForeignScript) {
 }
 
 /// Clicks, and writes what came of it into attributes of the body.
-constexpr const char* visitor = R"(<script>
+constexpr const char* visitor = R"(
 const column = () => [...document.querySelectorAll("#links tbody tr")].map((row) => row.cells[1].textContent).join();
 const head = document.querySelectorAll("#links thead button")[1], told = document.body.dataset;
 head.click();
@@ -73,15 +57,12 @@ setTimeout(() => {
   told.alone = document.querySelector("#link-list input:checked").parentNode.textContent;
   told.drawn = `${viewer.links} ${viewer.meshes} ${viewer.spheres}`;
 }, 1000);
-</script></body>)";
+)";
 
 TEST_F(ReportInBrowser, SortsFiguresAndShowsALinkAlone) {
-    std::string html = report_of(recipe(chain));
-    const std::size_t policy = html.find("<meta http-equiv=\"Content-Security-Policy\"");
-    html.erase(policy, html.find('>', policy) + 1 - policy); // it would refuse the visitor
-    html.replace(html.rfind("</body>"), 7, visitor);
-    write_file(folder.path() / "out/report.html", html);
-    const std::string shown = document("--use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader");
+    report_of(recipe(chain));
+    let_in(visitor);
+    const std::string shown = document(software_gl);
     if (shown.empty()) {
         GTEST_SKIP() << "the browser does not start here: " << read_file(folder.path() / "browser.txt");
     }
