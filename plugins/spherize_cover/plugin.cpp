@@ -76,11 +76,11 @@ FOAM_PLUGIN("spherize_cover", "1.0", "Apache-2.0") {
                    "proved.",
         .reference =
             "Wang et al.: Variational sphere set approximation for solid objects. The Visual Computer 22, 2006",
-        .revision = 3,
+        .revision = 4,
         .parameters =
             {
                 foam::Parameter::choice("effort", {"fast", "normal", "best"}, "normal")
-                    .doc("How long to look: fast takes about half as long as normal, best fifteen times as long."),
+                    .doc("How long to look: fast takes a tenth of the time of normal, best fifteen times as long."),
                 foam::Parameter::integer("spheres", 8).bounds(1, 256).doc("Number of spheres where no budget says."),
             },
     });

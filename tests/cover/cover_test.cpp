@@ -117,8 +117,9 @@ TEST(Spherize, TheSameAloneAndBesideOtherCounts) {
     const auto solid = sample::solids().at("Bracket")();
     const std::vector<std::size_t> counts{7, 3};
     const std::vector<Cover> covers = spherize_each(*solid, counts, {.effort = Effort::fast});
-    EXPECT_EQ(covers[0].spheres, spherize(*solid, 7, {.effort = Effort::fast}).spheres);
-    EXPECT_EQ(covers[1].spheres, spherize(*solid, 3, {.effort = Effort::fast}).spheres);
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        EXPECT_EQ(covers[i].spheres, spherize_each(*solid, {&counts[i], 1}, {.effort = Effort::fast})[0].spheres);
+    }
 }
 
 TEST(Spherize, ASearchGivesTheSameWhateverWasAskedBefore) {
@@ -126,7 +127,7 @@ TEST(Spherize, ASearchGivesTheSameWhateverWasAskedBefore) {
     const SpherizeOptions options{.effort = Effort::fast};
     CoverSearch search(*solid, options);
     for (const std::size_t count : {7, 3, 9, 7}) {
-        EXPECT_EQ(search.cover(count).spheres, spherize(*solid, count, options).spheres) << count;
+        EXPECT_EQ(search.cover(count).spheres, spherize_each(*solid, {&count, 1}, options)[0].spheres) << count;
     }
 }
 
@@ -141,7 +142,7 @@ TEST(Spherize, ASearchThatWasBrokenOffGoesOn) {
     };
     CoverSearch search(*solid, {.effort = Effort::fast, .stop = stop});
     EXPECT_THROW(search.cover(7), Error);
-    EXPECT_EQ(search.cover(7).spheres, spherize(*solid, 7, {.effort = Effort::fast}).spheres);
+    EXPECT_EQ(search.cover(7).spheres, CoverSearch(*solid, {.effort = Effort::fast}).cover(7).spheres);
 }
 
 TEST(Spherize, StoppedItIsCertifiedAllTheSame) {

@@ -1,18 +1,15 @@
 #include "cover/search.hpp"
 
 #include "cover/closing.hpp"
+#include "cover/ladder.hpp"
 #include "cover/starts.hpp"
 
 #include <foam/parallel.hpp>
 
 #include <algorithm>
-#include <bit>
 
 namespace foam::cover {
 namespace {
-
-/// Counts up to this build on the one before; larger ones on the next below of 12, 14, 16, 20, 24, 28, 32, 40, ….
-constexpr std::size_t every_count = 12;
 
 /// Surfaces with more points are coarsened for the search.
 constexpr std::size_t few_points = 500;
@@ -20,51 +17,10 @@ constexpr std::size_t few_points = 500;
 /// Balls are closed down to this, units, before they exchange; those that do not, down to the other.
 constexpr double finest_start = 1e-3, finest_end = 1e-4;
 
-std::size_t count_before(std::size_t count) {
-    if (count <= every_count) {
-        return count - 1;
-    }
-    std::size_t before = every_count, step = 2;
-    while (before + step < count) {
-        before += step;
-        step = std::bit_floor(before) / 4;
-    }
-    return before;
-}
-
 } // namespace
 
 Plan plan_for(Effort effort) {
-    switch (effort) {
-    case Effort::fast:
-        return {.resolution = 32,
-                .points = 1000,
-                .first_points = 300,
-                .directions = 64,
-                .starts = 1,
-                .kept = 1,
-                .coarse_steps = 60,
-                .fine_steps = 40,
-                .only_split = 4,
-                .most_split = 4,
-                .most_exchanged = 8,
-                .exchange = {{20, 5, 3, 40}, 40, 4, 14},
-                .skin_resolution = 10};
-    case Effort::normal:
-        return {.resolution = 48,
-                .points = 3000,
-                .first_points = 500,
-                .directions = 96,
-                .starts = 2,
-                .kept = 2,
-                .coarse_steps = 120,
-                .fine_steps = 80,
-                .only_split = 3,
-                .most_split = 4,
-                .most_exchanged = 8,
-                .exchange = {{24, 7, 4, 50}, 50, 6, 16},
-                .skin_resolution = 16};
-    case Effort::best:
+    if (effort == Effort::best) {
         return {.resolution = 96,
                 .points = 6000,
                 .first_points = 1000,
@@ -79,7 +35,19 @@ Plan plan_for(Effort effort) {
                 .exchange = {{60, 9, 4, 80}, 100, 12, 20},
                 .skin_resolution = 32};
     }
-    return {};
+    return {.resolution = 48,
+            .points = 3000,
+            .first_points = 500,
+            .directions = 96,
+            .starts = 2,
+            .kept = 2,
+            .coarse_steps = 120,
+            .fine_steps = 80,
+            .only_split = 3,
+            .most_split = 4,
+            .most_exchanged = 8,
+            .exchange = {{24, 7, 4, 50}, 50, 6, 16},
+            .skin_resolution = 16};
 }
 
 Search::Search(const Solid& solid, const SpherizeOptions& options)

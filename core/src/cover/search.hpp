@@ -11,7 +11,7 @@
 
 namespace foam::cover {
 
-/// What an effort means.
+/// What normal and best efforts are; fast is QuickSearch.
 struct Plan {
     int resolution;           ///< cells of the occupancy along the longest extent
     std::size_t points;       ///< on the surface

@@ -1,14 +1,22 @@
+#include "cover/quick_search.hpp"
 #include "cover/search.hpp"
 
 #include <foam/error.hpp>
 
 #include <algorithm>
+#include <variant>
 
 namespace foam {
 
 struct CoverSearch::Data {
-    Data(const Solid& solid, const SpherizeOptions& options) : search(solid, options) {}
-    cover::Search search;
+    Data(const Solid& solid, const SpherizeOptions& options) {
+        if (options.effort == Effort::fast) {
+            search.emplace<cover::QuickSearch>(solid, options);
+        } else {
+            search.emplace<cover::Search>(solid, options);
+        }
+    }
+    std::variant<std::monostate, cover::QuickSearch, cover::Search> search;
 };
 
 CoverSearch::CoverSearch(const Solid& solid, const SpherizeOptions& options)
@@ -25,7 +33,10 @@ static void check(std::size_t count) {
 
 Cover CoverSearch::cover(std::size_t count) {
     check(count);
-    return data_->search.cover(count);
+    if (auto* const quick = std::get_if<cover::QuickSearch>(&data_->search)) {
+        return quick->cover(count);
+    }
+    return std::get<cover::Search>(data_->search).cover(count);
 }
 
 std::vector<Cover> spherize_each(const Solid& solid, std::span<const std::size_t> counts,
@@ -40,7 +51,9 @@ std::vector<Cover> spherize_each(const Solid& solid, std::span<const std::size_t
 }
 
 Cover spherize(const Solid& solid, std::size_t count, const SpherizeOptions& options) {
-    return spherize_each(solid, {&count, 1}, options).front();
+    check(count);
+    return options.effort == Effort::fast ? cover::QuickSearch(solid, options).alone(count)
+                                          : CoverSearch(solid, options).cover(count);
 }
 
 Cover spherize(const Mesh& mesh, std::size_t count, const SpherizeOptions& options) {

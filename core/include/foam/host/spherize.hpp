@@ -42,8 +42,8 @@ public:
     CoverSearch(const CoverSearch&) = delete;
     CoverSearch& operator=(const CoverSearch&) = delete;
 
-    /// What spherize() gives, whatever was asked before. Throws Error(usage) for a count of 0. What `stop` throws comes
-    /// out here; the search can be asked again.
+    /// What spherize_each() gives, whatever was asked before. Throws Error(usage) for a count of 0. What `stop` throws
+    /// comes out here; the search can be asked again.
     Cover cover(std::size_t count);
 
 private:
@@ -52,13 +52,14 @@ private:
 };
 
 /// At most `count` spheres (at least 1) that hold the whole surface of the solid and claim little volume outside it.
-/// Along the counts 1 to 12, 14, 16, 20, 24, 28, 32, 40… more spheres never claim more; any other count claims no more
-/// than the one of these below it. The same result on any number of threads. Throws Error(geometry) where Solid::make
-/// does, Error(usage) for a count of 0.
+/// With Effort::fast the count is looked for on its own, for those who need one cover now; otherwise it is what
+/// spherize_each() gives. The same result on any number of threads. Throws Error(geometry) where Solid::make does,
+/// Error(usage) for a count of 0.
 Cover spherize(const Solid& solid, std::size_t count, const SpherizeOptions& options = {});
 /// The same of a mesh: metres, any frame.
 Cover spherize(const Mesh& mesh, std::size_t count, const SpherizeOptions& options = {});
-/// One cover for each count: what spherize() gives, with the work shared between them.
+/// One cover for each count, the same whatever the other counts are. Along the counts 1 to 12, 14, 16, 20, 24, 28, 32,
+/// 40… more spheres never claim more; any other count claims no more than the one of these below it.
 std::vector<Cover> spherize_each(const Solid& solid, std::span<const std::size_t> counts,
                                  const SpherizeOptions& options = {});
 

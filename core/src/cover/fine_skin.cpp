@@ -1,0 +1,105 @@
+#include "cover/fine_skin.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace foam::cover {
+namespace {
+
+constexpr std::uint32_t unnamed = UINT32_MAX;
+
+struct PlaceHash {
+    std::size_t operator()(const std::array<double, 3>& p) const {
+        std::uint64_t hash = 0;
+        for (const double value : p) {
+            hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x9E3779B97F4A7C15u;
+            hash ^= hash >> 29;
+        }
+        return hash;
+    }
+};
+
+} // namespace
+
+FineSkin::FineSkin(const Mesh& surface, const Frame& frame, std::size_t pieces) {
+    add_faces(surface, frame);
+    for (const auto& [a, b, c] : faces) {
+        area += norm(cross(points.at(b) - points.at(a), points.at(c) - points.at(a))) / 2;
+    }
+    // Halved at their longest edges down to a length of h, triangles have some h² / 5.
+    // A needle without area is cut along its length.
+    const auto number = static_cast<double>(pieces);
+    halve_long_edges(std::max(std::sqrt(5 * area / number), 4 / number));
+}
+
+void FineSkin::add_faces(const Mesh& surface, const Frame& frame) {
+    // A closed surface has half as many points as triangles; one that has more names corners once for each triangle.
+    const bool soup = surface.vertices.size() > surface.triangles.size();
+    std::unordered_map<std::array<double, 3>, std::uint32_t, PlaceHash> places;
+    std::vector<std::uint32_t> name(surface.vertices.size(), unnamed);
+    const auto point = [&](std::uint32_t vertex) {
+        if (name[vertex] == unnamed) {
+            const Vec3& p = surface.vertices[vertex];
+            const auto next = static_cast<std::uint32_t>(points.size());
+            // Adding zero makes -0 and 0 the same.
+            name[vertex] = soup ? places.try_emplace({p.x + 0.0, p.y + 0.0, p.z + 0.0}, next).first->second : next;
+            if (name[vertex] == next) {
+                points.add(frame.to_unit(p));
+            }
+        }
+        return name[vertex];
+    };
+    faces.reserve(surface.triangles.size());
+    for (const Triangle& t : surface.triangles) {
+        const std::uint32_t a = point(t[0]), b = point(t[1]), c = point(t[2]);
+        faces.push_back({a, b, c});
+    }
+}
+
+void FineSkin::halve_long_edges(double longest) {
+    const std::size_t most_faces = faces.size() + 100'000; // slivers would make any number
+    const auto most = static_cast<float>(longest * longest);
+    std::unordered_map<std::uint64_t, std::uint32_t> middles;
+    const auto squared = [&](std::uint32_t a, std::uint32_t b) {
+        const float dx = points.x[a] - points.x[b], dy = points.y[a] - points.y[b], dz = points.z[a] - points.z[b];
+        return dx * dx + dy * dy + dz * dz;
+    };
+    for (std::size_t f = 0; f < faces.size();) {
+        auto [a, b, c] = faces[f];
+        const float ab = squared(a, b), bc = squared(b, c), ca = squared(c, a), far = std::max({ab, bc, ca});
+        if (!(far > most) || faces.size() >= most_faces) {
+            ++f;
+            continue;
+        }
+        // Turned so that the longest edge goes from a to b.
+        if (ab != far) {
+            std::tie(a, b, c) = bc == far ? std::tuple(b, c, a) : std::tuple(c, a, b);
+        }
+        const auto [low, high] = std::minmax(a, b);
+        const auto [middle, fresh] =
+            middles.try_emplace(std::uint64_t{low} << 32 | high, static_cast<std::uint32_t>(points.size()));
+        if (fresh) {
+            points.add((points.at(a) + points.at(b)) / 2);
+        }
+        faces[f] = {a, middle->second, c};
+        faces.push_back({middle->second, b, c});
+    }
+}
+
+Points FineSkin::sample(std::size_t count) const {
+    const double cell = std::max(std::sqrt(area / static_cast<double>(count)), 1e-3);
+    const auto index = [&](float value) { return static_cast<std::uint64_t>((value + 2) / cell); };
+    std::unordered_set<std::uint64_t> taken;
+    Points some;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (taken.insert(index(points.x[i]) << 40 | index(points.y[i]) << 20 | index(points.z[i])).second) {
+            some.add(points, i);
+        }
+    }
+    return some;
+}
+
+} // namespace foam::cover

@@ -1,0 +1,147 @@
+#include "cover/power_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace foam::cover {
+namespace {
+
+double power(const Ball& ball, const Vec3& p) {
+    const Vec3 to{p.x - ball.x, p.y - ball.y, p.z - ball.z};
+    return squared_norm(to) - static_cast<double>(ball.r) * ball.r;
+}
+
+} // namespace
+
+void Owners::find(const Points& points, const Balls& balls) {
+    constexpr std::size_t block = 512; // stays in the first cache while the balls go over it
+    power.resize(points.size());
+    owner.resize(points.size());
+    for (std::size_t begin = 0; begin < points.size(); begin += block) {
+        const std::size_t count = std::min(block, points.size() - begin);
+        const float *x = points.x.data() + begin, *y = points.y.data() + begin, *z = points.z.data() + begin;
+        float* least = power.data() + begin;
+        std::uint32_t* who = owner.data() + begin;
+        std::fill_n(least, count, 1e30f);
+        std::fill_n(who, count, 0u);
+        for (std::uint32_t i = 0; i < balls.size(); ++i) {
+            const Ball ball = balls[i];
+            const float squared = ball.r * ball.r;
+            for (std::size_t k = 0; k < count; ++k) {
+                const float p = ball.squared_distance(x[k], y[k], z[k]) - squared;
+                const bool nearer = p < least[k];
+                who[k] = nearer ? i : who[k];
+                least[k] = nearer ? p : least[k];
+            }
+        }
+    }
+}
+
+void PowerCells::find(const Balls& balls) {
+    owners_.find(skin_.points, balls);
+    borders_.clear();
+    neighbours_.clear();
+    const std::vector<std::uint32_t>& owner = owners_.owner;
+    for (const auto& face : skin_.faces) {
+        if (owner[face[0]] != owner[face[1]] || owner[face[1]] != owner[face[2]]) {
+            cut(face, balls);
+        }
+    }
+}
+
+void PowerCells::add_border(const Vec3& point, std::uint32_t a, std::uint32_t b) {
+    borders_.add(point);
+    neighbours_.push_back({a, b});
+}
+
+/// Differences of powers are linear: where they vanish follows from the corners.
+void PowerCells::cut(const std::array<std::uint32_t, 3>& face, const Balls& balls) {
+    std::array<Vec3, 3> corner;
+    std::array<std::uint32_t, 3> cell;
+    for (std::size_t k = 0; k < 3; ++k) {
+        corner[k] = skin_.points.at(face[k]);
+        cell[k] = owners_.owner[face[k]];
+    }
+    Vec3 middle{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t next = (k + 1) % 3;
+        if (cell[k] == cell[next]) {
+            continue;
+        }
+        const Ball &a = balls[cell[k]], &b = balls[cell[next]];
+        const double from = power(a, corner[k]) - power(b, corner[k]);
+        const double to = power(a, corner[next]) - power(b, corner[next]);
+        const double t = from < to ? std::clamp(-from / (to - from), 0.0, 1.0) : 0.5;
+        const Vec3 border = corner[k] + (corner[next] - corner[k]) * t;
+        add_border(border, cell[k], cell[next]);
+        middle += border / 3;
+    }
+    if (cell[0] == cell[1] || cell[1] == cell[2] || cell[2] == cell[0]) {
+        return;
+    }
+    // Three cells: any point inside will do for a corner of all pieces; where all three meet they are smallest.
+    std::array<double, 3> first, second;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double own = power(balls[cell[0]], corner[k]);
+        first[k] = own - power(balls[cell[1]], corner[k]);
+        second[k] = own - power(balls[cell[2]], corner[k]);
+    }
+    const double a = first[1] - first[0], b = first[2] - first[0], c = second[1] - second[0], d = second[2] - second[0];
+    const double determinant = a * d - b * c;
+    const double s = (second[0] * b - first[0] * d) / determinant, t = (first[0] * c - second[0] * a) / determinant;
+    if (s >= 0 && t >= 0 && s + t <= 1) {
+        middle = corner[0] + (corner[1] - corner[0]) * s + (corner[2] - corner[0]) * t;
+    }
+    add_border(middle, cell[0], cell[1]);
+    add_border(middle, cell[2], cell[2]);
+}
+
+Balls PowerCells::fitted(const Balls& balls, const Points& directions) {
+    find(balls);
+    parts_.resize(balls.size());
+    for (Points& part : parts_) {
+        part.clear();
+    }
+    for (std::size_t p = 0; p < skin_.points.size(); ++p) {
+        parts_[owners_.owner[p]].add(skin_.points, p);
+    }
+    for (std::size_t k = 0; k < borders_.size(); ++k) {
+        const auto [a, b] = neighbours_[k];
+        parts_[a].add(borders_, k);
+        parts_[b].add(borders_, k);
+    }
+    Balls fitted;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        if (parts_[i].size() > 0) {
+            const Vec3 tilt = exposed_tilt(balls, i, directions, exposed_);
+            std::swap(parts_[fitted.size()], parts_[i]);
+            const Points& part = parts_[fitted.size()];
+            fitted.push_back(enclosing_ball_.of(part, part.size(), tilt, {balls[i].x, balls[i].y, balls[i].z}));
+        }
+    }
+    parts_.resize(fitted.size());
+    return fitted;
+}
+
+Vec3 exposed_tilt(const Balls& balls, std::size_t i, const Points& directions, Exposed& exposed) {
+    constexpr double longest = 0.5;
+    if (!exposed.look(balls, i, directions)) {
+        return {};
+    }
+    float x = 0, y = 0, z = 0, area = 0;
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+        const float shows = exposed.depth()[k] > 0 ? 1.0f : 0.0f;
+        x += shows * directions.x[k];
+        y += shows * directions.y[k];
+        z += shows * directions.z[k];
+        area += shows;
+    }
+    if (!(area > 0)) {
+        return {};
+    }
+    const Vec3 tilt = Vec3{x, y, z} / area;
+    const double length = norm(tilt);
+    return length > longest ? tilt * (longest / length) : tilt;
+}
+
+} // namespace foam::cover

@@ -1,0 +1,58 @@
+// A surface shared among balls: the restricted power diagram.
+#pragma once
+
+#include "cover/enclosing_ball.hpp"
+#include "cover/exposed.hpp"
+#include "cover/fine_skin.hpp"
+
+namespace foam::cover {
+
+/// For each of some points the ball of least power |p - c|² - r², and that power.
+struct Owners {
+    std::vector<float> power;
+    std::vector<std::uint32_t> owner;
+
+    void find(const Points& points, const Balls& balls);
+};
+
+/// Each ball's part of a surface: where its power is least (Aurenhammer 1987). The planes between the cells are those
+/// of the circles in which balls meet. Faces are cut at them, and each piece goes to a cell by its extreme points:
+/// balls that hold these hold the surface, whatever the cells are, for balls are convex. So balls about their parts are
+/// a cover by construction. Between two cells of three in a face a third may run: then the pieces overlap.
+class PowerCells {
+public:
+    /// The skin must outlive this.
+    explicit PowerCells(const FineSkin& skin) : skin_(skin) {}
+
+    /// Looks who owns which points, and where edges pass from one to the other.
+    void find(const Balls& balls);
+    /// Points of the skin and their owners; points where the last balls' cells meet.
+    const FineSkin& skin() const { return skin_; }
+    const Owners& owners() const { return owners_; }
+    const Points& borders() const { return borders_; }
+
+    /// Each ball made to fit the part that it has: of all that hold it, to first order, the one by which the union
+    /// claims least. `directions` are asked what shows of a ball. Balls without a part are
+    /// left out.
+    Balls fitted(const Balls& balls, const Points& directions);
+    /// Extreme points of what each of the balls fitted last has to hold.
+    const std::vector<Points>& parts() const { return parts_; }
+
+private:
+    void cut(const std::array<std::uint32_t, 3>& face, const Balls& balls);
+    void add_border(const Vec3& point, std::uint32_t a, std::uint32_t b);
+
+    const FineSkin& skin_;
+    Owners owners_;
+    Points borders_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours_; ///< of each point at a border, the cells
+    std::vector<Points> parts_;
+    EnclosingBall enclosing_ball_;
+    Exposed exposed_;
+};
+
+/// Of the surface of ball i that the others leave: the integral of the normal over its area, no longer than a half.
+/// With the ball's area that shows, it is the direction in which the union grows least; see EnclosingBall.
+Vec3 exposed_tilt(const Balls& balls, std::size_t i, const Points& directions, Exposed& exposed);
+
+} // namespace foam::cover

@@ -1,0 +1,148 @@
+#include "cover/quick_descent.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace foam::cover {
+
+void QuickDescent::run(Balls& balls, const QuickDescentPlan& plan, const Refresh& refresh) {
+    constexpr float reach_of_steps = 0.2f; // steps turn back and forth
+    Points points;
+    mean_.assign(balls.size(), {});
+    square_ = 0;
+    mean_scale_ = square_scale_ = 1;
+    float size = 0;
+    for (const Ball& ball : balls) {
+        size += ball.r / static_cast<float>(balls.size());
+    }
+    const float ratio =
+        plan.steps > 1 ? std::pow(plan.last_step / plan.first_step, 1 / static_cast<float>(plan.steps - 1)) : 1;
+    float length = plan.first_step * size;
+    for (int i = 0; i < plan.steps; ++i, length *= ratio) {
+        if (i % plan.refresh == 0) {
+            refresh(balls, points, reach_of_steps * length * static_cast<float>(plan.refresh));
+            if (mean_.size() != balls.size()) {
+                mean_.assign(balls.size(), {});
+            }
+            pressed_.assign(points.size(), 0);
+        }
+        find_slopes(balls, directions_[static_cast<std::size_t>(i) % directions_.size()]);
+        step(balls, length);
+        hold(points, balls, length);
+    }
+}
+
+void QuickDescent::find_slopes(const Balls& balls, const Points& directions) {
+    // Sums in so many lanes: compilers make vector code of them, and the order is the same everywhere.
+    constexpr std::size_t lanes = 4;
+    slopes_.assign(balls.size(), {});
+    const std::size_t count = directions.size() / lanes * lanes;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        if (!exposed_.look(balls, i, directions)) {
+            continue;
+        }
+        const float *depth = exposed_.depth().data(), *nx = directions.x.data(), *ny = directions.y.data(),
+                    *nz = directions.z.data();
+        float x[lanes]{}, y[lanes]{}, z[lanes]{}, r[lanes]{};
+        for (std::size_t k = 0; k < count; k += lanes) {
+            for (std::size_t l = 0; l < lanes; ++l) {
+                const float shows = depth[k + l] > 0 ? 1.0f : 0.0f;
+                x[l] += shows * nx[k + l];
+                y[l] += shows * ny[k + l];
+                z[l] += shows * nz[k + l];
+                r[l] += shows;
+            }
+        }
+        const float area = 4 * std::numbers::pi_v<float> * balls[i].r * balls[i].r / static_cast<float>(count);
+        const auto sum = [&](const float* part) { return area * (part[0] + part[1] + part[2] + part[3]); };
+        slopes_[i] = {sum(x), sum(y), sum(z), sum(r)};
+    }
+}
+
+void QuickDescent::step(Balls& balls, float length) {
+    constexpr float mean_decay = 0.8f, square_decay = 0.95f;
+    mean_scale_ *= mean_decay;
+    square_scale_ *= square_decay;
+    float square = 0;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        const Slope& s = slopes_[i];
+        Slope& m = mean_[i];
+        m = {mean_decay * m.x + (1 - mean_decay) * s.x, mean_decay * m.y + (1 - mean_decay) * s.y,
+             mean_decay * m.z + (1 - mean_decay) * s.z, mean_decay * m.r + (1 - mean_decay) * s.r};
+        square += s.x * s.x + s.y * s.y + s.z * s.z + s.r * s.r;
+    }
+    square_ = square_decay * square_ + (1 - square_decay) * square / static_cast<float>(4 * balls.size());
+    const float rms = std::sqrt(square_ / (1 - square_scale_));
+    const float scale = rms > 0 ? -length / (1 - mean_scale_) / rms : 0;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        balls[i].x += scale * mean_[i].x;
+        balls[i].y += scale * mean_[i].y;
+        balls[i].z += scale * mean_[i].z;
+        balls[i].r = std::max(balls[i].r + scale * mean_[i].r, 1e-6f);
+    }
+}
+
+void QuickDescent::hold(const Points& points, Balls& balls, float slack) {
+    constexpr int sweeps = 8;
+    owners_.find(points, balls);
+    float largest = 0;
+    for (const Ball& ball : balls) {
+        largest = std::max(largest, ball.r);
+    }
+    // A point this deep in any ball is farther than the slack from its surface.
+    const float deep = -2 * slack * largest;
+    held_.clear();
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        if (owners_.power[p] > deep) {
+            held_.push_back(
+                {points.x[p], points.y[p], points.z[p], 0, owners_.owner[p], static_cast<std::uint32_t>(p)});
+        }
+    }
+    const auto press = [&](Held& h) {
+        Ball& ball = balls[h.owner];
+        const float dx = h.x - ball.x, dy = h.y - ball.y, dz = h.z - ball.z;
+        const float squared = dx * dx + dy * dy + dz * dz;
+        if (h.force == 0 && squared <= ball.r * ball.r) {
+            return;
+        }
+        const float distance = std::sqrt(squared);
+        const float change = std::max((distance - ball.r) / 2, -h.force);
+        h.force += change;
+        const float share = distance > 0 ? change / distance : 0;
+        ball.x += share * dx;
+        ball.y += share * dy;
+        ball.z += share * dz;
+        ball.r += change;
+    };
+    // Those that pressed in the last step come first: most of the others then find themselves held.
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < held_.size(); ++k) {
+        if (pressed_[held_[k].point]) {
+            std::swap(held_[k], held_[first++]);
+        }
+    }
+    for (Held& h : held_) {
+        press(h);
+    }
+    // Those that press are gone over again and again, the others once more at the end.
+    std::size_t pressing = held_.size();
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        std::size_t left = 0;
+        for (std::size_t k = 0; k < pressing; ++k) {
+            if (held_[k].force > 0) {
+                press(held_[k]);
+                std::swap(held_[k], held_[left++]);
+            }
+        }
+        pressing = left;
+    }
+    for (std::size_t k = pressing; k < held_.size(); ++k) {
+        press(held_[k]);
+    }
+    for (const Held& h : held_) {
+        pressed_[h.point] = h.force > 0;
+    }
+}
+
+} // namespace foam::cover

@@ -1,0 +1,62 @@
+// Covers in milliseconds.
+#pragma once
+
+#include "cover/power_cells.hpp"
+#include "cover/quick_descent.hpp"
+
+#include <foam/host/spherize.hpp>
+
+#include <map>
+#include <memory>
+
+namespace foam::cover {
+
+/// A few starts, a descent of each on some points of the surface, the best gone on with on all of them. Every so often
+/// and at the end balls are fitted to their parts of the surface, which makes a cover of whatever they are.
+class QuickSearch {
+public:
+    /// The solid must outlive this.
+    QuickSearch(const Solid& solid, const SpherizeOptions& options);
+
+    /// By at most so many balls, found without those by fewer.
+    Cover alone(std::size_t count);
+    /// Along the counts of the ladder more balls never claim more, and no other count claims more than the rung below
+    /// it.
+    /// A search that was stopped is not kept.
+    Cover cover(std::size_t count) { return rung(count).cover; }
+
+private:
+    struct Found {
+        Balls balls;
+        double volume = 0; ///< of their union, units³
+    };
+    struct Surface {
+        Surface(const Solid& solid, const Frame& frame, std::size_t pieces, std::size_t some);
+        FineSkin skin;
+        Points some; ///< of its points, for a first look
+    };
+    struct Rung {
+        Balls balls;
+        Cover cover;
+    };
+    Rung rung(std::size_t count);
+    const Surface& surface_for(std::size_t count);
+    /// `before`: a cover by fewer to begin with, if there is one.
+    Found found(std::size_t count, const Balls* before);
+    Balls smallest_ball() const;
+    std::vector<Balls> starts(const Surface& surface, std::size_t count, const Balls* before) const;
+    Found first_look(const Surface& surface, Balls balls) const;
+    Found gone_on_with(const Surface& surface, const Found& start, std::size_t count) const;
+    Cover finished(const Balls& balls) const;
+    bool stopped() { return stopped_ = options_.stop && options_.stop(); }
+
+    const Solid& solid_;
+    SpherizeOptions options_;
+    Frame frame_;
+    std::size_t pieces_ = 0; ///< of the surface that is there
+    std::unique_ptr<Surface> surface_;
+    bool stopped_ = false; ///< the last answer
+    std::map<std::size_t, Rung> rungs_;
+};
+
+} // namespace foam::cover
