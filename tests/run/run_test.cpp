@@ -578,19 +578,24 @@ TEST_F(Run, AStopAtTheEndChangesNothing) {
 }
 
 TEST_F(Run, ATimeLimitThatIsOverLeavesTheFewestSpheres) {
-    for (const std::string budget : {"spheres: 60, ", "excess: 0.2, ", "max_protrusion: 0.06, ", ""}) {
+    RunOptions o = options();
+    o.time_limit = 1e-9;
+    for (const std::string budget : {"{spheres: 60}", "{excess: 0.2}", "{max_protrusion: 0.06}", "{}"}) {
         for (const std::string links : {"", "links: {tip: {skip: true}}\n"}) {
             const RunResult result =
-                run(recipe("stages: [spherize.grid]\n" + links + "budget: {" + budget + "time_limit: 0.001}\n"),
-                    registry, options());
+                run(recipe("stages: [spherize.grid]\n" + links + "budget: " + budget + "\n"), registry, o);
             EXPECT_EQ(result.cut, Cut::time_limit) << budget;
             EXPECT_TRUE(result.certified);
             EXPECT_EQ(result.total.spheres, links.empty() ? 2u : 1u) << budget;
             EXPECT_THAT(warnings_of(result),
-                        ::testing::Contains(": the search ended at its time limit of 0.001 s: these are the best "
+                        ::testing::Contains(": the search ended at its time limit of 1e-09 s: these are the best "
                                             "spheres until then, and another run may give others"));
         }
     }
+    const RunResult result =
+        run(recipe("stages: [spherize.grid]\nbudget: {spheres: 60, time_limit: 0.001}\n"), registry, options());
+    EXPECT_EQ(result.cut, Cut::time_limit);
+    EXPECT_TRUE(result.certified);
 }
 
 TEST_F(Run, ATimeLimitThatDoesNotComeChangesNothing) {

@@ -262,14 +262,14 @@ Cut explore_alone(const Workspace& workspace, std::vector<ShapeWork>& shapes) {
 /// One group: the fewest that are enough lie between two rungs: bisected.
 Cut narrow_down(const Workspace& workspace, std::vector<ShapeWork>& shapes, const Goal& goal) {
     const ShapeWork& work = shapes.front();
-    if (!goal.enough || work.error) {
+    if (!goal.enough) {
         return Cut::none;
     }
     const auto enough = [&](const Cost& cost) {
         return cost.over <= work.known.curve.least().over && cost.volume <= *goal.enough;
     };
     Cut cut = Cut::none;
-    while (cut == Cut::none) {
+    while (cut == Cut::none && !work.error) {
         std::size_t low = 0, high = 0; // the most asked for before the fewest that are enough, and those
         for (const auto& [asked, got] : work.known.asked) {
             if (enough(work.known.curve.known().at(got))) {
