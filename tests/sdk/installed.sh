@@ -35,6 +35,11 @@ build_project "$FOAM_TEST_SOURCE/docs/examples/spherize_axis_split" "$room/build
 quietly ctest --test-dir "$room/build/example" --output-on-failure --no-tests=error -R contract
 expect "Proved" "$foam" spherize "$room/part.obj" -n 6 -m axis_split --plugin-dir "$room/build/example" -o "$room/split.json"
 
+# A program that calls foam.
+build_project "$FOAM_TEST_SOURCE/docs/examples/in_the_loop" "$room/build/in_the_loop" \
+    -DCMAKE_PREFIX_PATH="$("$foam" sdk)" -DCMAKE_CXX_COMPILER="$compiler"
+expect "proved: the box lies inside" "$room/build/in_the_loop/in_the_loop"
+
 # Installed beside the others they are found without a word.
 quietly "$FOAM_TEST_CMAKE" --install "$room/build/spherize_octree" --prefix "$prefix"
 expect "spherize.octree" "$foam" plugins

@@ -47,7 +47,8 @@ private:
     std::vector<Balls> starts(const Surface& surface, std::size_t count, const Balls* before) const;
     Found first_look(const Surface& surface, Balls balls) const;
     Found gone_on_with(const Surface& surface, const Found& start, std::size_t count) const;
-    Cover finished(const Balls& balls) const;
+    /// The balls as spheres, `overlap` times larger, with the proof.
+    Cover finished(const Balls& balls, double overlap) const;
     bool stopped() { return stopped_ = options_.stop && options_.stop(); }
 
     const Solid& solid_;

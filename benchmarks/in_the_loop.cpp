@@ -1,0 +1,63 @@
+// Mesh in memory to certified spheres in memory: median and 99th percentile of single calls.
+#include <foam/host/contract.hpp>
+#include <foam/host/sphere_cache.hpp>
+#include <foam/parallel.hpp>
+
+#include <benchmark/benchmark.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using namespace foam;
+
+constexpr std::int64_t calls = 200;
+
+/// 5184 triangles, closed.
+Mesh torus() {
+    return sample::torus(0.1, 0.04, 72, 36);
+}
+
+double percentile(const std::vector<double>& values, double share) {
+    std::vector<double> sorted = values;
+    std::sort(sorted.begin(), sorted.end());
+    const auto last = static_cast<double>(sorted.size() - 1);
+    return sorted[static_cast<std::size_t>(std::ceil(share * last))];
+}
+
+void report_p99(benchmark::internal::Benchmark* benchmark) {
+    // One call an iteration and one iteration a repetition: percentiles are those of calls.
+    benchmark->Iterations(1)->Repetitions(calls)->ReportAggregatesOnly()->Unit(benchmark::kMillisecond)->UseRealTime();
+    benchmark->ComputeStatistics("p99", [](const std::vector<double>& values) { return percentile(values, 0.99); });
+}
+
+/// Arguments: spheres, threads (0: all).
+void spherize_torus(benchmark::State& state) {
+    const auto threads = static_cast<std::size_t>(state.range(1));
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    threads > 0 ? threads : thread_count());
+    const Mesh mesh = torus();
+    Cover cover;
+    for (auto _ : state) {
+        cover = spherize(mesh, static_cast<std::size_t>(state.range(0)), {.effort = Effort::fast});
+    }
+    state.counters["excess"] = cover.volume / signed_volume(mesh) - 1;
+    state.counters["certified"] = cover.certificate.holds;
+}
+BENCHMARK(spherize_torus)->ArgNames({"spheres", "threads"})->ArgsProduct({{8, 16}, {1, 0}})->Apply(report_p99);
+
+void known_torus(benchmark::State& state) {
+    const Mesh mesh = torus();
+    SphereCache cache;
+    cache.spherize(mesh, 8, {.effort = Effort::fast});
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(cache.spherize(mesh, 8, {.effort = Effort::fast}));
+    }
+}
+BENCHMARK(known_torus)->Apply(report_p99);
+
+} // namespace
+
+BENCHMARK_MAIN();
