@@ -176,6 +176,18 @@ TEST_F(Run, TheFewestSpheresForTheExcessOfOneLink) {
               enough.total.spheres);
 }
 
+TEST_F(Run, ASpherizerMayFailWhereTheFewestAreLookedFor) {
+    write_file(folder.path() / "two.urdf", "<robot name=\"rod\"><link name=\"base\"><collision><geometry><box "
+                                           "size=\"2 0.1 0.1\"/></geometry></collision></link></robot>");
+    const std::string chain = "stages: [spherize.misbehaving: {how: odd, link: base}]\n";
+    const auto excess = [&](const std::string& count) {
+        return run(recipe(chain + "budget: {spheres: " + count + "}\n"), registry, options()).total.excess;
+    };
+    const double between = 0.5 * (excess("8") + excess("10")); // so that 9 is asked for
+    EXPECT_EQ(failure(chain + "budget: {excess: " + std::to_string(between) + "}\n"),
+              "stage 'spherize.misbehaving', link 'base', input 'box': this number is not to my taste");
+}
+
 TEST_F(Run, NoExcessOfASurface) {
     write_file(folder.path() / "two.urdf", "<robot name=\"two\"><link name=\"sheet\"><collision><geometry><mesh "
                                            "filename=\"sheet.obj\"/></geometry></collision></link></robot>");
