@@ -152,6 +152,29 @@ TEST(Spherize, StoppedItIsCertifiedAllTheSame) {
     EXPECT_TRUE(certify(*solid, cover.spheres).holds);
 }
 
+TEST(Spherize, StoppedAtAnyTimeItIsAsGoodAsFast) {
+    const auto solid = sample::solids().at("Bracket")();
+    const double fast = spherize(*solid, 6, {.effort = Effort::fast}).volume;
+    for (const int polls : {0, 1, 2, 4, 6, 8}) {
+        SCOPED_TRACE(polls);
+        int asked = 0;
+        const Cover cover = spherize(*solid, 6, {.stop = [&] { return asked++ >= polls; }});
+        EXPECT_TRUE(certify(*solid, cover.spheres).holds);
+        EXPECT_LE(cover.spheres.size(), 6u);
+        if (polls > 2) { // those of the effort fast are over
+            EXPECT_LE(cover.volume, fast);
+        }
+    }
+}
+
+TEST(Spherize, NeverStoppedItIsAsIfNobodyAsked) {
+    const auto solid = sample::solids().at("Bracket")();
+    int asked = 0;
+    const Cover cover = spherize(*solid, 6, {.stop = [&] { return ++asked < 0; }});
+    EXPECT_EQ(cover.spheres, spherize(*solid, 6).spheres);
+    EXPECT_GE(asked, 10);
+}
+
 TEST(Spherize, OfNoSpheresIsRefused) {
     try {
         spherize(cube(), 0);

@@ -55,6 +55,7 @@ QuickSearch::QuickSearch(const Solid& solid, const SpherizeOptions& options)
     : solid_(solid), options_(options), frame_(solid.bounds()) {}
 
 Cover QuickSearch::alone(std::size_t count) {
+    stopped_ = false;
     // Many creases take long to prove: less of that in exchange for a thousandth of the radii.
     constexpr std::size_t few = 4;
     return finished(found(count, nullptr).balls, count > few ? 10 * least_overlap : least_overlap);

@@ -23,7 +23,12 @@ public:
     /// Along the counts of the ladder more balls never claim more, and no other count claims more than the rung below
     /// it.
     /// A search that was stopped is not kept.
-    Cover cover(std::size_t count) { return rung(count).cover; }
+    Cover cover(std::size_t count) {
+        stopped_ = false;
+        return rung(count).cover;
+    }
+    /// Whether the last search was.
+    bool was_stopped() const { return stopped_; }
 
 private:
     struct Found {
@@ -49,14 +54,14 @@ private:
     Found gone_on_with(const Surface& surface, const Found& start, std::size_t count) const;
     /// The balls as spheres, `overlap` times larger, with the proof.
     Cover finished(const Balls& balls, double overlap) const;
-    bool stopped() { return stopped_ = options_.stop && options_.stop(); }
+    bool stopped() { return stopped_ = stopped_ || (options_.stop && options_.stop()); }
 
     const Solid& solid_;
     SpherizeOptions options_;
     Frame frame_;
     std::size_t pieces_ = 0; ///< of the surface that is there
     std::unique_ptr<Surface> surface_;
-    bool stopped_ = false; ///< the last answer
+    bool stopped_ = false;
     std::map<std::size_t, Rung> rungs_;
 };
 

@@ -56,18 +56,18 @@ Search::Search(const Solid& solid, const SpherizeOptions& options)
       coarse_skin_(skin_.points.size() > few_points ? skin_.coarse(plan_.skin_resolution) : skin_),
       body_(body_points(problem_, 800)), improvement_(problem_, plan_.directions, plan_.first_points) {}
 
-const Search::Model& Search::model(std::size_t count) {
+Search::Model Search::model(std::size_t count) {
     if (const auto known = models_.find(count); known != models_.end()) {
         return known->second;
     }
     if (count == 1) {
         return models_.emplace(1, finished(smallest_ball())).first->second;
     }
-    const Model& before = model(count_before(count));
+    Model best = model(count_before(count));
     if (stopped()) {
-        return before;
+        return best;
     }
-    Model best = before;
+    const Balls before = best.balls;
     const auto take = [&](const Balls& balls) {
         Model model = finished(balls);
         // More balls are never worse.
@@ -76,10 +76,18 @@ const Search::Model& Search::model(std::size_t count) {
         }
     };
     if (count <= plan_.most_split) {
-        take(one_more(before.balls));
+        take(one_more(before));
+        if (stopped()) {
+            return best;
+        }
     }
     if (count > plan_.only_split) {
-        take(settled(best_of(starts(count, before.balls)).balls));
+        const Rated found = best_of(starts(count, before));
+        if (stopped()) {
+            take(improvement_.closed_balls(found.balls, finest_start));
+            return best;
+        }
+        take(settled(found.balls));
     }
     return models_.emplace(count, std::move(best)).first->second;
 }

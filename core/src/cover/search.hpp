@@ -35,7 +35,13 @@ public:
     Search(const Search&) = delete; ///< its parts refer to each other
     Search& operator=(const Search&) = delete;
 
-    const Cover& cover(std::size_t count) { return model(count).cover; }
+    /// A search that was stopped is not kept.
+    Cover cover(std::size_t count) {
+        stopped_ = false;
+        return model(count).cover;
+    }
+    /// Whether the last search was.
+    bool was_stopped() const { return stopped_; }
 
 private:
     struct Model {
@@ -45,7 +51,7 @@ private:
     struct Starts {
         std::vector<Balls> rough, regular;
     };
-    const Model& model(std::size_t count);
+    Model model(std::size_t count);
     Balls smallest_ball() const;
     Starts starts(std::size_t count, const Balls& before) const;
     Balls with_splits(const Balls& before, std::size_t count, std::size_t first, Random& random) const;
@@ -56,7 +62,7 @@ private:
     Balls settled(const Balls& balls) const;
     Balls fitted(const Balls& balls) const;
     Model finished(const Balls& balls) const;
-    bool stopped() const { return options_.stop && options_.stop(); }
+    bool stopped() { return stopped_ = stopped_ || (options_.stop && options_.stop()); }
 
     const Solid& solid_;
     SpherizeOptions options_;
@@ -66,6 +72,7 @@ private:
     Points body_;
     Improvement improvement_;
     std::map<std::size_t, Model> models_;
+    bool stopped_ = false;
 };
 
 } // namespace foam::cover

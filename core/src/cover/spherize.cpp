@@ -52,8 +52,18 @@ std::vector<Cover> spherize_each(const Solid& solid, std::span<const std::size_t
 
 Cover spherize(const Solid& solid, std::size_t count, const SpherizeOptions& options) {
     check(count);
-    return options.effort == Effort::fast ? cover::QuickSearch(solid, options).alone(count)
-                                          : CoverSearch(solid, options).cover(count);
+    if (options.effort != Effort::fast && !options.stop) {
+        return CoverSearch(solid, options).cover(count);
+    }
+    cover::QuickSearch quick(solid, options);
+    Cover found = quick.alone(count);
+    if (options.effort == Effort::fast || quick.was_stopped()) {
+        return found;
+    }
+    // A search that may be cut short has something good to fall back on; one that is not gives what it always gives.
+    cover::Search search(solid, options);
+    Cover better = search.cover(count);
+    return search.was_stopped() && found.volume < better.volume ? found : better;
 }
 
 Cover spherize(const Mesh& mesh, std::size_t count, const SpherizeOptions& options) {

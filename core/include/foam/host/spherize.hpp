@@ -20,7 +20,8 @@ enum class Effort { fast, normal, best };
 struct SpherizeOptions {
     Effort effort = Effort::normal;
     std::uint64_t seed = 0;
-    /// Asked now and then; true ends the search with what has been found so far, covered and certified all the same.
+    /// Asked now and then in the calling thread; true ends the search with what has been found so far, covered and
+    /// certified all the same.
     /// Results are the same from run to run only if it never says true.
     std::function<bool()> stop{};
 };
