@@ -70,4 +70,8 @@ private:
 /// end. No rung depends on how many spheres there are to share.
 std::vector<std::size_t> next_rungs(std::size_t explored, std::size_t least, std::size_t most);
 
+/// The counts that a shape is asked for which has `most` spheres of its own: 1, 2, 3, 4, 5, 6, 7, 8, 16, 32… as far as
+/// they are above `least`, which is the first, and not above `most`. Precondition: 1 <= least <= most.
+std::vector<std::size_t> counts_alone(std::size_t least, std::size_t most);
+
 } // namespace foam

@@ -1,5 +1,6 @@
 #include "budget.hpp"
 
+#include "at_most.hpp"
 #include "cover.hpp"
 #include "separation.hpp"
 
@@ -10,6 +11,16 @@
 
 namespace foam {
 namespace {
+
+void say_if_not_all(const Workspace& workspace, std::size_t used, std::size_t total) {
+    if (used > 0 && used < total) {
+        workspace.journal.finding(
+            {Severity::warning, "", "",
+             fmt::format("{} of {} spheres are used: more that the spherizer tried on these links "
+                         "would not lower the excess",
+                         used, total)});
+    }
+}
 
 /// What the user is told of a sharing that is not what was asked for.
 void report_sharing(const Workspace& workspace, const std::vector<LinkWork>& links,
@@ -43,12 +54,8 @@ void report_sharing(const Workspace& workspace, const std::vector<LinkWork>& lin
                          cut != Cut::none        ? "more time"
                          : recipe.budget_spheres ? "raise budget.spheres"
                                                  : "raise max_spheres of the links")});
-    } else if (recipe.budget_spheres && !recipe.budget_excess && sum < *recipe.budget_spheres && cut == Cut::none) {
-        workspace.journal.finding(
-            {Severity::warning, "", "",
-             fmt::format("{} of {} spheres are used: more that the spherizer tried on these links "
-                         "would not lower the excess",
-                         sum, *recipe.budget_spheres)});
+    } else if (recipe.budget_spheres && !recipe.budget_excess && cut == Cut::none) {
+        say_if_not_all(workspace, sum, *recipe.budget_spheres);
     }
 }
 
@@ -139,15 +146,20 @@ ChosenCounts count_each(const Workspace& workspace, std::vector<ShapeWork>& shap
             return;
         }
         workspace.journal.expect(1);
-        const std::vector<std::size_t> asked = first_counts(workspace.recipe, work, groups.size());
-        compute_until_cut(workspace, work, asked);
-        const auto& got = work.known.asked;
-        of_shape[s] = got.contains(asked.front()) ? got.at(asked.front()) : got.rbegin()->second;
+        if (const std::size_t most = number_of_its_own(workspace.recipe, work); most < SIZE_MAX) {
+            of_shape[s] = best_of_at_most(workspace, work, most);
+            return;
+        }
+        compute_until_cut(workspace, work, {0});
+        of_shape[s] = work.known.asked.begin()->second;
     });
     ChosenCounts chosen;
     chosen.cut = workspace.cut();
     for (const Group& group : groups) {
         chosen.of_group.push_back(of_shape[group.shape]);
+    }
+    if (workspace.recipe.budget_spheres && chosen.cut == Cut::none) {
+        say_if_not_all(workspace, chosen.of_group.front(), *workspace.recipe.budget_spheres);
     }
     return chosen;
 }
@@ -184,10 +196,11 @@ ChosenCounts choose_counts(const Workspace& preparing, const std::vector<LinkWor
                            std::vector<ShapeWork>& shapes, const std::vector<Group>& groups, ReferencePose* pose) {
     const Recipe& recipe = preparing.recipe;
     const Workspace workspace = preparing.in(Phase::searching);
-    const bool shared = recipe.budget_spheres || recipe.budget_excess;
-    if (shared) {
+    if (recipe.budget_spheres || recipe.budget_excess) {
         require_enough(recipe, shapes, groups);
     }
+    const bool shared = (recipe.budget_spheres || recipe.budget_excess) &&
+                        (groups.size() != 1 || !has_number_of_its_own(recipe, shapes.front(), 1));
     ChosenCounts chosen =
         shared ? share_spheres(workspace, links, shapes, groups, pose) : count_each(workspace, shapes, groups);
     report_cut(workspace, chosen.cut);

@@ -24,17 +24,25 @@ std::size_t most_of(const Recipe& recipe, const ShapeWork& work) {
     return work.most == SIZE_MAX && !recipe.budget_spheres ? std::max(work.least, most_unasked) : work.most;
 }
 
+bool has_number_of_its_own(const Recipe& recipe, const ShapeWork& shape, std::size_t groups) {
+    return !recipe.budget_excess && !shape.max_protrusion && (groups == 1 || !recipe.budget_spheres);
+}
+
+std::size_t number_of_its_own(const Recipe& recipe, const ShapeWork& shape) {
+    return std::min(shape.most, recipe.budget_spheres.value_or(SIZE_MAX));
+}
+
 std::vector<std::size_t> first_counts(const Recipe& recipe, const ShapeWork& shape, std::size_t groups) {
+    if (has_number_of_its_own(recipe, shape, groups)) {
+        const std::size_t most = number_of_its_own(recipe, shape);
+        return most == SIZE_MAX ? std::vector<std::size_t>{0} : counts_alone(shape.least, std::max(shape.least, most));
+    }
     if (!recipe.budget_spheres && !recipe.budget_excess) {
-        return {shape.max_protrusion ? shape.least : shape.most == SIZE_MAX ? 0 : shape.most};
+        return {shape.least};
     }
     std::vector<std::size_t> counts = next_rungs(0, shape.least, most_of(recipe, shape));
-    if (groups == 1 && recipe.budget_spheres) { // nothing to share: all of them, or fewer where more claim more
+    if (groups == 1 && recipe.budget_spheres) {
         std::erase_if(counts, [&](std::size_t count) { return count > *recipe.budget_spheres; });
-        if (const std::size_t all = std::min(*recipe.budget_spheres, shape.most);
-            !recipe.budget_excess && (counts.empty() || counts.back() < all)) {
-            counts.push_back(all);
-        }
     }
     return counts;
 }
@@ -234,31 +242,6 @@ private:
     std::size_t least_ = 0;       ///< spheres that all groups need
 };
 
-/// One group has nothing to share: it takes all there are, or fewer where more claim more.
-Cut explore_alone(const Workspace& workspace, std::vector<ShapeWork>& shapes) {
-    ShapeWork& work = shapes.front();
-    const std::vector<std::size_t> counts = first_counts(workspace.recipe, work, 1);
-    if (!workspace.time_limit()) {
-        return explore(workspace, shapes, {counts});
-    }
-    // All at once would leave nothing when the limit comes. So the number is quadrupled from step to step, which costs
-    // a third more; the steps on the way only count if the limit does come.
-    Cut cut = explore(workspace, shapes, {{counts.begin(), counts.end() - 1}});
-    const KnownTrees known = work.known;
-    for (std::size_t count = 4 * counts.front(); count < counts.back() && cut == Cut::none; count *= 4) {
-        cut = explore(workspace, shapes, {{count}});
-    }
-    if (cut != Cut::none) {
-        return cut;
-    }
-    KnownTrees steps = std::exchange(work.known, known);
-    cut = explore(workspace, shapes, {{counts.back()}});
-    if (cut != Cut::none) {
-        work.known.add(std::move(steps));
-    }
-    return cut;
-}
-
 /// One group: the fewest that are enough lie between two rungs: bisected.
 Cut narrow_down(const Workspace& workspace, std::vector<ShapeWork>& shapes, const Goal& goal) {
     const ShapeWork& work = shapes.front();
@@ -294,8 +277,7 @@ Cut explore_for(const Workspace& workspace, std::vector<ShapeWork>& shapes, cons
     if (alone) {
         shapes.front().most = std::min(shapes.front().most, goal.most);
     }
-    Cut cut =
-        alone && !goal.enough ? explore_alone(workspace, shapes) : Exploration(workspace, shapes, groups, goal).run();
+    Cut cut = Exploration(workspace, shapes, groups, goal).run();
     if (alone && cut == Cut::none) {
         cut = narrow_down(workspace, shapes, goal);
     }

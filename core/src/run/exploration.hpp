@@ -20,6 +20,12 @@ std::vector<std::size_t> takers(const std::vector<ShapeWork>& shapes, const std:
 /// The most spheres that a shape may have: where neither budget nor link says, 256.
 std::size_t most_of(const Recipe& recipe, const ShapeWork& work);
 
+/// A shape whose spheres are shared with no other and limited by their number only. `groups`: of the robot.
+bool has_number_of_its_own(const Recipe& recipe, const ShapeWork& shape, std::size_t groups);
+
+/// Of such a shape; SIZE_MAX: as many as the spherizer's own parameters make.
+std::size_t number_of_its_own(const Recipe& recipe, const ShapeWork& shape);
+
 /// The counts that choose_counts() asks of a shape before it knows anything; 0: no budget. `groups`: of the robot.
 std::vector<std::size_t> first_counts(const Recipe& recipe, const ShapeWork& shape, std::size_t groups);
 

@@ -64,12 +64,14 @@ std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::ve
     for (std::size_t g = 0; g < groups.size(); ++g) {
         const LinkWork& link = links[groups[g].link];
         Hasher hasher;
-        hasher.add(link.recipe.spherizer, workspace.registry).add(static_cast<std::uint64_t>(link.recipe.min_spheres));
-        hasher.add(static_cast<std::uint64_t>(link.recipe.max_spheres.value_or(0)));
+        hasher.add(link.recipe.spherizer, workspace.registry);
         for (const std::size_t e : groups[g].elements) {
             hasher.add(link.elements[e].digest).add(relative_pose(groups[g], link, e));
         }
-        const Digest digest = hasher.finish();
+        const Digest digest =
+            hasher.finish(); // what a spherizer makes of it does not depend on the bounds of the count
+        hasher.add(static_cast<std::uint64_t>(link.recipe.min_spheres));
+        hasher.add(static_cast<std::uint64_t>(link.recipe.max_spheres.value_or(0)));
         add_isolation(hasher, link.recipe.spherizer.isolation);
         hasher.add(link.recipe.max_protrusion.value_or(-1));
         const auto [it, fresh] = known.try_emplace(hasher.finish(), shapes.size());

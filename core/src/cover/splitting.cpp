@@ -1,0 +1,73 @@
+#include "cover/splitting.hpp"
+
+#include <foam/union_volume.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace foam::cover {
+namespace {
+
+// Which ball to split and where is all that is chosen by these: the result is held to exact volumes.
+constexpr int resolution = 24;
+constexpr std::size_t points = 500, directions = 64, first_points = 300;
+constexpr ExchangePlan plan{.split = {12, 5, 2, 30}, .evaluations = 0, .rounds = 0, .cells = 12};
+/// Surfaces of more are looked at coarsely, and what bulges out is closed in the end.
+constexpr std::size_t most_points = 4000;
+constexpr int coarse_resolution = 32;
+
+Skin skin_of(const Solid& solid, const Frame& frame) {
+    Skin skin(solid.surface(), frame);
+    return skin.points.size() > most_points ? skin.coarse(coarse_resolution) : skin;
+}
+
+} // namespace
+
+Splitting::Splitting(const Solid& solid)
+    : problem_(solid, resolution, points, 0), improvement_(problem_, directions, first_points),
+      skin_(skin_of(solid, problem_.frame)) {}
+
+std::vector<Sphere> Splitting::one_more(const std::vector<Sphere>& cover) const {
+    constexpr std::size_t at_once = 3;
+    constexpr double rounding = 3e-6; // more: else slivers that no ball quite holds would be asked of any
+    Balls before;
+    for (const Sphere& s : cover) {
+        before.push_back(
+            ball_of({problem_.frame.to_unit(s.center), s.radius / problem_.frame.unit * (1 + rounding) + rounding}));
+    }
+    const std::vector<std::size_t> order = improvement_.by_waste(before);
+    const double claimed = exact_union_volume(cover);
+    double least = std::numeric_limits<double>::infinity();
+    std::vector<Sphere> best = cover;
+    for (std::size_t first = 0; first < order.size() && least >= claimed; first += at_once) {
+        const auto begin = order.begin() + static_cast<std::ptrdiff_t>(first);
+        Exchange exchange(problem_, skin_, plan, before);
+        if (!exchange.split({begin, std::min(begin + at_once, order.end())})) {
+            continue;
+        }
+        std::vector<Sphere> more = spheres_of(exchange.balls(), before, cover);
+        if (const double volume = exact_union_volume(more); volume < least) {
+            least = volume;
+            best = std::move(more);
+        }
+    }
+    return best;
+}
+
+/// Those that have not moved keep all their digits.
+std::vector<Sphere> Splitting::spheres_of(const Balls& balls, const Balls& before,
+                                          const std::vector<Sphere>& cover) const {
+    // Where balls only just meet, a proof by halving would have to cut very finely: a hair of overlap helps.
+    constexpr double overlap = 1e-4, least_overlap = 1e-5; // of the radius, of the solid's size
+    std::vector<Sphere> spheres = improvement_.spheres_of(balls);
+    for (std::size_t i = 0; i < spheres.size(); ++i) {
+        if (i < before.size() && balls[i] == before[i]) {
+            spheres[i] = cover[i];
+        } else {
+            spheres[i].radius += overlap * spheres[i].radius + least_overlap * problem_.frame.unit;
+        }
+    }
+    return spheres;
+}
+
+} // namespace foam::cover

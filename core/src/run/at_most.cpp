@@ -1,0 +1,146 @@
+#include "at_most.hpp"
+
+#include "cover.hpp"
+#include "cover/splitting.hpp"
+#include "exploration.hpp"
+#include "geometry/row_cover.hpp"
+
+#include <foam/parallel.hpp>
+#include <foam/union_volume.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace foam {
+namespace {
+
+struct Candidate {
+    SphereTree tree;                                         ///< as the spherizer made it, or split
+    std::vector<Sphere> grown;                               ///< the finest level, so that it covers
+    double volume = std::numeric_limits<double>::infinity(); ///< of their union, m³
+};
+
+bool any_deep(const ShapeWork& work) {
+    return std::any_of(work.known.trees.begin(), work.known.trees.end(),
+                       [](const auto& known) { return known.second.levels.size() > 2; });
+}
+
+/// The trees of the counts, with what they claim once grown.
+std::vector<Candidate> candidates(const Workspace& workspace, const ShapeWork& work,
+                                  const std::vector<std::size_t>& counts) {
+    const Workspace measuring = workspace.in(Phase::finishing); // takes a moment, and is of no use undone
+    std::vector<Candidate> result(counts.size());
+    parallel_for(counts.size(), [&](std::size_t i) {
+        measuring.check_cancelled();
+        result[i].tree = work.known.trees.at(work.known.asked.at(counts[i]));
+        result[i].grown = grown_to_cover(work.shape->original(), result[i].tree.finest());
+        result[i].volume = exact_union_volume(result[i].grown);
+    });
+    return result;
+}
+
+/// A tree of two levels with the same root.
+SphereTree with_finest(const SphereTree& tree, std::vector<Sphere> spheres) {
+    SphereTree result = flat_tree(std::move(spheres));
+    if (tree.levels.size() > 1) {
+        result.levels.front() = tree.levels.front();
+    }
+    return result;
+}
+
+/// Splits spheres of the best so far up to `count`, and keeps what claims clearly less: more than closing it may cost.
+/// On the way it may claim more for a while: around a ring two spheres claim more than one.
+void split_up_to(const Workspace& workspace, const cover::Splitting& splitting, std::size_t count, Candidate& best) {
+    constexpr double clearly = 1e-5;
+    Candidate next = best;
+    while (next.tree.levels.size() <= 2 && next.grown.size() < count && !workspace.ended()) {
+        std::vector<Sphere> more = splitting.one_more(next.grown);
+        if (more.size() == next.grown.size()) {
+            return;
+        }
+        next.volume = exact_union_volume(more);
+        next.tree = with_finest(next.tree, more);
+        next.grown = std::move(more);
+        if (next.volume < (1 - clearly) * best.volume) {
+            best = next;
+        }
+    }
+}
+
+/// What is best at a count is the same whatever `most` is, and so is what its spheres are split into: more are never
+/// worse.
+SphereTree with_splits_between(const Workspace& workspace, const ShapeWork& work,
+                               const std::vector<std::size_t>& counts, std::size_t most) {
+    std::vector<Candidate> asked = candidates(workspace, work, counts);
+    const cover::Splitting splitting(work.shape->original());
+    Candidate best;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (asked[i].volume < best.volume) {
+            best = std::move(asked[i]);
+        }
+        split_up_to(workspace, splitting, i + 1 < counts.size() ? counts[i + 1] - 1 : most, best);
+    }
+    if (auto row = geometry::row_cover(work.shape->original(), most); row && exact_union_volume(*row) < best.volume) {
+        return flat_tree(std::move(*row));
+    }
+    return std::move(best.tree);
+}
+
+std::size_t best_of(const Workspace& workspace, const ShapeWork& work, const std::vector<std::size_t>& counts) {
+    const Workspace measuring = workspace.in(Phase::finishing);
+    std::vector<double> cost(counts.size());
+    parallel_for(counts.size(), [&](std::size_t i) {
+        measuring.check_cancelled();
+        cost[i] = wrong_volume(work.shape->original(), work.known.trees.at(work.known.asked.at(counts[i])).finest(),
+                               workspace.recipe.guarantee);
+    });
+    return work.known.asked.at(
+        counts[static_cast<std::size_t>(std::min_element(cost.begin(), cost.end()) - cost.begin())]);
+}
+
+/// Asks the spherizer; returns the counts that are known then, fewer if the search was cut.
+std::vector<std::size_t> computed(const Workspace& workspace, ShapeWork& work, std::size_t most) {
+    std::vector<std::size_t> counts = counts_alone(std::min(work.least, most), most);
+    if (workspace.time_limit()) { // all at once would leave nothing when the limit comes
+        for (const std::size_t count : counts) {
+            compute_until_cut(workspace, work, {count});
+        }
+    } else {
+        compute_until_cut(workspace, work, counts);
+    }
+    if ((workspace.recipe.guarantee != Guarantee::outer || any_deep(work)) && counts.back() != most) {
+        counts.push_back(most);
+        compute_until_cut(workspace, work, {most});
+    }
+    std::erase_if(counts, [&](std::size_t count) { return !work.known.asked.contains(count); });
+    return counts;
+}
+
+Digest best_key(const Workspace& workspace, const ShapeWork& work, std::size_t most) {
+    return Hasher().add("best of at most").add(tree_key(workspace, work, most)).finish();
+}
+
+} // namespace
+
+std::size_t best_of_at_most(const Workspace& workspace, ShapeWork& work, std::size_t most) {
+    const std::vector<std::size_t> counts = computed(workspace, work, most);
+    if (workspace.recipe.guarantee != Guarantee::outer) {
+        return best_of(workspace, work, counts);
+    }
+    if (counts.back() == 1 || !(work.shape->original().bounds().diagonal() > 0)) {
+        return work.known.asked.at(counts.front());
+    }
+    const Digest key = best_key(workspace, work, most);
+    std::optional<Cached<SphereTree>> best = workspace.cache.tree(key);
+    if (!best) {
+        best.emplace(Cached<SphereTree>{with_splits_between(workspace, work, counts, most), {}});
+        if (workspace.cut() == Cut::none) {
+            workspace.cache.put(key, best->result, {});
+        }
+    }
+    const std::size_t count = best->result.finest().size();
+    work.known.trees[count] = std::move(best->result);
+    return count;
+}
+
+} // namespace foam

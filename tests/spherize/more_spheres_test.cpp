@@ -1,0 +1,72 @@
+// A number of spheres for one link, whatever the spherizer: with one more the link never claims more, and never are
+// there gaps. Measured on the file that was written.
+#include "all_spherizers.hpp"
+
+#include "support/temporary_folder.hpp"
+
+#include <foam/host/run.hpp>
+#include <foam/union_volume.hpp>
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace {
+
+using namespace foam;
+using namespace foam::test;
+
+class MoreSpheres : public testing::TestWithParam<std::string> {
+protected:
+    MoreSpheres() {
+        registry.load_directory(FOAM_TEST_PLUGINS);
+        std::ofstream(folder.path() / "hook.urdf") << R"(<robot name="hook"><link name="hook">
+                    <collision><geometry><box size="0.3 0.05 0.1"/></geometry></collision>
+                    <collision><origin xyz="0.125 0.1 0"/><geometry><box size="0.05 0.2 0.1"/></geometry></collision>
+                    <collision><origin xyz="0.05 0.2 0"/><geometry><cylinder radius="0.03" length="0.2"/></geometry>
+                    </collision>
+                  </link></robot>)";
+    }
+
+    /// With the trees of earlier calls in a cache of the test's own.
+    std::vector<Sphere> written(const std::string& budget) {
+        const std::string text = "foam: 1\nname: hook\nrobot: {urdf: hook.urdf}\nstages: [" + GetParam() + "]\n" +
+                                 budget + "\noutputs: [write.urdf: {file: hook.urdf}]\n";
+        const RecipeResult recipe = parse_recipe(text, folder.path() / "hook.yaml", registry);
+        EXPECT_TRUE(recipe.ok()) << recipe.diagnostics.at(0).text();
+        RunOptions options;
+        options.out = folder.path() / "out";
+        options.cache = folder.path() / "cache";
+        EXPECT_TRUE(run(recipe.recipes.at(0), registry, options).certified) << budget;
+        std::ostringstream urdf;
+        urdf << std::ifstream(folder.path() / "out/hook.urdf").rdbuf();
+        return registry.make<Writer>("write.urdf")->read(urdf.str()).at("hook");
+    }
+
+    TemporaryFolder folder;
+    Registry registry;
+};
+
+TEST_P(MoreSpheres, NeverClaimMore) {
+    double least = std::numeric_limits<double>::infinity(), first = 0;
+    for (std::size_t count = 1; count <= 18; ++count) {
+        const std::vector<Sphere> spheres = written("budget: {spheres: " + std::to_string(count) + "}");
+        EXPECT_LE(spheres.size(), count);
+        const double claimed = exact_union_volume(spheres);
+        // What is written is rounded to about a millionth of the link's size.
+        EXPECT_LE(claimed, least * (1 + 1e-5)) << count;
+        least = std::min(least, claimed);
+        first = std::max(first, claimed);
+    }
+    EXPECT_LT(least, 0.7 * first);
+}
+
+TEST_P(MoreSpheres, AreTheSameByTheLinkAndByTheBudget) {
+    EXPECT_EQ(written("links: {hook: {max_spheres: 9}}"), written("budget: {spheres: 9}"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Spherizers, MoreSpheres, testing::ValuesIn(spherizer_names()),
+                         [](const auto& test) { return test.param.substr(test.param.find('.') + 1); });
+
+} // namespace
