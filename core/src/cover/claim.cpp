@@ -27,32 +27,40 @@ double claimed_volume(const Balls& balls, const Points& directions) {
     return volume * 4 * std::numbers::pi / (3 * static_cast<double>(directions.size()));
 }
 
-void find_owners(const Points& points, const Balls& balls, std::vector<std::uint32_t>& owner, std::vector<float>& gap) {
-    owner.assign(points.size(), 0);
-    gap.assign(points.size(), std::numeric_limits<float>::infinity());
+void Deepest::clear(std::size_t count) {
+    ball.assign(count, 0);
+    gap.assign(count, std::numeric_limits<float>::infinity());
+}
+
+void Deepest::offer(const Points& points, std::size_t begin, std::size_t end, const Balls& balls, std::uint32_t i) {
     const float *x = points.x.data(), *y = points.y.data(), *z = points.z.data();
+    const Ball b = balls[i];
+    float* g = gap.data();
+    std::uint32_t* o = ball.data();
+    for (std::size_t p = begin; p < end; ++p) {
+        const float dx = x[p] - b.x, dy = y[p] - b.y, dz = z[p] - b.z;
+        const float outside = std::sqrt(dx * dx + dy * dy + dz * dz) - b.r;
+        o[p] = outside < g[p] ? i : o[p];
+        g[p] = outside < g[p] ? outside : g[p];
+    }
+}
+
+void find_owners(const Points& points, const Balls& balls, Deepest& owners) {
+    owners.clear(points.size());
     for (std::uint32_t i = 0; i < balls.size(); ++i) {
-        const Ball ball = balls[i];
-        float* l = gap.data();
-        std::uint32_t* o = owner.data();
-        for (std::size_t p = 0; p < points.size(); ++p) {
-            const float dx = x[p] - ball.x, dy = y[p] - ball.y, dz = z[p] - ball.z;
-            const float outside = std::sqrt(dx * dx + dy * dy + dz * dz) - ball.r;
-            o[p] = outside < l[p] ? i : o[p];
-            l[p] = outside < l[p] ? outside : l[p];
-        }
+        owners.offer(points, 0, points.size(), balls, i);
     }
 }
 
 void tighten(const Points& points, Balls& balls) {
-    std::vector<std::uint32_t> owner;
-    std::vector<float> gap, squared(balls.size());
+    Deepest owners;
+    std::vector<float> squared(balls.size());
     for (int round = 0; round < 3; ++round) {
-        find_owners(points, balls, owner, gap);
+        find_owners(points, balls, owners);
         std::fill(squared.begin(), squared.end(), 0.0f);
         for (std::size_t p = 0; p < points.size(); ++p) {
-            float& s = squared[owner[p]];
-            s = std::max(s, balls[owner[p]].squared_distance(points.x[p], points.y[p], points.z[p]));
+            float& s = squared[owners.ball[p]];
+            s = std::max(s, balls[owners.ball[p]].squared_distance(points.x[p], points.y[p], points.z[p]));
         }
         for (std::size_t i = 0; i < balls.size(); ++i) {
             balls[i].r = std::sqrt(squared[i]);

@@ -8,8 +8,17 @@ namespace foam::cover {
 /// vol(U) in units³ by the divergence theorem over the exposed directions; relative error about 1/directions.
 double claimed_volume(const Balls& balls, const Points& directions);
 
-/// Of every point the ball in which it lies deepest, and how far it is outside that one (negative inside).
-void find_owners(const Points& points, const Balls& balls, std::vector<std::uint32_t>& owner, std::vector<float>& gap);
+/// Of points the ball in which each lies deepest, and how far it is outside that one (negative inside).
+struct Deepest {
+    std::vector<std::uint32_t> ball;
+    std::vector<float> gap;
+
+    /// Of `count` points, which none has yet.
+    void clear(std::size_t count);
+    /// Gives ball `i` those of the points from `begin` to `end` that lie deeper in it.
+    void offer(const Points& points, std::size_t begin, std::size_t end, const Balls& balls, std::uint32_t i);
+};
+void find_owners(const Points& points, const Balls& balls, Deepest& owners);
 
 /// Radii as large as the points that lie deepest in each ball ask for, in a few rounds: what one ball gives up another
 /// may have held.

@@ -1,12 +1,12 @@
 #include "cover/descent.hpp"
 
-#include "cover/claim.hpp"
 #include "cover/exposed.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace foam::cover {
 
@@ -62,24 +62,57 @@ void Descent::add_exposed_areas(const Balls& balls, const Points& directions) {
     }
 }
 
-void Descent::hold(const Points& points, Balls& balls, float slack) {
-    doubtful_.clear();
+void Descent::find_doubtful(const Points& points, const Balls& balls, float slack) {
+    first_.assign(balls.size() + 1, 0);
     doubtful_index_.clear();
     for (std::size_t p = 0; p < points.size(); ++p) {
         const Ball& last = balls[owner_[p]];
         const float inner = last.r - slack;
         if (!(inner > 0) || last.squared_distance(points.x[p], points.y[p], points.z[p]) > inner * inner) {
-            doubtful_.add(points, p);
             doubtful_index_.push_back(static_cast<std::uint32_t>(p));
+            ++first_[owner_[p] + 1];
         }
     }
-    find_owners(doubtful_, balls, doubtful_owner_, gap_);
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    // Counting sort from behind: what ends a ball's points becomes their beginning.
+    sorted_.resize(doubtful_index_.size());
+    doubtful_.resize(doubtful_index_.size());
+    for (std::size_t k = doubtful_index_.size(); k-- > 0;) {
+        const std::uint32_t p = doubtful_index_[k];
+        const std::size_t place = --first_[owner_[p] + 1];
+        sorted_[place] = p;
+        doubtful_.x[place] = points.x[p];
+        doubtful_.y[place] = points.y[p];
+        doubtful_.z[place] = points.z[p];
+    }
+    std::swap(doubtful_index_, sorted_);
+    first_.erase(first_.begin());
+    first_.push_back(doubtful_index_.size());
+    deepest_.clear(doubtful_.size());
+    for (std::uint32_t i = 0; i < balls.size(); ++i) {
+        const std::size_t begin = first_[i], end = first_[i + 1];
+        deepest_.offer(doubtful_, begin, end, balls, i);
+        float most = -balls[i].r;
+        for (std::size_t k = begin; k < end; ++k) {
+            most = std::max(most, deepest_.gap[k]);
+        }
+        for (std::uint32_t other = 0; other < balls.size() && begin < end; ++other) {
+            // A ball in which one of these lies deeper comes this close.
+            const float reach = balls[i].r + balls[other].r + 2 * most;
+            if (other != i && reach > 0 && squared_distance(balls[i], balls[other]) <= reach * reach) {
+                deepest_.offer(doubtful_, begin, end, balls, other);
+            }
+        }
+    }
+}
+
+void Descent::hold(const Points& points, Balls& balls, float slack) {
+    find_doubtful(points, balls, slack);
     held_.clear();
     for (std::size_t k = 0; k < doubtful_.size(); ++k) {
-        owner_[doubtful_index_[k]] = doubtful_owner_[k];
-        if (gap_[k] > -slack) {
-            held_.push_back(
-                {doubtful_.x[k], doubtful_.y[k], doubtful_.z[k], 0, doubtful_owner_[k], doubtful_index_[k]});
+        owner_[doubtful_index_[k]] = deepest_.ball[k];
+        if (deepest_.gap[k] > -slack) {
+            held_.push_back({doubtful_.x[k], doubtful_.y[k], doubtful_.z[k], 0, deepest_.ball[k], doubtful_index_[k]});
         }
     }
     // Those that press in the first sweep are gone over again and again, the others once more at the end.

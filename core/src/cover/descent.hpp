@@ -1,6 +1,7 @@
 // Balls moved and sized so that their union claims less outside a solid and still holds its surface.
 #pragma once
 
+#include "cover/claim.hpp"
 #include "cover/directions.hpp"
 #include "cover/problem.hpp"
 
@@ -41,6 +42,8 @@ private:
         float x = 0, y = 0, z = 0, r = 0;
     };
     void add_exposed_areas(const Balls& balls, const Points& directions);
+    /// Looks for the balls in which the doubtful points lie deepest.
+    void find_doubtful(const Points& points, const Balls& balls, float slack);
     /// Takes the points back in; those nearer than `slack` to the outside are minded.
     void hold(const Points& points, Balls& balls, float slack);
     void step(Balls& balls, float length);
@@ -52,10 +55,12 @@ private:
     std::vector<Held> held_;
     std::vector<Slope> slopes_, mean_;
     float square_ = 0, mean_scale_ = 1, square_scale_ = 1;
-    // Of one call of hold(): points that may lie outside, what they are in `points`, how far outside.
+    // Of one call of hold(): points that may lie outside, by the ball that held them last, and what they are in
+    // `points`.
+    std::vector<std::uint32_t> doubtful_index_, sorted_;
+    std::vector<std::size_t> first_; ///< of each ball in these, and the end
     Points doubtful_;
-    std::vector<std::uint32_t> doubtful_index_, doubtful_owner_;
-    std::vector<float> gap_;
+    Deepest deepest_;
 };
 
 } // namespace foam::cover

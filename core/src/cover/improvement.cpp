@@ -43,7 +43,7 @@ Improvement::Improvement(const Problem& problem, std::size_t directions, std::si
 }
 
 Rated Improvement::improved(Balls balls, const DescentPlan& plan, bool creases) const {
-    constexpr std::size_t points_per_ball = 50, crease_points_at_most = 500, crease_points_at_last = 4000;
+    constexpr std::size_t points_per_ball = 25, crease_points_at_most = 500, crease_points_at_last = 4000;
     constexpr float long_step = 0.02f;
     const float size = mean_radius(balls);
     Points points, base = prefix(problem_.surface, first_points_ + points_per_ball * balls.size());

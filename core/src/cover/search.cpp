@@ -27,6 +27,7 @@ Plan plan_for(Effort effort) {
                 .directions = 128,
                 .starts = 24,
                 .kept = 6,
+                .kept_of_many = 3,
                 .coarse_steps = 200,
                 .fine_steps = 160,
                 .only_split = 1,
@@ -41,6 +42,7 @@ Plan plan_for(Effort effort) {
             .directions = 96,
             .starts = 2,
             .kept = 2,
+            .kept_of_many = 1,
             .coarse_steps = 120,
             .fine_steps = 80,
             .only_split = 3,
@@ -82,7 +84,7 @@ Search::Model Search::model(std::size_t count) {
         }
     }
     if (count > plan_.only_split) {
-        const Rated found = best_of(starts(count, before));
+        const Rated found = best_of(starts(count, before), count);
         if (stopped()) {
             take(improvement_.closed_balls(found.balls, finest_start));
             return best;
@@ -152,7 +154,7 @@ Balls Search::with_splits(const Balls& before, std::size_t count, std::size_t fi
 
 /// Rough starts take long steps first: they have far to go, and balls that get lost are put to use elsewhere. Grids may
 /// be all but right.
-Rated Search::best_of(const Starts& starts) const {
+Rated Search::best_of(const Starts& starts, std::size_t count) const {
     const DescentPlan far{.steps = plan_.coarse_steps, .first_step = 0.2f, .last_step = 0.01f};
     const DescentPlan near{.steps = plan_.coarse_steps / 3, .first_step = 0.04f, .last_step = 0.01f};
     const DescentPlan last{.steps = plan_.fine_steps, .first_step = 0.02f, .last_step = 0.001f};
@@ -164,7 +166,7 @@ Rated Search::best_of(const Starts& starts) const {
     });
     const auto better = [](const Rated& a, const Rated& b) { return a.volume < b.volume; };
     std::stable_sort(rated.begin(), rated.end(), better);
-    rated.resize(std::min(rated.size(), plan_.kept));
+    rated.resize(std::min(rated.size(), count <= plan_.most_exchanged ? plan_.kept : plan_.kept_of_many));
     parallel_for(rated.size(),
                  [&](std::size_t i) { rated[i] = improvement_.improved(std::move(rated[i].balls), last, true); });
     return std::move(*std::min_element(rated.begin(), rated.end(), better));

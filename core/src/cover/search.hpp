@@ -19,6 +19,7 @@ struct Plan {
     std::size_t directions;   ///< a ball
     std::size_t starts;       ///< at random, beside those by rule
     std::size_t kept;         ///< starts that are gone on with
+    std::size_t kept_of_many; ///< the same of more balls than exchange pieces
     int coarse_steps, fine_steps;
     std::size_t only_split;     ///< counts up to this come from splits alone
     std::size_t most_split;     ///< counts up to this come from splits too
@@ -55,7 +56,7 @@ private:
     Balls smallest_ball() const;
     Starts starts(std::size_t count, const Balls& before) const;
     Balls with_splits(const Balls& before, std::size_t count, std::size_t first, Random& random) const;
-    Rated best_of(const Starts& starts) const;
+    Rated best_of(const Starts& starts, std::size_t count) const;
     /// One ball more than a cover has, by a plane through one of those that waste most.
     Balls one_more(const Balls& cover) const;
     /// Closed, and, of few balls, improved by exchanges.

@@ -38,16 +38,15 @@ std::vector<std::size_t> far_seeds(const Points& points, std::size_t count, Rand
 
 /// Centres at the middles of what is nearest to them; radii: root mean square distance, which weighs sizes right.
 void lloyd(const Points& points, Balls& balls, int rounds) {
-    std::vector<std::uint32_t> owner;
-    std::vector<float> gap;
+    Deepest owners;
     for (int round = 0; round < rounds; ++round) {
         for (Ball& ball : balls) {
             ball.r = 0;
         }
-        find_owners(points, balls, owner, gap);
+        find_owners(points, balls, owners);
         std::vector<std::array<double, 4>> sum(balls.size());
         for (std::size_t p = 0; p < points.size(); ++p) {
-            auto& s = sum[owner[p]];
+            auto& s = sum[owners.ball[p]];
             s = {s[0] + points.x[p], s[1] + points.y[p], s[2] + points.z[p], s[3] + 1};
         }
         for (std::size_t i = 0; i < balls.size(); ++i) {
@@ -151,12 +150,11 @@ std::array<Vec3, 3> axes_of(const Points& points) {
 }
 
 Balls split(const Balls& balls, std::size_t i, const Points& points, Random& random) {
-    std::vector<std::uint32_t> owner;
-    std::vector<float> gap;
-    find_owners(points, balls, owner, gap);
+    Deepest owners;
+    find_owners(points, balls, owners);
     Points owned;
     for (std::size_t p = 0; p < points.size(); ++p) {
-        if (owner[p] == i) {
+        if (owners.ball[p] == i) {
             owned.add(points, p);
         }
     }
