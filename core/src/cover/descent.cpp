@@ -10,9 +10,6 @@
 
 namespace foam::cover {
 
-/// Rounds over the points that press, after the first.
-static constexpr int sweeps = 8;
-
 void Descent::run(Points& points, Balls& balls, const DescentPlan& plan, const Refresh& refresh) {
     owner_.assign(points.size(), 0);
     pressed_.assign(points.size(), 0);
@@ -115,45 +112,9 @@ void Descent::hold(const Points& points, Balls& balls, float slack) {
             held_.push_back({doubtful_.x[k], doubtful_.y[k], doubtful_.z[k], 0, deepest_.ball[k], doubtful_index_[k]});
         }
     }
-    // Those that press in the first sweep are gone over again and again, the others once more at the end.
-    const auto press = [&](Held& h) {
-        Ball& ball = balls[h.owner];
-        const float dx = h.x - ball.x, dy = h.y - ball.y, dz = h.z - ball.z;
-        const float squared = dx * dx + dy * dy + dz * dz;
-        if (h.force == 0 && squared <= ball.r * ball.r) {
-            return;
-        }
-        const float distance = std::sqrt(squared);
-        const float change = std::max((distance - ball.r) / 2, -h.force);
-        h.force += change;
-        const float share = distance > 0 ? change / distance : 0;
-        ball.x += share * dx;
-        ball.y += share * dy;
-        ball.z += share * dz;
-        ball.r += change;
-    };
     // Those that pressed in the last step come first: most of the others then find themselves held.
     std::stable_partition(held_.begin(), held_.end(), [&](const Held& h) { return pressed_[h.point] != 0; });
-    for (Held& h : held_) {
-        press(h);
-    }
-    std::size_t pressing = held_.size();
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
-        std::size_t left = 0;
-        for (std::size_t k = 0; k < pressing; ++k) {
-            if (held_[k].force > 0) {
-                press(held_[k]);
-                std::swap(held_[k], held_[left++]);
-            }
-        }
-        pressing = left;
-    }
-    for (std::size_t k = pressing; k < held_.size(); ++k) {
-        press(held_[k]);
-    }
-    for (const Held& h : held_) {
-        pressed_[h.point] = h.force > 0;
-    }
+    take_in(held_, balls, pressed_);
 }
 
 void Descent::step(Balls& balls, float length) {

@@ -3,6 +3,7 @@
 
 #include "cover/claim.hpp"
 #include "cover/directions.hpp"
+#include "cover/held_points.hpp"
 #include "cover/problem.hpp"
 
 #include <functional>
@@ -34,10 +35,6 @@ public:
     void run(Points& points, Balls& balls, const DescentPlan& plan, const Refresh& refresh = {});
 
 private:
-    struct Held {
-        float x, y, z, force;
-        std::uint32_t owner, point;
-    };
     struct Slope {
         float x = 0, y = 0, z = 0, r = 0;
     };

@@ -84,7 +84,6 @@ void QuickDescent::step(Balls& balls, float length) {
 }
 
 void QuickDescent::hold(const Points& points, Balls& balls, float slack) {
-    constexpr int sweeps = 8;
     owners_.find(points, balls);
     float largest = 0;
     for (const Ball& ball : balls) {
@@ -99,22 +98,6 @@ void QuickDescent::hold(const Points& points, Balls& balls, float slack) {
                 {points.x[p], points.y[p], points.z[p], 0, owners_.owner[p], static_cast<std::uint32_t>(p)});
         }
     }
-    const auto press = [&](Held& h) {
-        Ball& ball = balls[h.owner];
-        const float dx = h.x - ball.x, dy = h.y - ball.y, dz = h.z - ball.z;
-        const float squared = dx * dx + dy * dy + dz * dz;
-        if (h.force == 0 && squared <= ball.r * ball.r) {
-            return;
-        }
-        const float distance = std::sqrt(squared);
-        const float change = std::max((distance - ball.r) / 2, -h.force);
-        h.force += change;
-        const float share = distance > 0 ? change / distance : 0;
-        ball.x += share * dx;
-        ball.y += share * dy;
-        ball.z += share * dz;
-        ball.r += change;
-    };
     // Those that pressed in the last step come first: most of the others then find themselves held.
     std::size_t first = 0;
     for (std::size_t k = 0; k < held_.size(); ++k) {
@@ -122,27 +105,7 @@ void QuickDescent::hold(const Points& points, Balls& balls, float slack) {
             std::swap(held_[k], held_[first++]);
         }
     }
-    for (Held& h : held_) {
-        press(h);
-    }
-    // Those that press are gone over again and again, the others once more at the end.
-    std::size_t pressing = held_.size();
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
-        std::size_t left = 0;
-        for (std::size_t k = 0; k < pressing; ++k) {
-            if (held_[k].force > 0) {
-                press(held_[k]);
-                std::swap(held_[k], held_[left++]);
-            }
-        }
-        pressing = left;
-    }
-    for (std::size_t k = pressing; k < held_.size(); ++k) {
-        press(held_[k]);
-    }
-    for (const Held& h : held_) {
-        pressed_[h.point] = h.force > 0;
-    }
+    take_in(held_, balls, pressed_);
 }
 
 } // namespace foam::cover

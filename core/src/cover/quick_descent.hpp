@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cover/exposed.hpp"
+#include "cover/held_points.hpp"
 #include "cover/power_cells.hpp"
 
 #include <functional>
@@ -35,10 +36,6 @@ public:
 private:
     struct Slope {
         float x = 0, y = 0, z = 0, r = 0;
-    };
-    struct Held {
-        float x, y, z, force;
-        std::uint32_t owner, point;
     };
     void find_slopes(const Balls& balls, const Points& directions);
     void step(Balls& balls, float length);
