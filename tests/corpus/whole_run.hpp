@@ -10,7 +10,8 @@
 namespace foam {
 
 /// Runs a recipe of which the version, the name and the outputs corpus.urdf and corpus.json are given.
-inline RunResult run_text(const std::string& rest, Registry& registry, const std::filesystem::path& out) {
+inline RunResult run_text(const std::string& rest, Registry& registry, const std::filesystem::path& out,
+                          bool numbers_as_asked = false) {
     const std::string text = "foam: 1\nname: corpus\n" + rest +
                              "outputs: [write.urdf: {file: corpus.urdf}, write.json: {file: corpus.json}]\n";
     const RecipeResult recipe = parse_recipe(text, {}, registry);
@@ -20,6 +21,7 @@ inline RunResult run_text(const std::string& rest, Registry& registry, const std
     RunOptions options;
     options.out = out;
     options.fresh = true;
+    options.numbers_as_asked = numbers_as_asked;
     return run(recipe.recipes.at(0), registry, options);
 }
 

@@ -30,7 +30,7 @@ protected:
     }
 
     /// With the trees of earlier calls in a cache of the test's own.
-    std::vector<Sphere> written(const std::string& budget) {
+    std::vector<Sphere> written(const std::string& budget, bool numbers_as_asked = false) {
         const std::string text = "foam: 1\nname: hook\nrobot: {urdf: hook.urdf}\nstages: [" + GetParam() + "]\n" +
                                  budget + "\noutputs: [write.urdf: {file: hook.urdf}]\n";
         const RecipeResult recipe = parse_recipe(text, folder.path() / "hook.yaml", registry);
@@ -38,6 +38,7 @@ protected:
         RunOptions options;
         options.out = folder.path() / "out";
         options.cache = folder.path() / "cache";
+        options.numbers_as_asked = numbers_as_asked;
         EXPECT_TRUE(run(recipe.recipes.at(0), registry, options).certified) << budget;
         std::ostringstream urdf;
         urdf << std::ifstream(folder.path() / "out/hook.urdf").rdbuf();
@@ -64,6 +65,15 @@ TEST_P(MoreSpheres, NeverClaimMore) {
 
 TEST_P(MoreSpheres, AreTheSameByTheLinkAndByTheBudget) {
     EXPECT_EQ(written("links: {hook: {max_spheres: 9}}"), written("budget: {spheres: 9}"));
+}
+
+TEST_P(MoreSpheres, OrWhatTheSpherizerSaysToTheNumber) {
+    const std::string budget = "links: {hook: {max_spheres: 11}}";
+    const std::vector<Sphere> said = written(budget, true);
+    EXPECT_LE(said.size(), 11u);
+    if (GetParam() == "spherize.medial") { // 8 of its spheres with three of them split are others
+        EXPECT_NE(said, written(budget));
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Spherizers, MoreSpheres, testing::ValuesIn(spherizer_names()),

@@ -118,6 +118,7 @@ private:
         Recipe recipe = recipe_of(robot, method);
         RunOptions options;
         options.cancel = bench.cancel();
+        options.numbers_as_asked = true;
         Journal journal(nullptr);
         const Cache no_cache{{}};
         const Workspace workspace{recipe, bench.registry(), options, journal, no_cache};
@@ -261,9 +262,9 @@ private:
         if (!missing.empty()) {
             text += fmt::format("Left out, as no candidate is here: {}. ", fmt::join(missing, ", "));
         }
-        text +=
-            "Every link gets at most the number of spheres that stands on the axis, and spheres are grown to cover the "
-            "original geometry. ";
+        text += "Every link gets at most the number of spheres that stands on the axis, as the spherizer says to that "
+                "number, and spheres are grown to cover the "
+                "original geometry. ";
         if (!filters.empty()) {
             std::vector<std::string> names;
             for (const StageCall& filter : filters) {

@@ -146,11 +146,12 @@ ChosenCounts count_each(const Workspace& workspace, std::vector<ShapeWork>& shap
             return;
         }
         workspace.journal.expect(1);
-        if (const std::size_t most = number_of_its_own(workspace.recipe, work); most < SIZE_MAX) {
+        const std::size_t most = number_of_its_own(workspace.recipe, work);
+        if (most < SIZE_MAX && !workspace.options.numbers_as_asked) {
             of_shape[s] = best_of_at_most(workspace, work, most);
             return;
         }
-        compute_until_cut(workspace, work, {0});
+        compute_until_cut(workspace, work, {most == SIZE_MAX ? 0 : most});
         of_shape[s] = work.known.asked.begin()->second;
     });
     ChosenCounts chosen;

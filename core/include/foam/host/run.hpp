@@ -48,6 +48,9 @@ struct RunOptions {
     /// serve_isolated_call(). Empty: this one, if its main() does; else a recipe that isolates a stage is refused.
     std::filesystem::path program;
     std::filesystem::path cache; ///< empty: $XDG_CACHE_HOME/foam or ~/.cache/foam
+    /// A link with a number of its own gets what the spherizer says to that number, even where it claims more than with
+    /// fewer: for comparing spherizers.
+    bool numbers_as_asked = false;
     /// Called with the manifest before the run directory is put in place; what it throws ends the run.
     std::function<void(const std::string& manifest)> accept;
 };
