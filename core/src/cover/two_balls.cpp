@@ -33,7 +33,8 @@ template <class Value> void downhill(const Value& value, int evaluations) {
     for (int used = 4; used < evaluations;) {
         std::stable_sort(simplex.begin(), simplex.end(),
                          [](const auto& a, const auto& b) { return a.first < b.first; });
-        auto& [most, worst] = simplex[3];
+        const double most = simplex[3].first; // clang 14 lets no lambda capture a structured binding
+        const Place worst = simplex[3].second;
         if (most - simplex[0].first < flat * std::abs(simplex[0].first)) {
             return;
         }
