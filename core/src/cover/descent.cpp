@@ -1,5 +1,7 @@
 #include "cover/descent.hpp"
 
+#include "cover/step_lengths.hpp"
+
 #include "cover/exposed.hpp"
 
 #include <algorithm>
@@ -16,14 +18,9 @@ void Descent::run(Points& points, Balls& balls, const DescentPlan& plan, const R
     mean_.assign(balls.size(), {});
     square_ = 0;
     mean_scale_ = square_scale_ = 1;
-    float size = 0;
-    for (const Ball& ball : balls) {
-        size += ball.r / static_cast<float>(balls.size());
-    }
-    const float ratio =
-        plan.steps > 1 ? std::pow(plan.last_step / plan.first_step, 1 / static_cast<float>(plan.steps - 1)) : 1;
-    float length = plan.first_step * size;
-    for (int i = 0; i < plan.steps; ++i, length *= ratio) {
+    StepLengths lengths(balls, plan.steps, plan.first_step, plan.last_step);
+    for (int i = 0; i < plan.steps; ++i, lengths.advance()) {
+        const float length = lengths.now();
         if (refresh && i % plan.refresh == 0) {
             refresh(points, length);
             owner_.resize(points.size(), 0);

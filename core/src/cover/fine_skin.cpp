@@ -1,7 +1,8 @@
 #include "cover/fine_skin.hpp"
 
+#include "geometry/welding.hpp"
+
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <unordered_map>
 #include <unordered_set>
@@ -10,17 +11,6 @@ namespace foam::cover {
 namespace {
 
 constexpr std::uint32_t unnamed = UINT32_MAX;
-
-struct PlaceHash {
-    std::size_t operator()(const std::array<double, 3>& p) const {
-        std::uint64_t hash = 0;
-        for (const double value : p) {
-            hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x9E3779B97F4A7C15u;
-            hash ^= hash >> 29;
-        }
-        return hash;
-    }
-};
 
 } // namespace
 
@@ -38,19 +28,15 @@ FineSkin::FineSkin(const Mesh& surface, const Frame& frame, std::size_t pieces) 
 void FineSkin::add_faces(const Mesh& surface, const Frame& frame) {
     // A closed surface has half as many points as triangles; one that has more names corners once for each triangle.
     const bool soup = surface.vertices.size() > surface.triangles.size();
-    std::unordered_map<std::array<double, 3>, std::uint32_t, PlaceHash> places;
+    const std::vector<std::uint32_t> welded = soup ? geometry::welded_indices(surface) : std::vector<std::uint32_t>{};
     std::vector<std::uint32_t> name(surface.vertices.size(), unnamed);
     const auto point = [&](std::uint32_t vertex) {
-        if (name[vertex] == unnamed) {
-            const Vec3& p = surface.vertices[vertex];
-            const auto next = static_cast<std::uint32_t>(points.size());
-            // Adding zero makes -0 and 0 the same.
-            name[vertex] = soup ? places.try_emplace({p.x + 0.0, p.y + 0.0, p.z + 0.0}, next).first->second : next;
-            if (name[vertex] == next) {
-                points.add(frame.to_unit(p));
-            }
+        std::uint32_t& known = name[soup ? welded[vertex] : vertex];
+        if (known == unnamed) {
+            known = static_cast<std::uint32_t>(points.size());
+            points.add(frame.to_unit(surface.vertices[vertex]));
         }
-        return name[vertex];
+        return known;
     };
     faces.reserve(surface.triangles.size());
     for (const Triangle& t : surface.triangles) {

@@ -1,8 +1,7 @@
 // The counts along which covers build on one another.
 #pragma once
 
-#include <bit>
-#include <cstddef>
+#include "data/ladder.hpp"
 
 namespace foam::cover {
 
@@ -14,10 +13,9 @@ constexpr std::size_t count_before(std::size_t count) {
     if (count <= every_count) {
         return count - 1;
     }
-    std::size_t before = every_count, step = 2;
-    while (before + step < count) {
-        before += step;
-        step = std::bit_floor(before) / 4;
+    std::size_t before = every_count;
+    while (rung_above(before) < count) {
+        before = rung_above(before);
     }
     return before;
 }

@@ -1,5 +1,7 @@
 #include "cover/quick_descent.hpp"
 
+#include "cover/step_lengths.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,14 +14,9 @@ void QuickDescent::run(Balls& balls, const QuickDescentPlan& plan, const Refresh
     mean_.assign(balls.size(), {});
     square_ = 0;
     mean_scale_ = square_scale_ = 1;
-    float size = 0;
-    for (const Ball& ball : balls) {
-        size += ball.r / static_cast<float>(balls.size());
-    }
-    const float ratio =
-        plan.steps > 1 ? std::pow(plan.last_step / plan.first_step, 1 / static_cast<float>(plan.steps - 1)) : 1;
-    float length = plan.first_step * size;
-    for (int i = 0; i < plan.steps; ++i, length *= ratio) {
+    StepLengths lengths(balls, plan.steps, plan.first_step, plan.last_step);
+    for (int i = 0; i < plan.steps; ++i, lengths.advance()) {
+        const float length = lengths.now();
         if (i % plan.refresh == 0) {
             refresh(balls, points, reach_of_steps * length * static_cast<float>(plan.refresh));
             if (mean_.size() != balls.size()) {

@@ -3,6 +3,7 @@
 #include "cover/directions.hpp"
 #include "cover/ladder.hpp"
 #include "cover/plane_splits.hpp"
+#include "cover/proved.hpp"
 #include "cover/starts.hpp"
 
 #include <foam/parallel.hpp>
@@ -66,7 +67,7 @@ QuickSearch::Rung QuickSearch::rung(std::size_t count) {
         return known->second;
     }
     if (count == 1) {
-        const Balls one = smallest_ball();
+        const Balls one{smallest_ball(solid_, frame_)};
         return rungs_.emplace(1, Rung{one, finished(one, least_overlap)}).first->second;
     }
     Rung best = rung(count_before(count));
@@ -94,14 +95,9 @@ const QuickSearch::Surface& QuickSearch::surface_for(std::size_t count) {
     return *surface_;
 }
 
-Balls QuickSearch::smallest_ball() const {
-    const Sphere sphere = minimum_enclosing_sphere(solid_.surface().vertices);
-    return {ball_of({frame_.to_unit(sphere.center), sphere.radius / frame_.unit})};
-}
-
 QuickSearch::Found QuickSearch::found(std::size_t count, const Balls* before) {
     if (count == 1) {
-        return {smallest_ball(), 0};
+        return {{smallest_ball(solid_, frame_)}, 0};
     }
     const Surface& surface = surface_for(count);
     std::vector<Balls> begin = starts(surface, count, before);
@@ -190,15 +186,11 @@ QuickSearch::Found QuickSearch::gone_on_with(const Surface& surface, const Found
 
 Cover QuickSearch::finished(const Balls& balls, double overlap) const {
     const double margin = 2e-6 * frame_.unit; // centres are rounded by less when they are written
-    Cover cover;
+    std::vector<Sphere> spheres;
     for (const Ball& b : balls) {
-        cover.spheres.push_back({frame_.from_unit({b.x, b.y, b.z}), b.r * (1 + overlap) * frame_.unit + margin});
+        spheres.push_back({frame_.from_unit({b.x, b.y, b.z}), b.r * (1 + overlap) * frame_.unit + margin});
     }
-    cover.certificate = certify(solid_, cover.spheres);
-    if (!cover.certificate.holds) {
-        cover.spheres = grown_to_cover(solid_, std::move(cover.spheres));
-        cover.certificate = certify(solid_, cover.spheres);
-    }
+    Cover cover = proved(solid_, std::move(spheres));
     cover.volume = exact_union_volume(cover.spheres);
     return cover;
 }

@@ -48,7 +48,6 @@ private:
     const Surface& surface_for(std::size_t count);
     /// `before`: a cover by fewer to begin with, if there is one.
     Found found(std::size_t count, const Balls* before);
-    Balls smallest_ball() const;
     std::vector<Balls> starts(const Surface& surface, std::size_t count, const Balls* before) const;
     Found first_look(const Surface& surface, Balls balls) const;
     Found gone_on_with(const Surface& surface, const Found& start, std::size_t count) const;

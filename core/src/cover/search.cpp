@@ -2,6 +2,7 @@
 
 #include "cover/closing.hpp"
 #include "cover/ladder.hpp"
+#include "cover/proved.hpp"
 #include "cover/starts.hpp"
 
 #include <foam/parallel.hpp>
@@ -63,7 +64,7 @@ Search::Model Search::model(std::size_t count) {
         return known->second;
     }
     if (count == 1) {
-        return models_.emplace(1, finished(smallest_ball())).first->second;
+        return models_.emplace(1, finished({smallest_ball(solid_, problem_.frame)})).first->second;
     }
     Model best = model(count_before(count));
     if (stopped()) {
@@ -112,11 +113,6 @@ Balls Search::settled(const Balls& balls) const {
     Exchange exchange(problem_, coarse_skin_, plan_.exchange, improvement_.closed_balls(balls, finest_start));
     exchange.settle();
     return exchange.balls();
-}
-
-Balls Search::smallest_ball() const {
-    const Sphere sphere = minimum_enclosing_sphere(solid_.surface().vertices);
-    return {ball_of({problem_.frame.to_unit(sphere.center), sphere.radius / problem_.frame.unit})};
 }
 
 Search::Starts Search::starts(std::size_t count, const Balls& before) const {
@@ -189,15 +185,11 @@ Search::Model Search::finished(const Balls& balls) const {
     const double margin = 2e-6 * problem_.frame.unit; // centres are rounded by less when they are written
     // Where balls only just meet, a proof by halving would have to cut very finely: a hair of overlap helps.
     constexpr double overlap = 1e-4;
-    Model model{balls, {improvement_.spheres_of(fitted(balls)), {}, 0}};
-    for (Sphere& s : model.cover.spheres) {
+    std::vector<Sphere> spheres = improvement_.spheres_of(fitted(balls));
+    for (Sphere& s : spheres) {
         s.radius += overlap * s.radius + margin;
     }
-    model.cover.certificate = certify(solid_, model.cover.spheres);
-    if (!model.cover.certificate.holds) {
-        model.cover.spheres = grown_to_cover(solid_, std::move(model.cover.spheres));
-        model.cover.certificate = certify(solid_, model.cover.spheres);
-    }
+    Model model{balls, proved(solid_, std::move(spheres))};
     model.cover.volume = union_volume(model.cover.spheres);
     return model;
 }

@@ -53,7 +53,6 @@ private:
         std::vector<Balls> rough, regular;
     };
     Model model(std::size_t count);
-    Balls smallest_ball() const;
     Starts starts(std::size_t count, const Balls& before) const;
     Balls with_splits(const Balls& before, std::size_t count, std::size_t first, Random& random) const;
     Rated best_of(const Starts& starts, std::size_t count) const;

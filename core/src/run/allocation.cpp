@@ -1,5 +1,7 @@
 #include "allocation.hpp"
 
+#include "data/ladder.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -100,12 +102,6 @@ Cost Sharing::cost(const std::vector<std::size_t>& counts) const {
         sum = sum + claimants_[i].curve->known().at(counts[i]);
     }
     return sum;
-}
-
-/// The least number of the ladder above `count`: 1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24, 28, 32, 40…
-static std::size_t rung_above(std::size_t count) {
-    const std::size_t octave = std::bit_floor(std::max<std::size_t>(count, 4)), step = octave / 4;
-    return count - count % step + step;
 }
 
 std::vector<std::size_t> next_rungs(std::size_t explored, std::size_t least, std::size_t most) {

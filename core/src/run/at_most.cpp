@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace foam {
 namespace {
@@ -50,11 +51,16 @@ SphereTree with_finest(const SphereTree& tree, std::vector<Sphere> spheres) {
 
 /// Splits spheres of the best so far up to `count`, and keeps what claims clearly less: more than closing it may cost.
 /// On the way it may claim more for a while: around a ring two spheres claim more than one.
-void split_up_to(const Workspace& workspace, const cover::Splitting& splitting, std::size_t count, Candidate& best) {
+/// `splitting` is made when the first is to be split.
+void split_up_to(const Workspace& workspace, const Solid& solid, std::optional<cover::Splitting>& splitting,
+                 std::size_t count, Candidate& best) {
     constexpr double clearly = 1e-5;
     Candidate next = best;
     while (next.tree.levels.size() <= 2 && next.grown.size() < count && !workspace.ended()) {
-        std::vector<Sphere> more = splitting.one_more(next.grown);
+        if (!splitting) {
+            splitting.emplace(solid);
+        }
+        std::vector<Sphere> more = splitting->one_more(next.grown);
         if (more.size() == next.grown.size()) {
             return;
         }
@@ -72,15 +78,16 @@ void split_up_to(const Workspace& workspace, const cover::Splitting& splitting, 
 SphereTree with_splits_between(const Workspace& workspace, const ShapeWork& work,
                                const std::vector<std::size_t>& counts, std::size_t most) {
     std::vector<Candidate> asked = candidates(workspace, work, counts);
-    const cover::Splitting splitting(work.shape->original());
+    const Solid& solid = work.shape->original();
+    std::optional<cover::Splitting> splitting;
     Candidate best;
     for (std::size_t i = 0; i < counts.size(); ++i) {
         if (asked[i].volume < best.volume) {
             best = std::move(asked[i]);
         }
-        split_up_to(workspace, splitting, i + 1 < counts.size() ? counts[i + 1] - 1 : most, best);
+        split_up_to(workspace, solid, splitting, i + 1 < counts.size() ? counts[i + 1] - 1 : most, best);
     }
-    if (auto row = geometry::row_cover(work.shape->original(), most); row && exact_union_volume(*row) < best.volume) {
+    if (auto row = geometry::row_cover(solid, most); row && exact_union_volume(*row) < best.volume) {
         return flat_tree(std::move(*row));
     }
     return std::move(best.tree);

@@ -12,16 +12,6 @@
 
 namespace foam {
 
-void KnownTrees::add(KnownTrees other) {
-    for (const auto& [count, cost] : other.curve.known()) {
-        if (!curve.knows(count)) {
-            curve.set(count, cost);
-        }
-    }
-    trees.merge(std::move(other.trees));
-    asked.merge(std::move(other.asked));
-}
-
 static Solid::Part part_of(const Element& element, const Pose& pose, bool processed) {
     Solid::Part part;
     if (const Primitive* primitive = element.primitive()) {

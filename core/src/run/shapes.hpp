@@ -18,9 +18,6 @@ struct KnownTrees {
     std::map<std::size_t, SphereTree> trees;  ///< by the number of spheres they have
     std::map<std::size_t, std::size_t> asked; ///< count asked for → count got
     CostCurve curve;
-
-    /// What `other` knows beyond this.
-    void add(KnownTrees other);
 };
 
 /// A distinct shape and what is known of it.

@@ -1,0 +1,17 @@
+// The numbers of spheres that are looked for: all small ones, then steps that grow with them.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+
+namespace foam {
+
+/// The least number of the ladder above `count`: 1, 2, 3, 4, 5, 6, 7, 8, then four to an octave: 10, 12, 14, 16, 20,
+/// 24, 28, 32, 40…
+constexpr std::size_t rung_above(std::size_t count) {
+    const std::size_t octave = std::bit_floor(std::max<std::size_t>(count, 4)), step = octave / 4;
+    return count - count % step + step;
+}
+
+} // namespace foam
