@@ -76,6 +76,25 @@ TEST(Certificate, PinHole) {
     }
 }
 
+TEST(Certificate, OverlapsOfAHairTakeFewPieces) {
+    // A strip under a row of balls, and the corners of a square under four that meet in its middle.
+    const auto strip = Solid::make(box({0, 0, 0}, {8, 0.5, 0}));
+    std::vector<Sphere> row, four;
+    for (int i = 0; i < 8; ++i) {
+        row.push_back({{i + 0.5, 0.25, 0}, std::hypot(0.5, 0.25) * (1 + 1e-9)});
+    }
+    const Certificate along = certify(*strip, row);
+    EXPECT_TRUE(along.holds);
+    EXPECT_LT(along.pieces, 2000u) << "halving goes down to the width of the overlap";
+    const auto square = Solid::make(box({-1, -1, 0}, {1, 1, 0}));
+    for (int k = 0; k < 4; ++k) {
+        four.push_back({{k & 1 ? 0.5 : -0.5, k & 2 ? 0.5 : -0.5, 0}, std::sqrt(0.5) * (1 + 1e-9)});
+    }
+    const Certificate around = certify(*square, four);
+    EXPECT_TRUE(around.holds);
+    EXPECT_LT(around.pieces, 200u);
+}
+
 TEST(Certificate, GrowthIsTheGap) {
     Random random(4);
     for (int round = 0; round < 20; ++round) {

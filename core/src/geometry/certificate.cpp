@@ -1,5 +1,6 @@
 // Proof that a surface lies in a union of balls, or the worst gap by branch and bound.
 #include "geometry/cover.hpp"
+#include "geometry/crease_cuts.hpp"
 #include "geometry/proof.hpp"
 
 namespace foam {
@@ -18,7 +19,7 @@ class Proof {
 public:
     Proof(const Solid& solid, std::span<const Sphere> spheres, int depth)
         : shrink_(std::ldexp(1.0, -depth)), most_halvings_(static_cast<std::uint32_t>(3 * depth)),
-          balls_(solid, spheres, most_halvings_) {}
+          balls_(solid, spheres, most_halvings_), cuts_(balls_, most_halvings_) {}
 
     geometry::CoverProof run() {
         certificate_.holds = true;
@@ -47,12 +48,26 @@ private:
     void examine_triangle(std::uint32_t i) {
         const Piece whole = balls_.piece(i);
         ++certificate_.pieces;
+        if (balls_.size() > 0 && balls_.holds(last_, whole)) {
+            return; // as its neighbour
+        }
         indices_.clear();
         balls_.candidates(whole, indices_);
         if (!indices_.empty() && balls_.holds(indices_[0], whole)) {
+            last_ = indices_[0];
             return;
         }
         smallest_ = std::max(smallest_piece * balls_.extent(), shrink_ * geometry::size_of(whole));
+        const bool covered = cuts_.cover(whole, indices_, smallest_);
+        certificate_.pieces += cuts_.pieces();
+        halvings_ = std::max(halvings_, cuts_.most_cuts());
+        if (!covered) {
+            halve(whole);
+        }
+    }
+
+    /// What halving alone finds out does not depend on what cuts could not prove.
+    void halve(const Piece& whole) {
         waiting_.assign(1, {whole, 0, indices_.size()});
         while (!waiting_.empty()) {
             const Waiting next = waiting_.back();
@@ -117,6 +132,8 @@ private:
     double shrink_;
     std::uint32_t most_halvings_;
     Balls balls_;
+    geometry::CreaseCuts cuts_;
+    std::uint32_t last_ = 0; // ball that held a triangle
     double smallest_ = 0;
     double proved_gap_ = 0; // of a corner that no ball holds
     std::uint32_t halvings_ = 0;

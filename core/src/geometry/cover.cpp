@@ -201,11 +201,26 @@ void Balls::set_radius(std::uint32_t i, double full_radius) {
     update_largest();
 }
 
-bool Balls::holds(std::uint32_t i, const Corners& t) const {
+double Balls::limit(std::uint32_t i) const {
     const bool sound = radii_[i] >= smallest_ball && radii_[i] <= largest_ball;
-    const double limit = sound ? radii_[i] * radii_[i] : -1;
-    return squared_norm(t.a - centers_[i]) <= limit && squared_norm(t.b - centers_[i]) <= limit &&
-           squared_norm(t.c - centers_[i]) <= limit;
+    return sound ? radii_[i] * radii_[i] : -1;
+}
+
+bool Balls::holds(std::uint32_t i, const Corners& t) const {
+    const double most = limit(i);
+    return squared_norm(t.a - centers_[i]) <= most && squared_norm(t.b - centers_[i]) <= most &&
+           squared_norm(t.c - centers_[i]) <= most;
+}
+
+std::uint32_t Balls::corners_held(std::uint32_t i, const Corners& t) const {
+    const double most = limit(i);
+    return (squared_norm(t.a - centers_[i]) <= most ? 1u : 0u) | (squared_norm(t.b - centers_[i]) <= most ? 2u : 0u) |
+           (squared_norm(t.c - centers_[i]) <= most ? 4u : 0u);
+}
+
+std::uint32_t Balls::corners_held(std::uint32_t i, const Piece& piece) const {
+    const std::uint32_t top = corners_held(i, piece.corners);
+    return piece.curved ? top & corners_held(i, piece.beneath) : top;
 }
 
 bool Balls::holds(std::uint32_t i, const Piece& piece) const {

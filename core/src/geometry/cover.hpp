@@ -19,7 +19,7 @@ struct Piece {
     Corners beneath; ///< curved: straight down from the corners, on or under the true surface; else unused
     bool curved = false;
     std::uint32_t triangle = 0;
-    std::uint32_t level = 0; ///< halvings so far
+    std::uint32_t level = 0; ///< halvings so far, by their rounding: a cut elsewhere than in the middle counts as two
 };
 
 /// The two halves, cut at the middle of the longest edge (Rivara 1984: the angles stay bounded); a prism that is higher
@@ -58,7 +58,8 @@ struct RoundPart {
 /// most 8u·(M + |o|) from where the part's pose puts it in exact arithmetic. Subtracting o rounds each coordinate by at
 /// most u·M (u·|c|). Every halving rounds the middle by at most u·M and averages the errors of its ends, so a corner of
 /// a piece is within (L + 1)·u·M of where exact arithmetic puts it, in each coordinate; the exact pieces tile the
-/// triangle. The difference of a coordinate to the ball's centre is then off by less than (L + 2)·u·M + 2u·|c|, the
+/// triangle. A cut at other shares, which add up to exactly 1, rounds by at most 2 u·M and counts as two halvings. The
+/// difference of a coordinate to the ball's centre is then off by less than (L + 2)·u·M + 2u·|c|, the
 /// distance by √3 times that, and the rounding of the squares, their sum and the comparison adds less than 4u times the
 /// distance, which is at most r when the test passes. All that is below 2u·(L + 8)·(M + |c| + r) + 16u·|o| = slack. So
 /// if the test against r - slack passes, the exact corners lie in the exact ball, and the exact piece does by
@@ -80,6 +81,10 @@ public:
     void set_radius(std::uint32_t i, double full_radius);
 
     bool holds(std::uint32_t i, const Piece& piece) const;
+    /// Of a triangle's corners, or a prism's edges from corner to corner, those that ball `i` holds: bits 0, 1 and 2.
+    std::uint32_t corners_held(std::uint32_t i, const Piece& piece) const;
+    /// Squared distance from the centre less the squared radius: negative inside.
+    double power(std::uint32_t i, const Vec3& p) const { return squared_norm(p - centers_[i]) - radii_[i] * radii_[i]; }
     const std::vector<RoundPart>& round_parts() const { return round_parts_; }
     /// The full radius with which ball `i` holds the part: rounded up, but exact for a ball about the same centre.
     double radius_around(std::uint32_t i, const RoundPart& part) const;
@@ -108,6 +113,9 @@ private:
     void find_round_parts(const Solid& solid);
     void find_beneath(const Solid& solid, std::size_t part);
     bool holds(std::uint32_t i, const Corners& corners) const;
+    std::uint32_t corners_held(std::uint32_t i, const Corners& corners) const;
+    /// Square of a radius that holds; negative if the ball holds nothing.
+    double limit(std::uint32_t i) const;
 
     Vec3 origin_;
     double extent_;    // M

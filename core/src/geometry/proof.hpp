@@ -11,7 +11,7 @@ namespace foam::geometry {
 struct CoverProof {
     Certificate certificate;
     std::size_t triangles = 0;  ///< of the surface that is proved; round primitives by the polyhedron around them
-    std::uint32_t halvings = 0; ///< of the smallest piece that was looked at
+    std::uint32_t halvings = 0; ///< of the piece that was cut most often, cuts at creases among them
 };
 
 /// What certify() does.
