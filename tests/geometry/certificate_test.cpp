@@ -85,14 +85,14 @@ TEST(Certificate, OverlapsOfAHairTakeFewPieces) {
     }
     const Certificate along = certify(*strip, row);
     EXPECT_TRUE(along.holds);
-    EXPECT_LT(along.pieces, 2000u) << "halving goes down to the width of the overlap";
+    EXPECT_LT(along.pieces, 400u) << "halving goes down to the width of the overlap";
     const auto square = Solid::make(box({-1, -1, 0}, {1, 1, 0}));
     for (int k = 0; k < 4; ++k) {
         four.push_back({{k & 1 ? 0.5 : -0.5, k & 2 ? 0.5 : -0.5, 0}, std::sqrt(0.5) * (1 + 1e-9)});
     }
     const Certificate around = certify(*square, four);
     EXPECT_TRUE(around.holds);
-    EXPECT_LT(around.pieces, 200u);
+    EXPECT_LT(around.pieces, 100u);
 }
 
 TEST(Certificate, GrowthIsTheGap) {

@@ -57,8 +57,7 @@ private:
             last_ = indices_[0];
             return;
         }
-        smallest_ = std::max(smallest_piece * balls_.extent(), shrink_ * geometry::size_of(whole));
-        const bool covered = cuts_.cover(whole, indices_, smallest_);
+        const bool covered = cuts_.cover(whole, indices_);
         certificate_.pieces += cuts_.pieces();
         halvings_ = std::max(halvings_, cuts_.most_cuts());
         if (!covered) {
@@ -68,6 +67,7 @@ private:
 
     /// What halving alone finds out does not depend on what cuts could not prove.
     void halve(const Piece& whole) {
+        smallest_ = std::max(smallest_piece * balls_.extent(), shrink_ * geometry::size_of(whole));
         waiting_.assign(1, {whole, 0, indices_.size()});
         while (!waiting_.empty()) {
             const Waiting next = waiting_.back();

@@ -212,17 +212,6 @@ bool Balls::holds(std::uint32_t i, const Corners& t) const {
            squared_norm(t.c - centers_[i]) <= most;
 }
 
-std::uint32_t Balls::corners_held(std::uint32_t i, const Corners& t) const {
-    const double most = limit(i);
-    return (squared_norm(t.a - centers_[i]) <= most ? 1u : 0u) | (squared_norm(t.b - centers_[i]) <= most ? 2u : 0u) |
-           (squared_norm(t.c - centers_[i]) <= most ? 4u : 0u);
-}
-
-std::uint32_t Balls::corners_held(std::uint32_t i, const Piece& piece) const {
-    const std::uint32_t top = corners_held(i, piece.corners);
-    return piece.curved ? top & corners_held(i, piece.beneath) : top;
-}
-
 bool Balls::holds(std::uint32_t i, const Piece& piece) const {
     return holds(i, piece.corners) && (!piece.curved || holds(i, piece.beneath));
 }

@@ -19,7 +19,7 @@ struct Piece {
     Corners beneath; ///< curved: straight down from the corners, on or under the true surface; else unused
     bool curved = false;
     std::uint32_t triangle = 0;
-    std::uint32_t level = 0; ///< halvings so far, by their rounding: a cut elsewhere than in the middle counts as two
+    std::uint32_t level = 0; ///< halvings so far
 };
 
 /// The two halves, cut at the middle of the longest edge (Rivara 1984: the angles stay bounded); a prism that is higher
@@ -81,8 +81,7 @@ public:
     void set_radius(std::uint32_t i, double full_radius);
 
     bool holds(std::uint32_t i, const Piece& piece) const;
-    /// Of a triangle's corners, or a prism's edges from corner to corner, those that ball `i` holds: bits 0, 1 and 2.
-    std::uint32_t corners_held(std::uint32_t i, const Piece& piece) const;
+    bool holds(std::uint32_t i, const Vec3& p) const { return squared_norm(p - centers_[i]) <= limit(i); }
     /// Squared distance from the centre less the squared radius: negative inside.
     double power(std::uint32_t i, const Vec3& p) const { return squared_norm(p - centers_[i]) - radii_[i] * radii_[i]; }
     const std::vector<RoundPart>& round_parts() const { return round_parts_; }
@@ -113,7 +112,6 @@ private:
     void find_round_parts(const Solid& solid);
     void find_beneath(const Solid& solid, std::size_t part);
     bool holds(std::uint32_t i, const Corners& corners) const;
-    std::uint32_t corners_held(std::uint32_t i, const Corners& corners) const;
     /// Square of a radius that holds; negative if the ball holds nothing.
     double limit(std::uint32_t i) const;
 

@@ -1,137 +1,135 @@
 #include "geometry/crease_cuts.hpp"
 
-#include <bit>
-
 namespace foam::geometry {
-namespace {
 
-/// A piece of a triangle in which more creases run than this is left to halving.
-constexpr std::uint32_t most_off_middle = 16;
-constexpr std::uint32_t all_corners = 7;
-
-const Vec3& corner(const Corners& t, std::size_t k) {
-    return k == 0 ? t.a : k == 1 ? t.b : t.c;
-}
-
-Vec3 between(const Vec3& a, const Vec3& b, double share) {
-    const double rest = 1 - share;
-    return a * rest + b * (1 - rest); // the weights add up to 1 exactly (Sterbenz 1974)
-}
-
-void cut(Corners& first, Corners& second, std::size_t edge, double share) {
-    if (edge == 0) {
-        first.b = second.a = between(first.a, first.b, share);
-    } else if (edge == 1) {
-        first.c = second.b = between(first.b, first.c, share);
-    } else {
-        second.c = first.a = between(first.c, first.a, share);
+bool CreaseCuts::Polygon::add(const Polygon& from, std::size_t corner) {
+    if (corners == most_corners) {
+        return false;
     }
+    top[corners] = from.top[corner];
+    beneath[corners] = from.beneath[corner];
+    ++corners;
+    return true;
 }
 
-} // namespace
-
-std::pair<Piece, Piece> cut(const Piece& piece, std::size_t edge, double share) {
-    Piece first = piece, second = piece;
-    first.level += 2;
-    second.level += 2;
-    cut(first.corners, second.corners, edge, share);
-    if (piece.curved) {
-        cut(first.beneath, second.beneath, edge, share);
+bool CreaseCuts::Polygon::add(const Polygon& from, std::size_t corner, double share) {
+    if (corners == most_corners) {
+        return false;
     }
-    return {first, second};
+    const std::size_t next = (corner + 1) % from.corners;
+    const double rest = 1 - share, taken = 1 - rest; // they add up to 1 exactly (Sterbenz 1974)
+    top[corners] = from.top[corner] * rest + from.top[next] * taken;
+    beneath[corners] = from.beneath[corner] * rest + from.beneath[next] * taken;
+    ++corners;
+    return true;
 }
 
-bool CreaseCuts::cover(const Piece& piece, std::span<const std::uint32_t> candidates, double smallest) {
+bool CreaseCuts::cover(const Piece& piece, std::span<const std::uint32_t> candidates) {
     pieces_ = 0;
     most_cuts_ = 0;
     indices_.assign(candidates.begin(), candidates.end());
-    waiting_.assign(1, {piece, 0, indices_.size(), 0, 0});
+    Polygon whole{.top = {piece.corners.a, piece.corners.b, piece.corners.c},
+                  .beneath = {piece.beneath.a, piece.beneath.b, piece.beneath.c},
+                  .corners = 3,
+                  .curved = piece.curved,
+                  .end = candidates.size()};
+    waiting_.assign(1, whole);
     while (!waiting_.empty()) {
-        const Waiting next = waiting_.back();
+        const Polygon next = waiting_.back();
         waiting_.pop_back();
         indices_.resize(next.end);
-        Holders holders;
-        const Answer answer = look(next, holders);
-        if (answer == Answer::held) {
-            continue;
-        }
-        if (answer == Answer::open || size_of(next.piece) <= smallest || next.piece.level + 2 > most_halvings_ ||
-            next.off >= most_off_middle) {
+        Pair pair;
+        const Answer answer = look(next, pair);
+        if (answer == Answer::open || (answer == Answer::divided && !cut(next, pair))) {
             return false;
         }
-        const Crease line = crease(next.piece, holders);
-        const std::size_t edge = line.to == (line.from + 1) % 3 ? line.from : line.to;
-        const auto [first, second] =
-            line.found ? cut(next.piece, edge, edge == line.from ? line.share : 1 - line.share) : halves(next.piece);
-        for (const Piece& half : {second, first}) {
-            waiting_.push_back({half, next.begin, next.end, next.cuts + 1, next.off + (line.found ? 1 : 0)});
-        }
-        pieces_ += 2;
-        most_cuts_ = std::max(most_cuts_, next.cuts + 1);
     }
     return true;
 }
 
-/// Open: a corner is in no ball.
-CreaseCuts::Answer CreaseCuts::look(const Waiting& item, Holders& holders) const {
-    std::uint32_t corners = 0;
-    for (std::size_t k = item.begin; k < item.end; ++k) {
-        const std::uint32_t i = indices_[k], held = balls_.corners_held(i, item.piece);
-        if (held == all_corners) {
+/// Open: the ball whose power is least at all corners, and so everywhere, does not hold one of them.
+CreaseCuts::Answer CreaseCuts::look(const Polygon& polygon, Pair& pair) const {
+    std::array<std::uint32_t, Polygon::most_corners> owner{};
+    std::array<double, Polygon::most_corners> least;
+    least.fill(std::numeric_limits<double>::infinity());
+    for (std::size_t n = polygon.begin; n < polygon.end; ++n) {
+        const std::uint32_t i = indices_[n];
+        bool held = true;
+        for (std::size_t k = 0; k < polygon.corners; ++k) {
+            const double power = balls_.power(i, polygon.top[k]);
+            if (power < least[k]) {
+                least[k] = power;
+                owner[k] = i;
+            }
+            held = held && balls_.holds(i, polygon.top[k]) && (!polygon.curved || balls_.holds(i, polygon.beneath[k]));
+        }
+        if (held) {
             return Answer::held;
         }
-        if (held == 0) {
-            continue;
-        }
-        corners |= held;
-        const double growth = reach(balls_.center(i), item.piece) - balls_.radius(i);
-        if (growth < holders[held].growth) {
-            holders[held] = {i, growth};
+    }
+    for (std::size_t k = 1; k < polygon.corners; ++k) {
+        if (owner[k] != owner[0]) {
+            pair = {owner[0], owner[k]};
+            return Answer::divided;
         }
     }
-    return corners == all_corners ? Answer::undecided : Answer::open;
+    return Answer::open;
 }
 
-/// Where two balls meet that hold the more of the corners the better, best one of them both; and of such balls those
-/// that come nearest to holding all.
-CreaseCuts::Crease CreaseCuts::crease(const Piece& piece, const Holders& holders) const {
-    Crease best;
-    int most = 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::uint32_t one = 1; one < all_corners; ++one) {
-        for (std::uint32_t other = one + 1; other < all_corners; ++other) {
-            const std::uint32_t alone = one & ~other, other_alone = other & ~one;
-            const double growth = holders[one].growth + holders[other].growth;
-            const int held = std::popcount(one) + std::popcount(other);
-            if (alone == 0 || other_alone == 0 || !(growth < std::numeric_limits<double>::infinity()) || held < most ||
-                (held == most && growth >= least)) {
-                continue;
-            }
-            const Crease line =
-                between(piece, holders[one], holders[other], static_cast<std::size_t>(std::countr_zero(alone)),
-                        static_cast<std::size_t>(std::countr_zero(other_alone)));
-            if (line.found || held > 2) {
-                best = line;
-                best.found = true;
-                most = held;
-                least = growth;
-            }
+/// Along the plane where the powers of two balls are equal. False where rounding sees no two parts, or too often.
+bool CreaseCuts::cut(const Polygon& polygon, const Pair& pair) {
+    constexpr std::uint32_t roundings = 2; // of a cut, in halvings
+    if (roundings * (polygon.cuts + 1) > most_halvings_) {
+        return false;
+    }
+    std::array<double, Polygon::most_corners> difference;
+    for (std::size_t k = 0; k < polygon.corners; ++k) {
+        difference[k] = balls_.power(pair.first, polygon.top[k]) - balls_.power(pair.second, polygon.top[k]);
+    }
+    Polygon first, second;
+    bool whole = true;
+    int crossings = 0;
+    for (std::size_t k = 0; k < polygon.corners; ++k) {
+        const double here = difference[k], next = difference[(k + 1) % polygon.corners];
+        whole = whole && (here <= 0 ? first : second).add(polygon, k);
+        if ((here <= 0) != (next <= 0)) {
+            const double share = here / (here - next);
+            whole = whole && share >= 0 && share <= 1 && first.add(polygon, k, share) && second.add(polygon, k, share);
+            ++crossings;
         }
     }
-    return best;
+    if (!whole || crossings != 2) {
+        return false;
+    }
+    push(first, polygon, pair.first, pair.second);
+    push(second, polygon, pair.second, pair.first);
+    pieces_ += 2;
+    most_cuts_ = std::max(most_cuts_, polygon.cuts + 1);
+    return true;
 }
 
-/// Found: if the balls hold the place, at which their powers are equal.
-CreaseCuts::Crease CreaseCuts::between(const Piece& piece, const Holder& first, const Holder& second, std::size_t from,
-                                       std::size_t to) const {
-    const Vec3 &a = corner(piece.corners, from), &b = corner(piece.corners, to);
-    const double before = balls_.power(first.ball, a) - balls_.power(second.ball, a);
-    const double after = balls_.power(first.ball, b) - balls_.power(second.ball, b);
-    const double share = before / (before - after);
-    if (!(share > 0 && share < 1)) {
-        return {from, to, 0.5, false};
+/// On its side of the cut a ball need not be compared with the other, nor with those whose power is nowhere less.
+void CreaseCuts::push(Polygon& polygon, const Polygon& whole, std::uint32_t owner, std::uint32_t other) {
+    polygon.curved = whole.curved;
+    polygon.cuts = whole.cuts + 1;
+    polygon.begin = indices_.size();
+    std::array<double, Polygon::most_corners> power;
+    for (std::size_t k = 0; k < polygon.corners; ++k) {
+        power[k] = balls_.power(owner, polygon.top[k]);
     }
-    return {from, to, share, balls_.power(first.ball, geometry::between(a, b, share)) <= 0};
+    indices_.push_back(owner);
+    for (std::size_t n = whole.begin; n < whole.end; ++n) {
+        const std::uint32_t i = indices_[n];
+        bool less = false;
+        for (std::size_t k = 0; k < polygon.corners && !less; ++k) {
+            less = balls_.power(i, polygon.top[k]) < power[k];
+        }
+        if (less && i != other) {
+            indices_.push_back(i);
+        }
+    }
+    polygon.end = indices_.size();
+    waiting_.push_back(polygon);
 }
 
 } // namespace foam::geometry

@@ -1,58 +1,55 @@
-// Pieces of triangles cut where two balls meet.
+// Triangles cut where balls meet.
 #pragma once
 
 #include "geometry/cover.hpp"
 
 namespace foam::geometry {
 
-/// Two pieces: the cut runs from a corner to a point of the edge across, of which `share`, above 0 and below 1, lies
-/// before the point. `edge`: 0 from a to b, 1 from b to c, 2 from c to a. Rounds like two halvings, and counts as such.
-std::pair<Piece, Piece> cut(const Piece& piece, std::size_t edge, double share);
-
-/// Proves single triangles with few pieces. Of two balls the nearer by power |p - c|² - r² changes at the plane of the
-/// circle in which they meet: cut there, what several balls hold together falls apart into what each holds alone
-/// (restricted power diagram; Edelsbrunner 1995), where halving would go down to the width of the overlap.
+/// Proves single triangles with few pieces. Of two balls the one whose power |p - c|² - r² is less changes at a plane,
+/// that of the circle in which they meet. If balls hold a triangle, each holds the part of it where its power is least
+/// (restricted power diagram; Edelsbrunner 1995), a convex polygon: cut along such planes, the triangle falls into
+/// pieces that one ball holds, where halving would go down to the width of the balls' overlap.
 class CreaseCuts {
 public:
-    /// The balls must outlive this. No piece is the outcome of more halvings.
+    /// The balls must outlive this. No piece's corners have been through more roundings than those of so many halvings.
     CreaseCuts(const Balls& balls, std::uint32_t most_halvings) : balls_(balls), most_halvings_(most_halvings) {}
 
-    /// Whether the balls hold the piece. No is no proof of anything: halving may still find that they do.
-    /// `candidates`: balls that may. No piece smaller than `smallest` is cut.
-    bool cover(const Piece& piece, std::span<const std::uint32_t> candidates, double smallest);
-    /// Pieces that the last one was cut into, and the most times that one of them was.
+    /// Whether the balls hold a piece that was not halved. No is no proof of anything: halving may still find that they
+    /// do. `candidates`: balls that may hold parts of it.
+    bool cover(const Piece& piece, std::span<const std::uint32_t> candidates);
+    /// Pieces that the last one was cut into on the way, and the most times that one of them was cut.
     std::size_t pieces() const { return pieces_; }
     std::uint32_t most_cuts() const { return most_cuts_; }
 
 private:
-    struct Waiting {
-        Piece piece;
-        std::size_t begin, end;  ///< candidates among indices_
-        std::uint32_t cuts, off; ///< all so far; those that were not in the middle
-    };
-    /// Of some corners, as a set of bits, the ball that holds them and comes nearest to holding the piece.
-    struct Holder {
-        std::uint32_t ball = 0;
-        double growth = std::numeric_limits<double>::infinity();
-    };
-    using Holders = std::array<Holder, 8>;
-    struct Crease {
-        std::size_t from = 0, to = 0; ///< corners
-        double share = 0.5;
-        bool found = false;
-    };
-    enum class Answer { held, open, undecided };
+    /// A convex polygon in a triangle; of a prism with what lies beneath its corners.
+    struct Polygon {
+        static constexpr std::size_t most_corners = 12;
+        std::array<Vec3, most_corners> top, beneath;
+        std::size_t corners = 0;
+        bool curved = false;
+        std::uint32_t cuts = 0;
+        std::size_t begin = 0, end = 0; ///< balls that may hold parts of it, among indices_
 
-    Answer look(const Waiting& item, Holders& holders) const;
-    Crease crease(const Piece& piece, const Holders& holders) const;
-    Crease between(const Piece& piece, const Holder& first, const Holder& second, std::size_t from,
-                   std::size_t to) const;
+        /// Takes over a corner, or one on the edge to the next; false: there are too many.
+        bool add(const Polygon& from, std::size_t corner);
+        bool add(const Polygon& from, std::size_t corner, double share);
+    };
+    /// Two balls, each of which is the nearest by power to a corner.
+    struct Pair {
+        std::uint32_t first = 0, second = 0;
+    };
+    enum class Answer { held, open, divided };
+
+    Answer look(const Polygon& polygon, Pair& pair) const;
+    bool cut(const Polygon& polygon, const Pair& pair);
+    void push(Polygon& polygon, const Polygon& whole, std::uint32_t owner, std::uint32_t other);
 
     const Balls& balls_;
     std::uint32_t most_halvings_;
     std::size_t pieces_ = 0;
     std::uint32_t most_cuts_ = 0;
-    std::vector<Waiting> waiting_;
+    std::vector<Polygon> waiting_;
     std::vector<std::uint32_t> indices_;
 };
 
