@@ -47,6 +47,7 @@ Json json_of(const RegisteredStage& stage) {
               {"plugin_version", stage.plugin_version},
               {"license", stage.license},
               {"extensions", stage.info.extensions},
+              {"original_only", stage.info.original_only},
               {"parameters", Json::array()}};
     for (const Parameter& p : stage.info.parameters) {
         json["parameters"].push_back(json_of(p));
@@ -77,6 +78,9 @@ std::string description(const RegisteredStage& stage) {
     }
     if (!stage.info.extensions.empty()) {
         text += fmt::format("Files: .{}\n", fmt::join(stage.info.extensions, " ."));
+    }
+    if (stage.info.original_only) {
+        text += "Looks at the original geometry alone: mesh filters before it change nothing.\n";
     }
     text += stage.info.parameters.empty() ? "No parameters.\n" : "\nParameters:\n";
     for (const Parameter& p : stage.info.parameters) {

@@ -38,11 +38,10 @@ std::string plain_name(const std::filesystem::path& file) {
     return (name.empty() ? "input" : name) + "_spheres";
 }
 
-std::string spherizer(const std::string& method, const Registry& registry) {
-    const std::string name = method.starts_with("spherize.") ? method : "spherize." + method;
-    const RegisteredStage* stage = registry.find(name);
+const RegisteredStage& spherizer(const std::string& method, const Registry& registry) {
+    const RegisteredStage* stage = registry.find(method.starts_with("spherize.") ? method : "spherize." + method);
     if (stage && stage->kind == StageKind::spherizer) {
-        return name;
+        return *stage;
     }
     std::vector<std::string> methods;
     for (const auto& [known, candidate] : registry.stages()) {
@@ -107,14 +106,18 @@ QuickRecipe quick_recipe(const std::filesystem::path& input, const std::string& 
     recipe.text +=
         is_mesh(input, registry) ? fmt::format("mesh: [{}]\n", file) : fmt::format("robot:\n  urdf: [{}]\n", file);
     recipe.text += "stages:\n";
+    const StageInfo& spheres = spherizer(method, registry).info;
     for (const char* filter : {"repair.auto", "simplify.quadric", "smooth.humphrey"}) {
+        if (spheres.original_only) {
+            continue;
+        }
         if (registry.find(filter)) {
             recipe.text += fmt::format("  - {}: {{}}\n", filter);
         } else {
             recipe.left_out.emplace_back(filter);
         }
     }
-    recipe.text += fmt::format("  - {}: {{}}\n", spherizer(method, registry));
+    recipe.text += fmt::format("  - {}: {{}}\n", spheres.name);
     if (const std::string text = budget_text(budget); !text.empty()) {
         recipe.text += fmt::format("budget: {{{}}}   # over the whole robot\n", text);
     }

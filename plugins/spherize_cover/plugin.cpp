@@ -83,5 +83,6 @@ FOAM_PLUGIN("spherize_cover", "1.0", "Apache-2.0") {
                     .doc("How long to look: fast takes a tenth of the time of normal, best fifteen times as long."),
                 foam::Parameter::integer("spheres", 8).bounds(1, 256).doc("Number of spheres where no budget says."),
             },
+        .original_only = true,
     });
 }

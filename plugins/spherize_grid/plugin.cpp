@@ -158,5 +158,6 @@ FOAM_PLUGIN("spherize_grid", "1.0", "Apache-2.0") {
                  .doc("What the balls hold: the solid with its interior, or its surface alone.")
                  .source("metrics: interior outside of the spheres counts as missing")},
         .extensions = {},
+        .original_only = true,
     });
 }

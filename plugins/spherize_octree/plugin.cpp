@@ -144,5 +144,6 @@ FOAM_PLUGIN("spherize_octree", "1.0", "Apache-2.0") {
                  .doc("What the balls hold: the solid with its interior, or its surface alone.")
                  .source("Bradshaw and O'Sullivan 2004: solid or shell")},
         .extensions = {},
+        .original_only = true,
     });
 }

@@ -129,5 +129,6 @@ FOAM_PLUGIN("spherize_voxel", "1.0", "Apache-2.0") {
                  .doc("Which voxels count: all that hold some of the solid, or its surface alone.")
                  .source("metrics: interior outside of the spheres counts as missing")},
         .extensions = {},
+        .original_only = true,
     });
 }

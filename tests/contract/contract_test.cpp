@@ -84,6 +84,12 @@ TEST(Contract, AnExceptionNamesTheSolid) {
                             "works without a budget: Needle: no such cell"));
 }
 
+TEST(Contract, AnotherShapeThanItSays) {
+    EXPECT_THAT(findings("broken_spherizers", "spherize.looks"),
+                ElementsAre("looks at the original alone, as it says: another processed mesh gives other spheres; "
+                            "remedy: take Shape::original(), or leave StageInfo::original_only out"));
+}
+
 TEST(Contract, Declarations) {
     EXPECT_THAT(findings("broken_spherizers", "spherize.picky"),
                 ElementsAre("declares its parameters well: parameter 'size' has no unit; remedy: .unit(\"m\"), or "

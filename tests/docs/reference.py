@@ -86,6 +86,8 @@ def stage_page(stage):
     page += f"- plugin: `{stage['plugin']}` {stage['plugin_version']}, licence {stage['license']}\n"
     if stage["extensions"]:
         page += f"- files: {', '.join('`.' + extension + '`' for extension in stage['extensions'])}\n"
+    if stage["original_only"]:
+        page += "- looks at the original geometry alone: mesh filters before it change nothing\n"
     if stage["reference"]:
         page += f"- after: {sentence(stage['reference'])}\n"
     if not stage["parameters"]:

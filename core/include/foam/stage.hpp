@@ -118,6 +118,8 @@ struct StageInfo {
     /// Stages of other plugins that this one is made of, where they are there: see StageMaker. Their versions count as
     /// part of this one's.
     std::vector<std::string> uses{};
+    /// Spherizers: whether Shape::original() is all they look at, so that mesh filters before them change nothing.
+    bool original_only = false;
 };
 
 } // namespace foam

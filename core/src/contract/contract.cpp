@@ -107,7 +107,7 @@ std::vector<ContractFinding> check_contract(const RegisteredStage& stage, const 
     try {
         switch (stage.kind) {
         case StageKind::spherizer:
-            check_spherizer(*registry.make<Spherizer>(name), promises);
+            check_spherizer(*registry.make<Spherizer>(name), stage.info, promises);
             break;
         case StageKind::mesh_filter:
             check_mesh_filter(*registry.make<MeshFilter>(name), promises);

@@ -45,7 +45,7 @@ void require_stop(const std::function<void(Context&)>& call);
 /// Runs `call` with so many threads for parallel_for.
 void with_threads(std::size_t threads, const std::function<void()>& call);
 
-void check_spherizer(const Spherizer& spherizer, Promises& promises);
+void check_spherizer(const Spherizer& spherizer, const StageInfo& info, Promises& promises);
 void check_mesh_filter(const MeshFilter& filter, Promises& promises);
 void check_mesh_loader(const MeshLoader& loader, const StageInfo& info, const ContractOptions& options,
                        Promises& promises);

@@ -149,9 +149,19 @@ void check_threads(const Spherizer& spherizer, const Shape& shape) {
     }
 }
 
+void check_original_only(const Spherizer& spherizer) {
+    QuietContext context{3};
+    const auto original = sample::solids().at("Bracket")(), other = sample::solids().at("Torus")();
+    const Budget budget{4, {}, Guarantee::outer};
+    require(spherizer.spherize({"Bracket", original, original}, budget, context) ==
+                spherizer.spherize({"Bracket", other, original}, budget, context),
+            "another processed mesh gives other spheres; remedy: take Shape::original(), or leave "
+            "StageInfo::original_only out");
+}
+
 } // namespace
 
-void check_spherizer(const Spherizer& spherizer, Promises& promises) {
+void check_spherizer(const Spherizer& spherizer, const StageInfo& info, Promises& promises) {
     promises.check("keeps the budget, stands for the solid, is proved after growth",
                    [&] { on_every_solid([&](const Shape& shape) { check_budgets(spherizer, shape); }); });
     promises.check("works without a budget", [&] {
@@ -164,6 +174,9 @@ void check_spherizer(const Spherizer& spherizer, Promises& promises) {
         check_threads(spherizer, shape_of("Bracket"));
         check_threads(spherizer, shape_of("Torus"));
     });
+    if (info.original_only) {
+        promises.check("looks at the original alone, as it says", [&] { check_original_only(spherizer); });
+    }
     promises.check("stops when asked", [&] {
         require_stop([&](Context& context) {
             spherizer.spherize(shape_of("Torus"), {20, {}, Guarantee::outer}, context);

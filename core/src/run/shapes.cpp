@@ -47,6 +47,11 @@ static Pose relative_pose(const Group& group, const LinkWork& link, std::size_t 
     return element == group.elements.front() ? Pose{} : group.frame.inverse() * link.elements[element].source->origin;
 }
 
+static bool original_only(const Workspace& workspace, const StageCall& spherizer) {
+    const RegisteredStage* stage = workspace.registry.find(spherizer.stage);
+    return stage && stage->info.original_only;
+}
+
 std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::vector<LinkWork>& links,
                                        std::vector<Group>& groups) {
     std::map<Digest, std::size_t> known;
@@ -55,8 +60,11 @@ std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::ve
         const LinkWork& link = links[groups[g].link];
         Hasher hasher;
         hasher.add(link.recipe.spherizer, workspace.registry);
+        const bool raw = original_only(workspace, link.recipe.spherizer);
         for (const std::size_t e : groups[g].elements) {
-            hasher.add(link.elements[e].digest).add(relative_pose(groups[g], link, e));
+            const Element& element = link.elements[e];
+            hasher.add(raw && element.raw ? digest_of_content(*element.raw) : element.digest);
+            hasher.add(relative_pose(groups[g], link, e));
         }
         const Digest digest =
             hasher.finish(); // what a spherizer makes of it does not depend on the bounds of the count
@@ -82,16 +90,18 @@ std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::ve
     return shapes;
 }
 
-void build_shape(const std::vector<LinkWork>& links, const std::vector<Group>& groups, ShapeWork& work) {
+void build_shape(const Workspace& workspace, const std::vector<LinkWork>& links, const std::vector<Group>& groups,
+                 ShapeWork& work) {
     const Group& group = groups[work.groups.front()];
     const LinkWork& link = links[group.link];
+    const bool raw_only = original_only(workspace, work.spherizer);
     std::vector<Solid::Part> original, processed;
     bool filtered = false;
     for (const std::size_t e : group.elements) {
         const Pose pose = relative_pose(group, link, e);
         original.push_back(part_of(link.elements[e], pose, false));
-        processed.push_back(part_of(link.elements[e], pose, true));
-        filtered |= !link.elements[e].filtered.empty();
+        processed.push_back(part_of(link.elements[e], pose, !raw_only));
+        filtered |= !raw_only && !link.elements[e].filtered.empty();
     }
     const auto raw = Solid::make(std::move(original));
     work.shape = std::make_unique<Shape>(work.link, filtered ? Solid::make(std::move(processed)) : raw, raw);

@@ -43,8 +43,10 @@ std::vector<Group> make_groups(const Workspace& workspace, const std::vector<Lin
 std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::vector<LinkWork>& links,
                                        std::vector<Group>& groups);
 
-/// Makes ShapeWork::shape, in the frame of its first group's first element.
-void build_shape(const std::vector<LinkWork>& links, const std::vector<Group>& groups, ShapeWork& work);
+/// Makes ShapeWork::shape, in the frame of its first group's first element. Spherizers that look at the original alone
+/// get nothing else.
+void build_shape(const Workspace& workspace, const std::vector<LinkWork>& links, const std::vector<Group>& groups,
+                 ShapeWork& work);
 
 /// What the cache knows the tree of a shape by, of at most `count` spheres; 0: no budget.
 Digest tree_key(const Workspace& workspace, const ShapeWork& work, std::size_t count);

@@ -35,7 +35,7 @@ SpherizedLinks spherize_links(const Workspace& workspace, std::vector<LinkWork>&
     std::vector<ShapeWork> shapes = distinct_shapes(workspace, links, groups);
     for_each_shape(shapes, [&](std::size_t s) {
         try {
-            build_shape(links, groups, shapes[s]);
+            build_shape(workspace, links, groups, shapes[s]);
         } catch (...) {
             throw described(std::current_exception(), "geometry", shapes[s].link, shapes[s].input);
         }

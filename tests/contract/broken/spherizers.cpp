@@ -85,6 +85,15 @@ public:
     }
 };
 
+class LooksAtProcessed final : public Spherizer {
+public:
+    SphereTree spherize(const Shape& shape, const Budget&, Context& context) const override {
+        const Box box = shape.processed().bounds();
+        const Sphere ball = one_ball(shape, context).finest().front();
+        return flat_tree({{ball.center, std::max(ball.radius, box.diagonal() / 2)}});
+    }
+};
+
 class Picky final : public Spherizer {
 public:
     explicit Picky(const Parameters& parameters) {
@@ -108,6 +117,8 @@ FOAM_PLUGIN("broken_spherizers", "1.0", "Apache-2.0") {
     enrol.add<CountsItsCalls>({.name = "spherize.counts", .summary = "Keeps a state between calls"});
     enrol.add<NeverStops>({.name = "spherize.never_stops", .summary = "Deaf"});
     enrol.add<Throws>({.name = "spherize.throws", .summary = "Throws for one solid"});
+    enrol.add<LooksAtProcessed>(
+        {.name = "spherize.looks", .summary = "Says that it looks at the original alone", .original_only = true});
     enrol.add<Picky>({.name = "spherize.picky",
                       .summary = "Declares what it does not take",
                       .parameters = {Parameter::integer("cells", 1).at_least(0).doc("Cells."),
