@@ -10,7 +10,7 @@ namespace {
 class CoverSpherizer final : public foam::Spherizer {
 public:
     explicit CoverSpherizer(const foam::Parameters& parameters)
-        : effort_(effort_named(parameters.text("effort"))),
+        : effort_(effort_named(parameters.text("effort"))), objective_(objective_named(parameters.text("objective"))),
           spheres_(static_cast<std::size_t>(parameters.integer("spheres"))) {}
 
     foam::SphereTree spherize(const foam::Shape& shape, const foam::Budget& budget,
@@ -31,12 +31,12 @@ public:
         };
         const std::unique_lock lock(mutex_, std::try_to_lock);
         if (!lock.owns_lock()) {
-            Kept own(shape, effort_, context.seed());
+            Kept own(shape, *this, context.seed());
             run(own);
             return trees;
         }
         if (!kept_ || !kept_->is_of(shape, context.seed())) {
-            kept_ = std::make_unique<Kept>(shape, effort_, context.seed());
+            kept_ = std::make_unique<Kept>(shape, *this, context.seed());
         }
         run(*kept_);
         return trees;
@@ -45,8 +45,12 @@ public:
 private:
     /// A search that goes on when more is asked of the same shape.
     struct Kept {
-        Kept(const foam::Shape& of, foam::Effort effort, std::uint64_t s)
-            : shape(of), seed(s), search(shape.original(), {effort, seed, [this] { return context->cancelled(); }}) {}
+        Kept(const foam::Shape& of, const CoverSpherizer& stage, std::uint64_t s)
+            : shape(of), seed(s),
+              search(shape.original(),
+                     {.effort = stage.effort_, .objective = stage.objective_, .seed = seed, .stop = [this] {
+                          return context->cancelled();
+                      }}) {}
         bool is_of(const foam::Shape& other, std::uint64_t other_seed) const {
             return &shape.original() == &other.original() && seed == other_seed;
         }
@@ -61,7 +65,14 @@ private:
         return name == "fast" ? foam::Effort::fast : name == "best" ? foam::Effort::best : foam::Effort::normal;
     }
 
+    static foam::Objective objective_named(const std::string& name) {
+        return name == "protrusion" ? foam::Objective::protrusion
+               : name == "radius"   ? foam::Objective::radius
+                                    : foam::Objective::excess;
+    }
+
     foam::Effort effort_;
+    foam::Objective objective_;
     std::size_t spheres_;
     mutable std::mutex mutex_; ///< of what is kept; results do not depend on it
     mutable std::unique_ptr<Kept> kept_;
@@ -81,6 +92,9 @@ FOAM_PLUGIN("spherize_cover", "1.0", "Apache-2.0") {
             {
                 foam::Parameter::choice("effort", {"fast", "normal", "best"}, "normal")
                     .doc("How long to look: fast takes a tenth of the time of normal, best fifteen times as long."),
+                foam::Parameter::choice("objective", {"excess", "protrusion", "radius"}, "excess")
+                    .doc("What is to be least: the volume claimed outside, how far any sphere sticks out of the "
+                         "geometry, or the radius of the largest sphere, for planners that want equal ones."),
                 foam::Parameter::integer("spheres", 8).bounds(1, 256).doc("Number of spheres where no budget says."),
             },
         .original_only = true,

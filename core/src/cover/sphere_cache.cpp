@@ -15,6 +15,7 @@ Digest key_of(const Mesh& mesh, std::size_t count, const SpherizeOptions& option
         .add(mesh)
         .add(static_cast<std::uint64_t>(count))
         .add(static_cast<std::uint64_t>(options.effort))
+        .add(static_cast<std::uint64_t>(options.objective))
         .add(options.seed)
         .finish();
 }

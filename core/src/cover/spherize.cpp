@@ -1,3 +1,4 @@
+#include "cover/objective_search.hpp"
 #include "cover/quick_search.hpp"
 #include "cover/search.hpp"
 
@@ -10,13 +11,15 @@ namespace foam {
 
 struct CoverSearch::Data {
     Data(const Solid& solid, const SpherizeOptions& options) {
-        if (options.effort == Effort::fast) {
+        if (options.objective != Objective::excess) {
+            search.emplace<cover::ObjectiveSearch>(solid, options);
+        } else if (options.effort == Effort::fast) {
             search.emplace<cover::QuickSearch>(solid, options);
         } else {
             search.emplace<cover::Search>(solid, options);
         }
     }
-    std::variant<std::monostate, cover::QuickSearch, cover::Search> search;
+    std::variant<std::monostate, cover::QuickSearch, cover::Search, cover::ObjectiveSearch> search;
 };
 
 CoverSearch::CoverSearch(const Solid& solid, const SpherizeOptions& options)
@@ -36,6 +39,9 @@ Cover CoverSearch::cover(std::size_t count) {
     if (auto* const quick = std::get_if<cover::QuickSearch>(&data_->search)) {
         return quick->cover(count);
     }
+    if (auto* const other = std::get_if<cover::ObjectiveSearch>(&data_->search)) {
+        return other->cover(count);
+    }
     return std::get<cover::Search>(data_->search).cover(count);
 }
 
@@ -50,10 +56,27 @@ std::vector<Cover> spherize_each(const Solid& solid, std::span<const std::size_t
     return covers;
 }
 
+/// By another objective than excess.
+static Cover spherize_by_objective(const Solid& solid, std::size_t count, const SpherizeOptions& options) {
+    SpherizeOptions fast = options;
+    fast.effort = Effort::fast;
+    cover::ObjectiveSearch quick(solid, fast);
+    Cover found = quick.alone(count);
+    if (options.effort == Effort::fast || quick.was_stopped()) {
+        return found;
+    }
+    cover::ObjectiveSearch search(solid, options);
+    Cover better = search.cover(count);
+    return search.was_stopped() && search.figure(found) < search.figure(better) ? found : better;
+}
+
 Cover spherize(const Solid& solid, std::size_t count, const SpherizeOptions& options) {
     check(count);
     if (options.effort != Effort::fast && !options.stop) {
         return CoverSearch(solid, options).cover(count);
+    }
+    if (options.objective != Objective::excess) {
+        return spherize_by_objective(solid, count, options);
     }
     cover::QuickSearch quick(solid, options);
     Cover found = quick.alone(count);

@@ -17,8 +17,16 @@ namespace foam {
 /// How long spherize() looks for better spheres. What each costs: docs/guide/spherizers.md.
 enum class Effort { fast, normal, best };
 
+/// What spheres that hold a solid are to be besides; in covers by more spheres it never becomes worse.
+enum class Objective {
+    excess,     ///< the least volume outside the solid
+    protrusion, ///< the least distance to which any sphere sticks out of the solid: the same clearance lost everywhere
+    radius,     ///< the least largest radius: equal spheres at best (the k-centre problem), for planners that want one
+};
+
 struct SpherizeOptions {
     Effort effort = Effort::normal;
+    Objective objective = Objective::excess;
     std::uint64_t seed = 0;
     /// Asked now and then in the calling thread; true ends the search with what has been found so far, covered and
     /// certified all the same.
@@ -52,15 +60,16 @@ private:
     std::unique_ptr<Data> data_;
 };
 
-/// At most `count` spheres (at least 1) that hold the whole surface of the solid and claim little volume outside it.
-/// With Effort::fast the count is looked for on its own, for those who need one cover now; otherwise it is what
-/// spherize_each() gives. The same result on any number of threads. Throws Error(geometry) where Solid::make does,
-/// Error(usage) for a count of 0.
+/// At most `count` spheres (at least 1) that hold the whole surface of the solid and are good by the objective, by
+/// which they are never worse than those that Objective::excess gives. With Effort::fast the count is looked for on its
+/// own, for those who need one cover now; otherwise it is what spherize_each() gives. The same result on any number of
+/// threads. Throws Error(geometry) where Solid::make does, Error(usage) for a count of 0.
 Cover spherize(const Solid& solid, std::size_t count, const SpherizeOptions& options = {});
 /// The same of a mesh: metres, any frame.
 Cover spherize(const Mesh& mesh, std::size_t count, const SpherizeOptions& options = {});
 /// One cover for each count, the same whatever the other counts are. Along the counts 1 to 12, 14, 16, 20, 24, 28, 32,
-/// 40… more spheres never claim more; any other count claims no more than the one of these below it.
+/// 40… more spheres are never worse by the objective (never claim more, protrude farther or have a larger one among
+/// them); any other count is no worse than the one of these below it.
 std::vector<Cover> spherize_each(const Solid& solid, std::span<const std::size_t> counts,
                                  const SpherizeOptions& options = {});
 
