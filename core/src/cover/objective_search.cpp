@@ -4,6 +4,7 @@
 #include "cover/ladder.hpp"
 #include "cover/plane_splits.hpp"
 #include "cover/protrusion_cost.hpp"
+#include "cover/proved.hpp"
 #include "cover/set_cover.hpp"
 #include "cover/starts.hpp"
 #include "geometry/measure_parts.hpp"
@@ -144,10 +145,9 @@ const DistanceField* ObjectiveSearch::field_for(std::size_t count) {
     if (options_.objective != Objective::protrusion) {
         return nullptr;
     }
-    // Small balls protrude little.
-    constexpr double cells_a_ball = 8;
-    const int resolution = std::clamp(static_cast<int>(cells_a_ball * std::sqrt(static_cast<double>(count))),
-                                      plan_.field, 2 * plan_.field);
+    // Many small balls protrude little.
+    constexpr std::size_t few = 12;
+    const int resolution = count <= few ? plan_.field : 2 * plan_.field;
     if (resolution != resolution_) {
         resolution_ = resolution;
         field_ = std::make_unique<DistanceField>(solid_, frame_, resolution);
@@ -231,15 +231,11 @@ Cover ObjectiveSearch::finished(const Balls& balls) const {
     const double margin = 2e-6 * frame_.unit; // centres are rounded by less when they are written
     // Where balls only just meet, a proof by halving would have to cut very finely: a hair of overlap helps.
     constexpr double overlap = 1e-4;
-    Cover cover;
+    std::vector<Sphere> spheres;
     for (const Ball& b : balls) {
-        cover.spheres.push_back({frame_.from_unit({b.x, b.y, b.z}), b.r * (1 + overlap) * frame_.unit + margin});
+        spheres.push_back({frame_.from_unit({b.x, b.y, b.z}), b.r * (1 + overlap) * frame_.unit + margin});
     }
-    cover.certificate = certify(solid_, cover.spheres);
-    if (!cover.certificate.holds) {
-        cover.spheres = grown_to_cover(solid_, std::move(cover.spheres));
-        cover.certificate = certify(solid_, cover.spheres);
-    }
+    Cover cover = proved(solid_, std::move(spheres));
     cover.volume = exact_union_volume(cover.spheres);
     return cover;
 }

@@ -13,7 +13,7 @@ namespace foam::cover {
 
 /// What each effort is.
 struct ObjectivePlan {
-    int field;                 ///< cells of the distance field along the longest extent, at least
+    int field;                 ///< cells of the distance field along the longest extent; twice as many for many balls
     std::size_t directions;    ///< in which a ball's protrusion is looked at
     int evaluations;           ///< of it, for the best centre of a ball
     std::size_t random_starts; ///< beside those by rule

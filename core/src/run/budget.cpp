@@ -147,7 +147,7 @@ ChosenCounts count_each(const Workspace& workspace, std::vector<ShapeWork>& shap
         }
         workspace.journal.expect(1);
         const std::size_t most = number_of_its_own(workspace.recipe, work);
-        if (most < SIZE_MAX && !workspace.options.numbers_as_asked) {
+        if (most < SIZE_MAX && !workspace.options.numbers_as_asked && wants_least_excess(workspace.recipe, work)) {
             of_shape[s] = best_of_at_most(workspace, work, most);
             return;
         }

@@ -35,7 +35,10 @@ std::size_t number_of_its_own(const Recipe& recipe, const ShapeWork& shape) {
 std::vector<std::size_t> first_counts(const Recipe& recipe, const ShapeWork& shape, std::size_t groups) {
     if (has_number_of_its_own(recipe, shape, groups)) {
         const std::size_t most = number_of_its_own(recipe, shape);
-        return most == SIZE_MAX ? std::vector<std::size_t>{0} : counts_alone(shape.least, std::max(shape.least, most));
+        if (most == SIZE_MAX || !wants_least_excess(recipe, shape)) {
+            return {most == SIZE_MAX ? 0 : std::max(shape.least, most)};
+        }
+        return counts_alone(shape.least, std::max(shape.least, most));
     }
     if (!recipe.budget_spheres && !recipe.budget_excess) {
         return {shape.least};

@@ -12,6 +12,12 @@
 
 namespace foam {
 
+bool wants_least_excess(const Recipe& recipe, const ShapeWork& work) {
+    const auto objective = work.spherizer.given.find("objective");
+    return recipe.guarantee != Guarantee::outer || objective == work.spherizer.given.end() ||
+           objective->second == ParameterValue(std::string("excess"));
+}
+
 static Solid::Part part_of(const Element& element, const Pose& pose, bool processed) {
     Solid::Part part;
     if (const Primitive* primitive = element.primitive()) {
@@ -158,7 +164,8 @@ static std::optional<Sphere> as_sphere(const Solid& solid) {
 /// what the spherizer found where it claims less.
 static void take_better_row(const Workspace& workspace, const ShapeWork& work, std::size_t count, SphereTree& tree) {
     const Recipe& recipe = workspace.recipe;
-    if (count == 0 || recipe.guarantee != Guarantee::outer || work.max_protrusion || tree.levels.size() > 2) {
+    if (count == 0 || recipe.guarantee != Guarantee::outer || work.max_protrusion || tree.levels.size() > 2 ||
+        !wants_least_excess(recipe, work)) {
         return;
     }
     const Solid& solid = work.shape->original();

@@ -36,6 +36,10 @@ struct ShapeWork {
     std::optional<Error> error;
 };
 
+/// Whether the shape's spheres are to claim little above all: with guarantee outer the spherizer may have a parameter
+/// `objective` that says otherwise, and then spheres that claim less do not stand in for its own.
+bool wants_least_excess(const Recipe& recipe, const ShapeWork& work);
+
 /// One group a link, or one a collision element (recipe: per), for the links without an error.
 std::vector<Group> make_groups(const Workspace& workspace, const std::vector<LinkWork>& links);
 
