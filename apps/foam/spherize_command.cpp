@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Arguments {
-    std::string input, method = "medial", output, format, out;
+    std::string input, method = "cover", output, format, out;
     QuickBudget budget;
     std::vector<std::string> settings;
     ExecuteOptions execute;

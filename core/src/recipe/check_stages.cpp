@@ -85,7 +85,7 @@ void read_stage_parameters(StageItem& item, const std::vector<std::string>& othe
 }
 
 void check_stages(const Value* stages, const Value& root, Recipe& recipe, const Checking& checking) {
-    constexpr const char* example = "stages: [repair.auto, spherize.medial]";
+    constexpr const char* example = "stages: [spherize.cover]";
     if (!stages) {
         checking.findings.error({root.where.source, 1, 1}, "missing-key",
                                 fmt::format("'stages' is missing; remedy: write {}", example));
@@ -127,7 +127,7 @@ void check_stages(const Value* stages, const Value& root, Recipe& recipe, const 
     }
     if (recipe.spherizer.stage.empty() && !unknown) {
         checking.findings.error(stages->where, "missing-stage",
-                                "the chain has no spherizer; remedy: add one as the last item, e.g. spherize.medial");
+                                "the chain has no spherizer; remedy: add one as the last item, e.g. spherize.cover");
     }
 }
 
