@@ -25,7 +25,11 @@ public:
         const auto run = [&](Kept& kept) {
             kept.context = &context;
             for (const foam::Budget& budget : budgets) {
-                foam::Cover cover = kept.search.cover(budget.max_spheres.value_or(spheres_));
+                const std::size_t count = budget.max_spheres.value_or(spheres_);
+                // Where the runtime is to fit them, it is enough that they are near.
+                foam::Cover cover = budget.guarantee == foam::Guarantee::fitted
+                                        ? foam::spherize(shape.original(), count, kept.quickly())
+                                        : kept.search.cover(count);
                 trees.push_back(foam::flat_tree(std::move(cover.spheres)));
             }
         };
@@ -53,6 +57,10 @@ private:
                       }}) {}
         bool is_of(const foam::Shape& other, std::uint64_t other_seed) const {
             return &shape.original() == &other.original() && seed == other_seed;
+        }
+
+        foam::SpherizeOptions quickly() const {
+            return {.effort = foam::Effort::fast, .seed = seed, .stop = [this] { return context->cancelled(); }};
         }
 
         foam::Shape shape; ///< holds on to the solid

@@ -19,7 +19,10 @@ struct Steps {
     std::size_t count;
     float first, last;
 };
-constexpr Steps look{40, 0.06f, 0.01f}, settle{120, 0.04f, 0.001f};
+constexpr Steps look{60, 0.08f, 0.01f}, settle{120, 0.04f, 0.001f};
+
+/// Enough of the solid's cells to find clusters by.
+constexpr std::size_t some_points = 1500;
 
 /// Descent along the shape derivative, in steps of even length by adaptive moments (Kingma and Ba 2015, "Adam"). At the
 /// optimum half of every ball's exposed surface lies inside the solid.
@@ -74,26 +77,15 @@ public:
         return {std::move(balls), cost};
     }
 
-    /// With balls in the largest pockets that are left, up to `most` in all.
-    Balls filled(Balls balls, std::size_t most) const {
-        while (balls.size() < most) {
-            const Ball pocket = misfit_.largest_pocket(balls);
-            if (!(pocket.r > 0)) {
-                break;
-            }
-            balls.push_back(pocket);
-        }
-        return balls;
-    }
-
     /// The best of the start, balls packed into the solid and a few clusterings of it, each taken downhill a little
     /// way.
     Candidate best_start(const Balls& start, std::size_t most) const {
         Random random(1);
-        std::vector<Balls> starts{start, filled({}, most)};
+        std::vector<Balls> starts{start, misfit_.filled({}, most)};
         constexpr int clusterings = 3;
-        for (int i = 0; i < clusterings && misfit_.inside().size() > most; ++i) {
-            starts.push_back(cover::clusters(misfit_.inside(), most, random));
+        const cover::Points inside = misfit_.some_inside(std::max(some_points, 4 * most));
+        for (int i = 0; i < clusterings && inside.size() > most; ++i) {
+            starts.push_back(cover::clusters(inside, most, random));
             for (Ball& ball : starts.back()) {
                 ball.r *= 0.75f; // they hold their clusters: about the volume of these
             }
@@ -114,19 +106,10 @@ public:
 
     /// The balls with the one that is of least use moved to where most is missing.
     Balls moved(const Candidate& now) const {
-        std::size_t least = 0;
-        double cost = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < now.balls.size(); ++i) {
-            Balls others = now.balls;
-            others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-            if (const double without = misfit_.of(others); without < cost) {
-                cost = without;
-                least = i;
-            }
-        }
+        const std::vector<double> uses = misfit_.uses(now.balls);
         Balls balls = now.balls;
-        balls.erase(balls.begin() + static_cast<std::ptrdiff_t>(least));
-        return filled(std::move(balls), now.balls.size());
+        balls.erase(balls.begin() + (std::min_element(uses.begin(), uses.end()) - uses.begin()));
+        return misfit_.filled(std::move(balls), now.balls.size());
     }
 
     Candidate far(const Balls& start, std::size_t most) const {
@@ -146,19 +129,20 @@ private:
     const Misfit& misfit_;
 };
 
-/// Cells along the longest extent so that the box has about as many, whatever its shape.
-int resolution(const Vec3& size) {
-    constexpr double of_a_cube = 56;
+/// Cells along the longest extent so that the box has about as many, whatever its shape: in proportion to the balls, a
+/// ball of many is small.
+int resolution(const Vec3& size, std::size_t count) {
+    const double of_a_cube = 12 * std::cbrt(static_cast<double>(std::max<std::size_t>(count, 16)));
     const double longest = std::max({size.x, size.y, size.z}), volume = size.x * size.y * size.z;
     const double slenderness = volume > 0 ? longest / std::cbrt(volume) : 4;
-    return static_cast<int>(of_a_cube * std::min(slenderness, 4.0));
+    return static_cast<int>(std::min(of_a_cube, 64.0) * std::min(slenderness, 4.0));
 }
 
 } // namespace
 
 std::vector<Sphere> fit(const Solid& solid, std::span<const Sphere> start, std::size_t most, Reach reach) {
     const cover::Frame frame(solid.bounds());
-    const Misfit misfit(solid, frame, resolution(solid.bounds().size()), 96);
+    const Misfit misfit(solid, frame, resolution(solid.bounds().size(), reach == Reach::far ? most : start.size()), 96);
     Balls balls;
     for (const Sphere& sphere : start) {
         balls.push_back(cover::ball_of({frame.to_unit(sphere.center), sphere.radius / frame.unit}));

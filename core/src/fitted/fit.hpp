@@ -9,6 +9,9 @@
 
 namespace foam::fitted {
 
+/// Raise it when the same input gives other spheres: old cache entries are then left.
+constexpr int revision = 2;
+
 /// How far the search goes from where it starts.
 enum class Reach {
     near, ///< downhill alone: every sphere stays what it was one of

@@ -2,6 +2,7 @@
 
 #include "cover/exposed.hpp"
 
+#include <foam/cell.hpp>
 #include <foam/union_volume.hpp>
 
 #include <algorithm>
@@ -38,12 +39,16 @@ Misfit::Misfit(const Solid& solid, const cover::Frame& frame, int resolution, st
     }
 }
 
-double Misfit::of(const Balls& balls) const {
+static std::vector<Sphere> spheres_of(const Balls& balls) {
     std::vector<Sphere> spheres;
     for (const Ball& ball : balls) {
         spheres.push_back({{ball.x, ball.y, ball.z}, ball.r});
     }
-    return exact_union_volume(spheres) + volume_ - 2 * shared_with(balls);
+    return spheres;
+}
+
+double Misfit::of(const Balls& balls) const {
+    return exact_union_volume(spheres_of(balls)) + volume_ - 2 * shared_with(balls);
 }
 
 double Misfit::shared_with(const Balls& balls) const {
@@ -87,21 +92,58 @@ void Misfit::slopes(const Balls& balls, std::size_t turn, std::vector<Slope>& re
     }
 }
 
-Ball Misfit::largest_pocket(const Balls& balls) const {
+Balls Misfit::filled(Balls balls, std::size_t most) const {
     const cover::Points& inside = occupancy_.inside();
-    Ball best;
-    for (std::size_t p = 0; p < inside.size(); ++p) {
-        float room = occupancy_.depth()[p];
-        for (std::size_t i = 0; i < balls.size() && room > best.r; ++i) {
-            const float squared = balls[i].squared_distance(inside.x[p], inside.y[p], inside.z[p]);
-            const float reach = balls[i].r + room;
-            room = squared < reach * reach ? std::sqrt(squared) - balls[i].r : room;
+    std::vector<float> room = occupancy_.depth();
+    const auto take_away = [&](const Ball& ball) {
+        for (std::size_t p = 0; p < inside.size(); ++p) {
+            const float squared = ball.squared_distance(inside.x[p], inside.y[p], inside.z[p]);
+            const float reach = ball.r + room[p];
+            room[p] = squared < reach * reach ? std::sqrt(squared) - ball.r : room[p];
         }
-        if (room > best.r) {
-            best = {inside.x[p], inside.y[p], inside.z[p], room};
+    };
+    std::for_each(balls.begin(), balls.end(), take_away);
+    while (balls.size() < most) {
+        const auto largest = std::max_element(room.begin(), room.end());
+        if (largest == room.end() || !(*largest > 0)) {
+            break;
+        }
+        const auto p = static_cast<std::size_t>(largest - room.begin());
+        balls.push_back({inside.x[p], inside.y[p], inside.z[p], *largest});
+        take_away(balls.back());
+    }
+    return balls;
+}
+
+cover::Points Misfit::some_inside(std::size_t count) const {
+    const cover::Points& inside = occupancy_.inside();
+    const std::size_t stride = std::max<std::size_t>(1, inside.size() / count);
+    cover::Points result;
+    for (std::size_t p = 0; p < inside.size(); p += stride) {
+        result.add(inside.at(p));
+    }
+    return result;
+}
+
+std::vector<double> Misfit::uses(const Balls& balls) const {
+    const std::vector<Sphere> spheres = spheres_of(balls);
+    std::vector<double> result(balls.size(), 0);
+    for (std::size_t p = 0; p < cells_.size(); ++p) {
+        std::size_t holder = balls.size(), holders = 0;
+        for (std::size_t i = 0; i < balls.size() && holders < 2; ++i) {
+            if (balls[i].squared_distance(cells_.x[p], cells_.y[p], cells_.z[p]) <= balls[i].r * balls[i].r) {
+                holder = i;
+                ++holders;
+            }
+        }
+        if (holders == 1) {
+            result[holder] += 2 * volume_of_cell_[p];
         }
     }
-    return best;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        result[i] -= volume_saved(spheres, i, {});
+    }
+    return result;
 }
 
 } // namespace foam::fitted

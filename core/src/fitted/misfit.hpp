@@ -21,13 +21,19 @@ public:
     /// that inside; by c_i: the same with the normal. `turn`: which set of directions stands for the areas.
     void slopes(const cover::Balls& balls, std::size_t turn, std::vector<Slope>& result) const;
 
-    /// The largest ball inside the solid and outside `balls`, about the middle of a cell; radius 0 if there is none.
-    cover::Ball largest_pocket(const cover::Balls& balls) const;
+    /// The balls, and more in the largest pockets that they leave, up to `most` in all: each the largest ball inside the
+    /// solid and outside the others, about the middle of a cell. Fewer where no pocket is left.
+    cover::Balls filled(cover::Balls balls, std::size_t most) const;
+
+    /// What the sum of both volumes grows by without each ball, units³: the part of the solid that it alone holds goes
+    /// from right to wrong, what it alone claims outside the other way. That part is estimated, to some hundredth of
+    /// the ball.
+    std::vector<double> uses(const cover::Balls& balls) const;
 
     /// Of the solid, units³.
     double volume() const { return volume_; }
-    /// Middles of cells inside the solid.
-    const cover::Points& inside() const { return occupancy_.inside(); }
+    /// Middles of about `count` of the cells inside the solid, or of all.
+    cover::Points some_inside(std::size_t count) const;
 
 private:
     double shared_with(const cover::Balls& balls) const;

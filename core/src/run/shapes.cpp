@@ -13,6 +13,9 @@
 namespace foam {
 
 bool wants_least_excess(const Recipe& recipe, const ShapeWork& work) {
+    if (recipe.guarantee == Guarantee::fitted) {
+        return false; // the least of excess and missing together, and each number is a search of its own
+    }
     const auto objective = work.spherizer.given.find("objective");
     return recipe.guarantee != Guarantee::outer || objective == work.spherizer.given.end() ||
            objective->second == ParameterValue(std::string("excess"));
@@ -148,6 +151,9 @@ Digest tree_key(const Workspace& workspace, const ShapeWork& work, std::size_t c
     Hasher hasher;
     hasher.add("spherize").add(work.digest).add(workspace.recipe.seed).add(static_cast<std::uint64_t>(count));
     hasher.add(static_cast<std::uint64_t>(workspace.recipe.guarantee));
+    if (workspace.recipe.guarantee == Guarantee::fitted) {
+        hasher.add(static_cast<std::uint64_t>(fitted::revision));
+    }
     return hasher.add(work.max_protrusion.value_or(-1)).finish();
 }
 
