@@ -2,6 +2,7 @@
 #include <foam/host/spherize.hpp>
 #include <foam/plugin.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <mutex>
 
@@ -22,14 +23,17 @@ public:
                                                 foam::Context& context) const override {
         context.check_cancelled();
         std::vector<foam::SphereTree> trees;
+        const auto fitted = [](const foam::Budget& budget) { return budget.guarantee == foam::Guarantee::fitted; };
+        if (std::all_of(budgets.begin(), budgets.end(), fitted)) {
+            for (const foam::Budget& budget : budgets) {
+                trees.push_back(starts_of_fit(shape, budget, context));
+            }
+            return trees;
+        }
         const auto run = [&](Kept& kept) {
             kept.context = &context;
             for (const foam::Budget& budget : budgets) {
-                const std::size_t count = budget.max_spheres.value_or(spheres_);
-                // Where the runtime is to fit them, it is enough that they are near.
-                foam::Cover cover = budget.guarantee == foam::Guarantee::fitted
-                                        ? foam::spherize(shape.original(), count, kept.quickly())
-                                        : kept.search.cover(count);
+                foam::Cover cover = kept.search.cover(budget.max_spheres.value_or(spheres_));
                 trees.push_back(foam::flat_tree(std::move(cover.spheres)));
             }
         };
@@ -47,6 +51,14 @@ public:
     }
 
 private:
+    /// Where the runtime is to fit them, it is enough that they are near: the first that come to mind.
+    foam::SphereTree starts_of_fit(const foam::Shape& shape, const foam::Budget& budget, foam::Context& context) const {
+        foam::Cover cover =
+            foam::spherize(shape.original(), budget.max_spheres.value_or(spheres_),
+                           {.effort = foam::Effort::fast, .seed = context.seed(), .stop = [] { return true; }});
+        return foam::flat_tree(std::move(cover.spheres));
+    }
+
     /// A search that goes on when more is asked of the same shape.
     struct Kept {
         Kept(const foam::Shape& of, const CoverSpherizer& stage, std::uint64_t s)
@@ -57,10 +69,6 @@ private:
                       }}) {}
         bool is_of(const foam::Shape& other, std::uint64_t other_seed) const {
             return &shape.original() == &other.original() && seed == other_seed;
-        }
-
-        foam::SpherizeOptions quickly() const {
-            return {.effort = foam::Effort::fast, .seed = seed, .stop = [this] { return context->cancelled(); }};
         }
 
         foam::Shape shape; ///< holds on to the solid

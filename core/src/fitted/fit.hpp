@@ -10,7 +10,7 @@
 namespace foam::fitted {
 
 /// Raise it when the same input gives other spheres: old cache entries are then left.
-constexpr int revision = 2;
+constexpr int revision = 3;
 
 /// How far the search goes from where it starts.
 enum class Reach {

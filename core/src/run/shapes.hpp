@@ -36,8 +36,8 @@ struct ShapeWork {
     std::optional<Error> error;
 };
 
-/// Whether the shape's spheres are to claim little above all: with guarantee outer the spherizer may have a parameter
-/// `objective` that says otherwise, and then spheres that claim less do not stand in for its own.
+/// Whether the shape's spheres are to claim little above all, so that others that claim less may stand in for the
+/// spherizer's own: not if the spherizer has a parameter `objective` that says otherwise, nor if they are to be fitted.
 bool wants_least_excess(const Recipe& recipe, const ShapeWork& work);
 
 /// One group a link, or one a collision element (recipe: per), for the links without an error.
