@@ -29,13 +29,16 @@ struct Measures {
     double excess_volume = 0;                                 ///< vol(U \ S), m³
     double missing_volume = 0;                                ///< vol(S \ U), m³
     double excess_volume_error = 0, missing_volume_error = 0; ///< standard errors, m³
+    double volume_error = 0;                                  ///< standard error of volume, m³; 0 where it is exact
 };
 
 struct MeasureOptions {
     std::uint64_t seed = 0;
     std::size_t surface_points = 100'000;
-    /// Rays (closed solids: vol by exact intervals along them) or, for open ones, points in the joint bounding box.
+    /// Lines along which the smaller one of vol(U \ S) and vol(S \ U) is found, exact along them; the other follows
+    /// from vol(U) and vol(S).
     std::size_t volume_rays = 30'000;
+    /// The same where S is not closed, a line for every dozen points: into about as many pieces holes cut a line.
     std::size_t volume_points = 200'000;
     std::size_t directions_per_sphere = 1'000;
 };

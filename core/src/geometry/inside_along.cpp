@@ -71,12 +71,22 @@ double MeshPart::winding_at_most(const Box& region, double enough) const {
 }
 
 void MeshPart::inside_along(const Vec3& origin, const Vec3& direction, std::span<const Crossing> crossings,
-                            std::vector<Solid::Interval>& result) const {
+                            std::span<const Solid::Interval> parts, std::vector<Solid::Interval>& result) const {
     // The surface lies within its box, and so does the closing surface: outside nothing is inside.
     double from = 0, to = 0;
     if (!clip(box_, origin, direction, from, to)) {
         return;
     }
+    for (const Solid::Interval& part : parts) {
+        const double enter = std::max(from, part.enter), leave = std::min(to, part.leave);
+        if (enter < leave) {
+            inside_part(origin, direction, enter, leave, crossings, result);
+        }
+    }
+}
+
+void MeshPart::inside_part(const Vec3& origin, const Vec3& direction, double from, double to,
+                           std::span<const Crossing> crossings, std::vector<Solid::Interval>& result) const {
     Box line;
     line.add(origin + from * direction);
     line.add(origin + to * direction);

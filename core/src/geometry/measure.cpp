@@ -12,8 +12,12 @@ void set_ratios(Measures& m) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     m.excess = ratio(m.excess_volume, m.volume, infinity);
     m.missing = ratio(m.missing_volume, m.volume, 0);
-    m.excess_error = ratio(m.excess_volume_error, m.volume, 0);
-    m.missing_error = ratio(m.missing_volume_error, m.volume, 0);
+    // What vol(S) is off by is in both volumes of the ratio. For excess, vol(U) / vol(S) - 1 + missing, that adds up.
+    const auto error = [&](double of_volume, double factor) {
+        return ratio(std::sqrt(of_volume * of_volume + factor * m.volume_error * m.volume_error), m.volume, 0);
+    };
+    m.excess_error = error(m.excess_volume_error, m.volume > 0 ? m.excess * (m.excess + 2) : 0);
+    m.missing_error = error(m.missing_volume_error, m.missing * m.missing);
 }
 
 } // namespace
@@ -29,11 +33,12 @@ Measures measure(const Solid& solid, std::span<const Sphere> spheres, const Meas
     result.spheres = balls.size();
     result.area = solid.area();
     result.volume = solid.volume();
+    result.volume_error = solid.volume_error();
     const Certificate certificate = certify(solid, balls);
     result.certified = certificate.holds;
     result.gap = certificate.holds ? 0 : certificate.growth;
     result.covered = certificate.holds ? 1 : geometry::covered_share(solid, balls, options);
-    const geometry::Difference difference = geometry::volume_difference(solid, balls, options);
+    const geometry::Difference difference = geometry::volume_difference(solid, balls, certificate.holds, options);
     result.excess_volume = difference.excess.value;
     result.excess_volume_error = difference.excess.error;
     result.missing_volume = difference.missing.value;
@@ -49,7 +54,7 @@ Measures measure(const Solid& solid, std::span<const Sphere> spheres, const Meas
 Measures total(std::span<const Measures> links) {
     Measures sum;
     sum.certified = !links.empty();
-    double covered = 0, protrusion = 0, excess_variance = 0, missing_variance = 0;
+    double covered = 0, protrusion = 0, excess_variance = 0, missing_variance = 0, volume_variance = 0;
     for (const Measures& m : links) {
         sum.spheres += m.spheres;
         sum.area += m.area;
@@ -64,11 +69,13 @@ Measures total(std::span<const Measures> links) {
         protrusion += m.protrusion_mean * m.exposed_area;
         excess_variance += m.excess_volume_error * m.excess_volume_error;
         missing_variance += m.missing_volume_error * m.missing_volume_error;
+        volume_variance += m.volume_error * m.volume_error;
     }
     sum.covered = sum.area > 0 ? covered / sum.area : 0;
     sum.protrusion_mean = sum.exposed_area > 0 ? protrusion / sum.exposed_area : 0;
     sum.excess_volume_error = std::sqrt(excess_variance);
     sum.missing_volume_error = std::sqrt(missing_variance);
+    sum.volume_error = std::sqrt(volume_variance);
     set_ratios(sum);
     return sum;
 }

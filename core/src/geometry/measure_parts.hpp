@@ -1,22 +1,21 @@
 // The figures of Measures, one estimator each.
 #pragma once
 
+#include "geometry/estimate.hpp"
+
 #include <foam/measure.hpp>
 
 namespace foam::geometry {
 
-/// A volume and its standard error, m³.
-struct Estimate {
-    double value = 0, error = 0;
-};
-
 struct Difference {
-    Estimate excess;  ///< vol(U \ S)
-    Estimate missing; ///< vol(S \ U)
+    Estimate excess;  ///< vol(U \ S), m³
+    Estimate missing; ///< vol(S \ U), m³
 };
 
-/// vol(U \ S) and vol(S \ U), along lines.
-Difference volume_difference(const Solid& solid, std::span<const Sphere> balls, const MeasureOptions& options);
+/// vol(U \ S) and vol(S \ U): they differ by what U and S differ by, and the smaller one is found along lines.
+/// `covered`: the balls hold all of the surface.
+Difference volume_difference(const Solid& solid, std::span<const Sphere> balls, bool covered,
+                             const MeasureOptions& options);
 
 /// Share of the surface's area that lies in the balls.
 double covered_share(const Solid& solid, std::span<const Sphere> balls, const MeasureOptions& options);

@@ -1,8 +1,10 @@
 // vol(U \ S) and vol(S \ U).
+#include "geometry/intervals.hpp"
 #include "geometry/measure_parts.hpp"
 
 #include <foam/parallel.hpp>
 #include <foam/random.hpp>
+#include <foam/union_volume.hpp>
 
 #include <array>
 
@@ -11,53 +13,7 @@ namespace {
 
 /// Replicates: independent estimates whose scatter gives the standard error.
 constexpr std::size_t line_replicates = 4; // for each of the three axes
-
-struct Lengths {
-    double excess = 0, missing = 0;
-};
-
-double total_length(const std::vector<Solid::Interval>& intervals) {
-    double sum = 0;
-    for (const Solid::Interval& i : intervals) {
-        sum += i.leave - i.enter;
-    }
-    return sum;
-}
-
-/// Length in both of two sorted lists of disjoint intervals.
-double common_length(const std::vector<Solid::Interval>& a, const std::vector<Solid::Interval>& b) {
-    double sum = 0;
-    for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
-        sum += std::max(0.0, std::min(a[i].leave, b[j].leave) - std::max(a[i].enter, b[j].enter));
-        a[i].leave < b[j].leave ? ++i : ++j;
-    }
-    return sum;
-}
-
-/// The balls along a line parallel to an axis, as disjoint intervals relative to `origin`.
-void balls_along(std::span<const Sphere> balls, const Vec3& origin, int axis, std::vector<Solid::Interval>& result) {
-    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    result.clear();
-    for (const Sphere& s : balls) {
-        const double du = s.center[u] - origin[u], dv = s.center[v] - origin[v];
-        const double half2 = s.radius * s.radius - du * du - dv * dv;
-        if (half2 > 0) {
-            const double middle = s.center[axis] - origin[axis], half = std::sqrt(half2);
-            result.push_back({middle - half, middle + half});
-        }
-    }
-    std::sort(result.begin(), result.end(),
-              [](const Solid::Interval& a, const Solid::Interval& b) { return a.enter < b.enter; });
-    std::size_t count = 0;
-    for (const Solid::Interval& next : result) {
-        if (count > 0 && next.enter <= result[count - 1].leave) {
-            result[count - 1].leave = std::max(result[count - 1].leave, next.leave);
-        } else {
-            result[count++] = next;
-        }
-    }
-    result.resize(count);
-}
+constexpr std::size_t estimates = 3 * line_replicates;
 
 /// Mean and standard error of independent estimates.
 Estimate combined(std::span<const double> values) {
@@ -72,61 +28,92 @@ Estimate combined(std::span<const double> values) {
     return {sum / n, std::sqrt(squares / (n - 1) / n)};
 }
 
-Difference combined(std::span<const Lengths> estimates) {
-    std::vector<double> excess, missing;
-    for (const Lengths& e : estimates) {
-        excess.push_back(e.excess);
-        missing.push_back(e.missing);
-    }
-    return {combined(excess), combined(missing)};
-}
-
-/// Lines parallel to each axis, one in each cell of a square grid over the joint box; exact along the lines.
-Difference along_lines(const Solid& solid, std::span<const Sphere> balls, const Box& box,
-                       const MeasureOptions& options) {
-    // Lines through holes are cut into about a dozen pieces.
-    const std::size_t lines = solid.closed() ? options.volume_rays : options.volume_points / 12;
-    const auto across = static_cast<std::size_t>(
-        std::max(2.0, std::round(std::sqrt(static_cast<double>(lines) / (3 * line_replicates)))));
-    constexpr std::size_t estimates = 3 * line_replicates;
-    const Vec3 size = box.size();
-    std::vector<Lengths> rows(estimates * across);
+/// Parallel to each axis one line in each cell of a square grid over the box. `length_along(origin, axis, in_balls)`:
+/// of what is looked for, m, on a line that is in the balls on `in_balls`.
+template <class LengthAlong>
+Estimate along_lines(const Box& box, std::span<const Sphere> balls, std::size_t lines, std::uint64_t seed,
+                     LengthAlong length_along) {
+    const auto across =
+        static_cast<std::size_t>(std::max(2.0, std::round(std::sqrt(static_cast<double>(lines) / estimates))));
+    const Vec3 cell = box.size() / static_cast<double>(across);
+    std::vector<double> rows(estimates * across);
     parallel_for(rows.size(), [&](std::size_t task) {
-        const std::size_t row = task % across, estimate = task / across;
+        const std::size_t estimate = task / across;
         const int axis = static_cast<int>(estimate % 3), u = (axis + 1) % 3, v = (axis + 2) % 3;
-        const double cell = size[u] * size[v] / static_cast<double>(across * across);
-        Random random(derive_seed(options.seed + task, "volume lines"));
-        Vec3 direction{};
-        direction[axis] = 1;
-        std::vector<Solid::Interval> in_balls;
+        const double from = box.low[u] + cell[u] * static_cast<double>(task % across);
+        std::vector<Sphere> near;
+        balls_between(balls, u, from, from + cell[u], near);
+        Random random(derive_seed(seed + task, "volume lines"));
+        Intervals in_balls;
         for (std::size_t k = 0; k < across; ++k) {
             Vec3 origin = box.low;
-            origin[u] += size[u] * (static_cast<double>(row) + random.uniform()) / static_cast<double>(across);
-            origin[v] += size[v] * (static_cast<double>(k) + random.uniform()) / static_cast<double>(across);
-            balls_along(balls, origin, axis, in_balls);
-            const std::vector<Solid::Interval> in_solid = solid.inside_along(origin, direction);
-            const double both = common_length(in_balls, in_solid);
-            rows[task].excess += cell * (total_length(in_balls) - both);
-            rows[task].missing += cell * (total_length(in_solid) - both);
+            origin[u] = from + cell[u] * random.uniform();
+            origin[v] += cell[v] * (static_cast<double>(k) + random.uniform());
+            balls_along(near, origin, axis, in_balls);
+            rows[task] += cell[u] * cell[v] * length_along(origin, axis, in_balls);
         }
     });
-    std::array<Lengths, estimates> sums{};
+    std::array<double, estimates> sums{};
     for (std::size_t task = 0; task < rows.size(); ++task) {
-        sums[task / across].excess += rows[task].excess;
-        sums[task / across].missing += rows[task].missing;
+        sums[task / across] += rows[task];
     }
     return combined(sums);
 }
 
-} // namespace
+/// vol(S \ U). Only pieces outside the balls are looked at; where the balls hold all of a closed surface, only those
+/// between balls: the others are outside the solid.
+Estimate left_out(const Solid& solid, std::span<const Sphere> balls, bool covered, std::size_t lines,
+                  std::uint64_t seed) {
+    const Box& box = solid.bounds();
+    const double noise = 1e-9 * box.diagonal();
+    const bool between_only = covered && solid.closed();
+    return along_lines(box, balls, lines, seed, [&](const Vec3& origin, int axis, const Intervals& in_balls) {
+        Intervals parts;
+        if (!between_only) {
+            const Solid::Interval all{0, box.size()[axis]};
+            without(std::span(&all, 1), in_balls, noise, parts);
+        }
+        for (std::size_t i = 1; between_only && i < in_balls.size(); ++i) {
+            parts.push_back({in_balls[i - 1].leave, in_balls[i].enter});
+        }
+        return length(solid.inside_along(origin, along(axis), parts));
+    });
+}
 
-Difference volume_difference(const Solid& solid, std::span<const Sphere> balls, const MeasureOptions& options) {
-    Box box = solid.bounds();
+/// vol(U \ S).
+Estimate claimed_wrongly(const Solid& solid, std::span<const Sphere> balls, std::size_t lines, std::uint64_t seed) {
+    Box box;
     for (const Sphere& s : balls) {
         box.add(s.center - Vec3{s.radius, s.radius, s.radius});
         box.add(s.center + Vec3{s.radius, s.radius, s.radius});
     }
-    return along_lines(solid, balls, box, options);
+    const double noise = 1e-9 * box.diagonal();
+    return along_lines(box, balls, lines, seed, [&](const Vec3& origin, int axis, const Intervals& in_balls) {
+        Intervals outside;
+        without(in_balls, solid.inside_along(origin, along(axis), in_balls), noise, outside);
+        return length(outside);
+    });
+}
+
+} // namespace
+
+Difference volume_difference(const Solid& solid, std::span<const Sphere> balls, bool covered,
+                             const MeasureOptions& options) {
+    if (balls.empty()) {
+        return {{}, {solid.volume(), solid.volume_error()}};
+    }
+    // Holes cut a line into about a dozen pieces.
+    const std::size_t lines = solid.closed() ? options.volume_rays : options.volume_points / 12;
+    const double surplus = exact_union_volume(balls) - solid.volume();
+    const auto other = [&](const Estimate& known, double difference) {
+        return Estimate{known.value + difference, std::hypot(known.error, solid.volume_error())};
+    };
+    if (surplus >= 0) {
+        const Estimate missing = left_out(solid, balls, covered, lines, options.seed);
+        return {other(missing, surplus), missing};
+    }
+    const Estimate excess = claimed_wrongly(solid, balls, lines, options.seed);
+    return {excess, other(excess, -surplus)};
 }
 
 } // namespace foam::geometry

@@ -53,11 +53,11 @@ public:
     /// zero.
     void crossings(const Vec3& origin, const Vec3& direction, std::vector<Crossing>& result) const;
 
-    /// Appends the parts of a line where the winding number is above one half, ascending; some may touch. `crossings`:
-    /// those of the line. Whole parts are decided at once where what closes holes cannot matter, on the rest to the
-    /// accuracy of the winding number. Precondition: not closed().
+    /// Appends where the winding number is above one half on the `parts` of a line, ascending; some may touch.
+    /// `crossings`: those of the line. Whole stretches are decided at once where what closes holes cannot matter, the
+    /// rest to the accuracy of the winding number. Precondition: not closed().
     void inside_along(const Vec3& origin, const Vec3& direction, std::span<const Crossing> crossings,
-                      std::vector<Solid::Interval>& result) const;
+                      std::span<const Solid::Interval> parts, std::vector<Solid::Interval>& result) const;
 
 private:
     struct Item {
@@ -100,7 +100,10 @@ private:
     Variation winding_around(const Vec3& center, double radius, double most) const;
     /// No less than the absolute winding number in the box; infinity if it may be `enough` or more.
     double winding_at_most(const Box& region, double enough) const;
-    /// Of the line's part between `enter` and `leave`; `winding`: there, of the surface and what closes it.
+    void inside_part(const Vec3& origin, const Vec3& direction, double from, double to,
+                     std::span<const Crossing> crossings, std::vector<Solid::Interval>& result) const;
+    /// Of the line's stretch between `enter` and `leave`, without crossings; `winding`: there, of the surface and what
+    /// closes it.
     void inside_stretch(const Vec3& origin, const Vec3& direction, double enter, double leave, int winding,
                         std::vector<Solid::Interval>& result) const;
     void compute_moments();

@@ -70,6 +70,14 @@ void add_part(geometry::SolidData& data, std::size_t index) {
     data.offsets.push_back(static_cast<std::uint32_t>(data.surface.triangles.size()));
 }
 
+const geometry::InsideLines& lines_of(const geometry::SolidData& data) {
+    // Isolated: a thread that waits inside must not take up another task that asks for the same lines.
+    std::call_once(data.lines_once, [&] {
+        tbb::this_task_arena::isolate([&] { data.lines = std::make_unique<const geometry::InsideLines>(data); });
+    });
+    return *data.lines;
+}
+
 } // namespace
 
 Solid::Solid(std::unique_ptr<const Data> data) : data_(std::move(data)) {}
@@ -113,11 +121,15 @@ bool Solid::closed() const {
 }
 
 double Solid::volume() const {
-    // Isolated: a thread that waits inside must not take up another task that asks for the same volume.
-    std::call_once(data_->volume_once, [this] {
-        tbb::this_task_arena::isolate([this] { data_->volume = geometry::union_of_parts_volume(*data_); });
-    });
-    return data_->volume;
+    return data_->is_primitive() ? data_->queries[0].volume() : lines_of(*data_).volume().value;
+}
+
+double Solid::volume_error() const {
+    return data_->is_primitive() ? 0 : lines_of(*data_).volume().error;
+}
+
+double Solid::missing_volume(std::span<const Sphere> spheres) const {
+    return lines_of(*data_).outside(spheres);
 }
 
 SurfacePoint Solid::closest(const Vec3& point) const {

@@ -1,6 +1,7 @@
 // What a Solid holds.
 #pragma once
 
+#include "geometry/inside_lines.hpp"
 #include "geometry/mesh_part.hpp"
 #include "geometry/primitive.hpp"
 
@@ -31,27 +32,25 @@ struct SolidData {
     bool closed = true;
     std::vector<PartQueries> queries;
 
-    mutable std::once_flag volume_once;
-    mutable double volume = 0;
+    mutable std::once_flag lines_once;
+    mutable std::unique_ptr<const InsideLines> lines;
+
+    bool is_primitive() const { return queries.size() == 1 && queries[0].primitive; }
+    /// As Solid::inside_along().
+    Intervals inside_along(const Vec3& origin, const Vec3& direction, std::span<const Solid::Interval> within) const;
 };
 
-/// Where the winding number of a closed mesh, or the inside of a primitive, begins and ends along a line: pieces of a
-/// piece-wise constant function. Appends to `pieces`.
+/// Where the winding number of a mesh and what closes it, or the inside of a primitive, begins and ends along a line:
+/// pieces of a piece-wise constant function. Appends to `pieces`.
 struct WindingPiece {
     double enter, leave;
     int winding;
 };
 void winding_along(const PartQueries& part, const Vec3& origin, const Vec3& direction, std::vector<Crossing>& scratch,
                    std::vector<WindingPiece>& pieces);
-/// Appends the parts of a line inside a mesh that is not closed, and gives the winding number of the mesh and what
-/// closes it, integrated along the line.
-double open_along(const MeshPart& mesh, const Vec3& origin, const Vec3& direction, std::vector<Crossing>& scratch,
-                  std::vector<Solid::Interval>& intervals);
-/// The union of intervals: sorted, disjoint; those that touch become one.
-void unite(std::vector<Solid::Interval>& intervals);
-
-/// volume.cpp
-double union_of_parts_volume(const SolidData& data);
+/// All of a line.
+inline constexpr std::array<Solid::Interval, 1> whole_line{
+    {{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}}};
 
 } // namespace foam::geometry
 

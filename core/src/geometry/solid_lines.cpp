@@ -22,58 +22,41 @@ void winding_along(const PartQueries& part, const Vec3& origin, const Vec3& dire
     }
 }
 
-double open_along(const MeshPart& mesh, const Vec3& origin, const Vec3& direction, std::vector<Crossing>& scratch,
-                  std::vector<Solid::Interval>& intervals) {
-    mesh.crossings(origin, direction, scratch);
-    mesh.inside_along(origin, direction, scratch, intervals);
-    double wound = 0;
-    int winding = 0;
-    for (std::size_t i = 0; i + 1 < scratch.size(); ++i) {
-        winding += scratch[i].change;
-        wound += winding * (scratch[i + 1].t - scratch[i].t);
-    }
-    return wound;
-}
-
-void unite(std::vector<Solid::Interval>& intervals) {
-    std::sort(intervals.begin(), intervals.end(), [](const Solid::Interval& a, const Solid::Interval& b) {
-        return a.enter != b.enter ? a.enter < b.enter : a.leave < b.leave;
-    });
-    std::size_t count = 0;
-    for (const Solid::Interval& next : intervals) {
-        if (count > 0 && next.enter <= intervals[count - 1].leave) {
-            intervals[count - 1].leave = std::max(intervals[count - 1].leave, next.leave);
-        } else {
-            intervals[count++] = next;
-        }
-    }
-    intervals.resize(count);
-}
-
-} // namespace geometry
-
-std::vector<Solid::Interval> Solid::inside_along(const Vec3& origin, const Vec3& direction) const {
-    if (!is_finite(origin) || !is_finite(direction) || direction == Vec3{}) {
-        return {};
-    }
-    std::vector<Interval> result;
-    std::vector<geometry::Crossing> scratch;
-    std::vector<geometry::WindingPiece> pieces;
-    for (const geometry::PartQueries& part : data_->queries) {
+Intervals SolidData::inside_along(const Vec3& origin, const Vec3& direction,
+                                  std::span<const Solid::Interval> within) const {
+    Intervals result;
+    std::vector<Crossing> crossings;
+    std::vector<WindingPiece> pieces;
+    for (const PartQueries& part : queries) {
         if (!part.closed()) {
-            geometry::open_along(part.mesh, origin, direction, scratch, result);
+            part.mesh.crossings(origin, direction, crossings);
+            part.mesh.inside_along(origin, direction, crossings, within, result);
             continue;
         }
         pieces.clear();
-        geometry::winding_along(part, origin, direction, scratch, pieces);
-        for (const geometry::WindingPiece& piece : pieces) {
+        winding_along(part, origin, direction, crossings, pieces);
+        for (const WindingPiece& piece : pieces) {
             if (piece.winding > 0) {
                 result.push_back({piece.enter, piece.leave});
             }
         }
     }
-    geometry::unite(result);
-    return result;
+    unite(result);
+    return common(result, within);
+}
+
+} // namespace geometry
+
+std::vector<Solid::Interval> Solid::inside_along(const Vec3& origin, const Vec3& direction) const {
+    return inside_along(origin, direction, geometry::whole_line);
+}
+
+std::vector<Solid::Interval> Solid::inside_along(const Vec3& origin, const Vec3& direction,
+                                                 std::span<const Interval> parts) const {
+    if (parts.empty() || !is_finite(origin) || !is_finite(direction) || direction == Vec3{}) {
+        return {};
+    }
+    return data_->inside_along(origin, direction, parts);
 }
 
 } // namespace foam

@@ -3,10 +3,10 @@
 #include "cover.hpp"
 #include "cover/splitting.hpp"
 #include "exploration.hpp"
+#include "geometry/joint_volume.hpp"
 #include "geometry/row_cover.hpp"
 
 #include <foam/parallel.hpp>
-#include <foam/union_volume.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -18,7 +18,7 @@ namespace {
 struct Candidate {
     SphereTree tree;                                         ///< as the spherizer made it, or split
     std::vector<Sphere> grown;                               ///< the finest level, so that it covers
-    double volume = std::numeric_limits<double>::infinity(); ///< of their union, m³
+    double volume = std::numeric_limits<double>::infinity(); ///< of their union and the solid, m³
 };
 
 bool any_deep(const ShapeWork& work) {
@@ -35,7 +35,7 @@ std::vector<Candidate> candidates(const Workspace& workspace, const ShapeWork& w
         measuring.check_cancelled();
         result[i].tree = work.known.trees.at(work.known.asked.at(counts[i]));
         result[i].grown = grown_to_cover(work.shape->original(), result[i].tree.finest());
-        result[i].volume = exact_union_volume(result[i].grown);
+        result[i].volume = geometry::joint_volume(work.shape->original(), result[i].grown);
     });
     return result;
 }
@@ -64,7 +64,7 @@ void split_up_to(const Workspace& workspace, const Solid& solid, std::optional<c
         if (more.size() == next.grown.size()) {
             return;
         }
-        next.volume = exact_union_volume(more);
+        next.volume = geometry::joint_volume(solid, more);
         next.tree = with_finest(next.tree, more);
         next.grown = std::move(more);
         if (next.volume < (1 - clearly) * best.volume) {
@@ -87,7 +87,7 @@ SphereTree with_splits_between(const Workspace& workspace, const ShapeWork& work
         }
         split_up_to(workspace, solid, splitting, i + 1 < counts.size() ? counts[i + 1] - 1 : most, best);
     }
-    if (auto row = geometry::row_cover(solid, most); row && exact_union_volume(*row) < best.volume) {
+    if (auto row = geometry::row_cover(solid, most); row && geometry::joint_volume(solid, *row) < best.volume) {
         return flat_tree(std::move(*row));
     }
     return std::move(best.tree);
@@ -124,7 +124,7 @@ std::vector<std::size_t> computed(const Workspace& workspace, ShapeWork& work, s
 }
 
 Digest best_key(const Workspace& workspace, const ShapeWork& work, std::size_t most) {
-    return Hasher().add("best of at most").add(tree_key(workspace, work, most)).finish();
+    return Hasher().add("best of at most, with the solid").add(tree_key(workspace, work, most)).finish();
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "cover.hpp"
 
+#include "geometry/joint_volume.hpp"
+
 #include <foam/error.hpp>
 #include <foam/inner.hpp>
 #include <foam/measure.hpp>
@@ -123,18 +125,13 @@ SphereTree inner_tree(const Solid& solid, const SphereTree& tree, const DecimalG
 double wrong_volume(const Solid& solid, std::vector<Sphere> spheres, Guarantee guarantee) {
     if (guarantee == Guarantee::outer) {
         spheres = grown_to_cover(solid, std::move(spheres));
-        return std::max(0.0, exact_union_volume(spheres) - solid.volume());
+        return std::max(0.0, geometry::joint_volume(solid, spheres) - solid.volume());
     }
     if (guarantee == Guarantee::inner) {
         return std::max(0.0, solid.volume() - exact_union_volume(inside_of(solid, std::move(spheres))));
     }
-    MeasureOptions options;
-    options.surface_points = 1'000;
-    options.volume_rays = 3'000;
-    options.volume_points = 20'000;
-    options.directions_per_sphere = 10;
-    const Measures measures = measure(solid, spheres, options);
-    return (measures.excess + measures.missing) * measures.volume;
+    // vol(U \ S) is vol(U ∪ S) - vol(S), and vol(S \ U) is vol(U ∪ S) - vol(U).
+    return std::max(0.0, 2 * geometry::joint_volume(solid, spheres) - solid.volume() - exact_union_volume(spheres));
 }
 
 double covered_protrusion(const Solid& solid, std::vector<Sphere> spheres, Guarantee guarantee) {

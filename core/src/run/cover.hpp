@@ -9,9 +9,9 @@
 
 namespace foam {
 
-/// Volume that the spheres claim wrongly once the guarantee is kept, m³: outer: of the grown union; inner: what the
-/// shrunk ones miss; fitted: excess plus missing. Up to a constant of the solid, so fit for comparing spheres of one
-/// solid.
+/// Volume that the spheres claim wrongly once the guarantee is kept, m³: outer: that of the grown ones outside the
+/// solid; inner: what the shrunk ones miss; fitted: excess plus missing. What spheres leave out is found along lines
+/// that are the same for all spheres of a solid.
 double wrong_volume(const Solid& solid, std::vector<Sphere> spheres, Guarantee guarantee);
 
 /// Largest distance of the exposed surface of the spheres from the solid, once the guarantee is kept, m.

@@ -83,7 +83,7 @@ Hasher& Hasher::add(const Measures& m) {
     add(static_cast<std::uint64_t>(m.spheres)).add(static_cast<std::uint64_t>(m.certified));
     for (const double figure : {m.area, m.volume, m.covered, m.gap, m.excess, m.excess_error, m.missing,
                                 m.missing_error, m.exposed_area, m.protrusion_max, m.protrusion_mean, m.excess_volume,
-                                m.missing_volume, m.excess_volume_error, m.missing_volume_error}) {
+                                m.missing_volume, m.excess_volume_error, m.missing_volume_error, m.volume_error}) {
         add(figure);
     }
     return *this;

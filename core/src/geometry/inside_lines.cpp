@@ -1,0 +1,150 @@
+#include "geometry/inside_lines.hpp"
+
+#include "geometry/solid_data.hpp"
+
+#include <foam/parallel.hpp>
+#include <foam/random.hpp>
+
+namespace foam::geometry {
+namespace {
+
+// Sides of the grids of lines along each axis: where a line is inside is known at once but near holes.
+constexpr std::size_t across_closed = 48, across_open = 24, across_overlaps = 96;
+constexpr double noise = 1e-9; // of the box: no length is known better
+
+double cell_area(const Box& box, int axis, std::size_t across) {
+    const Vec3 size = box.size();
+    return size[(axis + 1) % 3] * size[(axis + 2) % 3] / static_cast<double>(across * across);
+}
+
+/// The integral over the box of a quantity that is known along lines: `of_line(row, origin, axis)`, m. One line in each
+/// cell of a grid. The variance is that of collapsed strata (Cochran 1977, Sampling Techniques, 5A.12): two
+/// neighbouring cells count as one with two lines.
+template <class OfLine> Estimate integral(const Box& box, std::size_t across, std::string_view stream, OfLine of_line) {
+    std::vector<Estimate> rows(3 * across); // value: sum; error: sum of squares
+    const Vec3 size = box.size();
+    parallel_for(rows.size(), [&](std::size_t row) {
+        const int axis = static_cast<int>(row / across);
+        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+        const auto count = static_cast<double>(across);
+        Random random(derive_seed(row, stream));
+        double last = 0;
+        for (std::size_t k = 0; k < across; ++k) {
+            Vec3 origin = box.low;
+            origin[u] += size[u] * (static_cast<double>(row % across) + random.uniform()) / count;
+            origin[v] += size[v] * (static_cast<double>(k) + random.uniform()) / count;
+            const double value = of_line(row, origin, axis);
+            rows[row].value += value;
+            rows[row].error += k % 2 == 1 ? (value - last) * (value - last) : 0;
+            last = value;
+        }
+    });
+    Estimate result;
+    double variance = 0;
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        const double share = cell_area(box, static_cast<int>(row / across), across) / 3; // each axis is an estimate
+        result.value += share * rows[row].value;
+        variance += share * share * rows[row].error;
+    }
+    result.error = std::sqrt(variance);
+    return result;
+}
+
+/// A line and the parts of a solid.
+struct Tracer {
+    const SolidData& data;
+    std::vector<Crossing> scratch{};
+    std::vector<WindingPiece> pieces{};
+    Intervals intervals{};
+
+    /// Where the line is inside the parts and what closes them; returns how much longer it is with the winding number
+    /// counted in.
+    double closed_along(const Vec3& origin, const Vec3& direction) {
+        pieces.clear();
+        intervals.clear();
+        for (const PartQueries& part : data.queries) {
+            winding_along(part, origin, direction, scratch, pieces);
+        }
+        double wound = 0;
+        for (const WindingPiece& piece : pieces) {
+            wound += piece.winding * (piece.leave - piece.enter);
+            if (piece.winding > 0) {
+                intervals.push_back({piece.enter, piece.leave});
+            }
+        }
+        unite(intervals);
+        return surplus(wound, length(intervals));
+    }
+
+    double surplus(double more, double less) const {
+        return std::abs(more - less) <= noise * data.box.diagonal() ? 0 : more - less;
+    }
+};
+
+} // namespace
+
+/// The parts' own volumes are exact, with what closes their holes. Lines tell how much of that is wound around more
+/// than once: zero for parts that do not overlap, and then no error comes in. How much more what closes holes takes in
+/// than the winding number does is the costly question and the smaller amount: few lines are asked that (Giles 2015,
+/// "Multilevel Monte Carlo methods").
+InsideLines::InsideLines(const SolidData& data)
+    : box_(data.box), across_(data.closed ? across_closed : across_open), rows_(3 * across_) {
+    const auto keep = [&](std::size_t row, const Vec3& origin, const Intervals& inside) {
+        rows_[row].inside.insert(rows_[row].inside.end(), inside.begin(), inside.end());
+        rows_[row].origins.push_back(origin);
+        rows_[row].ends.push_back(rows_[row].inside.size());
+    };
+    const auto overlap = [&](std::size_t row, const Vec3& origin, int axis) {
+        Tracer tracer{data};
+        const double surplus = tracer.closed_along(origin, along(axis));
+        if (data.closed) {
+            keep(row, origin, tracer.intervals);
+        }
+        return surplus;
+    };
+    const auto in_holes = [&](std::size_t row, const Vec3& origin, int axis) {
+        Tracer tracer{data};
+        tracer.closed_along(origin, along(axis));
+        const Intervals inside = data.inside_along(origin, along(axis), whole_line);
+        keep(row, origin, inside);
+        return tracer.surplus(length(tracer.intervals), length(inside));
+    };
+    double exact = 0;
+    for (const PartQueries& part : data.queries) {
+        exact += part.volume();
+    }
+    const Estimate overlaps =
+        integral(box_, data.closed ? across_closed : across_overlaps, data.closed ? "volume" : "overlaps", overlap);
+    const Estimate holes = data.closed ? Estimate{} : integral(box_, across_open, "volume", in_holes);
+    volume_ = {std::max(0.0, exact - overlaps.value - holes.value), std::hypot(overlaps.error, holes.error)};
+}
+
+double InsideLines::outside(std::span<const Sphere> spheres) const {
+    std::vector<Sphere> balls;
+    std::copy_if(spheres.begin(), spheres.end(), std::back_inserter(balls),
+                 [](const Sphere& s) { return is_finite(s.center) && std::isfinite(s.radius) && s.radius > 0; });
+    const double shortest = noise * box_.diagonal();
+    double sum = 0;
+    std::vector<Sphere> near;
+    Intervals in_balls, pieces;
+    for (std::size_t task = 0; task < rows_.size(); ++task) {
+        const Row& row = rows_[task];
+        const int axis = static_cast<int>(task / across_), u = (axis + 1) % 3;
+        const double cell = box_.size()[u] / static_cast<double>(across_);
+        const double from = box_.low[u] + cell * static_cast<double>(task % across_);
+        balls_between(balls, u, from, from + cell, near);
+        double outside = 0;
+        for (std::size_t k = 0, begin = 0; k < row.ends.size(); begin = row.ends[k++]) {
+            if (begin == row.ends[k]) {
+                continue;
+            }
+            balls_along(near, row.origins[k], axis, in_balls);
+            without(std::span(row.inside).subspan(begin, row.ends[k] - begin), in_balls, shortest, pieces);
+            outside += length(pieces);
+        }
+        sum += cell_area(box_, axis, across_) / 3 * outside;
+    }
+    return sum;
+}
+
+} // namespace foam::geometry
