@@ -22,19 +22,28 @@ public:
     std::vector<foam::SphereTree> spherize_each(const foam::Shape& shape, std::span<const foam::Budget> budgets,
                                                 foam::Context& context) const override {
         context.check_cancelled();
-        std::vector<foam::SphereTree> trees;
-        const auto fitted = [](const foam::Budget& budget) { return budget.guarantee == foam::Guarantee::fitted; };
-        if (std::all_of(budgets.begin(), budgets.end(), fitted)) {
-            for (const foam::Budget& budget : budgets) {
-                trees.push_back(starts_of_fit(shape, budget, context));
+        std::vector<foam::SphereTree> trees(budgets.size());
+        bool covers = false;
+        for (std::size_t i = 0; i < budgets.size(); ++i) {
+            const std::size_t count = budgets[i].max_spheres.value_or(spheres_);
+            if (budgets[i].guarantee == foam::Guarantee::fitted) {
+                trees[i] = starts_of_fit(shape, count, context);
+            } else if (budgets[i].guarantee == foam::Guarantee::inner) {
+                trees[i] = inside(shape, count, context);
+            } else {
+                covers = true;
             }
+        }
+        if (!covers) {
             return trees;
         }
         const auto run = [&](Kept& kept) {
             kept.context = &context;
-            for (const foam::Budget& budget : budgets) {
-                foam::Cover cover = kept.search.cover(budget.max_spheres.value_or(spheres_));
-                trees.push_back(foam::flat_tree(std::move(cover.spheres)));
+            for (std::size_t i = 0; i < budgets.size(); ++i) {
+                if (budgets[i].guarantee == foam::Guarantee::outer) {
+                    foam::Cover cover = kept.search.cover(budgets[i].max_spheres.value_or(spheres_));
+                    trees[i] = foam::flat_tree(std::move(cover.spheres));
+                }
             }
         };
         const std::unique_lock lock(mutex_, std::try_to_lock);
@@ -52,11 +61,18 @@ public:
 
 private:
     /// Where the runtime is to fit them, it is enough that they are near: the first that come to mind.
-    foam::SphereTree starts_of_fit(const foam::Shape& shape, const foam::Budget& budget, foam::Context& context) const {
+    static foam::SphereTree starts_of_fit(const foam::Shape& shape, std::size_t count, foam::Context& context) {
         foam::Cover cover =
-            foam::spherize(shape.original(), budget.max_spheres.value_or(spheres_),
+            foam::spherize(shape.original(), count,
                            {.effort = foam::Effort::fast, .seed = context.seed(), .stop = [] { return true; }});
         return foam::flat_tree(std::move(cover.spheres));
+    }
+
+    /// A solid without room for a ball is told by the runtime, of whatever spheres.
+    static foam::SphereTree inside(const foam::Shape& shape, std::size_t count, foam::Context& context) {
+        std::vector<foam::Sphere> spheres =
+            foam::spheres_inside(shape.original(), count, [&] { return context.cancelled(); });
+        return spheres.empty() ? starts_of_fit(shape, 1, context) : foam::flat_tree(std::move(spheres));
     }
 
     /// A search that goes on when more is asked of the same shape.

@@ -73,4 +73,9 @@ Cover spherize(const Mesh& mesh, std::size_t count, const SpherizeOptions& optio
 std::vector<Cover> spherize_each(const Solid& solid, std::span<const std::size_t> counts,
                                  const SpherizeOptions& options = {});
 
+/// At most `count` spheres inside the solid, proved (certify_inner() holds), that hold as much of its volume as is
+/// found: balls chosen one after another, then moved. Twice as many never hold less. None where no ball has room.
+/// `stop` as in SpherizeOptions. Deterministic, on one thread. Throws Error(geometry) where inner_radii() does.
+std::vector<Sphere> spheres_inside(const Solid& solid, std::size_t count, const std::function<bool()>& stop = {});
+
 } // namespace foam
