@@ -2,14 +2,9 @@
 #pragma once
 
 #include "cover/descent.hpp"
+#include "cover/rated.hpp"
 
 namespace foam::cover {
-
-/// Balls with the volume that they claim when they are closed, units³.
-struct Rated {
-    double volume = 0;
-    Balls balls;
-};
 
 class Improvement {
 public:

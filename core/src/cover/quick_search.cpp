@@ -59,7 +59,7 @@ Cover QuickSearch::alone(std::size_t count) {
     stopped_ = false;
     // Many creases take long to prove: less of that in exchange for a thousandth of the radii.
     constexpr std::size_t few = 4;
-    return finished(found(count, nullptr).balls, count > few ? 10 * least_overlap : least_overlap);
+    return finished(found(count, nullptr).front().balls, count > few ? 10 * least_overlap : least_overlap);
 }
 
 QuickSearch::Rung QuickSearch::rung(std::size_t count) {
@@ -74,7 +74,7 @@ QuickSearch::Rung QuickSearch::rung(std::size_t count) {
     if (stopped()) {
         return best;
     }
-    Found next = found(count, &best.balls);
+    Rated next = found(count, &best.balls).front();
     const bool complete = !stopped_;
     if (Cover made = finished(next.balls, least_overlap); made.volume < best.cover.volume) {
         best = {std::move(next.balls), std::move(made)};
@@ -95,25 +95,30 @@ const QuickSearch::Surface& QuickSearch::surface_for(std::size_t count) {
     return *surface_;
 }
 
-QuickSearch::Found QuickSearch::found(std::size_t count, const Balls* before) {
+std::vector<Rated> QuickSearch::found(std::size_t count, const Balls* before) {
     if (count == 1) {
-        return {{smallest_ball(solid_, frame_)}, 0};
+        return {{0, {smallest_ball(solid_, frame_)}}};
     }
     const Surface& surface = surface_for(count);
     std::vector<Balls> begin = starts(surface, count, before);
     if (stopped()) {
-        return {PowerCells(surface.skin).fitted(begin.front(), directions_of_fits()), 0};
+        return {{0, PowerCells(surface.skin).fitted(begin.front(), directions_of_fits())}};
     }
-    std::vector<Found> looks(begin.size());
+    std::vector<Rated> looks(begin.size());
     parallel_for(begin.size(), [&](std::size_t i) { looks[i] = first_look(surface, std::move(begin[i])); });
-    const auto better = [](const Found& a, const Found& b) { return a.volume < b.volume; };
-    std::stable_sort(looks.begin(), looks.end(), better);
-    if (stopped()) {
-        return looks.front();
-    }
+    std::stable_sort(looks.begin(), looks.end(), claims_less);
     looks.resize(std::min(looks.size(), kept_starts));
+    if (stopped()) {
+        return looks;
+    }
     parallel_for(looks.size(), [&](std::size_t i) { looks[i] = gone_on_with(surface, looks[i], count); });
-    return *std::min_element(looks.begin(), looks.end(), better);
+    std::stable_sort(looks.begin(), looks.end(), claims_less);
+    return looks;
+}
+
+std::vector<Rated> QuickSearch::candidates(std::size_t count, const Balls& before) {
+    stopped_ = false;
+    return found(count, &before);
 }
 
 std::vector<Balls> QuickSearch::starts(const Surface& surface, std::size_t count, const Balls* before) const {
@@ -134,23 +139,23 @@ std::vector<Balls> QuickSearch::starts(const Surface& surface, std::size_t count
     return result;
 }
 
-QuickSearch::Found QuickSearch::first_look(const Surface& surface, Balls balls) const {
+Rated QuickSearch::first_look(const Surface& surface, Balls balls) const {
     QuickDescent(directions_of_steps()).run(balls, first_plan, [&](Balls&, Points& points, float) {
         points = surface.some;
     });
-    Found found{PowerCells(surface.skin).fitted(balls, directions_of_fits()), 0};
+    Rated found{0, PowerCells(surface.skin).fitted(balls, directions_of_fits())};
     found.volume = volume_of(found.balls);
     return found;
 }
 
-QuickSearch::Found QuickSearch::gone_on_with(const Surface& surface, const Found& start, std::size_t count) const {
+Rated QuickSearch::gone_on_with(const Surface& surface, const Rated& start, std::size_t count) const {
     PowerCells cells(surface.skin);
-    Found best = start;
+    Rated best = start;
     const auto fit = [&](Balls& balls) {
         balls = cells.fitted(balls, directions_of_fits());
         const double volume = volume_of(balls);
         if (volume < best.volume) {
-            best = {balls, volume};
+            best = {volume, balls};
         }
         return volume;
     };

@@ -3,6 +3,7 @@
 
 #include "cover/power_cells.hpp"
 #include "cover/quick_descent.hpp"
+#include "cover/rated.hpp"
 
 #include <foam/host/spherize.hpp>
 
@@ -30,11 +31,11 @@ public:
     /// Whether the last search was.
     bool was_stopped() const { return stopped_; }
 
+    /// For another search to go on with: balls that hold the surface, begun with a cover by fewer and otherwise; the
+    /// best few, best first. At least two balls.
+    std::vector<Rated> candidates(std::size_t count, const Balls& before);
+
 private:
-    struct Found {
-        Balls balls;
-        double volume = 0; ///< of their union, units³
-    };
     struct Surface {
         Surface(const Solid& solid, const Frame& frame, std::size_t pieces, std::size_t some);
         FineSkin skin;
@@ -46,11 +47,11 @@ private:
     };
     Rung rung(std::size_t count);
     const Surface& surface_for(std::size_t count);
-    /// `before`: a cover by fewer to begin with, if there is one.
-    Found found(std::size_t count, const Balls* before);
+    /// `before`: a cover by fewer to begin with, if there is one. The best first; at least one.
+    std::vector<Rated> found(std::size_t count, const Balls* before);
     std::vector<Balls> starts(const Surface& surface, std::size_t count, const Balls* before) const;
-    Found first_look(const Surface& surface, Balls balls) const;
-    Found gone_on_with(const Surface& surface, const Found& start, std::size_t count) const;
+    Rated first_look(const Surface& surface, Balls balls) const;
+    Rated gone_on_with(const Surface& surface, const Rated& start, std::size_t count) const;
     /// The balls as spheres, `overlap` times larger, with the proof.
     Cover finished(const Balls& balls, double overlap) const;
     bool stopped() { return stopped_ = stopped_ || (options_.stop && options_.stop()); }

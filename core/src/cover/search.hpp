@@ -3,6 +3,7 @@
 
 #include "cover/exchange.hpp"
 #include "cover/improvement.hpp"
+#include "cover/quick_search.hpp"
 
 #include <foam/host/spherize.hpp>
 #include <foam/random.hpp>
@@ -13,17 +14,16 @@ namespace foam::cover {
 
 /// What normal and best efforts are; fast is QuickSearch.
 struct Plan {
-    int resolution;           ///< cells of the occupancy along the longest extent
-    std::size_t points;       ///< on the surface
-    std::size_t first_points; ///< of them, that every descent minds
-    std::size_t directions;   ///< a ball
-    std::size_t starts;       ///< at random, beside those by rule
-    std::size_t kept;         ///< starts that are gone on with
-    std::size_t kept_of_many; ///< the same of more balls than exchange pieces
+    int resolution;                    ///< cells of the occupancy along the longest extent
+    std::size_t points;                ///< on the surface
+    std::size_t first_points;          ///< of them, that every descent minds
+    std::size_t directions;            ///< a ball
+    std::size_t starts_of_few, starts; ///< at random: of as many balls as the quick search looks for too, and of more
+    std::size_t kept_of_few, kept;     ///< starts that are gone on with: of balls that exchange pieces, and of more
     int coarse_steps, fine_steps;
-    std::size_t only_split;     ///< counts up to this come from splits alone
-    std::size_t most_split;     ///< counts up to this come from splits too
-    std::size_t most_exchanged; ///< counts up to this exchange pieces after a descent
+    std::size_t most_split;     ///< counts up to this come from splits too; two balls from them alone
+    std::size_t most_quick;     ///< counts up to this begin with what the quick search finds
+    std::size_t most_exchanged; ///< counts up to this exchange pieces
     ExchangePlan exchange;
     int skin_resolution; ///< of a finely meshed surface, for the search
 };
@@ -48,20 +48,19 @@ private:
     struct Model {
         Balls balls;
         Cover cover;
-    };
-    struct Starts {
-        std::vector<Balls> rough, regular;
+        double outside; ///< what the cover claims outside the solid, and the solid, units³
     };
     Model model(std::size_t count);
-    Starts starts(std::size_t count, const Balls& before) const;
-    Balls with_splits(const Balls& before, std::size_t count, std::size_t first, Random& random) const;
-    Rated best_of(const Starts& starts, std::size_t count) const;
     /// One ball more than a cover has, by a plane through one of those that waste most.
     Balls one_more(const Balls& cover) const;
-    /// Closed, and, of few balls, improved by exchanges.
-    Balls settled(const Balls& balls) const;
+    /// Covers, or all but that, by more balls than `before`.
+    std::vector<Balls> found(std::size_t count, const Balls& before);
+    Balls exchanged(const Balls& balls) const;
+    Balls descended(const Rated& start) const;
     Balls fitted(const Balls& balls) const;
     Model finished(const Balls& balls) const;
+    /// Of the solid what the balls leave inside, units³: their union claims that much more outside.
+    double missing(const Balls& balls) const;
     bool stopped() { return stopped_ = stopped_ || (options_.stop && options_.stop()); }
 
     const Solid& solid_;
@@ -71,6 +70,7 @@ private:
     Skin skin_, coarse_skin_; ///< the same where there are few points anyway
     Points body_;
     Improvement improvement_;
+    QuickSearch quick_;
     std::map<std::size_t, Model> models_;
     bool stopped_ = false;
 };

@@ -1,0 +1,18 @@
+// Covers to choose from.
+#pragma once
+
+#include "cover/points.hpp"
+
+namespace foam::cover {
+
+/// Balls with the volume that they claim when they hold the surface, units³.
+struct Rated {
+    double volume = 0;
+    Balls balls;
+};
+
+inline bool claims_less(const Rated& a, const Rated& b) {
+    return a.volume < b.volume;
+}
+
+} // namespace foam::cover
