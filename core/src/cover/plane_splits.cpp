@@ -1,7 +1,7 @@
 #include "cover/plane_splits.hpp"
 
-#include "cover/directions.hpp"
 #include "cover/power_cells.hpp"
+#include "cover/starts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,17 +34,16 @@ struct Split {
 
 class PlaneSplits {
 public:
-    PlaneSplits() : directions_(spread_directions(2 * half_directions, 0)) {}
-
-    /// The best split of a ball by one of a few planes; saves nothing at all if the points are too few.
+    /// The best split of a ball by one of a few planes across the points' principal axes; saves nothing at all if the
+    /// points are too few.
     Split best(const Ball& ball, const Points& points) {
         Split best;
         height_.resize(points.size());
-        for (std::size_t d = 0; d < half_directions; ++d) {
-            const float nx = directions_.x[d], ny = directions_.y[d], nz = directions_.z[d];
+        for (const Vec3& axis : axes_of(points)) {
+            const Ball normal = ball_of({axis, 0});
             float low = std::numeric_limits<float>::infinity(), high = -low;
             for (std::size_t p = 0; p < points.size(); ++p) {
-                height_[p] = nx * points.x[p] + ny * points.y[p] + nz * points.z[p];
+                height_[p] = normal.x * points.x[p] + normal.y * points.y[p] + normal.z * points.z[p];
                 low = std::min(low, height_[p]);
                 high = std::max(high, height_[p]);
             }
@@ -56,7 +55,6 @@ public:
     }
 
 private:
-    static constexpr std::size_t half_directions = 9; // of a plane either one will do
     static constexpr int offsets = 3;
 
     void try_plane(const Ball& ball, const Points& points, float offset, Split& best) {
@@ -78,7 +76,6 @@ private:
         }
     }
 
-    Points directions_;
     std::vector<float> height_;
     std::array<Points, 2> halves_;
     EnclosingBall enclosing_ball_;

@@ -19,9 +19,6 @@ void QuickDescent::run(Balls& balls, const QuickDescentPlan& plan, const Refresh
         const float length = lengths.now();
         if (i % plan.refresh == 0) {
             refresh(balls, points, reach_of_steps * length * static_cast<float>(plan.refresh));
-            if (mean_.size() != balls.size()) {
-                mean_.assign(balls.size(), {});
-            }
             pressed_.assign(points.size(), 0);
         }
         find_slopes(balls, directions_[static_cast<std::size_t>(i) % directions_.size()]);
@@ -39,21 +36,35 @@ void QuickDescent::find_slopes(const Balls& balls, const Points& directions) {
         if (!exposed_.look(balls, i, directions)) {
             continue;
         }
-        const float *depth = exposed_.depth().data(), *nx = directions.x.data(), *ny = directions.y.data(),
+        find_shows(balls[i], directions);
+        const float *shows = shows_.data(), *nx = directions.x.data(), *ny = directions.y.data(),
                     *nz = directions.z.data();
         float x[lanes]{}, y[lanes]{}, z[lanes]{}, r[lanes]{};
         for (std::size_t k = 0; k < count; k += lanes) {
             for (std::size_t l = 0; l < lanes; ++l) {
-                const float shows = depth[k + l] > 0 ? 1.0f : 0.0f;
-                x[l] += shows * nx[k + l];
-                y[l] += shows * ny[k + l];
-                z[l] += shows * nz[k + l];
-                r[l] += shows;
+                x[l] += shows[k + l] * nx[k + l];
+                y[l] += shows[k + l] * ny[k + l];
+                z[l] += shows[k + l] * nz[k + l];
+                r[l] += shows[k + l];
             }
         }
         const float area = 4 * std::numbers::pi_v<float> * balls[i].r * balls[i].r / static_cast<float>(count);
         const auto sum = [&](const float* part) { return area * (part[0] + part[1] + part[2] + part[3]); };
         slopes_[i] = {sum(x), sum(y), sum(z), sum(r)};
+    }
+}
+
+void QuickDescent::find_shows(const Ball& ball, const Points& directions) {
+    const std::vector<float>& depth = exposed_.depth();
+    shows_.resize(directions.size());
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+        shows_[k] = depth[k] > 0 ? 1.0f : 0.0f;
+    }
+    for (std::size_t k = 0; occupancy_ && k < directions.size(); ++k) {
+        if (shows_[k] > 0) {
+            shows_[k] = occupancy_->outside(ball.x + ball.r * directions.x[k], ball.y + ball.r * directions.y[k],
+                                            ball.z + ball.r * directions.z[k]);
+        }
     }
 }
 

@@ -10,17 +10,23 @@
 #include <foam/union_volume.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace foam::cover {
 namespace {
 
-constexpr std::size_t random_starts = 2, kept_starts = 1;
+/// More than these may leave a hollow in a solid.
+constexpr std::size_t few_balls = 16;
+constexpr int cells = 32; ///< along the longest extent of a solid, to tell inside from outside
 constexpr QuickDescentPlan first_plan{.steps = 40, .first_step = 0.04f, .last_step = 0.003f, .refresh = 1000};
-constexpr QuickDescentPlan second_plan{.steps = 80, .first_step = 0.16f, .last_step = 0.001f, .refresh = 10};
+constexpr QuickDescentPlan second_plan{.steps = 96, .first_step = 0.16f, .last_step = 0.003f, .refresh = 12};
+/// Of many balls one long descent is worth more than two.
+constexpr QuickDescentPlan plan_of_many{.steps = 160, .first_step = 0.25f, .last_step = 0.003f, .refresh = 12};
 constexpr int last_fits = 6;
-/// Where balls only just meet, a proof by halving would have to cut very finely: a hair of overlap, a share of the
-/// radii, helps.
-constexpr double least_overlap = 1e-4;
+constexpr std::size_t most_border_points = 40; ///< for a ball, in a descent
+/// Fitted balls hold their parts to some parts in a million: a hair more, as a share of the radii, and no growth is
+/// needed for the proof.
+constexpr double overlap = 2e-5;
 
 /// Turned from step to step, so that no direction is preferred.
 const std::vector<Points>& directions_of_steps() {
@@ -39,27 +45,52 @@ const Points& directions_of_fits() {
     return directions;
 }
 
-double volume_of(const Balls& balls) {
+/// About `count` of some more, at equal distances in their order; all if they are fewer.
+void add_some(Points& points, const Points& more, std::size_t count) {
+    const std::size_t stride = 1 + more.size() / count;
+    for (std::size_t k = 0; k < more.size(); k += stride) {
+        points.add(more, k);
+    }
+}
+
+/// Places that stand for a solid: of its surface and as many of its inside.
+Points body_of(const Points& surface, const Occupancy& occupancy) {
+    Points body = surface;
+    add_some(body, occupancy.inside(), surface.size());
+    return body;
+}
+
+/// Of the solid's volume what no ball holds, units³; 0 without occupancy.
+double missing(const Balls& balls, const Occupancy* occupancy) {
+    if (!occupancy) {
+        return 0;
+    }
+    Owners owners;
+    owners.find(occupancy->inside(), balls);
+    const auto cells_left = std::count_if(owners.power.begin(), owners.power.end(), [](float p) { return p > 0; });
+    return static_cast<double>(cells_left) * std::pow(occupancy->cell(), 3);
+}
+
+/// vol(U \ S) + vol(S), units³.
+double claim(const Balls& balls, const Occupancy* occupancy) {
     std::vector<Sphere> spheres;
     for (const Ball& b : balls) {
         spheres.push_back({{b.x, b.y, b.z}, b.r});
     }
-    return exact_union_volume(spheres);
+    return exact_union_volume(spheres) + missing(balls, occupancy);
 }
 
 } // namespace
 
-QuickSearch::Surface::Surface(const Solid& solid, const Frame& frame, std::size_t pieces, std::size_t few)
-    : skin(solid.surface(), frame, pieces), some(skin.sample(few)) {}
+QuickSearch::Surface::Surface(const Solid& solid, const Frame& frame, std::size_t pieces)
+    : skin(solid.surface(), frame, pieces), some(skin.sample(pieces / 5)), most(skin.sample(pieces / 2)) {}
 
 QuickSearch::QuickSearch(const Solid& solid, const SpherizeOptions& options)
     : solid_(solid), options_(options), frame_(solid.bounds()) {}
 
 Cover QuickSearch::alone(std::size_t count) {
     stopped_ = false;
-    // Many creases take long to prove: less of that in exchange for a thousandth of the radii.
-    constexpr std::size_t few = 4;
-    return finished(found(count, nullptr).front().balls, count > few ? 10 * least_overlap : least_overlap);
+    return finished(found(count, nullptr).front().balls);
 }
 
 QuickSearch::Rung QuickSearch::rung(std::size_t count) {
@@ -68,7 +99,7 @@ QuickSearch::Rung QuickSearch::rung(std::size_t count) {
     }
     if (count == 1) {
         const Balls one{smallest_ball(solid_, frame_)};
-        return rungs_.emplace(1, Rung{one, finished(one, least_overlap)}).first->second;
+        return rungs_.emplace(1, Rung{one, finished(one)}).first->second;
     }
     Rung best = rung(count_before(count));
     if (stopped()) {
@@ -76,7 +107,11 @@ QuickSearch::Rung QuickSearch::rung(std::size_t count) {
     }
     Rated next = found(count, &best.balls).front();
     const bool complete = !stopped_;
-    if (Cover made = finished(next.balls, least_overlap); made.volume < best.cover.volume) {
+    const Occupancy* const occupancy = occupancy_for(count);
+    const double unit = std::pow(frame_.unit, 3);
+    Cover made = finished(next.balls);
+    if (made.volume + missing(next.balls, occupancy) * unit <
+        best.cover.volume + missing(best.balls, occupancy) * unit) {
         best = {std::move(next.balls), std::move(made)};
     }
     if (complete) {
@@ -86,13 +121,23 @@ QuickSearch::Rung QuickSearch::rung(std::size_t count) {
 }
 
 const QuickSearch::Surface& QuickSearch::surface_for(std::size_t count) {
-    constexpr std::size_t fewest_pieces = 2000, pieces_a_ball = 60, pieces_a_point = 5;
+    constexpr std::size_t fewest_pieces = 2000, pieces_a_ball = 60;
     const std::size_t pieces = std::max(fewest_pieces, pieces_a_ball * count);
     if (pieces != pieces_) {
         pieces_ = pieces;
-        surface_ = std::make_unique<Surface>(solid_, frame_, pieces, pieces / pieces_a_point);
+        surface_ = std::make_unique<Surface>(solid_, frame_, pieces);
     }
     return *surface_;
+}
+
+const Occupancy* QuickSearch::occupancy_for(std::size_t count) {
+    if (count <= few_balls) {
+        return nullptr;
+    }
+    if (!occupancy_) {
+        occupancy_ = std::make_unique<Occupancy>(solid_, frame_, cells);
+    }
+    return occupancy_.get();
 }
 
 std::vector<Rated> QuickSearch::found(std::size_t count, const Balls* before) {
@@ -100,18 +145,19 @@ std::vector<Rated> QuickSearch::found(std::size_t count, const Balls* before) {
         return {{0, {smallest_ball(solid_, frame_)}}};
     }
     const Surface& surface = surface_for(count);
-    std::vector<Balls> begin = starts(surface, count, before);
+    const Occupancy* const occupancy = occupancy_for(count);
+    std::vector<Balls> begin = starts(surface, occupancy, count, before);
     if (stopped()) {
         return {{0, PowerCells(surface.skin).fitted(begin.front(), directions_of_fits())}};
     }
     std::vector<Rated> looks(begin.size());
-    parallel_for(begin.size(), [&](std::size_t i) { looks[i] = first_look(surface, std::move(begin[i])); });
+    parallel_for(begin.size(), [&](std::size_t i) { looks[i] = first_look(surface, occupancy, std::move(begin[i])); });
     std::stable_sort(looks.begin(), looks.end(), claims_less);
-    looks.resize(std::min(looks.size(), kept_starts));
+    looks.resize(count <= few_balls ? 2 : 1);
     if (stopped()) {
         return looks;
     }
-    parallel_for(looks.size(), [&](std::size_t i) { looks[i] = gone_on_with(surface, looks[i], count); });
+    parallel_for(looks.size(), [&](std::size_t i) { looks[i] = gone_on_with(surface, occupancy, looks[i], count); });
     std::stable_sort(looks.begin(), looks.end(), claims_less);
     return looks;
 }
@@ -121,7 +167,8 @@ std::vector<Rated> QuickSearch::candidates(std::size_t count, const Balls& befor
     return found(count, &before);
 }
 
-std::vector<Balls> QuickSearch::starts(const Surface& surface, std::size_t count, const Balls* before) const {
+std::vector<Balls> QuickSearch::starts(const Surface& surface, const Occupancy* occupancy, std::size_t count,
+                                       const Balls* before) const {
     constexpr std::size_t most_in_a_row = 6;
     const Points& some = surface.some;
     std::vector<Balls> result{divided(some, before ? *before : Balls{}, count)};
@@ -133,63 +180,65 @@ std::vector<Balls> QuickSearch::starts(const Surface& surface, std::size_t count
         }
     }
     Random random(derive_seed(options_.seed, "quick starts") + count);
-    for (std::size_t i = 0; i < random_starts; ++i) {
+    if (!occupancy) {
         result.push_back(clusters(some, count, random));
+        return result;
+    }
+    const Points body = body_of(some, *occupancy);
+    for (int i = 0; i < 2; ++i) {
+        result.push_back(clusters(body, count, random));
     }
     return result;
 }
 
-Rated QuickSearch::first_look(const Surface& surface, Balls balls) const {
-    QuickDescent(directions_of_steps()).run(balls, first_plan, [&](Balls&, Points& points, float) {
+Rated QuickSearch::first_look(const Surface& surface, const Occupancy* occupancy, Balls balls) const {
+    QuickDescent(directions_of_steps(), occupancy).run(balls, first_plan, [&](const Balls&, Points& points, float) {
         points = surface.some;
     });
     Rated found{0, PowerCells(surface.skin).fitted(balls, directions_of_fits())};
-    found.volume = volume_of(found.balls);
+    found.volume = claim(found.balls, occupancy);
     return found;
 }
 
-Rated QuickSearch::gone_on_with(const Surface& surface, const Rated& start, std::size_t count) const {
+Rated QuickSearch::gone_on_with(const Surface& surface, const Occupancy* occupancy, const Rated& start,
+                                std::size_t count) const {
     PowerCells cells(surface.skin);
-    Rated best = start;
-    const auto fit = [&](Balls& balls) {
-        balls = cells.fitted(balls, directions_of_fits());
-        const double volume = volume_of(balls);
-        if (volume < best.volume) {
-            best = {volume, balls};
-        }
-        return volume;
-    };
-    Balls balls = start.balls;
-    QuickDescent(directions_of_steps()).run(balls, second_plan, [&](Balls& now, Points& points, float reach) {
-        fit(now);
-        if (now.size() < count) {
-            now = divided(surface.some, std::move(now), count);
-        }
+    Owners owners;
+    Balls balls = start.balls.size() < count ? divided(surface.some, start.balls, count) : start.balls;
+    const QuickDescentPlan& plan = count <= few_balls ? second_plan : plan_of_many;
+    QuickDescent(directions_of_steps(), occupancy).run(balls, plan, [&](const Balls& now, Points& points, float reach) {
+        points.clear();
         cells.find(now);
+        add_some(points, cells.borders(), most_border_points * now.size());
+        owners.find(surface.most, now);
         float largest = 0;
         for (const Ball& ball : now) {
             largest = std::max(largest, ball.r);
         }
-        points = cells.borders();
-        for (std::size_t p = 0; p < surface.skin.points.size(); ++p) {
-            if (cells.owners().power[p] > -2 * largest * reach) {
-                points.add(surface.skin.points, p);
+        for (std::size_t p = 0; p < surface.most.size(); ++p) {
+            if (owners.power[p] > -2 * largest * reach) {
+                points.add(surface.most, p);
             }
         }
     });
+    Rated best = start;
     double before = std::numeric_limits<double>::infinity();
     for (int i = 0; i < last_fits; ++i) {
         constexpr double least_gain = 1e-4;
-        const double volume = fit(balls);
-        if (volume > before * (1 - least_gain)) {
+        balls = cells.fitted(balls, directions_of_fits());
+        const double now = claim(balls, occupancy);
+        if (now < best.volume) {
+            best = {now, balls};
+        }
+        if (now > before * (1 - least_gain)) {
             break;
         }
-        before = volume;
+        before = now;
     }
     return best;
 }
 
-Cover QuickSearch::finished(const Balls& balls, double overlap) const {
+Cover QuickSearch::finished(const Balls& balls) const {
     const double margin = 2e-6 * frame_.unit; // centres are rounded by less when they are written
     std::vector<Sphere> spheres;
     for (const Ball& b : balls) {

@@ -12,8 +12,8 @@
 
 namespace foam::cover {
 
-/// A few starts, a descent of each on some points of the surface, the best gone on with on all of them. Every so often
-/// and at the end balls are fitted to their parts of the surface, which makes a cover of whatever they are.
+/// A few starts, a descent of each on some points of the surface, the best gone on with on more of them. In the end
+/// balls are fitted to their parts of the surface, which makes a cover of whatever they are.
 class QuickSearch {
 public:
     /// The solid must outlive this.
@@ -32,14 +32,15 @@ public:
     bool was_stopped() const { return stopped_; }
 
     /// For another search to go on with: balls that hold the surface, begun with a cover by fewer and otherwise; the
-    /// best few, best first. At least two balls.
+    /// best few, best first. At least two balls. The volume is that of their union, and of many balls with what they
+    /// miss of the solid.
     std::vector<Rated> candidates(std::size_t count, const Balls& before);
 
 private:
     struct Surface {
-        Surface(const Solid& solid, const Frame& frame, std::size_t pieces, std::size_t some);
+        Surface(const Solid& solid, const Frame& frame, std::size_t pieces);
         FineSkin skin;
-        Points some; ///< of its points, for a first look
+        Points some, most; ///< of its points: for a first look, for a descent
     };
     struct Rung {
         Balls balls;
@@ -47,13 +48,16 @@ private:
     };
     Rung rung(std::size_t count);
     const Surface& surface_for(std::size_t count);
+    /// Of the solid, if balls are so many that they may leave a hollow in it.
+    const Occupancy* occupancy_for(std::size_t count);
     /// `before`: a cover by fewer to begin with, if there is one. The best first; at least one.
     std::vector<Rated> found(std::size_t count, const Balls* before);
-    std::vector<Balls> starts(const Surface& surface, std::size_t count, const Balls* before) const;
-    Rated first_look(const Surface& surface, Balls balls) const;
-    Rated gone_on_with(const Surface& surface, const Rated& start, std::size_t count) const;
-    /// The balls as spheres, `overlap` times larger, with the proof.
-    Cover finished(const Balls& balls, double overlap) const;
+    std::vector<Balls> starts(const Surface& surface, const Occupancy* occupancy, std::size_t count,
+                              const Balls* before) const;
+    Rated first_look(const Surface& surface, const Occupancy* occupancy, Balls balls) const;
+    Rated gone_on_with(const Surface& surface, const Occupancy* occupancy, const Rated& start, std::size_t count) const;
+    /// The balls as spheres, a hair larger, with the proof.
+    Cover finished(const Balls& balls) const;
     bool stopped() { return stopped_ = stopped_ || (options_.stop && options_.stop()); }
 
     const Solid& solid_;
@@ -61,6 +65,7 @@ private:
     Frame frame_;
     std::size_t pieces_ = 0; ///< of the surface that is there
     std::unique_ptr<Surface> surface_;
+    std::unique_ptr<Occupancy> occupancy_;
     bool stopped_ = false;
     std::map<std::size_t, Rung> rungs_;
 };
