@@ -110,13 +110,15 @@ void EnclosingBall::descend(const Hull& hull, std::uint32_t chosen, std::size_t 
     Solution s;
     s.center = pivot_ + hull.offset - hull.tilt * across;
     s.radius = std::sqrt(squared + across * across * tilt);
+    s.cost = s.radius + dot(tilt_, s.center - pivot_);
+    if (s.cost >= best_.cost) {
+        return; // balls through more points cost more
+    }
     if (holds_rest(s, chosen)) {
-        s.cost = s.radius + dot(tilt_, s.center - pivot_);
-        if (s.cost < best_.cost) {
-            best_ = s;
-            best_chosen_ = chosen;
-            found_ = true;
-        }
+        best_ = s;
+        best_chosen_ = chosen;
+        found_ = true;
+        return;
     }
     if (hull.axes == 3) {
         return;

@@ -71,12 +71,13 @@ void Exchange::look_at(std::size_t i, std::size_t j, const Ball& region) {
         others_.erase(others_.begin() + static_cast<std::ptrdiff_t>(std::min(i, j)));
     }
     remainder_.find(faces_, others_, content_);
-    std::erase_if(others_, [&](const Ball& other) { return !cover::meet(other, balls_[i]) && !cover::meet(other, balls_[j]); });
+    std::erase_if(others_,
+                  [&](const Ball& other) { return !cover::meet(other, balls_[i]) && !cover::meet(other, balls_[j]); });
     outside_.look(others_, region);
 }
 
 bool Exchange::split(const std::vector<std::size_t>& candidates) {
-    TwoBalls best;
+    std::vector<TwoBalls> starts;
     std::size_t chosen = balls_.size();
     double most = -std::numeric_limits<double>::infinity();
     for (const std::size_t i : candidates) {
@@ -84,15 +85,20 @@ bool Exchange::split(const std::vector<std::size_t>& candidates) {
         if (content_.points.size() < 2) {
             continue;
         }
-        const double before = outside_.of({&balls_[i], 1});
-        const TwoBalls two = TwoBallSearch(content_, outside_).anywhere(plan_.split);
-        if (before - two.volume > most && two.balls[0].r > 0 && two.balls[1].r > 0) {
-            most = before - two.volume;
-            best = two;
+        std::vector<TwoBalls> found = TwoBallSearch(content_, outside_).anywhere(plan_.split);
+        const double gain = outside_.of({&balls_[i], 1}) - found.front().volume;
+        if (gain > most) {
+            most = gain;
+            starts = std::move(found);
             chosen = i;
         }
     }
     if (chosen == balls_.size()) {
+        return false;
+    }
+    look_at(chosen, chosen, balls_[chosen]);
+    const TwoBalls best = TwoBallSearch(content_, outside_).improved(starts, plan_.split);
+    if (!(best.balls[0].r > 0 && best.balls[1].r > 0)) {
         return false;
     }
     balls_[chosen] = best.balls[0];

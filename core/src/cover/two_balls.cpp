@@ -15,6 +15,10 @@ Vec3 center_of(const Ball& ball) {
     return {ball.x, ball.y, ball.z};
 }
 
+bool claims_less(const TwoBalls& a, const TwoBalls& b) {
+    return a.volume < b.volume;
+}
+
 using Place = std::array<double, 3>;
 
 Place between(const Place& a, const Place& b, double t) {
@@ -22,8 +26,8 @@ Place between(const Place& a, const Place& b, double t) {
 }
 
 /// Downhill simplex from the corner of the unit cube at the origin: reflection 1, expansion 2, contraction and
-/// shrinking by half.
-template <class Value> void downhill(const Value& value, int evaluations) {
+/// shrinking by half. Given up after `patience` evaluations if none was below `enough`.
+template <class Value> void downhill(const Value& value, int evaluations, int patience, double enough) {
     std::array<std::pair<double, Place>, 4> simplex;
     for (std::size_t i = 0; i < 4; ++i) {
         simplex[i].second = {i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0, i == 3 ? 1.0 : 0.0};
@@ -33,6 +37,9 @@ template <class Value> void downhill(const Value& value, int evaluations) {
     for (int used = 4; used < evaluations;) {
         std::stable_sort(simplex.begin(), simplex.end(),
                          [](const auto& a, const auto& b) { return a.first < b.first; });
+        if (used >= patience && simplex[0].first >= enough) {
+            return;
+        }
         const double most = simplex[3].first; // clang 14 lets no lambda capture a structured binding
         const Place worst = simplex[3].second;
         if (most - simplex[0].first < flat * std::abs(simplex[0].first)) {
@@ -123,7 +130,8 @@ void TwoBallSearch::set_tilts(const std::array<Ball, 2>& balls) {
     }
 }
 
-TwoBalls TwoBallSearch::descend(const Plane& start, double turn, double shift, int evaluations) {
+TwoBalls TwoBallSearch::descend(const Plane& start, double turn, double shift, int evaluations, int patience,
+                                double enough) {
     const Vec3 n = start.normal, u = normalized(cross(n, std::abs(n.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
     const Vec3 v = cross(n, u);
     Vec3 middle{};
@@ -141,12 +149,11 @@ TwoBalls TwoBallSearch::descend(const Plane& start, double turn, double shift, i
         }
         return two.volume;
     };
-    downhill(value, evaluations);
+    downhill(value, evaluations, patience, enough);
     return best;
 }
 
-TwoBalls TwoBallSearch::anywhere(const Plan& plan) {
-    const double size = std::sqrt(farthest(content_.points, content_.points.size(), content_.points.at(0)).squared);
+std::vector<TwoBalls> TwoBallSearch::anywhere(const Plan& plan) {
     tilts_ = {};
     centers_ = {content_.points.at(0), content_.points.at(0)};
     std::vector<TwoBalls> best_along;
@@ -166,20 +173,25 @@ TwoBalls TwoBallSearch::anywhere(const Plan& plan) {
         }
         best_along.push_back(best);
     }
-    const auto better = [](const TwoBalls& a, const TwoBalls& b) { return a.volume < b.volume; };
-    std::stable_sort(best_along.begin(), best_along.end(), better);
-    TwoBalls best = best_along.front();
-    for (std::size_t i = 0; i < std::min(best_along.size(), static_cast<std::size_t>(plan.kept)); ++i) {
+    std::stable_sort(best_along.begin(), best_along.end(), claims_less);
+    return best_along;
+}
+
+TwoBalls TwoBallSearch::improved(const std::vector<TwoBalls>& starts, const Plan& plan) {
+    const double size = std::sqrt(farthest(content_.points, content_.points.size(), content_.points.at(0)).squared);
+    TwoBalls best = starts.front();
+    for (std::size_t i = 0; i < std::min(starts.size(), static_cast<std::size_t>(plan.kept)); ++i) {
         tilts_ = {};
-        const TwoBalls upright = descend(best_along[i].plane, 0.2, 0.05 * size, plan.evaluations);
+        const TwoBalls upright = descend(starts[i].plane, 0.2, 0.05 * size, plan.evaluations);
         set_tilts(upright.balls);
         const TwoBalls tilted = descend(upright.plane, 0.1, 0.03 * size, plan.evaluations);
-        best = std::min({best, upright, tilted}, better);
+        best = std::min({best, upright, tilted}, claims_less);
     }
     return best;
 }
 
 TwoBalls TwoBallSearch::near(const std::array<Ball, 2>& balls, int evaluations) {
+    constexpr int patience = 10;
     TwoBalls now;
     now.balls = balls;
     now.volume = outside_.of(balls);
@@ -192,7 +204,7 @@ TwoBalls TwoBallSearch::near(const std::array<Ball, 2>& balls, int evaluations) 
     // From the plane of the circle in which they meet.
     const Vec3 n = (a - b) / apart;
     const Plane plane{n, dot(n, a) - (apart * apart + ra * ra - rb * rb) / (2 * apart)};
-    const TwoBalls found = descend(plane, 0.15, 0.1 * std::min(ra, rb), evaluations);
+    const TwoBalls found = descend(plane, 0.15, 0.1 * std::min(ra, rb), evaluations, patience, now.volume);
     return found.volume < now.volume ? found : now;
 }
 

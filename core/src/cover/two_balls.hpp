@@ -5,6 +5,8 @@
 #include "cover/outside_volume.hpp"
 #include "cover/remainder.hpp"
 
+#include <climits>
+
 namespace foam::cover {
 
 struct Plane {
@@ -31,15 +33,19 @@ public:
         int kept;                ///< the best of them that are gone on with
         int evaluations;         ///< of each
     };
-    /// From planes all over. Precondition: the content has points.
-    TwoBalls anywhere(const Plan& plan);
+    /// From planes all over, the best of each direction, the best of all first. Precondition: the content has points.
+    std::vector<TwoBalls> anywhere(const Plan& plan);
+    /// Gone on with from the first of these.
+    TwoBalls improved(const std::vector<TwoBalls>& starts, const Plan& plan);
     /// From two balls as they are: never worse than these.
     TwoBalls near(const std::array<Ball, 2>& balls, int evaluations);
 
 private:
     TwoBalls at(const Plane& plane);
-    /// A downhill simplex (Nelder and Mead 1965) of the plane's turns about its middle and its shift.
-    TwoBalls descend(const Plane& start, double turn, double shift, int evaluations);
+    /// A downhill simplex (Nelder and Mead 1965) of the plane's turns about its middle and its shift; after `patience`
+    /// evaluations it is given up unless it claims less than `enough`.
+    TwoBalls descend(const Plane& start, double turn, double shift, int evaluations, int patience = INT_MAX,
+                     double enough = 0);
     void set_tilts(const std::array<Ball, 2>& balls);
 
     const Content& content_;
