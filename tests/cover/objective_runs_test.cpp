@@ -5,11 +5,13 @@
 
 #include <foam/host/registry.hpp>
 #include <foam/host/run.hpp>
+#include <foam/host/spherize.hpp>
 #include <foam/measure.hpp>
 
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <numeric>
 #include <sstream>
 
 namespace {
@@ -20,22 +22,35 @@ class ObjectiveRuns : public testing::Test {
 protected:
     ObjectiveRuns() { registry.load_directory(FOAM_TEST_PLUGINS); }
 
-    /// The spheres of a robot of one link as they are read back. `geometry`: of the link, as URDF has it.
-    std::vector<Sphere> written(const std::string& geometry, const std::string& parameters, std::size_t spheres) {
-        std::ofstream(folder.path() / "rod.urdf") << R"(<robot name="rod"><link name="rod"><collision><geometry>)"
-                                                  << geometry << "</geometry></collision></link></robot>";
-        const std::string text = "foam: 1\nname: rod\nrobot: {urdf: rod.urdf}\nstages: [spherize.cover: {" +
+    /// The spheres of a robot as they are read back. `geometries`: of its links a, b, …, as URDF has them.
+    std::map<std::string, std::vector<Sphere>> written(const std::vector<std::string>& geometries,
+                                                       const std::string& parameters, std::size_t spheres) {
+        std::ofstream urdf(folder.path() / "robot.urdf");
+        urdf << "<robot name=\"robot\">";
+        std::string name = "a";
+        for (const std::string& geometry : geometries) {
+            urdf << "<link name=\"" << name << "\"><collision><geometry>" << geometry
+                 << "</geometry></collision></link>";
+            if (name != "a") {
+                urdf << "<joint name=\"j" << name << "\" type=\"fixed\"><parent link=\"a\"/><child link=\"" << name
+                     << "\"/></joint>";
+            }
+            ++name[0];
+        }
+        urdf << "</robot>";
+        urdf.close();
+        const std::string text = "foam: 1\nname: robot\nrobot: {urdf: robot.urdf}\nstages: [spherize.cover: {" +
                                  parameters + "}]\nbudget: {spheres: " + std::to_string(spheres) +
-                                 "}\noutputs:\n  - write.urdf: {file: rod.urdf}\n";
-        const RecipeResult recipe = parse_recipe(text, folder.path() / "rod.yaml", registry);
+                                 "}\noutputs:\n  - write.urdf: {file: robot.urdf}\n";
+        const RecipeResult recipe = parse_recipe(text, folder.path() / "robot.yaml", registry);
         EXPECT_TRUE(recipe.ok()) << recipe.diagnostics.at(0).text();
         RunOptions options;
         options.out = folder.path() / "out";
         options.fresh = true;
         EXPECT_TRUE(run(recipe.recipes.at(0), registry, options).certified);
-        std::ostringstream urdf;
-        urdf << std::ifstream(folder.path() / "out/rod.urdf").rdbuf();
-        return registry.make<Writer>("write.urdf")->read(urdf.str()).at("rod");
+        std::ostringstream text_of_robot;
+        text_of_robot << std::ifstream(folder.path() / "out/robot.urdf").rdbuf();
+        return registry.make<Writer>("write.urdf")->read(text_of_robot.str());
     }
 
     TemporaryFolder folder;
@@ -52,22 +67,63 @@ TEST_F(ObjectiveRuns, EveryObjectiveAndEffortIsProvedAsWritten) {
         for (const std::string effort : {"fast", "normal", "best"}) {
             SCOPED_TRACE(objective + ", " + effort);
             const std::vector<Sphere> spheres =
-                written(R"(<box size="0.1 0.2 0.4"/>)", "objective: " + objective + ", effort: " + effort, 3);
+                written({R"(<box size="0.1 0.2 0.4"/>)"}, "objective: " + objective + ", effort: " + effort, 3).at("a");
             EXPECT_LE(spheres.size(), 3u);
             EXPECT_TRUE(certify(*box, spheres).holds);
         }
     }
 }
 
+double protrusion_of(const Solid& solid, const std::vector<Sphere>& spheres) {
+    return geometry::protrusion(solid, spheres, MeasureOptions{}.directions_per_sphere).max;
+}
+
+double largest_radius(const Solid&, const std::vector<Sphere>& spheres) {
+    double largest = 0;
+    for (const Sphere& sphere : spheres) {
+        largest = std::max(largest, sphere.radius);
+    }
+    return largest;
+}
+
 /// A row of equal spheres claims less than what protrudes least, which has smaller spheres at the ends.
 TEST_F(ObjectiveRuns, SpheresThatClaimLessDoNotStandInForThoseAskedFor) {
     const auto rod = solid_of({Primitive::Kind::cylinder, {}, 0.1, 0.5});
     const auto protrusion = [&](const std::string& objective) {
-        const std::vector<Sphere> spheres =
-            written(R"(<cylinder radius="0.1" length="0.5"/>)", "effort: fast, objective: " + objective, 9);
-        return geometry::protrusion(*rod, spheres, MeasureOptions{}.directions_per_sphere).max;
+        return protrusion_of(
+            *rod,
+            written({R"(<cylinder radius="0.1" length="0.5"/>)"}, "effort: fast, objective: " + objective, 9).at("a"));
     };
     EXPECT_LT(protrusion("protrusion"), 0.9 * protrusion("excess"));
+}
+
+/// Of all ways to share them that with the best worst link.
+TEST_F(ObjectiveRuns, ANumberForTheRobotGoesWhereTheWorstIs) {
+    const auto plate = solid_of({Primitive::Kind::box, {0.6, 0.5, 0.05}, 0, 0});
+    const auto block = solid_of({Primitive::Kind::box, {0.2, 0.3, 0.4}, 0, 0});
+    constexpr std::size_t most = 9;
+    std::vector<std::size_t> counts(most - 1);
+    std::iota(counts.begin(), counts.end(), std::size_t{1});
+    for (const std::string objective : {"protrusion", "radius"}) {
+        SCOPED_TRACE(objective);
+        const auto figure = objective == "radius" ? largest_radius : protrusion_of;
+        const SpherizeOptions options{.effort = Effort::fast,
+                                      .objective = objective == "radius" ? Objective::radius : Objective::protrusion};
+        const std::vector<Cover> of_plate = spherize_each(*plate, counts, options);
+        const std::vector<Cover> of_block = spherize_each(*block, counts, options);
+        double best = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+            best = std::min(best, std::max(figure(*plate, of_plate[i].spheres),
+                                           figure(*block, of_block[counts.size() - 1 - i].spheres)));
+        }
+        const auto robot = written({R"(<box size="0.6 0.5 0.05"/>)", R"(<box size="0.2 0.3 0.4"/>)"},
+                                   "effort: fast, objective: " + objective, most);
+        const double worst = std::max(figure(*plate, robot.at("a")), figure(*block, robot.at("b")));
+        EXPECT_NEAR(worst, best, 0.02 * best) << "seeds of links differ";
+        const auto by_excess =
+            written({R"(<box size="0.6 0.5 0.05"/>)", R"(<box size="0.2 0.3 0.4"/>)"}, "effort: fast", most);
+        EXPECT_LT(worst, std::max(figure(*plate, by_excess.at("a")), figure(*block, by_excess.at("b"))));
+    }
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "at_most.hpp"
 #include "cover.hpp"
 #include "separation.hpp"
+#include "worst_first.hpp"
 
 #include <fmt/format.h>
 
@@ -84,8 +85,17 @@ ChosenCounts share_spheres(const Workspace& workspace, const std::vector<LinkWor
         goal.enough = *recipe.budget_excess * volume;
     }
     ChosenCounts chosen;
-    chosen.cut = explore_for(workspace, shapes, groups, goal);
-    Shared shared = share(shapes, groups, goal);
+    const std::optional<std::string> objective =
+        goal.enough || pose ? std::nullopt : common_objective(workspace.recipe, shapes);
+    Shared shared;
+    if (objective) {
+        Figures figures;
+        chosen.cut = explore_worst_first(workspace, shapes, groups, *objective, goal.most, figures);
+        shared = share(shapes, groups, goal, bounds_of_best_worst(shapes, groups, figures, goal.most));
+    } else {
+        chosen.cut = explore_for(workspace, shapes, groups, goal);
+        shared = share(shapes, groups, goal);
+    }
     if (pose && !shared.counts.empty()) {
         shared = keep_apart(workspace, shapes, groups, goal, *pose, std::move(shared), chosen.cut);
     }

@@ -1,0 +1,154 @@
+#include "worst_first.hpp"
+
+#include "cover.hpp"
+
+#include <foam/measure.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace foam {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double figure_of(const Solid& solid, const SphereTree& tree, const std::string& objective) {
+    if (objective == "protrusion") {
+        return covered_protrusion(solid, tree.finest(), Guarantee::outer);
+    }
+    double largest = 0;
+    for (const Sphere& sphere : grown_to_cover(solid, tree.finest())) {
+        largest = std::max(largest, sphere.radius);
+    }
+    return largest;
+}
+
+/// The fewest spheres of a shape with which it is as good as `limit`; 0 if none that is known is.
+std::size_t fewest_within(const std::map<std::size_t, double>& figures, double limit) {
+    const auto good = std::find_if(figures.begin(), figures.end(), [&](const auto& f) { return f.second <= limit; });
+    return good == figures.end() ? 0 : good->first;
+}
+
+/// For each taker the fewest within the limit; empty if that is known of not all, or is more than `most` together.
+std::vector<std::size_t> counts_within(const std::vector<std::size_t>& shape_of_taker, const Figures& figures,
+                                       double limit, std::size_t most) {
+    std::vector<std::size_t> counts;
+    std::size_t sum = 0;
+    for (const std::size_t shape : shape_of_taker) {
+        counts.push_back(fewest_within(figures[shape], limit));
+        sum += counts.back();
+        if (counts.back() == 0 || sum > most) {
+            return {};
+        }
+    }
+    return counts;
+}
+
+std::vector<std::size_t> shapes_of(const std::vector<std::size_t>& takers, const std::vector<Group>& groups) {
+    std::vector<std::size_t> shapes;
+    for (const std::size_t g : takers) {
+        shapes.push_back(groups[g].shape);
+    }
+    return shapes;
+}
+
+/// The least limit within which the takers can be, with `most` spheres together; infinite if there are not enough.
+double best_worst(const std::vector<std::size_t>& shape_of_taker, const Figures& figures, std::size_t most) {
+    std::vector<double> limits;
+    for (const std::size_t shape : shape_of_taker) {
+        for (const auto& [count, figure] : figures[shape]) {
+            limits.push_back(figure);
+        }
+    }
+    std::sort(limits.begin(), limits.end());
+    const auto best = std::partition_point(limits.begin(), limits.end(), [&](double limit) {
+        return counts_within(shape_of_taker, figures, limit, most).empty();
+    });
+    return best == limits.end() ? infinity : *best;
+}
+
+void measure_new(const Workspace& workspace, const std::vector<ShapeWork>& shapes, const std::string& objective,
+                 Figures& figures) {
+    struct Point {
+        std::size_t shape, count;
+        double figure;
+    };
+    std::vector<Point> points;
+    for (std::size_t s = 0; s < shapes.size(); ++s) {
+        for (const auto& [count, tree] : shapes[s].known.trees) {
+            if (!shapes[s].error && !figures[s].contains(count)) {
+                points.push_back({s, count, 0});
+            }
+        }
+    }
+    const Workspace measuring = workspace.in(Phase::finishing); // takes a moment, and is of no use undone
+    parallel_for(points.size(), [&](std::size_t i) {
+        measuring.check_cancelled();
+        const ShapeWork& work = shapes[points[i].shape];
+        points[i].figure = figure_of(work.shape->original(), work.known.trees.at(points[i].count), objective);
+    });
+    for (const Point& point : points) {
+        figures[point.shape][point.count] = point.figure;
+    }
+}
+
+} // namespace
+
+std::optional<std::string> common_objective(const Recipe& recipe, const std::vector<ShapeWork>& shapes) {
+    std::optional<std::string> common;
+    for (const ShapeWork& work : shapes) {
+        const auto given = work.spherizer.given.find("objective");
+        const std::string* const objective =
+            given == work.spherizer.given.end() ? nullptr : std::get_if<std::string>(&given->second);
+        if (recipe.guarantee != Guarantee::outer || work.max_protrusion || !objective ||
+            (common && *common != *objective)) {
+            return {};
+        }
+        common = *objective;
+    }
+    return common == "protrusion" || common == "radius" ? common : std::nullopt;
+}
+
+Cut explore_worst_first(const Workspace& workspace, std::vector<ShapeWork>& shapes, const std::vector<Group>& groups,
+                        const std::string& objective, std::size_t most, Figures& figures) {
+    figures.assign(shapes.size(), {});
+    std::vector<std::vector<std::size_t>> wanted(shapes.size());
+    for (std::size_t s = 0; s < shapes.size(); ++s) {
+        wanted[s] = first_counts(workspace.recipe, shapes[s], groups.size());
+    }
+    Cut cut = Cut::none;
+    for (bool any = true; any && cut == Cut::none;) {
+        cut = explore(workspace, shapes, wanted);
+        measure_new(workspace, shapes, objective, figures);
+        const std::vector<std::size_t> of_taker = shapes_of(takers(shapes, groups), groups);
+        const double limit = best_worst(of_taker, figures, most);
+        // Those of which nothing better is known may keep the others waiting.
+        any = false;
+        for (std::size_t s = 0; s < shapes.size(); ++s) {
+            wanted[s].clear();
+            const ShapeWork& work = shapes[s];
+            if (work.error || figures[s].empty() || figures[s].rbegin()->second < limit) {
+                continue;
+            }
+            const std::size_t explored = work.known.asked.rbegin()->first;
+            if (explored < most) {
+                wanted[s] = next_rungs(explored, work.least, most_of(workspace.recipe, work));
+                any = any || !wanted[s].empty();
+            }
+        }
+    }
+    return cut;
+}
+
+std::vector<Bounds> bounds_of_best_worst(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups,
+                                         const Figures& figures, std::size_t most) {
+    const std::vector<std::size_t> of_taker = shapes_of(takers(shapes, groups), groups);
+    std::vector<Bounds> bounds;
+    for (const std::size_t count : counts_within(of_taker, figures, best_worst(of_taker, figures, most), most)) {
+        bounds.push_back({count, SIZE_MAX});
+    }
+    return bounds;
+}
+
+} // namespace foam
