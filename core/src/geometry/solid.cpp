@@ -28,46 +28,51 @@ void check_mesh(const Mesh& mesh, std::size_t part) {
     }
 }
 
-/// The part as a mesh in the solid's frame, wound outwards where that can be told.
-std::pair<Mesh, geometry::Reading> part_mesh(const Solid::Part& part, std::size_t index) {
+/// The part as a mesh in the solid's frame.
+std::pair<std::shared_ptr<const Mesh>, geometry::Reading> part_mesh(const Solid::Part& part, std::size_t index) {
     if (part.primitive) {
         geometry::check_primitive(*part.primitive);
         Mesh mesh = transformed(enclosing_mesh(*part.primitive), part.pose);
         check_mesh(mesh, index);
         geometry::Reading reading{std::vector(mesh.triangles.size(), geometry::Facing::as_given), true};
-        return {std::move(mesh), std::move(reading)};
+        return {std::make_shared<const Mesh>(std::move(mesh)), std::move(reading)};
     }
     if (!part.mesh) {
         throw Error(ErrorCode::geometry, "part " + std::to_string(index) +
                                              " of the solid is neither a mesh nor a primitive; give it one of them");
     }
     check_mesh(*part.mesh, index);
-    return {*part.mesh, geometry::read_as_solid(*part.mesh)};
+    return {part.mesh, geometry::read_as_solid(*part.mesh)};
 }
 
 void add_part(geometry::SolidData& data, std::size_t index) {
     const Solid::Part& part = data.parts[index];
-    auto [mesh, reading] = part_mesh(part, index);
-    if (mesh.triangles.empty()) {
+    auto [given, reading] = part_mesh(part, index);
+    if (given->triangles.empty()) {
         data.offsets.push_back(data.offsets.back());
         return;
     }
-    std::optional<PrimitivePart> primitive;
-    if (part.primitive) {
-        primitive.emplace(*part.primitive, part.pose);
-    }
-    geometry::MeshPart queries(mesh, reading);
-    const Box box = queries.bounds();
-    data.queries.push_back({std::move(queries), std::move(primitive), box});
-    data.closed = data.closed && data.queries.back().closed();
-    data.box.add(box);
+    Mesh mesh = *given;
+    Box box;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        if (reading.facing[i] == geometry::Facing::flipped) {
-            std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
+        Triangle& t = mesh.triangles[i];
+        for (const std::uint32_t corner : t) {
+            box.add(mesh.vertices[corner]);
+        }
+        if (reading.facing[i] == geometry::Facing::flipped) { // wound outwards where that can be told
+            std::swap(t[1], t[2]);
         }
     }
     append(data.surface, mesh);
     data.offsets.push_back(static_cast<std::uint32_t>(data.surface.triangles.size()));
+    data.box.add(box);
+    std::optional<PrimitivePart> primitive;
+    if (part.primitive) {
+        primitive.emplace(*part.primitive, part.pose);
+    }
+    data.queries.push_back({std::make_unique<const geometry::QueriedMesh>(std::move(given), std::move(reading)),
+                            std::move(primitive), box});
+    data.closed = data.closed && data.queries.back().closed();
 }
 
 const geometry::InsideLines& lines_of(const geometry::SolidData& data) {
@@ -79,6 +84,15 @@ const geometry::InsideLines& lines_of(const geometry::SolidData& data) {
 }
 
 } // namespace
+
+const geometry::MeshPart& geometry::QueriedMesh::made() const {
+    const std::lock_guard lock(making_);
+    if (!part_) {
+        part_.emplace(*mesh_, reading_);
+        ready_.store(&*part_, std::memory_order_release);
+    }
+    return *part_;
+}
 
 Solid::Solid(std::unique_ptr<const Data> data) : data_(std::move(data)) {}
 Solid::~Solid() = default;
@@ -141,7 +155,7 @@ SurfacePoint Solid::closest(const Vec3& point) const {
             continue;
         }
         const double before = nearest.squared_distance;
-        data_->queries[query++].mesh.closest(point, nearest);
+        data_->queries[query++].mesh().closest(point, nearest);
         if (nearest.squared_distance < before) {
             triangle = data_->offsets[part] + nearest.triangle;
         }
@@ -168,10 +182,10 @@ double Solid::signed_distance(const Vec3& point) const {
             continue;
         }
         Nearest nearest{std::numeric_limits<double>::infinity()};
-        part.mesh.closest(point, nearest);
+        part.mesh().closest(point, nearest);
         const double distance = std::sqrt(nearest.squared_distance);
         if (distance < least || least < 0) {
-            least = std::min(least, part.mesh.contains(point) ? -distance : distance);
+            least = std::min(least, part.mesh().contains(point) ? -distance : distance);
         }
     }
     return least;

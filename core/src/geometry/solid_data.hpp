@@ -7,20 +7,47 @@
 
 #include <foam/solid.hpp>
 
+#include <atomic>
+#include <memory>
 #include <mutex>
+#include <optional>
 
 namespace foam::geometry {
 
-/// One part of the union, ready for queries.
+/// A mesh that is made ready for queries when the first one comes: covers need none.
+class QueriedMesh {
+public:
+    QueriedMesh(std::shared_ptr<const Mesh> mesh, Reading reading)
+        : mesh_(std::move(mesh)), reading_(std::move(reading)) {}
+
+    bool closed() const { return reading_.closed; }
+    /// From any number of threads.
+    const MeshPart& part() const {
+        const MeshPart* const ready = ready_.load(std::memory_order_acquire);
+        return ready ? *ready : made();
+    }
+
+private:
+    const MeshPart& made() const;
+
+    std::shared_ptr<const Mesh> mesh_;
+    Reading reading_;
+    mutable std::mutex making_;
+    mutable std::optional<MeshPart> part_;
+    mutable std::atomic<const MeshPart*> ready_{nullptr};
+};
+
+/// One part of the union.
 struct PartQueries {
-    MeshPart mesh; ///< of a primitive: its tessellation
+    std::unique_ptr<const QueriedMesh> queried; ///< of a primitive: its tessellation
     std::optional<PrimitivePart> primitive;
     Box box; ///< of the tessellation
 
-    bool closed() const { return primitive.has_value() || mesh.closed(); }
-    bool contains(const Vec3& p) const { return primitive ? primitive->signed_distance(p) <= 0 : mesh.contains(p); }
+    const MeshPart& mesh() const { return queried->part(); }
+    bool closed() const { return primitive.has_value() || queried->closed(); }
+    bool contains(const Vec3& p) const { return primitive ? primitive->signed_distance(p) <= 0 : mesh().contains(p); }
     /// Of one part on its own; of a mesh that is not closed: with what closes it.
-    double volume() const { return primitive ? primitive->volume() : mesh.signed_volume(); }
+    double volume() const { return primitive ? primitive->volume() : mesh().signed_volume(); }
 };
 
 struct SolidData {

@@ -12,7 +12,7 @@ void winding_along(const PartQueries& part, const Vec3& origin, const Vec3& dire
         }
         return;
     }
-    part.mesh.crossings(origin, direction, scratch);
+    part.mesh().crossings(origin, direction, scratch);
     int winding = 0;
     for (std::size_t i = 0; i + 1 < scratch.size(); ++i) {
         winding += scratch[i].change;
@@ -29,8 +29,8 @@ Intervals SolidData::inside_along(const Vec3& origin, const Vec3& direction,
     std::vector<WindingPiece> pieces;
     for (const PartQueries& part : queries) {
         if (!part.closed()) {
-            part.mesh.crossings(origin, direction, crossings);
-            part.mesh.inside_along(origin, direction, crossings, within, result);
+            part.mesh().crossings(origin, direction, crossings);
+            part.mesh().inside_along(origin, direction, crossings, within, result);
             continue;
         }
         pieces.clear();
