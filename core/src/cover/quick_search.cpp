@@ -19,11 +19,11 @@ namespace {
 constexpr std::size_t few_balls = 16;
 constexpr int cells = 32; ///< along the longest extent of a solid, to tell inside from outside
 constexpr QuickDescentPlan first_plan{.steps = 40, .first_step = 0.04f, .last_step = 0.003f, .refresh = 1000};
-constexpr QuickDescentPlan second_plan{.steps = 96, .first_step = 0.16f, .last_step = 0.003f, .refresh = 12};
+constexpr QuickDescentPlan second_plan{.steps = 72, .first_step = 0.16f, .last_step = 0.003f, .refresh = 12};
 /// Of many balls one long descent is worth more than two.
 constexpr QuickDescentPlan plan_of_many{.steps = 160, .first_step = 0.25f, .last_step = 0.003f, .refresh = 12};
 constexpr int last_fits = 6;
-constexpr std::size_t most_border_points = 40; ///< for a ball, in a descent
+constexpr std::size_t most_border_points = 25; ///< for a ball, in a descent
 /// Fitted balls hold their parts to some parts in a million: a hair more, as a share of the radii, and no growth is
 /// needed for the proof.
 constexpr double overlap = 2e-5;
@@ -83,7 +83,7 @@ double claim(const Balls& balls, const Occupancy* occupancy) {
 } // namespace
 
 QuickSearch::Surface::Surface(const Solid& solid, const Frame& frame, std::size_t pieces)
-    : skin(solid.surface(), frame, pieces), some(skin.sample(pieces / 5)), most(skin.sample(pieces / 2)) {}
+    : skin(solid.surface(), frame, pieces), some(skin.sample(pieces / 5)), most(skin.sample(pieces / 3)) {}
 
 QuickSearch::QuickSearch(const Solid& solid, const SpherizeOptions& options)
     : solid_(solid), options_(options), frame_(solid.bounds()) {}
