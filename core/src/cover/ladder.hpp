@@ -5,9 +5,15 @@
 
 namespace foam::cover {
 
+/// Counts up to this build on the one before; larger ones on the next below of 12, 14, 16, 20, 24, 28, 32, 40, ….
+constexpr std::size_t every_count = 12;
+
 /// The rung below a count of at least 2.
 constexpr std::size_t count_before(std::size_t count) {
-    std::size_t before = 1;
+    if (count <= every_count) {
+        return count - 1;
+    }
+    std::size_t before = every_count;
     while (rung_above(before) < count) {
         before = rung_above(before);
     }

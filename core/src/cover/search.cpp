@@ -6,6 +6,7 @@
 #include "cover/starts.hpp"
 
 #include <foam/parallel.hpp>
+#include <foam/union_volume.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -75,10 +76,11 @@ Search::Model Search::model(std::size_t count) {
         return best;
     }
     const Balls before = best.balls;
+    const double most = best.cover.volume;
     const auto take = [&](const Balls& balls) {
         Model model = finished(balls);
-        // More balls are never worse.
-        if (model.outside < best.outside) {
+        // More balls are never worse, nor is their union larger.
+        if (model.outside < best.outside && model.cover.volume <= most) {
             best = std::move(model);
         }
     };
@@ -179,7 +181,7 @@ Search::Model Search::finished(const Balls& balls) const {
         s.radius += overlap * s.radius + margin;
     }
     Model model{balls, proved(solid_, std::move(spheres)), 0};
-    model.cover.volume = union_volume(model.cover.spheres);
+    model.cover.volume = exact_union_volume(model.cover.spheres);
     model.outside = model.cover.volume / std::pow(problem_.frame.unit, 3) + missing(balls);
     return model;
 }
