@@ -38,7 +38,7 @@ struct SpherizeOptions {
 struct Cover {
     std::vector<Sphere> spheres; ///< m, in the solid's frame; at least one
     Certificate certificate;     ///< that solid.surface() lies in their union; it always holds
-    double volume = 0;           ///< of their union, m³; to about 0.1 %
+    double volume = 0;           ///< of their union, m³
 };
 
 /// The covers of one solid by one sphere, two, three…: each builds on those with fewer, and all that were made are kept
