@@ -1,6 +1,6 @@
 #include "cover/splitting.hpp"
 
-#include <foam/union_volume.hpp>
+#include "geometry/joint_volume.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -36,7 +36,7 @@ std::vector<Sphere> Splitting::one_more(const std::vector<Sphere>& cover) const 
             ball_of({problem_.frame.to_unit(s.center), s.radius / problem_.frame.unit * (1 + rounding) + rounding}));
     }
     const std::vector<std::size_t> order = improvement_.by_waste(before);
-    const double claimed = exact_union_volume(cover);
+    const double claimed = geometry::joint_volume(*problem_.solid, cover);
     double least = std::numeric_limits<double>::infinity();
     std::vector<Sphere> best = cover;
     for (std::size_t first = 0; first < order.size() && least >= claimed; first += at_once) {
@@ -46,7 +46,7 @@ std::vector<Sphere> Splitting::one_more(const std::vector<Sphere>& cover) const 
             continue;
         }
         std::vector<Sphere> more = spheres_of(exchange.balls(), before, cover);
-        if (const double volume = exact_union_volume(more); volume < least) {
+        if (const double volume = geometry::joint_volume(*problem_.solid, more); volume < least) {
             least = volume;
             best = std::move(more);
         }
