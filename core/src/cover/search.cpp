@@ -138,7 +138,7 @@ std::vector<Balls> Search::found(std::size_t count, const Balls& before) {
     });
     const bool few = count <= plan_.most_exchanged;
     std::stable_sort(rated.begin(), rated.end(), claims_less);
-    rated.resize(std::min(rated.size(), few ? plan_.kept_of_few : plan_.kept));
+    rated.resize(std::min(rated.size(), count <= plan_.most_quick ? plan_.kept_of_few : plan_.kept));
     std::vector<Balls> balls(rated.size());
     if (stopped()) {
         return {rated.front().balls};

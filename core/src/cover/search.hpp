@@ -19,7 +19,7 @@ struct Plan {
     std::size_t first_points;          ///< of them, that every descent minds
     std::size_t directions;            ///< a ball
     std::size_t starts_of_few, starts; ///< at random: of as many balls as the quick search looks for too, and of more
-    std::size_t kept_of_few, kept;     ///< starts that are gone on with: of balls that exchange pieces, and of more
+    std::size_t kept_of_few, kept;     ///< starts that are gone on with, likewise
     int coarse_steps, fine_steps;
     std::size_t most_split;     ///< counts up to this come from splits too; two balls from them alone
     std::size_t most_quick;     ///< counts up to this begin with what the quick search finds
