@@ -10,6 +10,7 @@
 #include <foam/union_volume.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace foam::cover {
@@ -19,9 +20,21 @@ namespace {
 constexpr std::size_t few_balls = 16;
 constexpr int cells = 32; ///< along the longest extent of a solid, to tell inside from outside
 constexpr QuickDescentPlan first_plan{.steps = 40, .first_step = 0.04f, .last_step = 0.003f, .refresh = 1000};
-constexpr QuickDescentPlan second_plan{.steps = 72, .first_step = 0.16f, .last_step = 0.003f, .refresh = 12};
-/// Of many balls one long descent is worth more than two.
-constexpr QuickDescentPlan plan_of_many{.steps = 160, .first_step = 0.25f, .last_step = 0.003f, .refresh = 12};
+/// What comes after the first looks: the fewer the balls, the nearer starts are to what is best, and the more of them
+/// are worth going on with.
+struct SecondPlan {
+    std::size_t most_balls, kept_starts;
+    QuickDescentPlan descent;
+};
+constexpr std::array<SecondPlan, 3> second_plans{{
+    {6, 4, {.steps = 72, .first_step = 0.08f, .last_step = 0.003f, .refresh = 12}},
+    {few_balls, 2, {.steps = 72, .first_step = 0.16f, .last_step = 0.003f, .refresh = 12}},
+    {SIZE_MAX, 1, {.steps = 160, .first_step = 0.25f, .last_step = 0.003f, .refresh = 12}},
+}};
+const SecondPlan& second_plan_for(std::size_t count) {
+    return *std::find_if(second_plans.begin(), second_plans.end(),
+                         [&](const SecondPlan& plan) { return count <= plan.most_balls; });
+}
 constexpr int last_fits = 6;
 constexpr std::size_t most_border_points = 25; ///< for a ball, in a descent
 /// Fitted balls hold their parts to some parts in a million: a hair more, as a share of the radii, and no growth is
@@ -153,7 +166,7 @@ std::vector<Rated> QuickSearch::found(std::size_t count, const Balls* before) {
     std::vector<Rated> looks(begin.size());
     parallel_for(begin.size(), [&](std::size_t i) { looks[i] = first_look(surface, occupancy, std::move(begin[i])); });
     std::stable_sort(looks.begin(), looks.end(), claims_less);
-    looks.resize(count <= few_balls ? 2 : 1);
+    looks.resize(std::min(looks.size(), second_plan_for(count).kept_starts));
     if (stopped()) {
         return looks;
     }
@@ -205,7 +218,7 @@ Rated QuickSearch::gone_on_with(const Surface& surface, const Occupancy* occupan
     PowerCells cells(surface.skin);
     Owners owners;
     Balls balls = start.balls.size() < count ? divided(surface.some, start.balls, count) : start.balls;
-    const QuickDescentPlan& plan = count <= few_balls ? second_plan : plan_of_many;
+    const QuickDescentPlan& plan = second_plan_for(count).descent;
     QuickDescent(directions_of_steps(), occupancy).run(balls, plan, [&](const Balls& now, Points& points, float reach) {
         points.clear();
         cells.find(now);
