@@ -123,8 +123,8 @@ QuickSearch::Rung QuickSearch::rung(std::size_t count) {
     const Occupancy* const occupancy = occupancy_for(count);
     const double unit = std::pow(frame_.unit, 3);
     Cover made = finished(next.balls);
-    if (made.volume + missing(next.balls, occupancy) * unit <
-        best.cover.volume + missing(best.balls, occupancy) * unit) {
+    const double gain = best.cover.volume - made.volume; // of the union, which is never to be larger
+    if (gain >= 0 && gain > (missing(next.balls, occupancy) - missing(best.balls, occupancy)) * unit) {
         best = {std::move(next.balls), std::move(made)};
     }
     if (complete) {
