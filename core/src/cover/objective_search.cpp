@@ -10,7 +10,6 @@
 #include "geometry/measure_parts.hpp"
 
 #include <foam/parallel.hpp>
-#include <foam/union_volume.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -176,7 +175,7 @@ ObjectiveSearch::Model ObjectiveSearch::found(std::size_t count, const std::vect
         constexpr int last_rounds = 8;
         best = MinimaxSearch(surface.skin, *cost).leaner(best, spread_directions(256, 0), last_rounds);
     }
-    return model_of(finished(best.balls));
+    return model_of(proved(solid_, frame_, best.balls));
 }
 
 std::vector<Balls> ObjectiveSearch::starts(const Surface& surface, const DistanceField* field,
@@ -225,19 +224,6 @@ Minimax ObjectiveSearch::with_moves(const Surface& surface, const BallCost& cost
         best = std::move(cheapest);
     }
     return best;
-}
-
-Cover ObjectiveSearch::finished(const Balls& balls) const {
-    const double margin = 2e-6 * frame_.unit; // centres are rounded by less when they are written
-    // Where balls only just meet, a proof by halving would have to cut very finely: a hair of overlap helps.
-    constexpr double overlap = 1e-4;
-    std::vector<Sphere> spheres;
-    for (const Ball& b : balls) {
-        spheres.push_back({frame_.from_unit({b.x, b.y, b.z}), b.r * (1 + overlap) * frame_.unit + margin});
-    }
-    Cover cover = proved(solid_, std::move(spheres));
-    cover.volume = exact_union_volume(cover.spheres);
-    return cover;
 }
 
 } // namespace foam::cover

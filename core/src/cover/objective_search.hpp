@@ -63,7 +63,6 @@ private:
     Model found(std::size_t count, const std::vector<Balls>& covers);
     std::vector<Balls> starts(const Surface& surface, const DistanceField* field, std::size_t count) const;
     Minimax with_moves(const Surface& surface, const BallCost& cost, Minimax best, std::size_t count);
-    Cover finished(const Balls& balls) const;
     bool stopped() { return stopped_ = stopped_ || (options_.stop && options_.stop()); }
 
     const Solid& solid_;

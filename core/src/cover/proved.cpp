@@ -1,5 +1,7 @@
 #include "cover/proved.hpp"
 
+#include <foam/union_volume.hpp>
+
 namespace foam::cover {
 
 Ball smallest_ball(const Solid& solid, const Frame& frame) {
@@ -7,13 +9,27 @@ Ball smallest_ball(const Solid& solid, const Frame& frame) {
     return ball_of({frame.to_unit(sphere.center), sphere.radius / frame.unit});
 }
 
-Cover proved(const Solid& solid, std::vector<Sphere> spheres) {
-    Cover cover{std::move(spheres), {}, 0};
+/// Balls of a search hold their parts to some parts in a million: a hair more, and no growth is needed for the proof.
+static std::vector<Sphere> with_a_hair_of_overlap(const Frame& frame, const Balls& balls) {
+    constexpr double overlap = 2e-5;         // of the radius
+    const double margin = 2e-6 * frame.unit; // centres are rounded by less when they are written
+    std::vector<Sphere> spheres;
+    for (const Ball& b : balls) {
+        if (b.r > 0 || (&b == &balls.back() && spheres.empty())) {
+            spheres.push_back({frame.from_unit({b.x, b.y, b.z}), b.r * (1 + overlap) * frame.unit + margin});
+        }
+    }
+    return spheres;
+}
+
+Cover proved(const Solid& solid, const Frame& frame, const Balls& balls) {
+    Cover cover{with_a_hair_of_overlap(frame, balls), {}, 0};
     cover.certificate = certify(solid, cover.spheres);
     if (!cover.certificate.holds) {
         cover.spheres = grown_to_cover(solid, std::move(cover.spheres));
         cover.certificate = certify(solid, cover.spheres);
     }
+    cover.volume = exact_union_volume(cover.spheres);
     return cover;
 }
 

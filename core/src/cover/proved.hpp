@@ -10,7 +10,8 @@ namespace foam::cover {
 /// The smallest ball around the surface, in the unit frame.
 Ball smallest_ball(const Solid& solid, const Frame& frame);
 
-/// Spheres with the proof that they hold the surface, grown where they do not; Cover::volume is left to the caller.
-Cover proved(const Solid& solid, std::vector<Sphere> spheres);
+/// Balls of the unit frame as spheres, a hair larger, with the proof that they hold the surface; grown where they do
+/// not.
+Cover proved(const Solid& solid, const Frame& frame, const Balls& balls);
 
 } // namespace foam::cover

@@ -37,9 +37,6 @@ const SecondPlan& second_plan_for(std::size_t count) {
 }
 constexpr int last_fits = 6;
 constexpr std::size_t most_border_points = 25; ///< for a ball, in a descent
-/// Fitted balls hold their parts to some parts in a million: a hair more, as a share of the radii, and no growth is
-/// needed for the proof.
-constexpr double overlap = 2e-5;
 
 /// Turned from step to step, so that no direction is preferred.
 const std::vector<Points>& directions_of_steps() {
@@ -103,7 +100,7 @@ QuickSearch::QuickSearch(const Solid& solid, const SpherizeOptions& options)
 
 Cover QuickSearch::alone(std::size_t count) {
     stopped_ = false;
-    return finished(found(count, nullptr).front().balls);
+    return proved(solid_, frame_, found(count, nullptr).front().balls);
 }
 
 QuickSearch::Rung QuickSearch::rung(std::size_t count) {
@@ -112,7 +109,7 @@ QuickSearch::Rung QuickSearch::rung(std::size_t count) {
     }
     if (count == 1) {
         const Balls one{smallest_ball(solid_, frame_)};
-        return rungs_.emplace(1, Rung{one, finished(one)}).first->second;
+        return rungs_.emplace(1, Rung{one, proved(solid_, frame_, one)}).first->second;
     }
     Rung best = rung(count_before(count));
     if (stopped()) {
@@ -122,7 +119,7 @@ QuickSearch::Rung QuickSearch::rung(std::size_t count) {
     const bool complete = !stopped_;
     const Occupancy* const occupancy = occupancy_for(count);
     const double unit = std::pow(frame_.unit, 3);
-    Cover made = finished(next.balls);
+    Cover made = proved(solid_, frame_, next.balls);
     const double gain = best.cover.volume - made.volume; // of the union, which is never to be larger
     if (gain >= 0 && gain > (missing(next.balls, occupancy) - missing(best.balls, occupancy)) * unit) {
         best = {std::move(next.balls), std::move(made)};
@@ -249,17 +246,6 @@ Rated QuickSearch::gone_on_with(const Surface& surface, const Occupancy* occupan
         before = now;
     }
     return best;
-}
-
-Cover QuickSearch::finished(const Balls& balls) const {
-    const double margin = 2e-6 * frame_.unit; // centres are rounded by less when they are written
-    std::vector<Sphere> spheres;
-    for (const Ball& b : balls) {
-        spheres.push_back({frame_.from_unit({b.x, b.y, b.z}), b.r * (1 + overlap) * frame_.unit + margin});
-    }
-    Cover cover = proved(solid_, std::move(spheres));
-    cover.volume = exact_union_volume(cover.spheres);
-    return cover;
 }
 
 } // namespace foam::cover

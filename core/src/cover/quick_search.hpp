@@ -56,8 +56,6 @@ private:
                               const Balls* before) const;
     Rated first_look(const Surface& surface, const Occupancy* occupancy, Balls balls) const;
     Rated gone_on_with(const Surface& surface, const Occupancy* occupancy, const Rated& start, std::size_t count) const;
-    /// The balls as spheres, a hair larger, with the proof.
-    Cover finished(const Balls& balls) const;
     bool stopped() { return stopped_ = stopped_ || (options_.stop && options_.stop()); }
 
     const Solid& solid_;

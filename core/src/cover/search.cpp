@@ -6,7 +6,6 @@
 #include "cover/starts.hpp"
 
 #include <foam/parallel.hpp>
-#include <foam/union_volume.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -173,15 +172,7 @@ Balls Search::fitted(const Balls& balls) const {
 }
 
 Search::Model Search::finished(const Balls& balls) const {
-    const double margin = 2e-6 * problem_.frame.unit; // centres are rounded by less when they are written
-    // Where balls only just meet, a proof by halving would have to cut very finely: a hair of overlap helps.
-    constexpr double overlap = 1e-4;
-    std::vector<Sphere> spheres = improvement_.spheres_of(fitted(balls));
-    for (Sphere& s : spheres) {
-        s.radius += overlap * s.radius + margin;
-    }
-    Model model{balls, proved(solid_, std::move(spheres)), 0};
-    model.cover.volume = exact_union_volume(model.cover.spheres);
+    Model model{balls, proved(solid_, problem_.frame, fitted(balls)), 0};
     model.outside = model.cover.volume / std::pow(problem_.frame.unit, 3) + missing(balls);
     return model;
 }
