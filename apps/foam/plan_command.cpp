@@ -116,6 +116,15 @@ std::string text_of(const Plan& plan, const Recipe& recipe) {
              fmt::format("{}{} ({})", stage.stage, parameters_text(stage), plugin(stage)));
     }
     line("budget", budget_text(recipe));
+    for (const PlannedLink& link : plan.links) {
+        if (link.skipped || !link.error.empty()) {
+            continue;
+        }
+        for (const ClipPlane& plane : recipe.for_link(link.link).clip) {
+            line("clip", fmt::format("{}: {}, spheres reach at most {} m beyond it", link.link, text_of(plane),
+                                     to_text(plane.reach)));
+        }
+    }
     if (recipe.self_collision) {
         line("apart", pose_text(recipe.self_collision_pose));
     }

@@ -35,6 +35,15 @@ Json json_of(const Measures& m) {
             {"certified", m.certified}};
 }
 
+Json json_of(const PlaneReach& reach) {
+    const ClipPlane& plane = reach.plane;
+    return {{"normal", {plane.normal.x, plane.normal.y, plane.normal.z}},
+            {"offset", plane.offset},
+            {"reach", plane.reach},
+            {"reached", reach.reached},
+            {"kept", reach.kept()}};
+}
+
 const char* to_string(Severity severity) {
     constexpr const char* names[] = {"debug", "info", "warning", "error"};
     return names[static_cast<std::size_t>(severity)];
@@ -105,6 +114,13 @@ std::string table_of(const RunResult& result, Guarantee guarantee) {
         }
     }
     table += row("total", width, result.total, guarantee, "");
+    for (const LinkReport& link : result.links) {
+        for (const PlaneReach& plane : link.clip) {
+            table += fmt::format("{}: {:.3f} mm beyond the plane with {}: {}, {} mm allowed\n", link.link,
+                                 plane.reached * mm_per_m, text_of(plane.plane), plane.kept() ? "kept" : "NOT KEPT",
+                                 plane.plane.reach * mm_per_m);
+        }
+    }
     if (guarantee == Guarantee::outer) {
         table += result.certified ? "Proved: the geometry of every link lies inside its spheres.\n"
                                   : "Not proved for every link: geometry may stick out of the spheres.\n";
@@ -135,6 +151,9 @@ Json json_of(const RunResult& result, const Recipe& recipe, const std::filesyste
     for (const LinkReport& link : result.links) {
         Json entry{{"link", link.link}, {"skipped", link.skipped}, {"growth", link.growth}};
         entry.update(json_of(link.measures));
+        for (const PlaneReach& plane : link.clip) {
+            entry["clip"].push_back(json_of(plane));
+        }
         if (!link.error.empty()) {
             entry["error"] = link.error;
         }

@@ -34,6 +34,8 @@ struct Split {
 
 class PlaneSplits {
 public:
+    explicit PlaneSplits(const Limits& limits) : enclosing_ball_(limits) {}
+
     /// The best split of a ball by one of a few planes across the points' principal axes; saves nothing at all if the
     /// points are too few.
     Split best(const Ball& ball, const Points& points) {
@@ -78,7 +80,7 @@ private:
 
     std::vector<float> height_;
     std::array<Points, 2> halves_;
-    EnclosingBall enclosing_ball_;
+    LimitedBall enclosing_ball_;
 };
 
 /// The points of which a ball is the owner.
@@ -94,11 +96,11 @@ Points owned_by(std::size_t ball, const Points& points, const Owners& owners) {
 
 } // namespace
 
-Balls divided(const Points& points, Balls balls, std::size_t count) {
+Balls divided(const Points& points, Balls balls, std::size_t count, const Limits& limits) {
     if (balls.empty()) {
-        balls.push_back(EnclosingBall().of(points, points.size(), {}, {}));
+        balls.push_back(LimitedBall(limits).of(points, points.size(), {}, {}));
     }
-    PlaneSplits splits;
+    PlaneSplits splits(limits);
     Owners owners;
     std::vector<Split> best(balls.size());
     const auto look = [&](std::size_t i) { best[i] = splits.best(balls[i], owned_by(i, points, owners)); };

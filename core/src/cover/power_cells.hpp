@@ -1,9 +1,9 @@
 // A surface shared among balls: the restricted power diagram.
 #pragma once
 
-#include "cover/enclosing_ball.hpp"
 #include "cover/exposed.hpp"
 #include "cover/fine_skin.hpp"
+#include "cover/limits.hpp"
 
 namespace foam::cover {
 
@@ -21,8 +21,9 @@ struct Owners {
 /// a cover by construction. Between two cells of three in a face a third may run: then the pieces overlap.
 class PowerCells {
 public:
-    /// The skin must outlive this.
-    explicit PowerCells(const FineSkin& skin) : skin_(skin) {}
+    /// The skin must outlive this. Balls that are fitted keep to the limits where they can.
+    explicit PowerCells(const FineSkin& skin, Limits limits = {})
+        : skin_(skin), enclosing_ball_(std::move(limits)) {}
 
     /// Looks who owns which points, and where edges pass from one to the other.
     void find(const Balls& balls);
@@ -47,7 +48,7 @@ private:
     Points borders_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours_; ///< of each point at a border, the cells
     std::vector<Points> parts_;
-    EnclosingBall enclosing_ball_;
+    LimitedBall enclosing_ball_;
     Exposed exposed_;
 };
 

@@ -64,6 +64,7 @@ void read_stage_override(const Key& key, const Value& value, const Recipe& recip
         for (const Parameter& p : link_values()) {
             known.push_back(p.name);
         }
+        known.emplace_back("clip");
         checking.findings.error(
             key.where, "unknown-key",
             fmt::format("unknown key {} in link {}{}", in_quotes(key.text), link.glob, suggestion(key.text, known)));
@@ -83,11 +84,65 @@ void refuse_idle_key(const Key& key, const Recipe& recipe, Findings& findings) {
         findings.error(key.where, "conflict",
                        "spheres inside the geometry protrude nowhere: 'max_protrusion' says nothing with guarantee: "
                        "inner; remedy: delete it");
+    } else if (key.text == "clip" && recipe.guarantee == Guarantee::inner) {
+        findings.error(key.where, "conflict",
+                       "spheres inside the geometry reach no farther than it does: 'clip' says nothing with guarantee: "
+                       "inner; remedy: delete it");
     } else if (key.text == "weight" && !recipe.budget_spheres && !recipe.budget_excess && !findings.any_error()) {
         findings.error(key.where, "conflict",
                        "'weight' is for sharing spheres out: it says nothing without budget: {spheres: …} or "
                        "{excess: …}; remedy: give a budget, or delete it");
     }
+}
+
+std::optional<Vec3> read_normal(const Value& plane, Findings& findings) {
+    const Value* value = plane.find("normal");
+    if (!value) {
+        findings.error(plane.where, "missing-key",
+                       "'normal' of 'clip' is missing; remedy: give the direction of the side that spheres keep off, "
+                       "normal: [0, 0, -1]");
+        return std::nullopt;
+    }
+    std::vector<double> numbers;
+    for (const Value& item : value->items) {
+        if (value->is(Value::Kind::list) && (item.is(Value::Kind::integer) || item.is(Value::Kind::number))) {
+            numbers.push_back(item.is(Value::Kind::integer) ? static_cast<double>(item.whole) : item.real);
+        }
+    }
+    const Vec3 normal = numbers.size() == 3 ? Vec3{numbers[0], numbers[1], numbers[2]} : Vec3{};
+    if (numbers.size() != value->items.size() || !is_finite(normalized(normal)) || !(norm(normalized(normal)) > 0.5)) {
+        findings.error(value->where, "wrong-type",
+                       "'normal' of 'clip' expects three numbers, not all zero; remedy: give the direction of the side "
+                       "that spheres keep off, normal: [0, 0, -1]");
+        return std::nullopt;
+    }
+    return normal;
+}
+
+std::vector<ClipPlane> read_clip(const Value& planes, Findings& findings) {
+    constexpr const char* example = "[{normal: [0, 0, -1], reach: 0.005}]";
+    std::vector<ClipPlane> result;
+    if (!expect_list(planes, "clip", fmt::format("clip: {}", example), findings)) {
+        return result;
+    }
+    for (const Value& item : planes.items) {
+        if (!expect_map(item, "clip", example, findings)) {
+            continue;
+        }
+        const std::optional<Vec3> normal = read_normal(item, findings);
+        const auto values = read_values(item, clip_values(), "clip", {"normal"}, findings);
+        if (!item.find("reach")) {
+            findings.error(item.where, "missing-key",
+                           "'reach' of 'clip' is missing; remedy: say how far beyond the plane spheres may reach, in "
+                           "m, reach: 0.005");
+        }
+        const auto number = [&](const char* name) {
+            const auto it = values.find(name);
+            return it == values.end() ? 0 : std::get<double>(it->second);
+        };
+        result.push_back({normal.value_or(Vec3{0, 0, -1}), number("offset"), number("reach")});
+    }
+    return result;
 }
 
 LinkOverride read_override(const Key& glob, const Value& map, const Recipe& recipe, const Checking& checking) {
@@ -106,6 +161,11 @@ LinkOverride read_override(const Key& glob, const Value& map, const Recipe& reci
         const Key& key = map.keys[i];
         const auto p =
             std::find_if(declared.begin(), declared.end(), [&](const Parameter& d) { return d.name == key.text; });
+        if (key.text == "clip") {
+            refuse_idle_key(key, recipe, checking.findings);
+            link.clip = read_clip(map.items[i], checking.findings);
+            continue;
+        }
         if (p == declared.end()) {
             read_stage_override(key, map.items[i], recipe, link, checking);
             continue;

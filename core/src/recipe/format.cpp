@@ -54,6 +54,16 @@ std::vector<Parameter> link_values() {
     };
 }
 
+std::vector<Parameter> clip_values() {
+    return {
+        Parameter::number("offset", 0).unit("m").doc("Of the plane from the link's origin along the normal."),
+        Parameter::number("reach", 0.005)
+            .at_least(1e-6)
+            .unit("m")
+            .doc("How far beyond the plane spheres may reach. The less, the more spheres it takes."),
+    };
+}
+
 std::vector<Parameter> debug_values() {
     return {
         Parameter::boolean("meshes", false).doc("Write every link's mesh after each stage."),
@@ -80,7 +90,7 @@ std::vector<Parameter> isolation_values() {
 bool is_optional(const std::string& key) {
     static constexpr const char* keys[] = {"name",    "spheres",     "excess",      "max_protrusion",
                                            "skip",    "min_spheres", "max_spheres", "weight",
-                                           "isolate", "time_limit",  "memory_limit"};
+                                           "isolate", "time_limit",  "memory_limit", "reach"};
     return std::find(std::begin(keys), std::end(keys), key) != std::end(keys);
 }
 

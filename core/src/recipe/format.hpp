@@ -19,6 +19,7 @@ inline constexpr int smallest_picture = 16, largest_picture = 16384;
 std::vector<Parameter> top_level_values(); ///< name, seed, per, guarantee, on_error
 std::vector<Parameter> budget_values();    ///< spheres, excess, max_protrusion, time_limit
 std::vector<Parameter> link_values();      ///< skip, min_spheres, max_spheres, weight, max_protrusion
+std::vector<Parameter> clip_values();      ///< offset, reach, of a plane beside its normal
 std::vector<Parameter> debug_values();     ///< meshes, snapshots
 /// isolate, time_limit, memory_limit: at the top level, and beside the parameters of mesh filters and spherizers.
 std::vector<Parameter> isolation_values();

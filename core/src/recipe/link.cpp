@@ -99,6 +99,7 @@ Recipe::LinkRecipe Recipe::for_link(const std::string& link) const {
         result.max_spheres = change.max_spheres ? change.max_spheres : result.max_spheres;
         result.weight = change.weight.value_or(result.weight);
         result.max_protrusion = change.max_protrusion ? change.max_protrusion : result.max_protrusion;
+        result.clip = change.clip ? *change.clip : result.clip;
         for (StageCall& filter : result.filters) {
             merge(filter, change);
         }

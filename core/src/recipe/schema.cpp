@@ -137,8 +137,25 @@ Json stage_item(const Registry& registry, std::initializer_list<StageKind> kinds
     return {{"anyOf", std::move(alternatives)}};
 }
 
+Json clip_schema() {
+    Json properties;
+    properties["normal"] = {{"description", "Direction of the side that spheres keep off, in the link's frame."},
+                            {"type", "array"},
+                            {"items", {{"type", "number"}}},
+                            {"minItems", 3},
+                            {"maxItems", 3},
+                            {"not", {{"const", {0, 0, 0}}}}};
+    properties.update(properties_of(clip_values()));
+    Json plane = object(std::move(properties));
+    plane["required"] = {"normal", "reach"};
+    return {{"description", "Planes that the spheres of these links keep off, such as the one of a mount."},
+            {"type", "array"},
+            {"items", std::move(plane)}};
+}
+
 Json link_schema(const Registry& registry) {
     Json properties = properties_of(link_values());
+    properties["clip"] = clip_schema();
     for (const auto& [name, stage] : registry.stages()) {
         if (stage.kind == StageKind::mesh_filter || stage.kind == StageKind::spherizer) {
             properties[name] = reference(name);

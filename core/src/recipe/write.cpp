@@ -192,6 +192,16 @@ private:
         }
     }
 
+    static std::string clip_text(const std::vector<ClipPlane>& planes) {
+        std::vector<std::string> parts;
+        for (const ClipPlane& p : planes) {
+            parts.push_back(fmt::format("{{normal: [{}, {}, {}], offset: {}, reach: {}}}", to_text(p.normal.x),
+                                        to_text(p.normal.y), to_text(p.normal.z), to_text(p.offset),
+                                        to_text(p.reach)));
+        }
+        return fmt::format("[{}]", fmt::join(parts, ", "));
+    }
+
     void write_links() {
         if (!recipe_.links.empty()) {
             line("links:");
@@ -212,6 +222,9 @@ private:
             }
             if (link.max_protrusion) {
                 parts.push_back("max_protrusion: " + to_text(*link.max_protrusion));
+            }
+            if (link.clip) {
+                parts.push_back("clip: " + clip_text(*link.clip));
             }
             for (const StageCall& call : link.stages) {
                 parts.push_back(stage(call, "", false));

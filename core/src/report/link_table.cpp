@@ -116,12 +116,31 @@ private:
 
 } // namespace
 
+/// How far spheres reach beyond planes that they were to keep off.
+static std::string planes_list(const Json& manifest) {
+    std::string items;
+    for (const Json& link : manifest["links"]) {
+        for (const Json& plane : link.value("clip", Json::array())) {
+            const Json& n = plane["normal"];
+            items += fmt::format(
+                "<li><strong>{}</strong>: {} mm beyond the plane with normal [{}, {}, {}] at {} mm, {} mm allowed: "
+                "{}</li>\n",
+                escaped(link["link"]), number(mm_per_m * value_of(plane["reached_m"]), 3), value_of(n[0]),
+                value_of(n[1]), value_of(n[2]), number(mm_per_m * value_of(plane["offset_m"]), 3),
+                number(mm_per_m * value_of(plane["reach_m"]), 3),
+                plane["kept"].get<bool>() ? "kept" : "<strong class=\"no\">not kept</strong>");
+        }
+    }
+    return items.empty() ? "" : "<p>How far spheres reach beyond planes that they keep off:</p>\n<ul>\n" + items + "</ul>\n";
+}
+
 std::string links_section(const Report& report) {
     const LinkTable table(report.manifest);
     return section("links", "Links",
                    table.html() + "<p class=\"note\">" + table.note() +
                        " Out: how far spheres stick out of the geometry. Growth: by how much the sphere that grew most "
-                       "was made larger than what the spherizer gave, for the guarantee.</p>\n");
+                       "was made larger than what the spherizer gave, for the guarantee.</p>\n" +
+                       planes_list(report.manifest));
 }
 
 } // namespace foam::report

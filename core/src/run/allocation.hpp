@@ -12,7 +12,7 @@ namespace foam {
 
 /// What the spheres of a shape cost. Less is better, `over` first: no volume makes up for a limit that is not kept.
 struct Cost {
-    double over = 0;   ///< m; by how much they protrude more than the shape's limit allows
+    double over = 0;   ///< m; by how much they protrude more, and reach farther beyond planes, than the shape may
     double volume = 0; ///< m³; what they claim wrongly
 
     auto operator<=>(const Cost&) const = default;

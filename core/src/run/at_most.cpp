@@ -21,6 +21,11 @@ struct Candidate {
     double volume = std::numeric_limits<double>::infinity(); ///< of their union and the solid, m³
 };
 
+/// What is split covers, and knows of no planes.
+bool splits_nothing(const Workspace& workspace, const ShapeWork& work) {
+    return workspace.recipe.guarantee != Guarantee::outer || !work.clip.empty();
+}
+
 bool any_deep(const ShapeWork& work) {
     return std::any_of(work.known.trees.begin(), work.known.trees.end(),
                        [](const auto& known) { return known.second.levels.size() > 2; });
@@ -115,7 +120,7 @@ std::vector<std::size_t> computed(const Workspace& workspace, ShapeWork& work, s
     } else {
         compute_until_cut(workspace, work, counts);
     }
-    if ((workspace.recipe.guarantee != Guarantee::outer || any_deep(work)) && counts.back() != most) {
+    if ((splits_nothing(workspace, work) || any_deep(work)) && counts.back() != most) {
         counts.push_back(most);
         compute_until_cut(workspace, work, {most});
     }
@@ -131,7 +136,7 @@ Digest best_key(const Workspace& workspace, const ShapeWork& work, std::size_t m
 
 std::size_t best_of_at_most(const Workspace& workspace, ShapeWork& work, std::size_t most) {
     const std::vector<std::size_t> counts = computed(workspace, work, most);
-    if (workspace.recipe.guarantee != Guarantee::outer) {
+    if (splits_nothing(workspace, work)) {
         return best_of(workspace, work, counts);
     }
     if (counts.back() == 1 || !(work.shape->original().bounds().diagonal() > 0)) {

@@ -1,6 +1,7 @@
 #include "budget.hpp"
 
 #include "at_most.hpp"
+#include "clip.hpp"
 #include "cover.hpp"
 #include "separation.hpp"
 #include "worst_first.hpp"
@@ -35,12 +36,14 @@ void report_sharing(const Workspace& workspace, const std::vector<LinkWork>& lin
         const Cost cost = work.known.curve.known().at(counts[g]);
         sum += counts[g];
         wrong += cost.volume;
-        if (cost.over > 0) {
+        const SphereTree& tree = work.known.trees.at(counts[g]);
+        const double protrudes = cost.over - std::max(0.0, over_planes(work.clip, tree.finest()));
+        if (work.max_protrusion && protrudes > 0) {
             workspace.journal.finding(
                 {Severity::warning, links[groups[g].link].link->name, work.spherizer.stage,
                  fmt::format("its spheres ({}) protrude by {:.3g} m, max_protrusion allows {:.3g} "
                              "m; remedy: {}",
-                             counts[g], *work.max_protrusion + cost.over, *work.max_protrusion,
+                             counts[g], *work.max_protrusion + protrudes, *work.max_protrusion,
                              cut == Cut::none ? "more spheres for the robot or for this link" : "more time")});
         }
     }

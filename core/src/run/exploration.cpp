@@ -1,5 +1,6 @@
 #include "exploration.hpp"
 
+#include "clip.hpp"
 #include "cover.hpp"
 
 #include <algorithm>
@@ -105,6 +106,7 @@ static Cost cost_of(const Workspace& workspace, const ShapeWork& work, const Sph
     if (work.max_protrusion) {
         cost.over = std::max(0.0, covered_protrusion(solid, tree.finest(), guarantee) - *work.max_protrusion);
     }
+    cost.over += std::max(0.0, over_planes(work.clip, tree.finest()));
     return cost;
 }
 

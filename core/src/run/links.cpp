@@ -1,5 +1,6 @@
 #include "links.hpp"
 
+#include "clip.hpp"
 #include "cover.hpp"
 
 #include <foam/inner.hpp>
@@ -52,6 +53,14 @@ Measures measured(const Workspace& workspace, const Solid& solid, const std::vec
         measures.certified = false;
     }
     return measures;
+}
+
+/// On the numbers that are written.
+void report_planes(const Workspace& workspace, LinkWork& link, const std::vector<Sphere>& spheres) {
+    link.report.clip = reached(link.recipe.clip, spheres);
+    for (const std::string& sentence : not_kept(link.report.clip)) {
+        workspace.journal.finding({Severity::warning, link.link->name, "", sentence});
+    }
 }
 
 /// The vertices of a link that was loaded, in its frame; empty if it was not.
@@ -126,6 +135,7 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
             if (parts > 1) {
                 links[l].report.measures = measured(workspace, *link.solid, link.spheres);
             }
+            report_planes(workspace, links[l], link.spheres);
             result.links.push_back(std::move(link));
         }
     }

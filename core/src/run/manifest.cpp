@@ -37,6 +37,15 @@ Json to_json(const Measures& m) {
             {"area_m2", m.area}};
 }
 
+Json to_json(const PlaneReach& reach) {
+    const ClipPlane& plane = reach.plane;
+    return {{"normal", {plane.normal.x, plane.normal.y, plane.normal.z}},
+            {"offset_m", plane.offset},
+            {"reach_m", plane.reach},
+            {"reached_m", reach.reached},
+            {"kept", reach.kept()}};
+}
+
 Json to_json(const LinkReport& report) {
     Json stages = Json::array();
     for (const StageReport& stage : report.stages) {
@@ -50,6 +59,9 @@ Json to_json(const LinkReport& report) {
     } else {
         link["growth_m"] = report.growth;
         link["measures"] = to_json(report.measures);
+        for (const PlaneReach& plane : report.clip) {
+            link["clip"].push_back(to_json(plane));
+        }
     }
     return link;
 }

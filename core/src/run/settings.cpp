@@ -23,6 +23,12 @@ Json to_json(const StageCall& call, const Registry& registry, bool defaults) {
     return Json{{call.stage, std::move(values)}};
 }
 
+Json to_json(const ClipPlane& plane) {
+    return {{"normal", {plane.normal.x, plane.normal.y, plane.normal.z}},
+            {"offset", plane.offset},
+            {"reach", plane.reach}};
+}
+
 Json to_json(const LinkOverride& link, const Registry& registry) {
     Json json{{"links", link.glob}};
     if (link.skip) {
@@ -39,6 +45,12 @@ Json to_json(const LinkOverride& link, const Registry& registry) {
     }
     if (link.max_protrusion) {
         json["max_protrusion"] = *link.max_protrusion;
+    }
+    if (link.clip) {
+        json["clip"] = Json::array();
+        for (const ClipPlane& plane : *link.clip) {
+            json["clip"].push_back(to_json(plane));
+        }
     }
     for (const StageCall& call : link.stages) {
         json.update(to_json(call, registry, false));

@@ -1,5 +1,6 @@
 #include "shapes.hpp"
 
+#include "clip.hpp"
 #include "cover.hpp"
 #include "fitted/fit.hpp"
 #include "geometry/row_cover.hpp"
@@ -61,6 +62,15 @@ static bool original_only(const Workspace& workspace, const StageCall& spherizer
     return stage && stage->info.original_only;
 }
 
+/// In the frame in which the group's shape is spherized.
+static std::vector<ClipPlane> planes_of(const Group& group, const LinkWork& link) {
+    std::vector<ClipPlane> planes;
+    for (const ClipPlane& plane : link.recipe.clip) {
+        planes.push_back(seen_from(plane, group.frame));
+    }
+    return planes;
+}
+
 std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::vector<LinkWork>& links,
                                        std::vector<Group>& groups) {
     std::map<Digest, std::size_t> known;
@@ -74,6 +84,10 @@ std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::ve
             const Element& element = link.elements[e];
             hasher.add(raw && element.raw ? digest_of_content(*element.raw) : element.digest);
             hasher.add(relative_pose(groups[g], link, e));
+        }
+        const std::vector<ClipPlane> planes = planes_of(groups[g], link);
+        for (const ClipPlane& plane : planes) {
+            hasher.add("clip").add(plane.normal).add(plane.offset).add(plane.reach);
         }
         const Digest digest =
             hasher.finish(); // what a spherizer makes of it does not depend on the bounds of the count
@@ -92,6 +106,7 @@ std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::ve
             work.least = std::max<std::size_t>(1, link.recipe.min_spheres);
             work.most = std::max(work.least, link.recipe.max_spheres.value_or(SIZE_MAX));
             work.max_protrusion = link.recipe.max_protrusion;
+            work.clip = planes;
         }
         groups[g].shape = it->second;
         shapes[it->second].groups.push_back(g);
@@ -113,6 +128,7 @@ void build_shape(const Workspace& workspace, const std::vector<LinkWork>& links,
         filtered |= !raw_only && !link.elements[e].filtered.empty();
     }
     const auto raw = Solid::make(std::move(original));
+    require_within(*raw, work.clip);
     work.shape = std::make_unique<Shape>(work.link, filtered ? Solid::make(std::move(processed)) : raw, raw);
 }
 
@@ -170,8 +186,8 @@ static std::optional<Sphere> as_sphere(const Solid& solid) {
 /// what the spherizer found where it claims less.
 static void take_better_row(const Workspace& workspace, const ShapeWork& work, std::size_t count, SphereTree& tree) {
     const Recipe& recipe = workspace.recipe;
-    if (count == 0 || recipe.guarantee != Guarantee::outer || work.max_protrusion || tree.levels.size() > 2 ||
-        !wants_least_excess(recipe, work)) {
+    if (count == 0 || recipe.guarantee != Guarantee::outer || work.max_protrusion || !work.clip.empty() ||
+        tree.levels.size() > 2 || !wants_least_excess(recipe, work)) {
         return;
     }
     const Solid& solid = work.shape->original();
@@ -193,6 +209,17 @@ static void fit_finest(const Solid& solid, const Budget& budget, SphereTree& tre
     }
 }
 
+/// The finest level made to keep off the planes, whatever stage it is from: stages do not know of them.
+static void keep_off_planes(const Workspace& workspace, const ShapeWork& work, const Budget& budget, SphereTree& tree) {
+    const Solid& solid = work.shape->original();
+    if (budget.guarantee == Guarantee::outer) {
+        const std::size_t count = budget.max_spheres.value_or(tree.finest().size());
+        tree = flat_tree(covering_within(solid, tree.finest(), count, work.clip, workspace.recipe.seed));
+    } else if (std::vector<Sphere> left = shaved(solid, tree.finest(), work.clip); !left.empty()) {
+        tree = flat_tree(std::move(left));
+    }
+}
+
 /// One tree for each budget, checked.
 static std::vector<SphereTree> run_spherizer(const Workspace& workspace, ShapeWork& work,
                                              const std::vector<Budget>& budgets, StageLog& said) {
@@ -210,6 +237,9 @@ static std::vector<SphereTree> run_spherizer(const Workspace& workspace, ShapeWo
             if (workspace.recipe.guarantee == Guarantee::fitted) {
                 parallel_for(made.size(),
                              [&](std::size_t i) { fit_finest(work.shape->original(), budgets[i], made[i]); });
+            }
+            if (!work.clip.empty()) {
+                parallel_for(made.size(), [&](std::size_t i) { keep_off_planes(workspace, work, budgets[i], made[i]); });
             }
             said = context.said();
             return made;

@@ -30,6 +30,7 @@ struct ShapeWork {
     std::vector<std::size_t> groups;
     std::size_t least = 1, most = 1;      ///< bounds of the count
     std::optional<double> max_protrusion; ///< m
+    std::vector<ClipPlane> clip;          ///< in the shape's frame
     KnownTrees known;
     StageReport report;
     std::set<std::string> calls; ///< of the spherizer whose findings and metrics the run has

@@ -419,6 +419,53 @@ std::string manifest_schema() {
         },
         "measures": {
           "$ref": "#/$defs/measures"
+        },
+        "clip": {
+          "type": "array",
+          "minItems": 1,
+          "items": {
+            "$ref": "#/$defs/plane"
+          },
+          "description": "Planes that its spheres were to keep off."
+        }
+      },
+      "additionalProperties": false
+    },
+    "plane": {
+      "type": "object",
+      "required": [
+        "normal",
+        "offset_m",
+        "reach_m",
+        "reached_m",
+        "kept"
+      ],
+      "properties": {
+        "normal": {
+          "type": "array",
+          "items": {
+            "type": "number"
+          },
+          "minItems": 3,
+          "maxItems": 3,
+          "description": "Towards the side that is kept off, in the link's frame; of any length."
+        },
+        "offset_m": {
+          "type": "number",
+          "description": "Of the plane from the link's origin along the normal."
+        },
+        "reach_m": {
+          "type": "number",
+          "exclusiveMinimum": 0,
+          "description": "How far beyond the plane spheres may reach."
+        },
+        "reached_m": {
+          "type": "number",
+          "description": "How far they do; negative: they end before the plane."
+        },
+        "kept": {
+          "type": "boolean",
+          "description": "reached_m is no more than reach_m."
         }
       },
       "additionalProperties": false

@@ -2,6 +2,7 @@
 // is touched.
 #pragma once
 
+#include <foam/host/clip_plane.hpp>
 #include <foam/host/registry.hpp>
 #include <foam/robot.hpp>
 #include <foam/sphere.hpp>
@@ -59,6 +60,7 @@ struct LinkOverride {
     std::vector<StageCall> stages; ///< merged into the chain's stages of the same name
     std::optional<std::size_t> min_spheres, max_spheres;
     std::optional<double> weight, max_protrusion; ///< max_protrusion: m
+    std::optional<std::vector<ClipPlane>> clip;   ///< in the link's frame
     Location where;
 };
 
@@ -122,6 +124,7 @@ struct Recipe {
         std::optional<std::size_t> max_spheres;
         double weight = 1;                    ///< of its wrong volume in the sharing of spheres
         std::optional<double> max_protrusion; ///< m
+        std::vector<ClipPlane> clip;          ///< in the link's frame
     };
     LinkRecipe for_link(const std::string& link) const;
     /// What the recipe says of a loader.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <foam/context.hpp>
+#include <foam/host/clip_plane.hpp>
 #include <foam/host/recipe.hpp>
 #include <foam/mesh_change.hpp>
 #include <foam/model.hpp>
@@ -81,6 +82,7 @@ struct LinkReport {
     std::vector<StageReport> stages; ///< in the order of the work, cover and measure at the end
     double growth = 0;               ///< m; largest growth of a radius that cover took
     Measures measures;
+    std::vector<PlaneReach> clip; ///< of the recipe's planes for this link
     bool skipped = false; ///< by the recipe
     std::string error;    ///< why it was lost; empty if it was not
 };
