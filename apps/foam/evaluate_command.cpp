@@ -2,7 +2,13 @@
 #include "judge.hpp"
 #include "table.hpp"
 
+#include <foam/error.hpp>
+#include <foam/host/clip_plane.hpp>
+
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
 
 namespace foam::cli {
 namespace {
@@ -10,6 +16,7 @@ namespace {
 struct Arguments {
     JudgeOptions judge;
     std::string spheres;
+    std::vector<std::string> clips;
     std::uint64_t seed = 0;
     bool json = false;
 };
@@ -42,19 +49,88 @@ std::string table_of(const Original& original, const Evaluation& evaluation) {
     return table + row("total", width, evaluation.total);
 }
 
+/// A plane of a link.
+struct LinkPlane {
+    std::size_t link = 0; ///< index
+    ClipPlane plane;
+};
+
+/// LINK=NX,NY,NZ,OFFSET; throws Error(usage).
+LinkPlane plane_of(const std::string& text, const Original& original) {
+    const std::size_t equals = text.rfind('=');
+    std::vector<double> numbers;
+    const char *place = text.data() + std::min(equals, text.size()), *const end = text.data() + text.size();
+    while (place != end) { // at '=' or ','
+        double number = 0;
+        const auto [next, error] = std::from_chars(place + 1, end, number);
+        if (error != std::errc() || !std::isfinite(number) || (next != end && *next != ',')) {
+            break;
+        }
+        numbers.push_back(number);
+        place = next;
+    }
+    LinkPlane result;
+    if (numbers.size() == 4) {
+        result.plane = {{numbers[0], numbers[1], numbers[2]}, numbers[3], 0};
+    }
+    if (numbers.size() != 4 || place != end || !(norm(result.plane.normal) > 0)) {
+        throw Error(ErrorCode::usage, fmt::format("--clip expects LINK=NX,NY,NZ,OFFSET with a normal that is not zero, "
+                                                  "such as base=0,0,-1,0; got '{}'",
+                                                  text));
+    }
+    const auto link = std::find_if(original.links.begin(), original.links.end(),
+                                   [&](const OriginalLink& l) { return l.link == text.substr(0, equals); });
+    if (link == original.links.end()) {
+        throw Error(ErrorCode::usage,
+                    fmt::format("--clip {}: there is no link '{}' to judge", text, text.substr(0, equals)));
+    }
+    result.link = static_cast<std::size_t>(link - original.links.begin());
+    return result;
+}
+
+std::string planes_text(const std::vector<LinkPlane>& planes, const Original& original, const MatchedModel& model) {
+    std::string text;
+    for (const auto& [link, plane] : planes) {
+        text += model.spheres[link].empty()
+                    ? fmt::format("{}: has no spheres\n", original.links[link].link)
+                    : fmt::format("{}: {} mm beyond the plane with {}\n", original.links[link].link,
+                                  millimetres(reach_beyond(plane, model.spheres[link]), 3), text_of(plane));
+    }
+    return text;
+}
+
+nlohmann::ordered_json planes_json(const std::vector<LinkPlane>& planes, const Original& original,
+                                   const MatchedModel& model) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const auto& [link, plane] : planes) {
+        json.push_back({{"link", original.links[link].link},
+                        {"normal", {plane.normal.x, plane.normal.y, plane.normal.z}},
+                        {"offset_m", plane.offset},
+                        {"reached_m", json_number(reach_beyond(plane, model.spheres[link]))}});
+    }
+    return json;
+}
+
 int evaluate_spheres(Program& program, const Arguments& arguments) {
     const ThreadLimit limit(arguments.judge.threads);
     const Original original = original_of(program, arguments.judge);
+    std::vector<LinkPlane> planes;
+    for (const std::string& text : arguments.clips) {
+        planes.push_back(plane_of(text, original));
+    }
     const MatchedModel model = model_of(program, arguments.judge, original, arguments.spheres);
     const Evaluation evaluation = evaluate(original, model, arguments.seed);
     if (arguments.json) {
         nlohmann::ordered_json json{{"original", arguments.judge.original}, {"seed", arguments.seed}};
         json.update(json_of(original, model, evaluation));
+        if (!planes.empty()) {
+            json["clip"] = planes_json(planes, original, model);
+        }
         print(json.dump(2) + "\n");
     } else {
         print(fmt::format("{} ({}): {} sphere{} for {}\n", arguments.spheres, model.file.format, sphere_count(model),
                           sphere_count(model) == 1 ? "" : "s", arguments.judge.original) +
-              table_of(original, evaluation));
+              table_of(original, evaluation) + planes_text(planes, original, model));
     }
     return 0;
 }
@@ -74,6 +150,13 @@ void add_evaluate(Program& program) {
     auto arguments = std::make_shared<Arguments>();
     add_judge_options(*command, arguments->judge);
     command->add_option("spheres", arguments->spheres, "The sphere model")->type_name("SPHERES")->required();
+    command
+        ->add_option("--clip", arguments->clips,
+                     "Say how far the link's spheres reach beyond the plane n · p = OFFSET, n along the normal, in its "
+                     "frame, m; repeatable")
+        ->type_name("LINK=NX,NY,NZ,OFFSET")
+        ->expected(1)
+        ->take_all();
     command->add_option("--seed", arguments->seed, "Seed of the samples; default 0")->type_name("N");
     command->add_flag("--json", arguments->json, "Print the figures as JSON: metres, not millimetres");
     command->callback([&program, arguments] {

@@ -62,6 +62,29 @@ TEST_F(EvaluateCli, JsonHasEveryFigure) {
     EXPECT_EQ(data["total"]["spheres"], 2);
 }
 
+TEST_F(EvaluateCli, HowFarSpheresReachBeyondPlanes) {
+    const Outcome outcome = foam("evaluate arm.urdf good.csv --clip base=0,0,-2,0.1 --clip tip=1,0,0,0.25");
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_THAT(outcome.out, EndsWith("base: 74.000 mm beyond the plane with normal [0, 0, -2], offset 0.1 m\n"
+                                      "tip: -150.000 mm beyond the plane with normal [1, 0, 0], offset 0.25 m\n"));
+    const json data = json::parse(foam("evaluate arm.urdf good.csv --clip base=0,0,-2,0.1 --json").out);
+    EXPECT_EQ(data["clip"][0]["link"], "base");
+    EXPECT_EQ(data["clip"][0]["offset_m"], 0.1);
+    EXPECT_NEAR(data["clip"][0]["reached_m"].get<double>(), 0.074, 1e-12);
+    EXPECT_THAT(foam("evaluate arm.urdf half.json --clip tip=1,0,0,0").out, EndsWith("\ntip: has no spheres\n"));
+    for (const std::string bad :
+         {"base", "base=0,0,1", "base=0,0,0,1", "base=0,0,1,", "base=0,0,1,x", "base=0,0,inf,1"}) {
+        const Outcome refused = foam("evaluate arm.urdf good.csv --clip " + bad);
+        EXPECT_EQ(refused.code, 2) << bad;
+        EXPECT_THAT(refused.err,
+                    HasSubstr("--clip expects LINK=NX,NY,NZ,OFFSET with a normal that is not zero, such as "
+                              "base=0,0,-1,0; got '" +
+                              bad + "'"));
+    }
+    EXPECT_THAT(foam("evaluate arm.urdf good.csv --clip foot=0,0,1,0").err,
+                HasSubstr("--clip foot=0,0,1,0: there is no link 'foot' to judge"));
+}
+
 TEST_F(EvaluateCli, TheSameBytesOnAnyNumberOfThreads) {
     const Outcome one = foam("evaluate arm.urdf thin.yaml --json -j 1 --seed 7");
     EXPECT_EQ(one.code, 0);

@@ -43,8 +43,7 @@ double mean_radius(const Balls& balls) {
 LimitedSearch::LimitedSearch(const Solid& solid, const Frame& frame, Limits limits, std::size_t count,
                              std::uint64_t seed)
     : limits_(std::move(limits)), count_(count), seed_(seed), skin_(solid.surface(), frame, pieces_for(count)),
-      some_(skin_.sample(pieces_for(count) / 5)), cells_(skin_, limits_),
-      fine_directions_(spread_directions(256, 0)) {
+      some_(skin_.sample(pieces_for(count) / 5)), cells_(skin_, limits_), fine_directions_(spread_directions(256, 0)) {
     for (std::uint64_t turn = 0; turn < 4; ++turn) {
         directions_.push_back(spread_directions(64, turn));
     }

@@ -51,25 +51,35 @@ double beyond(const Ball& ball, const Limits& limits) {
 }
 
 Ball LimitedBall::of(const Points& points, std::size_t count, const Vec3& tilt, const Vec3& near) {
-    constexpr int rounds = 12;
-    Ball ball = enclosing_ball_.of(points, count, tilt, near);
+    constexpr int rounds = 16;
+    constexpr double gain = 0.9; // less from one round to the next, and there hardly is such a ball
+    Ball best = enclosing_ball_.of(points, count, tilt, near);
     if (count == 0) {
-        return ball;
+        return best;
     }
     std::fill(prices_.begin(), prices_.end(), 0);
-    for (int round = 0; round < rounds && beyond(ball, limits_) > 0; ++round) {
+    Ball ball = best;
+    for (int round = 0; round < rounds && beyond(best, limits_) > 0; ++round) {
+        const double before = beyond(ball, limits_);
         for (std::size_t i = 0; i < limits_.size(); ++i) {
             if (prices_[i] > 0 || over(ball, limits_[i]) > tolerance) {
                 ball = kept_to(i, points, count, tilt, ball);
             }
         }
+        const double now = beyond(ball, limits_);
+        if (now < beyond(best, limits_)) {
+            best = ball;
+        }
+        if (now > gain * before) {
+            break;
+        }
     }
-    return ball;
+    return best;
 }
 
 Ball LimitedBall::kept_to(std::size_t limit, const Points& points, std::size_t count, const Vec3& tilt,
                           const Ball& now) {
-    constexpr int evaluations = 14;
+    constexpr int evaluations = 10;
     constexpr double least_q = 1e-3; // the ball is some thousand times as large as what it holds then
     const Vec3 normal = limits_[limit].normal;
     double rest = 1;
@@ -92,7 +102,7 @@ Ball LimitedBall::kept_to(std::size_t limit, const Points& points, std::size_t c
         return over(ball, limits_[limit]) + tolerance / 2;
     };
     double low = 0, below = highest(points, count, normal) - limits_[limit].offset + tolerance / 2;
-    double high = 1, above = excess(1);
+    double high = 1, above = prices_[limit] == 0 ? over(now, limits_[limit]) + tolerance / 2 : excess(1);
     if (above <= 0 || below >= 0) {
         return ball; // the price is 0; or no ball could keep to it
     }

@@ -22,8 +22,7 @@ struct Owners {
 class PowerCells {
 public:
     /// The skin must outlive this. Balls that are fitted keep to the limits where they can.
-    explicit PowerCells(const FineSkin& skin, Limits limits = {})
-        : skin_(skin), enclosing_ball_(std::move(limits)) {}
+    explicit PowerCells(const FineSkin& skin, Limits limits = {}) : skin_(skin), enclosing_ball_(std::move(limits)) {}
 
     /// Looks who owns which points, and where edges pass from one to the other.
     void find(const Balls& balls);

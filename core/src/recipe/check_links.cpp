@@ -120,9 +120,9 @@ std::optional<Vec3> read_normal(const Value& plane, Findings& findings) {
 }
 
 std::vector<ClipPlane> read_clip(const Value& planes, Findings& findings) {
-    constexpr const char* example = "[{normal: [0, 0, -1], reach: 0.005}]";
+    constexpr const char* example = "{normal: [0, 0, -1], reach: 0.005}";
     std::vector<ClipPlane> result;
-    if (!expect_list(planes, "clip", fmt::format("clip: {}", example), findings)) {
+    if (!expect_list(planes, "clip", fmt::format("clip: [{}]", example), findings)) {
         return result;
     }
     for (const Value& item : planes.items) {

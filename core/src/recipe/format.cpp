@@ -88,8 +88,8 @@ std::vector<Parameter> isolation_values() {
 }
 
 bool is_optional(const std::string& key) {
-    static constexpr const char* keys[] = {"name",    "spheres",     "excess",      "max_protrusion",
-                                           "skip",    "min_spheres", "max_spheres", "weight",
+    static constexpr const char* keys[] = {"name",    "spheres",     "excess",       "max_protrusion",
+                                           "skip",    "min_spheres", "max_spheres",  "weight",
                                            "isolate", "time_limit",  "memory_limit", "reach"};
     return std::find(std::begin(keys), std::end(keys), key) != std::end(keys);
 }

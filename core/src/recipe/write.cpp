@@ -196,8 +196,7 @@ private:
         std::vector<std::string> parts;
         for (const ClipPlane& p : planes) {
             parts.push_back(fmt::format("{{normal: [{}, {}, {}], offset: {}, reach: {}}}", to_text(p.normal.x),
-                                        to_text(p.normal.y), to_text(p.normal.z), to_text(p.offset),
-                                        to_text(p.reach)));
+                                        to_text(p.normal.y), to_text(p.normal.z), to_text(p.offset), to_text(p.reach)));
         }
         return fmt::format("[{}]", fmt::join(parts, ", "));
     }

@@ -131,7 +131,8 @@ static std::string planes_list(const Json& manifest) {
                 plane["kept"].get<bool>() ? "kept" : "<strong class=\"no\">not kept</strong>");
         }
     }
-    return items.empty() ? "" : "<p>How far spheres reach beyond planes that they keep off:</p>\n<ul>\n" + items + "</ul>\n";
+    return items.empty() ? ""
+                         : "<p>How far spheres reach beyond planes that they keep off:</p>\n<ul>\n" + items + "</ul>\n";
 }
 
 std::string links_section(const Report& report) {

@@ -35,11 +35,11 @@ cover::Limits limits_of(const std::vector<ClipPlane>& planes, const cover::Frame
 
 } // namespace
 
-void require_within(const Solid& solid, const std::vector<ClipPlane>& planes) {
+void require_within(const Solid& solid, const Pose& pose, const std::vector<ClipPlane>& planes) {
     for (std::size_t i = 0; i < planes.size(); ++i) {
         double most = -std::numeric_limits<double>::infinity();
         for (const Vec3& vertex : solid.surface().vertices) {
-            most = std::max(most, reach_beyond(planes[i], Sphere{vertex, 0}));
+            most = std::max(most, reach_beyond(planes[i], Sphere{pose * vertex, 0}));
         }
         if (most >= planes[i].reach) {
             throw Error(ErrorCode::geometry,
@@ -50,6 +50,10 @@ void require_within(const Solid& solid, const std::vector<ClipPlane>& planes) {
     }
 }
 
+bool keep_off(const Solid& solid, const std::vector<Sphere>& spheres, const std::vector<ClipPlane>& planes) {
+    return over_planes(planes, spheres) <= -room * cover::Frame(solid.bounds()).unit;
+}
+
 std::vector<Sphere> covering_within(const Solid& solid, const std::vector<Sphere>& spheres, std::size_t count,
                                     const std::vector<ClipPlane>& planes, std::uint64_t seed) {
     const cover::Frame frame(solid.bounds());
@@ -58,7 +62,8 @@ std::vector<Sphere> covering_within(const Solid& solid, const std::vector<Sphere
         start.push_back(cover::ball_of({frame.to_unit(s.center), s.radius / frame.unit}));
     }
     std::vector<Sphere> result;
-    for (const cover::Ball& b : cover::LimitedSearch(solid, frame, limits_of(planes, frame), count, seed).cover(start)) {
+    for (const cover::Ball& b :
+         cover::LimitedSearch(solid, frame, limits_of(planes, frame), count, seed).cover(start)) {
         const double radius = static_cast<double>(b.r) * (1 + overlap) + room / 2;
         result.push_back({frame.from_unit({b.x, b.y, b.z}), radius * frame.unit});
     }

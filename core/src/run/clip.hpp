@@ -11,8 +11,12 @@
 
 namespace foam {
 
-/// Throws Error(geometry) if the solid itself reaches as far beyond a plane as spheres may.
-void require_within(const Solid& solid, const std::vector<ClipPlane>& planes);
+/// Throws Error(geometry) if the solid itself reaches as far beyond a plane as spheres may. `pose`: of the solid's
+/// frame in that of the planes.
+void require_within(const Solid& solid, const Pose& pose, const std::vector<ClipPlane>& planes);
+
+/// Whether the spheres keep off the planes, by more than rounding their numbers may take.
+bool keep_off(const Solid& solid, const std::vector<Sphere>& spheres, const std::vector<ClipPlane>& planes);
 
 /// Spheres that hold the solid, at most `count`, and keep off the planes: made of those given, which need not. They are
 /// a hair larger than they need be, and keep a hair more off, so that numbers can be rounded.

@@ -24,9 +24,8 @@ Json to_json(const StageCall& call, const Registry& registry, bool defaults) {
 }
 
 Json to_json(const ClipPlane& plane) {
-    return {{"normal", {plane.normal.x, plane.normal.y, plane.normal.z}},
-            {"offset", plane.offset},
-            {"reach", plane.reach}};
+    return {
+        {"normal", {plane.normal.x, plane.normal.y, plane.normal.z}}, {"offset", plane.offset}, {"reach", plane.reach}};
 }
 
 Json to_json(const LinkOverride& link, const Registry& registry) {

@@ -128,7 +128,7 @@ void build_shape(const Workspace& workspace, const std::vector<LinkWork>& links,
         filtered |= !raw_only && !link.elements[e].filtered.empty();
     }
     const auto raw = Solid::make(std::move(original));
-    require_within(*raw, work.clip);
+    require_within(*raw, group.frame, link.recipe.clip);
     work.shape = std::make_unique<Shape>(work.link, filtered ? Solid::make(std::move(processed)) : raw, raw);
 }
 
@@ -209,10 +209,15 @@ static void fit_finest(const Solid& solid, const Budget& budget, SphereTree& tre
     }
 }
 
-/// The finest level made to keep off the planes, whatever stage it is from: stages do not know of them.
+/// The finest level made to keep off the planes where it does not, whatever stage it is from: stages do not know of
+/// them. Coarser levels but the root go.
 static void keep_off_planes(const Workspace& workspace, const ShapeWork& work, const Budget& budget, SphereTree& tree) {
     const Solid& solid = work.shape->original();
-    if (budget.guarantee == Guarantee::outer) {
+    const bool outer = budget.guarantee == Guarantee::outer;
+    if (keep_off(solid, outer ? grown_to_cover(solid, tree.finest()) : tree.finest(), work.clip)) {
+        return;
+    }
+    if (outer) {
         const std::size_t count = budget.max_spheres.value_or(tree.finest().size());
         tree = flat_tree(covering_within(solid, tree.finest(), count, work.clip, workspace.recipe.seed));
     } else if (std::vector<Sphere> left = shaved(solid, tree.finest(), work.clip); !left.empty()) {
@@ -239,7 +244,8 @@ static std::vector<SphereTree> run_spherizer(const Workspace& workspace, ShapeWo
                              [&](std::size_t i) { fit_finest(work.shape->original(), budgets[i], made[i]); });
             }
             if (!work.clip.empty()) {
-                parallel_for(made.size(), [&](std::size_t i) { keep_off_planes(workspace, work, budgets[i], made[i]); });
+                parallel_for(made.size(),
+                             [&](std::size_t i) { keep_off_planes(workspace, work, budgets[i], made[i]); });
             }
             said = context.said();
             return made;

@@ -83,8 +83,8 @@ struct LinkReport {
     double growth = 0;               ///< m; largest growth of a radius that cover took
     Measures measures;
     std::vector<PlaneReach> clip; ///< of the recipe's planes for this link
-    bool skipped = false; ///< by the recipe
-    std::string error;    ///< why it was lost; empty if it was not
+    bool skipped = false;         ///< by the recipe
+    std::string error;            ///< why it was lost; empty if it was not
 };
 
 /// What ended the search for better spheres before its time.
