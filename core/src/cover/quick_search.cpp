@@ -5,6 +5,7 @@
 #include "cover/plane_splits.hpp"
 #include "cover/proved.hpp"
 #include "cover/starts.hpp"
+#include "geometry/joint_volume.hpp"
 
 #include <foam/parallel.hpp>
 #include <foam/union_volume.hpp>
@@ -117,11 +118,8 @@ QuickSearch::Rung QuickSearch::rung(std::size_t count) {
     }
     Rated next = found(count, &best.balls).front();
     const bool complete = !stopped_;
-    const Occupancy* const occupancy = occupancy_for(count);
-    const double unit = std::pow(frame_.unit, 3);
     Cover made = proved(solid_, frame_, next.balls);
-    const double gain = best.cover.volume - made.volume; // of the union, which is never to be larger
-    if (gain >= 0 && gain > (missing(next.balls, occupancy) - missing(best.balls, occupancy)) * unit) {
+    if (geometry::joint_volume(solid_, made.spheres) < geometry::joint_volume(solid_, best.cover.spheres)) {
         best = {std::move(next.balls), std::move(made)};
     }
     if (complete) {

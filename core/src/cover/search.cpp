@@ -4,6 +4,7 @@
 #include "cover/ladder.hpp"
 #include "cover/proved.hpp"
 #include "cover/starts.hpp"
+#include "geometry/joint_volume.hpp"
 
 #include <foam/parallel.hpp>
 
@@ -75,11 +76,10 @@ Search::Model Search::model(std::size_t count) {
         return best;
     }
     const Balls before = best.balls;
-    const double most = best.cover.volume;
     const auto take = [&](const Balls& balls) {
         Model model = finished(balls);
-        // More balls are never worse, nor is their union larger.
-        if (model.outside < best.outside && model.cover.volume <= most) {
+        // More balls are never worse.
+        if (model.joint < best.joint) {
             best = std::move(model);
         }
     };
@@ -173,7 +173,7 @@ Balls Search::fitted(const Balls& balls) const {
 
 Search::Model Search::finished(const Balls& balls) const {
     Model model{balls, proved(solid_, problem_.frame, fitted(balls)), 0};
-    model.outside = model.cover.volume / std::pow(problem_.frame.unit, 3) + missing(balls);
+    model.joint = geometry::joint_volume(solid_, model.cover.spheres);
     return model;
 }
 

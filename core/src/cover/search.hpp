@@ -48,7 +48,7 @@ private:
     struct Model {
         Balls balls;
         Cover cover;
-        double outside; ///< what the cover claims outside the solid, and the solid, units³
+        double joint; ///< volume of the cover and the solid together, m³
     };
     Model model(std::size_t count);
     /// One ball more than a cover has, by a plane through one of those that waste most.
