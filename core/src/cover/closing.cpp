@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 
 namespace foam::cover {
@@ -24,12 +25,15 @@ public:
 
     /// leaf(corners, candidates) for every small piece that is not held; it may let balls grow.
     template <class Leaf> void run(const Corners& whole, Leaf leaf) {
+        stopped_ = false;
         candidates_.clear();
         for (std::uint32_t i = 0; i < spheres_.size(); ++i) {
             candidates_.push_back(i);
         }
         visit(whole, 0, 0, candidates_.size(), leaf);
     }
+    /// For leaf(): no more pieces of this triangle.
+    void stop() { stopped_ = true; }
 
 private:
     /// Fewer candidates than this are not sifted: it takes longer than to ask them.
@@ -42,6 +46,9 @@ private:
     }
 
     template <class Leaf> void visit(const Corners& t, int level, std::size_t begin, std::size_t end, Leaf& leaf) {
+        if (stopped_) {
+            return;
+        }
         for (std::size_t k = begin; k < end; ++k) {
             if (holds(spheres_[candidates_[k]], t)) {
                 return;
@@ -88,25 +95,46 @@ private:
 
     std::vector<Sphere>& spheres_;
     double finest_;
+    bool stopped_ = false;
     std::vector<std::uint32_t> candidates_;
     std::vector<double> gaps_;
 };
 
 } // namespace
 
-Points crease_points(const Solid& solid, const Frame& frame, const Balls& balls, double finest, std::size_t most) {
-    std::vector<Sphere> spheres;
-    for (const Ball& b : balls) {
-        spheres.push_back({{b.x, b.y, b.z}, b.r});
-    }
+/// Middles of all pieces that no ball holds; nothing if there are too many.
+static std::optional<Points> open_points(const Solid& solid, const Frame& frame, std::vector<Sphere>& spheres,
+                                         double finest) {
+    constexpr std::size_t too_many = 1'000'000;
     Points points;
     Walk walk(spheres, finest);
     const Mesh& surface = solid.surface();
     for (const auto& [a, b, c] : surface.triangles) {
         const Corners whole{frame.to_unit(surface.vertices[a]), frame.to_unit(surface.vertices[b]),
                             frame.to_unit(surface.vertices[c])};
-        walk.run(whole, [&](const Corners& t, std::span<const std::uint32_t>) { points.add((t.a + t.b + t.c) / 3); });
+        walk.run(whole, [&](const Corners& t, std::span<const std::uint32_t>) {
+            points.add((t.a + t.b + t.c) / 3);
+            if (points.size() == too_many) {
+                walk.stop();
+            }
+        });
+        if (points.size() >= too_many) {
+            return {};
+        }
     }
+    return points;
+}
+
+Points crease_points(const Solid& solid, const Frame& frame, const Balls& balls, double finest, std::size_t most) {
+    std::vector<Sphere> spheres;
+    for (const Ball& b : balls) {
+        spheres.push_back({{b.x, b.y, b.z}, b.r});
+    }
+    std::optional<Points> open;
+    while (!(open = open_points(solid, frame, spheres, finest))) {
+        finest *= 2; // tiny balls leave nearly all of the surface open: no need to see it so finely
+    }
+    const Points& points = *open;
     if (points.size() <= most) {
         return points;
     }

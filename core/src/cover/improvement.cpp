@@ -76,11 +76,17 @@ void Improvement::put_idle_to_use(Balls& balls, const Points& points) const {
         }
         needed[last] |= static_cast<char>(holders == 1);
     }
+    // Of many balls one that is put elsewhere changes little of what the others waste.
+    const std::size_t often = 1 + balls.size() / 64;
+    std::size_t moved = 0;
+    std::vector<std::size_t> order;
     for (std::size_t idle = 0; idle < balls.size(); ++idle) {
         if (needed[idle]) {
             continue;
         }
-        const std::vector<std::size_t> order = by_waste(balls);
+        if (moved++ % often == 0) {
+            order = by_waste(balls);
+        }
         const auto other = std::find_if(order.begin(), order.end(), [&](std::size_t i) { return i != idle; });
         Random random(idle);
         if (const Balls more = other == order.end() ? balls : split(balls, *other, points, random);
@@ -88,6 +94,9 @@ void Improvement::put_idle_to_use(Balls& balls, const Points& points) const {
             balls[*other] = more[*other];
             balls[idle] = more.back();
             needed[*other] = 1;
+        }
+        if (other != order.end()) {
+            order.erase(other);
         }
     }
 }

@@ -127,8 +127,10 @@ std::vector<Balls> Search::found(std::size_t count, const Balls& before) {
     const std::size_t quick = rated.size();
     rated.resize(quick + (count <= plan_.most_quick ? plan_.starts_of_few : plan_.starts));
     Random random(derive_seed(options_.seed, "starts") + count);
+    constexpr std::size_t points_a_ball = 6; // fewer make clusters of one point, balls of no size
+    const Points more = points_a_ball * count > body_.size() ? body_points(problem_, points_a_ball * count) : Points{};
     for (std::size_t i = quick; i < rated.size(); ++i) {
-        rated[i].balls = clusters(body_, count, random);
+        rated[i].balls = clusters(more.size() > body_.size() ? more : body_, count, random);
     }
     const DescentPlan far{.steps = plan_.coarse_steps, .first_step = 0.2f, .last_step = 0.01f};
     parallel_for(rated.size() - quick, [&](std::size_t i) {
