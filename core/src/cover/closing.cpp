@@ -126,10 +126,7 @@ static std::optional<Points> open_points(const Solid& solid, const Frame& frame,
 }
 
 Points crease_points(const Solid& solid, const Frame& frame, const Balls& balls, double finest, std::size_t most) {
-    std::vector<Sphere> spheres;
-    for (const Ball& b : balls) {
-        spheres.push_back({{b.x, b.y, b.z}, b.r});
-    }
+    std::vector<Sphere> spheres = unit_spheres(balls);
     std::optional<Points> open;
     while (!(open = open_points(solid, frame, spheres, finest))) {
         finest *= 2; // tiny balls leave nearly all of the surface open: no need to see it so finely

@@ -21,13 +21,11 @@ std::size_t pieces_for(std::size_t count) {
 
 double cost_of(const Balls& balls, const Limits& limits) {
     constexpr double dear = 10; // times the volume of what sticks out, and more
-    std::vector<Sphere> spheres;
     double over = 0;
     for (const Ball& b : balls) {
-        spheres.push_back({{b.x, b.y, b.z}, b.r});
         over += 4 * std::numbers::pi * b.r * b.r * beyond(b, limits);
     }
-    return exact_union_volume(spheres) + dear * over;
+    return exact_union_volume(unit_spheres(balls)) + dear * over;
 }
 
 double mean_radius(const Balls& balls) {

@@ -33,14 +33,6 @@ Balls owners_of(const Balls& balls, const Owners& owners) {
     return result;
 }
 
-double volume_of(const Balls& balls) {
-    std::vector<Sphere> spheres;
-    for (const Ball& b : balls) {
-        spheres.push_back({{b.x, b.y, b.z}, b.r});
-    }
-    return exact_union_volume(spheres);
-}
-
 } // namespace
 
 std::size_t Minimax::dearest() const {
@@ -103,7 +95,7 @@ Minimax MinimaxSearch::moved(const Minimax& cover, std::size_t i, int rounds) {
 
 Minimax MinimaxSearch::leaner(const Minimax& cover, const Points& directions, int rounds) {
     Minimax best = cover;
-    double least = volume_of(cover.balls);
+    double least = exact_union_volume(unit_spheres(cover.balls));
     for (int round = 0; round < rounds; ++round) {
         Balls balls = cells_.fitted(best.balls, directions);
         const Balls before = owners_of(best.balls, cells_.owners());
@@ -115,7 +107,7 @@ Minimax MinimaxSearch::leaner(const Minimax& cover, const Points& directions, in
                 balls[i] = cost_.holding(part, enclosing, before[i]);
             }
         }
-        const double volume = volume_of(balls);
+        const double volume = exact_union_volume(unit_spheres(balls));
         Minimax next = rated(std::move(balls), cost_);
         if (!(volume < least) || next.worst > cover.worst) {
             break;

@@ -65,6 +65,14 @@ inline Ball ball_of(const Sphere& s) {
     return {static_cast<float>(s.center.x), static_cast<float>(s.center.y), static_cast<float>(s.center.z),
             static_cast<float>(s.radius)};
 }
+/// Still in the unit frame.
+inline std::vector<Sphere> unit_spheres(const Balls& balls) {
+    std::vector<Sphere> spheres;
+    for (const Ball& b : balls) {
+        spheres.push_back({{b.x, b.y, b.z}, b.r});
+    }
+    return spheres;
+}
 inline float squared_distance(const Ball& a, const Ball& b) {
     return a.squared_distance(b.x, b.y, b.z);
 }

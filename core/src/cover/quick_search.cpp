@@ -2,6 +2,7 @@
 
 #include "cover/directions.hpp"
 #include "cover/ladder.hpp"
+#include "cover/missing_volume.hpp"
 #include "cover/plane_splits.hpp"
 #include "cover/proved.hpp"
 #include "cover/starts.hpp"
@@ -71,24 +72,9 @@ Points body_of(const Points& surface, const Occupancy& occupancy) {
     return body;
 }
 
-/// Of the solid's volume what no ball holds, units³; 0 without occupancy.
-double missing(const Balls& balls, const Occupancy* occupancy) {
-    if (!occupancy) {
-        return 0;
-    }
-    Owners owners;
-    owners.find(occupancy->inside(), balls);
-    const auto cells_left = std::count_if(owners.power.begin(), owners.power.end(), [](float p) { return p > 0; });
-    return static_cast<double>(cells_left) * std::pow(occupancy->cell(), 3);
-}
-
-/// vol(U \ S) + vol(S), units³.
+/// vol(U \ S) + vol(S), units³; without occupancy nothing is taken to be missing.
 double claim(const Balls& balls, const Occupancy* occupancy) {
-    std::vector<Sphere> spheres;
-    for (const Ball& b : balls) {
-        spheres.push_back({{b.x, b.y, b.z}, b.r});
-    }
-    return exact_union_volume(spheres) + missing(balls, occupancy);
+    return exact_union_volume(unit_spheres(balls)) + (occupancy ? missing_volume(*occupancy, balls) : 0);
 }
 
 } // namespace

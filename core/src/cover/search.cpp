@@ -2,6 +2,7 @@
 
 #include "cover/closing.hpp"
 #include "cover/ladder.hpp"
+#include "cover/missing_volume.hpp"
 #include "cover/proved.hpp"
 #include "cover/starts.hpp"
 #include "geometry/joint_volume.hpp"
@@ -118,7 +119,7 @@ std::vector<Balls> Search::found(std::size_t count, const Balls& before) {
     if (count <= plan_.most_quick) {
         rated = quick_.candidates(count, before);
         for (Rated& candidate : rated) {
-            candidate.volume += missing(candidate.balls);
+            candidate.volume += missing_volume(problem_.occupancy, candidate.balls);
         }
     }
     if (stopped()) {
@@ -177,13 +178,6 @@ Search::Model Search::finished(const Balls& balls) const {
     Model model{balls, proved(solid_, problem_.frame, fitted(balls)), 0};
     model.joint = geometry::joint_volume(solid_, model.cover.spheres);
     return model;
-}
-
-double Search::missing(const Balls& balls) const {
-    Owners owners;
-    owners.find(problem_.occupancy.inside(), balls);
-    const auto outside = std::count_if(owners.power.begin(), owners.power.end(), [](float power) { return power > 0; });
-    return static_cast<double>(outside) * std::pow(problem_.occupancy.cell(), 3);
 }
 
 } // namespace foam::cover

@@ -59,8 +59,6 @@ private:
     Balls descended(const Rated& start) const;
     Balls fitted(const Balls& balls) const;
     Model finished(const Balls& balls) const;
-    /// Of the solid what the balls leave inside, units³: their union claims that much more outside.
-    double missing(const Balls& balls) const;
     bool stopped() { return stopped_ = stopped_ || (options_.stop && options_.stop()); }
 
     const Solid& solid_;

@@ -39,16 +39,8 @@ Misfit::Misfit(const Solid& solid, const cover::Frame& frame, int resolution, st
     }
 }
 
-static std::vector<Sphere> spheres_of(const Balls& balls) {
-    std::vector<Sphere> spheres;
-    for (const Ball& ball : balls) {
-        spheres.push_back({{ball.x, ball.y, ball.z}, ball.r});
-    }
-    return spheres;
-}
-
 double Misfit::of(const Balls& balls) const {
-    return exact_union_volume(spheres_of(balls)) + volume_ - 2 * shared_with(balls);
+    return exact_union_volume(cover::unit_spheres(balls)) + volume_ - 2 * shared_with(balls);
 }
 
 double Misfit::shared_with(const Balls& balls) const {
@@ -126,7 +118,7 @@ cover::Points Misfit::some_inside(std::size_t count) const {
 }
 
 std::vector<double> Misfit::uses(const Balls& balls) const {
-    const std::vector<Sphere> spheres = spheres_of(balls);
+    const std::vector<Sphere> spheres = cover::unit_spheres(balls);
     std::vector<double> result(balls.size(), 0);
     for (std::size_t p = 0; p < cells_.size(); ++p) {
         std::size_t holder = balls.size(), holders = 0;
