@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -183,13 +184,7 @@ std::vector<Balls> ObjectiveSearch::starts(const Surface& surface, const Distanc
     constexpr std::size_t most_in_a_row = 12;
     const Points& some = surface.some;
     std::vector<Balls> result{divided(some, {}, count)};
-    constexpr std::array<Vec3, 3> frame_axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
-    for (const auto& axes : {frame_axes, axes_of(some)}) {
-        result.push_back(grid(some, axes, most_cubic(some, axes, count)));
-        if (count <= most_in_a_row) {
-            result.push_back(grid(some, axes, {count, 1, 1}));
-        }
-    }
+    std::ranges::move(grids(some, count, most_in_a_row), std::back_inserter(result));
     Random random(derive_seed(options_.seed, "starts of objectives") + count);
     for (std::size_t i = 0; i < plan_.random_starts; ++i) {
         result.push_back(clusters(some, count, random));

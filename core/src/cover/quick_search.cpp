@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace foam::cover {
 namespace {
@@ -166,13 +167,7 @@ std::vector<Balls> QuickSearch::starts(const Surface& surface, const Occupancy* 
     constexpr std::size_t most_in_a_row = 6;
     const Points& some = surface.some;
     std::vector<Balls> result{divided(some, before ? *before : Balls{}, count)};
-    constexpr std::array<Vec3, 3> frame_axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
-    for (const auto& axes : {frame_axes, axes_of(some)}) {
-        result.push_back(grid(some, axes, most_cubic(some, axes, count)));
-        if (count <= most_in_a_row) {
-            result.push_back(grid(some, axes, {count, 1, 1}));
-        }
-    }
+    std::ranges::move(grids(some, count, most_in_a_row), std::back_inserter(result));
     Random random(derive_seed(options_.seed, "quick starts") + count);
     if (!occupancy) {
         result.push_back(clusters(some, count, random));

@@ -168,4 +168,16 @@ Balls split(const Balls& balls, std::size_t i, const Points& points, Random& ran
     return result;
 }
 
+std::vector<Balls> grids(const Points& points, std::size_t count, std::size_t most_in_a_row) {
+    constexpr std::array<Vec3, 3> frame_axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+    std::vector<Balls> result;
+    for (const auto& axes : {frame_axes, axes_of(points)}) {
+        result.push_back(grid(points, axes, most_cubic(points, axes, count)));
+        if (count <= most_in_a_row) {
+            result.push_back(grid(points, axes, {count, 1, 1}));
+        }
+    }
+    return result;
+}
+
 } // namespace foam::cover

@@ -28,4 +28,8 @@ std::array<Vec3, 3> axes_of(const Points& points);
 /// few.
 Balls split(const Balls& balls, std::size_t i, const Points& points, Random& random);
 
+/// Grids of `count` cells or fewer along the frame's axes and along the points' own: nearly cubic cells, and a row
+/// where it would not be too long.
+std::vector<Balls> grids(const Points& points, std::size_t count, std::size_t most_in_a_row);
+
 } // namespace foam::cover
