@@ -48,6 +48,7 @@ Json json_of(const RegisteredStage& stage) {
               {"license", stage.license},
               {"extensions", stage.info.extensions},
               {"original_only", stage.info.original_only},
+              {"objective_parameter", stage.info.objective_parameter},
               {"parameters", Json::array()}};
     for (const Parameter& p : stage.info.parameters) {
         json["parameters"].push_back(json_of(p));
@@ -81,6 +82,9 @@ std::string description(const RegisteredStage& stage) {
     }
     if (stage.info.original_only) {
         text += "Looks at the original geometry alone: mesh filters before it change nothing.\n";
+    }
+    if (!stage.info.objective_parameter.empty()) {
+        text += fmt::format("What is to be least: parameter {}.\n", stage.info.objective_parameter);
     }
     text += stage.info.parameters.empty() ? "No parameters.\n" : "\nParameters:\n";
     for (const Parameter& p : stage.info.parameters) {

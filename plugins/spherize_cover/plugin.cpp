@@ -11,7 +11,8 @@ namespace {
 class CoverSpherizer final : public foam::Spherizer {
 public:
     explicit CoverSpherizer(const foam::Parameters& parameters)
-        : effort_(effort_named(parameters.text("effort"))), objective_(objective_named(parameters.text("objective"))),
+        : effort_(effort_named(parameters.text("effort"))),
+          objective_(foam::objective_named(parameters.text("objective")).value()),
           spheres_(static_cast<std::size_t>(parameters.integer("spheres"))) {}
 
     foam::SphereTree spherize(const foam::Shape& shape, const foam::Budget& budget,
@@ -97,12 +98,6 @@ private:
         return name == "fast" ? foam::Effort::fast : name == "best" ? foam::Effort::best : foam::Effort::normal;
     }
 
-    static foam::Objective objective_named(const std::string& name) {
-        return name == "protrusion" ? foam::Objective::protrusion
-               : name == "radius"   ? foam::Objective::radius
-                                    : foam::Objective::excess;
-    }
-
     foam::Effort effort_;
     foam::Objective objective_;
     std::size_t spheres_;
@@ -131,5 +126,6 @@ FOAM_PLUGIN("spherize_cover", "1.0", "Apache-2.0") {
                 foam::Parameter::integer("spheres", 8).bounds(1, 256).doc("Number of spheres where no budget says."),
             },
         .original_only = true,
+        .objective_parameter = "objective",
     });
 }

@@ -90,6 +90,13 @@ TEST(Contract, AnotherShapeThanItSays) {
                             "remedy: take Shape::original(), or leave StageInfo::original_only out"));
 }
 
+TEST(Contract, AnotherObjectiveThanItSays) {
+    EXPECT_THAT(findings("broken_spherizers", "spherize.confused"),
+                ElementsAre("has least what its objective says: Bracket, 8 spheres: radius is 0.162 with aim: radius, "
+                            "but 0.135 with excess; remedy: let StageInfo::objective_parameter name the parameter that "
+                            "says what is to be least"));
+}
+
 TEST(Contract, Declarations) {
     EXPECT_THAT(findings("broken_spherizers", "spherize.picky"),
                 ElementsAre("declares its parameters well: parameter 'size' has no unit; remedy: .unit(\"m\"), or "

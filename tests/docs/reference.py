@@ -88,6 +88,8 @@ def stage_page(stage):
         page += f"- files: {', '.join('`.' + extension + '`' for extension in stage['extensions'])}\n"
     if stage["original_only"]:
         page += "- looks at the original geometry alone: mesh filters before it change nothing\n"
+    if stage["objective_parameter"]:
+        page += f"- what is to be least: parameter `{stage['objective_parameter']}`\n"
     if stage["reference"]:
         page += f"- after: {sentence(stage['reference'])}\n"
     if not stage["parameters"]:

@@ -120,6 +120,10 @@ struct StageInfo {
     std::vector<std::string> uses{};
     /// Spherizers: whether Shape::original() is all they look at, so that mesh filters before them change nothing.
     bool original_only = false;
+    /// Spherizers: the parameter, a choice, that says what the spheres are to have least: "excess", "protrusion" or
+    /// "radius" (the largest). The runtime compares what the stage gives, and shares spheres out over links, by that;
+    /// by any other word the aim is the stage's own, and its spheres are taken as they come. Empty: excess.
+    std::string objective_parameter{};
 };
 
 } // namespace foam

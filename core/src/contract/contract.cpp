@@ -108,6 +108,7 @@ std::vector<ContractFinding> check_contract(const RegisteredStage& stage, const 
         switch (stage.kind) {
         case StageKind::spherizer:
             check_spherizer(*registry.make<Spherizer>(name), stage.info, promises);
+            check_objectives(stage, registry, promises);
             break;
         case StageKind::mesh_filter:
             check_mesh_filter(*registry.make<MeshFilter>(name), promises);

@@ -46,6 +46,8 @@ void require_stop(const std::function<void(Context&)>& call);
 void with_threads(std::size_t threads, const std::function<void()>& call);
 
 void check_spherizer(const Spherizer& spherizer, const StageInfo& info, Promises& promises);
+/// That with each objective the spheres have less of what it is about than with the others.
+void check_objectives(const RegisteredStage& stage, const Registry& registry, Promises& promises);
 void check_mesh_filter(const MeshFilter& filter, Promises& promises);
 void check_mesh_loader(const MeshLoader& loader, const StageInfo& info, const ContractOptions& options,
                        Promises& promises);

@@ -64,6 +64,19 @@ std::string why_misnamed(const RegisteredStage& stage) {
                              name, to_string(stage.kind), fits);
 }
 
+/// Why a stage's objective_parameter is not one of its choices; empty if it is, or there is none.
+std::string why_no_objective(const StageInfo& info) {
+    const std::string& name = info.objective_parameter;
+    const bool found = std::any_of(info.parameters.begin(), info.parameters.end(), [&](const Parameter& p) {
+        return p.name == name && p.type == Parameter::Type::choice;
+    });
+    return name.empty() || found
+               ? ""
+               : fmt::format("stage '{}': objective_parameter '{}' is no choice among its parameters; "
+                             "remedy: declare it by Parameter::choice(…)",
+                             info.name, name);
+}
+
 /// What a stage declaration gets wrong; empty if nothing.
 std::string why_bad(const RegisteredStage& stage) {
     const StageInfo& info = stage.info;
@@ -107,7 +120,7 @@ std::string why_bad(const RegisteredStage& stage) {
                                info.name, p.name, why);
         }
     }
-    return "";
+    return why_no_objective(info);
 }
 
 /// The fields of a fingerprint in the words of people.

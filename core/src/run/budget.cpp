@@ -88,7 +88,7 @@ ChosenCounts share_spheres(const Workspace& workspace, const std::vector<LinkWor
         goal.enough = *recipe.budget_excess * volume;
     }
     ChosenCounts chosen;
-    const std::optional<std::string> objective =
+    const std::optional<Objective> objective =
         goal.enough || pose ? std::nullopt : common_objective(workspace.recipe, shapes);
     Shared shared;
     if (objective) {

@@ -17,9 +17,7 @@ bool wants_least_excess(const Recipe& recipe, const ShapeWork& work) {
     if (recipe.guarantee == Guarantee::fitted) {
         return false; // the least of excess and missing together, and each number is a search of its own
     }
-    const auto objective = work.spherizer.given.find("objective");
-    return recipe.guarantee != Guarantee::outer || objective == work.spherizer.given.end() ||
-           objective->second == ParameterValue(std::string("excess"));
+    return recipe.guarantee != Guarantee::outer || work.objective == Objective::excess;
 }
 
 static Solid::Part part_of(const Element& element, const Pose& pose, bool processed) {
@@ -62,6 +60,25 @@ static bool original_only(const Workspace& workspace, const StageCall& spherizer
     return stage && stage->info.original_only;
 }
 
+/// Not how the processed mesh came about: what is drawn at random stays when a filter or a parameter changes nothing.
+static Digest content_of(const Workspace& workspace, const Group& group, const LinkWork& link) {
+    const bool raw_only = original_only(workspace, link.recipe.spherizer);
+    Hasher hasher;
+    for (const std::size_t e : group.elements) {
+        const Element& element = link.elements[e];
+        if (const Primitive* primitive = element.primitive()) {
+            hasher.add(*primitive);
+        } else {
+            hasher.add(*element.raw);
+        }
+        if (!raw_only && !element.filtered.empty()) {
+            hasher.add(*element.processed());
+        }
+        hasher.add(relative_pose(group, link, e));
+    }
+    return hasher.finish();
+}
+
 /// In the frame in which the group's shape is spherized.
 static std::vector<ClipPlane> planes_of(const Group& group, const LinkWork& link) {
     std::vector<ClipPlane> planes;
@@ -99,7 +116,9 @@ std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::ve
         if (fresh) {
             ShapeWork& work = shapes.emplace_back();
             work.spherizer = link.recipe.spherizer;
+            work.objective = objective_of(work.spherizer, workspace.registry);
             work.digest = digest;
+            work.content = content_of(workspace, groups[g], link);
             work.link = link.link->name;
             work.input = link.elements[groups[g].elements.front()].geometry;
             work.report.stage = work.spherizer.stage;
@@ -165,7 +184,8 @@ static void check_tree(const SphereTree& tree, const Budget& budget) {
 
 Digest tree_key(const Workspace& workspace, const ShapeWork& work, std::size_t count) {
     Hasher hasher;
-    hasher.add("spherize").add(work.digest).add(workspace.recipe.seed).add(static_cast<std::uint64_t>(count));
+    hasher.add("spherize").add(work.digest).add(work.content).add(workspace.recipe.seed);
+    hasher.add(static_cast<std::uint64_t>(count));
     hasher.add(static_cast<std::uint64_t>(workspace.recipe.guarantee));
     if (workspace.recipe.guarantee == Guarantee::fitted) {
         hasher.add(static_cast<std::uint64_t>(fitted::revision));
@@ -229,7 +249,7 @@ static void keep_off_planes(const Workspace& workspace, const ShapeWork& work, c
 static std::vector<SphereTree> run_spherizer(const Workspace& workspace, ShapeWork& work,
                                              const std::vector<Budget>& budgets, StageLog& said) {
     return run_stage(
-        workspace, work.spherizer.stage, work.link, work.input, work.digest, work.report, [&](StageContext& context) {
+        workspace, work.spherizer.stage, work.link, work.input, work.content, work.report, [&](StageContext& context) {
             std::vector<SphereTree> made =
                 call_spherizer(workspace, work.spherizer, work.stage, *work.shape, budgets, context);
             if (made.size() != budgets.size()) {

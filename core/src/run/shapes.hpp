@@ -2,6 +2,7 @@
 #pragma once
 
 #include "allocation.hpp"
+#include "objective.hpp"
 #include "spherize.hpp"
 
 #include <map>
@@ -25,7 +26,10 @@ struct ShapeWork {
     std::unique_ptr<Shape> shape;
     StageCall spherizer;
     std::unique_ptr<Spherizer> stage; ///< of that call, once it was made; unless it is isolated
-    Digest digest;
+    std::optional<Objective>
+        objective;           ///< of its spheres, where they are to cover; nothing: one of the spherizer's own
+    Digest digest;           ///< of all that a tree depends on but the seed, the count and the limits of either
+    Digest content;          ///< of the geometry as the spherizer sees it
     std::string link, input; ///< of the first group, for messages
     std::vector<std::size_t> groups;
     std::size_t least = 1, most = 1;      ///< bounds of the count
@@ -38,7 +42,7 @@ struct ShapeWork {
 };
 
 /// Whether the shape's spheres are to claim little above all, so that others that claim less may stand in for the
-/// spherizer's own: not if the spherizer has a parameter `objective` that says otherwise, nor if they are to be fitted.
+/// spherizer's own: not if its objective is another, nor if they are to be fitted.
 bool wants_least_excess(const Recipe& recipe, const ShapeWork& work);
 
 /// One group a link, or one a collision element (recipe: per), for the links without an error.

@@ -1,9 +1,5 @@
 #include "worst_first.hpp"
 
-#include "cover.hpp"
-
-#include <foam/measure.hpp>
-
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -12,17 +8,6 @@ namespace foam {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-double figure_of(const Solid& solid, const SphereTree& tree, const std::string& objective) {
-    if (objective == "protrusion") {
-        return covered_protrusion(solid, tree.finest(), Guarantee::outer);
-    }
-    double largest = 0;
-    for (const Sphere& sphere : grown_to_cover(solid, tree.finest())) {
-        largest = std::max(largest, sphere.radius);
-    }
-    return largest;
-}
 
 /// The fewest spheres of a shape with which it is as good as `limit`; 0 if none that is known is.
 std::size_t fewest_within(const std::map<std::size_t, double>& figures, double limit) {
@@ -68,7 +53,7 @@ double best_worst(const std::vector<std::size_t>& shape_of_taker, const Figures&
     return best == limits.end() ? infinity : *best;
 }
 
-void measure_new(const Workspace& workspace, const std::vector<ShapeWork>& shapes, const std::string& objective,
+void measure_new(const Workspace& workspace, const std::vector<ShapeWork>& shapes, Objective objective,
                  Figures& figures) {
     struct Point {
         std::size_t shape, count;
@@ -86,7 +71,7 @@ void measure_new(const Workspace& workspace, const std::vector<ShapeWork>& shape
     parallel_for(points.size(), [&](std::size_t i) {
         measuring.check_cancelled();
         const ShapeWork& work = shapes[points[i].shape];
-        points[i].figure = figure_of(work.shape->original(), work.known.trees.at(points[i].count), objective);
+        points[i].figure = figure_of(work.shape->original(), work.known.trees.at(points[i].count).finest(), objective);
     });
     for (const Point& point : points) {
         figures[point.shape][point.count] = point.figure;
@@ -95,23 +80,18 @@ void measure_new(const Workspace& workspace, const std::vector<ShapeWork>& shape
 
 } // namespace
 
-std::optional<std::string> common_objective(const Recipe& recipe, const std::vector<ShapeWork>& shapes) {
-    std::optional<std::string> common;
+std::optional<Objective> common_objective(const Recipe& recipe, const std::vector<ShapeWork>& shapes) {
     for (const ShapeWork& work : shapes) {
-        const auto given = work.spherizer.given.find("objective");
-        const std::string* const objective =
-            given == work.spherizer.given.end() ? nullptr : std::get_if<std::string>(&given->second);
-        if (recipe.guarantee != Guarantee::outer || work.max_protrusion || !objective ||
-            (common && *common != *objective)) {
+        if (recipe.guarantee != Guarantee::outer || work.max_protrusion || !work.objective ||
+            work.objective == Objective::excess || work.objective != shapes.front().objective) {
             return {};
         }
-        common = *objective;
     }
-    return common == "protrusion" || common == "radius" ? common : std::nullopt;
+    return shapes.empty() ? std::nullopt : shapes.front().objective;
 }
 
 Cut explore_worst_first(const Workspace& workspace, std::vector<ShapeWork>& shapes, const std::vector<Group>& groups,
-                        const std::string& objective, std::size_t most, Figures& figures) {
+                        Objective objective, std::size_t most, Figures& figures) {
     figures.assign(shapes.size(), {});
     std::vector<std::vector<std::size_t>> wanted(shapes.size());
     for (std::size_t s = 0; s < shapes.size(); ++s) {

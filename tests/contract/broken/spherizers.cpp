@@ -94,6 +94,19 @@ public:
     }
 };
 
+class Confused final : public Spherizer {
+public:
+    explicit Confused(const Parameters& parameters) : radius_(parameters.text("aim") == "radius") {}
+    SphereTree spherize(const Shape& shape, const Budget&, Context& context) const override {
+        Sphere ball = one_ball(shape, context).finest().front();
+        ball.radius *= radius_ ? 1.2 : 1;
+        return flat_tree({ball});
+    }
+
+private:
+    bool radius_;
+};
+
 class Picky final : public Spherizer {
 public:
     explicit Picky(const Parameters& parameters) {
@@ -119,6 +132,11 @@ FOAM_PLUGIN("broken_spherizers", "1.0", "Apache-2.0") {
     enrol.add<Throws>({.name = "spherize.throws", .summary = "Throws for one solid"});
     enrol.add<LooksAtProcessed>(
         {.name = "spherize.looks", .summary = "Says that it looks at the original alone", .original_only = true});
+    enrol.add<Confused>(
+        {.name = "spherize.confused",
+         .summary = "Larger where they are to be small",
+         .parameters = {Parameter::choice("aim", {"excess", "stiffness", "radius"}, "excess").doc("Aim.")},
+         .objective_parameter = "aim"});
     enrol.add<Picky>({.name = "spherize.picky",
                       .summary = "Declares what it does not take",
                       .parameters = {Parameter::integer("cells", 1).at_least(0).doc("Cells."),

@@ -9,7 +9,9 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace foam {
@@ -23,6 +25,9 @@ enum class Objective {
     protrusion, ///< the least distance to which any sphere sticks out of the solid: the same clearance lost everywhere
     radius,     ///< the least largest radius: equal spheres at best (the k-centre problem), for planners that want one
 };
+
+/// By its name above; nothing for any other word.
+std::optional<Objective> objective_named(std::string_view name);
 
 struct SpherizeOptions {
     Effort effort = Effort::normal;
