@@ -1,9 +1,9 @@
 #include "geometry/inside_lines.hpp"
 
+#include "geometry/line_grid.hpp"
 #include "geometry/solid_data.hpp"
 
 #include <foam/parallel.hpp>
-#include <foam/random.hpp>
 
 namespace foam::geometry {
 namespace {
@@ -12,28 +12,37 @@ namespace {
 constexpr std::size_t across_closed = 48, across_open = 24, across_overlaps = 96;
 constexpr double noise = 1e-9; // of the box: no length is known better
 
-double cell_area(const Box& box, int axis, std::size_t across) {
-    const Vec3 size = box.size();
-    return size[(axis + 1) % 3] * size[(axis + 2) % 3] / static_cast<double>(across * across);
+/// Lines along an axis, and where they cross each part of a solid that is a mesh.
+struct TracedGrid {
+    LineGrid grid;
+    std::vector<GridCrossings> crossings{};
+};
+using TracedGrids = std::vector<TracedGrid>; // of each axis
+
+TracedGrids traced(const SolidData& data, std::size_t across, std::string_view stream) {
+    TracedGrids grids;
+    for (int axis = 0; axis < 3; ++axis) {
+        grids.push_back({LineGrid(data.box, axis, across, stream)});
+    }
+    parallel_for(grids.size(), [&](std::size_t axis) {
+        for (const PartQueries& part : data.queries) {
+            grids[axis].crossings.push_back(part.primitive ? GridCrossings{}
+                                                           : GridCrossings(part.mesh(), grids[axis].grid));
+        }
+    });
+    return grids;
 }
 
-/// The integral over the box of a quantity that is known along lines: `of_line(row, origin, axis)`, m. One line in each
-/// cell of a grid. The variance is that of collapsed strata (Cochran 1977, Sampling Techniques, 5A.12): two
-/// neighbouring cells count as one with two lines.
-template <class OfLine> Estimate integral(const Box& box, std::size_t across, std::string_view stream, OfLine of_line) {
+/// The integral over the box of a quantity that is known along lines: `of_line(row, grid, line)`, m, rows being counted
+/// over all axes. The variance is that of collapsed strata (Cochran 1977, Sampling Techniques, 5A.12): two neighbouring
+/// cells count as one with two lines.
+template <class OfLine> Estimate integral(const TracedGrids& grids, OfLine of_line) {
+    const std::size_t across = grids.front().grid.across;
     std::vector<Estimate> rows(3 * across); // value: sum; error: sum of squares
-    const Vec3 size = box.size();
     parallel_for(rows.size(), [&](std::size_t row) {
-        const int axis = static_cast<int>(row / across);
-        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-        const auto count = static_cast<double>(across);
-        Random random(derive_seed(row, stream));
         double last = 0;
         for (std::size_t k = 0; k < across; ++k) {
-            Vec3 origin = box.low;
-            origin[u] += size[u] * (static_cast<double>(row % across) + random.uniform()) / count;
-            origin[v] += size[v] * (static_cast<double>(k) + random.uniform()) / count;
-            const double value = of_line(row, origin, axis);
+            const double value = of_line(row, grids[row / across], row % across * across + k);
             rows[row].value += value;
             rows[row].error += k % 2 == 1 ? (value - last) * (value - last) : 0;
             last = value;
@@ -42,7 +51,7 @@ template <class OfLine> Estimate integral(const Box& box, std::size_t across, st
     Estimate result;
     double variance = 0;
     for (std::size_t row = 0; row < rows.size(); ++row) {
-        const double share = cell_area(box, static_cast<int>(row / across), across) / 3; // each axis is an estimate
+        const double share = grids[row / across].grid.cell_area() / 3; // each axis is an estimate
         result.value += share * rows[row].value;
         variance += share * share * rows[row].error;
     }
@@ -53,17 +62,23 @@ template <class OfLine> Estimate integral(const Box& box, std::size_t across, st
 /// A line and the parts of a solid.
 struct Tracer {
     const SolidData& data;
-    std::vector<Crossing> scratch{};
+    const TracedGrid& grid;
+    std::size_t line;
     std::vector<WindingPiece> pieces{};
     Intervals intervals{};
 
+    const Line& along() const { return grid.grid.lines[line]; }
+    std::span<const Crossing> crossings(std::size_t part) const {
+        return data.queries[part].primitive ? std::span<const Crossing>{} : grid.crossings[part].of(line);
+    }
+
     /// Where the line is inside the parts and what closes them; returns how much longer it is with the winding number
     /// counted in.
-    double closed_along(const Vec3& origin, const Vec3& direction) {
+    double closed_along() {
         pieces.clear();
         intervals.clear();
-        for (const PartQueries& part : data.queries) {
-            winding_along(part, origin, direction, scratch, pieces);
+        for (std::size_t part = 0; part < data.queries.size(); ++part) {
+            winding_along(data.queries[part], along(), crossings(part), pieces);
         }
         double wound = 0;
         for (const WindingPiece& piece : pieces) {
@@ -74,6 +89,16 @@ struct Tracer {
         }
         unite(intervals);
         return surplus(wound, length(intervals));
+    }
+
+    /// Where the line is inside the solid.
+    Intervals inside_along() {
+        Intervals result;
+        for (std::size_t part = 0; part < data.queries.size(); ++part) {
+            add_inside_along(data.queries[part], along(), crossings(part), whole_line, pieces, result);
+        }
+        unite(result);
+        return result;
     }
 
     double surplus(double more, double less) const {
@@ -94,28 +119,28 @@ InsideLines::InsideLines(const SolidData& data)
         rows_[row].origins.push_back(origin);
         rows_[row].ends.push_back(rows_[row].inside.size());
     };
-    const auto overlap = [&](std::size_t row, const Vec3& origin, int axis) {
-        Tracer tracer{data};
-        const double surplus = tracer.closed_along(origin, along(axis));
+    const auto overlap = [&](std::size_t row, const TracedGrid& grid, std::size_t line) {
+        Tracer tracer{data, grid, line};
+        const double surplus = tracer.closed_along();
         if (data.closed) {
-            keep(row, origin, tracer.intervals);
+            keep(row, tracer.along().origin(), tracer.intervals);
         }
         return surplus;
     };
-    const auto in_holes = [&](std::size_t row, const Vec3& origin, int axis) {
-        Tracer tracer{data};
-        tracer.closed_along(origin, along(axis));
-        const Intervals inside = data.inside_along(origin, along(axis), whole_line);
-        keep(row, origin, inside);
+    const auto in_holes = [&](std::size_t row, const TracedGrid& grid, std::size_t line) {
+        Tracer tracer{data, grid, line};
+        tracer.closed_along();
+        const Intervals inside = tracer.inside_along();
+        keep(row, tracer.along().origin(), inside);
         return tracer.surplus(length(tracer.intervals), length(inside));
     };
     double exact = 0;
     for (const PartQueries& part : data.queries) {
         exact += part.volume();
     }
-    const Estimate overlaps =
-        integral(box_, data.closed ? across_closed : across_overlaps, data.closed ? "volume" : "overlaps", overlap);
-    const Estimate holes = data.closed ? Estimate{} : integral(box_, across_open, "volume", in_holes);
+    const Estimate overlaps = integral(
+        data.closed ? traced(data, across_closed, "volume") : traced(data, across_overlaps, "overlaps"), overlap);
+    const Estimate holes = data.closed ? Estimate{} : integral(traced(data, across_open, "volume"), in_holes);
     volume_ = {std::max(0.0, exact - overlaps.value - holes.value), std::hypot(overlaps.error, holes.error)};
 }
 
@@ -124,13 +149,15 @@ double InsideLines::outside(std::span<const Sphere> spheres) const {
     std::copy_if(spheres.begin(), spheres.end(), std::back_inserter(balls),
                  [](const Sphere& s) { return is_finite(s.center) && std::isfinite(s.radius) && s.radius > 0; });
     const double shortest = noise * box_.diagonal();
+    const Vec3 size = box_.size();
     double sum = 0;
     std::vector<Sphere> near;
     Intervals in_balls, pieces;
     for (std::size_t task = 0; task < rows_.size(); ++task) {
         const Row& row = rows_[task];
-        const int axis = static_cast<int>(task / across_), u = (axis + 1) % 3;
-        const double cell = box_.size()[u] / static_cast<double>(across_);
+        const int axis = static_cast<int>(task / across_), u = (axis + 1) % 3, v = (axis + 2) % 3;
+        const double share = size[u] * size[v] / static_cast<double>(across_ * across_) / 3; // each axis is an estimate
+        const double cell = size[u] / static_cast<double>(across_);
         const double from = box_.low[u] + cell * static_cast<double>(task % across_);
         balls_between(balls, u, from, from + cell, near);
         double outside = 0;
@@ -142,7 +169,7 @@ double InsideLines::outside(std::span<const Sphere> spheres) const {
             without(std::span(row.inside).subspan(begin, row.ends[k] - begin), in_balls, shortest, pieces);
             outside += length(pieces);
         }
-        sum += cell_area(box_, axis, across_) / 3 * outside;
+        sum += share * outside;
     }
     return sum;
 }

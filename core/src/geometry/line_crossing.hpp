@@ -7,6 +7,15 @@
 
 namespace foam::geometry {
 
+/// Where a line meets a surface, and what that does to the winding number.
+struct Crossing {
+    double t;
+    int change; ///< +1 entering, -1 leaving
+
+    /// Along the line. Entering first: parts that touch become one.
+    bool operator<(const Crossing& other) const { return t != other.t ? t < other.t : change > other.change; }
+};
+
 /// The line origin + t · direction, prepared: axes permuted so that the direction's largest component comes last, and
 /// sheared so that the line is the last axis. A vertex is mapped by itself alone, hence the same in all its triangles.
 class Line {

@@ -194,9 +194,7 @@ void MeshPart::crossings(const Vec3& origin, const Vec3& direction, std::vector<
         const double turn = 2.39996322972865332 * attempt; // the golden angle: a new direction every time
         shifted = origin + step * (attempt + 1) * Vec3{std::cos(turn), std::sin(turn), std::cos(2 * turn + 1)};
     }
-    std::sort(result.begin(), result.end(), [](const Crossing& a, const Crossing& b) {
-        return a.t != b.t ? a.t < b.t : a.change > b.change; // enter first: parts that touch become one
-    });
+    std::sort(result.begin(), result.end());
 }
 
 } // namespace foam::geometry

@@ -15,12 +15,6 @@
 
 namespace foam::geometry {
 
-/// Where a line meets the surface, and what that does to the winding number.
-struct Crossing {
-    double t;
-    int change; ///< +1 entering, -1 leaving
-};
-
 /// The nearest point found so far.
 struct Nearest {
     double squared_distance;
@@ -52,6 +46,18 @@ public:
     /// Crossings of a whole line with the surface and what closes it, ascending by t; their changes sum to
     /// zero.
     void crossings(const Vec3& origin, const Vec3& direction, std::vector<Crossing>& result) const;
+
+    /// Calls visit(corners) for each triangle of the surface that counts, and of what closes it.
+    template <class Visit> void for_each_closed(Visit visit) const {
+        for (const Item& item : items_) {
+            if (item.counts) {
+                visit(item.corners);
+            }
+        }
+        if (closing_) {
+            closing_->for_each_closed(visit);
+        }
+    }
 
     /// Appends where the winding number is above one half on the `parts` of a line, ascending; some may touch.
     /// `crossings`: those of the line. Whole stretches are decided at once where what closes holes cannot matter, the

@@ -64,17 +64,20 @@ struct SolidData {
 
     bool is_primitive() const { return queries.size() == 1 && queries[0].primitive; }
     /// As Solid::inside_along().
-    Intervals inside_along(const Vec3& origin, const Vec3& direction, std::span<const Solid::Interval> within) const;
+    Intervals inside_along(const Line& line, std::span<const Solid::Interval> within) const;
 };
 
 /// Where the winding number of a mesh and what closes it, or the inside of a primitive, begins and ends along a line:
-/// pieces of a piece-wise constant function. Appends to `pieces`.
+/// pieces of a piece-wise constant function. Appends to `pieces`. `crossings`: of the line with a part that is a mesh.
 struct WindingPiece {
     double enter, leave;
     int winding;
 };
-void winding_along(const PartQueries& part, const Vec3& origin, const Vec3& direction, std::vector<Crossing>& scratch,
+void winding_along(const PartQueries& part, const Line& line, std::span<const Crossing> crossings,
                    std::vector<WindingPiece>& pieces);
+/// Appends where a line is inside a part, at least on `within`; not united. `pieces` is scratch.
+void add_inside_along(const PartQueries& part, const Line& line, std::span<const Crossing> crossings,
+                      std::span<const Solid::Interval> within, std::vector<WindingPiece>& pieces, Intervals& result);
 /// All of a line.
 inline constexpr std::array<Solid::Interval, 1> whole_line{
     {{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}}};

@@ -4,42 +4,47 @@
 namespace foam {
 namespace geometry {
 
-void winding_along(const PartQueries& part, const Vec3& origin, const Vec3& direction, std::vector<Crossing>& scratch,
+void winding_along(const PartQueries& part, const Line& line, std::span<const Crossing> crossings,
                    std::vector<WindingPiece>& pieces) {
     if (part.primitive) {
-        if (const auto interval = part.primitive->inside_along(origin, direction)) {
+        if (const auto interval = part.primitive->inside_along(line.origin(), line.direction())) {
             pieces.push_back({interval->enter, interval->leave, 1});
         }
         return;
     }
-    part.mesh().crossings(origin, direction, scratch);
     int winding = 0;
-    for (std::size_t i = 0; i + 1 < scratch.size(); ++i) {
-        winding += scratch[i].change;
-        if (winding != 0 && scratch[i].t < scratch[i + 1].t) {
-            pieces.push_back({scratch[i].t, scratch[i + 1].t, winding});
+    for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
+        winding += crossings[i].change;
+        if (winding != 0 && crossings[i].t < crossings[i + 1].t) {
+            pieces.push_back({crossings[i].t, crossings[i + 1].t, winding});
         }
     }
 }
 
-Intervals SolidData::inside_along(const Vec3& origin, const Vec3& direction,
-                                  std::span<const Solid::Interval> within) const {
+void add_inside_along(const PartQueries& part, const Line& line, std::span<const Crossing> crossings,
+                      std::span<const Solid::Interval> within, std::vector<WindingPiece>& pieces, Intervals& result) {
+    if (!part.closed()) {
+        part.mesh().inside_along(line.origin(), line.direction(), crossings, within, result);
+        return;
+    }
+    pieces.clear();
+    winding_along(part, line, crossings, pieces);
+    for (const WindingPiece& piece : pieces) {
+        if (piece.winding > 0) {
+            result.push_back({piece.enter, piece.leave});
+        }
+    }
+}
+
+Intervals SolidData::inside_along(const Line& line, std::span<const Solid::Interval> within) const {
     Intervals result;
     std::vector<Crossing> crossings;
     std::vector<WindingPiece> pieces;
     for (const PartQueries& part : queries) {
-        if (!part.closed()) {
-            part.mesh().crossings(origin, direction, crossings);
-            part.mesh().inside_along(origin, direction, crossings, within, result);
-            continue;
+        if (!part.primitive) {
+            part.mesh().crossings(line.origin(), line.direction(), crossings);
         }
-        pieces.clear();
-        winding_along(part, origin, direction, crossings, pieces);
-        for (const WindingPiece& piece : pieces) {
-            if (piece.winding > 0) {
-                result.push_back({piece.enter, piece.leave});
-            }
-        }
+        add_inside_along(part, line, crossings, within, pieces, result);
     }
     unite(result);
     return common(result, within);
@@ -56,7 +61,7 @@ std::vector<Solid::Interval> Solid::inside_along(const Vec3& origin, const Vec3&
     if (parts.empty() || !is_finite(origin) || !is_finite(direction) || direction == Vec3{}) {
         return {};
     }
-    return data_->inside_along(origin, direction, parts);
+    return data_->inside_along(geometry::Line(origin, direction), parts);
 }
 
 } // namespace foam

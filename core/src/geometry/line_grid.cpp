@@ -1,0 +1,175 @@
+#include "geometry/line_grid.hpp"
+
+#include "geometry/intervals.hpp"
+#include "geometry/mesh_part.hpp"
+
+#include <foam/random.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace foam::geometry {
+namespace {
+
+struct Hit {
+    std::size_t line;
+    Crossing crossing;
+};
+
+struct Range {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+
+    void add(double value) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+};
+
+/// Of a triangle's edge a -> b, seen along the lines: where it is between `from` and `to` of the first coordinate. All
+/// of an edge that hardly moves there.
+void add_edge(double au, double av, double bu, double bv, double from, double to, double steep, Range& range) {
+    if (au > bu) {
+        std::swap(au, bu);
+        std::swap(av, bv);
+    }
+    if (bu < from || au > to) {
+        return;
+    }
+    if (bu - au < steep) {
+        range.add(av);
+        range.add(bv);
+        return;
+    }
+    const double slope = (bv - av) / (bu - au);
+    range.add(au < from ? av + slope * (from - au) : av);
+    range.add(bu > to ? bv - slope * (bu - to) : bv);
+}
+
+/// Cells along one side of a grid.
+class Cells {
+public:
+    Cells(const LineGrid& grid, int axis)
+        : low_(grid.box.low[axis]), cell_(grid.box.size()[axis] / static_cast<double>(grid.across)),
+          across_(grid.across) {}
+
+    double size() const { return cell_; }
+    double begin(std::size_t i) const { return low_ + cell_ * static_cast<double>(i); }
+    /// Those that the range reaches: first and one past the last. A little wider than it is, as coordinates are
+    /// rounded.
+    std::pair<std::size_t, std::size_t> of(const Range& range) const {
+        if (!(cell_ > 0)) {
+            return {0, across_};
+        }
+        return {place((range.low - low_) / cell_ - margin), place((range.high - low_) / cell_ + margin + 1)};
+    }
+    /// Of a cell.
+    static constexpr double margin = 0.01;
+
+private:
+    std::size_t place(double cell) const {
+        return static_cast<std::size_t>(std::clamp(cell, 0.0, static_cast<double>(across_)));
+    }
+
+    double low_, cell_;
+    std::size_t across_;
+};
+
+/// Scan conversion (Wylie, Romney, Evans, Erdahl 1967): row by row the lines that may meet the triangle.
+template <class Visit> void for_each_line_near(const Corners& triangle, const LineGrid& grid, Visit visit) {
+    const int u = (grid.axis + 1) % 3, v = (grid.axis + 2) % 3;
+    const auto& [a, b, c] = triangle;
+    const Cells rows(grid, u), places(grid, v);
+    Range across;
+    across.add(a[u]);
+    across.add(b[u]);
+    across.add(c[u]);
+    const double margin = Cells::margin * rows.size();
+    const auto [first, last] = rows.of(across);
+    for (std::size_t row = first; row < last; ++row) {
+        const double from = rows.begin(row) - margin, to = rows.begin(row + 1) + margin;
+        Range along;
+        add_edge(a[u], a[v], b[u], b[v], from, to, margin, along);
+        add_edge(b[u], b[v], c[u], c[v], from, to, margin, along);
+        add_edge(c[u], c[v], a[u], a[v], from, to, margin, along);
+        if (!(along.low <= along.high)) {
+            continue;
+        }
+        const auto [begin, end] = places.of(along);
+        for (std::size_t k = begin; k < end; ++k) {
+            visit(row * grid.across + k);
+        }
+    }
+}
+
+/// Where rounding hit several edges at once the changes of a line do not sum to zero: it takes one beside it.
+void take_beside(const MeshPart& part, const LineGrid& grid, const std::vector<int>& sums, std::vector<Hit>& hits) {
+    if (std::all_of(sums.begin(), sums.end(), [](int sum) { return sum == 0; })) {
+        return;
+    }
+    std::erase_if(hits, [&](const Hit& hit) { return sums[hit.line] != 0; });
+    std::vector<Crossing> crossings;
+    for (std::size_t line = 0; line < sums.size(); ++line) {
+        if (sums[line] != 0) {
+            part.crossings(grid.lines[line].origin(), grid.lines[line].direction(), crossings);
+            for (const Crossing& crossing : crossings) {
+                hits.push_back({line, crossing});
+            }
+        }
+    }
+}
+
+} // namespace
+
+LineGrid::LineGrid(const Box& bounds, int parallel_to, std::size_t lines_a_side, std::string_view stream)
+    : box(bounds), axis(parallel_to), across(lines_a_side) {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const Vec3 size = box.size();
+    const auto count = static_cast<double>(across);
+    lines.reserve(across * across);
+    for (std::size_t row = 0; row < across; ++row) {
+        Random random(derive_seed(static_cast<std::size_t>(axis) * across + row, stream));
+        for (std::size_t k = 0; k < across; ++k) {
+            Vec3 origin = box.low;
+            origin[u] += size[u] * (static_cast<double>(row) + random.uniform()) / count;
+            origin[v] += size[v] * (static_cast<double>(k) + random.uniform()) / count;
+            lines.emplace_back(origin, along(axis));
+        }
+    }
+}
+
+double LineGrid::cell_area() const {
+    const Vec3 size = box.size();
+    return size[(axis + 1) % 3] * size[(axis + 2) % 3] / static_cast<double>(across * across);
+}
+
+GridCrossings::GridCrossings(const MeshPart& part, const LineGrid& grid) {
+    std::vector<Hit> hits;
+    std::vector<int> sums(grid.lines.size());
+    part.for_each_closed([&](const Corners& triangle) {
+        for_each_line_near(triangle, grid, [&](std::size_t line) {
+            double t = 0;
+            if (const int change = grid.lines[line].cross(triangle, t); change != 0) {
+                hits.push_back({line, {t, change}});
+                sums[line] += change;
+            }
+        });
+    });
+    take_beside(part, grid, sums, hits);
+    begins_.resize(grid.lines.size() + 1);
+    for (const Hit& hit : hits) {
+        ++begins_[hit.line + 1];
+    }
+    std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+    crossings_.resize(hits.size());
+    std::vector<std::size_t> places = begins_;
+    for (const Hit& hit : hits) {
+        crossings_[places[hit.line]++] = hit.crossing;
+    }
+    for (std::size_t line = 0; line < grid.lines.size(); ++line) {
+        std::sort(crossings_.begin() + static_cast<std::ptrdiff_t>(begins_[line]),
+                  crossings_.begin() + static_cast<std::ptrdiff_t>(begins_[line + 1]));
+    }
+}
+
+} // namespace foam::geometry
