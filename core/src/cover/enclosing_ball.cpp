@@ -1,5 +1,7 @@
 #include "cover/enclosing_ball.hpp"
 
+#include "cover/wide_vectors.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -8,28 +10,34 @@
 
 namespace foam::cover {
 
+FOAM_FOR_WIDE_VECTORS
 Farthest farthest(const Points& points, std::size_t count, const Vec3& from) {
-    // The hot loop of the search: four at a time in so many words, chunk by chunk; then the place in the best chunk.
-    using Lanes = float __attribute__((vector_size(16)));
-    constexpr std::size_t lanes = 4, chunk = 8 * lanes;
+    // The hot loop of the search: eight at a time in so many words, chunk by chunk; then the place in the best chunk.
+    using Lanes = float __attribute__((vector_size(32)));
+    constexpr std::size_t lanes = 8, chunk = 4 * lanes;
     const Ball center = ball_of({from, 0});
     const float *x = points.x.data(), *y = points.y.data(), *z = points.z.data();
-    const auto load = [](const float* values) {
-        Lanes loaded;
-        std::memcpy(&loaded, values, sizeof loaded);
-        return loaded;
+    const auto offset = [](const float* values, float by, Lanes& result) {
+        std::memcpy(&result, values, sizeof result);
+        result -= by;
     };
     const std::size_t whole = count / chunk * chunk;
     std::size_t best_chunk = whole;
     float most = -1;
     for (std::size_t begin = 0; begin < whole; begin += chunk) {
-        Lanes squared{-1, -1, -1, -1};
+        Lanes squared = Lanes{} - 1;
         for (std::size_t i = begin; i < begin + chunk; i += lanes) {
-            const Lanes dx = load(x + i) - center.x, dy = load(y + i) - center.y, dz = load(z + i) - center.z;
+            Lanes dx, dy, dz;
+            offset(x + i, center.x, dx);
+            offset(y + i, center.y, dy);
+            offset(z + i, center.z, dz);
             const Lanes s = dx * dx + dy * dy + dz * dz;
             squared = s > squared ? s : squared;
         }
-        const float most_here = std::max(std::max(squared[0], squared[1]), std::max(squared[2], squared[3]));
+        float most_here = squared[0];
+        for (std::size_t l = 1; l < lanes; ++l) {
+            most_here = std::max(most_here, squared[l]);
+        }
         if (most_here > most) {
             most = most_here;
             best_chunk = begin;

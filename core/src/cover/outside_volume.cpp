@@ -1,5 +1,7 @@
 #include "cover/outside_volume.hpp"
 
+#include "cover/wide_vectors.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -64,6 +66,7 @@ void OutsideVolume::look_along_row(float x, float y, float z, const Balls& other
     }
 }
 
+FOAM_FOR_WIDE_VECTORS
 double OutsideVolume::of(std::span<const Ball> balls) const {
     constexpr std::size_t lanes = 8;
     const Ball a = balls.front(), b = balls.back();

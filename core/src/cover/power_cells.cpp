@@ -1,5 +1,7 @@
 #include "cover/power_cells.hpp"
 
+#include "cover/wide_vectors.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -15,22 +17,22 @@ double power(const Ball& ball, const Vec3& p) {
 
 } // namespace
 
+FOAM_FOR_WIDE_VECTORS
 void Owners::find(const Points& points, const Balls& balls) {
-    // The hot loop of the search: four points at a time in so many words.
-    using Lanes = float __attribute__((vector_size(16)));
-    using Names = std::int32_t __attribute__((vector_size(16)));
-    constexpr std::size_t lanes = 4;
+    // The hot loop of the search: eight points at a time in so many words.
+    using Lanes = float __attribute__((vector_size(32)));
+    using Names = std::int32_t __attribute__((vector_size(32)));
+    constexpr std::size_t lanes = 8;
     constexpr float far = 1e30f;
     power.assign(points.size(), far);
     owner.assign(points.size(), 0);
-    const auto load = [](const float* values) {
-        Lanes loaded;
-        std::memcpy(&loaded, values, sizeof loaded);
-        return loaded;
-    };
+    const auto load = [](const float* values, Lanes& result) { std::memcpy(&result, values, sizeof result); };
     const std::size_t whole = points.size() / lanes * lanes;
     for (std::size_t p = 0; p < whole; p += lanes) {
-        const Lanes x = load(&points.x[p]), y = load(&points.y[p]), z = load(&points.z[p]);
+        Lanes x, y, z;
+        load(&points.x[p], x);
+        load(&points.y[p], y);
+        load(&points.z[p], z);
         Lanes least = Lanes{} + far;
         Names who{};
         for (std::size_t i = 0; i < balls.size(); ++i) {

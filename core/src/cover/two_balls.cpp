@@ -1,5 +1,7 @@
 #include "cover/two_balls.hpp"
 
+#include "cover/wide_vectors.hpp"
+
 #include "geometry/fibonacci.hpp"
 
 #include <algorithm>
