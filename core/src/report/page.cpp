@@ -12,11 +12,11 @@ namespace report {
 namespace {
 
 /// A source of Content Security Policy: the text of this digest and no other.
-std::string source_of(const Resource& resource) {
+std::string source_of(const embedded::Text& text) {
     std::string bytes;
-    for (std::size_t i = 0; i + 1 < resource.sha256.size(); i += 2) {
+    for (std::size_t i = 0; i + 1 < text.sha256.size(); i += 2) {
         unsigned value = 0;
-        std::from_chars(resource.sha256.data() + i, resource.sha256.data() + i + 2, value, 16);
+        std::from_chars(text.sha256.data() + i, text.sha256.data() + i + 2, value, 16);
         bytes += static_cast<char>(value);
     }
     return fmt::format("'sha256-{}'", base64(bytes));
@@ -24,10 +24,11 @@ std::string source_of(const Resource& resource) {
 
 } // namespace
 
-std::string page(const std::string& title, const std::string& body, const std::vector<Resource>& scripts) {
+std::string page(const std::string& title, const std::string& body, const std::vector<embedded::Text>& scripts) {
     std::string sources, elements;
-    for (const Resource& script : scripts) {
-        sources += " " + source_of(script);
+    for (const embedded::Text& script : scripts) {
+        sources += ' ';
+        sources += source_of(script);
         elements += fmt::format("<script>{}</script>\n", script.text);
     }
     return fmt::format(
@@ -36,7 +37,7 @@ std::string page(const std::string& title, const std::string& body, const std::v
         "script-src{}; base-uri 'none'; form-action 'none'\">\n"
         "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n<title>{}</title>\n"
         "<style>{}</style>\n</head>\n<body>\n{}{}</body>\n</html>\n",
-        source_of(page_css), sources, markup_escaped(title), page_css.text, body, elements);
+        source_of(embedded::page_css), sources, markup_escaped(title), embedded::page_css.text, body, elements);
 }
 
 } // namespace report
@@ -58,7 +59,7 @@ std::string base64(std::string_view bytes) {
 }
 
 std::string html_page(const std::string& title, const std::string& body) {
-    return report::page(title, body, {report::page_js});
+    return report::page(title, body, {embedded::page_js});
 }
 
 } // namespace foam

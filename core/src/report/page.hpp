@@ -1,7 +1,7 @@
 // HTML pages that need no other file.
 #pragma once
 
-#include "resource.hpp"
+#include "data/embedded_text.hpp"
 
 #include <string>
 #include <vector>
@@ -9,6 +9,6 @@
 namespace foam::report {
 
 /// `title` is text, `body` is HTML; `scripts` run after it, in their order.
-std::string page(const std::string& title, const std::string& body, const std::vector<Resource>& scripts);
+std::string page(const std::string& title, const std::string& body, const std::vector<embedded::Text>& scripts);
 
 } // namespace foam::report

@@ -14,7 +14,8 @@ std::string to_html(const Report& report) {
         body += section(report);
     }
     const auto name = report.manifest["settings"]["name"].get<std::string>();
-    return page(name + " as spheres", body + "</main>\n", {page_js, renderer_js, viewer_js});
+    return page(name + " as spheres", body + "</main>\n",
+                {embedded::page_js, embedded::renderer_js, embedded::viewer_js});
 }
 
 } // namespace foam::report
