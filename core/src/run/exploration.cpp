@@ -117,27 +117,10 @@ Cut explore(const Workspace& workspace, std::vector<ShapeWork>& shapes,
     }
     for_each_shape(shapes, [&](std::size_t s) { compute_until_cut(workspace, shapes[s], counts[s]); });
     const Cut cut = workspace.cut();
-    struct Point {
-        std::size_t shape, count;
-        Cost cost;
-    };
-    std::vector<Point> points;
-    for (std::size_t s = 0; s < shapes.size(); ++s) {
-        for (const auto& [count, tree] : shapes[s].known.trees) {
-            if (!shapes[s].error && !shapes[s].known.curve.knows(count)) {
-                points.push_back({s, count, {}});
-            }
-        }
-    }
-    const Workspace measuring = workspace.in(Phase::finishing); // takes a moment, and is of no use undone
-    parallel_for(points.size(), [&](std::size_t i) {
-        measuring.check_cancelled();
-        const ShapeWork& work = shapes[points[i].shape];
-        points[i].cost = cost_of(workspace, work, work.known.trees.at(points[i].count));
-    });
-    for (const Point& point : points) {
-        shapes[point.shape].known.curve.set(point.count, point.cost);
-    }
+    measure_trees(
+        workspace, shapes, [&](std::size_t s, std::size_t count) { return shapes[s].known.curve.knows(count); },
+        [&](const ShapeWork& work, const SphereTree& tree) { return cost_of(workspace, work, tree); },
+        [&](std::size_t s, std::size_t count, const Cost& cost) { shapes[s].known.curve.set(count, cost); });
     return cut;
 }
 

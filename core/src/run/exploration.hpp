@@ -4,6 +4,7 @@
 #include "shapes.hpp"
 
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace foam {
@@ -50,6 +51,35 @@ struct Shared {
 /// `bounds`: of each taker; empty: none.
 Shared share(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups, const Goal& goal,
              const std::vector<Bounds>& bounds = {});
+
+/// Measures trees on all cores, those of a search that was cut, too: it takes a moment, and they are of no use without.
+/// Of the shapes without an error, each tree of which `known(shape, count)` is false; `keep(shape, count, measured)` is
+/// called in their order with what `measure(work, tree)` gave.
+template <class Known, class Measure, class Keep>
+void measure_trees(const Workspace& workspace, const std::vector<ShapeWork>& shapes, Known known, Measure measure,
+                   Keep keep) {
+    struct Point {
+        std::size_t shape, count;
+        std::invoke_result_t<Measure&, const ShapeWork&, const SphereTree&> measured{};
+    };
+    std::vector<Point> points;
+    for (std::size_t s = 0; s < shapes.size(); ++s) {
+        for (const auto& [count, tree] : shapes[s].known.trees) {
+            if (!shapes[s].error && !known(s, count)) {
+                points.push_back({s, count});
+            }
+        }
+    }
+    const Workspace measuring = workspace.in(Phase::finishing);
+    parallel_for(points.size(), [&](std::size_t i) {
+        measuring.check_cancelled();
+        const ShapeWork& work = shapes[points[i].shape];
+        points[i].measured = measure(work, work.known.trees.at(points[i].count));
+    });
+    for (const Point& point : points) {
+        keep(point.shape, point.count, point.measured);
+    }
+}
 
 /// Makes the curves know the counts asked for: spherize, cover, measure what is claimed wrongly. What cut the search
 /// meanwhile is returned; something is known of every shape then, too.

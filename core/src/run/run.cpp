@@ -53,6 +53,41 @@ void fill_result(RunResult& result, const Journal& journal, const std::vector<Li
     result.cpu_seconds = cpu_seconds() - cpu_begin;
 }
 
+/// The model in the formats that the recipe asks for, and pictures of it.
+Snapshots write_model(const Workspace& workspace, const FinishedModel& finished, RunDirectory& directory,
+                      RunFiles& files, RunResult& result) {
+    files.outputs = write_outputs(workspace, finished, directory);
+    if (workspace.recipe.debug_meshes) {
+        files.debug_meshes = write_debug_meshes(workspace, finished, directory);
+    }
+    for (const auto* written : {&files.outputs, &files.debug_meshes}) {
+        for (const OutputFile& file : *written) {
+            result.files.emplace_back(file.file);
+        }
+    }
+    Snapshots pictures = write_snapshots(workspace, finished, directory);
+    result.files.insert(result.files.end(), pictures.files.begin(), pictures.files.end());
+    return pictures;
+}
+
+/// What the run was, for people and for programs. Then the directory is whole.
+void write_record(const Workspace& workspace, const FinishedModel& finished, RunDirectory& directory,
+                  const RunFiles& files, const Snapshots& pictures, RunResult& result) {
+    const std::string resolved = to_yaml(workspace.recipe, workspace.registry, true);
+    directory.write("recipe.resolved.yaml", resolved);
+    const std::string manifest = manifest_json(workspace, files, result);
+    if (workspace.options.accept) {
+        workspace.options.accept(manifest);
+    }
+    directory.write("manifest.json", manifest);
+    directory.write("report.html", report_html(workspace, finished, manifest, resolved, pictures));
+    result.files.emplace_back("report.html");
+    workspace.journal.emit(Event::Kind::run_finished);
+    directory.write("events.jsonl", workspace.journal.events_jsonl());
+    workspace.check_cancelled();
+    directory.commit();
+}
+
 } // namespace
 
 const char* to_string(Cut cut) {
@@ -115,34 +150,12 @@ RunResult run(const Recipe& recipe, const Registry& registry, const RunOptions& 
 
     Snapshots pictures;
     if (directory) {
-        files.outputs = write_outputs(workspace, finished, *directory);
-        if (recipe.debug_meshes) {
-            files.debug_meshes = write_debug_meshes(workspace, finished, *directory);
-        }
-        for (const auto* written : {&files.outputs, &files.debug_meshes}) {
-            for (const OutputFile& file : *written) {
-                result.files.emplace_back(file.file);
-            }
-        }
-        pictures = write_snapshots(workspace, finished, *directory);
-        result.files.insert(result.files.end(), pictures.files.begin(), pictures.files.end());
+        pictures = write_model(workspace, finished, *directory, files, result);
     }
     result.certified = all_certified(finished);
     fill_result(result, journal, links, cpu_begin);
     if (directory) {
-        const std::string resolved = to_yaml(recipe, registry, true);
-        directory->write("recipe.resolved.yaml", resolved);
-        const std::string manifest = manifest_json(workspace, files, result);
-        if (options.accept) {
-            options.accept(manifest);
-        }
-        directory->write("manifest.json", manifest);
-        directory->write("report.html", report_html(workspace, finished, manifest, resolved, pictures));
-        result.files.emplace_back("report.html");
-        journal.emit(Event::Kind::run_finished);
-        directory->write("events.jsonl", journal.events_jsonl());
-        workspace.check_cancelled();
-        directory->commit();
+        write_record(workspace, finished, *directory, files, pictures, result);
     } else {
         journal.emit(Event::Kind::run_finished);
     }

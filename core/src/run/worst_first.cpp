@@ -53,31 +53,6 @@ double best_worst(const std::vector<std::size_t>& shape_of_taker, const Figures&
     return best == limits.end() ? infinity : *best;
 }
 
-void measure_new(const Workspace& workspace, const std::vector<ShapeWork>& shapes, Objective objective,
-                 Figures& figures) {
-    struct Point {
-        std::size_t shape, count;
-        double figure;
-    };
-    std::vector<Point> points;
-    for (std::size_t s = 0; s < shapes.size(); ++s) {
-        for (const auto& [count, tree] : shapes[s].known.trees) {
-            if (!shapes[s].error && !figures[s].contains(count)) {
-                points.push_back({s, count, 0});
-            }
-        }
-    }
-    const Workspace measuring = workspace.in(Phase::finishing); // takes a moment, and is of no use undone
-    parallel_for(points.size(), [&](std::size_t i) {
-        measuring.check_cancelled();
-        const ShapeWork& work = shapes[points[i].shape];
-        points[i].figure = figure_of(work.shape->original(), work.known.trees.at(points[i].count).finest(), objective);
-    });
-    for (const Point& point : points) {
-        figures[point.shape][point.count] = point.figure;
-    }
-}
-
 } // namespace
 
 std::optional<Objective> common_objective(const Recipe& recipe, const std::vector<ShapeWork>& shapes) {
@@ -100,7 +75,12 @@ Cut explore_worst_first(const Workspace& workspace, std::vector<ShapeWork>& shap
     Cut cut = Cut::none;
     for (bool any = true; any && cut == Cut::none;) {
         cut = explore(workspace, shapes, wanted);
-        measure_new(workspace, shapes, objective, figures);
+        measure_trees(
+            workspace, shapes, [&](std::size_t s, std::size_t count) { return figures[s].contains(count); },
+            [&](const ShapeWork& work, const SphereTree& tree) {
+                return figure_of(work.shape->original(), tree.finest(), objective);
+            },
+            [&](std::size_t s, std::size_t count, double figure) { figures[s][count] = figure; });
         const std::vector<std::size_t> of_taker = shapes_of(takers(shapes, groups), groups);
         const double limit = best_worst(of_taker, figures, most);
         // Those of which nothing better is known may keep the others waiting.
