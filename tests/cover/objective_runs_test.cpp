@@ -1,60 +1,38 @@
 // Objectives of spherize.cover through whole runs: what is written is proved, and what a run does to the spheres of a
 // link does not undo them.
 #include "geometry/measure_parts.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/runs.hpp"
 
-#include <foam/host/registry.hpp>
-#include <foam/host/run.hpp>
 #include <foam/host/spherize.hpp>
 #include <foam/measure.hpp>
 
-#include <gtest/gtest.h>
-
-#include <fstream>
 #include <numeric>
-#include <sstream>
 
 namespace {
 
 using namespace foam;
 
-class ObjectiveRuns : public testing::Test {
+class ObjectiveRuns : public test::RunTest {
 protected:
-    ObjectiveRuns() { registry.load_directory(FOAM_TEST_PLUGINS); }
-
     /// The spheres of a robot as they are read back. `geometries`: of its links a, b, …, as URDF has them.
     std::map<std::string, std::vector<Sphere>> written(const std::vector<std::string>& geometries,
                                                        const std::string& parameters, std::size_t spheres) {
-        std::ofstream urdf(folder.path() / "robot.urdf");
-        urdf << "<robot name=\"robot\">";
-        std::string name = "a";
+        std::string urdf = "<robot name=\"robot\">", name = "a";
         for (const std::string& geometry : geometries) {
-            urdf << "<link name=\"" << name << "\"><collision><geometry>" << geometry
-                 << "</geometry></collision></link>";
+            urdf += "<link name=\"" + name + "\"><collision><geometry>" + geometry + "</geometry></collision></link>";
             if (name != "a") {
-                urdf << "<joint name=\"j" << name << "\" type=\"fixed\"><parent link=\"a\"/><child link=\"" << name
-                     << "\"/></joint>";
+                urdf += "<joint name=\"j" + name + "\" type=\"fixed\"><parent link=\"a\"/><child link=\"" + name +
+                        "\"/></joint>";
             }
             ++name[0];
         }
-        urdf << "</robot>";
-        urdf.close();
-        const std::string text = "foam: 1\nname: robot\nrobot: {urdf: robot.urdf}\nstages: [spherize.cover: {" +
-                                 parameters + "}]\nbudget: {spheres: " + std::to_string(spheres) +
-                                 "}\noutputs:\n  - write.urdf: {file: robot.urdf}\n";
-        const RecipeResult recipe = parse_recipe(text, folder.path() / "robot.yaml", registry);
-        EXPECT_TRUE(recipe.ok()) << recipe.diagnostics.at(0).text();
-        RunOptions options;
-        options.out = folder.path() / "out";
-        options.fresh = true;
-        EXPECT_TRUE(run(recipe.recipes.at(0), registry, options).certified);
-        std::ostringstream text_of_robot;
-        text_of_robot << std::ifstream(folder.path() / "out/robot.urdf").rdbuf();
-        return registry.make<Writer>("write.urdf")->read(text_of_robot.str());
+        write("robot.urdf", urdf + "</robot>");
+        const Recipe recipe = recipe_of("name: robot\nrobot: {urdf: robot.urdf}\nstages: [spherize.cover: {" +
+                                        parameters + "}]\nbudget: {spheres: " + std::to_string(spheres) +
+                                        "}\noutputs:\n  - write.urdf: {file: robot.urdf}\n");
+        EXPECT_TRUE(run(recipe, registry, options()).certified);
+        return spheres_in("out/robot.urdf");
     }
-
-    TemporaryFolder folder;
-    Registry registry;
 };
 
 std::shared_ptr<const Solid> solid_of(const Primitive& primitive) {

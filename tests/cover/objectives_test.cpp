@@ -1,5 +1,6 @@
 // Objectives of foam::spherize() other than excess: proved, never worse than excess by their own measure, never worse
 // with more spheres.
+#include "cover/expect_cover.hpp"
 #include "geometry/measure_parts.hpp"
 #include "geometry/shapes.hpp"
 
@@ -41,10 +42,7 @@ TEST_P(ByObjective, EverySampleOfTheContractIsHeldAndNoWorseThanByExcess) {
         for (const std::size_t count : {1, 2, 5, 12}) {
             SCOPED_TRACE(name + ", " + std::to_string(count));
             const Cover cover = spherize(*solid, count, fast);
-            EXPECT_GE(cover.spheres.size(), 1u);
-            EXPECT_LE(cover.spheres.size(), count);
-            EXPECT_TRUE(cover.certificate.holds);
-            EXPECT_TRUE(certify(*solid, cover.spheres).holds);
+            test::expect_cover(*solid, cover, count);
             const Cover by_excess = spherize(*solid, count, {.effort = Effort::fast});
             EXPECT_LE(figure(*solid, cover.spheres), figure(*solid, by_excess.spheres));
         }

@@ -1,4 +1,5 @@
 // foam::spherize() with Effort::fast, for objects in a loop, and the memory for objects that come again.
+#include "cover/expect_cover.hpp"
 #include "geometry/shapes.hpp"
 
 #include <foam/host/contract.hpp>
@@ -24,11 +25,7 @@ TEST(QuickCover, HoldsEverySampleOfTheContract) {
         const auto solid = make();
         for (const std::size_t count : {2, 8, 16, 40}) {
             SCOPED_TRACE(name + ", " + std::to_string(count));
-            const Cover cover = spherize(*solid, count, fast);
-            EXPECT_GE(cover.spheres.size(), 1u);
-            EXPECT_LE(cover.spheres.size(), count);
-            EXPECT_TRUE(cover.certificate.holds);
-            EXPECT_TRUE(certify(*solid, cover.spheres).holds);
+            test::expect_cover(*solid, spherize(*solid, count, fast), count);
         }
     }
 }

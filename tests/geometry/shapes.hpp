@@ -1,6 +1,7 @@
 // Meshes for the tests of geometry: exact shapes, tessellated shapes and broken ones.
 #pragma once
 
+#include <foam/host/contract.hpp>
 #include <foam/random.hpp>
 #include <foam/robot.hpp>
 #include <foam/solid.hpp>
@@ -51,18 +52,7 @@ inline Mesh ball(const Vec3& center, double radius, std::uint32_t n = 24) {
 }
 
 inline Mesh torus(double large, double small, std::uint32_t n = 32) {
-    Mesh mesh;
-    for (std::uint32_t i = 0; i < n; ++i) {
-        for (std::uint32_t k = 0; k < n; ++k) {
-            const double a = 2 * std::numbers::pi * i / n, b = 2 * std::numbers::pi * k / n;
-            const double across = large + small * std::cos(b);
-            mesh.vertices.push_back({across * std::cos(a), across * std::sin(a), small * std::sin(b)});
-            const std::uint32_t i1 = (i + 1) % n, k1 = (k + 1) % n;
-            mesh.triangles.push_back({i * n + k, i1 * n + k, i1 * n + k1});
-            mesh.triangles.push_back({i * n + k, i1 * n + k1, i * n + k1});
-        }
-    }
-    return mesh;
+    return sample::torus(large, small, n, n);
 }
 
 inline Mesh together(Mesh a, const Mesh& b) {

@@ -2,9 +2,9 @@
 // link and input.
 #include "cli/program.hpp"
 #include "ill.hpp"
+#include "support/runs.hpp"
 
 #include <foam/error.hpp>
-#include <foam/host/run.hpp>
 
 #include <atomic>
 #include <cctype>
@@ -16,33 +16,20 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
 
-class Isolation : public ::testing::Test {
+class Isolation : public RunTest {
 protected:
     Isolation() {
-        registry.load_directory(FOAM_TEST_PLUGINS);
         const PluginRecord& plugin = registry.load(FOAM_TEST_ILL_BEHAVED);
         EXPECT_TRUE(plugin.loaded()) << plugin.rejection;
         write("two.urdf", two_links_urdf);
         write("box.obj", box_obj);
     }
 
-    void write(const std::string& name, const std::string& text) const {
-        std::ofstream(folder.path() / name, std::ios::binary) << text;
-    }
-    Recipe recipe(const std::string& rest) {
-        const auto result =
-            parse_recipe("foam: 1\nname: two\nrobot: {urdf: two.urdf}\n" + rest, folder.path() / "two.yaml", registry);
-        for (const Diagnostic& finding : result.diagnostics) {
-            ADD_FAILURE() << finding.text();
-        }
-        return result.recipes.at(0);
-    }
+    Recipe recipe(const std::string& rest) { return recipe_of("name: two\nrobot: {urdf: two.urdf}\n" + rest); }
     RunOptions options(const std::string& out = "out") const {
-        RunOptions o;
-        o.out = folder.path() / out;
-        o.fresh = true;
-        o.program = FOAM_TEST_BINARY;
-        return o;
+        RunOptions result = RunTest::options(out);
+        result.program = FOAM_TEST_BINARY;
+        return result;
     }
     RunResult run_of(const std::string& rest, const std::string& out = "out") {
         return run(recipe(rest), registry, options(out));
@@ -63,8 +50,6 @@ protected:
                        "links: {tip: {repair.ill: {how: " + how + "}}}\n");
     }
 
-    TemporaryFolder folder;
-    Registry registry;
     ErrorCode code = ErrorCode::internal;
 };
 

@@ -2,9 +2,7 @@
 #pragma once
 
 #include "run/files.hpp"
-#include "support/temporary_folder.hpp"
-
-#include <foam/host/run.hpp>
+#include "support/runs.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -52,10 +50,9 @@ inline std::string between(const std::string& text, const std::string& begin, co
 
 inline constexpr const char* hostile_link = "<script>document.title='broken'</script>";
 
-class ReportOfRun : public ::testing::Test {
+class ReportOfRun : public RunTest {
 protected:
     ReportOfRun() {
-        registry.load_directory(FOAM_TEST_PLUGINS);
         write_file(folder.path() / "a<b>&.obj",
                    "v 0 0 0\nv 0.1 0 0\nv 0.1 0.2 0\nv 0 0.2 0\nv 0 0 0.3\nv 0.1 0 0.3\nv 0.1 0.2 0.3\nv 0 0.2 0.3\n"
                    "f 1 4 3 2\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"); // no lid
@@ -71,21 +68,14 @@ protected:
     }
 
     Recipe recipe(const std::string& rest, const std::string& input = "robot: {urdf: arm.urdf}") {
-        const auto read =
-            parse_recipe("foam: 1\nname: arm\n" + input + "\n" + rest, folder.path() / "arm.yaml", registry);
-        for (const Diagnostic& finding : read.diagnostics) {
-            ADD_FAILURE() << finding.text();
-        }
-        return read.recipes.at(0);
+        return recipe_of("name: arm\n" + input + "\n" + rest);
     }
 
     /// The report of a run, which lies in the folder `out`.
     std::string report_of(const Recipe& wanted, const std::string& out = "out", std::size_t threads = 0) {
-        RunOptions options;
-        options.out = folder.path() / out;
-        options.fresh = true;
-        options.threads = threads;
-        result = run(wanted, registry, options);
+        RunOptions with = options(out);
+        with.threads = threads;
+        result = run(wanted, registry, with);
         return read_file(folder.path() / out / "report.html");
     }
 
@@ -93,8 +83,6 @@ protected:
         return nlohmann::json::parse(between(html, "<script type=\"application/json\" id=\"scene\">", "</script>"));
     }
 
-    TemporaryFolder folder;
-    Registry registry;
     RunResult result;
 };
 

@@ -1,14 +1,14 @@
-// Runs on a robot of two links, a box and a cylinder.
+// Runs on a robot of two links, a box and a cylinder, and what they say.
 #pragma once
 
 #include "run/files.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/runs.hpp"
 
 #include <foam/error.hpp>
-#include <foam/host/run.hpp>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
+
+#include <atomic>
 
 namespace foam {
 
@@ -21,29 +21,15 @@ inline constexpr const char* two_links = R"(<?xml version="1.0"?>
 </robot>
 )";
 
-class Run : public ::testing::Test {
+class Run : public test::RunTest {
 protected:
     Run() {
-        registry.load_directory(FOAM_TEST_PLUGINS);
         registry.load(FOAM_TEST_MISBEHAVING);
-        write_file(folder.path() / "two.urdf", two_links);
+        write("two.urdf", two_links);
     }
 
     /// Of the robot two.urdf; `rest`: what follows its name.
-    Recipe recipe(const std::string& rest) {
-        const auto result =
-            parse_recipe("foam: 1\nname: two\nrobot: {urdf: two.urdf}\n" + rest, folder.path() / "two.yaml", registry);
-        for (const Diagnostic& finding : result.diagnostics) {
-            ADD_FAILURE() << finding.text();
-        }
-        return result.recipes.at(0);
-    }
-    RunOptions options(const std::string& out = "out") const {
-        RunOptions o;
-        o.out = folder.path() / out;
-        o.fresh = true;
-        return o;
-    }
+    Recipe recipe(const std::string& rest) { return recipe_of("name: two\nrobot: {urdf: two.urdf}\n" + rest); }
     std::string failure(const std::string& rest) {
         try {
             run(recipe(rest), registry, options());
@@ -54,9 +40,34 @@ protected:
         return "no error";
     }
 
-    TemporaryFolder folder;
-    Registry registry;
     ErrorCode code = ErrorCode::internal;
+};
+
+/// Warnings and errors of a run, in their order.
+inline std::vector<std::string> warnings_of(const RunResult& result) {
+    std::vector<std::string> warnings;
+    for (const Finding& finding : result.findings) {
+        if (finding.severity >= Severity::warning) {
+            warnings.push_back(finding.link + ": " + finding.message);
+        }
+    }
+    return warnings;
+}
+
+/// Asks the run to stop once a stage has finished so many tasks.
+class StopAfter final : public Observer {
+public:
+    StopAfter(std::string stage, std::size_t tasks) : stage_(std::move(stage)), tasks_(tasks) {}
+    void on(const Event& event) override {
+        if (event.kind == Event::Kind::task_finished && event.stage == stage_ && --tasks_ == 0) {
+            stop = true;
+        }
+    }
+    std::atomic<bool> stop = false;
+
+private:
+    std::string stage_;
+    std::size_t tasks_;
 };
 
 } // namespace foam

@@ -3,19 +3,14 @@
 #include "all_spherizers.hpp"
 
 #include "run/clip.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/runs.hpp"
 
 #include <foam/error.hpp>
 #include <foam/host/contract.hpp>
-#include <foam/host/run.hpp>
 #include <foam/measure.hpp>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-
-#include <fstream>
-#include <sstream>
 
 namespace {
 
@@ -23,42 +18,25 @@ using namespace foam;
 using namespace foam::test;
 using Json = nlohmann::json;
 
-std::string text_of(const std::filesystem::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-}
-
 /// A foot: a plate that lies on z = 0 and a post on it, not along the link's axes.
-class Clip : public testing::Test {
+class Clip : public RunTest {
 protected:
     Clip() {
-        registry.load_directory(FOAM_TEST_PLUGINS);
-        std::ofstream(folder.path() / "foot.urdf") << R"(<robot name="foot"><link name="foot">
+        write("foot.urdf", R"(<robot name="foot"><link name="foot">
                     <collision><origin xyz="0 0 0.01" rpy="0 0 0.4"/><geometry><box size="0.2 0.14 0.02"/></geometry>
                     </collision>
                     <collision><origin xyz="0.02 0 0.08" rpy="0.3 0 0"/><geometry><box size="0.06 0.06 0.1"/></geometry>
                     </collision>
-                  </link></robot>)";
+                  </link></robot>)");
     }
 
     RunResult run_with(const std::string& spherizer, const std::string& rest) {
-        const std::string text = "foam: 1\nname: foot\nrobot: {urdf: foot.urdf}\nstages: [" + spherizer + "]\n" + rest +
-                                 "\noutputs: [write.urdf: {file: foot.urdf}]\n";
-        const RecipeResult recipe = parse_recipe(text, folder.path() / "foot.yaml", registry);
-        EXPECT_TRUE(recipe.ok()) << recipe.diagnostics.at(0).text();
-        RunOptions options;
-        options.out = folder.path() / "out";
-        options.fresh = true;
-        return run(recipe.recipes.at(0), registry, options);
+        return run(recipe_of("name: foot\nrobot: {urdf: foot.urdf}\nstages: [" + spherizer + "]\n" + rest +
+                             "\noutputs: [write.urdf: {file: foot.urdf}]\n"),
+                   registry, options());
     }
-    std::vector<Sphere> written() const {
-        return registry.make<Writer>("write.urdf")->read(text_of(folder.path() / "out/foot.urdf")).at("foot");
-    }
-    Json manifest() const { return Json::parse(text_of(folder.path() / "out/manifest.json")); }
-
-    TemporaryFolder folder;
-    Registry registry;
+    std::vector<Sphere> written() const { return spheres_in("out/foot.urdf").at("foot"); }
+    Json manifest() const { return Json::parse(text_of("out/manifest.json")); }
 };
 
 class EverySpherizer : public Clip, public testing::WithParamInterface<std::string> {};
@@ -96,7 +74,7 @@ TEST_F(Clip, ObliquePlanesAndSeveralOfThem) {
     EXPECT_EQ(planes[1]["reach_m"], 0.03);
     EXPECT_DOUBLE_EQ(planes[1]["reached_m"], reach_beyond(oblique, written()));
     EXPECT_EQ(planes[0]["kept"], true);
-    EXPECT_NE(text_of(folder.path() / "out/report.html").find("mm beyond the plane with normal [0, 0, -2] at 0.000 mm"),
+    EXPECT_NE(text_of("out/report.html").find("mm beyond the plane with normal [0, 0, -2] at 0.000 mm"),
               std::string::npos);
 }
 

@@ -2,51 +2,37 @@
 // there gaps. Measured on the file that was written.
 #include "all_spherizers.hpp"
 
-#include "support/temporary_folder.hpp"
+#include "support/runs.hpp"
 
-#include <foam/host/run.hpp>
 #include <foam/union_volume.hpp>
-
-#include <gtest/gtest.h>
-
-#include <fstream>
-#include <sstream>
 
 namespace {
 
 using namespace foam;
 using namespace foam::test;
 
-class MoreSpheres : public testing::TestWithParam<std::string> {
+class MoreSpheres : public RunTest, public testing::WithParamInterface<std::string> {
 protected:
     MoreSpheres() {
-        registry.load_directory(FOAM_TEST_PLUGINS);
-        std::ofstream(folder.path() / "hook.urdf") << R"(<robot name="hook"><link name="hook">
+        write("hook.urdf", R"(<robot name="hook"><link name="hook">
                     <collision><geometry><box size="0.3 0.05 0.1"/></geometry></collision>
                     <collision><origin xyz="0.125 0.1 0"/><geometry><box size="0.05 0.2 0.1"/></geometry></collision>
                     <collision><origin xyz="0.05 0.2 0"/><geometry><cylinder radius="0.03" length="0.2"/></geometry>
                     </collision>
-                  </link></robot>)";
+                  </link></robot>)");
     }
 
     /// With the trees of earlier calls in a cache of the test's own.
     std::vector<Sphere> written(const std::string& budget, bool numbers_as_asked = false) {
-        const std::string text = "foam: 1\nname: hook\nrobot: {urdf: hook.urdf}\nstages: [" + GetParam() + "]\n" +
-                                 budget + "\noutputs: [write.urdf: {file: hook.urdf}]\n";
-        const RecipeResult recipe = parse_recipe(text, folder.path() / "hook.yaml", registry);
-        EXPECT_TRUE(recipe.ok()) << recipe.diagnostics.at(0).text();
-        RunOptions options;
-        options.out = folder.path() / "out";
-        options.cache = folder.path() / "cache";
-        options.numbers_as_asked = numbers_as_asked;
-        EXPECT_TRUE(run(recipe.recipes.at(0), registry, options).certified) << budget;
-        std::ostringstream urdf;
-        urdf << std::ifstream(folder.path() / "out/hook.urdf").rdbuf();
-        return registry.make<Writer>("write.urdf")->read(urdf.str()).at("hook");
+        RunOptions with = options();
+        with.fresh = false;
+        with.cache = folder.path() / "cache";
+        with.numbers_as_asked = numbers_as_asked;
+        const Recipe recipe = recipe_of("name: hook\nrobot: {urdf: hook.urdf}\nstages: [" + GetParam() + "]\n" +
+                                        budget + "\noutputs: [write.urdf: {file: hook.urdf}]\n");
+        EXPECT_TRUE(run(recipe, registry, with).certified) << budget;
+        return spheres_in("out/hook.urdf").at("hook");
     }
-
-    TemporaryFolder folder;
-    Registry registry;
 };
 
 TEST_P(MoreSpheres, NeverClaimMore) {

@@ -2,17 +2,12 @@
 // each level on its own keeps the guarantee on the numbers that were written.
 #include "all_spherizers.hpp"
 
-#include "support/temporary_folder.hpp"
+#include "support/runs.hpp"
 
-#include <foam/host/run.hpp>
 #include <foam/inner.hpp>
 #include <foam/measure.hpp>
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-
-#include <fstream>
-#include <sstream>
 
 namespace {
 
@@ -22,44 +17,31 @@ using Json = nlohmann::json;
 
 constexpr std::size_t levels = 3;
 
-std::string text_of(const std::filesystem::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-}
-
-class WrittenTree : public testing::TestWithParam<std::string> {
+class WrittenTree : public RunTest, public testing::WithParamInterface<std::string> {
 protected:
     WrittenTree() {
-        registry.load_directory(FOAM_TEST_PLUGINS);
-        std::ofstream(folder.path() / "part.obj")
-            << "v 0 0 0\nv 4 0 0\nv 4 1 0\nv 1 1 0\nv 1 3 0\nv 0 3 0\nv 0 0 1\nv 4 0 1\nv 4 1 1\nv 1 1 1\nv 1 3 1\n"
-               "v 0 3 1\nf 6 5 4\nf 6 4 1\nf 4 3 2\nf 4 2 1\nf 7 10 11\nf 7 11 12\nf 7 8 9\nf 7 9 10\nf 1 2 8\nf 1 8 "
-               "7\n"
-               "f 2 3 9\nf 2 9 8\nf 3 4 10\nf 3 10 9\nf 4 5 11\nf 4 11 10\nf 5 6 12\nf 5 12 11\nf 6 1 7\nf 6 7 12\n";
-        std::ofstream(folder.path() / "part.urdf")
-            << "<robot name=\"part\"><link name=\"part\"><collision><geometry><mesh filename=\"part.obj\"/></geometry>"
-               "</collision></link></robot>";
+        write("part.obj",
+              "v 0 0 0\nv 4 0 0\nv 4 1 0\nv 1 1 0\nv 1 3 0\nv 0 3 0\nv 0 0 1\nv 4 0 1\nv 4 1 1\nv 1 1 1\nv 1 3 1\n"
+              "v 0 3 1\nf 6 5 4\nf 6 4 1\nf 4 3 2\nf 4 2 1\nf 7 10 11\nf 7 11 12\nf 7 8 9\nf 7 9 10\nf 1 2 8\nf 1 8 7\n"
+              "f 2 3 9\nf 2 9 8\nf 3 4 10\nf 3 10 9\nf 4 5 11\nf 4 11 10\nf 5 6 12\nf 5 12 11\nf 6 1 7\nf 6 7 12\n");
+        write("part.urdf",
+              "<robot name=\"part\"><link name=\"part\"><collision><geometry><mesh filename=\"part.obj\"/></geometry>"
+              "</collision></link></robot>");
     }
 
     RunResult run_with(const std::string& guarantee) {
-        std::string text = "foam: 1\nname: tree\nrobot: {urdf: part.urdf}\nstages: [" + GetParam() +
+        std::string text = "name: tree\nrobot: {urdf: part.urdf}\nstages: [" + GetParam() +
                            ": {depth: 2}]\nguarantee: " + guarantee + "\noutputs:\n  - write.json: {file: tree.json}\n";
         for (std::size_t level = 0; level < levels; ++level) {
             text +=
                 "  - write.urdf: {file: " + std::to_string(level) + ".urdf, level: " + std::to_string(level) + "}\n";
         }
-        const RecipeResult recipe = parse_recipe(text, folder.path() / "tree.yaml", registry);
-        EXPECT_TRUE(recipe.ok()) << recipe.diagnostics.at(0).text();
-        RunOptions options;
-        options.out = folder.path() / "out";
-        options.fresh = true;
-        return run(recipe.recipes.at(0), registry, options);
+        return run(recipe_of(text), registry, options());
     }
 
     /// The levels as the JSON file has them; checks that the URDF files have the same.
     SphereTree read_levels() {
-        const Json document = Json::parse(text_of(folder.path() / "out/tree.json"));
+        const Json document = Json::parse(text_of("out/tree.json"));
         SphereTree tree;
         for (const Json& list : document["links"]["part"]["groups"][0]["levels"]) {
             SphereTree::Level& level = tree.levels.emplace_back();
@@ -71,10 +53,7 @@ protected:
                 }
             }
             const std::size_t l = tree.levels.size() - 1;
-            const auto writer = registry.make<Writer>("write.urdf");
-            EXPECT_EQ(writer->read(text_of(folder.path() / "out" / (std::to_string(l) + ".urdf"))).at("part"),
-                      level.spheres)
-                << "level " << l;
+            EXPECT_EQ(spheres_in("out/" + std::to_string(l) + ".urdf").at("part"), level.spheres) << "level " << l;
             EXPECT_EQ(level.parents.size(), l == 0 ? 0 : level.spheres.size());
             for (const std::uint32_t parent : level.parents) {
                 EXPECT_LT(parent, tree.levels[l - 1].spheres.size());
@@ -82,9 +61,6 @@ protected:
         }
         return tree;
     }
-
-    TemporaryFolder folder;
-    Registry registry;
 };
 
 TEST_P(WrittenTree, EveryLevelCovers) {

@@ -1,6 +1,7 @@
 // Meshes of known shape, and the stage under test.
 #pragma once
 
+#include <foam/host/contract.hpp>
 #include <foam/host/registry.hpp>
 #include <foam/measure.hpp>
 #include <foam/solid.hpp>
@@ -30,16 +31,7 @@ private:
     std::mutex mutex_;
 };
 
-inline Mesh box(const Vec3& size, const Vec3& center = {}) {
-    Mesh mesh;
-    for (int i = 0; i < 8; ++i) {
-        mesh.vertices.push_back(
-            center + Vec3{(i & 1 ? 0.5 : -0.5) * size.x, (i & 2 ? 0.5 : -0.5) * size.y, (i & 4 ? 0.5 : -0.5) * size.z});
-    }
-    mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    return mesh;
-}
+using sample::box;
 
 /// A closed surface of revolution about z through the profile (radius, height) from bottom to top; both ends on the
 /// axis.

@@ -1,0 +1,60 @@
+// What runs make of spheres so that the guarantee is kept.
+#include "small_robot.hpp"
+
+namespace foam {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST_F(Run, GrowsWhatASpherizerLeavesOpen) {
+    const RunResult result =
+        run(recipe("stages: [spherize.misbehaving: {how: small, link: base}]\n"), registry, options());
+    EXPECT_TRUE(result.certified);
+    EXPECT_GT(result.links[0].growth, 0.1);
+    EXPECT_LT(result.links[1].growth, 1e-4);
+}
+
+TEST_F(Run, FittedSpheresNeitherClaimNorMissMuch) {
+    const RunResult result = run(
+        recipe("stages: [spherize.misbehaving: {how: small, link: base}]\nguarantee: fitted\n"), registry, options());
+    EXPECT_FALSE(result.certified);
+    const Measures& base = result.links[0].measures;
+    EXPECT_GT(base.gap, 0.03);
+    EXPECT_LT(base.covered, 0.9);
+    EXPECT_GT(base.excess, 0.05);
+    EXPECT_LT(base.excess + base.missing, 0.6);
+}
+
+TEST_F(Run, InnerShrinksWhatSticksOut) {
+    const RunResult result =
+        run(recipe("stages: [spherize.grid]\nbudget: {spheres: 12}\nguarantee: inner\n"), registry, options());
+    EXPECT_TRUE(result.certified);
+    EXPECT_GT(result.total.spheres, 1u);
+    EXPECT_LT(result.total.missing, 0.9);
+    EXPECT_NEAR(result.total.excess, 0, 1e-9);
+    EXPECT_EQ(result.total.protrusion_max, 0);
+    EXPECT_GT(result.total.gap, 0);
+    const auto written = registry.make<Writer>("write.urdf")->read(read_file(folder.path() / "out/two.urdf"));
+    std::size_t count = 0;
+    for (const auto& [link, spheres] : written) {
+        count += spheres.size();
+    }
+    EXPECT_EQ(count, result.total.spheres);
+    EXPECT_THAT(read_file(folder.path() / "out/manifest.json"), HasSubstr("\"guarantee\": \"inner\""));
+    EXPECT_THAT(read_file(folder.path() / "out/manifest.json"), HasSubstr("\"certified\": true"));
+}
+
+TEST_F(Run, InnerSaysWhereNothingIsLeft) {
+    const std::string stages = "stages: [spherize.misbehaving: {how: outside, link: tip}]\nguarantee: inner\n";
+    EXPECT_EQ(failure(stages),
+              "stage 'spherize.misbehaving', link 'tip', input 'cylinder': no sphere of this link lies inside its "
+              "geometry; remedy: more spheres, another spherizer, or guarantee: outer or fitted; a surface without "
+              "inside has no room");
+    EXPECT_EQ(code, ErrorCode::geometry);
+    const RunResult rest = run(recipe(stages + "on_error: skip\n"), registry, options());
+    EXPECT_TRUE(rest.links_lost);
+    EXPECT_TRUE(rest.certified);
+}
+
+} // namespace
+} // namespace foam

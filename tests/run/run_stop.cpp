@@ -1,0 +1,142 @@
+// Runs that are cancelled, stopped, or at the end of their time.
+#include "small_robot.hpp"
+
+#include <foam/host/verify.hpp>
+
+#include <thread>
+
+namespace foam {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+TEST_F(Run, CancellationLeavesTheFormerRunAsItWas) {
+    run(recipe("stages: [spherize.grid]\n"), registry, options());
+    const std::string before = read_file(folder.path() / "out/manifest.json");
+    std::atomic<bool> cancel = false;
+    RunOptions o = options();
+    o.cancel = &cancel;
+    const Recipe endless = recipe("stages: [spherize.misbehaving: {how: waits, link: tip}]\n");
+    std::thread stopper([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        cancel = true;
+    });
+    try {
+        run(endless, registry, o);
+        ADD_FAILURE() << "the run ended by itself";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::cancelled);
+    }
+    stopper.join();
+    EXPECT_EQ(read_file(folder.path() / "out/manifest.json"), before);
+    for (const auto& entry : fs::directory_iterator(folder.path())) {
+        EXPECT_THAT(entry.path().filename().string(), ::testing::Not(HasSubstr("partial")));
+    }
+}
+
+TEST_F(Run, AStopGivesTheBestSoFar) {
+    const Recipe r = recipe("stages: [spherize.grid]\nbudget: {spheres: 60}\n");
+    const RunResult whole = run(r, registry, options("whole"));
+    EXPECT_EQ(whole.cut, Cut::none);
+    StopAfter observer("spherize.grid", 4); // the first two rounds of both links
+    RunOptions o = options();
+    o.observer = &observer;
+    o.stop = &observer.stop;
+    const RunResult result = run(r, registry, o);
+    EXPECT_EQ(result.cut, Cut::stop);
+    EXPECT_TRUE(result.certified);
+    EXPECT_GE(result.total.spheres, 8u) << "counts to four are known of each after the first round";
+    EXPECT_LT(result.total.spheres, whole.total.spheres);
+    EXPECT_EQ(warnings_of(result),
+              std::vector<std::string>{": the search was stopped: these are the best spheres until "
+                                       "then, and another run may give others"});
+    EXPECT_THAT(read_file(folder.path() / "out/manifest.json"), HasSubstr("\"cut\": \"stop\""));
+    EXPECT_THAT(read_file(folder.path() / "whole/manifest.json"), ::testing::Not(HasSubstr("\"cut\"")));
+    try {
+        verify(folder.path() / "out", registry, {});
+        ADD_FAILURE() << "verified";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.what(), (folder.path() / "out/manifest.json").string() +
+                                    ": the search of this run was cut short (stop), so it cannot be expected to come "
+                                    "out the same again; remedy: run its recipe without a limit");
+    }
+}
+
+TEST_F(Run, AStopBeforeThereIsAModelCancels) {
+    run(recipe("stages: [spherize.grid]\n"), registry, options());
+    const std::string before = read_file(folder.path() / "out/manifest.json");
+    for (const std::string budget : {"{spheres: 60}", "{excess: 0.2}", "{max_protrusion: 0.06}", "{}"}) {
+        StopAfter observer("load.urdf", 1);
+        RunOptions o = options();
+        o.observer = &observer;
+        o.stop = &observer.stop;
+        try {
+            run(recipe("stages: [spherize.grid]\nbudget: " + budget + "\n"), registry, o);
+            ADD_FAILURE() << "the run ended by itself";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::cancelled);
+        }
+        EXPECT_EQ(read_file(folder.path() / "out/manifest.json"), before);
+    }
+}
+
+TEST_F(Run, AStopAtTheEndChangesNothing) {
+    const Recipe r = recipe("stages: [spherize.grid]\nbudget: {spheres: 9}\n");
+    run(r, registry, options("whole"));
+    StopAfter observer("cover", 1);
+    RunOptions o = options();
+    o.observer = &observer;
+    o.stop = &observer.stop;
+    EXPECT_EQ(run(r, registry, o).cut, Cut::none);
+    EXPECT_EQ(read_file(folder.path() / "out/two.urdf"), read_file(folder.path() / "whole/two.urdf"));
+}
+
+TEST_F(Run, ATimeLimitThatIsOverLeavesTheFewestSpheres) {
+    RunOptions o = options();
+    o.time_limit = 1e-9;
+    for (const std::string budget : {"{spheres: 60}", "{excess: 0.2}", "{max_protrusion: 0.06}", "{}"}) {
+        for (const std::string links : {"", "links: {tip: {skip: true}}\n"}) {
+            const RunResult result =
+                run(recipe("stages: [spherize.grid]\n" + links + "budget: " + budget + "\n"), registry, o);
+            EXPECT_EQ(result.cut, Cut::time_limit) << budget;
+            EXPECT_TRUE(result.certified);
+            EXPECT_EQ(result.total.spheres, links.empty() ? 2u : 1u) << budget;
+            EXPECT_THAT(warnings_of(result),
+                        ::testing::Contains(": the search ended at its time limit of 1e-09 s: these are the best "
+                                            "spheres until then, and another run may give others"));
+        }
+    }
+    const RunResult result =
+        run(recipe("stages: [spherize.grid]\nbudget: {spheres: 60, time_limit: 0.001}\n"), registry, options());
+    EXPECT_EQ(result.cut, Cut::time_limit);
+    EXPECT_TRUE(result.certified);
+}
+
+TEST_F(Run, ATimeLimitThatDoesNotComeChangesNothing) {
+    for (const std::string links : {"", "links: {tip: {skip: true}}\n"}) {
+        const Recipe r = recipe("stages: [spherize.grid]\n" + links + "budget: {spheres: 30}\n");
+        run(r, registry, options("without"));
+        RunOptions o = options();
+        o.time_limit = 1e9;
+        EXPECT_EQ(run(r, registry, o).cut, Cut::none);
+        EXPECT_EQ(read_file(folder.path() / "out/two.json"), read_file(folder.path() / "without/two.json"));
+    }
+}
+
+TEST_F(Run, ATimeLimitInBetweenKeepsTheStepsOfOneLink) {
+    const Recipe r = recipe("stages: [spherize.grid]\nlinks: {tip: {skip: true}}\nbudget: {spheres: 100}\n");
+    StopAfter observer("spherize.grid", 6); // of 1, 2 and so on
+    RunOptions o = options();
+    o.observer = &observer;
+    o.stop = &observer.stop;
+    o.time_limit = 1e9;
+    const RunResult result = run(r, registry, o);
+    EXPECT_EQ(result.cut, Cut::stop);
+    EXPECT_TRUE(result.certified);
+    EXPECT_GT(result.total.spheres, 4u);
+    EXPECT_LE(result.total.spheres, 8u);
+}
+
+} // namespace
+} // namespace foam
