@@ -13,6 +13,12 @@ namespace foam::medial {
 /// spheres nearly cover. Growing is the dear part.
 static constexpr double clearly_less = 0.75;
 
+/// What the runtime compares covers by: the volume of the spheres and the solid together, m³. A hollow that spheres
+/// leave inside the solid is no gain.
+static double joint_volume(const Solid& solid, const std::vector<Sphere>& spheres) {
+    return exact_union_volume(spheres) + solid.missing_volume(spheres);
+}
+
 std::vector<std::size_t> many_fewer(std::size_t most) {
     std::vector<std::size_t> counts;
     for (std::size_t count = 1; count < most;
@@ -57,13 +63,13 @@ std::vector<SphereTree> best_with_at_most(const Solid& solid, std::span<const Bu
     }
     std::vector<SphereTree> trees = make(all);
     const double clear =
-        with_one_only && !compared.empty() ? clearly_less * exact_union_volume(trees[index.at(1)].finest()) : 0;
+        with_one_only && !compared.empty() ? clearly_less * joint_volume(solid, trees[index.at(1)].finest()) : 0;
     std::vector<double> claimed(numbers);
     parallel_for(numbers, [&](std::size_t i) {
         if (compared.contains(i)) {
-            claimed[i] = exact_union_volume(trees[i].finest());
+            claimed[i] = joint_volume(solid, trees[i].finest());
             if (claimed[i] >= clear) {
-                claimed[i] = exact_union_volume(grown_to_cover(solid, trees[i].finest()));
+                claimed[i] = joint_volume(solid, grown_to_cover(solid, trees[i].finest()));
             }
         }
     });

@@ -22,7 +22,7 @@ FOAM_PLUGIN("spherize_medial", "1.1", "GPL-3.0-or-later") {
                 "Bradshaw, O'Sullivan: Adaptive medial-axis approximation for sphere-tree construction. ACM TOG 23(1), "
                 "2004; Wang et al.: Variational sphere set approximation for solid objects. The Visual Computer 22, "
                 "2006",
-            .revision = 4,
+            .revision = 5,
             .parameters = Settings::medial_parameters(),
             .extensions = {},
         },
@@ -34,7 +34,7 @@ FOAM_PLUGIN("spherize_medial", "1.1", "GPL-3.0-or-later") {
                                    "the two whose union costs least.",
                         .reference = "Hubbard: Approximating polyhedra with spheres for time-critical collision "
                                      "detection. ACM TOG 15(3), 1996",
-                        .revision = 2,
+                        .revision = 3,
                         .parameters = Settings::hubbard_parameters(),
                         .extensions = {},
                     },
@@ -46,7 +46,7 @@ FOAM_PLUGIN("spherize_medial", "1.1", "GPL-3.0-or-later") {
                                    "another where they hold most of what is left.",
                         .reference = "Bradshaw, O'Sullivan: Adaptive medial-axis approximation for sphere-tree "
                                      "construction. ACM TOG 23(1), 2004, section 5.3 (spawning)",
-                        .revision = 2,
+                        .revision = 3,
                         .parameters = Settings::spawn_parameters(),
                         .extensions = {},
                     },

@@ -1,0 +1,39 @@
+// Which of several numbers of spheres is taken.
+#include "spherize_medial/best_with_at_most.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace foam::medial {
+namespace {
+
+/// Balls about the surface of the unit ball, along a spiral; the middle stays empty.
+std::vector<Sphere> shell() {
+    constexpr int count = 200;
+    std::vector<Sphere> balls;
+    for (int i = 0; i < count; ++i) {
+        const double z = 1 - (2 * i + 1.0) / count, angle = std::numbers::pi * (3 - std::sqrt(5.0)) * i;
+        const double radius = std::sqrt(1 - z * z);
+        balls.push_back({Vec3{radius * std::cos(angle), radius * std::sin(angle), z}, 0.25});
+    }
+    return balls;
+}
+
+TEST(BestWithAtMost, AHollowInTheSolidIsNoGain) {
+    const auto ball = Solid::make({{nullptr, Primitive{Primitive::Kind::sphere, {}, 1, 0}, {}}});
+    const std::vector<Sphere> around = shell();
+    const Budget budget{around.size(), {}, Guarantee::outer};
+    const auto trees = best_with_at_most(*ball, std::vector<Budget>{budget}, many_fewer, [&](auto budgets) {
+        std::vector<SphereTree> made;
+        for (const Budget& b : budgets) {
+            made.push_back(flat_tree(*b.max_spheres < around.size() ? std::vector<Sphere>{{{}, 1.15}} : around));
+        }
+        return made;
+    });
+    EXPECT_EQ(trees.at(0).finest().size(), 1u) << "the shell's own volume is less, but it claims more outside";
+}
+
+} // namespace
+} // namespace foam::medial
