@@ -129,9 +129,18 @@ struct MedialAxis::Diagram {
         }
     }
 
+    /// Whether rounding leaves the cell no volume: CGAL divides by it to find the center, and asserts that it can.
+    static bool is_flat(const Delaunay::Cell& cell) {
+        const auto edge = [&](int i) { return cell.vertex(i)->point() - cell.vertex(0)->point(); };
+        return CGAL::determinant(edge(1), edge(2), edge(3)) == 0;
+    }
+
     void enter(Delaunay::Cell_handle cell, std::size_t index) {
         cell->info() = none;
         if (delaunay.is_infinite(cell)) {
+            return;
+        }
+        if (is_flat(*cell)) {
             return;
         }
         const Point c = delaunay.dual(cell);
