@@ -3,8 +3,10 @@
 #include "geometry/triangle.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <span>
 
@@ -18,32 +20,59 @@ double reach(const Vec3& center, const Corners& t) {
     return std::sqrt(std::max({squared_norm(t.a - center), squared_norm(t.b - center), squared_norm(t.c - center)}));
 }
 
-/// Walks the pieces of a triangle that no ball holds down to small ones, with the balls that may matter to each.
+/// Walks the pieces of triangles that no ball holds down to small ones, with the balls that may matter to each.
 class Walk {
 public:
-    Walk(std::vector<Sphere>& spheres, double finest) : spheres_(spheres), finest_(finest) {}
+    /// `grow`: leaf() lets balls grow.
+    Walk(std::vector<Sphere>& spheres, double finest, bool grow) : spheres_(spheres), finest_(finest), grow_(grow) {}
 
-    /// leaf(corners, candidates) for every small piece that is not held; it may let balls grow.
-    template <class Leaf> void run(const Corners& whole, Leaf leaf) {
+    /// leaf(corners, candidates) for every small piece that is not held. Triangles that follow each other often lie
+    /// close by: the balls are sifted for some at a time, and the one that held the last is asked first.
+    template <class Leaf>
+    void run(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, Leaf leaf) {
+        constexpr std::size_t at_a_time = 32;
         stopped_ = false;
-        candidates_.clear();
-        for (std::uint32_t i = 0; i < spheres_.size(); ++i) {
-            candidates_.push_back(i);
+        last_holder_ = 0;
+        for (std::size_t begin = 0; begin < triangles.size() && !stopped_; begin += at_a_time) {
+            const auto group = std::span(triangles).subspan(begin, std::min(at_a_time, triangles.size() - begin));
+            find_candidates(vertices, group);
+            const std::size_t count = candidates_.size();
+            for (const auto& [a, b, c] : group) {
+                const Corners whole{vertices[a], vertices[b], vertices[c]};
+                if (spheres_.empty() || !holds(spheres_[last_holder_], whole)) {
+                    visit(whole, 0, 0, count, leaf);
+                }
+            }
         }
-        visit(whole, 0, 0, candidates_.size(), leaf);
     }
-    /// For leaf(): no more pieces of this triangle.
+    /// For leaf(): no more pieces.
     void stop() { stopped_ = true; }
 
 private:
-    /// Fewer candidates than this are not sifted: it takes longer than to ask them.
-    static constexpr std::size_t few = 4;
+    /// So many candidates are not sifted: it takes longer than to ask them, all of them or those of which it is known
+    /// what corners they hold.
+    static constexpr std::size_t few = 4, few_known = 8;
+    static constexpr int deepest = 120;
 
-    bool holds(const Sphere& s, const Corners& t) const {
-        const double squared = s.radius * s.radius;
-        return squared_norm(t.a - s.center) <= squared && squared_norm(t.b - s.center) <= squared &&
-               squared_norm(t.c - s.center) <= squared;
+    void find_candidates(const std::vector<Vec3>& vertices, std::span<const Triangle> group) {
+        candidates_.resize(spheres_.size());
+        std::iota(candidates_.begin(), candidates_.end(), 0u);
+        if (candidates_.size() <= few) {
+            return;
+        }
+        Box box;
+        for (const Triangle& triangle : group) {
+            for (const std::uint32_t corner : triangle) {
+                box.add(vertices[corner]);
+            }
+        }
+        const std::size_t count = candidates_.size();
+        sift(box.center(), box.diagonal() / 2, 0, count);
+        candidates_.erase(candidates_.begin(), candidates_.begin() + static_cast<std::ptrdiff_t>(count));
     }
+
+    static bool holds(const Sphere& s, const Vec3& p) { return squared_norm(p - s.center) <= s.radius * s.radius; }
+    static bool holds(const Sphere& s, const Corners& t) { return holds(s, t.a) && holds(s, t.b) && holds(s, t.c); }
 
     template <class Leaf> void visit(const Corners& t, int level, std::size_t begin, std::size_t end, Leaf& leaf) {
         if (stopped_) {
@@ -51,14 +80,20 @@ private:
         }
         for (std::size_t k = begin; k < end; ++k) {
             if (holds(spheres_[candidates_[k]], t)) {
+                last_holder_ = candidates_[k];
                 return;
             }
+        }
+        if (!grow_ && end - begin <= few_known) {
+            const auto held_by = [&](const Vec3& p) { return holders(p, begin, end); };
+            visit_known(t, {held_by(t.a), held_by(t.b), held_by(t.c)}, level, begin, end, leaf);
+            return;
         }
         const double ab = squared_norm(t.b - t.a), bc = squared_norm(t.c - t.b), ca = squared_norm(t.a - t.c);
         const double longest = std::max({ab, bc, ca});
         const std::size_t first = end - begin > few ? candidates_.size() : begin;
         const std::size_t last = end - begin > few ? sift((t.a + t.b + t.c) / 3, std::sqrt(longest), begin, end) : end;
-        if (longest <= finest_ * finest_ || level >= 120) {
+        if (longest <= finest_ * finest_ || level >= deepest) {
             leaf(t, std::span(candidates_).subspan(first, last - first));
         } else if (ab == longest) {
             const Vec3 middle = (t.a + t.b) * 0.5;
@@ -74,6 +109,43 @@ private:
             visit({middle, t.b, t.c}, level + 1, first, last, leaf);
         }
         candidates_.resize(std::min(candidates_.size(), std::max(first, end)));
+    }
+
+    /// Of few candidates those that hold a point, a bit for each.
+    unsigned holders(const Vec3& p, std::size_t begin, std::size_t end) const {
+        unsigned result = 0;
+        for (std::size_t k = begin; k < end; ++k) {
+            result |= static_cast<unsigned>(holds(spheres_[candidates_[k]], p)) << (k - begin);
+        }
+        return result;
+    }
+
+    /// The same where it is known which candidates hold the corners, and they do not grow: only the middle is asked
+    /// for.
+    template <class Leaf>
+    void visit_known(const Corners& t, const std::array<unsigned, 3>& held, int level, std::size_t begin,
+                     std::size_t end, Leaf& leaf) {
+        if (stopped_ || (held[0] & held[1] & held[2]) != 0) {
+            return;
+        }
+        const double ab = squared_norm(t.b - t.a), bc = squared_norm(t.c - t.b), ca = squared_norm(t.a - t.c);
+        const double longest = std::max({ab, bc, ca});
+        if (longest <= finest_ * finest_ || level >= deepest) {
+            leaf(t, std::span(candidates_).subspan(begin, end - begin));
+            return;
+        }
+        const Vec3 middle = (ab == longest ? t.a + t.b : bc == longest ? t.b + t.c : t.c + t.a) * 0.5;
+        const unsigned there = holders(middle, begin, end);
+        if (ab == longest) {
+            visit_known({t.a, middle, t.c}, {held[0], there, held[2]}, level + 1, begin, end, leaf);
+        } else {
+            visit_known({t.a, t.b, middle}, {held[0], held[1], there}, level + 1, begin, end, leaf);
+        }
+        if (bc == longest && ab != longest) {
+            visit_known({t.a, middle, t.c}, {held[0], there, held[2]}, level + 1, begin, end, leaf);
+        } else {
+            visit_known({middle, t.b, t.c}, {there, held[1], held[2]}, level + 1, begin, end, leaf);
+        }
     }
 
     /// Appends those that may be nearest to some point within `size` of the middle; returns the new end.
@@ -95,7 +167,9 @@ private:
 
     std::vector<Sphere>& spheres_;
     double finest_;
+    bool grow_;
     bool stopped_ = false;
+    std::uint32_t last_holder_ = 0;
     std::vector<std::uint32_t> candidates_;
     std::vector<double> gaps_;
 };
@@ -103,32 +177,33 @@ private:
 } // namespace
 
 /// Middles of all pieces that no ball holds; nothing if there are too many.
-static std::optional<Points> open_points(const Solid& solid, const Frame& frame, std::vector<Sphere>& spheres,
-                                         double finest) {
+static std::optional<Points> open_points(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+                                         std::vector<Sphere>& spheres, double finest) {
     constexpr std::size_t too_many = 1'000'000;
     Points points;
-    Walk walk(spheres, finest);
-    const Mesh& surface = solid.surface();
-    for (const auto& [a, b, c] : surface.triangles) {
-        const Corners whole{frame.to_unit(surface.vertices[a]), frame.to_unit(surface.vertices[b]),
-                            frame.to_unit(surface.vertices[c])};
-        walk.run(whole, [&](const Corners& t, std::span<const std::uint32_t>) {
-            points.add((t.a + t.b + t.c) / 3);
-            if (points.size() == too_many) {
-                walk.stop();
-            }
-        });
-        if (points.size() >= too_many) {
-            return {};
+    Walk walk(spheres, finest, false);
+    walk.run(vertices, triangles, [&](const Corners& t, std::span<const std::uint32_t>) {
+        points.add((t.a + t.b + t.c) / 3);
+        if (points.size() == too_many) {
+            walk.stop();
         }
+    });
+    if (points.size() >= too_many) {
+        return {};
     }
     return points;
 }
 
 Points crease_points(const Solid& solid, const Frame& frame, const Balls& balls, double finest, std::size_t most) {
+    const Mesh& surface = solid.surface();
+    std::vector<Vec3> vertices;
+    vertices.reserve(surface.vertices.size());
+    for (const Vec3& vertex : surface.vertices) {
+        vertices.push_back(frame.to_unit(vertex));
+    }
     std::vector<Sphere> spheres = unit_spheres(balls);
     std::optional<Points> open;
-    while (!(open = open_points(solid, frame, spheres, finest))) {
+    while (!(open = open_points(vertices, surface.triangles, spheres, finest))) {
         finest *= 2; // tiny balls leave nearly all of the surface open: no need to see it so finely
     }
     const Points& points = *open;
@@ -143,23 +218,23 @@ Points crease_points(const Solid& solid, const Frame& frame, const Balls& balls,
 }
 
 std::vector<Sphere> closed(const Solid& solid, std::vector<Sphere> spheres, double finest) {
-    Walk walk(spheres, finest);
-    const Mesh& surface = solid.surface();
-    for (const auto& [a, b, c] : surface.triangles) {
-        walk.run({surface.vertices[a], surface.vertices[b], surface.vertices[c]},
-                 [&](const Corners& t, std::span<const std::uint32_t> candidates) {
-                     std::uint32_t best = 0;
-                     double least = std::numeric_limits<double>::infinity();
-                     for (const std::uint32_t i : candidates) {
-                         const double growth = reach(spheres[i].center, t) - spheres[i].radius;
-                         if (growth < least) {
-                             least = growth;
-                             best = i;
-                         }
-                     }
-                     spheres[best].radius += std::max(0.0, least) * (1 + 1e-9);
-                 });
+    if (spheres.empty()) {
+        return spheres;
     }
+    Walk walk(spheres, finest, true);
+    walk.run(solid.surface().vertices, solid.surface().triangles,
+             [&](const Corners& t, std::span<const std::uint32_t> candidates) {
+                 std::uint32_t best = 0;
+                 double least = std::numeric_limits<double>::infinity();
+                 for (const std::uint32_t i : candidates) {
+                     const double growth = reach(spheres[i].center, t) - spheres[i].radius;
+                     if (growth < least) {
+                         least = growth;
+                         best = i;
+                     }
+                 }
+                 spheres[best].radius += std::max(0.0, least) * (1 + 1e-9);
+             });
     return spheres;
 }
 
