@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 
 namespace foam {
@@ -65,11 +66,11 @@ void report_sharing(const Workspace& workspace, const std::vector<LinkWork>& lin
 
 /// Volume of the groups' geometry, m³.
 double volume_of(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups) {
-    double volume = 0;
-    for (const std::size_t g : takers(shapes, groups)) {
-        volume += shapes[groups[g].shape].shape->original().volume();
-    }
-    return volume;
+    const std::vector<std::size_t> taking = takers(shapes, groups);
+    std::vector<double> volumes(taking.size());
+    parallel_for(taking.size(),
+                 [&](std::size_t i) { volumes[i] = shapes[groups[taking[i]].shape].shape->original().volume(); });
+    return std::accumulate(volumes.begin(), volumes.end(), 0.0);
 }
 
 /// The count of every group (0 for those with an error): at most as many spheres as the budget has, at the least wrong

@@ -103,17 +103,20 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
         for (const std::size_t e : groups[g].elements) {
             out.geometries.push_back(link.elements[e].geometry);
         }
-        const auto solid = solid_of(link, groups[g].elements);
+        if (!groups[g].solid) {
+            groups[g].solid = solid_of(link, groups[g].elements);
+        }
+        const Solid& solid = *groups[g].solid;
         covering.input = measuring.input = out.geometries.front();
         FinishedTree finished =
             run_stage(workspace, "cover", out.link, out.geometries.front(), "", covering, [&](Context&) {
-                return finished_tree(*solid, std::move(groups[g].tree), workspace.recipe.guarantee);
+                return finished_tree(solid, std::move(groups[g].tree), workspace.recipe.guarantee);
             });
         out.tree = std::move(finished.tree);
         covering.output = digest_of_content(out.tree);
         growth[g] = finished.growth;
         out.measures = run_stage(workspace, "measure", out.link, out.geometries.front(), "", measuring,
-                                 [&](Context&) { return measured(workspace, *solid, out.tree.finest()); });
+                                 [&](Context&) { return measured(workspace, solid, out.tree.finest()); });
         measuring.output = digest_of_content(out.measures);
     });
     for (std::size_t l = 0; l < links.size(); ++l) {
@@ -127,12 +130,13 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
                 links[l].report.growth = std::max(links[l].report.growth, growth[g]);
                 links[l].report.measures = result.model.groups[g].measures;
                 links[l].report.stages.insert(links[l].report.stages.end(), reports[g].begin(), reports[g].end());
+                link.solid = groups[g].solid;
                 ++parts;
             }
         }
         if (parts > 0) {
-            link.solid = solid_of(links[l]);
             if (parts > 1) {
+                link.solid = solid_of(links[l]);
                 links[l].report.measures = measured(workspace, *link.solid, link.spheres);
             }
             report_planes(workspace, links[l], link.spheres);

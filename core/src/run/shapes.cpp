@@ -146,9 +146,10 @@ void build_shape(const Workspace& workspace, const std::vector<LinkWork>& links,
         processed.push_back(part_of(link.elements[e], pose, !raw_only));
         filtered |= !raw_only && !link.elements[e].filtered.empty();
     }
-    const auto raw = Solid::make(std::move(original));
-    require_within(*raw, group.frame, link.recipe.clip);
-    work.shape = std::make_unique<Shape>(work.link, filtered ? Solid::make(std::move(processed)) : raw, raw);
+    work.original = Solid::make(std::move(original));
+    require_within(*work.original, group.frame, link.recipe.clip);
+    work.shape =
+        std::make_unique<Shape>(work.link, filtered ? Solid::make(std::move(processed)) : work.original, work.original);
 }
 
 /// A spherizer's promise, checked: spheres, finite, no more than asked for.

@@ -24,6 +24,7 @@ struct KnownTrees {
 /// A distinct shape and what is known of it.
 struct ShapeWork {
     std::unique_ptr<Shape> shape;
+    std::shared_ptr<const Solid> original; ///< of the shape
     StageCall spherizer;
     std::unique_ptr<Spherizer> stage; ///< of that call, once it was made; unless it is isolated
     std::optional<Objective>

@@ -56,6 +56,9 @@ SpherizedLinks spherize_links(const Workspace& workspace, std::vector<LinkWork>&
             continue;
         }
         groups[g].tree = moved(work.known.trees.at(counts[g]), groups[g].frame);
+        if (groups[g].elements.size() == 1 && groups[g].frame == Pose{}) {
+            groups[g].solid = work.original; // where the shape is, so is the group
+        }
         link.report.stages.back().output = digest_of_content(groups[g].tree);
         done.push_back(std::move(groups[g]));
     }

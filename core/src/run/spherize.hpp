@@ -23,6 +23,8 @@ struct Group {
     double weight = 1;     ///< of its wrong volume in the sharing of spheres
     std::size_t shape = 0; ///< index of the distinct shape
     SphereTree tree;       ///< link frame; as the spherizer made it, moved
+    /// The geometry as the URDF gives it, in the link's frame; null if it is yet to be made.
+    std::shared_ptr<const Solid> solid;
 };
 
 struct SpherizedLinks {
