@@ -12,48 +12,42 @@ namespace foam::cover {
 
 FOAM_FOR_WIDE_VECTORS
 Farthest farthest(const Points& points, std::size_t count, const Vec3& from) {
-    // The hot loop of the search: eight at a time in so many words, chunk by chunk; then the place in the best chunk.
+    // The hot loop of the search: eight at a time in so many words, for each lane the first one that is farthest.
     using Lanes = float __attribute__((vector_size(32)));
-    constexpr std::size_t lanes = 8, chunk = 4 * lanes;
+    using Places = std::int32_t __attribute__((vector_size(32)));
+    constexpr std::size_t lanes = 8;
     const Ball center = ball_of({from, 0});
     const float *x = points.x.data(), *y = points.y.data(), *z = points.z.data();
     const auto offset = [](const float* values, float by, Lanes& result) {
         std::memcpy(&result, values, sizeof result);
         result -= by;
     };
-    const std::size_t whole = count / chunk * chunk;
-    std::size_t best_chunk = whole;
-    float most = -1;
-    for (std::size_t begin = 0; begin < whole; begin += chunk) {
-        Lanes squared = Lanes{} - 1;
-        for (std::size_t i = begin; i < begin + chunk; i += lanes) {
-            Lanes dx, dy, dz;
-            offset(x + i, center.x, dx);
-            offset(y + i, center.y, dy);
-            offset(z + i, center.z, dz);
-            const Lanes s = dx * dx + dy * dy + dz * dz;
-            squared = s > squared ? s : squared;
-        }
-        float most_here = squared[0];
-        for (std::size_t l = 1; l < lanes; ++l) {
-            most_here = std::max(most_here, squared[l]);
-        }
-        if (most_here > most) {
-            most = most_here;
-            best_chunk = begin;
-        }
+    const std::size_t whole = count / lanes * lanes;
+    Lanes most = Lanes{} - 1;
+    Places where{};
+    for (std::size_t i = 0; i < whole; i += lanes) {
+        Lanes dx, dy, dz;
+        offset(x + i, center.x, dx);
+        offset(y + i, center.y, dy);
+        offset(z + i, center.z, dz);
+        const Lanes squared = dx * dx + dy * dy + dz * dz;
+        const Places farther = squared > most;
+        where = (farther & static_cast<std::int32_t>(i)) | (~farther & where);
+        most = squared > most ? squared : most;
     }
     Farthest result{0, -1};
-    const auto look = [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const float squared = center.squared_distance(x[i], y[i], z[i]);
-            if (squared > result.squared) {
-                result = {i, squared};
-            }
+    for (std::size_t l = 0; l < lanes; ++l) {
+        const std::size_t place = static_cast<std::size_t>(where[l]) + l;
+        if (most[l] > result.squared || (most[l] == result.squared && place < result.index)) {
+            result = {place, most[l]};
         }
-    };
-    look(best_chunk, std::min(best_chunk + chunk, whole));
-    look(whole, count);
+    }
+    for (std::size_t i = whole; i < count; ++i) {
+        const float squared = center.squared_distance(x[i], y[i], z[i]);
+        if (squared > result.squared) {
+            result = {i, squared};
+        }
+    }
     return result;
 }
 
@@ -92,9 +86,7 @@ void EnclosingBall::enter(const Vec3& point, const Vec3& tilt) {
     tilt_ = tilt;
     found_ = false;
     best_.cost = std::numeric_limits<double>::infinity();
-    Hull alone;
-    alone.tilt = tilt;
-    descend(alone, 0, 0);
+    descend<0>({}, tilt, 0, 0);
     if (!found_) {
         return;
     }
@@ -109,15 +101,17 @@ void EnclosingBall::enter(const Vec3& point, const Vec3& tilt) {
 }
 
 /// Tries the pivot with the chosen points and with each further one: of the balls through some of them that hold the
-/// rest the cheapest is the one.
-void EnclosingBall::descend(const Hull& hull, std::uint32_t chosen, std::size_t first) {
+/// rest the cheapest is the one. `offset`: from the pivot to the centre of their circle in the points' affine hull, of
+/// which there are so many axes; `tilt`: across it.
+template <int axes>
+void EnclosingBall::descend(const Vec3& offset, const Vec3& tilt, std::uint32_t chosen, std::size_t first) {
     constexpr double flat = 1e-6;
-    const double squared = squared_norm(hull.offset), tilt = squared_norm(hull.tilt);
+    const double squared = squared_norm(offset), steepness = squared_norm(tilt);
     // Across the points' affine hull the centre gives way to the tilt.
-    const double across = std::sqrt(squared / (1 - tilt));
+    const double across = std::sqrt(squared / (1 - steepness));
     Solution s;
-    s.center = pivot_ + hull.offset - hull.tilt * across;
-    s.radius = std::sqrt(squared + across * across * tilt);
+    s.center = pivot_ + offset - tilt * across;
+    s.radius = std::sqrt(squared + across * across * steepness);
     s.cost = s.radius + dot(tilt_, s.center - pivot_);
     if (s.cost >= best_.cost) {
         return; // balls through more points cost more
@@ -128,33 +122,26 @@ void EnclosingBall::descend(const Hull& hull, std::uint32_t chosen, std::size_t 
         found_ = true;
         return;
     }
-    if (hull.axes == 3) {
-        return;
-    }
-    for (std::size_t i = first; i < size_; ++i) {
-        Vec3 v = basis_[i] - pivot_;
-        const double squared_length = squared_norm(v);
-        double rest = squared_length / 2;
-        for (int k = 0; k < hull.axes; ++k) {
-            const double part = dot(v, hull.axis[k]);
-            v -= hull.axis[k] * part;
-            rest -= part * hull.length[k];
+    if constexpr (axes < 3) {
+        for (std::size_t i = first; i < size_; ++i) {
+            Vec3 v = basis_[i] - pivot_;
+            const double squared_length = squared_norm(v);
+            double rest = squared_length / 2;
+            for (int k = 0; k < axes; ++k) {
+                const double part = dot(v, axis_[k]);
+                v -= axis_[k] * part;
+                rest -= part * length_[k];
+            }
+            const double height = norm(v);
+            if (!(height > flat * std::sqrt(squared_length))) {
+                continue; // it lies in the hull of the others
+            }
+            const Vec3 axis = v / height;
+            axis_[axes] = axis;
+            length_[axes] = rest / height;
+            const Vec3 next = axes == 2 ? Vec3{} : tilt - axis * dot(tilt, axis);
+            descend<axes + 1>(offset + axis * length_[axes], next, chosen | 1u << i, i + 1);
         }
-        const double height = norm(v);
-        if (!(height > flat * std::sqrt(squared_length))) {
-            continue; // it lies in the hull of the others
-        }
-        Hull next = hull;
-        const Vec3 axis = v / height;
-        next.axis[hull.axes] = axis;
-        next.length[hull.axes] = rest / height;
-        next.offset += axis * (rest / height);
-        next.tilt -= axis * dot(hull.tilt, axis);
-        ++next.axes;
-        if (next.axes == 3) {
-            next.tilt = {};
-        }
-        descend(next, chosen | 1u << i, i + 1);
     }
 }
 

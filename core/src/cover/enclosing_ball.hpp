@@ -23,22 +23,16 @@ private:
         Vec3 center{};
         double radius = 0, cost = 0;
     };
-    /// The affine hull of some points, from the pivot.
-    struct Hull {
-        Vec3 axis[3]{};
-        double length[3]{}; ///< of the offset along them
-        int axes = 0;
-        Vec3 offset{}; ///< to the centre of their circle
-        Vec3 tilt{};   ///< across the hull
-    };
     void enter(const Vec3& point, const Vec3& tilt);
-    void descend(const Hull& hull, std::uint32_t chosen, std::size_t first);
+    template <int axes> void descend(const Vec3& offset, const Vec3& tilt, std::uint32_t chosen, std::size_t first);
     bool holds_rest(const Solution& s, std::uint32_t chosen) const;
 
     std::array<Vec3, 4> basis_{};
     std::size_t size_ = 0;
     // While the pivot enters:
     Vec3 pivot_{}, tilt_{};
+    Vec3 axis_[3]{};     ///< of the affine hull of the pivot and the chosen points
+    double length_[3]{}; ///< of the offset along them
     Solution best_;
     std::uint32_t best_chosen_ = 0;
     bool found_ = false;
