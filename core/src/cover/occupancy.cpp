@@ -68,84 +68,116 @@ void distance_pass(std::vector<float>& squared, std::size_t lines, std::size_t l
     }
 }
 
+/// The cells of a lattice.
+struct Cells {
+    double size = 0;         ///< of a cell
+    int count[3]{};          ///< along each axis
+    double low[3]{};         ///< corner of the first
+    std::size_t stride[3]{}; ///< from a cell to the next along each axis
+
+    std::size_t total() const { return stride[2] * static_cast<std::size_t>(count[2]); }
+    Vec3 middle(std::size_t i) const {
+        return {low[0] + size * (static_cast<double>(i % stride[1]) + 0.5),
+                low[1] + size * (static_cast<double>(i / stride[1] % static_cast<std::size_t>(count[1])) + 0.5),
+                low[2] + size * (static_cast<double>(i / stride[2]) + 0.5)};
+    }
+};
+
+/// Those of this size over the bounds, about the middle; a cell is left free all around.
+Cells cells_over(const Vec3& bounds, double size) {
+    Cells cells;
+    cells.size = size;
+    for (int k = 0; k < 3; ++k) {
+        cells.count[k] = static_cast<int>(std::ceil(bounds[k] / size)) + 2;
+        cells.low[k] = -size * cells.count[k] / 2;
+        cells.stride[k] = k == 0 ? 1 : cells.stride[k - 1] * static_cast<std::size_t>(cells.count[k - 1]);
+    }
+    return cells;
+}
+
+/// What lines say of cells: how much of them is inside, and how many spoke.
+struct Tally {
+    std::vector<float> filled, spoke;
+};
+
+/// The lines along an axis; whether all of them know inside from outside.
+bool add_lines(const Solid& solid, const Frame& frame, const Cells& cells, int axis, Tally& tally) {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    LineLattice lattice;
+    lattice.axis = axis;
+    lattice.step = cells.size / lines_per_cell;
+    lattice.low[0] = cells.low[u] + lattice.step / 2;
+    lattice.low[1] = cells.low[v] + lattice.step / 2;
+    lattice.count[0] = cells.count[u] * lines_per_cell;
+    lattice.count[1] = cells.count[v] * lines_per_cell;
+    const LinePieces lines = pieces_along(solid.surface(), frame, lattice);
+    const std::size_t stride = cells.stride[axis];
+    for (std::size_t line = 0; line < lines.sound.size(); ++line) {
+        const std::size_t iu = line % static_cast<std::size_t>(lattice.count[0]) / lines_per_cell;
+        const std::size_t iv = line / static_cast<std::size_t>(lattice.count[0]) / lines_per_cell;
+        const std::size_t first = iu * cells.stride[u] + iv * cells.stride[v];
+        if (!lines.sound[line]) {
+            continue;
+        }
+        for (int i = 0; i < cells.count[axis]; ++i) {
+            tally.spoke[first + static_cast<std::size_t>(i) * stride] += 1;
+        }
+        for (std::size_t k = lines.first[line]; k < lines.first[line + 1]; ++k) {
+            const double enter = (lines.pieces[k].first - cells.low[axis]) / cells.size;
+            const double leave = (lines.pieces[k].second - cells.low[axis]) / cells.size;
+            const int from = std::clamp(static_cast<int>(enter), 0, cells.count[axis] - 1);
+            const int to = std::clamp(static_cast<int>(leave), 0, cells.count[axis] - 1);
+            for (int i = from; i <= to; ++i) {
+                const double share = std::min(leave, i + 1.0) - std::max(enter, static_cast<double>(i));
+                tally.filled[first + static_cast<std::size_t>(i) * stride] += static_cast<float>(std::max(0.0, share));
+            }
+        }
+    }
+    return std::all_of(lines.sound.begin(), lines.sound.end(), [](char sound) { return sound != 0; });
+}
+
+/// What is outside of each cell, as a share. Cells that no line speaks of: by the winding number in their middle.
+std::vector<float> shares_outside(const Solid& solid, const Frame& frame, const Cells& cells, const Tally& tally) {
+    std::vector<float> outside(cells.total());
+    std::vector<std::size_t> unknown;
+    for (std::size_t i = 0; i < outside.size(); ++i) {
+        outside[i] = tally.spoke[i] > 0 ? 1 - tally.filled[i] / tally.spoke[i] : 1;
+        if (tally.spoke[i] == 0) {
+            unknown.push_back(i);
+        }
+    }
+    parallel_for(unknown.size(), [&](std::size_t k) {
+        outside[unknown[k]] = solid.contains(frame.from_unit(cells.middle(unknown[k]))) ? 0.0f : 1.0f;
+    });
+    return outside;
+}
+
 } // namespace
 
 Occupancy::Occupancy(const Solid& solid, const Frame& frame, int resolution) {
     const Vec3 size = solid.bounds().size() / frame.unit;
     const double cell = std::max({size.x, size.y, size.z, 1e-3}) / resolution;
+    const Cells cells = cells_over(size, cell);
     inverse_ = static_cast<float>(1 / cell);
-    int count[3];
-    double low[3]; // corner of the first cell; a cell is left free all around
     for (int k = 0; k < 3; ++k) {
-        count[k] = static_cast<int>(std::ceil(size[k] / cell)) + 2;
-        low[k] = -cell * count[k] / 2;
-        low_[k] = static_cast<float>(low[k] + cell / 2);
-        last_[k] = static_cast<float>(count[k] - 1);
+        low_[k] = static_cast<float>(cells.low[k] + cell / 2);
+        last_[k] = static_cast<float>(cells.count[k] - 1);
     }
-    row_ = static_cast<std::size_t>(count[0]);
-    rows_ = static_cast<std::size_t>(count[1]);
-    slices_ = static_cast<std::size_t>(count[2]);
-    // What lines say of cells: how much of them is inside, and how many spoke.
-    std::vector<float> filled(row_ * rows_ * slices_, 0), spoke(filled.size(), 0);
-    const std::size_t stride[3]{1, row_, row_ * rows_};
+    row_ = static_cast<std::size_t>(cells.count[0]);
+    rows_ = static_cast<std::size_t>(cells.count[1]);
+    slices_ = static_cast<std::size_t>(cells.count[2]);
+    Tally tally{std::vector<float>(cells.total(), 0), std::vector<float>(cells.total(), 0)};
     for (int axis = 0; axis < 3; ++axis) {
-        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-        LineLattice lattice;
-        lattice.axis = axis;
-        lattice.step = cell / lines_per_cell;
-        lattice.low[0] = low[u] + lattice.step / 2;
-        lattice.low[1] = low[v] + lattice.step / 2;
-        lattice.count[0] = count[u] * lines_per_cell;
-        lattice.count[1] = count[v] * lines_per_cell;
-        const LinePieces lines = pieces_along(solid.surface(), frame, lattice);
-        for (std::size_t line = 0; line < lines.sound.size(); ++line) {
-            const std::size_t iu = line % static_cast<std::size_t>(lattice.count[0]) / lines_per_cell;
-            const std::size_t iv = line / static_cast<std::size_t>(lattice.count[0]) / lines_per_cell;
-            const std::size_t first = iu * stride[u] + iv * stride[v];
-            if (!lines.sound[line]) {
-                continue;
-            }
-            for (int i = 0; i < count[axis]; ++i) {
-                spoke[first + static_cast<std::size_t>(i) * stride[axis]] += 1;
-            }
-            for (std::size_t k = lines.first[line]; k < lines.first[line + 1]; ++k) {
-                const double enter = (lines.pieces[k].first - low[axis]) / cell;
-                const double leave = (lines.pieces[k].second - low[axis]) / cell;
-                const int from = std::clamp(static_cast<int>(enter), 0, count[axis] - 1);
-                const int to = std::clamp(static_cast<int>(leave), 0, count[axis] - 1);
-                for (int i = from; i <= to; ++i) {
-                    const double share = std::min(leave, i + 1.0) - std::max(enter, static_cast<double>(i));
-                    filled[first + static_cast<std::size_t>(i) * stride[axis]] +=
-                        static_cast<float>(std::max(0.0, share));
-                }
-            }
-        }
-        // On a closed surface one direction says it all.
-        if (solid.closed() &&
-            std::all_of(lines.sound.begin(), lines.sound.end(), [](char sound) { return sound != 0; })) {
+        const bool sound = add_lines(solid, frame, cells, axis, tally);
+        if (sound && solid.closed()) { // one direction says it all
             break;
         }
     }
-    outside_.resize(filled.size());
-    std::vector<std::size_t> unknown;
-    for (std::size_t i = 0; i < filled.size(); ++i) {
-        outside_[i] = spoke[i] > 0 ? 1 - filled[i] / spoke[i] : 1;
-        if (spoke[i] == 0) {
-            unknown.push_back(i);
-        }
-    }
-    const auto middle = [&](std::size_t i) {
-        return Vec3{low[0] + cell * (static_cast<double>(i % row_) + 0.5),
-                    low[1] + cell * (static_cast<double>(i / row_ % rows_) + 0.5),
-                    low[2] + cell * (static_cast<double>(i / row_ / rows_) + 0.5)};
-    };
-    parallel_for(unknown.size(), [&](std::size_t k) {
-        outside_[unknown[k]] = solid.contains(frame.from_unit(middle(unknown[k]))) ? 0.0f : 1.0f;
-    });
+    outside_ = shares_outside(solid, frame, cells, tally);
     for (std::size_t i = 0; i < outside_.size(); ++i) {
         volume_ += (1 - outside_[i]) * cell * cell * cell;
         if (outside_[i] <= 0.5f) {
-            inside_.add(middle(i));
+            inside_.add(cells.middle(i));
         }
     }
     find_depths();

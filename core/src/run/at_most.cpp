@@ -5,6 +5,7 @@
 #include "exploration.hpp"
 #include "geometry/joint_volume.hpp"
 #include "geometry/row_cover.hpp"
+#include "trees.hpp"
 
 #include <foam/parallel.hpp>
 

@@ -2,6 +2,7 @@
 
 #include "clip.hpp"
 #include "cover.hpp"
+#include "trees.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -2,6 +2,7 @@
 
 #include "budget.hpp"
 #include "input.hpp"
+#include "trees.hpp"
 
 #include <algorithm>
 

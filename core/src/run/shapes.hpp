@@ -1,4 +1,4 @@
-// The distinct shapes of a robot and the sphere trees that a spherizer made of them.
+// The distinct shapes of a robot, and what is known of each.
 #pragma once
 
 #include "allocation.hpp"
@@ -57,13 +57,6 @@ std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::ve
 /// get nothing else.
 void build_shape(const Workspace& workspace, const std::vector<LinkWork>& links, const std::vector<Group>& groups,
                  ShapeWork& work);
-
-/// What the cache knows the tree of a shape by, of at most `count` spheres; 0: no budget.
-Digest tree_key(const Workspace& workspace, const ShapeWork& work, std::size_t count);
-
-/// Trees for the counts that are asked for, from the cache or the stage; what the stage returns is checked. Count 0
-/// stands for "no budget".
-void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts);
 
 /// Runs `body` for the shapes that have no error yet, on all cores; errors stay with the shape.
 template <class Body> void for_each_shape(std::vector<ShapeWork>& shapes, Body&& body) {
