@@ -2,12 +2,9 @@
 
 #include "cover/step_lengths.hpp"
 
-#include "cover/exposed.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 
 namespace foam::cover {
@@ -39,20 +36,8 @@ void Descent::add_exposed_areas(const Balls& balls, const Points& directions) {
         if (!exposed.look(balls, i, directions)) {
             continue;
         }
-        const Ball ball = balls[i];
-        Slope sum;
-        for (std::size_t k = 0; k < directions.size(); ++k) {
-            if (exposed.depth()[k] > 0) {
-                const float nx = directions.x[k], ny = directions.y[k], nz = directions.z[k];
-                const float w = occupancy_.outside(ball.x + ball.r * nx, ball.y + ball.r * ny, ball.z + ball.r * nz);
-                sum.x += w * nx;
-                sum.y += w * ny;
-                sum.z += w * nz;
-                sum.r += w;
-            }
-        }
-        const float area = 4 * std::numbers::pi_v<float> * ball.r * ball.r / static_cast<float>(directions.size());
-        slopes_[i] = {area * sum.x, area * sum.y, area * sum.z, area * sum.r};
+        slopes_[i] = slope_of(exposed, balls[i], directions,
+                              [&](float x, float y, float z) { return occupancy_.outside(x, y, z); });
     }
 }
 

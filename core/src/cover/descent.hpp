@@ -3,6 +3,7 @@
 
 #include "cover/claim.hpp"
 #include "cover/directions.hpp"
+#include "cover/exposed.hpp"
 #include "cover/held_points.hpp"
 #include "cover/problem.hpp"
 
@@ -35,9 +36,6 @@ public:
     void run(Points& points, Balls& balls, const DescentPlan& plan, const Refresh& refresh = {});
 
 private:
-    struct Slope {
-        float x = 0, y = 0, z = 0, r = 0;
-    };
     void add_exposed_areas(const Balls& balls, const Points& directions);
     /// Looks for the balls in which the doubtful points lie deepest.
     void find_doubtful(const Points& points, const Balls& balls, float slack);

@@ -3,6 +3,8 @@
 
 #include "cover/points.hpp"
 
+#include <numbers>
+
 namespace foam::cover {
 
 class Exposed {
@@ -16,5 +18,29 @@ public:
 private:
     std::vector<float> depth_;
 };
+
+/// A derivative by the centre and the radius of a ball.
+struct Slope {
+    float x = 0, y = 0, z = 0, r = 0;
+};
+
+/// The integral of weight(x, y, z), and of the normal times it, over the surface of the ball that was looked at last,
+/// as far as it lies outside all others: the shape derivative of the weight's integral over the union.
+template <class Weight>
+Slope slope_of(const Exposed& exposed, const Ball& ball, const Points& directions, Weight weight) {
+    Slope sum;
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+        if (exposed.depth()[k] > 0) {
+            const float nx = directions.x[k], ny = directions.y[k], nz = directions.z[k];
+            const float w = weight(ball.x + ball.r * nx, ball.y + ball.r * ny, ball.z + ball.r * nz);
+            sum.x += w * nx;
+            sum.y += w * ny;
+            sum.z += w * nz;
+            sum.r += w;
+        }
+    }
+    const float area = 4 * std::numbers::pi_v<float> * ball.r * ball.r / static_cast<float>(directions.size());
+    return {area * sum.x, area * sum.y, area * sum.z, area * sum.r};
+}
 
 } // namespace foam::cover

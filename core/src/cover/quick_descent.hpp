@@ -37,9 +37,6 @@ public:
     void run(Balls& balls, const QuickDescentPlan& plan, const Refresh& refresh);
 
 private:
-    struct Slope {
-        float x = 0, y = 0, z = 0, r = 0;
-    };
     void find_slopes(const Balls& balls, const Points& directions);
     /// Of each direction of a ball's last look the share that shows outside.
     void find_shows(const Ball& ball, const Points& directions);

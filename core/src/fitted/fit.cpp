@@ -27,13 +27,12 @@ constexpr std::size_t some_points = 1500;
 /// Descent along the shape derivative, in steps of even length by adaptive moments (Kingma and Ba 2015, "Adam"). At the
 /// optimum half of every ball's exposed surface lies inside the solid.
 Balls descend(const Misfit& misfit, Balls balls, const Steps& steps) {
-    using Slope = Misfit::Slope;
     constexpr float mean_decay = 0.8f, square_decay = 0.95f;
     float size = 0;
     for (const Ball& ball : balls) {
         size += ball.r / static_cast<float>(balls.size());
     }
-    std::vector<Slope> slopes, mean(balls.size());
+    std::vector<cover::Slope> slopes, mean(balls.size());
     std::vector<float> square(balls.size(), 0);
     float mean_scale = 1, square_scale = 1, length = steps.first * size;
     const float ratio = std::pow(steps.last / steps.first, 1 / static_cast<float>(steps.count - 1));
@@ -43,7 +42,7 @@ Balls descend(const Misfit& misfit, Balls balls, const Steps& steps) {
         square_scale *= square_decay;
         for (std::size_t i = 0; i < balls.size(); ++i) {
             const auto blend = [&](float& m, float s) { m = mean_decay * m + (1 - mean_decay) * s; };
-            const Slope& s = slopes[i];
+            const cover::Slope& s = slopes[i];
             blend(mean[i].x, s.x);
             blend(mean[i].y, s.y);
             blend(mean[i].z, s.z);

@@ -1,13 +1,10 @@
 #include "fitted/misfit.hpp"
 
-#include "cover/exposed.hpp"
-
 #include <foam/cell.hpp>
 #include <foam/union_volume.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace foam::fitted {
 
@@ -58,7 +55,7 @@ double Misfit::shared_with(const Balls& balls) const {
     return volume;
 }
 
-void Misfit::slopes(const Balls& balls, std::size_t turn, std::vector<Slope>& result) const {
+void Misfit::slopes(const Balls& balls, std::size_t turn, std::vector<cover::Slope>& result) const {
     const cover::Points& directions = directions_[turn % turns];
     result.assign(balls.size(), {});
     cover::Exposed exposed;
@@ -66,21 +63,8 @@ void Misfit::slopes(const Balls& balls, std::size_t turn, std::vector<Slope>& re
         if (!exposed.look(balls, i, directions)) {
             continue;
         }
-        const Ball ball = balls[i];
-        Slope sum;
-        for (std::size_t k = 0; k < directions.size(); ++k) {
-            if (exposed.depth()[k] > 0) {
-                const float nx = directions.x[k], ny = directions.y[k], nz = directions.z[k];
-                const float w =
-                    2 * occupancy_.outside(ball.x + ball.r * nx, ball.y + ball.r * ny, ball.z + ball.r * nz) - 1;
-                sum.x += w * nx;
-                sum.y += w * ny;
-                sum.z += w * nz;
-                sum.r += w;
-            }
-        }
-        const float area = 4 * std::numbers::pi_v<float> * ball.r * ball.r / static_cast<float>(directions.size());
-        result[i] = {area * sum.x, area * sum.y, area * sum.z, area * sum.r};
+        result[i] = cover::slope_of(exposed, balls[i], directions,
+                                    [&](float x, float y, float z) { return 2 * occupancy_.outside(x, y, z) - 1; });
     }
 }
 

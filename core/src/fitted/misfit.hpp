@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cover/directions.hpp"
+#include "cover/exposed.hpp"
 #include "cover/occupancy.hpp"
 
 namespace foam::fitted {
@@ -14,15 +15,12 @@ public:
     /// The sum of both volumes, units³: vol(U) + vol(S) − 2 vol(U ∩ S), the first in closed form, the others by cells.
     double of(const cover::Balls& balls) const;
 
-    struct Slope {
-        float x = 0, y = 0, z = 0, r = 0;
-    };
     /// Derivatives by the balls. By r_i: the area of ball i outside the other balls, as far as it is outside S, less
     /// that inside; by c_i: the same with the normal. `turn`: which set of directions stands for the areas.
-    void slopes(const cover::Balls& balls, std::size_t turn, std::vector<Slope>& result) const;
+    void slopes(const cover::Balls& balls, std::size_t turn, std::vector<cover::Slope>& result) const;
 
-    /// The balls, and more in the largest pockets that they leave, up to `most` in all: each the largest ball inside the
-    /// solid and outside the others, about the middle of a cell. Fewer where no pocket is left.
+    /// The balls, and more in the largest pockets that they leave, up to `most` in all: each the largest ball inside
+    /// the solid and outside the others, about the middle of a cell. Fewer where no pocket is left.
     cover::Balls filled(cover::Balls balls, std::size_t most) const;
 
     /// What the sum of both volumes grows by without each ball, units³: the part of the solid that it alone holds goes
