@@ -64,18 +64,17 @@ std::vector<Cover> spherize_each(const Solid& solid, std::span<const std::size_t
     return covers;
 }
 
-/// By another objective than excess.
-static Cover spherize_by_objective(const Solid& solid, std::size_t count, const SpherizeOptions& options) {
-    SpherizeOptions fast = options;
-    fast.effort = Effort::fast;
-    cover::ObjectiveSearch quick(solid, fast);
+/// A search that may be cut short has what `quick` finds to fall back on; one that is not gives what it always gives.
+template <class Search, class Quick, class Figure>
+static Cover quick_or_better(Quick quick, const Solid& solid, std::size_t count, const SpherizeOptions& options,
+                             Figure figure) {
     Cover found = quick.alone(count);
     if (options.effort == Effort::fast || quick.was_stopped()) {
         return found;
     }
-    cover::ObjectiveSearch search(solid, options);
+    Search search(solid, options);
     Cover better = search.cover(count);
-    return search.was_stopped() && search.figure(found) < search.figure(better) ? found : better;
+    return search.was_stopped() && figure(search, found) < figure(search, better) ? found : better;
 }
 
 Cover spherize(const Solid& solid, std::size_t count, const SpherizeOptions& options) {
@@ -83,18 +82,15 @@ Cover spherize(const Solid& solid, std::size_t count, const SpherizeOptions& opt
     if (options.effort != Effort::fast && !options.stop) {
         return CoverSearch(solid, options).cover(count);
     }
-    if (options.objective != Objective::excess) {
-        return spherize_by_objective(solid, count, options);
+    if (options.objective == Objective::excess) {
+        return quick_or_better<cover::Search>(cover::QuickSearch(solid, options), solid, count, options,
+                                              [](const auto&, const Cover& cover) { return cover.volume; });
     }
-    cover::QuickSearch quick(solid, options);
-    Cover found = quick.alone(count);
-    if (options.effort == Effort::fast || quick.was_stopped()) {
-        return found;
-    }
-    // A search that may be cut short has something good to fall back on; one that is not gives what it always gives.
-    cover::Search search(solid, options);
-    Cover better = search.cover(count);
-    return search.was_stopped() && found.volume < better.volume ? found : better;
+    SpherizeOptions fast = options;
+    fast.effort = Effort::fast;
+    return quick_or_better<cover::ObjectiveSearch>(
+        cover::ObjectiveSearch(solid, fast), solid, count, options,
+        [](const cover::ObjectiveSearch& search, const Cover& cover) { return search.figure(cover); });
 }
 
 Cover spherize(const Mesh& mesh, std::size_t count, const SpherizeOptions& options) {

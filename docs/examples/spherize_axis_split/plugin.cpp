@@ -54,5 +54,6 @@ FOAM_PLUGIN("spherize_axis_split", "1.0", "Apache-2.0") {
                           .parameters = {Parameter::integer("cells", 8)
                                              .bounds(1, 4096)
                                              .unit("1")
-                                             .doc("Number of spheres, where the recipe has no budget.")}});
+                                             .doc("Number of spheres, where the recipe has no budget.")},
+                          .original_only = true});
 }

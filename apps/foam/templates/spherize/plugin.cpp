@@ -37,5 +37,6 @@ FOAM_PLUGIN("@plugin@", "0.1", "Apache-2.0") {
                            .unit("1")
                            .bounds(1, 10'000)
                            .doc("Number of spheres, where the recipe has no budget.")},
+        .original_only = true, // no look at shape.processed(): mesh filters before it change nothing
     });
 }
