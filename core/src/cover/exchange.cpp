@@ -39,20 +39,45 @@ bool Exchange::holds(const Ball& ball, const Skin::Face& face) const {
     });
 }
 
+/// Faces that follow each other often lie close by: the balls near some of them are found at once.
 void Exchange::find_homes() {
-    for (std::size_t f = 0; f < home_.size(); ++f) {
-        const Skin::Face& face = skin_.faces[f];
-        if (home_[f] != none && holds(balls_[home_[f]], face)) {
-            continue;
+    constexpr std::size_t at_once = 32;
+    for (std::size_t begin = 0; begin < home_.size(); begin += at_once) {
+        const auto faces = std::span(skin_.faces).subspan(begin, std::min(at_once, home_.size() - begin));
+        find_near(faces);
+        for (std::size_t k = 0; k < faces.size(); ++k) {
+            std::uint32_t& home = home_[begin + k];
+            if (home == none || !holds(balls_[home], faces[k])) {
+                const auto first =
+                    std::find_if(near_.begin(), near_.end(), [&](auto i) { return holds(balls_[i], faces[k]); });
+                home = first == near_.end() ? none : *first;
+            }
         }
-        home_[f] = none;
-        for (std::uint32_t i = 0; i < balls_.size() && home_[f] == none; ++i) {
-            home_[f] = holds(balls_[i], face) ? i : none;
+    }
+    homes_known_ = true;
+}
+
+/// The balls that may hold one of the faces, in order.
+void Exchange::find_near(std::span<const Skin::Face> faces) {
+    constexpr float rounding = 1.001f;
+    Box box;
+    for (const auto& [corners, edges, bounds] : faces) {
+        box.add(Vec3{bounds.x, bounds.y, bounds.z});
+    }
+    const Ball middle = ball_of({box.center(), box.diagonal() / 2});
+    near_.clear();
+    for (std::uint32_t i = 0; i < balls_.size(); ++i) {
+        const float reach = (balls_[i].r + middle.r) * rounding;
+        if (squared_distance(balls_[i], middle) <= reach * reach) {
+            near_.push_back(i);
         }
     }
 }
 
 void Exchange::look_at(std::size_t i, std::size_t j, const Ball& region) {
+    if (!homes_known_) {
+        find_homes();
+    }
     faces_.clear();
     for (std::uint32_t f = 0; f < home_.size(); ++f) {
         const Ball& bounds = skin_.faces[f].bounds;
@@ -103,7 +128,7 @@ bool Exchange::split(const std::vector<std::size_t>& candidates) {
     }
     balls_[chosen] = best.balls[0];
     balls_.push_back(best.balls[1]);
-    find_homes();
+    homes_known_ = false;
     return true;
 }
 
@@ -119,7 +144,7 @@ bool Exchange::exchange(std::size_t i, std::size_t j) {
     }
     balls_[i] = two.balls[0];
     balls_[j] = two.balls[1];
-    find_homes();
+    homes_known_ = false;
     return true;
 }
 

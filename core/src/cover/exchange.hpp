@@ -34,12 +34,15 @@ private:
     void look_at(std::size_t i, std::size_t j, const Ball& region);
     bool exchange(std::size_t i, std::size_t j);
     void find_homes();
+    void find_near(std::span<const Skin::Face> faces);
     bool holds(const Ball& ball, const Skin::Face& face) const;
 
     const Skin& skin_;
     ExchangePlan plan_;
     Balls balls_;
     std::vector<std::uint32_t> home_; ///< of each face a ball that holds it alone, or none
+    bool homes_known_ = false;        ///< they are those of the balls as they are
+    std::vector<std::uint32_t> near_; ///< balls
     Remainder remainder_;
     OutsideVolume outside_;
     Content content_;

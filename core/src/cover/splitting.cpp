@@ -1,9 +1,7 @@
 #include "cover/splitting.hpp"
 
-#include "geometry/joint_volume.hpp"
-
 #include <algorithm>
-#include <limits>
+#include <optional>
 
 namespace foam::cover {
 namespace {
@@ -27,7 +25,7 @@ Splitting::Splitting(const Solid& solid)
     : problem_(solid, resolution, points, 0), improvement_(problem_, directions, first_points),
       skin_(skin_of(solid, problem_.frame)) {}
 
-std::vector<Sphere> Splitting::one_more(const std::vector<Sphere>& cover) const {
+Claim Splitting::one_more(const std::vector<Sphere>& cover, double volume) {
     constexpr std::size_t at_once = 3;
     constexpr double rounding = 3e-6; // more: else slivers that no ball quite holds would be asked of any
     Balls before;
@@ -36,22 +34,26 @@ std::vector<Sphere> Splitting::one_more(const std::vector<Sphere>& cover) const 
             ball_of({problem_.frame.to_unit(s.center), s.radius / problem_.frame.unit * (1 + rounding) + rounding}));
     }
     const std::vector<std::size_t> order = improvement_.by_waste(before);
-    const double claimed = geometry::joint_volume(*problem_.solid, cover);
-    double least = std::numeric_limits<double>::infinity();
-    std::vector<Sphere> best = cover;
-    for (std::size_t first = 0; first < order.size() && least >= claimed; first += at_once) {
+    const Exchange whole(problem_, skin_, plan, before);
+    union_ = union_.with(cover);
+    geometry::UnionParts best_union = union_;
+    std::optional<Claim> best;
+    for (std::size_t first = 0; first < order.size() && !(best && best->volume < volume); first += at_once) {
         const auto begin = order.begin() + static_cast<std::ptrdiff_t>(first);
-        Exchange exchange(problem_, skin_, plan, before);
+        Exchange exchange = whole;
         if (!exchange.split({begin, std::min(begin + at_once, order.end())})) {
             continue;
         }
         std::vector<Sphere> more = spheres_of(exchange.balls(), before, cover);
-        if (const double volume = geometry::joint_volume(*problem_.solid, more); volume < least) {
-            least = volume;
-            best = std::move(more);
+        geometry::UnionParts parts = union_.with(more);
+        const double claimed = parts.volume() + problem_.solid->missing_volume(more);
+        if (!best || claimed < best->volume) {
+            best = {std::move(more), claimed};
+            best_union = std::move(parts);
         }
     }
-    return best;
+    union_ = std::move(best_union);
+    return best ? std::move(*best) : Claim{cover, volume};
 }
 
 /// Those that have not moved keep all their digits.

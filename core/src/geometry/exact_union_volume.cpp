@@ -2,13 +2,17 @@
 // over each part. All that is left are integrals along arcs of circles; no vertex of the arrangement has to be found,
 // so no degenerate arrangement can break it (cf. Buša et al. 2005, "ARVO: a Fortran package for computing the solvent
 // accessible surface area and the excluded volume of overlapping spheres via analytic equations").
+#include "geometry/union_parts.hpp"
+
 #include <foam/union_volume.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <numbers>
-#include <vector>
 
 namespace foam {
+namespace geometry {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -71,11 +75,7 @@ bool add_hidden(const Circle& circle, const Cap& cap, bool first, std::vector<In
     return true;
 }
 
-/// Area of the exposed part of a unit sphere, and the integral of the normal over it.
-struct Exposed {
-    double area = 0;
-    Vec3 normal{};
-
+struct Exposed : ExposedPart {
     /// Adds an arc of the boundary, passed so that the exposed part is on its right: on the left is the cap.
     void subtract(const Circle& c, const Interval& arc) {
         const double angle = arc.end - arc.begin;
@@ -103,28 +103,34 @@ Vec3 askew(const Vec3& v) {
     return {dot(x, v), dot(y, v), dot(z, v)};
 }
 
-/// The caps of ball `i` that others hide; empty with `whole` set if one holds all of it.
-std::vector<Cap> caps_of(std::span<const Sphere> balls, std::size_t i, bool& whole) {
+bool meet(const Sphere& a, const Sphere& b) {
+    const double sum = a.radius + b.radius;
+    return squared_norm(b.center - a.center) < sum * sum;
+}
+
+/// The caps of ball `i` that others hide; nothing if one holds all of it.
+std::optional<std::vector<Cap>> caps_of(std::span<const Sphere> balls, std::size_t i) {
     const Sphere& ball = balls[i];
     std::vector<Cap> caps;
-    whole = false;
-    for (std::size_t j = 0; j < balls.size() && !whole; ++j) {
+    for (std::size_t j = 0; j < balls.size(); ++j) {
         const Sphere& other = balls[j];
-        const Vec3 way = other.center - ball.center;
-        const double square = squared_norm(way), sum = ball.radius + other.radius;
-        if (j == i || square >= sum * sum) {
+        if (j == i || !meet(ball, other)) {
             continue;
         }
-        const double length = std::sqrt(square);
+        const Vec3 way = other.center - ball.center;
+        const double square = squared_norm(way), length = std::sqrt(square);
         if (length + ball.radius <= other.radius) {
             // Of two equal balls the first counts.
-            whole = !(length + other.radius <= ball.radius) || j < i;
+            if (!(length + other.radius <= ball.radius) || j < i) {
+                return {};
+            }
         } else if (length + other.radius > ball.radius) {
+            const double sum = ball.radius + other.radius;
             const double height = (square + (ball.radius - other.radius) * sum) / (2 * length * ball.radius);
             caps.push_back({askew(way / length), std::clamp(height, -1.0, 1.0)});
         }
     }
-    return whole ? std::vector<Cap>{} : caps;
+    return caps;
 }
 
 Exposed exposed_part(const std::vector<Cap>& caps) {
@@ -159,34 +165,68 @@ Exposed exposed_part(const std::vector<Cap>& caps) {
     return part;
 }
 
+std::optional<ExposedPart> part_of(std::span<const Sphere> balls, std::size_t i) {
+    const std::optional<std::vector<Cap>> caps = caps_of(balls, i);
+    return caps ? std::optional<ExposedPart>(exposed_part(*caps)) : std::nullopt;
+}
+
 } // namespace
+
+UnionParts::UnionParts(std::vector<Sphere> balls) : balls_(std::move(balls)) {
+    for (std::size_t i = 0; i < balls_.size(); ++i) {
+        parts_.push_back(part_of(balls_, i));
+    }
+}
+
+UnionParts UnionParts::with(std::vector<Sphere> balls) const {
+    UnionParts result;
+    result.balls_ = std::move(balls);
+    std::vector<Sphere> changed; // as they were and as they are
+    for (std::size_t i = 0; i < std::max(balls_.size(), result.balls_.size()); ++i) {
+        const bool was = i < balls_.size(), is = i < result.balls_.size();
+        if (was && is && balls_[i] == result.balls_[i]) {
+            continue;
+        }
+        if (was) {
+            changed.push_back(balls_[i]);
+        }
+        if (is) {
+            changed.push_back(result.balls_[i]);
+        }
+    }
+    for (std::size_t i = 0; i < result.balls_.size(); ++i) {
+        const Sphere& ball = result.balls_[i];
+        const bool kept = i < balls_.size() && balls_[i] == ball &&
+                          std::none_of(changed.begin(), changed.end(), [&](const Sphere& s) { return meet(ball, s); });
+        result.parts_.push_back(kept ? parts_[i] : part_of(result.balls_, i));
+    }
+    return result;
+}
+
+double UnionParts::volume() const {
+    Vec3 middle{};
+    for (const Sphere& ball : balls_) {
+        middle += ball.center;
+    }
+    middle = middle / static_cast<double>(std::max<std::size_t>(balls_.size(), 1));
+    double volume = 0;
+    for (std::size_t i = 0; i < balls_.size(); ++i) {
+        if (parts_[i]) {
+            // V = ⅓ ∮ x · n dA with x = c + r n
+            const double r = balls_[i].radius;
+            volume += r * r * (dot(askew(balls_[i].center - middle), parts_[i]->normal) + r * parts_[i]->area) / 3;
+        }
+    }
+    return volume;
+}
+
+} // namespace geometry
 
 double exact_union_volume(std::span<const Sphere> spheres) {
     std::vector<Sphere> balls;
-    Vec3 middle{};
-    for (const Sphere& s : spheres) {
-        if (is_finite(s.center) && std::isfinite(s.radius) && s.radius > 0) {
-            balls.push_back(s);
-            middle += s.center;
-        }
-    }
-    if (balls.empty()) {
-        return 0;
-    }
-    middle = middle / static_cast<double>(balls.size());
-    double volume = 0;
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-        bool whole = false;
-        const std::vector<Cap> caps = caps_of(balls, i, whole);
-        if (whole) {
-            continue;
-        }
-        const Exposed part = exposed_part(caps);
-        // V = ⅓ ∮ x · n dA with x = c + r n
-        const double r = balls[i].radius;
-        volume += r * r * (dot(askew(balls[i].center - middle), part.normal) + r * part.area) / 3;
-    }
-    return volume;
+    std::copy_if(spheres.begin(), spheres.end(), std::back_inserter(balls),
+                 [](const Sphere& s) { return is_finite(s.center) && std::isfinite(s.radius) && s.radius > 0; });
+    return geometry::UnionParts(std::move(balls)).volume();
 }
 
 } // namespace foam

@@ -149,9 +149,10 @@ double InsideLines::outside(std::span<const Sphere> spheres) const {
     std::copy_if(spheres.begin(), spheres.end(), std::back_inserter(balls),
                  [](const Sphere& s) { return is_finite(s.center) && std::isfinite(s.radius) && s.radius > 0; });
     const double shortest = noise * box_.diagonal();
+    constexpr std::size_t at_once = 8; // lines that follow each other in a row
     const Vec3 size = box_.size();
     double sum = 0;
-    std::vector<Sphere> near;
+    std::vector<Sphere> near, nearer;
     Intervals in_balls, pieces;
     for (std::size_t task = 0; task < rows_.size(); ++task) {
         const Row& row = rows_[task];
@@ -162,10 +163,15 @@ double InsideLines::outside(std::span<const Sphere> spheres) const {
         balls_between(balls, u, from, from + cell, near);
         double outside = 0;
         for (std::size_t k = 0, begin = 0; k < row.ends.size(); begin = row.ends[k++]) {
+            if (k % at_once == 0) {
+                const double width = size[v] / static_cast<double>(across_);
+                const double first = box_.low[v] + width * static_cast<double>(k);
+                balls_between(near, v, first - shortest, first + width * at_once + shortest, nearer);
+            }
             if (begin == row.ends[k]) {
                 continue;
             }
-            balls_along(near, row.origins[k], axis, in_balls);
+            balls_along(nearer, row.origins[k], axis, in_balls);
             without(std::span(row.inside).subspan(begin, row.ends[k] - begin), in_balls, shortest, pieces);
             outside += length(pieces);
         }

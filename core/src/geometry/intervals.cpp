@@ -6,6 +6,9 @@
 namespace foam::geometry {
 
 void unite(Intervals& intervals) {
+    if (intervals.size() < 2) {
+        return;
+    }
     std::sort(intervals.begin(), intervals.end(), [](const Solid::Interval& a, const Solid::Interval& b) {
         return a.enter != b.enter ? a.enter < b.enter : a.leave < b.leave;
     });

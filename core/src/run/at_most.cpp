@@ -66,13 +66,13 @@ void split_up_to(const Workspace& workspace, const Solid& solid, std::optional<c
         if (!splitting) {
             splitting.emplace(solid);
         }
-        std::vector<Sphere> more = splitting->one_more(next.grown);
-        if (more.size() == next.grown.size()) {
+        cover::Claim more = splitting->one_more(next.grown, next.volume);
+        if (more.spheres.size() == next.grown.size()) {
             return;
         }
-        next.volume = geometry::joint_volume(solid, more);
-        next.tree = with_finest(next.tree, more);
-        next.grown = std::move(more);
+        next.volume = more.volume;
+        next.tree = with_finest(next.tree, more.spheres);
+        next.grown = std::move(more.spheres);
         if (next.volume < (1 - clearly) * best.volume) {
             best = next;
         }
