@@ -1,31 +1,9 @@
 #include "cover/claim.hpp"
 
-#include "cover/exposed.hpp"
-
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace foam::cover {
-
-double claimed_volume(const Balls& balls, const Points& directions) {
-    Exposed exposed;
-    double volume = 0;
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-        if (!exposed.look(balls, i, directions)) {
-            continue;
-        }
-        const Ball& ball = balls[i];
-        double sum = 0;
-        for (std::size_t k = 0; k < directions.size(); ++k) {
-            if (exposed.depth()[k] > 0) {
-                sum += ball.x * directions.x[k] + ball.y * directions.y[k] + ball.z * directions.z[k] + ball.r;
-            }
-        }
-        volume += static_cast<double>(ball.r) * ball.r * sum;
-    }
-    return volume * 4 * std::numbers::pi / (3 * static_cast<double>(directions.size()));
-}
 
 void Deepest::clear(std::size_t count) {
     ball.assign(count, 0);

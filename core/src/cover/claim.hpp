@@ -1,12 +1,9 @@
-// The volume that balls claim, and radii that hold points.
+// Which balls hold points, and radii that do.
 #pragma once
 
 #include "cover/points.hpp"
 
 namespace foam::cover {
-
-/// vol(U) in units³ by the divergence theorem over the exposed directions; relative error about 1/directions.
-double claimed_volume(const Balls& balls, const Points& directions);
 
 /// Of points the ball in which each lies deepest, and how far it is outside that one (negative inside).
 struct Deepest {

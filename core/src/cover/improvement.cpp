@@ -38,12 +38,11 @@ Improvement::Improvement(const Problem& problem, std::size_t directions, std::si
     : problem_(problem), first_points_(first_points) {
     for (std::uint64_t turn = 0; turn < 4; ++turn) {
         directions_.push_back(spread_directions(directions, turn));
-        fine_directions_.push_back(spread_directions(3 * directions, turn));
     }
 }
 
-Rated Improvement::improved(Balls balls, const DescentPlan& plan, bool creases) const {
-    constexpr std::size_t points_per_ball = 25, crease_points_at_most = 500, crease_points_at_last = 4000;
+Balls Improvement::improved(Balls balls, const DescentPlan& plan, bool creases) const {
+    constexpr std::size_t points_per_ball = 25, crease_points_at_most = 500;
     constexpr float long_step = 0.02f;
     const float size = mean_radius(balls);
     Points points, base = prefix(problem_.surface, first_points_ + points_per_ball * balls.size());
@@ -59,9 +58,7 @@ Rated Improvement::improved(Balls balls, const DescentPlan& plan, bool creases) 
             active.append(crease_points(*problem_.solid, problem_.frame, balls, finest, crease_points_at_most));
         }
     });
-    base.append(crease_points(*problem_.solid, problem_.frame, balls, 0.06 * size, crease_points_at_last));
-    tighten(base, balls);
-    return {closed_volume(balls), std::move(balls)};
+    return balls;
 }
 
 void Improvement::put_idle_to_use(Balls& balls, const Points& points) const {
@@ -135,20 +132,6 @@ std::vector<Sphere> Improvement::spheres_of(const Balls& balls) const {
         }
     }
     return spheres;
-}
-
-Balls Improvement::closed_balls(const Balls& balls, double finest) const {
-    Balls grown;
-    for (const Sphere& s : closed(*problem_.solid, spheres_of(balls), finest * problem_.frame.unit)) {
-        grown.push_back(ball_of({problem_.frame.to_unit(s.center), s.radius / problem_.frame.unit}));
-    }
-    return grown;
-}
-
-/// Points tell what is held only where they are: without closing, the balls that slip best between them would win.
-double Improvement::closed_volume(const Balls& balls) const {
-    constexpr double finest = 1e-3; // units
-    return claimed_volume(closed_balls(balls, finest), fine_directions_[0]);
 }
 
 } // namespace foam::cover

@@ -117,7 +117,7 @@ void PowerCells::cut(const std::array<std::uint32_t, 3>& face, const Balls& ball
     add_border(middle, cell[2], cell[2]);
 }
 
-Balls PowerCells::fitted(const Balls& balls, const Points& directions) {
+Balls PowerCells::shared(const Balls& balls) {
     find(balls);
     parts_.resize(balls.size());
     for (Points& part : parts_) {
@@ -131,16 +131,25 @@ Balls PowerCells::fitted(const Balls& balls, const Points& directions) {
         parts_[a].add(borders_, k);
         parts_[b].add(borders_, k);
     }
-    Balls fitted;
+    Balls sharers;
     for (std::size_t i = 0; i < balls.size(); ++i) {
         if (parts_[i].size() > 0) {
-            const Vec3 tilt = exposed_tilt(balls, i, directions, exposed_);
-            std::swap(parts_[fitted.size()], parts_[i]);
-            const Points& part = parts_[fitted.size()];
-            fitted.push_back(enclosing_ball_.of(part, part.size(), tilt, {balls[i].x, balls[i].y, balls[i].z}));
+            std::swap(parts_[sharers.size()], parts_[i]);
+            sharers.push_back(balls[i]);
         }
     }
-    parts_.resize(fitted.size());
+    parts_.resize(sharers.size());
+    return sharers;
+}
+
+Balls PowerCells::fitted(const Balls& balls, const Points& directions) {
+    const Balls sharers = shared(balls);
+    Balls fitted;
+    for (std::size_t i = 0; i < sharers.size(); ++i) {
+        const Vec3 tilt = exposed_tilt(sharers, i, directions, exposed_);
+        const Ball& ball = sharers[i];
+        fitted.push_back(enclosing_ball_.of(parts_[i], parts_[i].size(), tilt, {ball.x, ball.y, ball.z}));
+    }
     return fitted;
 }
 

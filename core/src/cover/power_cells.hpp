@@ -31,11 +31,13 @@ public:
     const Owners& owners() const { return owners_; }
     const Points& borders() const { return borders_; }
 
+    /// Gives each ball its part of the surface; balls without one are left out.
+    Balls shared(const Balls& balls);
     /// Each ball made to fit the part that it has: of all that hold it, to first order, the one by which the union
     /// claims least. `directions` are asked what shows of a ball. Balls without a part are
     /// left out.
     Balls fitted(const Balls& balls, const Points& directions);
-    /// Extreme points of what each of the balls fitted last has to hold.
+    /// Extreme points of what each of the balls shared or fitted last has to hold.
     const std::vector<Points>& parts() const { return parts_; }
 
 private:

@@ -39,37 +39,20 @@ const SecondPlan& second_plan_for(std::size_t count) {
                          [&](const SecondPlan& plan) { return count <= plan.most_balls; });
 }
 constexpr int last_fits = 6;
-constexpr std::size_t most_border_points = 25; ///< for a ball, in a descent
-
-/// Turned from step to step, so that no direction is preferred.
-const std::vector<Points>& directions_of_steps() {
-    static const std::vector<Points> sets = [] {
-        std::vector<Points> made;
-        for (std::uint64_t turn = 0; turn < 4; ++turn) {
-            made.push_back(spread_directions(64, turn));
-        }
-        return made;
-    }();
-    return sets;
-}
 
 const Points& directions_of_fits() {
     static const Points directions = spread_directions(256, 0);
     return directions;
 }
 
-/// About `count` of some more, at equal distances in their order; all if they are fewer.
-void add_some(Points& points, const Points& more, std::size_t count) {
-    const std::size_t stride = 1 + more.size() / count;
-    for (std::size_t k = 0; k < more.size(); k += stride) {
-        points.add(more, k);
-    }
-}
-
 /// Places that stand for a solid: of its surface and as many of its inside.
 Points body_of(const Points& surface, const Occupancy& occupancy) {
+    const Points& inside = occupancy.inside();
+    const std::size_t stride = 1 + inside.size() / surface.size();
     Points body = surface;
-    add_some(body, occupancy.inside(), surface.size());
+    for (std::size_t k = 0; k < inside.size(); k += stride) {
+        body.add(inside, k);
+    }
     return body;
 }
 
@@ -79,9 +62,6 @@ double claim(const Balls& balls, const Occupancy* occupancy) {
 }
 
 } // namespace
-
-QuickSearch::Surface::Surface(const Solid& solid, const Frame& frame, std::size_t pieces)
-    : skin(solid.surface(), frame, pieces), some(skin.sample(pieces / 5)), most(skin.sample(pieces / 3)) {}
 
 QuickSearch::QuickSearch(const Solid& solid, const SpherizeOptions& options)
     : solid_(solid), options_(options), frame_(solid.bounds()) {}
@@ -115,12 +95,11 @@ QuickSearch::Rung QuickSearch::rung(std::size_t count) {
     return best;
 }
 
-const QuickSearch::Surface& QuickSearch::surface_for(std::size_t count) {
-    constexpr std::size_t fewest_pieces = 2000, pieces_a_ball = 60;
-    const std::size_t pieces = std::max(fewest_pieces, pieces_a_ball * count);
+const DescentSurface& QuickSearch::surface_for(std::size_t count) {
+    const std::size_t pieces = DescentSurface::pieces_for(count);
     if (pieces != pieces_) {
         pieces_ = pieces;
-        surface_ = std::make_unique<Surface>(solid_, frame_, pieces);
+        surface_ = std::make_unique<DescentSurface>(solid_, frame_, count);
     }
     return *surface_;
 }
@@ -139,7 +118,7 @@ std::vector<Rated> QuickSearch::found(std::size_t count, const Balls* before) {
     if (count == 1) {
         return {{0, {smallest_ball(solid_, frame_)}}};
     }
-    const Surface& surface = surface_for(count);
+    const DescentSurface& surface = surface_for(count);
     const Occupancy* const occupancy = occupancy_for(count);
     std::vector<Balls> begin = starts(surface, occupancy, count, before);
     if (stopped()) {
@@ -162,7 +141,7 @@ std::vector<Rated> QuickSearch::candidates(std::size_t count, const Balls& befor
     return found(count, &before);
 }
 
-std::vector<Balls> QuickSearch::starts(const Surface& surface, const Occupancy* occupancy, std::size_t count,
+std::vector<Balls> QuickSearch::starts(const DescentSurface& surface, const Occupancy* occupancy, std::size_t count,
                                        const Balls* before) const {
     constexpr std::size_t most_in_a_row = 6;
     const Points& some = surface.some;
@@ -180,7 +159,7 @@ std::vector<Balls> QuickSearch::starts(const Surface& surface, const Occupancy* 
     return result;
 }
 
-Rated QuickSearch::first_look(const Surface& surface, const Occupancy* occupancy, Balls balls) const {
+Rated QuickSearch::first_look(const DescentSurface& surface, const Occupancy* occupancy, Balls balls) const {
     QuickDescent(directions_of_steps(), occupancy).run(balls, first_plan, [&](const Balls&, Points& points, float) {
         points = surface.some;
     });
@@ -189,27 +168,10 @@ Rated QuickSearch::first_look(const Surface& surface, const Occupancy* occupancy
     return found;
 }
 
-Rated QuickSearch::gone_on_with(const Surface& surface, const Occupancy* occupancy, const Rated& start,
+Rated QuickSearch::gone_on_with(const DescentSurface& surface, const Occupancy* occupancy, const Rated& start,
                                 std::size_t count) const {
+    Balls balls = descended(surface, occupancy, start.balls, count, second_plan_for(count).descent);
     PowerCells cells(surface.skin);
-    Owners owners;
-    Balls balls = start.balls.size() < count ? divided(surface.some, start.balls, count) : start.balls;
-    const QuickDescentPlan& plan = second_plan_for(count).descent;
-    QuickDescent(directions_of_steps(), occupancy).run(balls, plan, [&](const Balls& now, Points& points, float reach) {
-        points.clear();
-        cells.find(now);
-        add_some(points, cells.borders(), most_border_points * now.size());
-        owners.find(surface.most, now);
-        float largest = 0;
-        for (const Ball& ball : now) {
-            largest = std::max(largest, ball.r);
-        }
-        for (std::size_t p = 0; p < surface.most.size(); ++p) {
-            if (owners.power[p] > -2 * largest * reach) {
-                points.add(surface.most, p);
-            }
-        }
-    });
     Rated best = start;
     double before = std::numeric_limits<double>::infinity();
     for (int i = 0; i < last_fits; ++i) {

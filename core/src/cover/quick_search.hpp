@@ -2,8 +2,8 @@
 #pragma once
 
 #include "cover/power_cells.hpp"
-#include "cover/quick_descent.hpp"
 #include "cover/rated.hpp"
+#include "cover/surface_descent.hpp"
 
 #include <foam/host/spherize.hpp>
 
@@ -35,34 +35,30 @@ public:
     /// best few, best first. At least two balls. The volume is that of their union, and of many balls with what they
     /// miss of the solid.
     std::vector<Rated> candidates(std::size_t count, const Balls& before);
+    const DescentSurface& surface_for(std::size_t count);
 
 private:
-    struct Surface {
-        Surface(const Solid& solid, const Frame& frame, std::size_t pieces);
-        FineSkin skin;
-        Points some, most; ///< of its points: for a first look, for a descent
-    };
     struct Rung {
         Balls balls;
         Cover cover;
     };
     Rung rung(std::size_t count);
-    const Surface& surface_for(std::size_t count);
     /// Of the solid, if balls are so many that they may leave a hollow in it.
     const Occupancy* occupancy_for(std::size_t count);
     /// `before`: a cover by fewer to begin with, if there is one. The best first; at least one.
     std::vector<Rated> found(std::size_t count, const Balls* before);
-    std::vector<Balls> starts(const Surface& surface, const Occupancy* occupancy, std::size_t count,
+    std::vector<Balls> starts(const DescentSurface& surface, const Occupancy* occupancy, std::size_t count,
                               const Balls* before) const;
-    Rated first_look(const Surface& surface, const Occupancy* occupancy, Balls balls) const;
-    Rated gone_on_with(const Surface& surface, const Occupancy* occupancy, const Rated& start, std::size_t count) const;
+    Rated first_look(const DescentSurface& surface, const Occupancy* occupancy, Balls balls) const;
+    Rated gone_on_with(const DescentSurface& surface, const Occupancy* occupancy, const Rated& start,
+                       std::size_t count) const;
     bool stopped() { return stopped_ = stopped_ || (options_.stop && options_.stop()); }
 
     const Solid& solid_;
     SpherizeOptions options_;
     Frame frame_;
     std::size_t pieces_ = 0; ///< of the surface that is there
-    std::unique_ptr<Surface> surface_;
+    std::unique_ptr<DescentSurface> surface_;
     std::unique_ptr<Occupancy> occupancy_;
     bool stopped_ = false;
     std::map<std::size_t, Rung> rungs_;

@@ -1,6 +1,6 @@
 #include "cover/search.hpp"
 
-#include "cover/closing.hpp"
+#include "cover/conditional_gradient.hpp"
 #include "cover/ladder.hpp"
 #include "cover/missing_volume.hpp"
 #include "cover/proved.hpp"
@@ -18,9 +18,6 @@ namespace {
 /// Surfaces with more points are coarsened for the search.
 constexpr std::size_t few_points = 500;
 
-/// Balls are closed down to this, units, before they are gone on with, and in the end down to the other.
-constexpr double finest_start = 1e-3, finest_end = 1e-4;
-
 } // namespace
 
 Plan plan_for(Effort effort) {
@@ -29,7 +26,7 @@ Plan plan_for(Effort effort) {
                 .points = 6000,
                 .first_points = 1000,
                 .directions = 128,
-                .starts_of_few = 12,
+                .restarts = 48,
                 .starts = 12,
                 .kept_of_few = 6,
                 .kept = 3,
@@ -38,6 +35,8 @@ Plan plan_for(Effort effort) {
                 .most_split = 12,
                 .most_quick = 16,
                 .most_exchanged = 16,
+                .first_gradient_steps = 4,
+                .last_gradient_steps = 40,
                 .exchange = {{24, 7, 4, 80}, 80, 12, 20},
                 .skin_resolution = 32};
     }
@@ -45,15 +44,17 @@ Plan plan_for(Effort effort) {
             .points = 3000,
             .first_points = 500,
             .directions = 96,
-            .starts_of_few = 0,
+            .restarts = 4,
             .starts = 2,
-            .kept_of_few = 2,
+            .kept_of_few = 1,
             .kept = 1,
             .coarse_steps = 120,
             .fine_steps = 120,
             .most_split = 8,
             .most_quick = 16,
             .most_exchanged = 8,
+            .first_gradient_steps = 4,
+            .last_gradient_steps = 20,
             .exchange = {{16, 5, 2, 40}, 40, 6, 16},
             .skin_resolution = 16};
 }
@@ -85,7 +86,7 @@ Search::Model Search::model(std::size_t count) {
         }
     };
     if (count <= plan_.most_split) {
-        take(one_more(before));
+        take(settled(quick_.surface_for(count), one_more(before), plan_.last_gradient_steps).balls);
         if (stopped()) {
             return best;
         }
@@ -115,39 +116,67 @@ Balls Search::one_more(const Balls& cover) const {
 /// Of few balls the quick search finds what others would, and exchanges make the most of it. Of many it falls behind:
 /// those begin with clusters, and long steps that put balls that get lost to use elsewhere.
 std::vector<Balls> Search::found(std::size_t count, const Balls& before) {
+    const DescentSurface& surface = quick_.surface_for(count);
     std::vector<Rated> rated;
     if (count <= plan_.most_quick) {
         rated = quick_.candidates(count, before);
-        for (Rated& candidate : rated) {
-            candidate.volume += missing_volume(problem_.occupancy, candidate.balls);
-        }
+        parallel_for(rated.size(),
+                     [&](std::size_t i) { rated[i] = settled(surface, rated[i].balls, plan_.first_gradient_steps); });
+        add_restarts(count, rated);
+    } else {
+        add_starts_of_many(count, rated);
     }
-    if (stopped()) {
-        return {rated.empty() ? before : rated.front().balls};
-    }
-    const std::size_t quick = rated.size();
-    rated.resize(quick + (count <= plan_.most_quick ? plan_.starts_of_few : plan_.starts));
-    Random random(derive_seed(options_.seed, "starts") + count);
-    constexpr std::size_t points_a_ball = 6; // fewer make clusters of one point, balls of no size
-    const Points more = points_a_ball * count > body_.size() ? body_points(problem_, points_a_ball * count) : Points{};
-    for (std::size_t i = quick; i < rated.size(); ++i) {
-        rated[i].balls = clusters(more.size() > body_.size() ? more : body_, count, random);
-    }
-    const DescentPlan far{.steps = plan_.coarse_steps, .first_step = 0.2f, .last_step = 0.01f};
-    parallel_for(rated.size() - quick, [&](std::size_t i) {
-        rated[quick + i] = improvement_.improved(rated[quick + i].balls, far, false);
-        rated[quick + i].balls = improvement_.closed_balls(rated[quick + i].balls, finest_start);
-    });
-    const bool few = count <= plan_.most_exchanged;
     std::stable_sort(rated.begin(), rated.end(), claims_less);
     rated.resize(std::min(rated.size(), count <= plan_.most_quick ? plan_.kept_of_few : plan_.kept));
     std::vector<Balls> balls(rated.size());
     if (stopped()) {
         return {rated.front().balls};
     }
-    parallel_for(balls.size(),
-                 [&](std::size_t i) { balls[i] = few ? exchanged(rated[i].balls) : descended(rated[i]); });
+    const bool few = count <= plan_.most_exchanged, many = count > plan_.most_quick;
+    parallel_for(balls.size(), [&](std::size_t i) {
+        Balls better = few ? exchanged(rated[i].balls) : many ? refined(rated[i].balls) : rated[i].balls;
+        balls[i] = settled(surface, better, plan_.last_gradient_steps).balls;
+    });
     return balls;
+}
+
+void Search::add_restarts(std::size_t count, std::vector<Rated>& rated) {
+    constexpr QuickDescentPlan descent{.steps = 72, .first_step = 0.3f, .last_step = 0.003f, .refresh = 12};
+    if (stopped()) {
+        return;
+    }
+    const std::size_t first = rated.size();
+    const DescentSurface& surface = quick_.surface_for(count);
+    Random random(derive_seed(options_.seed, "restarts") + count);
+    rated.resize(first + plan_.restarts);
+    for (std::size_t i = first; i < rated.size(); ++i) {
+        rated[i].balls = clusters(body_, count, random);
+    }
+    parallel_for(plan_.restarts, [&](std::size_t k) {
+        Rated& start = rated[first + k];
+        start = settled(surface, descended(surface, &problem_.occupancy, std::move(start.balls), count, descent),
+                        plan_.first_gradient_steps);
+    });
+}
+
+void Search::add_starts_of_many(std::size_t count, std::vector<Rated>& rated) {
+    Random random(derive_seed(options_.seed, "starts") + count);
+    constexpr std::size_t points_a_ball = 6; // fewer make clusters of one point, balls of no size
+    const Points more = points_a_ball * count > body_.size() ? body_points(problem_, points_a_ball * count) : Points{};
+    rated.resize(plan_.starts);
+    for (Rated& start : rated) {
+        start.balls = clusters(more.size() > body_.size() ? more : body_, count, random);
+    }
+    const DescentSurface& surface = quick_.surface_for(count);
+    const DescentPlan far{.steps = plan_.coarse_steps, .first_step = 0.2f, .last_step = 0.01f};
+    parallel_for(rated.size(), [&](std::size_t i) {
+        constexpr int gradient_steps = 2; // tell which is best
+        rated[i] = settled(surface, improvement_.improved(rated[i].balls, far, false), gradient_steps);
+    });
+}
+
+Rated Search::settled(const DescentSurface& surface, const Balls& balls, int steps) const {
+    return ConditionalGradient(surface.skin, problem_.occupancy).improved(balls, steps);
 }
 
 Balls Search::exchanged(const Balls& balls) const {
@@ -156,26 +185,13 @@ Balls Search::exchanged(const Balls& balls) const {
     return exchange.balls();
 }
 
-Balls Search::descended(const Rated& start) const {
-    const DescentPlan last{.steps = plan_.fine_steps, .first_step = 0.02f, .last_step = 0.001f};
-    return improvement_.closed_balls(improvement_.improved(start.balls, last, true).balls, finest_end);
-}
-
-/// Made to fit the surface itself after a search on a coarse one.
-Balls Search::fitted(const Balls& balls) const {
-    if (coarse_skin_.points.size() == skin_.points.size() || balls.size() > plan_.most_exchanged) {
-        return balls;
-    }
-    ExchangePlan plan = plan_.exchange;
-    plan.evaluations = 12;
-    plan.rounds = 1;
-    Exchange exchange(problem_, skin_, plan, improvement_.closed_balls(balls, finest_start));
-    exchange.settle();
-    return exchange.balls();
+Balls Search::refined(const Balls& balls) const {
+    const DescentPlan near{.steps = plan_.fine_steps, .first_step = 0.02f, .last_step = 0.001f};
+    return improvement_.improved(balls, near, true);
 }
 
 Search::Model Search::finished(const Balls& balls) const {
-    Model model{balls, proved(solid_, problem_.frame, fitted(balls)), 0};
+    Model model{balls, proved(solid_, problem_.frame, balls), 0};
     model.joint = geometry::joint_volume(solid_, model.cover.spheres);
     return model;
 }

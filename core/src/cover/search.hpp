@@ -14,16 +14,17 @@ namespace foam::cover {
 
 /// What normal and best efforts are; fast is QuickSearch.
 struct Plan {
-    int resolution;                    ///< cells of the occupancy along the longest extent
-    std::size_t points;                ///< on the surface
-    std::size_t first_points;          ///< of them, that every descent minds
-    std::size_t directions;            ///< a ball
-    std::size_t starts_of_few, starts; ///< at random: of as many balls as the quick search looks for too, and of more
-    std::size_t kept_of_few, kept;     ///< starts that are gone on with, likewise
+    int resolution;                ///< cells of the occupancy along the longest extent
+    std::size_t points;            ///< on the surface
+    std::size_t first_points;      ///< of them, that every descent minds
+    std::size_t directions;        ///< a ball
+    std::size_t restarts, starts;  ///< at random: of as many balls as the quick search looks for too, and of more
+    std::size_t kept_of_few, kept; ///< starts that are gone on with, likewise
     int coarse_steps, fine_steps;
     std::size_t most_split;     ///< counts up to this come from splits too; two balls from them alone
     std::size_t most_quick;     ///< counts up to this begin with what the quick search finds
     std::size_t most_exchanged; ///< counts up to this exchange pieces
+    int first_gradient_steps, last_gradient_steps; ///< of each start, and of those that are kept
     ExchangePlan exchange;
     int skin_resolution; ///< of a finely meshed surface, for the search
 };
@@ -55,9 +56,12 @@ private:
     Balls one_more(const Balls& cover) const;
     /// Covers, or all but that, by more balls than `before`.
     std::vector<Balls> found(std::size_t count, const Balls& before);
+    /// Candidates from many random starts.
+    void add_restarts(std::size_t count, std::vector<Rated>& rated);
+    void add_starts_of_many(std::size_t count, std::vector<Rated>& rated);
     Balls exchanged(const Balls& balls) const;
-    Balls descended(const Rated& start) const;
-    Balls fitted(const Balls& balls) const;
+    Balls refined(const Balls& balls) const;
+    Rated settled(const DescentSurface& surface, const Balls& balls, int steps) const;
     Model finished(const Balls& balls) const;
     bool stopped() { return stopped_ = stopped_ || (options_.stop && options_.stop()); }
 
