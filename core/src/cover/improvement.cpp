@@ -1,7 +1,7 @@
 #include "cover/improvement.hpp"
 
 #include "cover/claim.hpp"
-#include "cover/closing.hpp"
+#include "cover/crease_points.hpp"
 #include "cover/exposed.hpp"
 #include "cover/starts.hpp"
 #include "cover/watch.hpp"

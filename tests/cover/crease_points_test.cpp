@@ -1,4 +1,4 @@
-#include "cover/closing.hpp"
+#include "cover/crease_points.hpp"
 
 #include <foam/host/contract.hpp>
 

@@ -1,4 +1,4 @@
-#include "cover/closing.hpp"
+#include "cover/crease_points.hpp"
 
 #include "geometry/triangle.hpp"
 
@@ -15,18 +15,12 @@ namespace {
 
 using geometry::Corners;
 
-/// Largest distance from a point to the triangle.
-double reach(const Vec3& center, const Corners& t) {
-    return std::sqrt(std::max({squared_norm(t.a - center), squared_norm(t.b - center), squared_norm(t.c - center)}));
-}
-
 /// Walks the pieces of triangles that no ball holds down to small ones, with the balls that may matter to each.
 class Walk {
 public:
-    /// `grow`: leaf() lets balls grow.
-    Walk(std::vector<Sphere>& spheres, double finest, bool grow) : spheres_(spheres), finest_(finest), grow_(grow) {}
+    Walk(const std::vector<Sphere>& spheres, double finest) : spheres_(spheres), finest_(finest) {}
 
-    /// leaf(corners, candidates) for every small piece that is not held. Triangles that follow each other often lie
+    /// leaf(corners) for every small piece that is not held. Triangles that follow each other often lie
     /// close by: the balls are sifted for some at a time, and the one that held the last is asked first.
     template <class Leaf>
     void run(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, Leaf leaf) {
@@ -84,7 +78,7 @@ private:
                 return;
             }
         }
-        if (!grow_ && end - begin <= few_known) {
+        if (end - begin <= few_known) {
             const auto held_by = [&](const Vec3& p) { return holders(p, begin, end); };
             visit_known(t, {held_by(t.a), held_by(t.b), held_by(t.c)}, level, begin, end, leaf);
             return;
@@ -94,7 +88,7 @@ private:
         const std::size_t first = end - begin > few ? candidates_.size() : begin;
         const std::size_t last = end - begin > few ? sift((t.a + t.b + t.c) / 3, std::sqrt(longest), begin, end) : end;
         if (longest <= finest_ * finest_ || level >= deepest) {
-            leaf(t, std::span(candidates_).subspan(first, last - first));
+            leaf(t);
         } else if (ab == longest) {
             const Vec3 middle = (t.a + t.b) * 0.5;
             visit({t.a, middle, t.c}, level + 1, first, last, leaf);
@@ -120,7 +114,7 @@ private:
         return result;
     }
 
-    /// The same where it is known which candidates hold the corners, and they do not grow: only the middle is asked
+    /// The same where it is known which candidates hold the corners: only the middle is asked
     /// for.
     template <class Leaf>
     void visit_known(const Corners& t, const std::array<unsigned, 3>& held, int level, std::size_t begin,
@@ -131,7 +125,7 @@ private:
         const double ab = squared_norm(t.b - t.a), bc = squared_norm(t.c - t.b), ca = squared_norm(t.a - t.c);
         const double longest = std::max({ab, bc, ca});
         if (longest <= finest_ * finest_ || level >= deepest) {
-            leaf(t, std::span(candidates_).subspan(begin, end - begin));
+            leaf(t);
             return;
         }
         const Vec3 middle = (ab == longest ? t.a + t.b : bc == longest ? t.b + t.c : t.c + t.a) * 0.5;
@@ -165,9 +159,8 @@ private:
         return candidates_.size();
     }
 
-    std::vector<Sphere>& spheres_;
+    const std::vector<Sphere>& spheres_;
     double finest_;
-    bool grow_;
     bool stopped_ = false;
     std::uint32_t last_holder_ = 0;
     std::vector<std::uint32_t> candidates_;
@@ -178,11 +171,11 @@ private:
 
 /// Middles of all pieces that no ball holds; nothing if there are too many.
 static std::optional<Points> open_points(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
-                                         std::vector<Sphere>& spheres, double finest) {
+                                         const std::vector<Sphere>& spheres, double finest) {
     constexpr std::size_t too_many = 1'000'000;
     Points points;
-    Walk walk(spheres, finest, false);
-    walk.run(vertices, triangles, [&](const Corners& t, std::span<const std::uint32_t>) {
+    Walk walk(spheres, finest);
+    walk.run(vertices, triangles, [&](const Corners& t) {
         points.add((t.a + t.b + t.c) / 3);
         if (points.size() == too_many) {
             walk.stop();
@@ -201,7 +194,7 @@ Points crease_points(const Solid& solid, const Frame& frame, const Balls& balls,
     for (const Vec3& vertex : surface.vertices) {
         vertices.push_back(frame.to_unit(vertex));
     }
-    std::vector<Sphere> spheres = unit_spheres(balls);
+    const std::vector<Sphere> spheres = unit_spheres(balls);
     std::optional<Points> open;
     while (!(open = open_points(vertices, surface.triangles, spheres, finest))) {
         finest *= 2; // tiny balls leave nearly all of the surface open: no need to see it so finely
@@ -215,27 +208,6 @@ Points crease_points(const Solid& solid, const Frame& frame, const Balls& balls,
         some.add(points, i * points.size() / most);
     }
     return some;
-}
-
-std::vector<Sphere> closed(const Solid& solid, std::vector<Sphere> spheres, double finest) {
-    if (spheres.empty()) {
-        return spheres;
-    }
-    Walk walk(spheres, finest, true);
-    walk.run(solid.surface().vertices, solid.surface().triangles,
-             [&](const Corners& t, std::span<const std::uint32_t> candidates) {
-                 std::uint32_t best = 0;
-                 double least = std::numeric_limits<double>::infinity();
-                 for (const std::uint32_t i : candidates) {
-                     const double growth = reach(spheres[i].center, t) - spheres[i].radius;
-                     if (growth < least) {
-                         least = growth;
-                         best = i;
-                     }
-                 }
-                 spheres[best].radius += std::max(0.0, least) * (1 + 1e-9);
-             });
-    return spheres;
 }
 
 } // namespace foam::cover
