@@ -96,11 +96,11 @@ LimitedSearch::Found LimitedSearch::descended(Found start, int steps, double fir
 /// Along the shape derivative of the union's volume: by a radius the area of the ball that shows, by a centre the
 /// integral of the normal over it. One scale for all balls.
 Balls LimitedSearch::stepped(const Balls& balls, double length, const Points& directions) {
-    struct Slope {
+    struct Gradient {
         Vec3 center{};
         double radius = 0;
     };
-    std::vector<Slope> slopes(balls.size());
+    std::vector<Gradient> slopes(balls.size());
     double square = 0;
     for (std::size_t i = 0; i < balls.size(); ++i) {
         if (!exposed_.look(balls, i, directions)) {
