@@ -34,6 +34,16 @@ TEST_F(Cli, DescribeAStage) {
     EXPECT_EQ(data["parameters"][0]["default"], 20'000'000);
 }
 
+TEST_F(Cli, DescribeSaysWhatASpherizerDeclares) {
+    const Outcome text = foam("describe spherize.cover");
+    EXPECT_THAT(text.out, HasSubstr("\nLooks at the original geometry alone: mesh filters before it change nothing.\n"
+                                    "What is to be least: parameter objective.\n"));
+    const json data = json::parse(foam("describe spherize.cover --json").out);
+    EXPECT_EQ(data["original_only"], true);
+    EXPECT_EQ(data["objective_parameter"], "objective");
+    EXPECT_EQ(json::parse(foam("describe spherize.grid --json").out)["objective_parameter"], "");
+}
+
 TEST_F(Cli, DescribeAnUnknownStage) {
     const Outcome outcome = foam("describe load.mesch");
     EXPECT_EQ(outcome.code, 2);
