@@ -23,7 +23,7 @@ bool meet(const Ball& a, const Ball& b) {
 
 Exchange::Exchange(const Problem& problem, const Skin& skin, const ExchangePlan& plan, Balls balls)
     : skin_(skin), plan_(plan), balls_(std::move(balls)), home_(skin.faces.size(), none), remainder_(skin),
-      outside_(problem.occupancy, plan.cells) {
+      outside_(problem.occupancy, plan.cells), moved_(balls_.size(), 1) {
     find_homes();
 }
 
@@ -39,22 +39,27 @@ bool Exchange::holds(const Ball& ball, const Skin::Face& face) const {
     });
 }
 
-/// Faces that follow each other often lie close by: the balls near some of them are found at once.
+/// Faces that follow each other often lie close by: the balls near some of them are found at once. A face whose ball
+/// has not moved stays, and one that had none may have found one among those that did.
 void Exchange::find_homes() {
     constexpr std::size_t at_once = 32;
     for (std::size_t begin = 0; begin < home_.size(); begin += at_once) {
         const auto faces = std::span(skin_.faces).subspan(begin, std::min(at_once, home_.size() - begin));
-        find_near(faces);
+        near_.clear();
         for (std::size_t k = 0; k < faces.size(); ++k) {
             std::uint32_t& home = home_[begin + k];
-            if (home == none || !holds(balls_[home], faces[k])) {
-                const auto first =
-                    std::find_if(near_.begin(), near_.end(), [&](auto i) { return holds(balls_[i], faces[k]); });
+            if (home == none || (moved_[home] && !holds(balls_[home], faces[k]))) {
+                if (near_.empty()) {
+                    find_near(faces);
+                }
+                const auto first = std::find_if(near_.begin(), near_.end(), [&](auto i) {
+                    return (home != none || moved_[i]) && holds(balls_[i], faces[k]);
+                });
                 home = first == near_.end() ? none : *first;
             }
         }
     }
-    homes_known_ = true;
+    moved_.assign(balls_.size(), 0);
 }
 
 /// The balls that may hold one of the faces, in order.
@@ -75,7 +80,7 @@ void Exchange::find_near(std::span<const Skin::Face> faces) {
 }
 
 void Exchange::look_at(std::size_t i, std::size_t j, const Ball& region) {
-    if (!homes_known_) {
+    if (std::any_of(moved_.begin(), moved_.end(), [](char moved) { return moved; })) {
         find_homes();
     }
     faces_.clear();
@@ -128,7 +133,8 @@ bool Exchange::split(const std::vector<std::size_t>& candidates) {
     }
     balls_[chosen] = best.balls[0];
     balls_.push_back(best.balls[1]);
-    homes_known_ = false;
+    moved_[chosen] = 1;
+    moved_.push_back(1);
     return true;
 }
 
@@ -144,7 +150,7 @@ bool Exchange::exchange(std::size_t i, std::size_t j) {
     }
     balls_[i] = two.balls[0];
     balls_[j] = two.balls[1];
-    homes_known_ = false;
+    moved_[i] = moved_[j] = 1;
     return true;
 }
 

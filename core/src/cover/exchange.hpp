@@ -41,10 +41,10 @@ private:
     ExchangePlan plan_;
     Balls balls_;
     std::vector<std::uint32_t> home_; ///< of each face a ball that holds it alone, or none
-    bool homes_known_ = false;        ///< they are those of the balls as they are
     std::vector<std::uint32_t> near_; ///< balls
     Remainder remainder_;
     OutsideVolume outside_;
+    std::vector<char> moved_; ///< of each ball: since homes were found
     Content content_;
     std::vector<std::uint32_t> faces_;
     Balls others_;
