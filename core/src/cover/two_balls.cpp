@@ -1,7 +1,5 @@
 #include "cover/two_balls.hpp"
 
-#include "cover/wide_vectors.hpp"
-
 #include "geometry/fibonacci.hpp"
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include <foam/random.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -51,17 +52,20 @@ class Cells {
 public:
     Cells(const LineGrid& grid, int axis)
         : low_(grid.box.low[axis]), cell_(grid.box.size()[axis] / static_cast<double>(grid.across)),
-          across_(grid.across) {}
+          per_cell_(1 / cell_), across_(grid.across) {}
 
     double size() const { return cell_; }
     double begin(std::size_t i) const { return low_ + cell_ * static_cast<double>(i); }
     /// Those that the range reaches: first and one past the last. A little wider than it is, as coordinates are
     /// rounded.
     std::pair<std::size_t, std::size_t> of(const Range& range) const {
-        if (!(cell_ > 0)) {
+        if (!(range.low <= range.high)) {
+            return {0, 0};
+        }
+        if (!std::isfinite(per_cell_)) { // flat
             return {0, across_};
         }
-        return {place((range.low - low_) / cell_ - margin), place((range.high - low_) / cell_ + margin + 1)};
+        return {place((range.low - low_) * per_cell_ - margin), place((range.high - low_) * per_cell_ + margin + 1)};
     }
     /// Of a cell.
     static constexpr double margin = 0.01;
@@ -71,36 +75,50 @@ private:
         return static_cast<std::size_t>(std::clamp(cell, 0.0, static_cast<double>(across_)));
     }
 
-    double low_, cell_;
+    double low_, cell_, per_cell_;
     std::size_t across_;
 };
 
 /// Scan conversion (Wylie, Romney, Evans, Erdahl 1967): row by row the lines that may meet the triangle.
-template <class Visit> void for_each_line_near(const Corners& triangle, const LineGrid& grid, Visit visit) {
-    const int u = (grid.axis + 1) % 3, v = (grid.axis + 2) % 3;
-    const auto& [a, b, c] = triangle;
-    const Cells rows(grid, u), places(grid, v);
-    Range across;
-    across.add(a[u]);
-    across.add(b[u]);
-    across.add(c[u]);
-    const double margin = Cells::margin * rows.size();
-    const auto [first, last] = rows.of(across);
-    for (std::size_t row = first; row < last; ++row) {
-        const double from = rows.begin(row) - margin, to = rows.begin(row + 1) + margin;
-        Range along;
-        add_edge(a[u], a[v], b[u], b[v], from, to, margin, along);
-        add_edge(b[u], b[v], c[u], c[v], from, to, margin, along);
-        add_edge(c[u], c[v], a[u], a[v], from, to, margin, along);
-        if (!(along.low <= along.high)) {
-            continue;
+class Rows {
+public:
+    explicit Rows(const LineGrid& grid)
+        : u_((grid.axis + 1) % 3), v_((grid.axis + 2) % 3), across_(grid.across), rows_(grid, u_), places_(grid, v_),
+          margin_(Cells::margin * rows_.size()) {}
+
+    template <class Visit> void for_each_line_near(const Corners& triangle, Visit visit) const {
+        constexpr std::size_t few = 2; // rows: no need to look closer
+        Range across, along;
+        for (const Vec3* corner : {&triangle.a, &triangle.b, &triangle.c}) {
+            across.add((*corner)[u_]);
+            along.add((*corner)[v_]);
         }
-        const auto [begin, end] = places.of(along);
-        for (std::size_t k = begin; k < end; ++k) {
-            visit(row * grid.across + k);
+        const auto [first, last] = rows_.of(across);
+        for (std::size_t row = first; row < last; ++row) {
+            const auto [begin, end] = places_.of(last - first <= few ? along : within(triangle, row));
+            for (std::size_t k = begin; k < end; ++k) {
+                visit(row * across_ + k);
+            }
         }
     }
-}
+
+private:
+    /// Where the triangle reaches in a row.
+    Range within(const Corners& triangle, std::size_t row) const {
+        const auto& [a, b, c] = triangle;
+        const double from = rows_.begin(row) - margin_, to = rows_.begin(row + 1) + margin_;
+        Range along;
+        add_edge(a[u_], a[v_], b[u_], b[v_], from, to, margin_, along);
+        add_edge(b[u_], b[v_], c[u_], c[v_], from, to, margin_, along);
+        add_edge(c[u_], c[v_], a[u_], a[v_], from, to, margin_, along);
+        return along;
+    }
+
+    int u_, v_;
+    std::size_t across_;
+    Cells rows_, places_;
+    double margin_;
+};
 
 /// Where rounding hit several edges at once the changes of a line do not sum to zero: it takes one beside it.
 void take_beside(const MeshPart& part, const LineGrid& grid, const std::vector<int>& sums, std::vector<Hit>& hits) {
@@ -146,8 +164,9 @@ double LineGrid::cell_area() const {
 GridCrossings::GridCrossings(const MeshPart& part, const LineGrid& grid) {
     std::vector<Hit> hits;
     std::vector<int> sums(grid.lines.size());
+    const Rows rows(grid);
     part.for_each_closed([&](const Corners& triangle) {
-        for_each_line_near(triangle, grid, [&](std::size_t line) {
+        rows.for_each_line_near(triangle, [&](std::size_t line) {
             double t = 0;
             if (const int change = grid.lines[line].cross(triangle, t); change != 0) {
                 hits.push_back({line, {t, change}});
