@@ -171,8 +171,12 @@ double InsideLines::outside(std::span<const Sphere> spheres) const {
             if (begin == row.ends[k]) {
                 continue;
             }
+            const auto inside = std::span(row.inside).subspan(begin, row.ends[k] - begin);
+            if (one_holds(nearer, row.origins[k], axis, inside.front().enter, inside.back().leave)) {
+                continue;
+            }
             balls_along(nearer, row.origins[k], axis, in_balls);
-            without(std::span(row.inside).subspan(begin, row.ends[k] - begin), in_balls, shortest, pieces);
+            without(inside, in_balls, shortest, pieces);
             outside += length(pieces);
         }
         sum += share * outside;

@@ -73,6 +73,16 @@ void balls_between(std::span<const Sphere> balls, int axis, double from, double 
     }
 }
 
+bool one_holds(std::span<const Sphere> balls, const Vec3& origin, int axis, double from, double to) {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    return std::any_of(balls.begin(), balls.end(), [&](const Sphere& s) {
+        const double du = s.center[u] - origin[u], dv = s.center[v] - origin[v];
+        const double middle = s.center[axis] - origin[axis];
+        const double farther = std::max(std::abs(from - middle), std::abs(to - middle));
+        return du * du + dv * dv + farther * farther <= s.radius * s.radius;
+    });
+}
+
 void balls_along(std::span<const Sphere> balls, const Vec3& origin, int axis, Intervals& result) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     result.clear();

@@ -26,6 +26,9 @@ inline Vec3 along(int axis) {
     direction[axis] = 1;
     return direction;
 }
+/// Whether one of the balls holds all of the line through `origin` along an axis between `from` and `to`, relative to
+/// `origin`.
+bool one_holds(std::span<const Sphere> balls, const Vec3& origin, int axis, double from, double to);
 /// Where the line through `origin` along an axis is in the balls, relative to `origin`.
 void balls_along(std::span<const Sphere> balls, const Vec3& origin, int axis, Intervals& result);
 
