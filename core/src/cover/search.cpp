@@ -29,7 +29,8 @@ Plan plan_for(Effort effort) {
                 .restarts = 48,
                 .starts = 12,
                 .kept_of_few = 6,
-                .kept = 3,
+                .kept_of_some = 6,
+                .kept_of_many = 3,
                 .coarse_steps = 200,
                 .fine_steps = 160,
                 .most_split = 12,
@@ -46,16 +47,17 @@ Plan plan_for(Effort effort) {
             .directions = 96,
             .restarts = 4,
             .starts = 2,
-            .kept_of_few = 1,
-            .kept = 1,
+            .kept_of_few = 2,
+            .kept_of_some = 1,
+            .kept_of_many = 1,
             .coarse_steps = 120,
             .fine_steps = 120,
-            .most_split = 8,
+            .most_split = 12,
             .most_quick = 16,
             .most_exchanged = 8,
             .first_gradient_steps = 4,
             .last_gradient_steps = 20,
-            .exchange = {{16, 5, 2, 40}, 40, 6, 16},
+            .exchange = {{16, 5, 2, 40}, 20, 6, 16},
             .skin_resolution = 16};
 }
 
@@ -127,17 +129,30 @@ std::vector<Balls> Search::found(std::size_t count, const Balls& before) {
         add_starts_of_many(count, rated);
     }
     std::stable_sort(rated.begin(), rated.end(), claims_less);
-    rated.resize(std::min(rated.size(), count <= plan_.most_quick ? plan_.kept_of_few : plan_.kept));
+    rated.resize(std::min(rated.size(), kept_for(count)));
     std::vector<Balls> balls(rated.size());
     if (stopped()) {
         return {rated.front().balls};
     }
-    const bool few = count <= plan_.most_exchanged, many = count > plan_.most_quick;
     parallel_for(balls.size(), [&](std::size_t i) {
-        Balls better = few ? exchanged(rated[i].balls) : many ? refined(rated[i].balls) : rated[i].balls;
-        balls[i] = settled(surface, better, plan_.last_gradient_steps).balls;
+        const Balls& start = rated[i].balls;
+        const bool few = count <= plan_.most_exchanged, many = count > plan_.most_quick;
+        balls[i] = settled(surface,
+                           few    ? exchanged(start)
+                           : many ? refined(start)
+                                  : start,
+                           plan_.last_gradient_steps)
+                       .balls;
+        if (few && coarse_skin_.points.size() < skin_.points.size()) {
+            balls[i] = settled(surface, exchanged_finely(balls[i]), plan_.last_gradient_steps).balls;
+        }
     });
     return balls;
+}
+
+std::size_t Search::kept_for(std::size_t count) const {
+    constexpr std::size_t few = 4;
+    return count <= few ? plan_.kept_of_few : count <= plan_.most_quick ? plan_.kept_of_some : plan_.kept_of_many;
 }
 
 void Search::add_restarts(std::size_t count, std::vector<Rated>& rated) {
@@ -181,6 +196,16 @@ Rated Search::settled(const DescentSurface& surface, const Balls& balls, int ste
 
 Balls Search::exchanged(const Balls& balls) const {
     Exchange exchange(problem_, coarse_skin_, plan_.exchange, balls);
+    exchange.settle();
+    return exchange.balls();
+}
+
+/// On the surface itself after exchanges on a coarse one.
+Balls Search::exchanged_finely(const Balls& balls) const {
+    ExchangePlan plan = plan_.exchange;
+    plan.evaluations = 12;
+    plan.rounds = 1;
+    Exchange exchange(problem_, skin_, plan, balls);
     exchange.settle();
     return exchange.balls();
 }

@@ -14,12 +14,12 @@ namespace foam::cover {
 
 /// What normal and best efforts are; fast is QuickSearch.
 struct Plan {
-    int resolution;                ///< cells of the occupancy along the longest extent
-    std::size_t points;            ///< on the surface
-    std::size_t first_points;      ///< of them, that every descent minds
-    std::size_t directions;        ///< a ball
-    std::size_t restarts, starts;  ///< at random: of as many balls as the quick search looks for too, and of more
-    std::size_t kept_of_few, kept; ///< starts that are gone on with, likewise
+    int resolution;               ///< cells of the occupancy along the longest extent
+    std::size_t points;           ///< on the surface
+    std::size_t first_points;     ///< of them, that every descent minds
+    std::size_t directions;       ///< a ball
+    std::size_t restarts, starts; ///< at random: of as many balls as the quick search looks for too, and of more
+    std::size_t kept_of_few, kept_of_some, kept_of_many; ///< starts that are gone on with: up to 4, up to most_quick
     int coarse_steps, fine_steps;
     std::size_t most_split;     ///< counts up to this come from splits too; two balls from them alone
     std::size_t most_quick;     ///< counts up to this begin with what the quick search finds
@@ -59,7 +59,9 @@ private:
     /// Candidates from many random starts.
     void add_restarts(std::size_t count, std::vector<Rated>& rated);
     void add_starts_of_many(std::size_t count, std::vector<Rated>& rated);
+    std::size_t kept_for(std::size_t count) const;
     Balls exchanged(const Balls& balls) const;
+    Balls exchanged_finely(const Balls& balls) const;
     Balls refined(const Balls& balls) const;
     Rated settled(const DescentSurface& surface, const Balls& balls, int steps) const;
     Model finished(const Balls& balls) const;
