@@ -6,7 +6,7 @@
 
 namespace foam::cover {
 
-static void press(Held& h, Ball& ball) {
+static inline void press(Held& h, Ball& ball) {
     const float dx = h.x - ball.x, dy = h.y - ball.y, dz = h.z - ball.z;
     const float squared = dx * dx + dy * dy + dz * dz;
     if (h.force == 0 && squared <= ball.r * ball.r) {
@@ -33,7 +33,10 @@ void take_in(std::vector<Held>& held, Balls& balls, std::vector<char>& pressed) 
         for (std::size_t k = 0; k < pressing; ++k) {
             if (held[k].force > 0) {
                 press(held[k], balls[held[k].owner]);
-                std::swap(held[k], held[left++]);
+                if (k != left) {
+                    std::swap(held[k], held[left]);
+                }
+                ++left;
             }
         }
         pressing = left;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 namespace foam::cover {
 namespace {
@@ -117,20 +118,39 @@ void PowerCells::cut(const std::array<std::uint32_t, 3>& face, const Balls& ball
     add_border(middle, cell[2], cell[2]);
 }
 
+/// Counted first, so that points are written where they belong and nothing grows.
+void PowerCells::hand_out(std::size_t balls) {
+    std::vector<std::size_t> counts(balls);
+    for (const std::uint32_t owner : owners_.owner) {
+        ++counts[owner];
+    }
+    for (const auto& [a, b] : neighbours_) {
+        ++counts[a];
+        ++counts[b];
+    }
+    parts_.resize(balls);
+    for (std::size_t i = 0; i < balls; ++i) {
+        parts_[i].resize(std::exchange(counts[i], 0));
+    }
+    const auto give = [&](std::uint32_t ball, const Points& from, std::size_t i) {
+        Points& part = parts_[ball];
+        const std::size_t place = counts[ball]++;
+        part.x[place] = from.x[i];
+        part.y[place] = from.y[i];
+        part.z[place] = from.z[i];
+    };
+    for (std::size_t p = 0; p < owners_.owner.size(); ++p) {
+        give(owners_.owner[p], skin_.points, p);
+    }
+    for (std::size_t k = 0; k < neighbours_.size(); ++k) {
+        give(neighbours_[k].first, borders_, k);
+        give(neighbours_[k].second, borders_, k);
+    }
+}
+
 Balls PowerCells::shared(const Balls& balls) {
     find(balls);
-    parts_.resize(balls.size());
-    for (Points& part : parts_) {
-        part.clear();
-    }
-    for (std::size_t p = 0; p < skin_.points.size(); ++p) {
-        parts_[owners_.owner[p]].add(skin_.points, p);
-    }
-    for (std::size_t k = 0; k < borders_.size(); ++k) {
-        const auto [a, b] = neighbours_[k];
-        parts_[a].add(borders_, k);
-        parts_[b].add(borders_, k);
-    }
+    hand_out(balls.size());
     Balls sharers;
     for (std::size_t i = 0; i < balls.size(); ++i) {
         if (parts_[i].size() > 0) {

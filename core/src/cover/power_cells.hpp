@@ -43,6 +43,7 @@ public:
 private:
     void cut(const std::array<std::uint32_t, 3>& face, const Balls& balls);
     void add_border(const Vec3& point, std::uint32_t a, std::uint32_t b);
+    void hand_out(std::size_t balls);
 
     const FineSkin& skin_;
     Owners owners_;
