@@ -114,12 +114,12 @@ FOAM_PLUGIN("spherize_cover", "1.0", "Apache-2.0") {
                    "proved.",
         .reference =
             "Wang et al.: Variational sphere set approximation for solid objects. The Visual Computer 22, 2006",
-        .revision = 12,
+        .revision = 13,
         .parameters =
             {
                 foam::Parameter::choice("effort", {"fast", "normal", "best"}, "normal")
-                    .doc("How long to look: fast takes a third of the time of normal, best ten times as long and gains "
-                         "little."),
+                    .doc("How long to look: fast takes a third of the time of normal, best five to ten times as "
+                         "long for some per cent less."),
                 foam::Parameter::choice("objective", {"excess", "protrusion", "radius"}, "excess")
                     .doc("What is to be least: the volume claimed outside, how far any sphere sticks out of the "
                          "geometry, or the radius of the largest sphere, for planners that want equal ones."),

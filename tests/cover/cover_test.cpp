@@ -113,6 +113,22 @@ TEST(Spherize, MoreBallsNeverClaimMore) {
     }
 }
 
+// Few balls are left where more are of no use; those cannot give way to each other.
+TEST(Spherize, BestEffortOnAFlatCylinder) {
+    Primitive cylinder;
+    cylinder.kind = Primitive::Kind::cylinder;
+    cylinder.radius = 0.04;
+    cylinder.length = 0.0464;
+    const auto solid = Solid::make(std::vector<Solid::Part>{{nullptr, cylinder, Pose{}}});
+    const std::vector<std::size_t> counts{1, 2, 3, 4, 5, 6};
+    double before = std::numeric_limits<double>::infinity();
+    for (const Cover& cover : spherize_each(*solid, counts, {.effort = Effort::best})) {
+        EXPECT_TRUE(cover.certificate.holds);
+        EXPECT_LE(cover.volume, before);
+        before = cover.volume;
+    }
+}
+
 TEST(Spherize, TheSameAloneAndBesideOtherCounts) {
     const auto solid = sample::solids().at("Bracket")();
     const std::vector<std::size_t> counts{7, 3};

@@ -34,6 +34,7 @@ Plan plan_for(Effort effort) {
                 .coarse_steps = 200,
                 .fine_steps = 160,
                 .most_split = 12,
+                .most_moves = 3,
                 .most_quick = 16,
                 .most_exchanged = 16,
                 .first_gradient_steps = 4,
@@ -53,6 +54,7 @@ Plan plan_for(Effort effort) {
             .coarse_steps = 120,
             .fine_steps = 120,
             .most_split = 12,
+            .most_moves = 0,
             .most_quick = 16,
             .most_exchanged = 8,
             .first_gradient_steps = 4,
@@ -101,7 +103,34 @@ Search::Model Search::model(std::size_t count) {
             return best;
         }
     }
+    for (int round = 0; round < plan_.most_moves && count <= plan_.most_split && !stopped(); ++round) {
+        const double joint = best.joint;
+        if (best.balls.size() < 3) {
+            break; // two come from all planes anyway
+        }
+        for (const Balls& balls : moved(Balls(best.balls))) {
+            take(balls);
+        }
+        if (best.joint == joint) {
+            break;
+        }
+    }
+    if (stopped_) {
+        return best;
+    }
     return models_.emplace(count, std::move(best)).first->second;
+}
+
+std::vector<Balls> Search::moved(const Balls& cover) {
+    const DescentSurface& surface = quick_.surface_for(cover.size());
+    std::vector<Balls> result(cover.size());
+    parallel_for(cover.size(), [&](std::size_t i) {
+        Balls fewer = cover;
+        fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+        fewer = settled(surface, fewer, plan_.first_gradient_steps).balls;
+        result[i] = settled(surface, one_more(fewer), plan_.last_gradient_steps).balls;
+    });
+    return result;
 }
 
 Balls Search::one_more(const Balls& cover) const {

@@ -22,6 +22,7 @@ struct Plan {
     std::size_t kept_of_few, kept_of_some, kept_of_many; ///< starts that are gone on with: up to 4, up to most_quick
     int coarse_steps, fine_steps;
     std::size_t most_split;     ///< counts up to this come from splits too; two balls from them alone
+    int most_moves;             ///< rounds of moves of those, each of every ball
     std::size_t most_quick;     ///< counts up to this begin with what the quick search finds
     std::size_t most_exchanged; ///< counts up to this exchange pieces
     int first_gradient_steps, last_gradient_steps; ///< of each start, and of those that are kept
@@ -54,6 +55,8 @@ private:
     Model model(std::size_t count);
     /// One ball more than a cover has, by a plane through one of those that waste most.
     Balls one_more(const Balls& cover) const;
+    /// Covers by as many balls: of each ball in turn the place is given up, and one that wastes most is split.
+    std::vector<Balls> moved(const Balls& cover);
     /// Covers, or all but that, by more balls than `before`.
     std::vector<Balls> found(std::size_t count, const Balls& before);
     /// Candidates from many random starts.
