@@ -114,7 +114,7 @@ FOAM_PLUGIN("spherize_cover", "1.0", "Apache-2.0") {
                    "proved.",
         .reference =
             "Wang et al.: Variational sphere set approximation for solid objects. The Visual Computer 22, 2006",
-        .revision = 13,
+        .revision = 14,
         .parameters =
             {
                 foam::Parameter::choice("effort", {"fast", "normal", "best"}, "normal")

@@ -35,6 +35,7 @@ Plan plan_for(Effort effort) {
                 .fine_steps = 160,
                 .most_split = 12,
                 .most_moves = 3,
+                .most_grown = 64,
                 .most_quick = 16,
                 .most_exchanged = 16,
                 .first_gradient_steps = 4,
@@ -46,15 +47,16 @@ Plan plan_for(Effort effort) {
             .points = 3000,
             .first_points = 500,
             .directions = 96,
-            .restarts = 4,
+            .restarts = 2,
             .starts = 2,
             .kept_of_few = 2,
             .kept_of_some = 1,
             .kept_of_many = 1,
             .coarse_steps = 120,
             .fine_steps = 120,
-            .most_split = 12,
+            .most_split = 8,
             .most_moves = 0,
+            .most_grown = 64,
             .most_quick = 16,
             .most_exchanged = 8,
             .first_gradient_steps = 4,
@@ -68,7 +70,7 @@ Search::Search(const Solid& solid, const SpherizeOptions& options)
       problem_(solid, plan_.resolution, plan_.points, options.seed), skin_(solid.surface(), problem_.frame),
       coarse_skin_(skin_.points.size() > few_points ? skin_.coarse(plan_.skin_resolution) : skin_),
       body_(body_points(problem_, 800)), improvement_(problem_, plan_.directions, plan_.first_points),
-      quick_(solid, options) {}
+      splitting_(solid), quick_(solid, options) {}
 
 Search::Model Search::model(std::size_t count) {
     if (const auto known = models_.find(count); known != models_.end()) {
@@ -81,7 +83,7 @@ Search::Model Search::model(std::size_t count) {
     if (stopped()) {
         return best;
     }
-    const Balls before = best.balls;
+    const Model before = best;
     const auto take = [&](const Balls& balls) {
         Model model = finished(balls);
         // More balls are never worse.
@@ -90,13 +92,17 @@ Search::Model Search::model(std::size_t count) {
         }
     };
     if (count <= plan_.most_split) {
-        take(settled(quick_.surface_for(count), one_more(before), plan_.last_gradient_steps).balls);
+        take(settled(quick_.surface_for(count), one_more(before.balls), plan_.last_gradient_steps).balls);
         if (stopped()) {
             return best;
         }
     }
     if (count > 2) {
-        for (const Balls& balls : found(count, before)) {
+        const Balls more = count > plan_.most_split && count <= plan_.most_grown ? grown(before, count) : Balls{};
+        if (!more.empty()) {
+            take(more);
+        }
+        for (const Balls& balls : found(count, before.balls, more)) {
             take(balls);
         }
         if (stopped()) {
@@ -133,6 +139,22 @@ std::vector<Balls> Search::moved(const Balls& cover) {
     return result;
 }
 
+Balls Search::grown(const Model& cover, std::size_t count) {
+    Claim claim{cover.cover.spheres, cover.joint};
+    while (claim.spheres.size() < count && !stopped()) {
+        Claim more = splitting_.one_more(claim.spheres, claim.volume);
+        if (more.spheres.size() == claim.spheres.size()) {
+            break;
+        }
+        claim = std::move(more);
+    }
+    Balls balls;
+    for (const Sphere& s : claim.spheres) {
+        balls.push_back(ball_of({problem_.frame.to_unit(s.center), s.radius / problem_.frame.unit}));
+    }
+    return balls;
+}
+
 Balls Search::one_more(const Balls& cover) const {
     constexpr std::size_t most_candidates = 3;
     std::vector<std::size_t> candidates = improvement_.by_waste(cover);
@@ -146,7 +168,7 @@ Balls Search::one_more(const Balls& cover) const {
 
 /// Of few balls the quick search finds what others would, and exchanges make the most of it. Of many it falls behind:
 /// those begin with clusters, and long steps that put balls that get lost to use elsewhere.
-std::vector<Balls> Search::found(std::size_t count, const Balls& before) {
+std::vector<Balls> Search::found(std::size_t count, const Balls& before, const Balls& more) {
     const DescentSurface& surface = quick_.surface_for(count);
     std::vector<Rated> rated;
     if (count <= plan_.most_quick) {
@@ -154,11 +176,17 @@ std::vector<Balls> Search::found(std::size_t count, const Balls& before) {
         parallel_for(rated.size(),
                      [&](std::size_t i) { rated[i] = settled(surface, rated[i].balls, plan_.first_gradient_steps); });
         add_restarts(count, rated);
+        if (!more.empty()) {
+            rated.push_back(settled(surface, more, plan_.first_gradient_steps));
+        }
     } else {
         add_starts_of_many(count, rated);
     }
     std::stable_sort(rated.begin(), rated.end(), claims_less);
     rated.resize(std::min(rated.size(), kept_for(count)));
+    if (count > plan_.most_quick && !more.empty()) {
+        rated.push_back(settled(surface, more, plan_.first_gradient_steps));
+    }
     std::vector<Balls> balls(rated.size());
     if (stopped()) {
         return {rated.front().balls};

@@ -4,6 +4,7 @@
 #include "cover/exchange.hpp"
 #include "cover/improvement.hpp"
 #include "cover/quick_search.hpp"
+#include "cover/splitting.hpp"
 
 #include <foam/host/spherize.hpp>
 #include <foam/random.hpp>
@@ -23,6 +24,7 @@ struct Plan {
     int coarse_steps, fine_steps;
     std::size_t most_split;     ///< counts up to this come from splits too; two balls from them alone
     int most_moves;             ///< rounds of moves of those, each of every ball
+    std::size_t most_grown;     ///< more, up to this, come from those before with balls split one by one
     std::size_t most_quick;     ///< counts up to this begin with what the quick search finds
     std::size_t most_exchanged; ///< counts up to this exchange pieces
     int first_gradient_steps, last_gradient_steps; ///< of each start, and of those that are kept
@@ -57,8 +59,10 @@ private:
     Balls one_more(const Balls& cover) const;
     /// Covers by as many balls: of each ball in turn the place is given up, and one that wastes most is split.
     std::vector<Balls> moved(const Balls& cover);
-    /// Covers, or all but that, by more balls than `before`.
-    std::vector<Balls> found(std::size_t count, const Balls& before);
+    /// A cover with one ball after the other split in two, those that are worth it, until there are `count`.
+    Balls grown(const Model& cover, std::size_t count);
+    /// Covers, or all but that, by more balls than `before`; `more`, if there is any, is one that is to become better.
+    std::vector<Balls> found(std::size_t count, const Balls& before, const Balls& more);
     /// Candidates from many random starts.
     void add_restarts(std::size_t count, std::vector<Rated>& rated);
     void add_starts_of_many(std::size_t count, std::vector<Rated>& rated);
@@ -77,6 +81,7 @@ private:
     Skin skin_, coarse_skin_; ///< the same where there are few points anyway
     Points body_;
     Improvement improvement_;
+    Splitting splitting_;
     QuickSearch quick_;
     std::map<std::size_t, Model> models_;
     bool stopped_ = false;
