@@ -118,7 +118,7 @@ FOAM_PLUGIN("spherize_cover", "1.0", "Apache-2.0") {
         .parameters =
             {
                 foam::Parameter::choice("effort", {"fast", "normal", "best"}, "normal")
-                    .doc("How long to look: fast takes a third of the time of normal, best five to ten times as "
+                    .doc("How long to look: fast takes a third of the time of normal, best eight to twenty times as "
                          "long for some per cent less."),
                 foam::Parameter::choice("objective", {"excess", "protrusion", "radius"}, "excess")
                     .doc("What is to be least: the volume claimed outside, how far any sphere sticks out of the "
