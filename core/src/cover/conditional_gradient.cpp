@@ -123,12 +123,7 @@ Vec3 ConditionalGradient::tilt(const Balls& balls, std::size_t i) {
             area += shows;
         }
     }
-    if (!(area > 0)) {
-        return {};
-    }
-    const Vec3 tilt = force / area;
-    const double length = norm(tilt);
-    return length > longest ? tilt * (longest / length) : tilt;
+    return tilt_of(force, area, longest);
 }
 
 } // namespace foam::cover

@@ -24,7 +24,7 @@ public:
 
 private:
     double claim(const Balls& balls);
-    /// Of what shows outside the solid, as exposed_tilt().
+    /// Of what shows outside the solid, with EnclosingBall's signs.
     Vec3 tilt(const Balls& balls, std::size_t i);
     /// Each ball as large as its part asks for.
     void hold_parts(Balls& balls) const;

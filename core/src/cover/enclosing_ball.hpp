@@ -7,6 +7,17 @@
 
 namespace foam::cover {
 
+/// F / A of a ball that shows the area A, F the integral of the normal over it; no longer than `longest`. Zero where
+/// nothing shows.
+inline Vec3 tilt_of(const Vec3& force, double area, double longest) {
+    if (!(area > 0)) {
+        return {};
+    }
+    const Vec3 tilt = force / area;
+    const double length = norm(tilt);
+    return length > longest ? tilt * (longest / length) : tilt;
+}
+
 /// The ball that holds the points and has the least radius + tilt · centre, |tilt| < 1. Without tilt it is the smallest
 /// enclosing ball. With A the area of a ball's surface that shows and F the integral of the normal over it, A · radius
 /// + F · centre is to first order the volume that a ball adds to a union: tilt F / A. Like the smallest enclosing ball

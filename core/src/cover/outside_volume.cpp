@@ -1,5 +1,6 @@
 #include "cover/outside_volume.hpp"
 
+#include "cover/enclosing_ball.hpp"
 #include "cover/wide_vectors.hpp"
 
 #include <algorithm>
@@ -123,12 +124,7 @@ Vec3 OutsideVolume::tilt(std::span<const Ball> balls, std::size_t i) const {
         area += weight_[k] * free;
         force += Vec3{dx, dy, dz} * (weight_[k] * free / std::sqrt(squared));
     }
-    if (!(area > 0)) {
-        return {};
-    }
-    const Vec3 tilt = force / area;
-    const double length = norm(tilt);
-    return length > longest ? tilt * (longest / length) : tilt;
+    return tilt_of(force, area, longest);
 }
 
 } // namespace foam::cover

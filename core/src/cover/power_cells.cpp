@@ -16,6 +16,24 @@ double power(const Ball& ball, const Vec3& p) {
     return squared_norm(to) - static_cast<double>(ball.r) * ball.r;
 }
 
+/// Of the surface of ball i that the others leave: the integral of the normal over its area, no longer than a half.
+/// With the ball's area that shows, it is the direction in which the union grows least; see EnclosingBall.
+Vec3 exposed_tilt(const Balls& balls, std::size_t i, const Points& directions, Exposed& exposed) {
+    constexpr double longest = 0.5;
+    if (!exposed.look(balls, i, directions)) {
+        return {};
+    }
+    float x = 0, y = 0, z = 0, area = 0;
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+        const float shows = exposed.depth()[k] > 0 ? 1.0f : 0.0f;
+        x += shows * directions.x[k];
+        y += shows * directions.y[k];
+        z += shows * directions.z[k];
+        area += shows;
+    }
+    return tilt_of({x, y, z}, area, longest);
+}
+
 } // namespace
 
 FOAM_FOR_WIDE_VECTORS
@@ -171,27 +189,6 @@ Balls PowerCells::fitted(const Balls& balls, const Points& directions) {
         fitted.push_back(enclosing_ball_.of(parts_[i], parts_[i].size(), tilt, {ball.x, ball.y, ball.z}));
     }
     return fitted;
-}
-
-Vec3 exposed_tilt(const Balls& balls, std::size_t i, const Points& directions, Exposed& exposed) {
-    constexpr double longest = 0.5;
-    if (!exposed.look(balls, i, directions)) {
-        return {};
-    }
-    float x = 0, y = 0, z = 0, area = 0;
-    for (std::size_t k = 0; k < directions.size(); ++k) {
-        const float shows = exposed.depth()[k] > 0 ? 1.0f : 0.0f;
-        x += shows * directions.x[k];
-        y += shows * directions.y[k];
-        z += shows * directions.z[k];
-        area += shows;
-    }
-    if (!(area > 0)) {
-        return {};
-    }
-    const Vec3 tilt = Vec3{x, y, z} / area;
-    const double length = norm(tilt);
-    return length > longest ? tilt * (longest / length) : tilt;
 }
 
 } // namespace foam::cover

@@ -54,8 +54,4 @@ private:
     Exposed exposed_;
 };
 
-/// Of the surface of ball i that the others leave: the integral of the normal over its area, no longer than a half.
-/// With the ball's area that shows, it is the direction in which the union grows least; see EnclosingBall.
-Vec3 exposed_tilt(const Balls& balls, std::size_t i, const Points& directions, Exposed& exposed);
-
 } // namespace foam::cover
