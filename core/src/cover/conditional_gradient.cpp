@@ -1,6 +1,7 @@
 #include "cover/conditional_gradient.hpp"
 
 #include "cover/directions.hpp"
+#include "cover/missing_volume.hpp"
 
 #include <foam/union_volume.hpp>
 
@@ -83,9 +84,8 @@ Rated ConditionalGradient::line_search(const Rated& balls, const Balls& end, dou
 }
 
 double ConditionalGradient::claim(const Balls& balls) {
-    owners_.find(inside_, balls);
-    const auto left = std::count_if(owners_.power.begin(), owners_.power.end(), [](float power) { return power > 0; });
-    return exact_union_volume(unit_spheres(balls)) + inside_volume_ * static_cast<double>(left);
+    return exact_union_volume(unit_spheres(balls)) +
+           inside_volume_ * static_cast<double>(count_missing(inside_, balls, owners_));
 }
 
 void ConditionalGradient::hold_parts(Balls& balls) const {

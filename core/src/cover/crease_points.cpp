@@ -20,8 +20,8 @@ class Walk {
 public:
     Walk(const std::vector<Sphere>& spheres, double finest) : spheres_(spheres), finest_(finest) {}
 
-    /// leaf(corners) for every small piece that is not held. Triangles that follow each other often lie
-    /// close by: the balls are sifted for some at a time, and the one that held the last is asked first.
+    /// leaf(corners) for every small piece that is not held. Triangles that follow each other often lie close by: the
+    /// balls are sifted for some at a time, and the one that held the last is asked first.
     template <class Leaf>
     void run(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, Leaf leaf) {
         constexpr std::size_t at_a_time = 32;
@@ -85,8 +85,8 @@ private:
         }
         const double ab = squared_norm(t.b - t.a), bc = squared_norm(t.c - t.b), ca = squared_norm(t.a - t.c);
         const double longest = std::max({ab, bc, ca});
-        const std::size_t first = end - begin > few ? candidates_.size() : begin;
-        const std::size_t last = end - begin > few ? sift((t.a + t.b + t.c) / 3, std::sqrt(longest), begin, end) : end;
+        const std::size_t first = candidates_.size();
+        const std::size_t last = sift((t.a + t.b + t.c) / 3, std::sqrt(longest), begin, end);
         if (longest <= finest_ * finest_ || level >= deepest) {
             leaf(t);
         } else if (ab == longest) {
@@ -102,7 +102,7 @@ private:
             visit({t.a, t.b, middle}, level + 1, first, last, leaf);
             visit({middle, t.b, t.c}, level + 1, first, last, leaf);
         }
-        candidates_.resize(std::min(candidates_.size(), std::max(first, end)));
+        candidates_.resize(first);
     }
 
     /// Of few candidates those that hold a point, a bit for each.
@@ -114,8 +114,7 @@ private:
         return result;
     }
 
-    /// The same where it is known which candidates hold the corners: only the middle is asked
-    /// for.
+    /// The same where it is known which candidates hold the corners: only the middle is asked for.
     template <class Leaf>
     void visit_known(const Corners& t, const std::array<unsigned, 3>& held, int level, std::size_t begin,
                      std::size_t end, Leaf& leaf) {

@@ -160,7 +160,7 @@ std::vector<Sphere> InnerSearch::balls(std::span<const Sphere> start) const {
     Balls best;
     Holders holders(occupancy_.inside().size(), 0);
     for (const Sphere& sphere : start) {
-        best.push_back(ball_of({frame_.to_unit(sphere.center), sphere.radius / frame_.unit}));
+        best.push_back(unit_ball(sphere, frame_));
         count_in(best.back(), 1, holders);
     }
     fill(best, holders);

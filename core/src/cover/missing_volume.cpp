@@ -1,17 +1,19 @@
 #include "cover/missing_volume.hpp"
 
-#include "cover/power_cells.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 namespace foam::cover {
 
+std::size_t count_missing(const Points& inside, const Balls& balls, Owners& owners) {
+    owners.find(inside, balls);
+    return static_cast<std::size_t>(
+        std::count_if(owners.power.begin(), owners.power.end(), [](float power) { return power > 0; }));
+}
+
 double missing_volume(const Occupancy& occupancy, const Balls& balls) {
     Owners owners;
-    owners.find(occupancy.inside(), balls);
-    const auto left = std::count_if(owners.power.begin(), owners.power.end(), [](float power) { return power > 0; });
-    return static_cast<double>(left) * std::pow(occupancy.cell(), 3);
+    return static_cast<double>(count_missing(occupancy.inside(), balls, owners)) * std::pow(occupancy.cell(), 3);
 }
 
 } // namespace foam::cover

@@ -99,9 +99,7 @@ double ObjectiveSearch::figure(const Cover& cover) const {
 ObjectiveSearch::Model ObjectiveSearch::model_of(Cover cover) const {
     Model model{std::move(cover), 0, {}};
     model.figure = figure(model.cover);
-    for (const Sphere& s : model.cover.spheres) {
-        model.balls.push_back(ball_of({frame_.to_unit(s.center), s.radius / frame_.unit}));
-    }
+    model.balls = unit_balls(model.cover.spheres, frame_);
     return model;
 }
 

@@ -5,6 +5,7 @@
 #include <foam/solid.hpp>
 #include <foam/sphere.hpp>
 
+#include <span>
 #include <vector>
 
 namespace foam::cover {
@@ -64,6 +65,17 @@ using Balls = std::vector<Ball>;
 inline Ball ball_of(const Sphere& s) {
     return {static_cast<float>(s.center.x), static_cast<float>(s.center.y), static_cast<float>(s.center.z),
             static_cast<float>(s.radius)};
+}
+/// From metres to the unit frame.
+inline Ball unit_ball(const Sphere& s, const Frame& frame) {
+    return ball_of({frame.to_unit(s.center), s.radius / frame.unit});
+}
+inline Balls unit_balls(std::span<const Sphere> spheres, const Frame& frame) {
+    Balls balls;
+    for (const Sphere& s : spheres) {
+        balls.push_back(unit_ball(s, frame));
+    }
+    return balls;
 }
 /// Still in the unit frame.
 inline std::vector<Sphere> unit_spheres(const Balls& balls) {

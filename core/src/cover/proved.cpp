@@ -5,8 +5,7 @@
 namespace foam::cover {
 
 Ball smallest_ball(const Solid& solid, const Frame& frame) {
-    const Sphere sphere = minimum_enclosing_sphere(solid.surface().vertices);
-    return ball_of({frame.to_unit(sphere.center), sphere.radius / frame.unit});
+    return unit_ball(minimum_enclosing_sphere(solid.surface().vertices), frame);
 }
 
 /// Balls of a search hold their parts to some parts in a million: a hair more, and no growth is needed for the proof.

@@ -70,7 +70,7 @@ Search::Search(const Solid& solid, const SpherizeOptions& options)
       problem_(solid, plan_.resolution, plan_.points, options.seed), skin_(solid.surface(), problem_.frame),
       coarse_skin_(skin_.points.size() > few_points ? skin_.coarse(plan_.skin_resolution) : skin_),
       body_(body_points(problem_, 800)), improvement_(problem_, plan_.directions, plan_.first_points),
-      splitting_(solid), quick_(solid, options) {}
+      quick_(solid, options) {}
 
 Search::Model Search::model(std::size_t count) {
     if (const auto known = models_.find(count); known != models_.end()) {
@@ -141,18 +141,17 @@ std::vector<Balls> Search::moved(const Balls& cover) {
 
 Balls Search::grown(const Model& cover, std::size_t count) {
     Claim claim{cover.cover.spheres, cover.joint};
+    if (!splitting_) {
+        splitting_.emplace(solid_);
+    }
     while (claim.spheres.size() < count && !stopped()) {
-        Claim more = splitting_.one_more(claim.spheres, claim.volume);
+        Claim more = splitting_->one_more(claim.spheres, claim.volume);
         if (more.spheres.size() == claim.spheres.size()) {
             break;
         }
         claim = std::move(more);
     }
-    Balls balls;
-    for (const Sphere& s : claim.spheres) {
-        balls.push_back(ball_of({problem_.frame.to_unit(s.center), s.radius / problem_.frame.unit}));
-    }
-    return balls;
+    return unit_balls(claim.spheres, problem_.frame);
 }
 
 Balls Search::one_more(const Balls& cover) const {

@@ -10,6 +10,7 @@
 #include <foam/random.hpp>
 
 #include <map>
+#include <optional>
 
 namespace foam::cover {
 
@@ -81,7 +82,7 @@ private:
     Skin skin_, coarse_skin_; ///< the same where there are few points anyway
     Points body_;
     Improvement improvement_;
-    Splitting splitting_;
+    std::optional<Splitting> splitting_; ///< once it is needed
     QuickSearch quick_;
     std::map<std::size_t, Model> models_;
     bool stopped_ = false;

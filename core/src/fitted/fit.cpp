@@ -142,10 +142,7 @@ int resolution(const Vec3& size, std::size_t count) {
 std::vector<Sphere> fit(const Solid& solid, std::span<const Sphere> start, std::size_t most, Reach reach) {
     const cover::Frame frame(solid.bounds());
     const Misfit misfit(solid, frame, resolution(solid.bounds().size(), reach == Reach::far ? most : start.size()), 96);
-    Balls balls;
-    for (const Sphere& sphere : start) {
-        balls.push_back(cover::ball_of({frame.to_unit(sphere.center), sphere.radius / frame.unit}));
-    }
+    Balls balls = cover::unit_balls(start, frame);
     if (!(misfit.volume() > 0) || balls.empty()) {
         return {start.begin(), start.end()};
     }

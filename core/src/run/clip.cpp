@@ -57,13 +57,9 @@ bool keep_off(const Solid& solid, const std::vector<Sphere>& spheres, const std:
 std::vector<Sphere> covering_within(const Solid& solid, const std::vector<Sphere>& spheres, std::size_t count,
                                     const std::vector<ClipPlane>& planes, std::uint64_t seed) {
     const cover::Frame frame(solid.bounds());
-    cover::Balls start;
-    for (const Sphere& s : spheres) {
-        start.push_back(cover::ball_of({frame.to_unit(s.center), s.radius / frame.unit}));
-    }
     std::vector<Sphere> result;
-    for (const cover::Ball& b :
-         cover::LimitedSearch(solid, frame, limits_of(planes, frame), count, seed).cover(start)) {
+    for (const cover::Ball& b : cover::LimitedSearch(solid, frame, limits_of(planes, frame), count, seed)
+                                    .cover(cover::unit_balls(spheres, frame))) {
         const double radius = static_cast<double>(b.r) * (1 + overlap) + room / 2;
         result.push_back({frame.from_unit({b.x, b.y, b.z}), radius * frame.unit});
     }
