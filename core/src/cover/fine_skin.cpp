@@ -22,7 +22,15 @@ FineSkin::FineSkin(const Mesh& surface, const Frame& frame, std::size_t pieces) 
     // Halved at their longest edges down to a length of h, triangles have some h² / 5.
     // A needle without area is cut along its length.
     const auto number = static_cast<double>(pieces);
-    halve_long_edges(std::max(std::sqrt(5 * area / number), 4 / number));
+    double longest = std::max(std::sqrt(5 * area / number), 4 / number);
+    // Needles ask for any number of pieces: then all edges stay longer, rather than those of the last faces as they are.
+    const std::vector<std::array<std::uint32_t, 3>> whole = faces;
+    const std::size_t corners = points.size(), most_faces = faces.size() + 100'000;
+    while (!halve_long_edges(longest, most_faces)) {
+        faces = whole;
+        points.resize(corners);
+        longest *= 1.5;
+    }
 }
 
 void FineSkin::add_faces(const Mesh& surface, const Frame& frame) {
@@ -45,8 +53,7 @@ void FineSkin::add_faces(const Mesh& surface, const Frame& frame) {
     }
 }
 
-void FineSkin::halve_long_edges(double longest) {
-    const std::size_t most_faces = faces.size() + 100'000; // slivers would make any number
+bool FineSkin::halve_long_edges(double longest, std::size_t most_faces) {
     const auto most = static_cast<float>(longest * longest);
     std::unordered_map<std::uint64_t, std::uint32_t> middles;
     const auto squared = [&](std::uint32_t a, std::uint32_t b) {
@@ -56,9 +63,12 @@ void FineSkin::halve_long_edges(double longest) {
     for (std::size_t f = 0; f < faces.size();) {
         auto [a, b, c] = faces[f];
         const float ab = squared(a, b), bc = squared(b, c), ca = squared(c, a), far = std::max({ab, bc, ca});
-        if (!(far > most) || faces.size() >= most_faces) {
+        if (!(far > most)) {
             ++f;
             continue;
+        }
+        if (faces.size() >= most_faces) {
+            return false;
         }
         // Turned so that the longest edge goes from a to b.
         if (ab != far) {
@@ -73,6 +83,7 @@ void FineSkin::halve_long_edges(double longest) {
         faces[f] = {a, middle->second, c};
         faces.push_back({middle->second, b, c});
     }
+    return true;
 }
 
 Points FineSkin::sample(std::size_t count) const {

@@ -25,7 +25,8 @@ struct FineSkin {
 
 private:
     void add_faces(const Mesh& surface, const Frame& frame);
-    void halve_long_edges(double longest);
+    /// Halves edges that are longer; false once that takes more faces than `most_faces`.
+    bool halve_long_edges(double longest, std::size_t most_faces);
 };
 
 } // namespace foam::cover
