@@ -23,13 +23,17 @@ FineSkin::FineSkin(const Mesh& surface, const Frame& frame, std::size_t pieces) 
     // A needle without area is cut along its length.
     const auto number = static_cast<double>(pieces);
     double longest = std::max(std::sqrt(5 * area / number), 4 / number);
-    // Needles ask for any number of pieces: then all edges stay longer, rather than those of the last faces as they are.
+    // Needles ask for any number of pieces. Then their edges stay longer: some pieces more are enough to begin with, and
+    // power cells cut what is long.
     const std::vector<std::array<std::uint32_t, 3>> whole = faces;
-    const std::size_t corners = points.size(), most_faces = faces.size() + 100'000;
+    const std::size_t corners = points.size();
+    std::size_t most_faces = faces.size() + 100'000;
     while (!halve_long_edges(longest, most_faces)) {
         faces = whole;
         points.resize(corners);
+        most_faces = faces.size() + 4 * pieces;
         longest *= 1.5;
+        fine = false;
     }
 }
 

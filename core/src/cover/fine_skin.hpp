@@ -15,7 +15,8 @@ namespace foam::cover {
 struct FineSkin {
     Points points;
     std::vector<std::array<std::uint32_t, 3>> faces;
-    double area = 0; ///< units²
+    double area = 0;  ///< units²
+    bool fine = true; ///< false: needles are left with edges longer than that
 
     /// `pieces`: at least about so many faces.
     FineSkin(const Mesh& surface, const Frame& frame, std::size_t pieces);

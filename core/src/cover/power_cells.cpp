@@ -84,7 +84,14 @@ void PowerCells::find(const Balls& balls) {
     const std::vector<std::uint32_t>& owner = owners_.owner;
     for (const auto& face : skin_.faces) {
         if (owner[face[0]] != owner[face[1]] || owner[face[1]] != owner[face[2]]) {
-            cut(face, balls);
+            if (skin_.fine) {
+                cut(face, balls);
+                continue;
+            }
+            // The cells are convex: one that no edge of a needle meets has no part of it worth the name.
+            for (std::size_t k = 0; k < 3; ++k) {
+                cut_edge(face[k], face[(k + 1) % 3], balls);
+            }
         }
     }
 }
@@ -94,7 +101,43 @@ void PowerCells::add_border(const Vec3& point, std::uint32_t a, std::uint32_t b)
     neighbours_.push_back({a, b});
 }
 
-/// Differences of powers are linear: where they vanish follows from the corners.
+/// Differences of powers are linear: where they vanish follows from the ends.
+Vec3 PowerCells::crossing(const Vec3& from, const Vec3& to, const Ball& a, const Ball& b) {
+    const double first = power(a, from) - power(b, from), last = power(a, to) - power(b, to);
+    const double t = first < last ? std::clamp(-first / (last - first), 0.0, 1.0) : 0.5;
+    return from + (to - from) * t;
+}
+
+/// An edge that is long beside the balls may run through any number of cells. Along it powers differ by what is linear in
+/// its length: the lower envelope of such lines is walked, each of which is steeper downwards than the one before.
+void PowerCells::cut_edge(std::uint32_t from, std::uint32_t to, const Balls& balls) {
+    const Vec3 begin = skin_.points.at(from), along = skin_.points.at(to) - begin;
+    lines_.clear();
+    for (const Ball& ball : balls) {
+        lines_.push_back({power(ball, begin), 2 * (along.x * (begin.x - ball.x) + along.y * (begin.y - ball.y) +
+                                                   along.z * (begin.z - ball.z))});
+    }
+    const std::uint32_t last = owners_.owner[to];
+    double t = 0;
+    for (std::uint32_t cell = owners_.owner[from]; cell != last;) {
+        std::uint32_t next = last;
+        double soonest = 1;
+        for (std::uint32_t i = 0; i < lines_.size(); ++i) {
+            const double steeper = lines_[cell][1] - lines_[i][1], above = lines_[i][0] - lines_[cell][0];
+            if (steeper > 0 && above < soonest * steeper) {
+                soonest = std::max(t, above / steeper);
+                next = i;
+            }
+        }
+        add_border(begin + along * soonest, cell, next);
+        if (!(lines_[next][1] < lines_[cell][1])) {
+            return; // rounding: both are the same there
+        }
+        cell = next;
+        t = soonest;
+    }
+}
+
 void PowerCells::cut(const std::array<std::uint32_t, 3>& face, const Balls& balls) {
     std::array<Vec3, 3> corner;
     std::array<std::uint32_t, 3> cell;
@@ -109,10 +152,7 @@ void PowerCells::cut(const std::array<std::uint32_t, 3>& face, const Balls& ball
             continue;
         }
         const Ball &a = balls[cell[k]], &b = balls[cell[next]];
-        const double from = power(a, corner[k]) - power(b, corner[k]);
-        const double to = power(a, corner[next]) - power(b, corner[next]);
-        const double t = from < to ? std::clamp(-from / (to - from), 0.0, 1.0) : 0.5;
-        const Vec3 border = corner[k] + (corner[next] - corner[k]) * t;
+        const Vec3 border = crossing(corner[k], corner[next], a, b);
         add_border(border, cell[k], cell[next]);
         middle += border / 3;
     }

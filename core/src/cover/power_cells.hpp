@@ -18,7 +18,7 @@ struct Owners {
 /// Each ball's part of a surface: where its power is least (Aurenhammer 1987). The planes between the cells are those
 /// of the circles in which balls meet. Faces are cut at them, and each piece goes to a cell by its extreme points:
 /// balls that hold these hold the surface, whatever the cells are, for balls are convex. So balls about their parts are
-/// a cover by construction. Between two cells of three in a face a third may run: then the pieces overlap.
+/// a cover by construction. Between two cells of three in a small face a third may run: then the pieces overlap.
 class PowerCells {
 public:
     /// The skin must outlive this. Balls that are fitted keep to the limits where they can.
@@ -41,7 +41,10 @@ public:
     const std::vector<Points>& parts() const { return parts_; }
 
 private:
+    /// Point on the segment where the powers of two balls are equal.
+    static Vec3 crossing(const Vec3& from, const Vec3& to, const Ball& a, const Ball& b);
     void cut(const std::array<std::uint32_t, 3>& face, const Balls& balls);
+    void cut_edge(std::uint32_t from, std::uint32_t to, const Balls& balls);
     void add_border(const Vec3& point, std::uint32_t a, std::uint32_t b);
     void hand_out(std::size_t balls);
 
@@ -50,6 +53,7 @@ private:
     Points borders_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours_; ///< of each point at a border, the cells
     std::vector<Points> parts_;
+    std::vector<std::array<double, 2>> lines_; ///< of each ball along an edge: see cut_edge
     LimitedBall enclosing_ball_;
     Exposed exposed_;
 };

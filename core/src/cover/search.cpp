@@ -97,6 +97,10 @@ Search::Model Search::model(std::size_t count) {
             return best;
         }
     }
+    if (!quick_.surface_for(count).skin.fine) {
+        // The occupancy sees nothing of needles, so what follows may lose what the quick search has found.
+        take(quick_.candidates(count, before.balls).front().balls);
+    }
     if (count > 2) {
         const Balls more = count > plan_.most_split && count <= plan_.most_grown ? grown(before, count) : Balls{};
         if (!more.empty()) {

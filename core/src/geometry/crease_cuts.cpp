@@ -24,7 +24,7 @@ bool CreaseCuts::Polygon::add(const Polygon& from, std::size_t corner, double sh
     return true;
 }
 
-bool CreaseCuts::cover(const Piece& piece, std::span<const std::uint32_t> candidates) {
+void CreaseCuts::begin(const Piece& piece, std::span<const std::uint32_t> candidates) {
     pieces_ = 0;
     most_cuts_ = 0;
     indices_.assign(candidates.begin(), candidates.end());
@@ -34,10 +34,19 @@ bool CreaseCuts::cover(const Piece& piece, std::span<const std::uint32_t> candid
                   .curved = piece.curved,
                   .end = candidates.size()};
     waiting_.assign(1, whole);
+}
+
+CreaseCuts::Polygon CreaseCuts::take() {
+    const Polygon next = waiting_.back();
+    waiting_.pop_back();
+    indices_.resize(next.end);
+    return next;
+}
+
+bool CreaseCuts::cover(const Piece& piece, std::span<const std::uint32_t> candidates) {
+    begin(piece, candidates);
     while (!waiting_.empty()) {
-        const Polygon next = waiting_.back();
-        waiting_.pop_back();
-        indices_.resize(next.end);
+        const Polygon next = take();
         Pair pair;
         const Answer answer = look(next, pair);
         if (answer == Answer::open || (answer == Answer::divided && !cut(next, pair))) {
@@ -45,6 +54,25 @@ bool CreaseCuts::cover(const Piece& piece, std::span<const std::uint32_t> candid
         }
     }
     return true;
+}
+
+void CreaseCuts::raise(const Piece& piece, std::span<const std::uint32_t> candidates, std::vector<double>& reach) {
+    begin(piece, candidates);
+    while (!waiting_.empty()) {
+        const Polygon next = take();
+        Pair pair;
+        const Answer answer = look(next, pair);
+        if (answer == Answer::held || (answer == Answer::divided && cut(next, pair))) {
+            continue;
+        }
+        double& farthest = reach[pair.first]; // where rounding sees no two parts, one ball takes both
+        for (std::size_t k = 0; k < next.corners; ++k) {
+            farthest = std::max(farthest, distance(balls_.center(pair.first), next.top[k]));
+            if (next.curved) {
+                farthest = std::max(farthest, distance(balls_.center(pair.first), next.beneath[k]));
+            }
+        }
+    }
 }
 
 /// Open: the ball whose power is least at all corners, and so everywhere, does not hold one of them.
@@ -67,6 +95,7 @@ CreaseCuts::Answer CreaseCuts::look(const Polygon& polygon, Pair& pair) const {
             return Answer::held;
         }
     }
+    pair = {owner[0], owner[0]};
     for (std::size_t k = 1; k < polygon.corners; ++k) {
         if (owner[k] != owner[0]) {
             pair = {owner[0], owner[k]};

@@ -17,6 +17,9 @@ public:
     /// Whether the balls hold a piece that was not halved. No is no proof of anything: halving may still find that they
     /// do. `candidates`: balls that may hold parts of it.
     bool cover(const Piece& piece, std::span<const std::uint32_t> candidates);
+    /// Raises reach[i] to the distance from ball i's centre within which lies what the balls leave open of the piece
+    /// where i's power is the least. Balls that reach so far hold the piece, but for rounding. O(cuts · candidates).
+    void raise(const Piece& piece, std::span<const std::uint32_t> candidates, std::vector<double>& reach);
     /// Pieces that the last one was cut into on the way, and the most times that one of them was cut.
     std::size_t pieces() const { return pieces_; }
     std::uint32_t most_cuts() const { return most_cuts_; }
@@ -41,6 +44,9 @@ private:
     };
     enum class Answer { held, open, divided };
 
+    void begin(const Piece& piece, std::span<const std::uint32_t> candidates);
+    Polygon take();
+    /// Open: `pair.first` is the ball whose power is least at all corners.
     Answer look(const Polygon& polygon, Pair& pair) const;
     bool cut(const Polygon& polygon, const Pair& pair);
     void push(Polygon& polygon, const Polygon& whole, std::uint32_t owner, std::uint32_t other);

@@ -1,6 +1,7 @@
-// Growth by the worst gap first, after which nothing is left uncovered.
+// Growth after which nothing is left uncovered: by the worst gap first, or by power cells.
 #include "geometry/growth.hpp"
 
+#include "geometry/crease_cuts.hpp"
 #include "geometry/exposure.hpp"
 
 #include <foam/error.hpp>
@@ -26,7 +27,8 @@ public:
         : spheres_(spheres), quantum_(quantum), balls_(solid, spheres, growth_halvings, growth_caution),
           cost_(solid, spheres.size()) {}
 
-    void run() {
+    /// False once it has looked at more than `most_looks` pieces: some may be left uncovered.
+    bool run(std::size_t most_looks) {
         std::vector<char> held(balls_.piece_count(), 0);
         for (const RoundPart& part : balls_.round_parts()) {
             close_round_part(part);
@@ -37,7 +39,10 @@ public:
                 enqueue(balls_.piece(i));
             }
         }
-        while (!queue_.empty()) {
+        for (std::size_t looks = 0; !queue_.empty(); ++looks) {
+            if (looks == most_looks) {
+                return false;
+            }
             const Entry entry = queue_.top();
             queue_.pop();
             const Bounds now = bounds(entry.piece);
@@ -58,6 +63,7 @@ public:
             enqueue(first);
             enqueue(second);
         }
+        return true;
     }
 
 private:
@@ -183,8 +189,37 @@ double rounded_up(double radius, double quantum) {
     return steps * quantum;
 }
 
+/// Gives each ball what is left open of its power cell (Aurenhammer 1987), in one look at each triangle: the cells tile
+/// the surface, so balls that reach as far as their cells hold it. Where gaps are wide, neighbours share them, which
+/// growth by the worst gap first does not: there the ball that took a piece takes the next one, too.
+static void grow_by_cells(const Solid& solid, std::vector<Sphere>& spheres, double quantum) {
+    const Balls balls(solid, spheres, growth_halvings, growth_caution);
+    CreaseCuts cuts(balls, growth_halvings);
+    std::vector<double> reach(spheres.size(), 0);
+    std::vector<std::uint32_t> candidates;
+    for (std::uint32_t i = 0; i < balls.piece_count(); ++i) {
+        const Piece piece = balls.piece(i);
+        candidates.clear();
+        balls.candidates(piece, candidates);
+        cuts.raise(piece, candidates, reach);
+    }
+    for (std::uint32_t i = 0; i < spheres.size(); ++i) {
+        if (reach[i] > 0) {
+            spheres[i].radius = std::max(spheres[i].radius, rounded_up(balls.full_radius(i, reach[i]), quantum));
+        }
+    }
+}
+
 void grow(const Solid& solid, std::vector<Sphere>& spheres, double quantum) {
-    Growth(solid, spheres, quantum).run();
+    // Gaps of usual covers take two looks a triangle at the most; needles in wide gaps take any number.
+    constexpr std::size_t looks_a_triangle = 20, least_looks = 20'000;
+    const std::size_t most_looks = least_looks + looks_a_triangle * solid.surface().triangles.size();
+    std::vector<Sphere> grown = spheres;
+    if (Growth(solid, grown, quantum).run(most_looks)) {
+        spheres = std::move(grown);
+    } else {
+        grow_by_cells(solid, spheres, quantum);
+    }
 }
 
 } // namespace geometry
