@@ -56,5 +56,17 @@ TEST_F(Run, InnerSaysWhereNothingIsLeft) {
     EXPECT_TRUE(rest.certified);
 }
 
+TEST_F(Run, OneSphereStandsInForOthersThatWouldClaimMore) {
+    write("ball.urdf", R"(<robot name="two"><link name="base"><collision><geometry><sphere radius="0.1"/></geometry>
+</collision><collision><geometry><box size="0.1 0.1 0.1"/></geometry></collision></link></robot>)");
+    const RunResult result =
+        run(recipe_of("name: two\nrobot: {urdf: ball.urdf}\nstages: [{spherize.octree: {depth: 1}}]\n"), registry,
+            options());
+    EXPECT_TRUE(result.certified);
+    EXPECT_EQ(result.total.spheres, 1u);
+    EXPECT_LE(result.total.excess, 0.02);
+    EXPECT_THAT(warnings_of(result), ::testing::Contains(::testing::HasSubstr("one sphere around the geometry")));
+}
+
 } // namespace
 } // namespace foam

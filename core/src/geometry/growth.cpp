@@ -210,12 +210,14 @@ static void grow_by_cells(const Solid& solid, std::vector<Sphere>& spheres, doub
     }
 }
 
-void grow(const Solid& solid, std::vector<Sphere>& spheres, double quantum) {
-    // Gaps of usual covers take two looks a triangle at the most; needles in wide gaps take any number.
+std::size_t most_looks(const Solid& solid) {
     constexpr std::size_t looks_a_triangle = 20, least_looks = 20'000;
-    const std::size_t most_looks = least_looks + looks_a_triangle * solid.surface().triangles.size();
+    return least_looks + looks_a_triangle * solid.surface().triangles.size();
+}
+
+void grow(const Solid& solid, std::vector<Sphere>& spheres, double quantum) {
     std::vector<Sphere> grown = spheres;
-    if (Growth(solid, grown, quantum).run(most_looks)) {
+    if (Growth(solid, grown, quantum).run(most_looks(solid))) {
         spheres = std::move(grown);
     } else {
         grow_by_cells(solid, spheres, quantum);

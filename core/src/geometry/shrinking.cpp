@@ -16,9 +16,10 @@ constexpr double smallest_piece = 1e-8;
 /// What lies farther away than `limit` is held by other balls, as ball and others together hold everything.
 class Need {
 public:
-    Need(const Balls& balls, std::uint32_t ball, double limit) : balls_(balls), ball_(ball), limit_(limit) {}
+    Need(const Balls& balls, std::uint32_t ball, double limit, std::size_t& looks)
+        : balls_(balls), ball_(ball), limit_(limit), looks_(looks) {}
 
-    /// Leaves out the triangles with skip[i] != 0.
+    /// Leaves out the triangles with skip[i] != 0. Once there are no looks left, the limit is what it needs.
     double run(const std::vector<char>& skip) {
         for (std::uint32_t i = 0; i < balls_.piece_count(); ++i) {
             if (!skip[i]) {
@@ -27,6 +28,10 @@ public:
         }
         std::make_heap(queue_.begin(), queue_.end());
         while (!queue_.empty() && queue_.front().far > need_) {
+            if (looks_ == 0) {
+                return std::max(need_, limit_);
+            }
+            --looks_;
             std::pop_heap(queue_.begin(), queue_.end());
             const Entry next = queue_.back();
             queue_.pop_back();
@@ -113,6 +118,7 @@ private:
     const Balls& balls_;
     std::uint32_t ball_;
     double limit_;
+    std::size_t& looks_; ///< at pieces, that are left
     double need_ = 0;
     std::vector<Part> parts_;
     std::vector<Entry> queue_; ///< a heap
@@ -121,10 +127,10 @@ private:
 
 } // namespace
 
-double needed_radius(Balls& balls, std::uint32_t i, double limit) {
+double needed_radius(Balls& balls, std::uint32_t i, double limit, std::size_t& looks) {
     balls.set_radius(i, -std::numeric_limits<double>::infinity());
     const auto need_of = [&](const std::vector<char>& skip) {
-        const double need = Need(balls, i, limit).run(skip);
+        const double need = Need(balls, i, limit, looks).run(skip);
         return need > 0 ? balls.full_radius(i, need) : 0;
     };
     // Round parts that another ball holds need nothing. Those that this one can hold may be held whole or by pieces.
@@ -147,6 +153,7 @@ void shrink(const Solid& solid, std::vector<Sphere>& spheres, const std::vector<
     constexpr double part_of_the_way = 1.0 / 3;
     Balls balls(solid, spheres, growth_halvings, growth_caution);
     const Exposure exposure(solid, 48);
+    std::size_t looks = most_looks(solid) * (static_cast<std::size_t>(plan.rounds) + 1);
     std::vector<double> outside(spheres.size(), 0);
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < spheres.size(); ++i) {
@@ -161,7 +168,7 @@ void shrink(const Solid& solid, std::vector<Sphere>& spheres, const std::vector<
         const double way = round < plan.rounds ? part_of_the_way : 1;
         for (const std::uint32_t i : order) {
             const double now = spheres[i].radius;
-            const double need = std::max(needed_radius(balls, i, now), floor[i]);
+            const double need = std::max(needed_radius(balls, i, now, looks), floor[i]);
             double wanted = way < 1 ? now - way * (now - need) : need;
             if (round == 0) {
                 wanted = need == floor[i] ? need : now;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace foam {
@@ -120,12 +121,41 @@ SphereTree inner_tree(const Solid& solid, const SphereTree& tree, const DecimalG
     return result;
 }
 
+double volume_of(const Sphere& sphere) {
+    return 4 * std::numbers::pi / 3 * sphere.radius * sphere.radius * sphere.radius;
+}
+
+/// One sphere around the solid, if that claims less than these.
+std::optional<Sphere> better_one(const Solid& solid, const std::vector<Sphere>& spheres) {
+    const Sphere one = minimum_enclosing_sphere(solid.surface().vertices);
+    double sum = 0;
+    for (const Sphere& sphere : spheres) {
+        sum += volume_of(sphere);
+    }
+    // The exact volume is dear, and seldom in doubt.
+    constexpr double clearly = 1 + 1e-4;
+    if (sum <= clearly * volume_of(one) || geometry::joint_volume(solid, spheres) <= clearly * volume_of(one)) {
+        return {};
+    }
+    return one;
+}
+
+SphereTree on_grid(SphereTree tree, const DecimalGrid& grid) {
+    for (SphereTree::Level& level : tree.levels) {
+        for (Sphere& sphere : level.spheres) {
+            sphere.center = grid.nearest(sphere.center);
+        }
+    }
+    return tree;
+}
+
 } // namespace
 
 double wrong_volume(const Solid& solid, std::vector<Sphere> spheres, Guarantee guarantee) {
     if (guarantee == Guarantee::outer) {
         spheres = grown_to_cover(solid, std::move(spheres));
-        return std::max(0.0, geometry::joint_volume(solid, spheres) - solid.volume());
+        const auto one = better_one(solid, spheres);
+        return std::max(0.0, (one ? volume_of(*one) : geometry::joint_volume(solid, spheres)) - solid.volume());
     }
     if (guarantee == Guarantee::inner) {
         return std::max(0.0, solid.volume() - exact_union_volume(inside_of(solid, std::move(spheres))));
@@ -152,19 +182,18 @@ void require_room(const Solid& solid, const SphereTree& tree) {
     }
 }
 
-FinishedTree finished_tree(const Solid& solid, SphereTree tree, Guarantee guarantee) {
+FinishedTree finished_tree(const Solid& solid, SphereTree tree, Guarantee guarantee, bool one_may_do) {
     const DecimalGrid grid(solid.bounds().diagonal());
     FinishedTree result;
     if (guarantee == Guarantee::inner) {
         result.tree = inner_tree(solid, tree, grid);
         return result;
     }
-    for (SphereTree::Level& level : tree.levels) {
-        for (Sphere& sphere : level.spheres) {
-            sphere.center = grid.nearest(sphere.center);
-        }
+    const bool outer = guarantee == Guarantee::outer;
+    result.tree = on_grid(std::move(tree), grid);
+    for (SphereTree::Level& level : result.tree.levels) {
         const std::vector<Sphere> before = level.spheres;
-        if (guarantee == Guarantee::outer) {
+        if (outer) {
             level.spheres = grown_to_cover(solid, std::move(level.spheres));
         }
         result.growth = 0;
@@ -173,7 +202,11 @@ FinishedTree finished_tree(const Solid& solid, SphereTree tree, Guarantee guaran
             result.growth = std::max(result.growth, level.spheres[i].radius - before[i].radius);
         }
     }
-    result.tree = std::move(tree);
+    const auto one = outer && one_may_do ? better_one(solid, result.tree.finest()) : std::nullopt;
+    if (one) {
+        result = finished_tree(solid, flat_tree({*one}), guarantee, false);
+        result.one_instead = true;
+    }
     return result;
 }
 

@@ -22,12 +22,13 @@ void require_room(const Solid& solid, const SphereTree& tree);
 
 struct FinishedTree {
     SphereTree tree;
-    double growth = 0; ///< m; largest growth of a radius of the finest level
+    double growth = 0;         ///< m; largest growth of a radius of the finest level
+    bool one_instead = false; ///< one sphere stands in for others that would claim more
 };
 
 /// The tree with numbers fit for a file: centres on a decimal grid of about a millionth of the solid's size; outer:
 /// radii grown so that every level covers, and rounded up on the same grid; inner: radii shrunk so that every level
 /// lies in the solid, and rounded down, spheres that find no room left out. Throws Error(geometry) if none is left.
-FinishedTree finished_tree(const Solid& solid, SphereTree tree, Guarantee guarantee);
+FinishedTree finished_tree(const Solid& solid, SphereTree tree, Guarantee guarantee, bool one_may_do = true);
 
 } // namespace foam

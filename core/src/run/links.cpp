@@ -110,8 +110,14 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
         covering.input = measuring.input = out.geometries.front();
         FinishedTree finished =
             run_stage(workspace, "cover", out.link, out.geometries.front(), "", covering, [&](Context&) {
-                return finished_tree(solid, std::move(groups[g].tree), workspace.recipe.guarantee);
+                return finished_tree(solid, std::move(groups[g].tree), workspace.recipe.guarantee,
+                                     link.recipe.clip.empty());
             });
+        if (finished.one_instead) {
+            workspace.journal.finding({Severity::warning, out.link, "cover",
+                                       "one sphere around the geometry is written: those of the spherizer would claim "
+                                       "more; remedy: more spheres, or another spherizer"});
+        }
         out.tree = std::move(finished.tree);
         covering.output = digest_of_content(out.tree);
         growth[g] = finished.growth;
