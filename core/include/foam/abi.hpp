@@ -44,7 +44,7 @@
 #endif
 
 #define FOAM_ABI_FINGERPRINT                                                                                           \
-    "foam-abi=" FOAM_ABI_TEXT(FOAM_ABI_EPOCH) " layout=" FOAM_ABI_LAYOUT " stdlib=" FOAM_ABI_STDLIB FOAM_ABI_DEBUG      \
+    "foam-abi=" FOAM_ABI_TEXT(FOAM_ABI_EPOCH) " layout=" FOAM_ABI_LAYOUT " stdlib=" FOAM_ABI_STDLIB FOAM_ABI_DEBUG     \
                                               " cxx11=" FOAM_ABI_CXX11 " sanitizer=" FOAM_ABI_SANITIZER
 
 /// An ELF note (name "foam", type 1) whose description is the fingerprint, readable without loading the library.

@@ -19,6 +19,7 @@ struct FileContents {
 
 /// Reads a regular file of at most `most_bytes`: its size is asked before any of it is read. Folders, pipes and devices
 /// are refused, not waited for, and so is a file that changes its size meanwhile. `if_too_large`: the remedy then.
-FileContents read_regular_file(const std::filesystem::path& file, std::uintmax_t most_bytes, std::string_view if_too_large);
+FileContents read_regular_file(const std::filesystem::path& file, std::uintmax_t most_bytes,
+                               std::string_view if_too_large);
 
 } // namespace foam

@@ -46,8 +46,9 @@ std::string why_refused(const MeshUnit& unit, const std::filesystem::path& file,
     const RegisteredStage* loader = registry.find_for_extension(StageKind::mesh_loader, ending);
     const std::vector<std::string> own = loader ? loader->info.extensions_with_unit : std::vector<std::string>();
     if (unit.unit && std::find(own.begin(), own.end(), ending) != own.end()) {
-        return fmt::format("{} says its unit itself, as every {} does; remedy: give no unit, or a scale if that is wrong",
-                           file.string(), ending);
+        return fmt::format(
+            "{} says its unit itself, as every {} does; remedy: give no unit, or a scale if that is wrong",
+            file.string(), ending);
     }
     return "";
 }

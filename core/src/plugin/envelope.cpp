@@ -13,11 +13,10 @@ namespace {
 
 /// The fields of a fingerprint in the words of people.
 std::map<std::string, std::string> fields_of(std::string_view fingerprint) {
-    static constexpr std::pair<std::string_view, std::string_view> names[] = {
-        {"foam-abi", "ABI epoch"},
-        {"layout", "ABI layout"},
-        {"cxx11", "std::string ABI (cxx11)"},
-        {"stdlib", "standard library"}};
+    static constexpr std::pair<std::string_view, std::string_view> names[] = {{"foam-abi", "ABI epoch"},
+                                                                              {"layout", "ABI layout"},
+                                                                              {"cxx11", "std::string ABI (cxx11)"},
+                                                                              {"stdlib", "standard library"}};
     std::map<std::string, std::string> fields;
     for (const std::string_view word : words(fingerprint)) {
         const std::size_t equals = word.find('=');
