@@ -4,11 +4,12 @@
 
 #include <foam/error.hpp>
 #include <foam/host/clip_plane.hpp>
+#include <foam/host/length.hpp>
+#include <foam/text.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 namespace foam::cli {
 namespace {
@@ -58,24 +59,22 @@ struct LinkPlane {
 /// LINK=NX,NY,NZ,OFFSET; throws Error(usage).
 LinkPlane plane_of(const std::string& text, const Original& original) {
     const std::size_t equals = text.rfind('=');
-    std::vector<double> numbers;
-    const char *place = text.data() + std::min(equals, text.size()), *const end = text.data() + text.size();
-    while (place != end) { // at '=' or ','
-        double number = 0;
-        const auto [next, error] = std::from_chars(place + 1, end, number);
-        if (error != std::errc() || !std::isfinite(number) || (next != end && *next != ',')) {
-            break;
-        }
-        numbers.push_back(number);
-        place = next;
+    std::vector<std::optional<double>> numbers;
+    for (std::size_t at = equals; at < text.size() && numbers.size() <= 4;) { // at '=' or ','
+        const std::size_t end = std::min(text.find(',', at + 1), text.size());
+        const std::string_view word = std::string_view(text).substr(at + 1, end - at - 1);
+        numbers.push_back(numbers.size() < 3 ? parse_number(word) : parse_length(word));
+        at = end;
     }
     LinkPlane result;
-    if (numbers.size() == 4) {
-        result.plane = {{numbers[0], numbers[1], numbers[2]}, numbers[3], 0};
+    const bool whole =
+        numbers.size() == 4 && std::all_of(numbers.begin(), numbers.end(), [](const auto& n) { return n; });
+    if (whole) {
+        result.plane = {{*numbers[0], *numbers[1], *numbers[2]}, *numbers[3], 0};
     }
-    if (numbers.size() != 4 || place != end || !(norm(result.plane.normal) > 0)) {
+    if (!whole || !(norm(result.plane.normal) > 0)) {
         throw Error(ErrorCode::usage, fmt::format("--clip expects LINK=NX,NY,NZ,OFFSET with a normal that is not zero, "
-                                                  "such as base=0,0,-1,0; got '{}'",
+                                                  "such as base=0,0,-1,5mm; got '{}'",
                                                   text));
     }
     const auto link = std::find_if(original.links.begin(), original.links.end(),

@@ -60,7 +60,9 @@ RunResult execute(const Recipe& recipe, const Registry& registry, const std::fil
     RunOptions run_options;
     run_options.stop = &stop_on_interrupt();
     run_options.time_limit = options.time_limit;
-    tell_input(recipe);
+    if (options.say_which) {
+        tell_input(recipe);
+    }
     run_options.out = directory;
     run_options.fresh = options.fresh;
     run_options.threads = options.threads;

@@ -16,6 +16,7 @@ struct ExecuteOptions {
     std::size_t threads = 0; ///< 0: all cores
     bool fresh = false;
     bool verbose = false;
+    bool say_which = true;            ///< of the recipe's candidates is the input
     std::optional<double> time_limit; ///< s; instead of the recipe's
     /// Looks at the manifest before anything is put in place; see RunOptions.
     std::function<void(const std::string& manifest)> accept;

@@ -42,6 +42,7 @@ void add_judge_options(CLI::App& command, JudgeOptions& options) {
     command.add_option("original", options.original, "The geometry: a URDF or a mesh file")
         ->type_name("ORIGINAL")
         ->required();
+    add_mesh_unit(command, options.unit);
     add_renames(command, options.renames);
     command.add_option("--link", options.links, "Judge only links that this glob names; repeatable")
         ->type_name("GLOB")
@@ -53,7 +54,7 @@ void add_judge_options(CLI::App& command, JudgeOptions& options) {
 }
 
 Original original_of(Program& program, const JudgeOptions& options) {
-    Original original = load_original(options.original, program.registry(), options.links);
+    Original original = load_original(options.original, program.registry(), options.links, options.unit);
     for (const std::string& note : original.notes) {
         tell(fmt::format("warning: {}: {}", options.original, note));
     }

@@ -20,6 +20,7 @@ void add_compare(Program& program);
 struct JudgeOptions {
     std::string original;
     std::vector<std::string> renames, links;
+    MeshUnit unit;
     std::size_t threads = 0; ///< 0: all cores
 };
 
@@ -27,7 +28,7 @@ struct JudgeOptions {
 void add_renames(CLI::App& command, std::vector<std::string>& texts);
 /// Throws Error(usage) for a text without '='.
 Renames renames_of(const std::vector<std::string>& texts);
-/// ORIGINAL, --rename, --link, -j.
+/// ORIGINAL, --unit, --scale, --rename, --link, -j.
 void add_judge_options(CLI::App& command, JudgeOptions& options);
 
 /// The geometry, with what its loader warned of told on stderr.

@@ -2,6 +2,7 @@
 
 #include <foam/error.hpp>
 #include <foam/host/isolation.hpp>
+#include <foam/host/length.hpp>
 #include <foam/host/version.hpp>
 
 #include <fmt/format.h>
@@ -97,6 +98,24 @@ void add_variants(CLI::App& command, std::vector<std::string>& names) {
         ->type_name("NAME")
         ->expected(1)
         ->take_all();
+}
+
+void add_mesh_unit(CLI::App& command, MeshUnit& unit) {
+    command
+        .add_option("--unit", unit.unit, "What the numbers of a mesh are in, if its file does not say it; default: m")
+        ->type_name(fmt::format("{}", fmt::join(length_units(), "|")))
+        ->check(CLI::IsMember(length_units()).description(""));
+    command.add_option("--scale", unit.scale, "What a mesh is enlarged by, besides its unit; default: 1")
+        ->type_name("F")
+        ->check(CLI::PositiveNumber);
+}
+
+double length_of(const std::string& text, const std::string& option) {
+    const std::optional<double> metres = parse_length(text);
+    if (!metres) {
+        throw Error(ErrorCode::usage, fmt::format("{} expects {}; got '{}'", option, length_forms(), text));
+    }
+    return *metres;
 }
 
 std::vector<Setting> settings_of(const std::vector<std::string>& texts) {

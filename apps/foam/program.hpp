@@ -63,6 +63,10 @@ CLI::App* add_command(Program& program, const std::string& name, const std::stri
 void add_settings(CLI::App& command, std::vector<std::string>& texts);
 /// `--variant NAME`, repeatable.
 void add_variants(CLI::App& command, std::vector<std::string>& names);
+/// `--unit` and `--scale` of a single mesh.
+void add_mesh_unit(CLI::App& command, MeshUnit& unit);
+/// A length in m from "10mm"; throws Error(usage) naming the option.
+double length_of(const std::string& text, const std::string& option);
 /// Throws Error(usage) for a text without '='.
 std::vector<Setting> settings_of(const std::vector<std::string>& texts);
 

@@ -64,6 +64,9 @@ void Progress::on(const Event& event) {
             clear();
             tell(fmt::format("{}: {}{}", word_for(event.severity), place_of(event), event.message));
         }
+    } else if (event.kind == Event::Kind::input_loaded) {
+        clear();
+        tell(event.message);
     } else if (terminal_) {
         draw(event);
     }

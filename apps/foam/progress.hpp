@@ -7,7 +7,8 @@
 
 namespace foam::cli {
 
-/// On stderr. The bar is drawn on a terminal only; warnings and errors always, notes if `verbose`.
+/// On stderr: the size of the input first. The bar is drawn on a terminal only; warnings and errors always, notes if
+/// `verbose`.
 class Progress final : public Observer {
 public:
     explicit Progress(bool verbose);

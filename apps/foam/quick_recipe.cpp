@@ -89,7 +89,7 @@ bool is_mesh(const std::filesystem::path& input, const Registry& registry) {
 }
 
 QuickRecipe quick_recipe(const std::filesystem::path& input, const std::string& method, const std::string& ending,
-                         const QuickBudget& budget, const Registry& registry) {
+                         const QuickBudget& budget, const MeshUnit& unit, const Registry& registry) {
     const RegisteredStage* writer = registry.find_for_extension(StageKind::writer, ending);
     if (!writer) {
         throw Error(ErrorCode::usage, fmt::format("no format is known for '.{}'; there are: {}", ending,
@@ -105,6 +105,13 @@ QuickRecipe quick_recipe(const std::filesystem::path& input, const std::string& 
     const std::string file = quoted(std::filesystem::absolute(input).lexically_normal().string());
     recipe.text +=
         is_mesh(input, registry) ? fmt::format("mesh: [{}]\n", file) : fmt::format("robot:\n  urdf: [{}]\n", file);
+    if (const std::string why =
+            why_refused(unit, input, is_mesh(input, registry) ? InputKind::mesh : InputKind::robot, registry);
+        !why.empty()) {
+        throw Error(ErrorCode::usage, why);
+    }
+    recipe.text += unit.unit ? fmt::format("unit: {}\n", *unit.unit) : "";
+    recipe.text += unit.scale != 1 ? fmt::format("scale: {}\n", to_text(unit.scale)) : "";
     recipe.text += "stages:\n";
     const StageInfo& spheres = spherizer(method, registry).info;
     for (const char* filter : {"repair.auto", "simplify.quadric", "smooth.humphrey"}) {

@@ -1,6 +1,7 @@
 // The recipe that `foam spherize` stands for.
 #pragma once
 
+#include <foam/host/mesh_unit.hpp>
 #include <foam/host/registry.hpp>
 
 #include <filesystem>
@@ -24,9 +25,9 @@ struct QuickRecipe {
 };
 
 /// `input`: a mesh or a URDF; `method`: a spherizer, with or without "spherize."; `ending`: of the output's name, for
-/// which there must be a writer. Throws Error(usage) for what is not known.
+/// which there must be a writer. `unit`: of a mesh. Throws Error(usage) for what is not known.
 QuickRecipe quick_recipe(const std::filesystem::path& input, const std::string& method, const std::string& ending,
-                         const QuickBudget& budget, const Registry& registry);
+                         const QuickBudget& budget, const MeshUnit& unit, const Registry& registry);
 
 /// Whether the registry can load it as a mesh; otherwise it is taken for a robot. Throws Error(usage) if it is neither.
 bool is_mesh(const std::filesystem::path& input, const Registry& registry);

@@ -4,6 +4,7 @@
 
 #include <foam/error.hpp>
 #include <foam/host/scratch_folder.hpp>
+#include <foam/stage.hpp>
 
 #include <fmt/format.h>
 
@@ -18,6 +19,8 @@ namespace fs = std::filesystem;
 struct Arguments {
     std::string input, method = "cover", output, format, out;
     QuickBudget budget;
+    std::string max_protrusion;
+    MeshUnit unit;
     std::vector<std::string> settings;
     ExecuteOptions execute;
     bool print_recipe = false, json = false;
@@ -51,17 +54,60 @@ std::string output_ending(const Arguments& arguments, const Registry& registry) 
     return extension.substr(1);
 }
 
+QuickBudget budget_of(const Arguments& arguments) {
+    QuickBudget budget = arguments.budget;
+    if (!arguments.max_protrusion.empty()) {
+        budget.max_protrusion = length_of(arguments.max_protrusion, "--max-protrusion");
+    }
+    return budget;
+}
+
 /// The result in one step, so that a reader never sees half of it.
-void deliver(const fs::path& made, const fs::path& scratch, const fs::path& target) {
+void deliver(const std::string& bytes, const fs::path& scratch, const fs::path& target) {
     std::error_code error;
     const fs::path staged = scratch / "delivered";
-    fs::copy_file(made, staged, error);
-    if (!error) {
+    std::ofstream stream(staged, std::ios::binary | std::ios::trunc);
+    stream << bytes;
+    stream.close();
+    if (stream) {
         fs::rename(staged, target, error);
+    } else {
+        error = std::make_error_code(std::errc::io_error);
     }
     if (error) {
         throw Error(ErrorCode::output, fmt::format("{}: it cannot be written ({})", target.string(), error.message()));
     }
+}
+
+std::string bytes_of(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Tells what a writer warns of.
+class Telling final : public QuietContext {
+public:
+    void log(Severity severity, std::string_view message) override {
+        if (severity >= Severity::warning) {
+            tell(fmt::format("warning: {}", message));
+        }
+    }
+};
+
+/// The result as it is to lie in `folder` (empty: on the standard output): paths in it lead from there. Its spheres are
+/// those that were proved in the run directory.
+std::string result_for(const fs::path& folder, const fs::path& made, const RunResult& result, const OutputCall& output,
+                       const Registry& registry) {
+    const auto writer = registry.make<Writer>(output.writer.stage, output.writer.given);
+    SphereModel model = result.model;
+    model.folder = folder;
+    Telling aloud;
+    QuietContext quiet;
+    const std::string bytes = writer->write(model, folder.empty() ? aloud : quiet);
+    if (writer->read(bytes) != writer->read(bytes_of(made))) {
+        throw Error(ErrorCode::internal, fmt::format("{} gives other spheres in another folder", output.writer.stage));
+    }
+    return bytes;
 }
 
 int run_quick(const Arguments& arguments, const Recipe& recipe, const QuickRecipe& quick, const Registry& registry) {
@@ -74,13 +120,14 @@ int run_quick(const Arguments& arguments, const Recipe& recipe, const QuickRecip
     const fs::path directory = arguments.out.empty() ? scratch.path() / "run" : fs::path(arguments.out);
     const RunResult result = execute(recipe, registry, directory, arguments.execute);
     const fs::path made = directory / recipe.outputs.at(0).file;
+    const std::string bytes = result_for(to_stdout(arguments) ? fs::path() : fs::absolute(beside), made, result,
+                                         recipe.outputs.at(0), registry);
     if (to_stdout(arguments)) {
-        std::ifstream stream(made, std::ios::binary);
-        print(std::string(std::istreambuf_iterator<char>(stream), {}));
+        print(bytes);
         fmt::print(stderr, "{}", table_of(result, recipe.guarantee));
         return exit_code_of(result);
     }
-    deliver(made, scratch.path(), target);
+    deliver(bytes, scratch.path(), target);
     if (arguments.json) {
         auto json = json_of(result, recipe, arguments.out);
         json["files"] = {target.string()};
@@ -100,8 +147,8 @@ int spherize(Program& program, const Arguments& arguments) {
                                                   fs::exists(arguments.input, error) ? "it is not a regular file"
                                                                                      : "there is no such file"));
     }
-    const QuickRecipe quick =
-        quick_recipe(arguments.input, arguments.method, output_ending(arguments, registry), arguments.budget, registry);
+    const QuickRecipe quick = quick_recipe(arguments.input, arguments.method, output_ending(arguments, registry),
+                                           budget_of(arguments), arguments.unit, registry);
     for (const std::string& stage : quick.left_out) {
         tell(fmt::format("warning: no plugin offers {}; it is left out", stage));
     }
@@ -124,6 +171,7 @@ void add_spherize(Program& program) {
                                     "  foam spherize part.stl --method grid -o - --format csv\n"
                                     "  foam spherize robot.urdf -n 60 --print-recipe > robot.yaml");
     auto arguments = std::make_shared<Arguments>();
+    arguments->execute.say_which = false; // the user did
     command->add_option("input", arguments->input, "A URDF or a mesh file")->type_name("INPUT")->required();
     command
         ->add_option("-n,--spheres", arguments->budget.spheres,
@@ -135,9 +183,11 @@ void add_spherize(Program& program) {
                      "The fewest spheres that claim no more than X times the robot's own volume outside it")
         ->type_name("X");
     command
-        ->add_option("--max-protrusion", arguments->budget.max_protrusion,
-                     "Spheres stand out of no link by more than M metres, as far as their number allows")
+        ->add_option("--max-protrusion", arguments->max_protrusion,
+                     "Spheres stand out of no link by more than M, as far as their number allows: 10mm, 1cm, 0.4in, or "
+                     "a number of metres")
         ->type_name("M");
+    add_mesh_unit(*command, arguments->unit);
     command->add_option("-m,--method", arguments->method, "Spherizer, with or without 'spherize.'")
         ->type_name("METHOD")
         ->capture_default_str();

@@ -35,6 +35,11 @@ Json json_of(const Measures& m) {
             {"certified", m.certified}};
 }
 
+Json json_of(const InputSize& size) {
+    const Vec3 edges = size.box.size();
+    return {{"size_m", {edges.x, edges.y, edges.z}}, {"links", size.links}, {"triangles", size.triangles}};
+}
+
 Json json_of(const PlaneReach& reach) {
     const ClipPlane& plane = reach.plane;
     return {{"normal", {plane.normal.x, plane.normal.y, plane.normal.z}},
@@ -136,6 +141,7 @@ Json json_of(const RunResult& result, const Recipe& recipe, const std::filesyste
     Json json{{"name", recipe.name},
               {"input", result.input},
               {"input_file", result.input_file.string()},
+              {"input_size", json_of(result.input_size)},
               {"directory", directory.string()},
               {"certified", result.certified},
               {"seconds", result.seconds},

@@ -8,7 +8,7 @@ export(EXPORT foamTargets NAMESPACE foam:: FILE "${foam_DIR}/foamTargets.cmake")
 install(EXPORT foamTargets NAMESPACE foam:: DESTINATION "${FOAM_SDK_INSTALLED}" COMPONENT sdk)
 install(FILES "${foam_DIR}/foamConfig.cmake" "${foam_DIR}/foamConfigVersion.cmake" "${foam_DIR}/FoamPlugin.cmake"
   DESTINATION "${FOAM_SDK_INSTALLED}" COMPONENT sdk)
-install(DIRECTORY core/include/foam DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT sdk)
+install(DIRECTORY core/include/foam "${CMAKE_BINARY_DIR}/core/include/foam" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT sdk)
 install(DIRECTORY configs schemas DESTINATION "${CMAKE_INSTALL_DATADIR}/foam" COMPONENT runtime
   PATTERN "*.py" EXCLUDE PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY apps/foam/templates DESTINATION "${CMAKE_INSTALL_DATADIR}/foam" COMPONENT sdk)

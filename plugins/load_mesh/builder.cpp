@@ -53,12 +53,16 @@ std::uint32_t MeshBuilder::vertex(const Vec3& point) {
     return table_[at] - 1;
 }
 
-void MeshBuilder::triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    if (mesh_.triangles.size() >= limits_.max_triangles) {
+void MeshBuilder::expect_triangles(std::uint64_t count) const {
+    if (count > limits_.max_triangles) {
         throw source_.error(
             fmt::format("more than {} triangles; remedy: simplify the mesh, or raise max_triangles of load.mesh",
                         limits_.max_triangles));
     }
+}
+
+void MeshBuilder::triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    expect_triangles(mesh_.triangles.size() + 1);
     if (mesh_.triangles.size() % 65536 == 65535) {
         context_.check_cancelled();
     }

@@ -13,6 +13,9 @@
 
 namespace foam::load_mesh {
 
+/// What to do with a file of more than Limits::max_bytes.
+inline constexpr std::string_view too_large_remedy = "simplify the mesh, or raise max_bytes of load.mesh";
+
 struct Limits {
     std::size_t max_triangles;
     std::uintmax_t max_bytes;               ///< of a file
@@ -28,6 +31,8 @@ public:
     std::uint32_t vertex(const Vec3& point);
     /// Throws when there are too many, or when the user cancels.
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+    /// Throws if so many triangles in all are too many.
+    void expect_triangles(std::uint64_t count) const;
     /// A plane polygon of at least three corners, convex or not.
     void polygon(std::span<const std::uint32_t> corners);
 

@@ -1,7 +1,9 @@
 #include "gltf_accessor.hpp"
 
 #include "base64.hpp"
-#include "file.hpp"
+#include "builder.hpp"
+
+#include <foam/file.hpp>
 
 #include <fmt/format.h>
 
@@ -151,13 +153,16 @@ std::string GltfAccessors::open(const JsonPlace& uri) {
         return std::move(*bytes);
     }
     const auto file = source_.file.parent_path() / percent_decoded(text);
-    std::string bytes = bytes_of(file, bytes_left_, [&](const std::string& what) {
-        return source_.error(
-            fmt::format("{} is the file {}, which cannot be read ({}); remedy: copy it beside this file", uri.path(),
-                        file.string(), what));
-    });
-    bytes_left_ -= bytes.size();
-    return bytes;
+    FileContents contents = read_regular_file(file, bytes_left_, too_large_remedy);
+    if (!contents.problem.empty()) {
+        std::error_code error;
+        const bool there = std::filesystem::exists(file, error);
+        throw source_.error(fmt::format("{} is the file {}, which cannot be read ({}); remedy: {}", uri.path(),
+                                        file.string(), contents.problem,
+                                        there ? contents.remedy : "copy it beside this file"));
+    }
+    bytes_left_ -= contents.bytes.size();
+    return std::move(contents.bytes);
 }
 
 std::uint64_t GltfAccessors::count_of(const JsonPlace& item) const {

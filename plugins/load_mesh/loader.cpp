@@ -1,7 +1,8 @@
 #include "loader.hpp"
 
-#include "file.hpp"
 #include "readers.hpp"
+
+#include <foam/file.hpp>
 
 #include <fmt/format.h>
 
@@ -25,7 +26,11 @@ Loader::Loader(const Parameters& parameters)
 
 Mesh Loader::load(const std::filesystem::path& file, Context& context) const {
     Source source{file, {}};
-    source.bytes = bytes_of(file, limits_.max_bytes, [&](const std::string& what) { return source.error(what); });
+    FileContents contents = read_regular_file(file, limits_.max_bytes, too_large_remedy);
+    if (!contents.problem.empty()) {
+        throw source.error(contents.why_not());
+    }
+    source.bytes = std::move(contents.bytes);
     if (source.bytes.empty()) {
         throw source.error("the file is empty");
     }

@@ -17,5 +17,6 @@ FOAM_PLUGIN("load_mesh", "1.0", "Apache-2.0") {
                             .bounds(1, 1e12)
                             .doc("A larger file is refused before it is read.")
                             .source("a binary STL of 20 million triangles is 1 GB")},
-         .extensions = {"stl", "obj", "dae", "ply", "off", "gltf", "glb"}});
+         .extensions = {"stl", "obj", "dae", "ply", "off", "gltf", "glb"},
+         .extensions_with_unit = {"dae", "gltf", "glb"}});
 }

@@ -38,7 +38,7 @@ std::string sphere_elements(const std::vector<Sphere>& spheres, std::string_view
 
 } // namespace
 
-void CollisionEditor::replace_collisions(const xml::Element& link, const std::vector<Sphere>& spheres) {
+void UrdfEditor::replace_collisions(const xml::Element& link, const std::vector<Sphere>& spheres) {
     const std::vector<const xml::Element*> collisions = link.children_named("collision");
     if (!collisions.empty()) {
         const xml::Element& first = *collisions.front();
@@ -61,7 +61,7 @@ void CollisionEditor::replace_collisions(const xml::Element& link, const std::ve
     }
 }
 
-std::string CollisionEditor::result() {
+std::string UrdfEditor::result() {
     std::sort(changes_.begin(), changes_.end(),
               [](const Change& a, const Change& b) { return a.span.begin < b.span.begin; });
     std::string result;

@@ -1,9 +1,10 @@
 // write.urdf: the robot's own URDF text with spheres in place of its collision geometry.
 //
-// Everything else keeps its bytes: comments, unknown elements, order, line ends, encoding. References to meshes stay as
-// they are written; a relative one in what stays (visuals, links without spheres) leads to its file only from the
-// folder of the original, which the log says.
+// Everything else keeps its bytes: comments, unknown elements, order, line ends, encoding; but relative paths of meshes
+// and textures in what stays (visuals, links without spheres) are written so that they lead to their files from the
+// folder of the new file.
 #include "edit.hpp"
+#include "references.hpp"
 
 #include <foam/error.hpp>
 #include <foam/plugin.hpp>
@@ -27,24 +28,6 @@ LinkElements links_of(const xml::Element& robot) {
         }
     }
     return links;
-}
-
-/// The first mesh reference in what is kept that is a relative path; empty if there is none.
-std::string first_relative_mesh(const xml::Element& robot, const std::set<std::string>& replaced) {
-    for (const xml::Element* link : robot.children_named("link")) {
-        const std::string* name = link->attribute("name");
-        for (const auto& child : link->children) {
-            const bool kept =
-                child->name == "visual" || (child->name == "collision" && !replaced.contains(name ? *name : ""));
-            const xml::Element* geometry = kept ? child->child("geometry") : nullptr;
-            const xml::Element* mesh = geometry ? geometry->child("mesh") : nullptr;
-            const std::string* file = mesh ? mesh->attribute("filename") : nullptr;
-            if (file && file->find("://") == std::string::npos && !file->starts_with('/')) {
-                return *file;
-            }
-        }
-    }
-    return {};
 }
 
 [[noreturn]] void unreadable(const xml::Element& element, const std::string& why) {
@@ -87,7 +70,8 @@ std::optional<Sphere> read_sphere(const xml::Element& collision) {
 
 class UrdfWriter final : public Writer {
 public:
-    explicit UrdfWriter(const Parameters& parameters) : level_(static_cast<int>(parameters.integer("level"))) {}
+    explicit UrdfWriter(const Parameters& parameters)
+        : level_(static_cast<int>(parameters.integer("level"))), mesh_paths_(parameters.text("mesh_paths")) {}
 
     std::string write(const SphereModel& model, Context& context) const override {
         if (!model.robot || model.robot->source.empty()) {
@@ -96,7 +80,7 @@ public:
         const std::string& source = model.robot->source;
         const auto root = xml::parse(source, model.robot->file.string(), ErrorCode::output);
         const LinkElements links = links_of(*root);
-        CollisionEditor editor(source);
+        UrdfEditor editor(source);
         std::set<std::string> replaced;
         for (const LinkSpheres& link : spheres_by_link(model, level_)) {
             const auto it = links.find(link.link);
@@ -106,12 +90,7 @@ public:
             editor.replace_collisions(*it->second, link.spheres);
             replaced.insert(link.link);
         }
-        if (const std::string mesh = first_relative_mesh(*root, replaced); !mesh.empty()) {
-            context.log(Severity::info,
-                        fmt::format("relative mesh paths are kept as they are (the first: '{}'); they lead "
-                                    "to their files from the folder of {}",
-                                    mesh, model.robot->file.string()));
-        }
+        move_references(relative_references(source, *root, replaced), model, editor, context);
         return editor.result();
     }
 
@@ -130,7 +109,46 @@ public:
     }
 
 private:
+    /// Lets relative paths lead to their files from the folder of the new file.
+    void move_references(const std::vector<RelativeReference>& references, const SphereModel& model, UrdfEditor& editor,
+                         Context& context) const {
+        const std::string original = model.robot->file.string();
+        const bool absolute = mesh_paths_ == "absolute";
+        if (references.empty()) {
+            return;
+        }
+        if (mesh_paths_ == "keep" || (model.folder.empty() && !absolute)) {
+            context.log(mesh_paths_ == "keep" ? Severity::info : Severity::warning,
+                        fmt::format("relative paths of meshes are kept as they are (the first: '{}'); they lead to "
+                                    "their files from the folder of {}",
+                                    references.front().path, original));
+            return;
+        }
+        std::vector<std::string> moved, lost;
+        for (const RelativeReference& reference : references) {
+            const std::string path = reference_from(absolute ? std::filesystem::path() : model.folder, reference.path,
+                                                    model.robot->file.parent_path());
+            if (path.empty()) {
+                lost.push_back(reference.path);
+            } else if (path != reference.path) {
+                moved.push_back(reference.path);
+                editor.replace(reference.span, attribute_text(path, model.robot->source));
+            }
+        }
+        if (!moved.empty()) {
+            context.log(Severity::info, fmt::format("{} relative paths of meshes are rewritten so that they lead to "
+                                                    "their files (the first: '{}')",
+                                                    moved.size(), moved.front()));
+        }
+        if (!lost.empty()) {
+            context.log(Severity::warning, fmt::format("{} relative paths of meshes lead to no file from the folder of "
+                                                       "{} and are kept as they are (the first: '{}')",
+                                                       lost.size(), original, lost.front()));
+        }
+    }
+
     int level_;
+    std::string mesh_paths_;
 };
 
 } // namespace
@@ -140,12 +158,17 @@ FOAM_PLUGIN("write_urdf", "1.0", "Apache-2.0") {
     using foam::Parameter;
     enrol.add<foam::UrdfWriter>(
         {.name = "write.urdf",
-         .summary =
-             "Writes the robot's URDF text with spheres in place of its collision geometry, and nothing else changed.",
+         .summary = "Writes the robot's URDF text with spheres in place of its collision geometry, and nothing else "
+                    "changed but "
+                    "relative paths.",
          .reference = "http://wiki.ros.org/urdf/XML",
          .parameters = {Parameter::integer("level", -1)
                             .bounds(-1, 32)
                             .doc("Level of the sphere trees that is written: 0 the bounding spheres, -1 the finest.")
-                            .source("The finest level is the one that is measured and proved.")},
+                            .source("The finest level is the one that is measured and proved."),
+                        Parameter::choice("mesh_paths", {"rewrite", "keep", "absolute"}, "rewrite")
+                            .doc("Relative paths of meshes and textures: rewritten so that they lead to their files "
+                                 "from the new file's folder, kept as written, or made absolute.")
+                            .source("Viewers look for meshes from the file that names them.")},
          .extensions = {"urdf"}});
 }

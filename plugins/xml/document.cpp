@@ -122,6 +122,24 @@ const Element* Element::child(std::string_view child_name) const {
     return nullptr;
 }
 
+Span Element::attribute_span(std::string_view key, std::string_view text) const {
+    constexpr std::string_view space = " \t\r\n";
+    std::size_t at = text.find_first_of(" \t\r\n/>", start_tag.begin + 1);
+    while (true) { // name, '=', value in quotes; the text is well-formed
+        const std::size_t begin = text.find_first_not_of(space, at);
+        const std::size_t end = text.find_first_of(" \t\r\n=", begin);
+        const std::size_t quote = text.find_first_of("\"'", end);
+        const std::size_t close = quote < start_tag.end ? text.find(text[quote], quote + 1) : text.npos;
+        if (close >= start_tag.end) {
+            return {};
+        }
+        if (text.substr(begin, end - begin) == key) {
+            return {quote + 1, close};
+        }
+        at = close + 1;
+    }
+}
+
 std::vector<const Element*> Element::children_named(std::string_view child_name) const {
     std::vector<const Element*> result;
     for (const auto& candidate : children) {

@@ -35,6 +35,9 @@ struct Element {
     /// The first child element of that name; nullptr when there is none.
     const Element* child(std::string_view child_name) const;
     std::vector<const Element*> children_named(std::string_view child_name) const;
+    /// Where the value of an attribute that is there stands in the text that the element was parsed from, between its
+    /// quotes.
+    Span attribute_span(std::string_view key, std::string_view text) const;
 };
 
 /// Throws Error(code) with "label:line:column: reason" for text that is not well-formed, is UTF-16, declares or uses

@@ -1,10 +1,11 @@
 """The layout of every public type, against the committed record of the ABI epoch.
 
-abi_layout.py check COMPILER INCLUDE RECORDS     0: as recorded, 1: not, 77: skipped (no readelf, no g++ on x86-64)
-abi_layout.py test  COMPILER INCLUDE RECORDS     whether `check` would notice: changes a copy of the headers
+abi_layout.py check COMPILER INCLUDE RECORDS PLUGINS   0: as recorded, 1: not, 77: skipped (no readelf or x86-64)
+abi_layout.py test  COMPILER INCLUDE RECORDS PLUGINS   whether `check` would notice: changes a copy of the headers
 
-All headers of INCLUDE/foam (not host/) are compiled into one object file with debug information, and sizes, offsets,
-enumerators and virtual functions are read from that: no list that somebody could forget to extend.
+All headers of INCLUDE/foam, and those of INCLUDE/foam/host that a file of PLUGINS includes, are compiled into one object
+file with debug information, and sizes, offsets, enumerators and virtual functions are read from that: no list that
+somebody could forget to extend.
 """
 import difflib
 import os
@@ -20,17 +21,26 @@ SKIPPED = 77
 TYPES = {"structure_type": "struct", "class_type": "struct", "union_type": "union", "enumeration_type": "enum"}
 
 
-def headers(include):
-    return sorted(path.name for path in pathlib.Path(include, "foam").glob("*.hpp"))
+class Headers:
+    """The headers that plugins may include."""
+
+    def __init__(self, include, plugins):
+        self.include = include
+        used = {name for path in pathlib.Path(plugins).rglob("*.[ch]pp")
+                for name in re.findall(r"#include <foam/(host/\w+\.hpp)>", path.read_text())}
+        self.names = sorted(path.name for path in pathlib.Path(include, "foam").glob("*.hpp")) + sorted(used)
 
 
-def debug_information(compiler, include):
+def debug_information(compiler, headers):
     """What readelf says of an object file that includes all headers."""
     with tempfile.TemporaryDirectory() as folder:
         source, binary = pathlib.Path(folder, "types.cpp"), pathlib.Path(folder, "types.o")
-        source.write_text("".join(f"#include <foam/{name}>\n" for name in headers(include)))
+        source.write_text("".join(f"#include <foam/{name}>\n" for name in headers.names))
+        record = pathlib.Path(folder, "foam", "abi_record.hpp")  # made with the build; it has no types
+        record.parent.mkdir()
+        record.write_text('#define FOAM_ABI_LAYOUT ""\n')
         subprocess.run([compiler, "-std=c++20", "-O0", "-g", "-fno-eliminate-unused-debug-types",
-                        "-femit-class-debug-always", f"-I{include}", "-c", str(source), "-o", str(binary)], check=True)
+                        "-femit-class-debug-always", f"-I{headers.include}", f"-I{folder}", "-c", str(source), "-o", str(binary)], check=True)
         return subprocess.run(["readelf", "-W", "--debug-dump=info", str(binary)], check=True, capture_output=True,
                               text=True, env={**os.environ, "LC_ALL": "C"}).stdout
 
@@ -161,9 +171,9 @@ class Layout:
         result = "" if function.get("name").startswith("~") else f"{self.type_name(function)} "
         return slot, f"{result}{function.get('name')}({given}){' const' if this.startswith('const ') else ''}"
 
-    def text(self, include):
+    def text(self, headers):
         types = self.public()
-        parts = ["headers: " + " ".join(name.removesuffix(".hpp") for name in headers(include))]
+        parts = ["headers: " + " ".join(name.removesuffix(".hpp") for name in headers.names)]
         parts += ["\n".join(self.lines(name, types[name])) for name in sorted(types)]
         return "\n\n".join(parts) + "\n"
 
@@ -195,15 +205,15 @@ def head(epoch, state):
             "Written by tests/abi/abi_layout.py; docs/dev/abi.md says when and how it may change.\n\n")
 
 
-def check(compiler, include, records):
+def check(compiler, headers, records):
     """What is wrong; empty if nothing."""
-    epoch, reasons = epochs(include)
+    epoch, reasons = epochs(headers.include)
     for number in range(1, epoch + 1):
         if number not in reasons:
             return (f"abi.hpp gives no reason for ABI epoch {number}\nremedy: add a line '///  {number}  what changed "
                     "and why' to the reasons above FOAM_ABI_EPOCH")
     record = pathlib.Path(records, f"epoch_{epoch}.txt")
-    found = Layout(debug_information(compiler, include)).text(include)
+    found = Layout(debug_information(compiler, headers)).text(headers)
     if not record.exists():
         if os.environ.get("FOAM_TEST_UPDATE"):
             record.write_text(head(epoch, "open") + found)
@@ -233,10 +243,11 @@ CHANGES = [
     ("context.hpp", "    virtual bool cancelled() const = 0;\n", "", "-     virtual 3: bool cancelled() const"),
     ("text.hpp", "namespace foam {", "namespace foam {\nstruct Novelty {\n    int x;\n};",
      "+ struct foam::Novelty, 4 bytes"),
+    ("host/spherize.hpp", "std::uint64_t seed = 0;", "std::uint32_t seed = 0;", "+        8 seed: uint32_t"),
 ]
 
 
-def test(compiler, include, records):
+def test(compiler, include, records, plugins):
     failures = []
     with tempfile.TemporaryDirectory() as folder:
         copy, kept = pathlib.Path(folder, "include"), pathlib.Path(folder, "records")
@@ -253,8 +264,8 @@ def test(compiler, include, records):
         context.write_text(context.read_text().replace("bool cancelled() const override;", "bool cancelled() const;"))
         (copy / "foam" / "unknown.hpp").write_text("#pragma once\n")
         os.environ.pop("FOAM_TEST_UPDATE", None)
-        message = check(compiler, copy, kept)
-        for *_, wanted in CHANGES + [("unknown vector",)]:
+        message = check(compiler, Headers(copy, plugins), kept)
+        for *_, wanted in CHANGES + [("unknown vector host/spherize",)]:
             if wanted not in message:
                 failures.append(f"the message does not say '{wanted}'")
         if "remedy: epoch" not in message:
@@ -263,12 +274,12 @@ def test(compiler, include, records):
         record = kept / f"epoch_{epoch}.txt"
         record.write_text(record.read_text().replace(", open:", ", released:", 1))
         os.environ["FOAM_TEST_UPDATE"] = "1"
-        if f"raise FOAM_ABI_EPOCH to {epoch + 1}" not in check(compiler, copy, kept):
+        if f"raise FOAM_ABI_EPOCH to {epoch + 1}" not in check(compiler, Headers(copy, plugins), kept):
             failures.append("a released epoch was written anew")
         abi = copy / "foam" / "abi.hpp"
         line = "#define FOAM_ABI_EPOCH {}"
         abi.write_text(abi.read_text().replace(line.format(epoch), line.format(epoch + 1)))
-        if f"abi.hpp gives no reason for ABI epoch {epoch + 1}" not in check(compiler, copy, kept):
+        if f"abi.hpp gives no reason for ABI epoch {epoch + 1}" not in check(compiler, Headers(copy, plugins), kept):
             failures.append("an epoch without a reason was accepted")
         if failures:
             failures.append(message)
@@ -276,11 +287,12 @@ def test(compiler, include, records):
 
 
 def main():
-    what, compiler, include, records = sys.argv[1:]
+    what, compiler, include, records, plugins = sys.argv[1:]
     if platform.machine() != "x86_64" or not shutil.which("readelf"):
         print("skipped: the record is of x86-64, and is compared by readelf (package binutils)")
         return SKIPPED
-    problem = {"check": check, "test": test}[what](compiler, include, records)
+    problem = test(compiler, include, records, plugins) if what == "test" else \
+        check(compiler, Headers(include, plugins), records)
     print(problem or "as recorded")
     return 1 if problem else 0
 

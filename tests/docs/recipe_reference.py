@@ -25,7 +25,7 @@ def values_of(schema, root):
             words += [f"`{value}`" for value in choice.get("enum", [choice.get("const")])]
         elif "type" in choice:
             kinds = choice["type"] if isinstance(choice["type"], list) else [choice["type"]]
-            words += [TYPES.get(kind, kind) + bounds_of(choice) for kind in kinds if kind != "null"]
+            words += [TYPES.get(kind, kind) + (bounds_of(choice) if kind != "string" else "") for kind in kinds if kind != "null"]
     return ", ".join(dict.fromkeys(words))
 
 

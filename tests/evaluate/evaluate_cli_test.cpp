@@ -186,7 +186,7 @@ TEST_F(EvaluateCli, CompareWritesAPageThatNeedsNothingElse) {
 TEST_F(EvaluateCli, WhatIsWrong) {
     EXPECT_EQ(foam("evaluate arm.urdf none.csv").code, 1);
     EXPECT_EQ(foam("evaluate arm.urdf none.csv").err,
-              "foam: error: none.csv: cannot be read: No such file or directory\n");
+              "foam: error: none.csv: there is no such file; remedy: check the path\n");
     EXPECT_EQ(foam("evaluate none.urdf good.csv").code, 1);
     EXPECT_EQ(foam("evaluate arm.urdf good.csv --rename base").err,
               "foam: error: --rename expects OLD=NEW, got 'base'\n");

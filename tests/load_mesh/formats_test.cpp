@@ -30,7 +30,7 @@ constexpr std::array<float, 9> one_triangle{0, 0, 0, 1, 0, 0, 0, 1, 0};
 
 TEST_F(LoadMesh, FilesThatAreNone) {
     EXPECT_THAT(error_of(folder / "no.stl"), HasSubstr("there is no such file"));
-    EXPECT_THAT(error_of(folder), HasSubstr("it is not a regular file"));
+    EXPECT_THAT(error_of(folder), HasSubstr("it is a folder, not a regular file"));
     EXPECT_THAT(error_of("a.step", "x"), HasSubstr("meshes of type '.step' are not read"));
     EXPECT_THAT(error_of("a.stl", ""), HasSubstr("the file is empty"));
 }

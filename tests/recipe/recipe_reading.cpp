@@ -50,13 +50,20 @@ TEST_F(RecipeReading, SaysWhyAFileCannotBeRead) {
     fs::permissions(secret, fs::perms::none);
     if (geteuid() != 0) {
         EXPECT_EQ(findings(secret),
-                  secret.string() + ": error[cannot-read]: it cannot be read; remedy: check its permissions\n");
+                  secret.string() +
+                      ": error[cannot-read]: it cannot be read (Permission denied); remedy: check its permissions\n");
     }
-    EXPECT_EQ(findings("/dev/null"),
-              "/dev/null:1:1: error[empty]: the recipe is empty; remedy: begin with 'foam: 1', then "
-              "'robot' and 'stages'\n");
-    EXPECT_EQ(findings("/dev/zero"),
-              "/dev/zero: error[too-large]: the text has more than 1000000 bytes; is this file a recipe?\n");
+    for (const char* device : {"/dev/null", "/dev/zero"}) {
+        EXPECT_EQ(findings(device), std::string(device) + ": error[cannot-read]: it is a device, not a regular file; "
+                                                          "remedy: give the path of a file\n");
+    }
+    EXPECT_EQ(findings(write("empty.yaml", "")),
+              folder + "/empty.yaml:1:1: error[empty]: the recipe is empty; remedy: begin with 'foam: 1', then "
+                       "'robot' and 'stages'\n");
+    EXPECT_EQ(findings(write("large.yaml", std::string(1'000'001, ' '))),
+              folder +
+                  "/large.yaml: error[cannot-read]: it has 1000001 bytes, more than 1000000; remedy: check that this "
+                  "is a recipe\n");
 }
 
 TEST_F(RecipeReading, LoadsPluginsBesideTheRecipe) {

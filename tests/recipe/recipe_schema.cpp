@@ -44,7 +44,8 @@ TEST(RecipeSchema, HoldsEveryParameterAsDeclared) {
     EXPECT_EQ(ratio, Json::parse(R"({"description": "Share kept. Default from: Coumar 2025.", "type": "number",
                                      "minimum": 0, "maximum": 1, "default": 0.2})"));
     const Json& step = schema["$defs"]["smooth.fixture"]["properties"]["step"];
-    EXPECT_EQ(step["description"], "Step. Unit: m.");
+    EXPECT_EQ(step["description"], "Step. Unit: m, or as a text with another: 10mm, 1cm, 0.4in.");
+    EXPECT_EQ(step["type"], Json::parse(R"(["number", "string"])"));
     const Json& mode = schema["$defs"]["simplify.fixture"]["properties"]["mode"];
     EXPECT_EQ(mode["enum"], Json::parse(R"(["fast", "exact"])"));
 }

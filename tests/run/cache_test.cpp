@@ -145,8 +145,9 @@ TEST(Files, AnErrorNamesTheFileAndTheReason) {
         return std::string("no error");
     };
     EXPECT_EQ(message(folder.path() / "none"),
-              (folder.path() / "none").string() + ": cannot be read: No such file or directory");
-    EXPECT_EQ(message(folder.path()), folder.path().string() + ": this is a folder, a file is needed");
+              (folder.path() / "none").string() + ": there is no such file; remedy: check the path");
+    EXPECT_EQ(message(folder.path()),
+              folder.path().string() + ": it is a folder, not a regular file; remedy: give the path of a file");
 }
 
 } // namespace

@@ -1,10 +1,13 @@
 // The fingerprint of a build: two binaries may exchange C++ objects only if theirs are equal.
 #pragma once
 
+#include <foam/abi_record.hpp> // FOAM_ABI_LAYOUT: made with the build from core/abi
+
 #include <cstdint>
 #include <string> // defines the library macros
 
-/// Raised whenever the layout or meaning of a public type changes. Reasons:
+/// Raised whenever the layout or meaning of a public type changes; within an epoch that is not released yet
+/// FOAM_ABI_LAYOUT tells its states apart. Reasons:
 ///  1  first release
 #define FOAM_ABI_EPOCH 1
 
@@ -41,8 +44,8 @@
 #endif
 
 #define FOAM_ABI_FINGERPRINT                                                                                           \
-    "foam-abi=" FOAM_ABI_TEXT(FOAM_ABI_EPOCH) " stdlib=" FOAM_ABI_STDLIB FOAM_ABI_DEBUG " cxx11=" FOAM_ABI_CXX11       \
-                                              " sanitizer=" FOAM_ABI_SANITIZER
+    "foam-abi=" FOAM_ABI_TEXT(FOAM_ABI_EPOCH) " layout=" FOAM_ABI_LAYOUT " stdlib=" FOAM_ABI_STDLIB FOAM_ABI_DEBUG     \
+                                              " cxx11=" FOAM_ABI_CXX11 " sanitizer=" FOAM_ABI_SANITIZER
 
 /// An ELF note (name "foam", type 1) whose description is the fingerprint, readable without loading the library.
 #define FOAM_ABI_NOTE                                                                                                  \

@@ -5,6 +5,7 @@
 #include <foam/robot.hpp>
 #include <foam/sphere.hpp>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,6 +28,8 @@ struct SphereModel {
     Guarantee guarantee = Guarantee::outer;
     std::shared_ptr<const Robot> robot;
     std::vector<SphereGroup> groups; ///< in the order of the robot's links
+    /// The folder that the file being written will lie in, absolute; empty: not known. It need not exist yet.
+    std::filesystem::path folder{};
 };
 
 /// The spheres of one link, over all its groups.

@@ -124,6 +124,8 @@ struct StageInfo {
     /// "radius" (the largest). The runtime compares what the stage gives, and shares spheres out over links, by that;
     /// by any other word the aim is the stage's own, and its spheres are taken as they come. Empty: excess.
     std::string objective_parameter{};
+    /// Mesh loaders: those of `extensions` whose files say what unit they are in, so that load() gives metres.
+    std::vector<std::string> extensions_with_unit{};
 };
 
 } // namespace foam

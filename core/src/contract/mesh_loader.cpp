@@ -1,10 +1,11 @@
 #include "promises.hpp"
 
+#include "run/files.hpp"
+
 #include <foam/error.hpp>
 #include <foam/host/scratch_folder.hpp>
 
 #include <fstream>
-#include <iterator>
 
 namespace foam {
 namespace {
@@ -65,8 +66,7 @@ void check_mesh_loader(const MeshLoader& loader, const StageInfo& info, const Co
             const Mesh mesh = loader.load(sample, context);
             require_loaded(sample, mesh);
             require(loader.load(sample, context) == mesh, "the second time it gives another mesh");
-            std::ifstream stream(sample, std::ios::binary);
-            const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+            const std::string bytes = read_file(sample);
             const ScratchFolder scratch;
             for (const std::size_t share : {1, 3, 5, 7}) {
                 const fs::path cut = written(scratch.path() / fmt::format("cut{}.{}", share, ending),

@@ -1,9 +1,8 @@
+#include <foam/file.hpp>
 #include <foam/resource.hpp>
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 #include <system_error>
 
@@ -59,8 +58,8 @@ std::string percent_decoded(std::string_view text) {
 
 /// The text of <name> in a package.xml (REP 149); empty if there is none.
 std::string package_name(const fs::path& directory) {
-    std::ifstream stream(directory / "package.xml", std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    constexpr std::uintmax_t most = 1'000'000; // what is no small regular file names no package
+    std::string text = read_regular_file(directory / "package.xml", most, "").bytes;
     for (std::size_t begin; (begin = text.find("<!--")) != std::string::npos;) {
         const std::size_t end = text.find("-->", begin);
         text.erase(begin, end == std::string::npos ? end : end + 3 - begin);

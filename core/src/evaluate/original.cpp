@@ -40,8 +40,9 @@ void choose(Recipe& recipe, const Robot& robot, const std::vector<std::string>& 
 } // namespace
 
 Original load_original(const std::filesystem::path& file, const Registry& registry,
-                       const std::vector<std::string>& links) {
+                       const std::vector<std::string>& links, const MeshUnit& unit) {
     Recipe recipe;
+    recipe.mesh_unit = unit;
     const std::string reference = std::filesystem::absolute(file).string();
     (registry.find_for_extension(StageKind::mesh_loader, ending_of(file)) ? recipe.mesh : recipe.urdf) = {reference};
     const RunOptions options;

@@ -55,7 +55,7 @@ std::vector<Sphere>& model_formats::spheres_of(SphereFile& result, const std::st
 }
 
 SphereFile read_sphere_file(const std::filesystem::path& file, const Registry& registry) {
-    return parse_sphere_file(read_file(file), file, registry);
+    return parse_sphere_file(read_file(file, most_model_bytes), file, registry);
 }
 
 SphereFile parse_sphere_file(const std::string& text, const std::filesystem::path& file, const Registry& registry) {

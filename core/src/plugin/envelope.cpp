@@ -13,8 +13,10 @@ namespace {
 
 /// The fields of a fingerprint in the words of people.
 std::map<std::string, std::string> fields_of(std::string_view fingerprint) {
-    static constexpr std::pair<std::string_view, std::string_view> names[] = {
-        {"foam-abi", "ABI epoch"}, {"cxx11", "std::string ABI (cxx11)"}, {"stdlib", "standard library"}};
+    static constexpr std::pair<std::string_view, std::string_view> names[] = {{"foam-abi", "ABI epoch"},
+                                                                              {"layout", "ABI layout"},
+                                                                              {"cxx11", "std::string ABI (cxx11)"},
+                                                                              {"stdlib", "standard library"}};
     std::map<std::string, std::string> fields;
     for (const std::string_view word : words(fingerprint)) {
         const std::size_t equals = word.find('=');
@@ -41,7 +43,8 @@ std::string other_build(std::string_view has) {
     std::vector<std::string> built_for, is;
     for (const auto& [name, value] : ours) {
         const auto other = theirs.find(name);
-        if (other != theirs.end() && other->second != value) {
+        const bool implied = name == "ABI layout" && !built_for.empty(); // each epoch has layouts of its own
+        if (other != theirs.end() && other->second != value && !implied) {
             built_for.push_back(fmt::format("{} {}", name, other->second));
             is.push_back(fmt::format("{} {}", name, value));
         }

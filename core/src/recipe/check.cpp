@@ -96,6 +96,10 @@ void check_plain_values(const Value& root, Recipe& recipe, Findings& findings) {
         if (const auto read = read_value(*value, p, "", findings)) {
             if (p.name == "seed") {
                 recipe.seed = static_cast<std::uint64_t>(std::get<std::int64_t>(*read));
+            } else if (p.name == "unit") {
+                recipe.mesh_unit.unit = std::get<std::string>(*read);
+            } else if (p.name == "scale") {
+                recipe.mesh_unit.scale = std::get<double>(*read);
             } else {
                 words[p.name] = std::get<std::string>(*read);
             }
@@ -136,6 +140,20 @@ void check_input(const Value& root, Recipe& recipe, Findings& findings) {
             recipe.urdf = read_references(*urdf, "urdf", findings);
         } else {
             findings.error(robot->where, "missing-key", "'robot' needs 'urdf'; remedy: write robot: {urdf: FILE}");
+        }
+    }
+}
+
+/// Unit and scale are of single meshes that do not say theirs.
+void check_unit(const Value& root, const Recipe& recipe, const Checking& checking) {
+    const Key* key = root.find_key("unit") ? root.find_key("unit") : root.find_key("scale");
+    const bool robot = !recipe.urdf.empty();
+    for (const std::string& input : robot ? recipe.urdf : recipe.mesh) {
+        const InputKind kind = robot ? InputKind::robot : InputKind::mesh;
+        if (const std::string why = why_refused(recipe.mesh_unit, input, kind, checking.registry);
+            key && !why.empty()) {
+            checking.findings.error(key->where, "conflict", why);
+            return;
         }
     }
 }
@@ -267,6 +285,7 @@ Recipe check_recipe(const Value& root, const std::filesystem::path& file, const 
     check_plain_values(root, recipe, findings);
     check_name(root, file, suffix, root.find("name"), recipe, findings);
     check_input(root, recipe, findings);
+    check_unit(root, recipe, checking);
     if (const Value* path = root.find("package_path")) {
         recipe.package_path = read_references(*path, "package_path", findings);
     }

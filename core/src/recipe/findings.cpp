@@ -115,7 +115,7 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& kn
     if (const std::string near = word.size() < 200 ? nearest_word(word, known) : ""; !near.empty()) {
         return fmt::format("; did you mean {}?", in_quotes(near));
     }
-    return !known.empty() && known.size() <= 25 ? fmt::format("; known: {}", fmt::join(known, ", ")) : "";
+    return !known.empty() && known.size() <= 30 ? fmt::format("; known: {}", fmt::join(known, ", ")) : "";
 }
 
 } // namespace reading

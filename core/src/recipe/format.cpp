@@ -1,5 +1,6 @@
 #include "format.hpp"
 
+#include <foam/host/length.hpp>
 #include <foam/host/recipe.hpp>
 
 #include <algorithm>
@@ -10,6 +11,12 @@ std::vector<Parameter> top_level_values() {
     return {
         Parameter::text("name", "").doc("Name of the run's folder; absent: the recipe's file name without its ending."),
         Parameter::integer("seed", 0).at_least(0).doc("Seed of all random choices."),
+        Parameter::choice("unit", length_units(), "m")
+            .doc("What the numbers of a single mesh are in, if its file does not say it; absent: m."),
+        Parameter::number("scale", 1)
+            .bounds(1e-12, 1e12)
+            .unit("1")
+            .doc("What a single mesh is enlarged by, besides its unit; absent: 1."),
         Parameter::choice("per", {"link", "collision"}, "link")
             .doc("Spherize each link as one solid, or every collision element on its own."),
         Parameter::choice("guarantee", {"outer", "inner", "fitted"}, "outer")
@@ -87,10 +94,14 @@ std::vector<Parameter> isolation_values() {
     };
 }
 
+bool is_length(const Parameter& parameter) {
+    return parameter.type == Parameter::Type::number && parameter.unit_text == "m";
+}
+
 bool is_optional(const std::string& key) {
-    static constexpr const char* keys[] = {"name",    "spheres",     "excess",       "max_protrusion",
-                                           "skip",    "min_spheres", "max_spheres",  "weight",
-                                           "isolate", "time_limit",  "memory_limit", "reach"};
+    static constexpr const char* keys[] = {"name",    "unit",         "scale",          "spheres", "excess",
+                                           "skip",    "min_spheres",  "max_protrusion", "weight",  "max_spheres",
+                                           "isolate", "memory_limit", "time_limit",     "reach"};
     return std::find(std::begin(keys), std::end(keys), key) != std::end(keys);
 }
 

@@ -1,8 +1,10 @@
 // JSON Schema of recipes: for editors and for checks by other tools.
 #include "format.hpp"
 
+#include <foam/host/length.hpp>
 #include <foam/host/recipe.hpp>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -31,9 +33,15 @@ Json as_json(double bound) {
 std::string describe(const Parameter& p) {
     std::string text = p.doc_text;
     if (!p.unit_text.empty() && p.unit_text != "1") {
-        text += " Unit: " + p.unit_text + ".";
+        text += " Unit: " + p.unit_text + (is_length(p) ? ", or as a text with another: 10mm, 1cm, 0.4in." : ".");
     }
     return p.source_text.empty() ? text : text + " Default from: " + p.source_text + ".";
+}
+
+/// What the text of a length with a unit looks like; its bounds only foam checks.
+std::string length_pattern(const Parameter& p) {
+    return fmt::format("^{}([0-9]+([.][0-9]*)?|[.][0-9]+)([eE][-+]?[0-9]+)? ?({})$",
+                       p.low && *p.low >= 0 ? "[+]?" : "[-+]?", fmt::join(length_units(), "|"));
 }
 
 Json schema_of(const Parameter& p) {
@@ -50,6 +58,10 @@ Json schema_of(const Parameter& p) {
         break;
     case Parameter::Type::number:
         schema["type"] = "number";
+        if (is_length(p)) {
+            schema["type"] = {"number", "string"};
+            schema["pattern"] = length_pattern(p);
+        }
         break;
     case Parameter::Type::text:
         schema["type"] = "string";

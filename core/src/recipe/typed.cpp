@@ -1,5 +1,10 @@
 #include "typed.hpp"
 
+#include "format.hpp"
+
+#include <foam/host/length.hpp>
+#include <foam/text.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,6 +34,9 @@ std::string number_remedy(const Value& value, const Parameter& p) {
     }
     if (is_numeric(plain_scalar(bare, value.where))) {
         return fmt::format("; remedy: write {}", bare);
+    }
+    if (is_length(p)) { // out of its bounds, or none
+        return parse_length(value.text) ? "" : fmt::format("; remedy: write {}", length_forms());
     }
     const std::size_t end = bare.find_first_not_of("0123456789.+-");
     if (end != 0 && end != std::string::npos && is_numeric(plain_scalar(bare.substr(0, end), value.where))) {
@@ -87,6 +95,10 @@ std::optional<ParameterValue> convert(const Value& value, const Parameter& p) {
     case Parameter::Type::number:
         if (value.is(Value::Kind::integer)) {
             return static_cast<double>(value.whole);
+        }
+        if (value.is(Value::Kind::text) && is_length(p) && !parse_number(value.text)) {
+            const std::optional<double> metres = parse_length(value.text);
+            return metres ? std::optional<ParameterValue>(*metres) : std::nullopt;
         }
         return value.is(Value::Kind::number) && std::isfinite(value.real) ? std::optional<ParameterValue>(value.real)
                                                                           : std::nullopt;

@@ -13,7 +13,9 @@
 namespace foam::reading {
 
 /// `value` as the declared type, within its bounds; nothing after a finding. An integral number ("1e3") is an integer
-/// where one is wanted, an integer is a number where one is wanted. `owner`: "budget", "simplify.quadric", or empty.
+/// where one is wanted, an integer is a number where one is wanted, and a number of unit m may be a text with another
+/// unit
+/// ("10mm"). `owner`: "budget", "simplify.quadric", or empty.
 std::optional<ParameterValue> read_value(const Value& value, const Parameter& declared, std::string_view owner,
                                          Findings& findings);
 

@@ -148,6 +148,12 @@ private:
     void write_input() {
         if (!recipe_.mesh.empty()) {
             line("mesh: {}", yaml_list(references(recipe_.mesh)));
+            if (recipe_.mesh_unit.unit) {
+                line("unit: {}", *recipe_.mesh_unit.unit);
+            }
+            if (recipe_.mesh_unit.scale != 1) {
+                line("scale: {}", to_text(recipe_.mesh_unit.scale));
+            }
         } else {
             line("robot: {{urdf: {}}}", yaml_list(references(recipe_.urdf)));
         }

@@ -1,6 +1,7 @@
 #include "files.hpp"
 
 #include <foam/error.hpp>
+#include <foam/file.hpp>
 
 #include <fmt/format.h>
 
@@ -9,25 +10,16 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 
 namespace foam {
 namespace fs = std::filesystem;
 
-std::string read_file(const fs::path& file) {
-    std::error_code error;
-    if (fs::is_directory(file, error)) {
-        throw Error(ErrorCode::input, fmt::format("{}: this is a folder, a file is needed", file.string()));
+std::string read_file(const fs::path& file, std::uintmax_t most, std::string_view if_too_large) {
+    FileContents contents = read_regular_file(file, most, if_too_large);
+    if (!contents.problem.empty()) {
+        throw Error(ErrorCode::input, fmt::format("{}: {}", file.string(), contents.why_not()));
     }
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) {
-        throw Error(ErrorCode::input, fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
-    }
-    std::string bytes(std::istreambuf_iterator<char>(stream), {});
-    if (stream.bad()) {
-        throw Error(ErrorCode::input, fmt::format("{}: reading broke off: {}", file.string(), std::strerror(errno)));
-    }
-    return bytes;
+    return std::move(contents.bytes);
 }
 
 void write_file(const fs::path& file, std::string_view bytes) {

@@ -3,6 +3,7 @@
 #include "files.hpp"
 
 #include <foam/host/markup.hpp>
+#include <foam/text.hpp>
 
 #include <fmt/format.h>
 
@@ -27,27 +28,28 @@ ResourceResolver resolver_of(const Recipe& recipe) {
 }
 
 /// A robot of one link whose collision geometry is the mesh.
-Robot robot_of_mesh(const fs::path& file, const std::string& reference) {
+Robot robot_of_mesh(const fs::path& file, const std::string& reference, double scale) {
     Robot robot;
     robot.name = file.stem().string();
     robot.root = robot.name;
     robot.file = file;
+    const std::string scaled = scale == 1 ? "" : fmt::format(" scale=\"{0} {0} {0}\"", number_text(scale));
     robot.source = fmt::format("<?xml version=\"1.0\"?>\n"
                                "<robot name=\"{0}\">\n"
                                "  <link name=\"{0}\">\n"
                                "    <visual>\n"
-                               "      <geometry><mesh filename=\"{1}\"/></geometry>\n"
+                               "      <geometry><mesh filename=\"{1}\"{2}/></geometry>\n"
                                "    </visual>\n"
                                "    <collision>\n"
-                               "      <geometry><mesh filename=\"{1}\"/></geometry>\n"
+                               "      <geometry><mesh filename=\"{1}\"{2}/></geometry>\n"
                                "    </collision>\n"
                                "  </link>\n"
                                "</robot>\n",
-                               markup_escaped(robot.name), markup_escaped(reference));
+                               markup_escaped(robot.name), markup_escaped(reference), scaled);
     Link link;
     link.name = robot.name;
     GeometryElement element;
-    element.geometry = MeshReference{reference, file, {1, 1, 1}};
+    element.geometry = MeshReference{reference, file, {scale, scale, scale}};
     link.collisions = {element};
     link.visuals = {element};
     robot.links = {link};
@@ -65,7 +67,27 @@ std::string extension_of(const fs::path& file) {
     return extension.empty() ? "" : extension.substr(1);
 }
 
+/// The value of a loader's parameter max_bytes; nothing if it has none.
+std::optional<std::int64_t> max_bytes(const Recipe& recipe, const RegisteredStage& loader) {
+    const auto given = recipe.loader_parameters(loader.info.name);
+    for (const Parameter& parameter : loader.info.parameters) {
+        if (parameter.name == "max_bytes" && parameter.type == Parameter::Type::integer) {
+            const auto value = given.find(parameter.name);
+            return std::get<std::int64_t>(value == given.end() ? parameter.default_value : value->second);
+        }
+    }
+    return std::nullopt;
+}
+
 } // namespace
+
+std::string read_mesh_file(const Workspace& workspace, const fs::path& file) {
+    const RegisteredStage* loader = workspace.registry.find_for_extension(StageKind::mesh_loader, extension_of(file));
+    const auto limit = loader ? max_bytes(workspace.recipe, *loader) : std::nullopt;
+    return limit ? read_file(file, static_cast<std::uintmax_t>(*limit),
+                             fmt::format("simplify the mesh, or raise max_bytes of {}", loader->info.name))
+                 : read_file(file);
+}
 
 ResolvedResource resolve_input(const Recipe& recipe, std::string* chosen) {
     const ResourceResolver resolver = resolver_of(recipe);
@@ -84,7 +106,8 @@ ResolvedResource resolve_input(const Recipe& recipe, std::string* chosen) {
     std::string message = recipe.input_where.file.empty() ? "" : recipe.input_where.text() + ": ";
     message += fmt::format("none of the inputs [{}] exists. Looked at:", fmt::join(candidates, ", "));
     for (const fs::path& place : all.tried) {
-        message += "\n  " + place.string();
+        std::error_code error;
+        message += "\n  " + place.string() + (fs::exists(place, error) ? " (it is no regular file)" : "");
     }
     message += "\nremedy: correct the path, or set FOAM_PACKAGE_PATH to the folder that holds the package";
     throw Error(ErrorCode::input, message);
@@ -93,12 +116,19 @@ ResolvedResource resolve_input(const Recipe& recipe, std::string* chosen) {
 Input load_input(const Workspace& workspace) {
     Input input;
     input.file = resolve_input(workspace.recipe, &input.chosen).path;
-    const std::string text = read_file(input.file);
+    const bool mesh = workspace.recipe.urdf.empty();
+    if (const std::string why = why_refused(workspace.recipe.mesh_unit, input.file,
+                                            mesh ? InputKind::mesh : InputKind::robot, workspace.registry);
+        !why.empty()) {
+        throw Error(ErrorCode::usage, why);
+    }
+    const std::string text = mesh ? read_mesh_file(workspace, input.file) : read_file(input.file, most_robot_bytes);
     input.digest = digest_of(text);
     input.bytes = text.size();
     input.report.input = input.file.filename().string();
-    if (workspace.recipe.urdf.empty()) {
-        input.robot = std::make_shared<const Robot>(robot_of_mesh(input.file, portable_reference(input)));
+    if (mesh) {
+        input.robot = std::make_shared<const Robot>(
+            robot_of_mesh(input.file, portable_reference(input), workspace.recipe.mesh_unit.factor()));
         input.report.output = digest_of_content(*input.robot);
         return input;
     }

@@ -19,6 +19,9 @@ struct Input {
     StageReport report;                 ///< of the loader; its stage is empty for a single mesh
 };
 
+/// The bytes of a mesh file; of no more than its loader takes by its parameter max_bytes. Throws Error(input).
+std::string read_mesh_file(const Workspace& workspace, const std::filesystem::path& file);
+
 /// Takes the first candidate that resolves. Throws Error(input) naming every place tried, or what is wrong with the
 /// file.
 Input load_input(const Workspace& workspace);

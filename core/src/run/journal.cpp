@@ -12,6 +12,8 @@ const char* to_string(Event::Kind kind) {
     switch (kind) {
     case Event::Kind::run_started:
         return "run_started";
+    case Event::Kind::input_loaded:
+        return "input_loaded";
     case Event::Kind::task_started:
         return "task_started";
     case Event::Kind::task_finished:

@@ -82,6 +82,9 @@ template <class T> Json to_json(const std::vector<T>& list);
 
 Json to_json(const OutputFile& output) {
     Json json{{"file", output.file}, {"digest", output.digest}, {"bytes", output.bytes}};
+    if (!output.portable_digest.empty()) {
+        json["portable_digest"] = output.portable_digest;
+    }
     if (!output.stage.empty()) {
         json["stage"] = output.stage;
         json["proofs"] = to_json(output.proofs);

@@ -63,16 +63,24 @@ std::vector<OutputFile> write_outputs(const Workspace& workspace, const Finished
     parallel_for(files.size(), [&](std::size_t i) {
         const OutputCall& output = workspace.recipe.outputs[i];
         StageReport report;
-        std::vector<WrittenProof> proofs;
+        OutputFile& file = files[i];
         const std::string bytes =
             run_stage(workspace, output.writer.stage, "", output.file, output.file, report, [&](Context& context) {
                 const auto writer = workspace.registry.make<Writer>(output.writer.stage, output.writer.given);
-                std::string text = writer->write(finished.model, context);
-                proofs = check_written(workspace, finished, output, text, *writer);
+                SphereModel model = finished.model;
+                model.folder = (directory.target() / output.file).parent_path();
+                std::string text = writer->write(model, context);
+                file.proofs = check_written(workspace, finished, output, text, *writer);
+                QuietContext quiet;
+                const std::string portable = writer->write(finished.model, quiet);
+                file.portable_digest = portable == text ? "" : digest_of(portable);
                 return text;
             });
         directory.write(output.file, bytes);
-        files[i] = {output.writer.stage, output.file, digest_of(bytes), bytes.size(), std::move(proofs)};
+        file.stage = output.writer.stage;
+        file.file = output.file;
+        file.digest = digest_of(bytes);
+        file.bytes = bytes.size();
     });
     return files;
 }

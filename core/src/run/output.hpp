@@ -23,6 +23,8 @@ struct OutputFile {
     Digest digest;
     std::size_t bytes = 0;
     std::vector<WrittenProof> proofs = {}; ///< of the links for which the guarantee is proved
+    /// Of what the writer gives for no folder, if that is something else: the same wherever the run directory lies.
+    Digest portable_digest = {};
 };
 
 /// Writes every output of the recipe, reads it back as another program would, compares the spheres and runs the

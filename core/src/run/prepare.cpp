@@ -1,7 +1,7 @@
 #include "prepare.hpp"
 
-#include "files.hpp"
 #include "geometry/compared_mesh.hpp"
+#include "input.hpp"
 #include "isolated.hpp"
 
 #include <fmt/format.h>
@@ -94,8 +94,8 @@ std::vector<LoadTask> load_tasks(const std::vector<LinkWork>& links) {
     return tasks;
 }
 
-InputFile input_file(const MeshReference& reference) {
-    const std::string bytes = read_file(reference.path);
+InputFile input_file(const Workspace& workspace, const MeshReference& reference) {
+    const std::string bytes = read_mesh_file(workspace, reference.path);
     return {reference.uri, reference.path, digest_of(bytes), bytes.size()};
 }
 
@@ -111,7 +111,7 @@ void load(const Workspace& workspace, const std::vector<LinkWork>& links, LoadTa
                                 "STL, OBJ, PLY, DAE, OFF or GLB",
                                 link, path.string(), extension));
     }
-    task.file = input_file(task.reference);
+    task.file = input_file(workspace, task.reference);
     task.report.input = task.reference.uri;
     task.mesh = run_stage(workspace, loader->info.name, link, path.string(), task.file.digest, task.report,
                           [&](Context& context) {
@@ -229,8 +229,7 @@ std::vector<LinkWork> load_links(const Workspace& workspace, const Robot& robot,
     return links;
 }
 
-std::vector<LinkWork> prepare_links(const Workspace& workspace, const Robot& robot, std::vector<InputFile>& files) {
-    std::vector<LinkWork> links = load_links(workspace, robot, files);
+void filter_links(const Workspace& workspace, std::vector<LinkWork>& links) {
     std::vector<FilterTask> chains = filter_tasks(workspace, links);
     for (const FilterTask& task : chains) {
         workspace.journal.expect(task.filters.size());
@@ -245,6 +244,11 @@ std::vector<LinkWork> prepare_links(const Workspace& workspace, const Robot& rob
             }
         }
     }
+}
+
+std::vector<LinkWork> prepare_links(const Workspace& workspace, const Robot& robot, std::vector<InputFile>& files) {
+    std::vector<LinkWork> links = load_links(workspace, robot, files);
+    filter_links(workspace, links);
     return links;
 }
 
@@ -252,7 +256,7 @@ std::vector<InputFile> mesh_files(const Workspace& workspace, const Robot& robot
     std::vector<InputFile> files;
     for (const LoadTask& task : load_tasks(links_to_do(workspace, robot))) {
         try {
-            files.push_back(input_file(task.reference));
+            files.push_back(input_file(workspace, task.reference));
         } catch (const Error&) {
             continue; // not among the inputs of a run, either
         }

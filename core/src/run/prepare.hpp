@@ -63,8 +63,11 @@ std::vector<FilterTask> filter_tasks(const Workspace& workspace, std::vector<Lin
 /// What the cache knows the result of a filter on a mesh by.
 Digest filter_key(const Workspace& workspace, const StageCall& filter, const Digest& mesh);
 
-/// One entry for every link with collision geometry, in the robot's order; errors are kept in the entry, except
-/// cancellation, which is thrown. `files`: the mesh files that were read.
+/// Runs the chains of filters on loaded links; errors are kept with them.
+void filter_links(const Workspace& workspace, std::vector<LinkWork>& links);
+
+/// load_links() and filter_links(): one entry for every link with collision geometry, in the robot's order; errors are
+/// kept in the entry, except cancellation, which is thrown. `files`: the mesh files that were read.
 std::vector<LinkWork> prepare_links(const Workspace& workspace, const Robot& robot, std::vector<InputFile>& files);
 
 /// The mesh files that prepare_links() would read, without loading them; those that cannot be read are left out.

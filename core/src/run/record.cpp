@@ -59,7 +59,7 @@ std::vector<Checkpoint> read_files(const Json& list, Record& record) {
     for (const Json& file : list) {
         record.files.push_back({text(file, "file"), text(file, "digest"), file.at("bytes").get<std::size_t>()});
         made.push_back({"", file.contains("stage") ? text(file, "stage") : "debug mesh", text(file, "file"),
-                        text(file, "digest")});
+                        text(file, file.contains("portable_digest") ? "portable_digest" : "digest")});
     }
     return made;
 }

@@ -3,6 +3,7 @@
 
 #include "debug.hpp"
 #include "input.hpp"
+#include "input_size.hpp"
 #include "manifest.hpp"
 #include "report.hpp"
 #include "separation.hpp"
@@ -125,7 +126,10 @@ RunResult run(const Recipe& recipe, const Registry& registry, const RunOptions& 
     journal.emit(Event::Kind::run_started, input.file.string());
 
     RunFiles files{.input = input, .meshes = {}, .outputs = {}, .debug_meshes = {}};
-    std::vector<LinkWork> links = prepare_links(preparing, *input.robot, files.meshes);
+    std::vector<LinkWork> links = load_links(preparing, *input.robot, files.meshes);
+    result.input_size = input_size(*input.robot, links);
+    tell_input_size(preparing, input, links, result.input_size);
+    filter_links(preparing, links);
     if (links.empty()) {
         throw Error(ErrorCode::input,
                     fmt::format("{}: no link has collision geometry: there is nothing to turn into spheres",

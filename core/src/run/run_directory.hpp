@@ -23,6 +23,8 @@ public:
     /// `file` is relative to the folder.
     void write(const std::filesystem::path& file, std::string_view bytes) const;
     void commit();
+    /// Where it will lie, absolute.
+    const std::filesystem::path& target() const { return target_; }
 
 private:
     std::filesystem::path target_, temporary_;

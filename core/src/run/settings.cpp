@@ -77,6 +77,10 @@ Json settings_of(const Recipe& recipe, const Registry& registry) {
         json["stages"].push_back(to_json(filter, registry, true));
     }
     json["stages"].push_back(to_json(recipe.spherizer, registry, true));
+    if (recipe.mesh_unit.given()) {
+        json["unit"] = recipe.mesh_unit.unit.value_or("m");
+        json["scale"] = recipe.mesh_unit.scale;
+    }
     json["per"] = recipe.per_link ? "link" : "collision";
     json["budget"] = Json::object();
     if (recipe.budget_spheres) {

@@ -133,7 +133,7 @@ Pairs read_yaml_ignores(const std::string& text, const std::string& file) {
 } // namespace
 
 std::vector<IgnoredPair> read_ignored_pairs(const std::filesystem::path& file) {
-    const std::string text = read_file(file);
+    const std::string text = read_file(file, most_robot_bytes);
     const std::size_t begin = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
     const bool xml = begin != text.npos && text[begin] == '<';
     std::vector<IgnoredPair> result;

@@ -45,7 +45,7 @@ CollisionModel load_robot(const std::filesystem::path& urdf, const Registry& reg
     CollisionModel model;
     model.robot = std::make_shared<const Robot>(
         registry.make<RobotLoader>(stage->info.name)
-            ->load(read_file(urdf), urdf, ResourceResolver::from_environment(), listener));
+            ->load(read_file(urdf, most_robot_bytes), urdf, ResourceResolver::from_environment(), listener));
     model.notes = std::move(listener.warnings);
     model.spheres.resize(model.robot->links.size());
     model.sources.resize(model.robot->links.size(), CollisionModel::Source::none);

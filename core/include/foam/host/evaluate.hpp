@@ -1,6 +1,7 @@
 // Sphere models judged against the geometry that they stand for: anybody's model of a robot or a mesh.
 #pragma once
 
+#include <foam/host/mesh_unit.hpp>
 #include <foam/host/sphere_file.hpp>
 #include <foam/measure.hpp>
 #include <foam/robot.hpp>
@@ -43,9 +44,10 @@ private:
 };
 
 /// Reads a URDF, or a mesh if a mesh loader takes the file's ending. `links`: globs of those to read; none: all. Throws
-/// Error(input) if the file or a mesh of it cannot be read, if nothing is left to judge, or a glob names no link.
+/// Error(input) if the file or a mesh of it cannot be read, if nothing is left to judge, or a glob names no link;
+/// Error(usage) for a unit of a file that has its own.
 Original load_original(const std::filesystem::path& file, const Registry& registry,
-                       const std::vector<std::string>& links = {});
+                       const std::vector<std::string>& links = {}, const MeshUnit& unit = {});
 
 /// Old and new beginning of link names: a link called `first` is called `second`; of the others those that begin with
 /// `first` begin with `second` instead. "" stands for the link of a format that names none.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <foam/host/clip_plane.hpp>
+#include <foam/host/mesh_unit.hpp>
 #include <foam/host/registry.hpp>
 #include <foam/robot.hpp>
 #include <foam/sphere.hpp>
@@ -91,6 +92,7 @@ struct Recipe {
     /// Candidates, the first that resolves is taken. Either robots (URDF) or single meshes.
     std::vector<std::string> urdf;
     std::vector<std::string> mesh;
+    MeshUnit mesh_unit; ///< of single meshes
     Location input_where;
     std::vector<std::string> package_path; ///< searched before the environment; relative to the recipe
     std::vector<std::string> plugins;      ///< files to load; relative to the recipe

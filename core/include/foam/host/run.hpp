@@ -18,7 +18,7 @@ namespace foam {
 
 /// Something that happened; delivered one at a time, from any thread.
 struct Event {
-    enum class Kind { run_started, task_started, task_finished, progress, finding, run_finished };
+    enum class Kind { run_started, input_loaded, task_started, task_finished, progress, finding, run_finished };
     Kind kind = Kind::progress;
     std::string link; ///< empty: the whole run
     std::string stage;
@@ -27,7 +27,7 @@ struct Event {
     bool cached = false; ///< task_finished: taken from the cache
     double done = 0;     ///< share of the whole run that is done, 0 to 1
     Severity severity = Severity::info;
-    std::string message; ///< finding
+    std::string message; ///< finding; run_started: the input's file; input_loaded: its size
 };
 
 class Observer {
@@ -87,6 +87,13 @@ struct LinkReport {
     std::string error;            ///< why it was lost; empty if it was not
 };
 
+/// How large a run's input is.
+struct InputSize {
+    Box box;                   ///< m; of all collision geometry that is read, a robot's in the reference pose
+    std::size_t links = 0;     ///< with collision geometry
+    std::size_t triangles = 0; ///< of their meshes
+};
+
 /// What ended the search for better spheres before its time.
 enum class Cut { none, time_limit, stop };
 /// As manifests write it: "time limit", "stop"; empty for none.
@@ -96,6 +103,7 @@ struct RunResult {
     SphereModel model;
     std::string input; ///< the candidate that was taken, as written
     std::filesystem::path input_file;
+    InputSize input_size;
     std::vector<LinkReport> links;
     std::vector<Finding> findings;
     std::vector<std::filesystem::path> files; ///< written, relative to the run directory
