@@ -10,6 +10,10 @@ namespace {
 /// Pieces smaller than this share of the extent are not split: they count as needed whole.
 constexpr double smallest_piece = 1e-8;
 
+/// What is left open of a needle or a flat face may border on another ball along a whole curve, and take any number of
+/// pieces: then the ball stays as it is.
+constexpr std::size_t looks_a_triangle = 20, least_looks = 20'000;
+
 /// Branch and bound over the pieces that no other ball holds, the farthest first: only those are split that reach
 /// farther than the need.
 ///
@@ -26,7 +30,11 @@ public:
             }
         }
         std::make_heap(queue_.begin(), queue_.end());
-        while (!queue_.empty() && queue_.front().far > need_) {
+        const std::size_t most_looks = least_looks + looks_a_triangle * balls_.piece_count();
+        for (std::size_t looks = 0; !queue_.empty() && queue_.front().far > need_; ++looks) {
+            if (looks == most_looks) {
+                return limit_;
+            }
             std::pop_heap(queue_.begin(), queue_.end());
             const Entry next = queue_.back();
             queue_.pop_back();
