@@ -78,7 +78,8 @@ Columns::Columns(const Shape& shape, const Frame& frame, std::size_t count) {
     if (!solid.closed()) {
         count = std::min<std::size_t>(count, 400);
     }
-    const double least = 1.0 / static_cast<double>(count); // of a needle: no more than `count` columns in a row
+    // Balls about a needle reach far beyond its box: they would meet any number of columns as narrow as it.
+    const double least = std::max(1.0 / static_cast<double>(count), 1.0 / 400);
     step_ = std::sqrt(std::max(size.x, least) * std::max(size.y, least) / static_cast<double>(count));
     nx_ = std::max(1L, static_cast<long>(std::ceil(size.x / step_)));
     ny_ = std::max(1L, static_cast<long>(std::ceil(size.y / step_)));

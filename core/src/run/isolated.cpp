@@ -3,6 +3,7 @@
 #include "bytes.hpp"
 #include "call.hpp"
 #include "child.hpp"
+#include "own_frame.hpp"
 
 #include <foam/host/isolation.hpp>
 
@@ -152,24 +153,7 @@ Mesh mesh_from(const std::string& bytes) {
     return mesh;
 }
 
-} // namespace
-
-Mesh call_loader(const Workspace& workspace, const std::string& stage, const std::filesystem::path& file,
-                 Context& context) {
-    const Isolation& isolation = workspace.recipe.isolation;
-    const auto given = workspace.recipe.loader_parameters(stage);
-    if (!is_isolated(isolation)) {
-        return workspace.registry.make<MeshLoader>(stage, given)->load(file, context);
-    }
-    StageRequest request;
-    request.what = StageRequest::What::load;
-    request.stage = stage;
-    request.given = given;
-    request.work = std::filesystem::absolute(file).string();
-    return mesh_from(call_in_child(workspace, std::move(request), isolation, context));
-}
-
-Mesh call_filter(const Workspace& workspace, const StageCall& call, const Mesh& mesh, Context& context) {
+Mesh filter_as_is(const Workspace& workspace, const StageCall& call, const Mesh& mesh, Context& context) {
     if (!is_isolated(call.isolation)) {
         return workspace.registry.make<MeshFilter>(call.stage, call.given)->apply(mesh, context);
     }
@@ -181,7 +165,7 @@ Mesh call_filter(const Workspace& workspace, const StageCall& call, const Mesh& 
     return mesh_from(call_in_child(workspace, std::move(request), call.isolation, context));
 }
 
-std::vector<SphereTree> call_spherizer(const Workspace& workspace, const StageCall& call,
+std::vector<SphereTree> spherize_as_is(const Workspace& workspace, const StageCall& call,
                                        std::unique_ptr<Spherizer>& stage, const Shape& shape,
                                        std::span<const Budget> budgets, Context& context) {
     if (!is_isolated(call.isolation)) {
@@ -203,6 +187,49 @@ std::vector<SphereTree> call_spherizer(const Workspace& workspace, const StageCa
     }
     if (!in.good() || !in.at_end()) {
         fail_damaged();
+    }
+    return trees;
+}
+
+} // namespace
+
+Mesh call_loader(const Workspace& workspace, const std::string& stage, const std::filesystem::path& file,
+                 Context& context) {
+    const Isolation& isolation = workspace.recipe.isolation;
+    const auto given = workspace.recipe.loader_parameters(stage);
+    if (!is_isolated(isolation)) {
+        return workspace.registry.make<MeshLoader>(stage, given)->load(file, context);
+    }
+    StageRequest request;
+    request.what = StageRequest::What::load;
+    request.stage = stage;
+    request.given = given;
+    request.work = std::filesystem::absolute(file).string();
+    return mesh_from(call_in_child(workspace, std::move(request), isolation, context));
+}
+
+Mesh call_filter(const Workspace& workspace, const StageCall& call, const Mesh& mesh, Context& context) {
+    const geometry::OwnFrame frame = frame_for_stage(geometry::own_frame(mesh), call, workspace.registry);
+    if (frame.is_given()) {
+        return filter_as_is(workspace, call, mesh, context);
+    }
+    FrameContext framed(context, frame);
+    return frame.from_own(
+        filter_as_is(workspace, call_in_frame(call, frame, workspace.registry), frame.to_own(mesh), framed));
+}
+
+std::vector<SphereTree> call_spherizer(const Workspace& workspace, const StageCall& call,
+                                       std::unique_ptr<Spherizer>& stage, const Shape& shape,
+                                       const geometry::OwnFrame& frame, std::span<const Budget> budgets,
+                                       Context& context) {
+    if (frame.is_given()) {
+        return spherize_as_is(workspace, call, stage, shape, budgets, context);
+    }
+    FrameContext framed(context, frame);
+    std::vector<SphereTree> trees = spherize_as_is(workspace, call_in_frame(call, frame, workspace.registry), stage,
+                                                   shape, budgets_in_frame(budgets, frame), framed);
+    for (SphereTree& tree : trees) {
+        tree = frame.from_own(std::move(tree));
     }
     return trees;
 }

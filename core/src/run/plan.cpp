@@ -24,7 +24,7 @@ PlannedStage planned(const StageCall& call, const Registry& registry) {
 std::size_t cached_filters(const Workspace& workspace, const FilterTask& task) {
     std::shared_ptr<const Mesh> mesh = task.mesh;
     for (std::size_t i = 0; i < task.filters.size(); ++i) {
-        auto cached = workspace.cache.mesh(filter_key(workspace, task.filters[i], digest_of_content(*mesh)));
+        auto cached = workspace.cache.mesh(filter_key(workspace, task.filters[i], *mesh, digest_of_content(*mesh)));
         if (!cached) {
             return i;
         }

@@ -3,6 +3,7 @@
 #include "geometry/compared_mesh.hpp"
 #include "input.hpp"
 #include "isolated.hpp"
+#include "own_frame.hpp"
 
 #include <fmt/format.h>
 
@@ -136,7 +137,7 @@ void filter(const Workspace& workspace, const std::vector<LinkWork>& links, Filt
     std::optional<geometry::ComparedMesh> before(*mesh);
     for (const StageCall& call : task.filters) {
         const Digest content = digest_of_content(*mesh);
-        const Digest key = filter_key(workspace, call, content);
+        const Digest key = filter_key(workspace, call, *mesh, content);
         StageReport& report = task.reports.emplace_back();
         report.input = input;
         if (auto cached = workspace.cache.mesh(key)) {
@@ -204,8 +205,13 @@ std::vector<FilterTask> filter_tasks(const Workspace& workspace, std::vector<Lin
     return tasks;
 }
 
-Digest filter_key(const Workspace& workspace, const StageCall& filter, const Digest& mesh) {
-    return Hasher().add("filter").add(filter, workspace.registry).add(workspace.recipe.seed).add(mesh).finish();
+Digest filter_key(const Workspace& workspace, const StageCall& filter, const Mesh& mesh, const Digest& content) {
+    Hasher hasher;
+    hasher.add("filter").add(filter, workspace.registry).add(workspace.recipe.seed).add(content);
+    if (const geometry::OwnFrame frame = geometry::own_frame(mesh); !frame.is_given()) {
+        hasher.add("frame").add(frame.origin).add(frame.scale()).add(frame.dust);
+    }
+    return hasher.finish();
 }
 
 std::vector<LinkWork> load_links(const Workspace& workspace, const Robot& robot, std::vector<InputFile>& files) {
@@ -224,6 +230,16 @@ std::vector<LinkWork> load_links(const Workspace& workspace, const Robot& robot,
             if (task.error && !links[l].error) {
                 links[l].error.emplace(*task.error);
             }
+        }
+    }
+    for (LinkWork& link : links) {
+        if (link.error) {
+            continue;
+        }
+        try {
+            require_workable(robot, link);
+        } catch (const Error& error) {
+            link.error.emplace(error);
         }
     }
     return links;

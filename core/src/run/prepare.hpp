@@ -60,8 +60,8 @@ struct FilterTask {
 std::vector<LinkWork> load_links(const Workspace& workspace, const Robot& robot, std::vector<InputFile>& files);
 /// The distinct chains of filters that loaded links need; gives elements their digests.
 std::vector<FilterTask> filter_tasks(const Workspace& workspace, std::vector<LinkWork>& links);
-/// What the cache knows the result of a filter on a mesh by.
-Digest filter_key(const Workspace& workspace, const StageCall& filter, const Digest& mesh);
+/// What the cache knows the result of a filter on a mesh by. `content`: the mesh's digest.
+Digest filter_key(const Workspace& workspace, const StageCall& filter, const Mesh& mesh, const Digest& content);
 
 /// Runs the chains of filters on loaded links; errors are kept with them.
 void filter_links(const Workspace& workspace, std::vector<LinkWork>& links);

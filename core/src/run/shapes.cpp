@@ -2,6 +2,7 @@
 
 #include "clip.hpp"
 #include "isolated.hpp"
+#include "own_frame.hpp"
 
 #include <algorithm>
 
@@ -54,6 +55,19 @@ static bool original_only(const Workspace& workspace, const StageCall& spherizer
     return stage && stage->info.original_only;
 }
 
+/// In which the spherizer gets the group's shape.
+static geometry::OwnFrame frame_of(const Workspace& workspace, const Group& group, const LinkWork& link) {
+    Box whole;
+    bool dusty = false;
+    for (const std::size_t e : group.elements) {
+        const Element& element = link.elements[e];
+        whole.add(posed(bounds_of(element), relative_pose(group, link, e)));
+        dusty = dusty || (element.raw && geometry::may_have_dust(*element.raw)) ||
+                (!element.filtered.empty() && geometry::may_have_dust(*element.processed()));
+    }
+    return frame_for_stage(geometry::own_frame(whole, dusty), link.recipe.spherizer, workspace.registry);
+}
+
 /// Not how the processed mesh came about: what is drawn at random stays when a filter or a parameter changes nothing.
 static Digest content_of(const Workspace& workspace, const Group& group, const LinkWork& link) {
     const bool raw_only = original_only(workspace, link.recipe.spherizer);
@@ -100,6 +114,10 @@ std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::ve
         for (const ClipPlane& plane : planes) {
             hasher.add("clip").add(plane.normal).add(plane.offset).add(plane.reach);
         }
+        const geometry::OwnFrame frame = frame_of(workspace, groups[g], link);
+        if (!frame.is_given()) {
+            hasher.add("frame").add(frame.origin).add(frame.scale()).add(frame.dust);
+        }
         const Digest digest =
             hasher.finish(); // what a spherizer makes of it does not depend on the bounds of the count
         hasher.add(static_cast<std::uint64_t>(link.recipe.min_spheres));
@@ -120,6 +138,7 @@ std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::ve
             work.most = std::max(work.least, link.recipe.max_spheres.value_or(SIZE_MAX));
             work.max_protrusion = link.recipe.max_protrusion;
             work.clip = planes;
+            work.frame = frame;
         }
         groups[g].shape = it->second;
         shapes[it->second].groups.push_back(g);
@@ -144,6 +163,9 @@ void build_shape(const Workspace& workspace, const std::vector<LinkWork>& links,
     require_within(*work.original, group.frame, link.recipe.clip);
     work.shape =
         std::make_unique<Shape>(work.link, filtered ? Solid::make(std::move(processed)) : work.original, work.original);
+    if (!work.frame.is_given()) {
+        work.own = std::make_unique<Shape>(work.frame.to_own(*work.shape));
+    }
 }
 
 } // namespace foam

@@ -5,6 +5,8 @@
 #include "objective.hpp"
 #include "spherize.hpp"
 
+#include "geometry/own_frame.hpp"
+
 #include <map>
 #include <memory>
 #include <optional>
@@ -24,6 +26,8 @@ struct KnownTrees {
 /// A distinct shape and what is known of it.
 struct ShapeWork {
     std::unique_ptr<Shape> shape;
+    geometry::OwnFrame frame;              ///< in which the spherizer gets it
+    std::unique_ptr<Shape> own;            ///< the shape in that frame, unless it is the given one
     std::shared_ptr<const Solid> original; ///< of the shape
     StageCall spherizer;
     std::unique_ptr<Spherizer> stage; ///< of that call, once it was made; unless it is isolated

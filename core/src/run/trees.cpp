@@ -102,7 +102,8 @@ std::vector<SphereTree> run_spherizer(const Workspace& workspace, ShapeWork& wor
     return run_stage(
         workspace, work.spherizer.stage, work.link, work.input, work.content, work.report, [&](StageContext& context) {
             std::vector<SphereTree> made =
-                call_spherizer(workspace, work.spherizer, work.stage, *work.shape, budgets, context);
+                call_spherizer(workspace, work.spherizer, work.stage, work.own ? *work.own : *work.shape, work.frame,
+                               budgets, context);
             if (made.size() != budgets.size()) {
                 throw Error(ErrorCode::plugin, fmt::format("the spherizer broke its contract: {} trees for {} budgets",
                                                            made.size(), budgets.size()));
