@@ -65,7 +65,7 @@ bool object(const Link& link, const std::vector<Ball>& balls, bool inner) {
 
 int judge_files(const Arguments& arguments) {
     const std::vector<Link> links = read_original(arguments.original);
-    const auto spheres = read_spheres(arguments.spheres);
+    const auto spheres = read_spheres(arguments.spheres, arguments.without);
     std::size_t judged = 0, objections = 0, balls = 0;
     for (const Link& link : links) {
         if (!arguments.without.contains(link.name)) {

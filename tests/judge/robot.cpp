@@ -152,10 +152,10 @@ Part part_of(const Element& collision, const fs::path& folder) {
     return round_part(shape, place);
 }
 
-std::vector<Link> read_urdf(const fs::path& file) {
+std::vector<Link> read_urdf(const fs::path& file, const std::set<std::string>& without = {}) {
     std::vector<Link> links;
     for (const Element& element : parse_xml(bytes_of(file)).children) {
-        if (element.name != "link") {
+        if (element.name != "link" || without.contains(element.attribute("name"))) {
             continue;
         }
         Link link{element.attribute("name"), {}};
@@ -224,12 +224,12 @@ std::vector<Link> read_original(const fs::path& file) {
     return is_mesh(file) ? std::vector<Link>{{"", {placed(read_triangles(file), {}, {1, 1, 1})}}} : read_urdf(file);
 }
 
-std::map<std::string, std::vector<Ball>> read_spheres(const fs::path& file) {
+std::map<std::string, std::vector<Ball>> read_spheres(const fs::path& file, const std::set<std::string>& without) {
     if (file.extension() == ".csv") {
         return read_csv(file);
     }
     std::map<std::string, std::vector<Ball>> spheres;
-    for (const Link& link : read_urdf(file)) {
+    for (const Link& link : read_urdf(file, without)) {
         for (const Part& part : link.parts) {
             if (part.kind != Part::Kind::sphere) {
                 throw std::runtime_error(file.string() + ": link '" + link.name + "' has geometry that is no sphere");

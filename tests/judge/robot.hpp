@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,9 @@ struct Link {
 /// The links with collision geometry of a URDF, or a mesh as one link called "". Throws std::runtime_error.
 std::vector<Link> read_original(const std::filesystem::path& file);
 
-/// Spheres by link: of a URDF, whose collision elements must all be spheres, or of a CSV with the columns link, x, y, z
-/// and radius. Throws std::runtime_error.
-std::map<std::string, std::vector<Ball>> read_spheres(const std::filesystem::path& file);
+/// Spheres by link: of a URDF, whose collision elements must all be spheres but for the links `without`, or of a CSV
+/// with the columns link, x, y, z and radius. Throws std::runtime_error.
+std::map<std::string, std::vector<Ball>> read_spheres(const std::filesystem::path& file,
+                                                      const std::set<std::string>& without = {});
 
 } // namespace judge
