@@ -50,7 +50,7 @@ Case make_case(std::uint64_t seed, const Registry& registry) {
         made.files[made.input] = mesh_file(random_mesh(dice, dice.chance(0.3)), format);
     }
     input.file = made.input;
-    made.files["recipe.yaml"] = random_recipe(dice, registry, input);
+    made.files["recipe.yaml"] = random_recipe(derive_seed(seed, "recipe"), registry, input);
     made.threads = dice.chance(0.8) ? 1 : 2;
     made.cached = dice.chance(0.2);
     made.numbers_as_asked = dice.chance(0.03);

@@ -50,8 +50,8 @@ std::string random_value(Dice& dice, const Parameter& parameter) {
 
 class Writer {
 public:
-    Writer(Dice& dice, const Registry& registry, const RecipeInput& input)
-        : dice_(dice), registry_(registry), input_(input) {}
+    Writer(std::uint64_t seed, const Registry& registry, const RecipeInput& input)
+        : seed_(seed), dice_(seed), registry_(registry), input_(input) {}
 
     std::string recipe() {
         text_ = "foam: 1\nname: case\n";
@@ -79,6 +79,7 @@ public:
     }
 
 private:
+    /// Of that kind, in a random order that a further stage leaves as it is.
     std::vector<std::string> stages_of(StageKind kind) const {
         std::vector<std::string> names;
         for (const auto& [name, stage] : registry_.stages()) {
@@ -86,16 +87,19 @@ private:
                 names.push_back(name);
             }
         }
+        std::sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
+            return derive_seed(seed_, a) < derive_seed(seed_, b);
+        });
         return names;
     }
 
-    /// "{name: value, …}", each parameter with the given share.
-    std::string parameters(const std::string& stage, double share, const std::string& more = "") {
-        std::string text = more;
+    /// "{name: value, …}", each parameter with the given share; `where`: a word for the place.
+    std::string parameters(const std::string& stage, double share, const std::string& where, std::string text = "") {
         for (const Parameter& parameter : registry_.find(stage)->info.parameters) {
-            const bool needed = parameter.name == "most" && !spheres_ && more.empty();
-            if (needed || dice_.chance(share)) {
-                text += (text.empty() ? "" : ", ") + parameter.name + ": " + random_value(dice_, parameter);
+            Dice dice(derive_seed(seed_, where + stage + "." + parameter.name));
+            const bool needed = parameter.name == "most" && !spheres_ && where.empty();
+            if (dice.chance(share) || needed) {
+                text += (text.empty() ? "" : ", ") + parameter.name + ": " + random_value(dice, parameter);
             }
         }
         return "{" + text + "}";
@@ -103,7 +107,7 @@ private:
 
     void loaders() {
         if (dice_.chance(0.05)) {
-            text_ += "loaders: {load.mesh: " + parameters("load.mesh", 0.5) + "}\n";
+            text_ += "loaders: {load.mesh: " + parameters("load.mesh", 0.5, "") + "}\n";
         }
     }
 
@@ -112,15 +116,12 @@ private:
         const std::vector<std::string> filters = stages_of(StageKind::mesh_filter),
                                        spherizers = stages_of(StageKind::spherizer);
         text_ += "stages:\n";
-        for (int k = dice_.chance(0.5) ? 0 : dice_.between(1, 3); k > 0; --k) {
-            const std::string filter = dice_.of(filters);
-            if (std::find(chain_.begin(), chain_.end(), filter) == chain_.end()) {
-                chain_.push_back(filter);
-                text_ += "  - " + filter + ": " + parameters(filter, 0.3) + "\n";
-            }
+        const std::size_t count = dice_.chance(0.5) ? 0 : 1 + dice_.below(3);
+        chain_.assign(filters.begin(), filters.begin() + static_cast<std::ptrdiff_t>(std::min(count, filters.size())));
+        chain_.push_back(spherizers.at(0));
+        for (const std::string& stage : chain_) {
+            text_ += "  - " + stage + ": " + parameters(stage, 0.25, "") + "\n";
         }
-        chain_.push_back(dice_.of(spherizers));
-        text_ += "  - " + chain_.back() + ": " + parameters(chain_.back(), 0.25) + "\n";
     }
 
     void budget() {
@@ -164,9 +165,9 @@ private:
 
     std::vector<std::string> overrides(bool limit) {
         std::vector<std::string> parts;
-        const int least = dice_.between(1, 4);
+        const int least = dice_.between(1, 3);
         if (limit || dice_.chance(0.4)) {
-            parts.push_back("max_spheres: " + std::to_string(dice_.between(least, 12)));
+            parts.push_back("max_spheres: " + std::to_string(dice_.between(3, 12)));
         }
         if (dice_.chance(0.2)) {
             parts.push_back("min_spheres: " + std::to_string(least));
@@ -185,7 +186,7 @@ private:
         }
         if (dice_.chance(0.1)) {
             const std::string stage = dice_.of(chain_);
-            parts.push_back(stage + ": " + parameters(stage, 0.2));
+            parts.push_back(stage + ": " + parameters(stage, 0.2, "links "));
         }
         return parts;
     }
@@ -225,14 +226,13 @@ private:
     }
 
     void outputs() {
-        std::vector<std::string> writers = stages_of(StageKind::writer);
+        const std::vector<std::string> writers = stages_of(StageKind::writer);
         const std::string judged = dice_.of({"write.urdf", "write.urdf", "write.csv"});
         text_ += "outputs:\n  - " + judged + ": {file: case." + registry_.find(judged)->info.extensions.at(0) + "}\n";
-        for (int k = dice_.below(3) == 0 ? dice_.between(1, 2) : 0; k > 0; --k) {
-            const std::string writer = dice_.of(writers);
+        for (std::size_t k = 0; k < std::min(writers.size(), dice_.chance(0.3) ? 1 + dice_.below(2) : 0); ++k) {
             const std::string file =
-                "file: more" + std::to_string(k) + "." + registry_.find(writer)->info.extensions.at(0);
-            text_ += "  - " + writer + ": " + parameters(writer, 0.3, file) + "\n";
+                "file: more" + std::to_string(k) + "." + registry_.find(writers[k])->info.extensions.at(0);
+            text_ += "  - " + writers[k] + ": " + parameters(writers[k], 0.3, "writer ", file) + "\n";
         }
     }
 
@@ -244,7 +244,8 @@ private:
         return text;
     }
 
-    Dice& dice_;
+    std::uint64_t seed_;
+    Dice dice_;
     const Registry& registry_;
     const RecipeInput& input_;
     std::string text_, guarantee_;
@@ -254,8 +255,8 @@ private:
 
 } // namespace
 
-std::string random_recipe(Dice& dice, const Registry& registry, const RecipeInput& input) {
-    return Writer(dice, registry, input).recipe();
+std::string random_recipe(std::uint64_t seed, const Registry& registry, const RecipeInput& input) {
+    return Writer(seed, registry, input).recipe();
 }
 
 } // namespace foam::fuzz

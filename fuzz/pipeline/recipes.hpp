@@ -15,7 +15,8 @@ struct RecipeInput {
 };
 
 /// The text of a recipe that `foam check` finds nothing wrong with. Amounts of work that only cost time (points, cells,
-/// spheres) stay small; all other parameters take any value that their declaration allows.
-std::string random_recipe(Dice& dice, const Registry& registry, const RecipeInput& input);
+/// spheres) stay small; all other parameters take any value that their declaration allows. A seed keeps its meaning, as
+/// far as that goes, when stages and parameters are added: each has a choice of its own.
+std::string random_recipe(std::uint64_t seed, const Registry& registry, const RecipeInput& input);
 
 } // namespace foam::fuzz
