@@ -31,7 +31,7 @@ std::string quoted(const std::string& text) {
     return result + "\"";
 }
 
-Case make_case(std::uint64_t seed, const Registry& registry) {
+Case make_case(std::uint64_t seed, const Registry& registry, bool odd_numbers) {
     Dice dice(derive_seed(seed, "pipeline"));
     Case made;
     made.seed = seed;
@@ -39,7 +39,7 @@ Case make_case(std::uint64_t seed, const Registry& registry) {
     RecipeInput input;
     input.robot = made.robot;
     if (made.robot) {
-        RandomRobot robot = random_robot(dice);
+        RandomRobot robot = random_robot(dice, odd_numbers);
         made.files = std::move(robot.files);
         made.input = "robot.urdf";
         input.links = robot.links;
@@ -47,7 +47,7 @@ Case make_case(std::uint64_t seed, const Registry& registry) {
     } else {
         const std::string format = random_format(dice);
         made.input = "mesh." + ending_of(format);
-        made.files[made.input] = mesh_file(random_mesh(dice, dice.chance(0.3)), format);
+        made.files[made.input] = mesh_file(random_mesh(dice, dice.chance(0.3) && odd_numbers), format);
     }
     input.file = made.input;
     made.files["recipe.yaml"] = random_recipe(derive_seed(seed, "recipe"), registry, input);

@@ -21,8 +21,8 @@ struct Case {
     bool again = false;            ///< run it on another number of threads, too, and compare the bytes
 };
 
-/// The same seed and the same stages give the same case.
-Case make_case(std::uint64_t seed, const Registry& registry);
+/// The same seed and the same stages give the same case. `odd_numbers`: whether some have numbers that no robot has.
+Case make_case(std::uint64_t seed, const Registry& registry, bool odd_numbers = true);
 
 /// Writes its files. Then `foam run FOLDER/recipe.yaml` does what run_case() does.
 void write_case(const Case& made, const std::filesystem::path& folder);

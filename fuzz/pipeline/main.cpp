@@ -1,5 +1,6 @@
 // pipeline_fuzz: random geometry, recipes and options through whole runs; docs/dev/fuzzing.md.
 //   pipeline_fuzz --from SEED --count N [--jobs J] [--limit S] [--memory MIB] [--record FILE]
+//                 [--numbers odd|ordinary]
 //   pipeline_fuzz --seeds FILE         the seeds of a list, one a line, "#" begins a comment
 //   pipeline_fuzz --seed S [--keep DIR]   one case in this process, for debuggers; its files stay in DIR
 // Exit codes: 0 all passed, 1 findings, 2 usage.
@@ -61,6 +62,8 @@ Arguments read_arguments(int count, char** words) {
             arguments.limits.cpu_seconds = std::stod(value);
         } else if (key == "--memory") {
             arguments.limits.memory = number(value);
+        } else if (key == "--numbers" && (value == "odd" || value == "ordinary")) {
+            arguments.limits.odd_numbers = value == "odd";
         } else if (key == "--record") {
             arguments.record = value;
         } else if (key == "--seeds") {
@@ -168,7 +171,7 @@ private:
 bool replay(const Arguments& arguments, foam::Registry& registry) {
     const Scratch scratch;
     const fs::path folder = arguments.keep.empty() ? scratch.path() / "case" : fs::absolute(arguments.keep);
-    const Case made = make_case(*arguments.single, registry);
+    const Case made = make_case(*arguments.single, registry, arguments.limits.odd_numbers);
     write_case(made, folder);
     std::printf("%s\nthreads %zu%s%s%s\n", made.files.at("recipe.yaml").c_str(), made.threads,
                 made.cached ? ", cached" : "", made.numbers_as_asked ? ", numbers as asked" : "",

@@ -229,7 +229,8 @@ private:
         const std::vector<std::string> writers = stages_of(StageKind::writer);
         const std::string judged = dice_.of({"write.urdf", "write.urdf", "write.csv"});
         text_ += "outputs:\n  - " + judged + ": {file: case." + registry_.find(judged)->info.extensions.at(0) + "}\n";
-        for (std::size_t k = 0; k < std::min(writers.size(), dice_.chance(0.3) ? 1 + dice_.below(2) : 0); ++k) {
+        const std::size_t more = dice_.chance(0.3) ? 1 + dice_.below(2) : 0;
+        for (std::size_t k = 0; k < std::min(writers.size(), more); ++k) {
             const std::string file =
                 "file: more" + std::to_string(k) + "." + registry_.find(writers[k])->info.extensions.at(0);
             text_ += "  - " + writers[k] + ": " + parameters(writers[k], 0.3, "writer ", file) + "\n";

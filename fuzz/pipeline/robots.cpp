@@ -67,7 +67,8 @@ double length(Dice& dice, bool odd) {
 
 class Writer {
 public:
-    explicit Writer(Dice& dice) : dice_(dice), odd_(dice.chance(0.2)), odd_names_(dice.chance(0.15)) {}
+    Writer(Dice& dice, bool odd_numbers)
+        : dice_(dice), odd_(dice.chance(0.2) && odd_numbers), odd_names_(dice.chance(0.15)) {}
 
     RandomRobot robot() {
         const int count = dice_.chance(0.5) ? 1 : dice_.between(2, 4);
@@ -192,8 +193,8 @@ private:
 
 } // namespace
 
-RandomRobot random_robot(Dice& dice) {
-    return Writer(dice).robot();
+RandomRobot random_robot(Dice& dice, bool odd_numbers) {
+    return Writer(dice, odd_numbers).robot();
 }
 
 } // namespace foam::fuzz

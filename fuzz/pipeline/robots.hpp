@@ -13,6 +13,6 @@ struct RandomRobot {
 };
 
 /// One to four links of primitives and small meshes, joined to one tree.
-RandomRobot random_robot(Dice& dice);
+RandomRobot random_robot(Dice& dice, bool odd_numbers);
 
 } // namespace foam::fuzz
