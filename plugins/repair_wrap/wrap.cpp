@@ -1,9 +1,14 @@
 // CGAL alone: this file takes long to compile.
 #include "wrap.hpp"
 
+#include <foam/error.hpp>
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/alpha_wrap_3.h>
+
+#include <algorithm>
+#include <string>
 
 namespace foam::repair {
 
@@ -18,6 +23,14 @@ Mesh alpha_wrap(const Mesh& mesh, double alpha, double offset) {
     faces.reserve(mesh.triangles.size());
     for (const auto& [a, b, c] : mesh.triangles) {
         faces.push_back({a, b, c});
+    }
+    // The library leaves out triangles without area, and crashes if none is left.
+    const bool none = std::all_of(faces.begin(), faces.end(), [&](const auto& face) {
+        return CGAL::collinear(points[face[0]], points[face[1]], points[face[2]]);
+    });
+    if (none) {
+        throw Error(ErrorCode::geometry, "all triangles lie on lines or in points (" + std::to_string(faces.size()) +
+                                             " of them): there is no surface to wrap");
     }
     CGAL::Surface_mesh<Kernel::Point_3> wrapped;
     CGAL::alpha_wrap_3(points, faces, alpha, offset, wrapped);

@@ -25,5 +25,17 @@ TEST(Wrap, EnclosesEveryDefect) {
     }
 }
 
+TEST(Wrap, RefusesTrianglesWithoutArea) {
+    if (!registry().find("repair.wrap")) {
+        GTEST_SKIP() << "built without GPL plugins";
+    }
+    const Vec3 along{0.04, 0, 0};
+    Mesh line;
+    line.vertices = {{}, along, -along, 2 * along};
+    line.triangles = {{0, 1, 2}, {1, 2, 3}};
+    EXPECT_EQ(refusal("repair.wrap", line),
+              "all triangles lie on lines or in points (2 of them): there is no surface to wrap");
+}
+
 } // namespace
 } // namespace foam::test

@@ -55,6 +55,16 @@ TEST(Inner, ACubesLargestBall) {
     EXPECT_FALSE(certify_inner(*cube, std::vector<Sphere>{{{nan, 0, 0}, 0.1}}).holds);
 }
 
+TEST(Inner, WhatIsProvedOnceIsProvedAgain) {
+    // Far from the origin the slack is larger than small radii, and has other last digits.
+    const auto cube = Solid::make(box({1, 2, 3}, {1.0001, 2.0001, 3.0001}));
+    Random random(1);
+    for (int k = 0; k < 2'000; ++k) {
+        const double radius = std::pow(10, random.uniform(-12.3, -5));
+        EXPECT_EQ(inner_radius(*cube, {1.00005, 2.00005, 3.00005}, radius), radius);
+    }
+}
+
 TEST(Inner, PrimitivesAreExact) {
     Random random(3);
     for (const auto kind :

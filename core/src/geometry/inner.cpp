@@ -134,8 +134,9 @@ public:
                 radius = std::max(radius, mesh.radius(sphere.center, std::max(least_, radius), most));
             }
         }
-        radius -= slack;
-        return radius > least_ ? std::min(radius, sphere.radius) : 0;
+        // A ball with room for the slack is proved as it is: most - slack may be rounded below it.
+        radius = radius >= most ? sphere.radius : std::min(radius - slack, sphere.radius);
+        return radius > least_ ? radius : 0;
     }
 
 private:
