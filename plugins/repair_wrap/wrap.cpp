@@ -1,11 +1,20 @@
 // CGAL alone: this file takes long to compile.
 #include "wrap.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/alpha_wrap_3.h>
 
 namespace foam::repair {
+namespace {
+
+struct AskingVisitor : CGAL::Alpha_wraps_3::internal::Wrapping_default_visitor {
+    template <class Wrapper, class Gate> void before_facet_treatment(const Wrapper&, const Gate&) { check_cancelled(); }
+};
+
+} // namespace
 
 Mesh alpha_wrap(const Mesh& mesh, double alpha, double offset) {
     using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -20,7 +29,8 @@ Mesh alpha_wrap(const Mesh& mesh, double alpha, double offset) {
         faces.push_back({a, b, c});
     }
     CGAL::Surface_mesh<Kernel::Point_3> wrapped;
-    CGAL::alpha_wrap_3(points, faces, alpha, offset, wrapped);
+    CGAL::alpha_wrap_3(points, faces, alpha, offset, wrapped, CGAL::parameters::default_values(),
+                       CGAL::parameters::visitor(AskingVisitor{}));
     Mesh result;
     result.vertices.reserve(wrapped.number_of_vertices());
     for (const auto vertex : wrapped.vertices()) { // no vertex is removed: their numbers run without gaps

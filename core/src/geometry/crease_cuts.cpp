@@ -1,5 +1,7 @@
 #include "geometry/crease_cuts.hpp"
 
+#include <foam/cancellation.hpp>
+
 namespace foam::geometry {
 
 bool CreaseCuts::Polygon::add(const Polygon& from, std::size_t corner) {
@@ -34,7 +36,9 @@ bool CreaseCuts::cover(const Piece& piece, std::span<const std::uint32_t> candid
                   .curved = piece.curved,
                   .end = candidates.size()};
     waiting_.assign(1, whole);
+    CancellationCounter asking(256);
     while (!waiting_.empty()) {
+        asking.check();
         const Polygon next = waiting_.back();
         waiting_.pop_back();
         indices_.resize(next.end);

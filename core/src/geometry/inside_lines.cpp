@@ -3,6 +3,7 @@
 #include "geometry/line_grid.hpp"
 #include "geometry/solid_data.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/parallel.hpp>
 
 namespace foam::geometry {
@@ -26,6 +27,7 @@ TracedGrids traced(const SolidData& data, std::size_t across, std::string_view s
     }
     parallel_for(grids.size(), [&](std::size_t axis) {
         for (const PartQueries& part : data.queries) {
+            check_cancelled();
             grids[axis].crossings.push_back(part.primitive ? GridCrossings{}
                                                            : GridCrossings(part.mesh(), grids[axis].grid));
         }
@@ -42,6 +44,7 @@ template <class OfLine> Estimate integral(const TracedGrids& grids, OfLine of_li
     parallel_for(rows.size(), [&](std::size_t row) {
         double last = 0;
         for (std::size_t k = 0; k < across; ++k) {
+            check_cancelled();
             const double value = of_line(row, grids[row / across], row % across * across + k);
             rows[row].value += value;
             rows[row].error += k % 2 == 1 ? (value - last) * (value - last) : 0;
@@ -136,6 +139,7 @@ InsideLines::InsideLines(const SolidData& data)
     };
     double exact = 0;
     for (const PartQueries& part : data.queries) {
+        check_cancelled();
         exact += part.volume();
     }
     const Estimate overlaps = integral(
@@ -155,6 +159,7 @@ double InsideLines::outside(std::span<const Sphere> spheres) const {
     std::vector<Sphere> near, nearer;
     Intervals in_balls, pieces;
     for (std::size_t task = 0; task < rows_.size(); ++task) {
+        check_cancelled();
         const Row& row = rows_[task];
         const int axis = static_cast<int>(task / across_), u = (axis + 1) % 3, v = (axis + 2) % 3;
         const double share = size[u] * size[v] / static_cast<double>(across_ * across_) / 3; // each axis is an estimate

@@ -3,6 +3,7 @@
 #include "geometry/intervals.hpp"
 #include "geometry/mesh_part.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/random.hpp>
 
 #include <algorithm>
@@ -129,6 +130,7 @@ void take_beside(const MeshPart& part, const LineGrid& grid, const std::vector<i
     std::vector<Crossing> crossings;
     for (std::size_t line = 0; line < sums.size(); ++line) {
         if (sums[line] != 0) {
+            check_cancelled();
             part.crossings(grid.lines[line].origin(), grid.lines[line].direction(), crossings);
             for (const Crossing& crossing : crossings) {
                 hits.push_back({line, crossing});
@@ -165,7 +167,9 @@ GridCrossings::GridCrossings(const MeshPart& part, const LineGrid& grid) {
     std::vector<Hit> hits;
     std::vector<int> sums(grid.lines.size());
     const Rows rows(grid);
+    CancellationCounter asking(1024);
     part.for_each_closed([&](const Corners& triangle) {
+        asking.check();
         rows.for_each_line_near(triangle, [&](std::size_t line) {
             double t = 0;
             if (const int change = grid.lines[line].cross(triangle, t); change != 0) {

@@ -1,5 +1,6 @@
 #include "geometry/solid_data.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/error.hpp>
 
 #include <tbb/task_arena.h>
@@ -102,6 +103,7 @@ std::shared_ptr<const Solid> Solid::make(std::vector<Part> parts) {
     data->parts = std::move(parts);
     data->offsets.push_back(0);
     for (std::size_t i = 0; i < data->parts.size(); ++i) {
+        check_cancelled();
         add_part(*data, i);
     }
     if (data->surface.triangles.empty()) {
