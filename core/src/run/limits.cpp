@@ -74,8 +74,14 @@ bool Limits::too_late_to_begin() const {
     return time_limit_ && now >= late * *time_limit_ + and_late - std::max(reserve(), least_share_to_finish * and_late);
 }
 
+/// Only a time limit is kept by writing something else than what was found.
+bool Limits::too_late_to_cover() const {
+    const double end = time_limit_ ? late * *time_limit_ + and_late : 0;
+    return time_limit_ && journal_.seconds() >= end - std::max(0.4 * reserve(), least_share_to_finish * end);
+}
+
 Cut Limits::cut(Phase phase) const {
-    if (phase == Phase::finishing) {
+    if (phase == Phase::finishing || phase == Phase::covering) {
         return Cut::none;
     }
     if (is_set(options_.stop)) {
@@ -91,10 +97,12 @@ Cut Limits::cut(Phase phase) const {
 }
 
 bool Limits::ended(Phase phase) const {
-    if (is_set(options_.cancel) || (phase == Phase::beginning ? too_late_to_begin() : cut(phase) != Cut::none)) {
+    if (is_set(options_.cancel) || is_over()) {
         return true;
     }
-    return is_over();
+    return phase == Phase::beginning  ? too_late_to_begin()
+           : phase == Phase::covering ? too_late_to_cover()
+                                      : cut(phase) != Cut::none;
 }
 
 bool Limits::overdue(Phase phase) const {

@@ -20,6 +20,7 @@ enum class Phase {
     preparing,  ///< there is nothing to write yet: a stop cancels the run
     searching,  ///< a stop ends the search for better spheres, a time limit as long before it as finishing may take
     beginning,  ///< the first spheres of a shape, or what they cost: as long as there is time to finish with them
+    covering,   ///< what was found is made to cover and measured: as long as there is time to write something else
     finishing,  ///< what was found is written
     decorating, ///< pictures and meshes for people: only while there is time for nothing else to do
 };
@@ -77,11 +78,12 @@ private:
     bool is_over() const;
     double reserve() const;
     bool too_late_to_begin() const;
+    bool too_late_to_cover() const;
 
     const RunOptions& options_;
     const std::optional<double> time_limit_;
     const Journal& journal_;
-    std::array<Request, 5> requests_;
+    std::array<Request, 6> requests_;
     mutable std::atomic<double> stopped_{-1}; ///< s; when a request to stop was seen first
     std::atomic<double> all_{0}, longest_{0}; ///< s; of finishing shapes
     mutable std::mutex mutex_;
