@@ -3,6 +3,7 @@
 
 #include "geometry/exposure.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/error.hpp>
 #include <foam/measure.hpp>
 
@@ -34,10 +35,12 @@ public:
         }
         for (std::uint32_t i = 0; i < balls_.piece_count(); ++i) {
             if (!held[i]) {
+                asking_.check();
                 enqueue(balls_.piece(i));
             }
         }
         while (!queue_.empty()) {
+            asking_.check();
             const Entry entry = queue_.top();
             queue_.pop();
             const Bounds now = bounds(entry.piece);
@@ -161,6 +164,7 @@ private:
         return rounded_up(std::max(radius, spheres_[i].radius), quantum_);
     }
 
+    CancellationCounter asking_{64};
     std::vector<Sphere>& spheres_;
     double quantum_;
     Balls balls_;

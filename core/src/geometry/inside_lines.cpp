@@ -17,6 +17,7 @@ constexpr double noise = 1e-9; // of the box: no length is known better
 struct TracedGrid {
     LineGrid grid;
     std::vector<GridCrossings> crossings{};
+    std::vector<std::vector<std::uint32_t>> parts{}; ///< that each line may meet, ascending
 };
 using TracedGrids = std::vector<TracedGrid>; // of each axis
 
@@ -26,10 +27,18 @@ TracedGrids traced(const SolidData& data, std::size_t across, std::string_view s
         grids.push_back({LineGrid(data.box, axis, across, stream)});
     }
     parallel_for(grids.size(), [&](std::size_t axis) {
-        for (const PartQueries& part : data.queries) {
+        TracedGrid& traced = grids[axis];
+        traced.parts.resize(traced.grid.lines.size());
+        for (std::uint32_t i = 0; i < data.queries.size(); ++i) {
             check_cancelled();
-            grids[axis].crossings.push_back(part.primitive ? GridCrossings{}
-                                                           : GridCrossings(part.mesh(), grids[axis].grid));
+            const PartQueries& part = data.queries[i];
+            traced.crossings.push_back(part.primitive ? GridCrossings{} : GridCrossings(part.mesh(), traced.grid));
+            const LineGrid::Near near = traced.grid.near(part.box);
+            for (std::size_t row = near.first_row; row < near.last_row; ++row) {
+                for (std::size_t k = near.begin; k < near.end; ++k) {
+                    traced.parts[row * across + k].push_back(i);
+                }
+            }
         }
     });
     return grids;
@@ -80,7 +89,7 @@ struct Tracer {
     double closed_along() {
         pieces.clear();
         intervals.clear();
-        for (std::size_t part = 0; part < data.queries.size(); ++part) {
+        for (const std::uint32_t part : grid.parts[line]) {
             winding_along(data.queries[part], along(), crossings(part), pieces);
         }
         double wound = 0;
@@ -97,7 +106,7 @@ struct Tracer {
     /// Where the line is inside the solid.
     Intervals inside_along() {
         Intervals result;
-        for (std::size_t part = 0; part < data.queries.size(); ++part) {
+        for (const std::uint32_t part : grid.parts[line]) {
             add_inside_along(data.queries[part], along(), crossings(part), whole_line, pieces, result);
         }
         unite(result);

@@ -2,6 +2,8 @@
 #include "geometry/exposure.hpp"
 #include "geometry/growth.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <numeric>
 
 namespace foam::geometry {
@@ -20,13 +22,16 @@ public:
 
     /// Leaves out the triangles with skip[i] != 0.
     double run(const std::vector<char>& skip) {
+        CancellationCounter asking(256);
         for (std::uint32_t i = 0; i < balls_.piece_count(); ++i) {
+            asking.check();
             if (!skip[i]) {
                 push(balls_.piece(i), i);
             }
         }
         std::make_heap(queue_.begin(), queue_.end());
         while (!queue_.empty() && queue_.front().far > need_) {
+            asking.check();
             std::pop_heap(queue_.begin(), queue_.end());
             const Entry next = queue_.back();
             queue_.pop_back();
