@@ -177,10 +177,14 @@ Cut explore(const Workspace& workspace, std::vector<ShapeWork>& shapes,
 
 namespace {
 
-/// What a sphere more than were explored may save, m³: costs were seen to fall as count^-0.4 on links of robots.
+/// What a sphere more than were explored may save, m³: costs were seen to fall as count^-0.4 on links of robots. What
+/// lies in a cavity hardly falls: only spheres much smaller than the cavity leave it free.
 double expected_gain(const Recipe& recipe, const ShapeWork& work) {
+    constexpr double least_share = 0.05;
+    const double wrong = work.known.curve.least().volume;
+    const double may_fall = std::max(wrong - work.cavities, least_share * wrong);
     return work.known.asked.rbegin()->first < most_of(recipe, work)
-               ? 0.4 * work.known.curve.least().volume / static_cast<double>(work.known.asked.rbegin()->first)
+               ? 0.4 * may_fall / static_cast<double>(work.known.asked.rbegin()->first)
                : 0;
 }
 
