@@ -59,6 +59,7 @@ RunResult execute(const Recipe& recipe, const Registry& registry, const std::fil
                   const ExecuteOptions& options) {
     RunOptions run_options;
     run_options.stop = &stop_on_interrupt();
+    run_options.on_unresponsive = give_up;
     run_options.time_limit = options.time_limit;
     if (options.say_which) {
         tell_input(recipe);
@@ -74,7 +75,7 @@ RunResult execute(const Recipe& recipe, const Registry& registry, const std::fil
 
 int exit_code_of(const RunResult& result) {
     constexpr int links_left_out = 4;
-    return result.cut == Cut::stop ? exit_code(ErrorCode::cancelled) : result.links_lost ? links_left_out : 0;
+    return result.cut == Cut::stop || interrupted() ? exit_code(ErrorCode::cancelled) : result.links_lost ? links_left_out : 0;
 }
 
 } // namespace foam::cli

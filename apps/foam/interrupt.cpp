@@ -1,6 +1,12 @@
 #include "interrupt.hpp"
 
+#include "program.hpp"
+
+#include <foam/error.hpp>
 #include <foam/host/crash.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <csignal>
 #include <cstring>
@@ -9,31 +15,67 @@
 namespace foam::cli {
 namespace {
 
+constexpr unsigned time_to_stop = 2; // s
+
 // A signal handler can reach nothing but an object of static storage.
-std::atomic<bool> interrupted{false};
+std::atomic<bool> asked{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
+void write_text(const char* text) {
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, text, std::strlen(text));
+}
+
 void on_signal(int signal) {
-    if (interrupted.exchange(true, std::memory_order_relaxed)) {
+    if (asked.exchange(true, std::memory_order_relaxed)) {
+        end_children();
         remove_unfinished_runs();
         std::signal(signal, SIG_DFL);
         raise(signal);
         return;
     }
-    constexpr char message[] = "\nfoam: stopping; once more ends it at once\n";
-    [[maybe_unused]] const auto written = write(STDERR_FILENO, message, sizeof message - 1);
+    write_text("\nfoam: stopping; once more ends it at once\n");
     write_activities(STDERR_FILENO); // a stage that never asks whether to stop is named here
+    alarm(time_to_stop);
+}
+
+/// What was asked to stop goes on.
+void on_alarm(int) {
+    write_text("foam: stopped; what does not ask whether to end is ended with the program:\n");
+    write_activities(STDERR_FILENO);
+    end_children();
+    remove_unfinished_runs();
+    _exit(exit_code(ErrorCode::cancelled));
+}
+
+void handle(int signal, void (*handler)(int)) {
+    struct sigaction action {};
+    action.sa_handler = handler;
+    action.sa_flags = SA_RESTART;
+    sigaction(signal, &action, nullptr);
 }
 
 } // namespace
 
 const std::atomic<bool>& stop_on_interrupt() {
-    struct sigaction action {};
-    action.sa_handler = on_signal;
-    action.sa_flags = SA_RESTART;
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
-    return interrupted;
+    handle(SIGALRM, on_alarm);
+    handle(SIGINT, on_signal);
+    handle(SIGTERM, on_signal);
+    return asked;
+}
+
+bool interrupted() {
+    return asked.load(std::memory_order_relaxed);
+}
+
+void give_up(const Unresponsive& what) {
+    const bool stop = what.asked == Cut::stop;
+    tell(fmt::format("{} {:.1f} s after the start it still works on {}; nothing was written; remedy: {}",
+                     stop ? "stopped:" : "error: the time limit is over, but", what.seconds,
+                     what.at.empty() ? "what no stage is named for" : fmt::format("{}", fmt::join(what.at, "; ")),
+                     "isolate: process for that stage (--set isolate=process), which ends with its process"));
+    end_children();
+    remove_unfinished_runs();
+    _exit(stop ? exit_code(ErrorCode::cancelled) : exit_code(ErrorCode::geometry));
 }
 
 } // namespace foam::cli

@@ -1,11 +1,27 @@
-// Ctrl-C: the first asks the run to stop, the second ends the program at once.
+// SIGINT and SIGTERM as a polite request to stop.
 #pragma once
+
+#include <foam/cancellation.hpp>
+#include <foam/host/run.hpp>
 
 #include <atomic>
 
 namespace foam::cli {
 
-/// From now on SIGINT and SIGTERM set the flag that is returned.
+/// From now on SIGINT and SIGTERM set the flag that is returned; a second one ends the program at once. So does the
+/// first if the program has not ended 2 s later.
 const std::atomic<bool>& stop_on_interrupt();
+
+/// Whether one came.
+bool interrupted();
+
+/// The same for what works without a run: its loops ask the thread.
+class InterruptRequest final : public StopRequest {
+public:
+    bool asked() const override { return interrupted(); }
+};
+
+/// Says what goes on although it was to end, and ends the program: nothing half-written is left.
+[[noreturn]] void give_up(const Unresponsive& what);
 
 } // namespace foam::cli

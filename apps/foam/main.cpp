@@ -1,3 +1,4 @@
+#include "interrupt.hpp"
 #include "judge.hpp"
 #include "program.hpp"
 
@@ -89,6 +90,8 @@ int run_program(int count, char** arguments) {
     }
     try {
         program.app.parse(count, arguments);
+        const InterruptRequest request;
+        const foam::StopScope scope(&request);
         return program.action();
     } catch (const CLI::CallForHelp&) {
         const CLI::App& command = current(program.app);
@@ -107,6 +110,7 @@ int run_program(int count, char** arguments) {
 int main(int count, char** arguments) {
     foam::serve_isolated_call(count, arguments);
     foam::report_crashes();
+    stop_on_interrupt();
     try {
         return run_program(count, arguments);
     } catch (const foam::Error& error) {

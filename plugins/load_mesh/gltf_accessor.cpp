@@ -5,6 +5,8 @@
 
 #include <foam/file.hpp>
 
+#include <foam/cancellation.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -45,7 +47,9 @@ GltfAccessors::GltfAccessors(const Source& source, const JsonPlace& root, std::s
 std::vector<Vec3> GltfAccessors::points(const JsonPlace& index) {
     const std::vector<double> numbers = vectors(index, 3);
     std::vector<Vec3> result(numbers.size() / 3);
+    CancellationCounter asking(8192);
     for (std::size_t i = 0; i < result.size(); ++i) {
+        asking.check();
         result[i] = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
     }
     return result;
@@ -102,7 +106,9 @@ std::vector<double> GltfAccessors::dense(const JsonPlace& item, const Shape& sha
     }
     std::vector<double> result;
     result.reserve(shape.count * shape.width);
+    CancellationCounter asking(8192);
     for (std::uint64_t i = 0; i < shape.count; ++i) {
+        asking.check();
         for (std::uint64_t k = 0; k < shape.width; ++k) {
             result.push_back(value_at(bytes.data() + start + i * step + k * size_of(shape.component), shape.component,
                                       shape.normalized));
@@ -118,7 +124,9 @@ void GltfAccessors::put_sparse(const JsonPlace& sparse, const Shape& shape, std:
     const JsonPlace places = sparse.at("indices");
     const std::vector<double> indices = dense(places, {replaced.count, 1, component_of(places), false});
     const std::vector<double> others = dense(sparse.at("values"), replaced);
+    CancellationCounter asking(8192);
     for (std::size_t i = 0; i < indices.size(); ++i) {
+        asking.check();
         if (!(indices[i] >= 0 && indices[i] < static_cast<double>(shape.count))) {
             throw places.error(fmt::format("refers to element {} of {}", indices[i], shape.count));
         }

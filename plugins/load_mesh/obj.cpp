@@ -1,6 +1,8 @@
 // Wavefront OBJ, after the Advanced Visualizer manual, appendix B1.
 #include "readers.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <fmt/format.h>
 
 #include <limits>
@@ -14,7 +16,9 @@ public:
         : source_(source), builder_(builder), lines_(source, '#', true), points_(builder) {}
 
     void read(Context& context) {
+        CancellationCounter asking(4096);
         while (lines_.next()) {
+            asking.check();
             const std::string_view keyword = lines_.word();
             if (keyword == "v") {
                 vertex();
@@ -80,7 +84,9 @@ private:
     void emit() {
         std::size_t begin = 0;
         std::vector<std::uint32_t> polygon;
+        CancellationCounter asking(4096);
         for (const Face& face : faces_) {
+            asking.check();
             polygon.clear();
             for (; begin < face.end; ++begin) {
                 check(corners_[begin], face.line);

@@ -1,6 +1,8 @@
 // Geomview's Object File Format: http://www.geomview.org/docs/html/OFF.html
 #include "readers.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <fmt/format.h>
 
 namespace foam::load_mesh {
@@ -14,7 +16,9 @@ public:
     void read(Context& context) {
         counts();
         points_.reserve(vertex_count_);
+        CancellationCounter asking(4096);
         for (std::size_t i = 0; i < vertex_count_; ++i) {
+            asking.check();
             need_line(fmt::format("vertex {} of {}", i + 1, vertex_count_));
             const Vec3 p = point();
             points_.add(p, [&] {
@@ -26,6 +30,7 @@ public:
         }
         std::size_t thin = 0;
         for (std::size_t i = 0; i < face_count_; ++i) {
+            asking.check();
             need_line(fmt::format("face {} of {}", i + 1, face_count_));
             thin += face() ? 0 : 1;
         }
@@ -38,7 +43,9 @@ public:
 private:
     /// Moves on to the next line that holds a word.
     void need_line(std::string_view what) {
+        CancellationCounter asking(4096);
         while (lines_.next()) {
+            asking.check();
             first_ = lines_.word();
             if (!first_.empty()) {
                 return;

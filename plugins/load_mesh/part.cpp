@@ -1,5 +1,7 @@
 #include "part.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,7 +48,9 @@ void place(const Part& part, const Affine& pose, MeshBuilder& builder) {
     std::vector<std::uint32_t> vertices(part.points.size(), unused), polygon;
     const bool mirrors = pose.mirrors();
     auto corner = part.corners.begin();
+    CancellationCounter asking(4096);
     for (const std::uint32_t size : part.sizes) {
+        asking.check();
         polygon.clear();
         for (const auto end = corner + size; corner != end; ++corner) {
             std::uint32_t& vertex = vertices[*corner];

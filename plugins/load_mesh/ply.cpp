@@ -1,6 +1,8 @@
 // The Polygon File Format, version 1.0 (Turk 1994).
 #include "readers.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -244,7 +246,9 @@ public:
     void read(const Header& header, Context& context) {
         for (const Element& element : header.elements) {
             check_count(element);
+            CancellationCounter asking(4096);
             for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
+                asking.check();
                 values_.at(element.name, i);
                 row(element);
             }

@@ -1,5 +1,7 @@
 #include "readers.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <fmt/format.h>
 
 #include <array>
@@ -39,7 +41,9 @@ void read_binary(const Source& source, std::uint32_t promised, MeshBuilder& buil
                     fmt::format("{}: {} bytes after the {} triangles that the binary STL promises are ignored",
                                 source.file.string(), bytes.size() - needed, promised));
     }
+    CancellationCounter asking(4096);
     for (std::size_t t = 0; t < promised; ++t) {
+        asking.check();
         std::array<float, 12> values; // normal, three corners
         std::memcpy(values.data(), bytes.data() + header_size + facet_size * t, sizeof values);
         Triangle triangle{};
@@ -64,7 +68,9 @@ public:
 
     void read(Context& context) {
         bool open = false;
+        CancellationCounter asking(4096);
         for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
+            asking.check();
             const std::string keyword = lower(word);
             if (keyword == "facet" && open) {
                 facet();

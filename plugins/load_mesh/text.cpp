@@ -1,5 +1,7 @@
 #include "text.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -110,7 +112,9 @@ std::string lower(std::string_view text) {
 
 std::string with_valid_utf8(std::string_view text) {
     std::string result(text);
+    CancellationCounter asking(8192);
     for (std::size_t at = 0; at < text.size();) {
+        asking.check();
         const std::size_t length = utf8_length(text.substr(at));
         if (length == 0) {
             result[at] = '?';

@@ -2,6 +2,8 @@
 
 #include "geometry.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -43,7 +45,9 @@ void require_robot(const xml::Element& root, const Reader& reader) {
 
 Link read_link(const xml::Element& element, const Reader& reader, Context& context) {
     Link link{.name = reader.required(element, "name"), .collisions = {}, .visuals = {}};
+    CancellationCounter asking(256);
     for (const xml::Element* collision : element.children_named("collision")) {
+        asking.check();
         link.collisions.push_back(read_geometry_element(*collision, reader));
     }
     for (const xml::Element* visual : element.children_named("visual")) {
@@ -161,7 +165,9 @@ Robot read_robot(const xml::Element& root, const std::string& name, const Reader
     const std::string* given = root.attribute("name");
     robot.name = given && !given->empty() ? *given : name;
     Names links, joints;
+    CancellationCounter asking(64);
     for (const xml::Element* element : root.children_named("link")) {
+        asking.check();
         robot.links.push_back(read_link(*element, reader, context));
         require_new(links, robot.links.back().name, *element, reader);
     }

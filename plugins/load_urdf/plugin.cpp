@@ -3,6 +3,7 @@
 #include "model.hpp"
 #include "second_opinion.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/plugin.hpp>
 
 #include <fmt/format.h>
@@ -75,7 +76,9 @@ private:
     void resolve_collisions(Robot& robot, const ResourceResolver& resources, const std::string& label) const {
         std::vector<MissingMesh> missing;
         for (Link& link : robot.links) {
+            CancellationCounter asking(64);
             for (GeometryElement& element : link.collisions) {
+                asking.check();
                 if (MeshReference* mesh = std::get_if<MeshReference>(&element.geometry)) {
                     ResolvedResource resource = resources.resolve(mesh->uri, robot.file.parent_path());
                     mesh->path = resource.path;
@@ -93,7 +96,9 @@ private:
     static void resolve_visuals(Robot& robot, const ResourceResolver& resources, Context& context) {
         std::vector<std::string> missing;
         for (Link& link : robot.links) {
+            CancellationCounter asking(64);
             for (GeometryElement& element : link.visuals) {
+                asking.check();
                 if (MeshReference* mesh = std::get_if<MeshReference>(&element.geometry)) {
                     mesh->path = resources.resolve(mesh->uri, robot.file.parent_path()).path;
                     if (mesh->path.empty()) {

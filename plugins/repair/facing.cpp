@@ -2,6 +2,7 @@
 
 #include "triangle.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/edges.hpp>
 #include <foam/solid.hpp>
 
@@ -29,7 +30,9 @@ std::vector<std::vector<std::uint32_t>> patches_of(const Mesh& mesh) {
     const std::vector<std::uint32_t> partner = partners(mesh);
     std::vector<char> seen(mesh.triangles.size(), 0);
     std::vector<std::vector<std::uint32_t>> patches;
+    CancellationCounter asking(4096);
     for (std::uint32_t seed = 0; seed < mesh.triangles.size(); ++seed) {
+        asking.check();
         if (seen[seed]) {
             continue;
         }

@@ -1,5 +1,6 @@
 #include "fans.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/edges.hpp>
 
 #include <algorithm>
@@ -82,7 +83,9 @@ Components components(const Mesh& mesh, const Neighbours& neighbours) {
     Components result;
     result.of_triangle.assign(mesh.triangles.size(), none);
     std::vector<std::uint32_t> open;
+    CancellationCounter asking(4096);
     for (std::uint32_t seed = 0; seed < mesh.triangles.size(); ++seed) {
+        asking.check();
         if (result.of_triangle[seed] != none) {
             continue;
         }
@@ -108,7 +111,9 @@ bool orient(Mesh& mesh, Neighbours& neighbours, const Components& components, st
     mixed.assign(components.count, 0);
     std::vector<char> seen(mesh.triangles.size(), 0);
     std::vector<std::uint32_t> open;
+    CancellationCounter asking(4096);
     for (std::uint32_t seed = 0; seed < mesh.triangles.size(); ++seed) {
+        asking.check();
         if (seen[seed]) {
             continue;
         }
@@ -142,7 +147,9 @@ std::size_t split_fans(Mesh& mesh, const Neighbours& neighbours) {
     const std::size_t before = mesh.vertices.size();
     std::vector<char> corner_done(3 * mesh.triangles.size(), 0);
     std::vector<char> vertex_used(before, 0);
+    CancellationCounter asking(4096);
     for (std::uint32_t first = 0; first < corner_done.size(); ++first) {
+        asking.check();
         if (corner_done[first]) {
             continue;
         }

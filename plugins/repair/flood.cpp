@@ -1,5 +1,7 @@
 #include "octree.hpp"
 
+#include <foam/cancellation.hpp>
+
 namespace foam::repair {
 namespace {
 
@@ -16,7 +18,9 @@ public:
                 reach(i);
             }
         }
+        CancellationCounter asking(4096);
         while (!open_.empty()) {
+            asking.check();
             const std::uint32_t i = open_.back();
             open_.pop_back();
             for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -2,6 +2,8 @@
 
 #include "open_sides.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -61,6 +63,7 @@ public:
 
     std::vector<Triangle> run(Context& context) {
         for (std::size_t span = 2; span < n_; ++span) {
+            check_cancelled();
             context.check_cancelled();
             for (std::size_t i = 0; i + span < n_; ++i) {
                 choose_tip(i, i + span);
@@ -108,6 +111,7 @@ private:
 std::size_t fill_holes(Mesh& mesh, double largest, Context& context) {
     std::size_t filled = 0;
     for (const Loop& loop : loops_of(mesh)) {
+        check_cancelled();
         Box box;
         for (const std::uint32_t v : loop) {
             box.add(mesh.vertices[v]);

@@ -2,6 +2,8 @@
 
 #include "open_sides.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <algorithm>
 
 namespace foam::repair {
@@ -10,7 +12,9 @@ namespace {
 /// Vertices of open sides, by x.
 std::vector<std::uint32_t> vertices_by_x(const Mesh& mesh, const std::vector<OpenSide>& sides) {
     std::vector<std::uint32_t> vertices;
+    CancellationCounter asking(1024);
     for (const OpenSide& side : sides) {
+        asking.check();
         vertices.push_back(side.from);
         vertices.push_back(side.to);
     }
@@ -53,7 +57,9 @@ std::size_t split_once(Mesh& mesh, double tolerance) {
     const std::vector<std::uint32_t> by_x = vertices_by_x(mesh, sides);
     std::size_t splits = 0;
     std::uint32_t last = 0xFFFFFFFFu;
+    CancellationCounter asking(1024);
     for (const OpenSide& side : sides) {
+        asking.check();
         if (side.triangle == last) {
             continue;
         }
@@ -78,6 +84,7 @@ std::size_t split_once(Mesh& mesh, double tolerance) {
 std::size_t join_t_junctions(Mesh& mesh, double tolerance) {
     std::size_t splits = 0;
     for (int pass = 0; pass < 3; ++pass) { // a triangle has three sides
+        check_cancelled();
         const std::size_t now = split_once(mesh, tolerance);
         splits += now;
         if (now == 0) {

@@ -2,6 +2,8 @@
 
 #include "triangle.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <numbers>
 #include <numeric>
 
@@ -45,7 +47,9 @@ bool holds(const Mesh& mesh, const Part& outer, const Part& inner) {
     const Corners t = corners(mesh, mesh.triangles[inner.triangles.front()]);
     const Vec3 point = (t[0] + t[1] + t[2]) / 3;
     double angle = 0;
+    CancellationCounter asking(1024);
     for (const std::uint32_t i : outer.triangles) {
+        asking.check();
         angle += solid_angle(corners(mesh, mesh.triangles[i]), point);
     }
     return std::abs(angle) > 2 * std::numbers::pi;
@@ -67,6 +71,7 @@ NestingReport orient_components(Mesh& mesh, const Components& components, const 
     std::vector<Part> parts = parts_of(mesh, components);
     const std::vector<std::size_t> order = from_large_to_small(parts);
     for (std::size_t k = 0; k < order.size(); ++k) {
+        check_cancelled();
         Part& part = parts[order[k]];
         const double size = part.box.diagonal();
         report.hollow |= !(std::abs(part.volume) > 1e-12 * size * size * size);

@@ -2,6 +2,7 @@
 
 #include "triangle.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/error.hpp>
 #include <foam/parallel.hpp>
 
@@ -34,7 +35,9 @@ Lists deal(const Mesh& mesh, const Node& node, std::span<const std::uint32_t> tr
         centers[static_cast<std::size_t>(child)] = Vec3{place[0] + 0.5, place[1] + 0.5, place[2] + 0.5} * size;
     }
     const Vec3 middle = (centers[0] + centers[7]) * 0.5;
+    CancellationCounter asking(4096);
     for (const std::uint32_t t : triangles) {
+        asking.check();
         const Corners c = corners(mesh, mesh.triangles[t]);
         Box box;
         for (const Vec3& p : c) {

@@ -6,6 +6,7 @@
 #include "untangle.hpp"
 #include "voxel_surface.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/error.hpp>
 
 #include <fmt/format.h>
@@ -53,6 +54,7 @@ Mesh rebuilt(const Mesh& mesh, const RebuildOptions& options, Context& context) 
 
     // Thin curved sheets could end inside out if their two sides came too near to each other: then stay further off.
     for (double factor = 1; factor < 8; factor *= 2) {
+        check_cancelled();
         VoxelSurface surface = voxels;
         const ProjectOptions distances = {.off_solids = factor * off_solids, .off_sheets = factor * off_sheets};
         const double sheets = project(surface, nearby, *solid, octree.cell_size(), distances, context);

@@ -1,5 +1,7 @@
 #include "voxel_surface.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <numeric>
 #include <unordered_map>
 
@@ -71,7 +73,9 @@ private:
     }
 
     void collect_faces() {
+        CancellationCounter asking(4096);
         for (const Node& node : octree_.nodes()) {
+            asking.check();
             if (node.state == State::occupied || node.state == State::filled) {
                 for (std::size_t axis = 0; axis < 3; ++axis) {
                     collect_side(node, {axis, -1});
@@ -80,6 +84,7 @@ private:
             }
         }
         for (std::uint32_t i = 0; i < faces_.size(); ++i) {
+            asking.check();
             index_.emplace(key(faces_[i]), i);
         }
     }
@@ -193,7 +198,9 @@ private:
     }
 
     void make_triangles() {
+        CancellationCounter asking(4096);
         for (std::uint32_t i = 0; i < faces_.size(); ++i) {
+            asking.check();
             std::vector<std::uint32_t> outline;
             for (std::uint32_t side = 4 * i; side < 4 * i + 4; ++side) {
                 outline.push_back(vertex_[side]);

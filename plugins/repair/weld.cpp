@@ -1,5 +1,7 @@
 #include "weld.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <bit>
 
 namespace foam::repair {
@@ -81,7 +83,9 @@ Mesh welded_within(const Mesh& mesh, double tolerance) {
     }
     Kept kept(mesh.vertices, tolerance);
     std::vector<std::uint32_t> stands_for(mesh.vertices.size());
+    CancellationCounter asking(4096);
     for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) {
+        asking.check();
         stands_for[i] = kept.near(mesh.vertices[i]);
         if (stands_for[i] == Kept::none) {
             stands_for[i] = i;

@@ -1,6 +1,7 @@
 // CGAL alone: this file takes long to compile.
 #include "wrap.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/error.hpp>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -11,6 +12,13 @@
 #include <string>
 
 namespace foam::repair {
+namespace {
+
+struct AskingVisitor : CGAL::Alpha_wraps_3::internal::Wrapping_default_visitor {
+    template <class Wrapper, class Gate> void before_facet_treatment(const Wrapper&, const Gate&) { check_cancelled(); }
+};
+
+} // namespace
 
 Mesh alpha_wrap(const Mesh& mesh, double alpha, double offset) {
     using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -33,7 +41,8 @@ Mesh alpha_wrap(const Mesh& mesh, double alpha, double offset) {
                                              " of them): there is no surface to wrap");
     }
     CGAL::Surface_mesh<Kernel::Point_3> wrapped;
-    CGAL::alpha_wrap_3(points, faces, alpha, offset, wrapped);
+    CGAL::alpha_wrap_3(points, faces, alpha, offset, wrapped, CGAL::parameters::default_values(),
+                       CGAL::parameters::visitor(AskingVisitor{}));
     Mesh result;
     result.vertices.reserve(wrapped.number_of_vertices());
     for (const auto vertex : wrapped.vertices()) { // no vertex is removed: their numbers run without gaps

@@ -1,5 +1,7 @@
 #include "smoothing.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -48,7 +50,9 @@ std::size_t undo_inversions(std::vector<Vec3>& points, const std::vector<Vec3>& 
     std::vector<char> held(points.size(), 0);
     for (bool changed = true; changed;) {
         changed = false;
+        CancellationCounter asking(8192);
         for (const Triangle& t : triangles) {
+            asking.check();
             const Vec3 was = normal(before, t);
             if (was == Vec3{} || dot(was, normal(points, t)) > 0) {
                 continue;

@@ -1,5 +1,7 @@
 #include "weights.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <tuple>
 
 namespace foam::smooth {
@@ -21,7 +23,9 @@ double half_cotangent(const Vec3& tip, const Vec3& a, const Vec3& b) {
 std::vector<Entry> entries(const Mesh& mesh, Weighting weighting) {
     std::vector<Entry> result;
     result.reserve(6 * mesh.triangles.size());
+    CancellationCounter asking(8192);
     for (const Triangle& t : mesh.triangles) {
+        asking.check();
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t a = t[k], b = t[(k + 1) % 3], tip = t[(k + 2) % 3];
             if (a == b) {
@@ -57,7 +61,9 @@ Neighbourhood neighbourhood(const Mesh& mesh, Weighting weighting) {
     Neighbourhood result;
     result.begin.reserve(mesh.vertices.size() + 1);
     std::size_t next = 0;
+    CancellationCounter asking(4096);
     for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) {
+        asking.check();
         const std::size_t first = result.neighbours.size();
         result.begin.push_back(static_cast<std::uint32_t>(first));
         double sum = 0;

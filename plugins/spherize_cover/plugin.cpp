@@ -1,5 +1,6 @@
 // The cover of foam/host/spherize.hpp as a stage.
 #include <foam/host/spherize.hpp>
+#include <foam/cancellation.hpp>
 #include <foam/plugin.hpp>
 
 #include <algorithm>
@@ -23,6 +24,7 @@ public:
     std::vector<foam::SphereTree> spherize_each(const foam::Shape& shape, std::span<const foam::Budget> budgets,
                                                 foam::Context& context) const override {
         context.check_cancelled();
+        const foam::WindUpScope scope; // the search asks itself, and returns what it has
         std::vector<foam::SphereTree> trees(budgets.size());
         bool covers = false;
         for (std::size_t i = 0; i < budgets.size(); ++i) {

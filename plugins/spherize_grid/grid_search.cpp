@@ -1,5 +1,6 @@
 #include "grid_search.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/measure.hpp>
 #include <foam/parallel.hpp>
 
@@ -77,6 +78,7 @@ Counts GridSearch::largest_cubic() {
     Counts best{1, 1, 1};
     constexpr int steps = 12;
     for (int step = 0; step < steps && longest > 0; ++step) {
+        check_cancelled();
         const double resolution = std::sqrt(coarse * fine);
         const Counts counts = cubic(longest / resolution);
         // A grid that is far too fine even if only its surface counted need not be cut.
@@ -93,6 +95,7 @@ Counts GridSearch::largest_cubic() {
 
 void GridSearch::climb(Counts start) {
     for (bool better = true; better;) {
+        check_cancelled();
         better = false;
         double least = volume(start);
         Counts next = start;

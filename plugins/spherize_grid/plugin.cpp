@@ -3,6 +3,7 @@
 #include "refinement.hpp"
 #include "search.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/error.hpp>
 #include <foam/plugin.hpp>
 
@@ -25,6 +26,7 @@ SphereTree two_levels(const Sphere& root, std::vector<Sphere> balls) {
 std::vector<Sphere> inner_balls(const std::vector<Cell>& cells, const std::string& name) {
     std::vector<Sphere> balls;
     for (const Cell& cell : cells) {
+        check_cancelled();
         if (const auto ball = cell.inner_ball()) {
             balls.push_back(*ball);
         }

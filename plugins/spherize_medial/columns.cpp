@@ -1,5 +1,7 @@
 #include "columns.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <algorithm>
 #include <numbers>
 
@@ -87,6 +89,7 @@ Columns::Columns(const Shape& shape, const Frame& frame, std::size_t count) {
     low_y_ = box.center().y - static_cast<double>(ny_) * step_ / 2;
     offsets_.push_back(0);
     for (long y = 0; y < ny_; ++y) {
+        check_cancelled();
         for (long x = 0; x < nx_; ++x) {
             const std::size_t first = segments_.size();
             if (solid.closed()) {
@@ -139,6 +142,7 @@ double Columns::outside(std::span<const Sphere> balls) const {
     std::vector<Segment> chords;
     const long x_low = column_x(box.low.x), x_high = column_x(box.high.x);
     for (long y = column_y(box.low.y); y <= column_y(box.high.y); ++y) {
+        check_cancelled();
         for (long x = x_low; x <= x_high; ++x) {
             chords.clear();
             for (const Sphere& ball : balls) {

@@ -2,6 +2,8 @@
 
 #include "directions.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <algorithm>
 #include <array>
 #include <set>
@@ -33,7 +35,9 @@ void add_corners(const std::vector<Vec3>& corners, std::size_t limit, double cel
     }
     add_outermost(corners, points);
     std::set<std::array<long, 3>> taken;
+    CancellationCounter asking(1024);
     for (const Vec3& p : corners) {
+        asking.check();
         if (taken.insert({std::lround(p.x / cell), std::lround(p.y / cell), std::lround(p.z / cell)}).second) {
             points.push_back(p);
         }
@@ -76,7 +80,9 @@ std::vector<Vec3> cover_points(const Solid& solid, const Frame& frame, const Cov
         points.push_back(frame.to_local(sample.point));
         ++on_triangle[sample.triangle];
     }
+    CancellationCounter asking(1024);
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        asking.check();
         const auto [i, j, k] = surface.triangles[t];
         const Vec3 a = frame.to_local(surface.vertices[i]), b = frame.to_local(surface.vertices[j]),
                    c = frame.to_local(surface.vertices[k]);

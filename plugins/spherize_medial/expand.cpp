@@ -1,5 +1,7 @@
 #include "reduction.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <algorithm>
 
 namespace foam::medial {
@@ -22,6 +24,7 @@ Expand::Expand(std::span<const Vec3> points, std::span<const Sphere> medial)
     : points_(points.size()), medial_(medial.begin(), medial.end()), gap_(points.size() * medial.size()) {
     greatest_ = std::numeric_limits<double>::infinity();
     for (std::size_t m = 0; m < medial_.size(); ++m) {
+        check_cancelled();
         float* row = gap_.data() + m * points_;
         float worst = 0;
         for (std::size_t p = 0; p < points_; ++p) {
@@ -56,6 +59,7 @@ Expand::Chosen Expand::greedy(double stand_off) const {
     // What a sphere adds only falls as others are chosen: an old figure is an upper bound (lazy greedy, Minoux 1978).
     std::vector<std::size_t> bound(medial_.size(), points_);
     while (left > 0) {
+        check_cancelled();
         std::size_t best = medial_.size(), most = 0;
         for (std::size_t m = 0; m < medial_.size(); ++m) {
             if (bound[m] <= most) {
@@ -94,6 +98,7 @@ std::vector<Sphere> Expand::cover(std::size_t count) {
     double low = 0, high = greatest_ * (1 + 1e-6) + 1e-9;
     const Chosen* best = &at(high);
     for (int step = 0; step < 9; ++step) {
+        check_cancelled();
         const double middle = (low + high) / 2;
         const Chosen& chosen = at(middle);
         if (!chosen.empty() && chosen.size() <= count) {

@@ -1,5 +1,7 @@
 #include "medial_axis.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Delaunay_triangulation_cell_base_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -103,6 +105,7 @@ struct MedialAxis::Diagram {
 
     /// Only the cells in conflict with the new point change: their spheres go, those of the new cells come.
     void insert(std::size_t index) {
+        check_cancelled();
         used[index] = true;
         const Point p = point(surface[index]);
         Delaunay::Locate_type type;

@@ -2,13 +2,17 @@
 
 #include "enclosing_ball.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <algorithm>
 
 namespace foam::medial {
 
 std::vector<std::uint32_t> assign(std::span<const Vec3> points, std::span<const Sphere> balls) {
     std::vector<std::uint32_t> owner(points.size(), 0);
+    CancellationCounter asking(256);
     for (std::size_t p = 0; p < points.size(); ++p) {
+        asking.check();
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < balls.size(); ++i) {
             const double gap = distance(points[p], balls[i].center) - balls[i].radius;
@@ -24,7 +28,9 @@ std::vector<std::uint32_t> assign(std::span<const Vec3> points, std::span<const 
 std::vector<std::vector<Vec3>> grouped(std::span<const Vec3> points, std::span<const std::uint32_t> owner,
                                        std::size_t count) {
     std::vector<std::vector<Vec3>> groups(count);
+    CancellationCounter asking(1024);
     for (std::size_t p = 0; p < points.size(); ++p) {
+        asking.check();
         groups[owner[p]].push_back(points[p]);
     }
     return groups;
@@ -35,6 +41,7 @@ namespace {
 /// Gives each empty group the half of the group with the greatest ball that lies farthest along its longest direction.
 void refill(std::vector<std::vector<Vec3>>& groups, std::vector<Sphere>& balls) {
     for (std::size_t i = 0; i < groups.size(); ++i) {
+        check_cancelled();
         if (!groups[i].empty()) {
             continue;
         }
@@ -66,6 +73,7 @@ std::vector<Sphere> fitted(std::span<const Vec3> points, std::vector<Sphere> bal
     std::vector<Sphere> best;
     double least = std::numeric_limits<double>::infinity();
     for (int round = 0; round < rounds; ++round) {
+        check_cancelled();
         auto groups = grouped(points, assign(points, balls), balls.size());
         for (std::size_t i = 0; i < balls.size(); ++i) {
             balls[i] = enclosing_ball(groups[i]);

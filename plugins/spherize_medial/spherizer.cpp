@@ -4,6 +4,7 @@
 #include "inner_balls.hpp"
 #include "stock.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/error.hpp>
 #include <foam/parallel.hpp>
 
@@ -90,6 +91,7 @@ Groups handed_down(const Groups& above, Level& level) {
     }
     Groups below(level.balls.size());
     for (std::size_t parent = 0; parent < above.size(); ++parent) {
+        check_cancelled();
         for (const Vec3& p : above[parent]) {
             const auto gap = [&](std::size_t i) { return distance(p, level.balls[i].center) - level.balls[i].radius; };
             const std::size_t nearest =
@@ -109,6 +111,7 @@ Level next_level(Stock& stock, const Level& above, std::size_t level, const Budg
     const bool optimise = settings.optimise && level <= settings.deepest_optimised_level;
     Level result;
     for (std::size_t i = 0; i < above.balls.size(); ++i) {
+        check_cancelled();
         if (above.points[i].empty()) { // of no use but to the proof of the level above: stays as it is
             result.balls.push_back(above.balls[i]);
             result.parents.push_back(static_cast<std::uint32_t>(i));

@@ -1,5 +1,7 @@
 #include "uncovered.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <algorithm>
 
 namespace foam::medial {
@@ -99,7 +101,9 @@ public:
 
     void take(const Corners& triangle) {
         pieces_.assign(1, triangle);
+        CancellationCounter asking(256);
         while (!pieces_.empty()) {
+            asking.check();
             const Corners t = pieces_.back();
             pieces_.pop_back();
             const double square = std::max(
@@ -162,7 +166,9 @@ std::vector<Vec3> Uncovered::needed(std::span<const Sphere> balls, std::size_t i
     const Sphere& own = balls[index];
     std::vector<Candidate> candidates;
     double reach = 0;
+    CancellationCounter asking(1024);
     for (std::size_t p = 0; p < points_.size(); ++p) {
+        asking.check();
         point_holder_[p] = holder(balls, index, points_[p], point_holder_[p]);
         if (point_holder_[p] != nobody) {
             continue;
@@ -182,7 +188,9 @@ std::vector<Vec3> Uncovered::needed(std::span<const Sphere> balls, std::size_t i
 std::optional<Vec3> Uncovered::missed(std::span<const Sphere> balls, std::size_t index, double resolution) {
     Reach reach(balls, index, resolution);
     std::vector<std::pair<double, std::size_t>> open;
+    CancellationCounter asking(256);
     for (std::size_t s = 0; s < surface_.size(); ++s) {
+        asking.check();
         triangle_holder_[s] = holder(balls, index, surface_[s], triangle_holder_[s]);
         if (triangle_holder_[s] == nobody) {
             open.emplace_back(-reach_of(balls[index].center, surface_[s]), s);

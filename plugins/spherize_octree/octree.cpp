@@ -1,5 +1,6 @@
 #include "octree.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/parallel.hpp>
 
 #include <algorithm>
@@ -30,6 +31,7 @@ std::vector<Octree::Node> Octree::parts_of(const Node& node) {
     std::vector<Cell> cells{node.cell};
     int depth = node.depth;
     while (cells.size() == 1 && depth < deepest) {
+        check_cancelled();
         cells = cells.front().divided({2, 2, 2});
         ++depth;
     }
@@ -167,6 +169,7 @@ SphereTree Octree::tree() const {
     tree.levels.push_back({{nodes_[0].ball}, {}});
     std::vector<std::size_t> level{0};
     for (bool finer = true; finer;) {
+        check_cancelled();
         std::vector<std::size_t> next;
         SphereTree::Level spheres;
         finer = false;

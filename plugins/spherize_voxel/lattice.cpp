@@ -1,5 +1,7 @@
 #include "lattice.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -41,6 +43,7 @@ std::vector<Sphere> Lattice::spheres(const std::vector<Cell>& voxels, double rad
     }
     std::vector<Sphere> spheres;
     for (const Cell& voxel : voxels) {
+        check_cancelled();
         const Vec3 local = voxel.box().center();
         const auto& axes = voxel.axes();
         spheres.push_back({middle_ + local.x * axes[0] + local.y * axes[1] + local.z * axes[2], radius});

@@ -1,5 +1,6 @@
 #include "radius_search.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/measure.hpp>
 #include <foam/parallel.hpp>
 
@@ -16,6 +17,7 @@ constexpr std::size_t directions = 300;      ///< of union_volume(): well below 
 
 RadiusSearch::Rung& RadiusSearch::rung(std::size_t index) {
     while (rungs_.size() <= index) {
+        check_cancelled();
         const double octaves = static_cast<double>(rungs_.size()) / rungs_per_octave;
         rungs_.push_back({lattice_.largest_radius() * std::exp2(-octaves), false, 0, -1});
     }

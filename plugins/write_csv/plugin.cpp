@@ -1,4 +1,5 @@
 // write.csv: one sphere a row, "link,x,y,z,radius". Quoting of RFC 4180; lines end with "\n".
+#include <foam/cancellation.hpp>
 #include <foam/error.hpp>
 #include <foam/plugin.hpp>
 #include <foam/text.hpp>
@@ -100,7 +101,9 @@ public:
         text += '\n';
         for (const LinkSpheres& link : spheres_by_link(model, level_)) {
             const std::string name = quoted(link.link);
+            CancellationCounter asking(1024);
             for (const Sphere& s : link.spheres) {
+                asking.check();
                 text += name + ',' + number_text(s.center.x) + ',' + number_text(s.center.y) + ',' +
                         number_text(s.center.z) + ',' + number_text(s.radius) + '\n';
             }
@@ -114,7 +117,9 @@ public:
             throw Error(ErrorCode::output, fmt::format("CSV: the first row is not '{}'", header));
         }
         std::map<std::string, std::vector<Sphere>> result;
+        CancellationCounter asking(1024);
         for (std::size_t number = 2; !rows.at_end(); ++number) {
+            asking.check();
             const std::vector<std::string> row = rows.next();
             result[row.front()].push_back(read_sphere(row, number));
         }

@@ -1,5 +1,6 @@
 #include "layout.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/error.hpp>
 
 #include <algorithm>
@@ -44,7 +45,9 @@ std::string measures_object(const Measures& m) {
 
 std::string level_array(const SphereTree::Level& level) {
     std::vector<std::string> spheres;
+    CancellationCounter asking(1024);
     for (std::size_t i = 0; i < level.spheres.size(); ++i) {
+        asking.check();
         const Sphere& s = level.spheres[i];
         const std::string parent = i < level.parents.size() ? fmt::format(", \"parent\": {}", level.parents[i]) : "";
         spheres.push_back(fmt::format("            {{\"center\": {}, \"radius\": {}{}}}", json_point(s.center),

@@ -4,6 +4,7 @@
 // lost all but one.
 #include "layout.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/error.hpp>
 
 #include <algorithm>
@@ -14,7 +15,9 @@ namespace {
 std::string depth_object(const SphereGroup& group, std::size_t depth, const std::string& more,
                          const std::string& indent) {
     std::vector<std::string> spheres;
+    CancellationCounter asking(1024);
     for (const Sphere& s : group.tree.levels[depth].spheres) {
+        asking.check();
         spheres.push_back(
             fmt::format("{}  {{\"origin\": {}, \"radius\": {}}}", indent, json_point(s.center), number_text(s.radius)));
     }

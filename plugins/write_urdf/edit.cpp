@@ -1,5 +1,6 @@
 #include "edit.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/text.hpp>
 
 #include <algorithm>
@@ -29,7 +30,9 @@ std::string sphere_element(const Sphere& sphere) {
 
 std::string sphere_elements(const std::vector<Sphere>& spheres, std::string_view separator) {
     std::string result;
+    CancellationCounter asking(256);
     for (const Sphere& sphere : spheres) {
+        asking.check();
         result += result.empty() ? "" : separator;
         result += sphere_element(sphere);
     }
@@ -66,7 +69,9 @@ std::string UrdfEditor::result() {
               [](const Change& a, const Change& b) { return a.span.begin < b.span.begin; });
     std::string result;
     std::size_t copied = 0;
+    CancellationCounter asking(256);
     for (const Change& change : changes_) {
+        asking.check();
         result.append(text_.substr(copied, change.span.begin - copied));
         result += change.replacement;
         copied = change.span.end;

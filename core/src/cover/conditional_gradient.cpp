@@ -3,6 +3,7 @@
 #include "cover/directions.hpp"
 #include "cover/missing_volume.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/union_volume.hpp>
 
 #include <algorithm>
@@ -49,6 +50,7 @@ Rated ConditionalGradient::improved(Balls balls, int steps) {
     double longest = 1, before = best.volume;
     int slow = 0;
     for (int step = 0; step < steps && longest > shortest && slow < most_slow; ++step) {
+        check_cancelled();
         balls = cells_.shared(balls);
         hold_parts(balls);
         const Rated now{claim(balls), balls};

@@ -2,6 +2,8 @@
 
 #include "geometry/triangle.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -196,6 +198,7 @@ Points crease_points(const Solid& solid, const Frame& frame, const Balls& balls,
     const std::vector<Sphere> spheres = unit_spheres(balls);
     std::optional<Points> open;
     while (!(open = open_points(vertices, surface.triangles, spheres, finest))) {
+        check_cancelled();
         finest *= 2; // tiny balls leave nearly all of the surface open: no need to see it so finely
     }
     const Points& points = *open;

@@ -2,6 +2,8 @@
 
 #include "cover/step_lengths.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,6 +19,7 @@ void Descent::run(Points& points, Balls& balls, const DescentPlan& plan, const R
     mean_scale_ = square_scale_ = 1;
     StepLengths lengths(balls, plan.steps, plan.first_step, plan.last_step);
     for (int i = 0; i < plan.steps; ++i, lengths.advance()) {
+        check_cancelled();
         const float length = lengths.now();
         if (refresh && i % plan.refresh == 0) {
             refresh(points, length);

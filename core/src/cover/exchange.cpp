@@ -1,5 +1,6 @@
 #include "cover/exchange.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/sphere.hpp>
 
 #include <algorithm>
@@ -167,6 +168,7 @@ void Exchange::settle() {
         open_about(i);
     }
     for (int round = 0; round < plan_.rounds && !open.empty(); ++round) {
+        check_cancelled();
         const auto now = std::exchange(open, {});
         for (const auto& [i, j] : now) {
             if (meet(i, j) && exchange(i, j)) {

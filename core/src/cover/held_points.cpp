@@ -1,5 +1,7 @@
 #include "cover/held_points.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -29,6 +31,7 @@ void take_in(std::vector<Held>& held, Balls& balls, std::vector<char>& pressed) 
     }
     std::size_t pressing = held.size();
     for (int sweep = 0; sweep < sweeps; ++sweep) {
+        check_cancelled();
         std::size_t left = 0;
         for (std::size_t k = 0; k < pressing; ++k) {
             if (held[k].force > 0) {

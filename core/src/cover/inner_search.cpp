@@ -1,6 +1,7 @@
 #include "cover/inner_search.hpp"
 
 #include <foam/host/spherize.hpp>
+#include <foam/cancellation.hpp>
 #include <foam/inner.hpp>
 #include <foam/union_volume.hpp>
 
@@ -98,6 +99,7 @@ void InnerSearch::fill(Balls& balls, Holders& holders) const {
     }
     std::make_heap(heap.begin(), heap.end());
     while (balls.size() < count_ && !heap.empty() && !stop_()) {
+        check_cancelled();
         std::pop_heap(heap.begin(), heap.end());
         Bound& last = heap.back();
         last.gain = gain(about[last.candidate], holders);
@@ -142,6 +144,7 @@ Ball InnerSearch::moved(Ball ball, const Holders& others) const {
 void InnerSearch::improve(Balls& balls, Holders& holders) const {
     constexpr int rounds = 4;
     for (int round = 0; round < rounds && !stop_(); ++round) {
+        check_cancelled();
         bool any = false;
         for (Ball& ball : balls) {
             count_in(ball, -1, holders);

@@ -4,6 +4,7 @@
 #include "cover/plane_splits.hpp"
 #include "cover/starts.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/random.hpp>
 #include <foam/union_volume.hpp>
 
@@ -58,6 +59,7 @@ Balls LimitedSearch::cover(const Balls& start) {
     const auto less = [](const Found& a, const Found& b) { return a.cost < b.cost; };
     Found best = descended(*std::min_element(found.begin(), found.end(), less), steps, first_step);
     for (int i = 0; i < last_fits; ++i) {
+        check_cancelled();
         Found next = fitted(best.balls);
         if (next.cost >= best.cost) {
             break;
@@ -79,6 +81,7 @@ LimitedSearch::Found LimitedSearch::descended(Found start, int steps, double fir
     Found best = start;
     Balls balls = std::move(start.balls);
     for (int i = 0; i < steps; ++i) {
+        check_cancelled();
         if (balls.size() < count_) { // some had no part left
             balls = divided(some_, std::move(balls), count_, limits_);
         }

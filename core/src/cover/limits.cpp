@@ -1,5 +1,7 @@
 #include "cover/limits.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -60,6 +62,7 @@ Ball LimitedBall::of(const Points& points, std::size_t count, const Vec3& tilt, 
     std::fill(prices_.begin(), prices_.end(), 0);
     Ball ball = best;
     for (int round = 0; round < rounds && beyond(best, limits_) > 0; ++round) {
+        check_cancelled();
         const double before = beyond(ball, limits_);
         for (std::size_t i = 0; i < limits_.size(); ++i) {
             if (prices_[i] > 0 || over(ball, limits_[i]) > tolerance) {
@@ -109,6 +112,7 @@ Ball LimitedBall::kept_to(std::size_t limit, const Points& points, std::size_t c
     // Regula falsi with the ends' weights halved where they stay (the Illinois rule).
     int last = 0;
     for (int i = 0; i < evaluations; ++i) {
+        check_cancelled();
         const double q = std::max(low + (high - low) * below / (below - above), least_q);
         const double value = excess(q);
         if (std::abs(value) <= tolerance / 2 || q == least_q) {

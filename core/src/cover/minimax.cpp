@@ -2,6 +2,7 @@
 
 #include "cover/plane_splits.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/union_volume.hpp>
 
 #include <algorithm>
@@ -78,6 +79,7 @@ Minimax MinimaxSearch::improved(const Balls& start, std::size_t count, int round
     constexpr int most_idle = 4;
     Minimax best = fitted(start), now = best;
     for (int round = 0, idle = 0; round < rounds && idle < most_idle; ++round) {
+        check_cancelled();
         now = fitted(now.balls.size() < count ? with_split(now) : grown(now));
         idle = now.worst < best.worst * (1 - least_gain) ? 0 : idle + 1;
         if (now.worst < best.worst) {
@@ -97,6 +99,7 @@ Minimax MinimaxSearch::leaner(const Minimax& cover, const Points& directions, in
     Minimax best = cover;
     double least = exact_union_volume(unit_spheres(cover.balls));
     for (int round = 0; round < rounds; ++round) {
+        check_cancelled();
         Balls balls = cells_.fitted(best.balls, directions);
         const Balls before = owners_of(best.balls, cells_.owners());
         for (std::size_t i = 0; i < balls.size(); ++i) {

@@ -3,6 +3,8 @@
 #include "cover/enclosing_ball.hpp"
 #include "cover/wide_vectors.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -26,6 +28,7 @@ void OutsideVolume::look(const Balls& others, const Ball& region) {
     weight_.clear();
     const float low = -region_.r + cell_ / 2;
     for (int k = 0; k < cells_; ++k) {
+        check_cancelled();
         const float dz = low + static_cast<float>(k) * cell_;
         for (int j = 0; j < cells_; ++j) {
             const float dy = low + static_cast<float>(j) * cell_;

@@ -3,6 +3,8 @@
 #include "cover/power_cells.hpp"
 #include "cover/starts.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -109,6 +111,7 @@ Balls divided(const Points& points, Balls balls, std::size_t count, const Limits
         look(i);
     }
     while (balls.size() < count) {
+        check_cancelled();
         const auto most = std::max_element(best.begin(), best.end(),
                                            [](const Split& a, const Split& b) { return a.saved < b.saved; });
         if (!std::isfinite(most->saved)) {

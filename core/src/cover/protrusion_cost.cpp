@@ -2,6 +2,8 @@
 
 #include "cover/directions.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <cmath>
 #include <limits>
 
@@ -33,6 +35,7 @@ double ProtrusionCost::of(const Ball& ball) const {
     constexpr float ahead = 0.02f;
     Vec3 n = directions_.at(best);
     for (int i = 0; i < steps; ++i) {
+        check_cancelled();
         const auto x = static_cast<float>(ball.x + ball.r * n.x), y = static_cast<float>(ball.y + ball.r * n.y),
                    z = static_cast<float>(ball.z + ball.r * n.z);
         const Vec3 slope{field_.at(x + ahead, y, z) - field_.at(x - ahead, y, z),
@@ -68,6 +71,7 @@ Ball ProtrusionCost::holding(const Points& points, const Ball& enclosing, const 
     double step = 0.25 * best.r;
     std::size_t turn = 0;
     for (int left = evaluations_; left > 0; ++turn) {
+        check_cancelled();
         const Points& ways = ways_[turn % ways_.size()];
         bool moved = false;
         for (std::size_t k = 0; k < ways.size(); ++k, --left) {

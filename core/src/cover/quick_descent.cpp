@@ -2,6 +2,8 @@
 
 #include "cover/step_lengths.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,6 +18,7 @@ void QuickDescent::run(Balls& balls, const QuickDescentPlan& plan, const Refresh
     mean_scale_ = square_scale_ = 1;
     StepLengths lengths(balls, plan.steps, plan.first_step, plan.last_step);
     for (int i = 0; i < plan.steps; ++i, lengths.advance()) {
+        check_cancelled();
         const float length = lengths.now();
         if (i % plan.refresh == 0) {
             refresh(balls, points, reach_of_steps * length * static_cast<float>(plan.refresh));

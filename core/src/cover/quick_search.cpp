@@ -8,6 +8,7 @@
 #include "cover/starts.hpp"
 #include "geometry/joint_volume.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/parallel.hpp>
 #include <foam/union_volume.hpp>
 
@@ -175,6 +176,7 @@ Rated QuickSearch::gone_on_with(const DescentSurface& surface, const Occupancy* 
     Rated best = start;
     double before = std::numeric_limits<double>::infinity();
     for (int i = 0; i < last_fits; ++i) {
+        check_cancelled();
         constexpr double least_gain = 1e-4;
         balls = cells.fitted(balls, directions_of_fits());
         const double now = claim(balls, occupancy);

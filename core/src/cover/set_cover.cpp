@@ -1,5 +1,7 @@
 #include "cover/set_cover.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -84,6 +86,7 @@ Balls dilated_inner_balls(const DistanceField& field, const Points& points, std:
     Balls best;
     float low = 0, high = cover.longest();
     for (int i = 0; i < halvings; ++i) {
+        check_cancelled();
         const float length = (low + high) / 2;
         if (Balls balls = cover.greedy(length, count); !balls.empty()) {
             best = std::move(balls);

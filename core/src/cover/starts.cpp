@@ -2,6 +2,8 @@
 
 #include "cover/claim.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -21,6 +23,7 @@ std::vector<std::size_t> far_seeds(const Points& points, std::size_t count, Rand
     std::vector<std::size_t> seeds{random.below(points.size())};
     std::vector<float> nearest(points.size(), std::numeric_limits<float>::infinity());
     while (seeds.size() < count) {
+        check_cancelled();
         double sum = 0;
         for (std::size_t p = 0; p < points.size(); ++p) {
             nearest[p] = std::min(nearest[p], squared_distance(points, p, seeds.back()));
@@ -40,6 +43,7 @@ std::vector<std::size_t> far_seeds(const Points& points, std::size_t count, Rand
 void lloyd(const Points& points, Balls& balls, int rounds) {
     Deepest owners;
     for (int round = 0; round < rounds; ++round) {
+        check_cancelled();
         for (Ball& ball : balls) {
             ball.r = 0;
         }

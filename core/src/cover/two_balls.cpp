@@ -2,6 +2,8 @@
 
 #include "geometry/fibonacci.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -168,6 +170,7 @@ std::vector<TwoBalls> TwoBallSearch::anywhere(const Plan& plan) {
         TwoBalls best;
         best.volume = infinity;
         for (int k = 1; k <= plan.offsets; ++k) {
+            check_cancelled();
             const TwoBalls two = at({directions[i], low + (high - low) * k / (plan.offsets + 1)});
             best = two.volume < best.volume ? two : best;
         }

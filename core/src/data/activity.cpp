@@ -1,5 +1,7 @@
 #include "activity.hpp"
 
+#include <foam/error.hpp>
+
 #include <sys/mman.h>
 
 #include <algorithm>
@@ -13,6 +15,7 @@ namespace foam {
 struct Activity {
     std::atomic<bool> taken{false};
     CrashRemedy remedy = CrashRemedy::isolate_stage;
+    std::atomic<const StopRequest*> request{nullptr};
     char text[512] = {};
 };
 
@@ -23,7 +26,7 @@ std::array<Activity, 1024> slots;
 std::atomic<bool> wants_signal_stacks{false};
 
 // initial-exec: a signal handler must not be the first to touch it, with an allocation.
-__attribute__((tls_model("initial-exec"))) thread_local const Activity* current = nullptr;
+__attribute__((tls_model("initial-exec"))) thread_local ThreadWork current;
 
 /// A thread's stack for signal handlers, unless it has one already (sanitizers provide their own).
 class SignalStack {
@@ -76,35 +79,40 @@ Activity* free_slot() {
 
 } // namespace
 
-ActivityScope::ActivityScope(std::string_view what, CrashRemedy remedy) : slot_(free_slot()), before_(current) {
+ActivityScope::ActivityScope(std::string_view what, CrashRemedy remedy) : slot_(free_slot()), before_(current.activity) {
     provide_signal_stack();
     if (slot_) {
         const std::size_t length = std::min(what.size(), sizeof slot_->text - 1);
         std::memcpy(slot_->text, what.data(), length);
         slot_->text[length] = '\0';
         slot_->remedy = remedy;
+        slot_->request.store(current.request, std::memory_order_relaxed);
     }
-    current = slot_;
+    current.activity = slot_;
 }
 
 ActivityScope::~ActivityScope() {
-    current = before_;
+    current.activity = before_;
     if (slot_) {
         slot_->taken.store(false, std::memory_order_release);
     }
 }
 
-ActivityLoan::ActivityLoan(const Activity* activity) : before_(current) {
+ActivityLoan::ActivityLoan(const ThreadWork& work) : before_(current) {
     provide_signal_stack();
-    current = activity;
+    current = work;
 }
 
 ActivityLoan::~ActivityLoan() {
     current = before_;
 }
 
-const Activity* current_activity() {
+ThreadWork current_work() {
     return current;
+}
+
+const Activity* current_activity() {
+    return current.activity;
 }
 
 const char* text_of(const Activity& activity) {
@@ -115,6 +123,10 @@ CrashRemedy remedy_of(const Activity& activity) {
     return activity.remedy;
 }
 
+const StopRequest* request_of(const Activity& activity) {
+    return activity.request.load(std::memory_order_relaxed);
+}
+
 const Activity* active(std::size_t i) {
     for (const Activity& slot : slots) {
         if (slot.taken.load(std::memory_order_acquire) && i-- == 0) {
@@ -122,6 +134,40 @@ const Activity* active(std::size_t i) {
         }
     }
     return nullptr;
+}
+
+StopRequest::~StopRequest() = default;
+
+bool StopRequest::overdue() const {
+    return asked();
+}
+
+bool cancelled() {
+    return current.request && (current.winds_up ? current.request->overdue() : current.request->asked());
+}
+
+void check_cancelled() {
+    if (cancelled()) {
+        throw Error(ErrorCode::cancelled, "cancelled");
+    }
+}
+
+StopScope::StopScope(const StopRequest* request) : before_(current.request), winds_up_before_(current.winds_up) {
+    current.request = request;
+    current.winds_up = false;
+}
+
+StopScope::~StopScope() {
+    current.request = before_;
+    current.winds_up = winds_up_before_;
+}
+
+WindUpScope::WindUpScope() : before_(current.winds_up) {
+    current.winds_up = true;
+}
+
+WindUpScope::~WindUpScope() {
+    current.winds_up = before_;
 }
 
 void provide_signal_stacks() {

@@ -3,6 +3,8 @@
 // The exception to "no globals": a signal handler can reach nothing but objects of static storage.
 #pragma once
 
+#include <foam/cancellation.hpp>
+
 #include <cstddef>
 #include <string_view>
 
@@ -13,6 +15,13 @@ enum class CrashRemedy { isolate_stage, remove_plugin };
 
 /// A slot of static storage. Fixed size: it is read while other threads go on.
 struct Activity;
+
+/// What a thread is at.
+struct ThreadWork {
+    const Activity* activity = nullptr;   ///< null: nothing that was named
+    const StopRequest* request = nullptr; ///< null: nobody may ask it to end
+    bool winds_up = false;                ///< it ends once the request is overdue
+};
 
 /// The calling thread works on something, for the life of the object; what it worked on before comes back then.
 class ActivityScope {
@@ -31,19 +40,23 @@ private:
 /// A thread helps another: it works on the same thing for the life of the object.
 class ActivityLoan {
 public:
-    explicit ActivityLoan(const Activity* activity);
+    explicit ActivityLoan(const ThreadWork& work);
     ~ActivityLoan();
     ActivityLoan(const ActivityLoan&) = delete;
     ActivityLoan& operator=(const ActivityLoan&) = delete;
 
 private:
-    const Activity* before_;
+    ThreadWork before_;
 };
 
+/// Of the calling thread.
+ThreadWork current_work();
 /// Of the calling thread; null if it works on nothing that was named. Safe in a signal handler, as are those below.
 const Activity* current_activity();
 const char* text_of(const Activity& activity);
 CrashRemedy remedy_of(const Activity& activity);
+/// Who may ask for its end; null: nobody. Only to compare with: it may be gone.
+const StopRequest* request_of(const Activity& activity);
 /// The i-th of what all threads work on; null past the last.
 const Activity* active(std::size_t i);
 

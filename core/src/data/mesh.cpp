@@ -68,7 +68,9 @@ Mesh transformed(const Mesh& mesh, const Pose& pose, const Vec3& scale) {
 void append(Mesh& mesh, const Mesh& other) {
     const auto offset = static_cast<std::uint32_t>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-    mesh.triangles.reserve(mesh.triangles.size() + other.triangles.size());
+    if (const std::size_t all = mesh.triangles.size() + other.triangles.size(); all > mesh.triangles.capacity()) {
+        mesh.triangles.reserve(std::max(all, 2 * mesh.triangles.capacity())); // many small ones cost no more than one
+    }
     for (const auto& [a, b, c] : other.triangles) {
         mesh.triangles.push_back({a + offset, b + offset, c + offset});
     }

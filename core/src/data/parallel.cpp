@@ -3,9 +3,13 @@
 
 #include <foam/parallel.hpp>
 
+#include <foam/cancellation.hpp>
+#include <foam/error.hpp>
+
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <atomic>
 #include <exception>
 #include <mutex>
 
@@ -15,16 +19,21 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
     std::mutex mutex;
     std::exception_ptr first;
     std::size_t first_index = count;
-    const Activity* const activity = current_activity();
+    const ThreadWork shared = current_work();
+    std::atomic<bool> ended = false; // an exception for each of a million bodies would take seconds
     Handover work, results;
     work.give();
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, count, 1),
         [&](const tbb::blocked_range<std::size_t>& range) {
             work.take();
-            const ActivityLoan loan(activity);
-            for (std::size_t i = range.begin(); i != range.end(); ++i) {
+            const ActivityLoan loan(shared);
+            for (std::size_t i = range.begin(); i != range.end() && !ended.load(std::memory_order_relaxed); ++i) {
                 try {
+                    if (cancelled()) {
+                        ended.store(true, std::memory_order_relaxed);
+                        throw Error(ErrorCode::cancelled, "cancelled");
+                    }
                     body(i);
                 } catch (...) {
                     const std::lock_guard lock(mutex);

@@ -1,5 +1,6 @@
 #include "fitted/misfit.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/cell.hpp>
 #include <foam/union_volume.hpp>
 
@@ -32,6 +33,7 @@ Misfit::Misfit(const Solid& solid, const cover::Frame& frame, int resolution, st
         }
     }
     for (std::size_t turn = 0; turn < turns; ++turn) {
+        check_cancelled();
         directions_.push_back(cover::spread_directions(directions, turn));
     }
 }
@@ -46,7 +48,9 @@ double Misfit::shared_with(const Balls& balls) const {
     const auto holds = [&](std::size_t i, std::size_t p) {
         return balls[i].squared_distance(cells_.x[p], cells_.y[p], cells_.z[p]) <= balls[i].r * balls[i].r;
     };
+    CancellationCounter asking(1024);
     for (std::size_t p = 0; p < cells_.size(); ++p) {
+        asking.check();
         for (std::size_t i = 0; i < balls.size() && !holds(last, p); ++i) {
             last = i;
         }
@@ -60,6 +64,7 @@ void Misfit::slopes(const Balls& balls, std::size_t turn, std::vector<cover::Slo
     result.assign(balls.size(), {});
     cover::Exposed exposed;
     for (std::size_t i = 0; i < balls.size(); ++i) {
+        check_cancelled();
         if (!exposed.look(balls, i, directions)) {
             continue;
         }
@@ -80,6 +85,7 @@ Balls Misfit::filled(Balls balls, std::size_t most) const {
     };
     std::for_each(balls.begin(), balls.end(), take_away);
     while (balls.size() < most) {
+        check_cancelled();
         const auto largest = std::max_element(room.begin(), room.end());
         if (largest == room.end() || !(*largest > 0)) {
             break;
@@ -104,7 +110,9 @@ cover::Points Misfit::some_inside(std::size_t count) const {
 std::vector<double> Misfit::uses(const Balls& balls) const {
     const std::vector<Sphere> spheres = cover::unit_spheres(balls);
     std::vector<double> result(balls.size(), 0);
+    CancellationCounter asking(1024);
     for (std::size_t p = 0; p < cells_.size(); ++p) {
+        asking.check();
         std::size_t holder = balls.size(), holders = 0;
         for (std::size_t i = 0; i < balls.size() && holders < 2; ++i) {
             if (balls[i].squared_distance(cells_.x[p], cells_.y[p], cells_.z[p]) <= balls[i].r * balls[i].r) {
@@ -117,6 +125,7 @@ std::vector<double> Misfit::uses(const Balls& balls) const {
         }
     }
     for (std::size_t i = 0; i < balls.size(); ++i) {
+        check_cancelled();
         result[i] -= volume_saved(spheres, i, {});
     }
     return result;

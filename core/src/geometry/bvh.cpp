@@ -1,5 +1,7 @@
 #include "geometry/bvh.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <array>
 #include <bit>
 
@@ -127,6 +129,10 @@ private:
     }
 
     void split(std::size_t node, std::uint32_t begin, std::uint32_t end, std::size_t depth) {
+        constexpr std::uint32_t many = 1000;
+        if (end - begin > many) {
+            check_cancelled();
+        }
         Extent extent = Extent::empty(), centers = Extent::empty();
         for (std::uint32_t i = begin; i < end; ++i) {
             const Vec3 center{items_[i].center(0), items_[i].center(1), items_[i].center(2)};

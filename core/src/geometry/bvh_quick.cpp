@@ -1,6 +1,8 @@
 // Bounding-volume hierarchies along a space-filling curve.
 #include "geometry/bvh.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <bit>
 
 namespace foam::geometry {
@@ -72,7 +74,9 @@ Bvh Bvh::quick(std::span<const Box> boxes, std::uint32_t leaf_size) {
     std::vector<BvhNode>& nodes = result.nodes_;
     nodes.reserve(2 * boxes.size() / leaf_size + 2);
     nodes.push_back({{}, {}, 0, static_cast<std::uint32_t>(items.size())});
+    CancellationCounter asking(4096);
     for (std::size_t n = 0; n < nodes.size(); ++n) { // a node waits as a leaf until it is cut
+        asking.check();
         const std::uint32_t begin = nodes[n].first, end = begin + nodes[n].count;
         if (end - begin > leaf_size) {
             const std::uint32_t middle = cut(items, begin, end);

@@ -1,3 +1,4 @@
+#include <foam/cancellation.hpp>
 #include <foam/cell.hpp>
 
 #include <algorithm>
@@ -13,6 +14,7 @@ constexpr double on_plane = 1e-9; // of the solid's diagonal: nearer points coun
 Sphere grow_active(const std::vector<Vec3>& points, std::size_t stride, std::vector<Vec3>& active) {
     constexpr int rounds = 100;
     for (int round = 0;; ++round) {
+        check_cancelled();
         Sphere ball = minimum_enclosing_sphere(active);
         double reach = -1;
         std::size_t farthest = 0;

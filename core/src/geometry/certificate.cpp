@@ -3,6 +3,8 @@
 #include "geometry/crease_cuts.hpp"
 #include "geometry/proof.hpp"
 
+#include <foam/cancellation.hpp>
+
 namespace foam {
 namespace {
 
@@ -29,6 +31,7 @@ public:
         }
         for (std::uint32_t i = 0; i < balls_.piece_count(); ++i) {
             if (!proved[i]) {
+                asking_.check();
                 examine_triangle(i);
             }
         }
@@ -70,6 +73,7 @@ private:
         smallest_ = std::max(smallest_piece * balls_.extent(), shrink_ * geometry::size_of(whole));
         waiting_.assign(1, {whole, 0, indices_.size()});
         while (!waiting_.empty()) {
+            asking_.check();
             const Waiting next = waiting_.back();
             waiting_.pop_back();
             indices_.resize(next.end);
@@ -129,6 +133,7 @@ private:
         certificate_.triangle = piece.triangle;
     }
 
+    CancellationCounter asking_{256};
     double shrink_;
     std::uint32_t most_halvings_;
     Balls balls_;

@@ -2,6 +2,7 @@
 
 #include "geometry/welding.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/edges.hpp>
 
 #include <array>
@@ -86,7 +87,9 @@ private:
         const double mean = length / static_cast<double>(std::max<std::size_t>(rim_.size(), 1));
         const double limit = std::min(crack_of_extent * box.diagonal(), crack_of_edge * mean);
         std::map<Cell, std::vector<std::uint32_t>> kept;
+        CancellationCounter asking(1024);
         for (auto& [corner, target] : drawn_) {
+            asking.check();
             const Vec3 p = mesh_.vertices[corner];
             const auto cell = [&](double x, double low) {
                 return limit > 0 ? static_cast<std::int64_t>(std::floor((x - low) / limit)) : 0;

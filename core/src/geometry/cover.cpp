@@ -1,5 +1,7 @@
 #include "geometry/cover.hpp"
 
+#include <foam/cancellation.hpp>
+
 namespace foam::geometry {
 namespace {
 
@@ -107,7 +109,9 @@ Balls::Balls(const Solid& solid, std::span<const Sphere> spheres, std::uint32_t 
 }
 
 void Balls::find_round_parts(const Solid& solid) {
+    CancellationCounter asking(256);
     for (std::size_t i = 0; i < solid.parts().size(); ++i) {
+        asking.check();
         const Solid::Part& part = solid.parts()[i];
         if (!part.primitive || part.primitive->kind == Primitive::Kind::box) {
             continue;

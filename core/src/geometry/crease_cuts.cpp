@@ -1,5 +1,7 @@
 #include "geometry/crease_cuts.hpp"
 
+#include <foam/cancellation.hpp>
+
 namespace foam::geometry {
 
 bool CreaseCuts::Polygon::add(const Polygon& from, std::size_t corner) {
@@ -45,7 +47,9 @@ CreaseCuts::Polygon CreaseCuts::take() {
 
 bool CreaseCuts::cover(const Piece& piece, std::span<const std::uint32_t> candidates) {
     begin(piece, candidates);
+    CancellationCounter asking(256);
     while (!waiting_.empty()) {
+        asking.check();
         const Polygon next = take();
         Pair pair;
         const Answer answer = look(next, pair);
@@ -58,7 +62,9 @@ bool CreaseCuts::cover(const Piece& piece, std::span<const std::uint32_t> candid
 
 void CreaseCuts::raise(const Piece& piece, std::span<const std::uint32_t> candidates, std::vector<double>& reach) {
     begin(piece, candidates);
+    CancellationCounter asking(256);
     while (!waiting_.empty()) {
+        asking.check();
         const Polygon next = take();
         Pair pair;
         const Answer answer = look(next, pair);

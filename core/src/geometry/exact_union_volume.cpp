@@ -4,6 +4,7 @@
 // accessible surface area and the excluded volume of overlapping spheres via analytic equations").
 #include "geometry/union_parts.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/union_volume.hpp>
 
 #include <algorithm>
@@ -174,6 +175,7 @@ std::optional<ExposedPart> part_of(std::span<const Sphere> balls, std::size_t i)
 
 UnionParts::UnionParts(std::vector<Sphere> balls) : balls_(std::move(balls)) {
     for (std::size_t i = 0; i < balls_.size(); ++i) {
+        check_cancelled();
         parts_.push_back(part_of(balls_, i));
     }
 }
@@ -195,6 +197,7 @@ UnionParts UnionParts::with(std::vector<Sphere> balls) const {
         }
     }
     for (std::size_t i = 0; i < result.balls_.size(); ++i) {
+        check_cancelled();
         const Sphere& ball = result.balls_[i];
         const bool kept = i < balls_.size() && balls_[i] == ball &&
                           std::none_of(changed.begin(), changed.end(), [&](const Sphere& s) { return meet(ball, s); });

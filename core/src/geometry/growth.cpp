@@ -4,6 +4,7 @@
 #include "geometry/crease_cuts.hpp"
 #include "geometry/exposure.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/error.hpp>
 #include <foam/measure.hpp>
 
@@ -36,6 +37,7 @@ public:
         }
         for (std::uint32_t i = 0; i < balls_.piece_count(); ++i) {
             if (!held[i]) {
+                asking_.check();
                 enqueue(balls_.piece(i));
             }
         }
@@ -43,6 +45,7 @@ public:
             if (looks == most_looks) {
                 return false;
             }
+            asking_.check();
             const Entry entry = queue_.top();
             queue_.pop();
             const Bounds now = bounds(entry.piece);
@@ -167,6 +170,7 @@ private:
         return rounded_up(std::max(radius, spheres_[i].radius), quantum_);
     }
 
+    CancellationCounter asking_{64};
     std::vector<Sphere>& spheres_;
     double quantum_;
     Balls balls_;

@@ -1,4 +1,5 @@
 // Proof that balls lie in a solid, and spheres that pass it.
+#include <foam/cancellation.hpp>
 #include <foam/inner.hpp>
 
 #include "geometry/bvh.hpp"
@@ -65,7 +66,9 @@ public:
             return 0;
         }
         double winding = 0;
+        CancellationCounter asking(1024);
         for (const Corners& t : counting_) {
+            asking.check();
             winding += winding_of_triangle(t, p);
         }
         return rim_.radius_above_half(p, winding - winding_margin, free);
@@ -171,6 +174,7 @@ Vec3 deep_point(const Solid& solid, const Sphere& sphere) {
 /// Leaves out the balls that lie in another; of equal ones the first stays.
 void drop_contained(std::vector<Sphere>& spheres) {
     for (std::size_t i = 0; i < spheres.size(); ++i) {
+        check_cancelled();
         for (std::size_t j = 0; j < spheres.size() && spheres[i].radius > 0; ++j) {
             const double more = spheres[j].radius - spheres[i].radius;
             if ((more > 0 || (more == 0 && j < i)) && distance(spheres[i].center, spheres[j].center) <= more) {

@@ -3,6 +3,7 @@
 #include "geometry/line_grid.hpp"
 #include "geometry/solid_data.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/parallel.hpp>
 
 namespace foam::geometry {
@@ -16,6 +17,7 @@ constexpr double noise = 1e-9; // of the box: no length is known better
 struct TracedGrid {
     LineGrid grid;
     std::vector<GridCrossings> crossings{};
+    std::vector<std::vector<std::uint32_t>> parts{}; ///< that each line may meet, ascending
 };
 using TracedGrids = std::vector<TracedGrid>; // of each axis
 
@@ -25,9 +27,18 @@ TracedGrids traced(const SolidData& data, std::size_t across, std::string_view s
         grids.push_back({LineGrid(data.box, axis, across, stream)});
     }
     parallel_for(grids.size(), [&](std::size_t axis) {
-        for (const PartQueries& part : data.queries) {
-            grids[axis].crossings.push_back(part.primitive ? GridCrossings{}
-                                                           : GridCrossings(part.mesh(), grids[axis].grid));
+        TracedGrid& traced = grids[axis];
+        traced.parts.resize(traced.grid.lines.size());
+        for (std::uint32_t i = 0; i < data.queries.size(); ++i) {
+            check_cancelled();
+            const PartQueries& part = data.queries[i];
+            traced.crossings.push_back(part.primitive ? GridCrossings{} : GridCrossings(part.mesh(), traced.grid));
+            const LineGrid::Near near = traced.grid.near(part.box);
+            for (std::size_t row = near.first_row; row < near.last_row; ++row) {
+                for (std::size_t k = near.begin; k < near.end; ++k) {
+                    traced.parts[row * across + k].push_back(i);
+                }
+            }
         }
     });
     return grids;
@@ -42,6 +53,7 @@ template <class OfLine> Estimate integral(const TracedGrids& grids, OfLine of_li
     parallel_for(rows.size(), [&](std::size_t row) {
         double last = 0;
         for (std::size_t k = 0; k < across; ++k) {
+            check_cancelled();
             const double value = of_line(row, grids[row / across], row % across * across + k);
             rows[row].value += value;
             rows[row].error += k % 2 == 1 ? (value - last) * (value - last) : 0;
@@ -77,7 +89,7 @@ struct Tracer {
     double closed_along() {
         pieces.clear();
         intervals.clear();
-        for (std::size_t part = 0; part < data.queries.size(); ++part) {
+        for (const std::uint32_t part : grid.parts[line]) {
             winding_along(data.queries[part], along(), crossings(part), pieces);
         }
         double wound = 0;
@@ -94,7 +106,7 @@ struct Tracer {
     /// Where the line is inside the solid.
     Intervals inside_along() {
         Intervals result;
-        for (std::size_t part = 0; part < data.queries.size(); ++part) {
+        for (const std::uint32_t part : grid.parts[line]) {
             add_inside_along(data.queries[part], along(), crossings(part), whole_line, pieces, result);
         }
         unite(result);
@@ -136,6 +148,7 @@ InsideLines::InsideLines(const SolidData& data)
     };
     double exact = 0;
     for (const PartQueries& part : data.queries) {
+        check_cancelled();
         exact += part.volume();
     }
     const Estimate overlaps = integral(
@@ -155,6 +168,7 @@ double InsideLines::outside(std::span<const Sphere> spheres) const {
     std::vector<Sphere> near, nearer;
     Intervals in_balls, pieces;
     for (std::size_t task = 0; task < rows_.size(); ++task) {
+        check_cancelled();
         const Row& row = rows_[task];
         const int axis = static_cast<int>(task / across_), u = (axis + 1) % 3, v = (axis + 2) % 3;
         const double share = size[u] * size[v] / static_cast<double>(across_ * across_) / 3; // each axis is an estimate

@@ -1,3 +1,4 @@
+#include <foam/cancellation.hpp>
 #include <foam/mesh_change.hpp>
 
 #include "geometry/mesh_part.hpp"
@@ -40,7 +41,9 @@ public:
     bool holds(const Corners& triangle) const {
         constexpr int most_splits = 40;
         std::vector<Piece> open{{triangle, 0}};
+        CancellationCounter asking(64);
         while (!open.empty()) {
+            asking.check();
             const Piece piece = open.back();
             open.pop_back();
             geometry::Nearest nearest{std::numeric_limits<double>::infinity()};

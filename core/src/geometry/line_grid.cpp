@@ -3,6 +3,7 @@
 #include "geometry/intervals.hpp"
 #include "geometry/mesh_part.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/random.hpp>
 
 #include <algorithm>
@@ -121,7 +122,9 @@ private:
 };
 
 /// Where rounding hit several edges at once the changes of a line do not sum to zero: it takes one beside it.
-void take_beside(const MeshPart& part, const LineGrid& grid, const std::vector<int>& sums, std::vector<Hit>& hits) {
+/// `first`: the line of the first sum and of the first hits.
+void take_beside(const MeshPart& part, const LineGrid& grid, std::size_t first, const std::vector<int>& sums,
+                 std::vector<Hit>& hits) {
     if (std::all_of(sums.begin(), sums.end(), [](int sum) { return sum == 0; })) {
         return;
     }
@@ -129,7 +132,9 @@ void take_beside(const MeshPart& part, const LineGrid& grid, const std::vector<i
     std::vector<Crossing> crossings;
     for (std::size_t line = 0; line < sums.size(); ++line) {
         if (sums[line] != 0) {
-            part.crossings(grid.lines[line].origin(), grid.lines[line].direction(), crossings);
+            check_cancelled();
+            const Line& along = grid.lines[first + line];
+            part.crossings(along.origin(), along.direction(), crossings);
             for (const Crossing& crossing : crossings) {
                 hits.push_back({line, crossing});
             }
@@ -161,21 +166,39 @@ double LineGrid::cell_area() const {
     return size[(axis + 1) % 3] * size[(axis + 2) % 3] / static_cast<double>(across * across);
 }
 
+LineGrid::Near LineGrid::near(const Box& of) const {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const auto [first, last] = Cells(*this, u).of({of.low[u], of.high[u]});
+    const auto [begin, end] = Cells(*this, v).of({of.low[v], of.high[v]});
+    return {first, last, begin, end};
+}
+
 GridCrossings::GridCrossings(const MeshPart& part, const LineGrid& grid) {
+    const LineGrid::Near near = grid.near(part.bounds()); // what closes the mesh lies in its box, too
+    if (near.first_row >= near.last_row || near.begin >= near.end) {
+        return;
+    }
+    first_ = near.first_row * grid.across + near.begin;
+    const std::size_t count = (near.last_row - 1) * grid.across + near.end - first_;
     std::vector<Hit> hits;
-    std::vector<int> sums(grid.lines.size());
+    std::vector<int> sums(count);
     const Rows rows(grid);
+    CancellationCounter asking(1024);
     part.for_each_closed([&](const Corners& triangle) {
+        asking.check();
         rows.for_each_line_near(triangle, [&](std::size_t line) {
             double t = 0;
+            if (line < first_ || line - first_ >= count) {
+                return; // a hair beside the box
+            }
             if (const int change = grid.lines[line].cross(triangle, t); change != 0) {
-                hits.push_back({line, {t, change}});
-                sums[line] += change;
+                hits.push_back({line - first_, {t, change}});
+                sums[line - first_] += change;
             }
         });
     });
-    take_beside(part, grid, sums, hits);
-    begins_.resize(grid.lines.size() + 1);
+    take_beside(part, grid, first_, sums, hits);
+    begins_.resize(count + 1);
     for (const Hit& hit : hits) {
         ++begins_[hit.line + 1];
     }
@@ -185,7 +208,7 @@ GridCrossings::GridCrossings(const MeshPart& part, const LineGrid& grid) {
     for (const Hit& hit : hits) {
         crossings_[places[hit.line]++] = hit.crossing;
     }
-    for (std::size_t line = 0; line < grid.lines.size(); ++line) {
+    for (std::size_t line = 0; line < count; ++line) {
         std::sort(crossings_.begin() + static_cast<std::ptrdiff_t>(begins_[line]),
                   crossings_.begin() + static_cast<std::ptrdiff_t>(begins_[line + 1]));
     }

@@ -16,6 +16,11 @@ class MeshPart;
 struct LineGrid {
     LineGrid(const Box& bounds, int parallel_to, std::size_t lines_a_side, std::string_view stream);
 
+    /// The lines that may meet a box: of each row from `begin`, one past the last, and the rows likewise.
+    struct Near {
+        std::size_t first_row, last_row, begin, end;
+    };
+    Near near(const Box& box) const;
     /// Of the cell across the lines.
     double cell_area() const;
 
@@ -32,13 +37,19 @@ public:
     GridCrossings() = default;
     GridCrossings(const MeshPart& part, const LineGrid& grid);
 
+    /// Of a line beside the mesh: none.
     std::span<const Crossing> of(std::size_t line) const {
-        return std::span(crossings_).subspan(begins_[line], begins_[line + 1] - begins_[line]);
+        if (line < first_ || line - first_ + 1 >= begins_.size()) {
+            return {};
+        }
+        const std::size_t at = line - first_;
+        return std::span(crossings_).subspan(begins_[at], begins_[at + 1] - begins_[at]);
     }
 
 private:
     std::vector<Crossing> crossings_;
-    std::vector<std::size_t> begins_; ///< of each line, and the end
+    std::size_t first_ = 0;           ///< line that may meet the mesh
+    std::vector<std::size_t> begins_; ///< of each line from that to the last that may, and the end
 };
 
 } // namespace foam::geometry

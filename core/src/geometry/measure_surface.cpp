@@ -2,6 +2,7 @@
 #include "geometry/fibonacci.hpp"
 #include "geometry/measure_parts.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/parallel.hpp>
 
 #include <numbers>
@@ -41,7 +42,9 @@ Sums sums_of(const Solid& solid, std::span<const Sphere> balls, std::size_t i, s
     }
     const Sphere& ball = balls[i];
     Vec3 best{};
+    CancellationCounter asking(64);
     for (const Vec3& n : directions) {
+        asking.check();
         const Vec3 p = ball.center + ball.radius * n;
         if (!exposed(p, near)) {
             continue;
@@ -76,7 +79,9 @@ double covered_share(const Solid& solid, std::span<const Sphere> balls, const Me
     std::vector<Sphere> near; // the balls that reach the triangle
     std::uint32_t triangle = 0xFFFFFFFFu;
     std::size_t covered = 0;
+    CancellationCounter asking(1024);
     for (const SurfacePoint& sample : points) {
+        asking.check();
         if (sample.triangle != triangle) {
             triangle = sample.triangle;
             near.clear();

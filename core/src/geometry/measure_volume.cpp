@@ -2,6 +2,7 @@
 #include "geometry/intervals.hpp"
 #include "geometry/measure_parts.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/parallel.hpp>
 #include <foam/random.hpp>
 #include <foam/union_volume.hpp>
@@ -49,6 +50,7 @@ Estimate along_lines(const Box& box, std::span<const Sphere> balls, std::size_t 
             Vec3 origin = box.low;
             origin[u] = from + cell[u] * random.uniform();
             origin[v] += cell[v] * (static_cast<double>(k) + random.uniform());
+            check_cancelled();
             balls_along(near, origin, axis, in_balls);
             rows[task] += cell[u] * cell[v] * length_along(origin, axis, in_balls);
         }

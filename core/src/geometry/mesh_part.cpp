@@ -2,6 +2,8 @@
 
 #include "geometry/closing_surface.hpp"
 
+#include <foam/cancellation.hpp>
+
 namespace foam::geometry {
 namespace {
 
@@ -38,7 +40,9 @@ MeshPart::MeshPart(const Mesh& mesh, const Reading& reading, Unclosed) : closed_
     const Vec3 center = box_.center();
     bvh_ = Bvh(boxes);
     items_.reserve(count);
+    CancellationCounter asking(4096);
     for (const std::uint32_t i : bvh_.order()) {
+        asking.check();
         const auto& [a, b, c] = mesh.triangles[i];
         Item item{{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}, i, reading.facing[i] != Facing::ignored};
         if (reading.facing[i] == Facing::flipped) {

@@ -3,6 +3,7 @@
 #include "geometry/triangle.hpp"
 #include "geometry/welding.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/edges.hpp>
 
 namespace foam::geometry {
@@ -114,6 +115,7 @@ private:
         const std::vector<std::vector<std::uint32_t>> copies = groups_of_copies();
         std::vector<char> keep_one = mostly_double_sided(component, copies);
         while (true) {
+            check_cancelled();
             reset();
             for (const auto& group : copies) {
                 drop_copies(group, keep_one[component[group[0]]]);
@@ -245,6 +247,7 @@ private:
         const std::vector<Neighbours> neighbours = neighbours_in_patches();
         std::vector<signed char> turned(triangles_.size(), -1);
         std::vector<std::uint32_t> patch;
+        CancellationCounter asking(4096);
         for (std::uint32_t seed = 0; seed < triangles_.size(); ++seed) {
             if (turned[seed] >= 0) {
                 continue;
@@ -254,6 +257,7 @@ private:
             bool orientable = true;
             double area_turned = 0, area_kept = 0;
             for (std::size_t k = 0; k < patch.size(); ++k) {
+                asking.check();
                 const std::uint32_t i = patch[k];
                 patch_of_[i] = seed;
                 (turned[i] ? area_turned : area_kept) += area(i);
@@ -293,8 +297,10 @@ private:
                 flip(i);
             }
         }
+        check_cancelled();
         const std::vector<Shell> all = shells();
         for (std::size_t s = 0; s < all.size(); ++s) {
+            check_cancelled();
             if (all[s].closed && all[s].volume < 0 && !in_another(all, s)) {
                 for (const std::uint32_t i : all[s].triangles) {
                     flip(i);

@@ -1,5 +1,7 @@
 #include "geometry/rim.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <map>
 #include <numbers>
 #include <utility>
@@ -64,6 +66,7 @@ double Rim::radius_above_half(const Vec3& p, double winding, double free) const 
     std::vector<Source> sources;
     double nearest = free;
     constexpr double safe = 1 - 1e-12;
+    check_cancelled();
     for (const Edge& e : edges_) {
         sources.push_back({e.times * distance(e.from, e.to), distance_to_segment(e.from, e.to, p) * safe});
         nearest = std::min(nearest, sources.back().distance);

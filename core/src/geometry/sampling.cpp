@@ -1,5 +1,6 @@
 #include "geometry/surface_points.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/random.hpp>
 
 namespace foam {
@@ -19,7 +20,9 @@ std::vector<SurfacePoint> sampled_surface(const Mesh& mesh, std::size_t count, s
     points.reserve(count);
     std::size_t triangle = 0;
     double first = random.uniform(), second = random.uniform();
+    CancellationCounter asking(4096);
     for (std::size_t i = 0; i < count; ++i) {
+        asking.check();
         const double at = (static_cast<double>(i) + random.uniform()) / static_cast<double>(count) * sum;
         while (triangle + 1 < up_to.size() && !(at < up_to[triangle])) {
             ++triangle;

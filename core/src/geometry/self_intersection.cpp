@@ -1,3 +1,4 @@
+#include <foam/cancellation.hpp>
 #include <foam/self_intersection.hpp>
 
 #include "geometry/bvh.hpp"
@@ -113,7 +114,9 @@ template <class Visit> void for_each_near(const Bvh& bvh, const Box& box, Visit 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(const Mesh& mesh) {
     const std::size_t count = mesh.triangles.size();
     std::vector<Box> boxes(count);
+    CancellationCounter asking(4096);
     for (std::size_t i = 0; i < count; ++i) {
+        asking.check();
         for (const std::uint32_t corner : mesh.triangles[i]) {
             boxes[i].add(mesh.vertices[corner]);
         }

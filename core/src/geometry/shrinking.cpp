@@ -2,6 +2,8 @@
 #include "geometry/exposure.hpp"
 #include "geometry/growth.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <numeric>
 
 namespace foam::geometry {
@@ -21,7 +23,9 @@ public:
 
     /// Leaves out the triangles with skip[i] != 0. Once there are no looks left, the limit is what it needs.
     double run(const std::vector<char>& skip) {
+        CancellationCounter asking(256);
         for (std::uint32_t i = 0; i < balls_.piece_count(); ++i) {
+            asking.check();
             if (!skip[i]) {
                 push(balls_.piece(i), i);
             }
@@ -32,6 +36,7 @@ public:
                 return std::max(need_, limit_);
             }
             --looks_;
+            asking.check();
             std::pop_heap(queue_.begin(), queue_.end());
             const Entry next = queue_.back();
             queue_.pop_back();

@@ -1,10 +1,12 @@
 #include "geometry/solid_data.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/error.hpp>
 
 #include <tbb/task_arena.h>
 
 #include <string>
+#include <tuple>
 
 namespace foam {
 namespace {
@@ -63,6 +65,7 @@ void add_part(geometry::SolidData& data, std::size_t index) {
             std::swap(t[1], t[2]);
         }
     }
+    data.first_triangles.push_back(data.surface.triangles.size());
     append(data.surface, mesh);
     data.offsets.push_back(static_cast<std::uint32_t>(data.surface.triangles.size()));
     data.box.add(box);
@@ -73,6 +76,55 @@ void add_part(geometry::SolidData& data, std::size_t index) {
     data.queries.push_back({std::make_unique<const geometry::QueriedMesh>(std::move(given), std::move(reading)),
                             std::move(primitive), box});
     data.closed = data.closed && data.queries.back().closed();
+}
+
+void index_parts(geometry::SolidData& data) {
+    if (data.queries.size() < geometry::PartIndex::many) {
+        return;
+    }
+    std::vector<Box> boxes;
+    for (const PartQueries& part : data.queries) {
+        boxes.push_back(part.box);
+    }
+    data.index = geometry::PartIndex(boxes, data.box);
+}
+
+/// The nearest of many parts; of equal ones the first.
+std::pair<Nearest, std::size_t> nearest_of_many(const geometry::SolidData& data, const Vec3& point) {
+    Nearest best{std::numeric_limits<double>::infinity()};
+    std::size_t of = data.queries.size();
+    data.index.for_each_nearer(
+        point, [&] { return std::sqrt(best.squared_distance); },
+        [&](std::uint32_t part) {
+            constexpr double infinity = std::numeric_limits<double>::infinity();
+            const double most = part < of ? std::nextafter(best.squared_distance, infinity) : best.squared_distance;
+            Nearest nearest{most};
+            data.queries[part].mesh().closest(point, nearest);
+            if (nearest.squared_distance < most) {
+                best = nearest;
+                of = part;
+            }
+        });
+    return {best, of};
+}
+
+/// The least of many parts.
+double least_signed_distance(const geometry::SolidData& data, const Vec3& point) {
+    double least = std::numeric_limits<double>::infinity();
+    data.index.for_each_nearer(
+        point, [&] { return std::max(least, 0.0); },
+        [&](std::uint32_t i) {
+            const PartQueries& part = data.queries[i];
+            if (part.primitive) {
+                least = std::min(least, part.primitive->signed_distance(point));
+                return;
+            }
+            Nearest nearest{std::numeric_limits<double>::infinity()};
+            part.mesh().closest(point, nearest);
+            const double distance = std::sqrt(nearest.squared_distance);
+            least = std::min(least, part.mesh().contains(point) ? -distance : distance);
+        });
+    return least;
 }
 
 const geometry::InsideLines& lines_of(const geometry::SolidData& data) {
@@ -102,12 +154,14 @@ std::shared_ptr<const Solid> Solid::make(std::vector<Part> parts) {
     data->parts = std::move(parts);
     data->offsets.push_back(0);
     for (std::size_t i = 0; i < data->parts.size(); ++i) {
+        check_cancelled();
         add_part(*data, i);
     }
     if (data->surface.triangles.empty()) {
         throw Error(ErrorCode::geometry, "there is no triangle: a solid needs a mesh with triangles or a primitive");
     }
     data->area = surface_area(data->surface);
+    index_parts(*data);
     return std::shared_ptr<const Solid>(new Solid(std::move(data)));
 }
 
@@ -150,7 +204,11 @@ SurfacePoint Solid::closest(const Vec3& point) const {
     Nearest nearest{std::numeric_limits<double>::infinity()};
     std::uint32_t triangle = 0;
     std::size_t query = 0;
-    for (std::size_t part = 0; part + 1 < data_->offsets.size(); ++part) {
+    if (!data_->index.empty()) {
+        std::tie(nearest, query) = nearest_of_many(*data_, point);
+        triangle = static_cast<std::uint32_t>(data_->first_triangles.at(query)) + nearest.triangle;
+    }
+    for (std::size_t part = 0; data_->index.empty() && part + 1 < data_->offsets.size(); ++part) {
         if (data_->offsets[part] == data_->offsets[part + 1]) {
             continue;
         }
@@ -166,6 +224,9 @@ SurfacePoint Solid::closest(const Vec3& point) const {
 }
 
 bool Solid::contains(const Vec3& point) const {
+    if (!data_->index.empty()) {
+        return data_->index.any_at(point, [&](std::uint32_t part) { return data_->queries[part].contains(point); });
+    }
     for (const PartQueries& part : data_->queries) {
         if (part.contains(point)) {
             return true;
@@ -175,6 +236,9 @@ bool Solid::contains(const Vec3& point) const {
 }
 
 double Solid::signed_distance(const Vec3& point) const {
+    if (!data_->index.empty()) {
+        return least_signed_distance(*data_, point);
+    }
     double least = std::numeric_limits<double>::infinity();
     for (const PartQueries& part : data_->queries) {
         if (part.primitive) {

@@ -3,6 +3,7 @@
 
 #include "geometry/inside_lines.hpp"
 #include "geometry/mesh_part.hpp"
+#include "geometry/part_index.hpp"
 #include "geometry/primitive.hpp"
 
 #include <foam/solid.hpp>
@@ -58,6 +59,8 @@ struct SolidData {
     double area = 0;
     bool closed = true;
     std::vector<PartQueries> queries;
+    std::vector<std::size_t> first_triangles; ///< of each of the queries, in `surface`
+    PartIndex index;                          ///< of the queries, if there are many
 
     mutable std::once_flag lines_once;
     mutable std::unique_ptr<const InsideLines> lines;

@@ -1,6 +1,7 @@
 // Volume of a union of balls.
 #include "geometry/fibonacci.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/measure.hpp>
 
 #include <numbers>
@@ -34,6 +35,7 @@ double union_volume(std::span<const Sphere> spheres, std::size_t directions) {
     double volume = 0;
     std::vector<Sphere> near;
     for (std::size_t i = 0; i < balls.size(); ++i) {
+        check_cancelled();
         const Sphere& ball = balls[i];
         if (!geometry::overlapping(balls, i, near)) {
             continue;

@@ -1,3 +1,4 @@
+#include <foam/cancellation.hpp>
 #include <foam/cell.hpp>
 
 #include <algorithm>
@@ -56,6 +57,7 @@ double volume_saved(std::span<const Sphere> spheres, std::size_t index, std::spa
             others.push_back(spheres[i]);
         }
     }
+    check_cancelled();
     int lost = 0;
     for (const Vec3& unit : points) {
         const Vec3 point = old.center + old.radius * unit;

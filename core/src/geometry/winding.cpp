@@ -3,6 +3,8 @@
 #include "geometry/angle_sum.hpp"
 #include "geometry/mesh_part.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <numbers>
 
 namespace foam::geometry {
@@ -118,7 +120,9 @@ void MeshPart::compute_moments() {
     const std::vector<BvhNode>& nodes = bvh_.nodes();
     moments_.assign(nodes.size(), {});
     std::vector<Below> below(nodes.size());
+    CancellationCounter asking(1024);
     for (std::size_t n = nodes.size(); n-- > 0;) { // children come behind their parents
+        asking.check();
         const BvhNode& node = nodes[n];
         Moments& moments = moments_[n];
         const Vec3 middle = (node.low + node.high) * 0.5;

@@ -32,16 +32,23 @@ bool any_deep(const ShapeWork& work) {
                        [](const auto& known) { return known.second.levels.size() > 2; });
 }
 
-/// The trees of the counts, with what they claim once grown.
+/// The trees of the counts, with what they claim once grown; of infinite volume those for which there was no time.
 std::vector<Candidate> candidates(const Workspace& workspace, const ShapeWork& work,
                                   const std::vector<std::size_t>& counts) {
-    const Workspace measuring = workspace.in(Phase::finishing); // takes a moment, and is of no use undone
     std::vector<Candidate> result(counts.size());
     parallel_for(counts.size(), [&](std::size_t i) {
-        measuring.check_cancelled();
-        result[i].tree = work.known.trees.at(work.known.asked.at(counts[i]));
-        result[i].grown = grown_to_cover(work.shape->original(), result[i].tree.finest());
-        result[i].volume = geometry::joint_volume(work.shape->original(), result[i].grown);
+        const auto candidate = [&] {
+            Candidate made;
+            made.tree = work.known.trees.at(work.known.asked.at(counts[i]));
+            made.grown = grown_to_cover(work.shape->original(), made.tree.finest());
+            made.volume = geometry::joint_volume(work.shape->original(), made.grown);
+            return made;
+        };
+        if (i == 0) { // of no use undone
+            result[i] = candidate();
+        } else if (auto made = measured_in(workspace.in(Phase::beginning), candidate)) {
+            result[i] = std::move(*made);
+        }
     });
     return result;
 }
@@ -64,15 +71,18 @@ void split_up_to(const Workspace& workspace, const Solid& solid, std::optional<c
     Candidate next = best;
     while (next.tree.levels.size() <= 2 && next.grown.size() < count && !workspace.ended()) {
         if (!splitting) {
-            splitting.emplace(solid);
+            measured_in(workspace, [&] { return &splitting.emplace(solid); });
         }
-        cover::Claim more = splitting->one_more(next.grown, next.volume);
-        if (more.spheres.size() == next.grown.size()) {
+        if (!splitting) {
             return;
         }
-        next.volume = more.volume;
-        next.tree = with_finest(next.tree, more.spheres);
-        next.grown = std::move(more.spheres);
+        auto more = measured_in(workspace, [&] { return splitting->one_more(next.grown, next.volume); });
+        if (!more || more->spheres.size() == next.grown.size()) {
+            return;
+        }
+        next.volume = more->volume;
+        next.tree = with_finest(next.tree, more->spheres);
+        next.grown = std::move(more->spheres);
         if (next.volume < (1 - clearly) * best.volume) {
             best = next;
         }
@@ -100,12 +110,13 @@ SphereTree with_splits_between(const Workspace& workspace, const ShapeWork& work
 }
 
 std::size_t best_of(const Workspace& workspace, const ShapeWork& work, const std::vector<std::size_t>& counts) {
-    const Workspace measuring = workspace.in(Phase::finishing);
-    std::vector<double> cost(counts.size());
+    std::vector<double> cost(counts.size(), std::numeric_limits<double>::infinity());
     parallel_for(counts.size(), [&](std::size_t i) {
-        measuring.check_cancelled();
-        cost[i] = wrong_volume(work.shape->original(), work.known.trees.at(work.known.asked.at(counts[i])).finest(),
-                               workspace.recipe.guarantee);
+        const SphereTree& tree = work.known.trees.at(work.known.asked.at(counts[i]));
+        const auto wrong = [&] {
+            return wrong_volume(work.shape->original(), tree.finest(), workspace.recipe.guarantee);
+        };
+        cost[i] = measured_in(workspace.in(Phase::beginning), wrong).value_or(cost[i]);
     });
     return work.known.asked.at(
         counts[static_cast<std::size_t>(std::min_element(cost.begin(), cost.end()) - cost.begin())]);

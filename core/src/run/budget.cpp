@@ -211,6 +211,7 @@ ChosenCounts choose_counts(const Workspace& preparing, const std::vector<LinkWor
                            std::vector<ShapeWork>& shapes, const std::vector<Group>& groups, ReferencePose* pose) {
     const Recipe& recipe = preparing.recipe;
     const Workspace workspace = preparing.in(Phase::searching);
+    const StopScope scope(workspace.in(Phase::finishing).request()); // a search that ends leaves what it found
     if (recipe.budget_spheres || recipe.budget_excess) {
         require_enough(recipe, shapes, groups);
     }

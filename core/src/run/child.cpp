@@ -3,6 +3,7 @@
 #include "signals.hpp"
 
 #include <foam/error.hpp>
+#include <foam/host/crash.hpp>
 
 #include <fmt/format.h>
 
@@ -14,6 +15,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
@@ -28,6 +30,28 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 std::atomic<std::size_t> running{0};
+
+// Where a signal handler can read them. More children at once than this outlive an end of the program at once for as
+// long as the kernel takes to see that their parent is gone.
+std::array<std::atomic<pid_t>, 256> groups;
+
+void remember(pid_t group) {
+    for (auto& slot : groups) {
+        pid_t none = 0;
+        if (slot.compare_exchange_strong(none, group)) {
+            return;
+        }
+    }
+}
+
+void forget(pid_t group) {
+    for (auto& slot : groups) {
+        pid_t expected = group;
+        if (slot.compare_exchange_strong(expected, 0)) {
+            return;
+        }
+    }
+}
 
 [[noreturn]] void fail(const char* what, int error) {
     throw Error(ErrorCode::internal,
@@ -104,9 +128,11 @@ public:
             fail(name.c_str(), error);
         }
         ++running;
+        remember(id_);
     }
     ~Process() {
         kill_group();
+        forget(id_);
         while (!status_ && waitpid(id_, nullptr, 0) < 0 && errno == EINTR) {
         }
         --running;
@@ -205,6 +231,14 @@ ChildEnd run_child(const std::filesystem::path& program, std::string_view reques
         }
         if (limits.seconds && std::chrono::duration<double>(Clock::now() - begin).count() > *limits.seconds) {
             return {ChildEnd::Why::too_long};
+        }
+    }
+}
+
+void end_children() {
+    for (const auto& slot : groups) {
+        if (const pid_t group = slot.load(); group > 0) {
+            kill(-group, SIGKILL);
         }
     }
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <cctype>
 #include <cstring>
 
@@ -43,11 +44,24 @@ std::string to_ply(const Mesh& mesh) {
     return bytes;
 }
 
+std::string why_dropped(const Workspace& workspace) {
+    return workspace.cut() == Cut::stop
+               ? "the run was stopped"
+               : fmt::format("the time limit of {} s is over", workspace.time_limit().value_or(0));
+}
+
 std::vector<OutputFile> write_debug_meshes(const Workspace& workspace, const FinishedModel& finished,
                                            const RunDirectory& directory) {
+    if (!workspace.recipe.debug_meshes) {
+        return {};
+    }
     std::vector<std::vector<OutputFile>> files(finished.links.size());
+    std::atomic<bool> dropped = false;
     parallel_for(finished.links.size(), [&](std::size_t l) {
-        workspace.check_cancelled();
+        if (workspace.ended()) {
+            dropped = true;
+            return;
+        }
         const LinkWork& link = *finished.links[l].work;
         const std::filesystem::path folder = std::filesystem::path("links") / folder_name(link.link->name);
         const auto write = [&](std::size_t number, const std::string& stage, const Mesh& mesh) {
@@ -70,6 +84,10 @@ std::vector<OutputFile> write_debug_meshes(const Workspace& workspace, const Fin
         }
         write(filters.size() + 1, link.recipe.spherizer.stage, spheres);
     });
+    if (dropped) {
+        workspace.journal.finding({Severity::warning, "", "",
+                                   fmt::format("{}: debug meshes are missing", why_dropped(workspace))});
+    }
     std::vector<OutputFile> all;
     for (const auto& list : files) {
         all.insert(all.end(), list.begin(), list.end());

@@ -11,7 +11,8 @@
 
 namespace foam {
 
-/// links/<link>/<nn>-<stage>.ply: the link after each stage, link frame; spheres as closed meshes. Returns the files.
+/// links/<link>/<nn>-<stage>.ply, if the recipe wants them: the link after each stage, link frame; spheres as closed
+/// meshes. Returns the files. Where there is no time for all a warning says so; the same of pictures.
 std::vector<OutputFile> write_debug_meshes(const Workspace& workspace, const FinishedModel& finished,
                                            const RunDirectory& directory);
 
@@ -19,6 +20,9 @@ struct Snapshots {
     std::vector<std::filesystem::path> files; ///< relative to the run directory
     std::string robot;                        ///< PNG of the whole robot; empty if the recipe wants none
 };
+
+/// Why what is for people alone is left out of a run.
+std::string why_dropped(const Workspace& workspace);
 
 /// snapshots/robot.png and links/<link>/spheres.png (recipe: snapshots), links/<link>/stages.png (recipe:
 /// debug.snapshots).

@@ -4,6 +4,11 @@
 #include "cover.hpp"
 #include "trees.hpp"
 
+#include <foam/inner.hpp>
+#include <foam/measure.hpp>
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -82,19 +87,63 @@ Shared share(const std::vector<ShapeWork>& shapes, const std::vector<Group>& gro
     return {sharing.best(), false};
 }
 
-void compute_until_cut(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts) {
+/// compute_trees(), or as far as the phase's end.
+static void compute_in_time(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts) {
     try {
         compute_trees(workspace, work, counts);
     } catch (const Error& error) {
-        if (error.code() != ErrorCode::cancelled || workspace.cut() == Cut::none) {
+        if (error.code() != ErrorCode::cancelled || !workspace.ended()) {
             throw;
         }
     }
-    if (work.known.trees.empty() && workspace.cut() != Cut::none) {
-        const Workspace unlimited = workspace.in(Phase::preparing);
-        unlimited.check_cancelled();
+}
+
+/// One ball around the shape, where there is no time for its spherizer to make anything.
+static void take_enclosing_ball(const Workspace& workspace, ShapeWork& work) {
+    workspace.in(Phase::preparing).check_cancelled();
+    if (workspace.recipe.guarantee == Guarantee::inner) {
+        throw Error(ErrorCode::geometry, fmt::format("stage '{}', link '{}': no sphere was found within the time limit "
+                                                     "of {} s; remedy: more time",
+                                                     work.spherizer.stage, work.link, *workspace.time_limit()));
+    }
+    const Sphere ball = minimum_enclosing_sphere(work.shape->original().surface().vertices);
+    work.known.asked[work.least] = 1;
+    work.known.trees[1] = flat_tree({ball});
+    workspace.journal.finding({Severity::warning, work.link, work.spherizer.stage,
+                               fmt::format("it made nothing within the time limit of {} s: one enclosing sphere "
+                                           "stands in",
+                                           *workspace.time_limit())});
+}
+
+/// Finishes spheres of a shape as if they were the result, to know how much time that takes.
+static void try_to_finish(const Workspace& workspace, ShapeWork& work) {
+    const double begin = workspace.journal.seconds();
+    try {
+        const Solid& solid = work.shape->original();
+        const StopScope scope(workspace.in(Phase::beginning).request());
+        const FinishedTree tree = finished_tree(solid, work.known.trees.begin()->second, workspace.recipe.guarantee);
+        measure(solid, tree.tree.finest());
+    } catch (const Error&) {
+        // What is wrong with them is told where they are finished; it took its time all the same.
+    }
+    workspace.limits->add_to_reserve(workspace.journal.seconds() - begin, work.groups.size(), thread_count());
+    work.tried_to_finish = true;
+}
+
+void compute_until_cut(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts) {
+    compute_in_time(workspace, work, counts);
+    if (work.known.trees.empty() && workspace.cut() == Cut::time_limit) {
         workspace.journal.expect(1);
-        compute_trees(unlimited, work, {work.least});
+        compute_in_time(workspace.in(Phase::beginning), work, {work.least});
+        if (work.known.trees.empty()) {
+            take_enclosing_ball(workspace, work);
+        }
+    }
+    if (work.known.trees.empty()) {
+        throw Error(ErrorCode::cancelled, "cancelled; nothing was written");
+    }
+    if (workspace.time_limit() && !work.tried_to_finish && !workspace.ended()) {
+        try_to_finish(workspace, work);
     }
 }
 
@@ -118,19 +167,24 @@ Cut explore(const Workspace& workspace, std::vector<ShapeWork>& shapes,
     }
     for_each_shape(shapes, [&](std::size_t s) { compute_until_cut(workspace, shapes[s], counts[s]); });
     const Cut cut = workspace.cut();
-    measure_trees(
+    const bool all = measure_trees(
         workspace, shapes, [&](std::size_t s, std::size_t count) { return shapes[s].known.curve.knows(count); },
+        [&](std::size_t s) { return shapes[s].known.curve.known().empty(); },
         [&](const ShapeWork& work, const SphereTree& tree) { return cost_of(workspace, work, tree); },
         [&](std::size_t s, std::size_t count, const Cost& cost) { shapes[s].known.curve.set(count, cost); });
-    return cut;
+    return all ? cut : workspace.cut();
 }
 
 namespace {
 
-/// What a sphere more than were explored may save, m³: costs were seen to fall as count^-0.4 on links of robots.
+/// What a sphere more than were explored may save, m³: costs were seen to fall as count^-0.4 on links of robots. What
+/// lies in a cavity hardly falls: only spheres much smaller than the cavity leave it free.
 double expected_gain(const Recipe& recipe, const ShapeWork& work) {
+    constexpr double least_share = 0.05;
+    const double wrong = work.known.curve.least().volume;
+    const double may_fall = std::max(wrong - work.cavities, least_share * wrong);
     return work.known.asked.rbegin()->first < most_of(recipe, work)
-               ? 0.4 * work.known.curve.least().volume / static_cast<double>(work.known.asked.rbegin()->first)
+               ? 0.4 * may_fall / static_cast<double>(work.known.asked.rbegin()->first)
                : 0;
 }
 

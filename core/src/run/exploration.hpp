@@ -3,8 +3,10 @@
 
 #include "shapes.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace foam {
@@ -31,7 +33,7 @@ std::size_t number_of_its_own(const Recipe& recipe, const ShapeWork& shape);
 std::vector<std::size_t> first_counts(const Recipe& recipe, const ShapeWork& shape, std::size_t groups);
 
 /// compute_trees(); of a search that is cut, those until then. If there is none yet, a stop cancels the run, and after
-/// a time limit it is the tree of the fewest spheres.
+/// a time limit it is the tree of the fewest spheres, or one ball around the shape where that takes too long as well.
 void compute_until_cut(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts);
 
 /// Of a number of spheres.
@@ -52,33 +54,65 @@ struct Shared {
 Shared share(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups, const Goal& goal,
              const std::vector<Bounds>& bounds = {});
 
-/// Measures trees on all cores, those of a search that was cut, too: it takes a moment, and they are of no use without.
-/// Of the shapes without an error, each tree of which `known(shape, count)` is false; `keep(shape, count, measured)` is
-/// called in their order with what `measure(work, tree)` gave.
-template <class Known, class Measure, class Keep>
-void measure_trees(const Workspace& workspace, const std::vector<ShapeWork>& shapes, Known known, Measure measure,
-                   Keep keep) {
+/// What `measure()` gives, under the request of a phase; nothing if that ended it.
+template <class Measure> auto measured_in(const Workspace& workspace, Measure measure) {
+    std::optional<std::invoke_result_t<Measure&>> result;
+    try {
+        const StopScope scope(workspace.request());
+        check_cancelled();
+        result.emplace(measure());
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::cancelled) {
+            throw;
+        }
+    }
+    return result;
+}
+
+/// Measures trees on all cores, those of a search that was cut, too, as far as there is time: they are of no use
+/// without. Of the shapes without an error, each tree of which `known(shape, count)` is false; `keep(shape, count,
+/// measured)` is called in their order with what `measure(work, tree)` gave. Where `nothing_known(shape)`, the first
+/// is measured whatever time that takes. Returns whether there was time for all.
+template <class Known, class NothingKnown, class Measure, class Keep>
+bool measure_trees(const Workspace& workspace, const std::vector<ShapeWork>& shapes, Known known,
+                   NothingKnown nothing_known, Measure measure, Keep keep) {
     struct Point {
         std::size_t shape, count;
-        std::invoke_result_t<Measure&, const ShapeWork&, const SphereTree&> measured{};
+        bool needed;
+        std::optional<std::invoke_result_t<Measure&, const ShapeWork&, const SphereTree&>> measured{};
     };
     std::vector<Point> points;
     for (std::size_t s = 0; s < shapes.size(); ++s) {
+        bool needed = nothing_known(s);
         for (const auto& [count, tree] : shapes[s].known.trees) {
             if (!shapes[s].error && !known(s, count)) {
-                points.push_back({s, count});
+                points.push_back({s, count, needed});
+                needed = false;
             }
         }
     }
-    const Workspace measuring = workspace.in(Phase::finishing);
+    std::stable_partition(points.begin(), points.end(), [](const Point& point) { return point.needed; });
     parallel_for(points.size(), [&](std::size_t i) {
-        measuring.check_cancelled();
-        const ShapeWork& work = shapes[points[i].shape];
-        points[i].measured = measure(work, work.known.trees.at(points[i].count));
+        Point& point = points[i];
+        const ShapeWork& work = shapes[point.shape];
+        const auto once = [&] { return measure(work, work.known.trees.at(point.count)); };
+        if (point.needed) {
+            point.measured = once();
+        } else {
+            point.measured = measured_in(workspace.in(Phase::beginning), once);
+        }
     });
+    std::stable_sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
+        return std::pair(a.shape, a.count) < std::pair(b.shape, b.count);
+    });
+    bool all = true;
     for (const Point& point : points) {
-        keep(point.shape, point.count, point.measured);
+        if (point.measured) {
+            keep(point.shape, point.count, *point.measured);
+        }
+        all = all && point.measured;
     }
+    return all;
 }
 
 /// Makes the curves know the counts asked for: spherize, cover, measure what is claimed wrongly. What cut the search

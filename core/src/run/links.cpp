@@ -63,6 +63,21 @@ void report_planes(const Workspace& workspace, LinkWork& link, const std::vector
     }
 }
 
+/// Whether `body` ended before the time to cover and measure was over. Where there is nothing to write instead it
+/// ends by Error(cancelled).
+template <class Body> bool done_in_time(const Workspace& workspace, Body body) {
+    try {
+        body();
+        return true;
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::cancelled || workspace.ended() ||
+            workspace.recipe.guarantee == Guarantee::inner) {
+            throw;
+        }
+        return false;
+    }
+}
+
 /// The vertices of a link that was loaded, in its frame; empty if it was not.
 std::vector<Vec3> vertices_of(const LinkWork& link) {
     std::vector<Vec3> points;
@@ -108,21 +123,24 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
         }
         const Solid& solid = *groups[g].solid;
         covering.input = measuring.input = out.geometries.front();
-        FinishedTree finished =
-            run_stage(workspace, "cover", out.link, out.geometries.front(), "", covering, [&](Context&) {
-                return finished_tree(solid, std::move(groups[g].tree), workspace.recipe.guarantee,
-                                     link.recipe.clip.empty());
-            });
-        if (finished.one_instead) {
-            workspace.journal.finding({Severity::warning, out.link, "cover",
-                                       "one sphere around the geometry is written: those of the spherizer would claim "
-                                       "more; remedy: more spheres, or another spherizer"});
+        const auto finish = [&](const Workspace& in_time, const SphereTree& tree) {
+            FinishedTree finished =
+                run_stage(in_time, "cover", out.link, out.geometries.front(), "", covering,
+                          [&](Context&) { return finished_tree(solid, tree, workspace.recipe.guarantee); });
+            out.tree = std::move(finished.tree);
+            growth[g] = finished.growth;
+            out.measures = run_stage(in_time, "measure", out.link, out.geometries.front(), "", measuring,
+                                     [&](Context&) { return measured(workspace, solid, out.tree.finest()); });
+        };
+        if (!done_in_time(workspace, [&] { finish(workspace.in(Phase::covering), groups[g].tree); })) {
+            workspace.journal.finding(
+                {Severity::warning, out.link, "",
+                 fmt::format("there is no time before the limit of {} s is over to make its {} spheres cover and to "
+                             "measure them: one enclosing sphere stands in",
+                             *workspace.time_limit(), groups[g].tree.finest().size())});
+            finish(workspace, flat_tree({minimum_enclosing_sphere(solid.surface().vertices)}));
         }
-        out.tree = std::move(finished.tree);
         covering.output = digest_of_content(out.tree);
-        growth[g] = finished.growth;
-        out.measures = run_stage(workspace, "measure", out.link, out.geometries.front(), "", measuring,
-                                 [&](Context&) { return measured(workspace, solid, out.tree.finest()); });
         measuring.output = digest_of_content(out.measures);
     });
     for (std::size_t l = 0; l < links.size(); ++l) {

@@ -7,6 +7,7 @@
 #include "manifest.hpp"
 #include "report.hpp"
 #include "separation.hpp"
+#include "watchdog.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -58,15 +59,14 @@ void fill_result(RunResult& result, const Journal& journal, const std::vector<Li
 Snapshots write_model(const Workspace& workspace, const FinishedModel& finished, RunDirectory& directory,
                       RunFiles& files, RunResult& result) {
     files.outputs = write_outputs(workspace, finished, directory);
-    if (workspace.recipe.debug_meshes) {
-        files.debug_meshes = write_debug_meshes(workspace, finished, directory);
-    }
+    const Workspace decorating = workspace.in(Phase::decorating);
+    files.debug_meshes = write_debug_meshes(decorating, finished, directory);
     for (const auto* written : {&files.outputs, &files.debug_meshes}) {
         for (const OutputFile& file : *written) {
             result.files.emplace_back(file.file);
         }
     }
-    Snapshots pictures = write_snapshots(workspace, finished, directory);
+    Snapshots pictures = write_snapshots(decorating, finished, directory);
     result.files.insert(result.files.end(), pictures.files.begin(), pictures.files.end());
     return pictures;
 }
@@ -87,6 +87,67 @@ void write_record(const Workspace& workspace, const FinishedModel& finished, Run
     directory.write("events.jsonl", workspace.journal.events_jsonl());
     workspace.check_cancelled();
     directory.commit();
+}
+
+/// The links, ready to become spheres, and their size.
+std::vector<LinkWork> links_of(const Workspace& workspace, const Input& input, RunFiles& files, InputSize& size) {
+    std::vector<LinkWork> links = load_links(workspace, *input.robot, files.meshes);
+    size = input_size(*input.robot, links);
+    tell_input_size(workspace, input, links, size);
+    filter_links(workspace, links);
+    if (links.empty()) {
+        throw Error(ErrorCode::input,
+                    fmt::format("{}: no link has collision geometry: there is nothing to turn into spheres",
+                                input.file.string()));
+    }
+    return links;
+}
+
+RunResult run_in(const Workspace& preparing, std::optional<RunDirectory>& directory, double cpu_begin) {
+    const Recipe& recipe = preparing.recipe;
+    Journal& journal = preparing.journal;
+    std::optional<StopScope> scope(preparing.request());
+    RunResult result;
+    journal.expect(1);
+    const Input input = load_input(preparing);
+    result.input = input.chosen;
+    result.input_file = input.file;
+    journal.emit(Event::Kind::run_started, input.file.string());
+
+    RunFiles files{.input = input, .meshes = {}, .outputs = {}, .debug_meshes = {}};
+    std::vector<LinkWork> links = links_of(preparing, input, files, result.input_size);
+    std::optional<ReferencePose> pose;
+    if (recipe.self_collision) {
+        pose.emplace(input.robot, recipe.self_collision_pose, links);
+    }
+    SpherizedLinks spherized = spherize_links(preparing, links, pose ? &*pose : nullptr);
+    result.cut = spherized.cut;
+    const Workspace workspace = preparing.in(Phase::finishing);
+    scope.reset();
+    scope.emplace(workspace.request());
+    result.links_lost = handle_errors(workspace, links, spherized.groups);
+    FinishedModel finished = finish_links(workspace, input.robot, links, std::move(spherized.groups));
+    if (finished.links.empty()) {
+        throw Error(ErrorCode::input,
+                    fmt::format("{}: every link was skipped: there is nothing to write", input.file.string()));
+    }
+    if (pose) {
+        report_overlaps(workspace, finished, links, *pose);
+    }
+
+    Snapshots pictures;
+    if (directory) {
+        pictures = write_model(workspace, finished, *directory, files, result);
+    }
+    result.certified = all_certified(finished);
+    fill_result(result, journal, links, cpu_begin);
+    if (directory) {
+        write_record(workspace, finished, *directory, files, pictures, result);
+    } else {
+        journal.emit(Event::Kind::run_finished);
+    }
+    result.model = std::move(finished.model);
+    return result;
 }
 
 } // namespace
@@ -117,55 +178,17 @@ RunResult run(const Recipe& recipe, const Registry& registry, const RunOptions& 
     const Cache cache(cache_folder(options));
     const std::uintmax_t limit = options.fresh ? 0 : cache_limit();
     const Workspace preparing{recipe, registry, options, journal, cache};
-
-    RunResult result;
-    journal.expect(1);
-    const Input input = load_input(preparing);
-    result.input = input.chosen;
-    result.input_file = input.file;
-    journal.emit(Event::Kind::run_started, input.file.string());
-
-    RunFiles files{.input = input, .meshes = {}, .outputs = {}, .debug_meshes = {}};
-    std::vector<LinkWork> links = load_links(preparing, *input.robot, files.meshes);
-    result.input_size = input_size(*input.robot, links);
-    tell_input_size(preparing, input, links, result.input_size);
-    filter_links(preparing, links);
-    if (links.empty()) {
-        throw Error(ErrorCode::input,
-                    fmt::format("{}: no link has collision geometry: there is nothing to turn into spheres",
-                                input.file.string()));
+    const Watchdog watchdog(*preparing.limits, options, journal);
+    try {
+        RunResult result = run_in(preparing, directory, cpu_begin);
+        cache.keep_within(limit);
+        return result;
+    } catch (const Error& error) {
+        if (error.code() == ErrorCode::cancelled) {
+            throw preparing.limits->explained();
+        }
+        throw;
     }
-    std::optional<ReferencePose> pose;
-    if (recipe.self_collision) {
-        pose.emplace(input.robot, recipe.self_collision_pose, links);
-    }
-    SpherizedLinks spherized = spherize_links(preparing, links, pose ? &*pose : nullptr);
-    result.cut = spherized.cut;
-    const Workspace workspace = preparing.in(Phase::finishing);
-    result.links_lost = handle_errors(workspace, links, spherized.groups);
-    FinishedModel finished = finish_links(workspace, input.robot, links, std::move(spherized.groups));
-    if (finished.links.empty()) {
-        throw Error(ErrorCode::input,
-                    fmt::format("{}: every link was skipped: there is nothing to write", input.file.string()));
-    }
-    if (pose) {
-        report_overlaps(workspace, finished, links, *pose);
-    }
-
-    Snapshots pictures;
-    if (directory) {
-        pictures = write_model(workspace, finished, *directory, files, result);
-    }
-    result.certified = all_certified(finished);
-    fill_result(result, journal, links, cpu_begin);
-    if (directory) {
-        write_record(workspace, finished, *directory, files, pictures, result);
-    } else {
-        journal.emit(Event::Kind::run_finished);
-    }
-    cache.keep_within(limit);
-    result.model = std::move(finished.model);
-    return result;
 }
 
 } // namespace foam

@@ -1,6 +1,7 @@
 #include "shapes.hpp"
 
 #include "clip.hpp"
+#include "geometry/cavities.hpp"
 #include "isolated.hpp"
 #include "own_frame.hpp"
 
@@ -160,6 +161,7 @@ void build_shape(const Workspace& workspace, const std::vector<LinkWork>& links,
         filtered |= !raw_only && !link.elements[e].filtered.empty();
     }
     work.original = Solid::make(std::move(original));
+    work.cavities = workspace.recipe.guarantee == Guarantee::outer ? geometry::cavity_volume(*work.original) : 0;
     require_within(*work.original, group.frame, link.recipe.clip);
     work.shape =
         std::make_unique<Shape>(work.link, filtered ? Solid::make(std::move(processed)) : work.original, work.original);

@@ -42,8 +42,10 @@ struct ShapeWork {
     std::vector<ClipPlane> clip;          ///< in the shape's frame
     KnownTrees known;
     StageReport report;
+    double cavities = 0;         ///< m³; of the original
     std::set<std::string> calls; ///< of the spherizer whose findings and metrics the run has
     std::optional<Error> error;
+    bool tried_to_finish = false; ///< its share of what finishing takes is known
 };
 
 /// Whether the shape's spheres are to claim little above all, so that others that claim less may stand in for the

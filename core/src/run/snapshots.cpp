@@ -104,17 +104,8 @@ Figure stages_figure(const Recipe& recipe, const FinishedLink& link) {
     return figure;
 }
 
-} // namespace
-
-Snapshots write_snapshots(const Workspace& workspace, const FinishedModel& finished, const RunDirectory& directory) {
-    const Recipe& recipe = workspace.recipe;
-    if (!recipe.snapshots && !recipe.debug_snapshots) {
-        return {};
-    }
-    workspace.journal.expect((recipe.snapshots ? 1 + finished.links.size() : 0) +
-                             (recipe.debug_snapshots ? finished.links.size() : 0));
-    Album album(workspace, directory);
-    std::string robot;
+/// `robot`: its picture.
+void fill(Album& album, const Recipe& recipe, const FinishedModel& finished, std::string& robot) {
     if (recipe.snapshots) {
         robot = album.add("snapshots/robot.png", "", robot_figure(recipe, finished));
     }
@@ -127,6 +118,28 @@ Snapshots write_snapshots(const Workspace& workspace, const FinishedModel& finis
         if (recipe.debug_snapshots) {
             album.add(folder / "stages.png", name, stages_figure(recipe, link));
         }
+    }
+}
+
+} // namespace
+
+Snapshots write_snapshots(const Workspace& workspace, const FinishedModel& finished, const RunDirectory& directory) {
+    const Recipe& recipe = workspace.recipe;
+    if (!recipe.snapshots && !recipe.debug_snapshots) {
+        return {};
+    }
+    workspace.journal.expect((recipe.snapshots ? 1 + finished.links.size() : 0) +
+                             (recipe.debug_snapshots ? finished.links.size() : 0));
+    Album album(workspace, directory);
+    std::string robot;
+    try {
+        fill(album, recipe, finished, robot);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::cancelled || workspace.in(Phase::finishing).ended()) {
+            throw;
+        }
+        workspace.journal.finding(
+            {Severity::warning, "", "", fmt::format("{}: pictures are missing", why_dropped(workspace))});
     }
     return {std::move(album.files), std::move(robot)};
 }

@@ -34,9 +34,12 @@ SpherizedLinks spherize_links(const Workspace& workspace, std::vector<LinkWork>&
     std::vector<Group> groups = make_groups(workspace, links);
     std::vector<ShapeWork> shapes = distinct_shapes(workspace, links, groups);
     for_each_shape(shapes, [&](std::size_t s) {
+        const std::string place = place_of("geometry", shapes[s].link, shapes[s].input);
+        const ActivityScope activity(place, CrashRemedy::isolate_stage);
         try {
             build_shape(workspace, links, groups, shapes[s]);
         } catch (...) {
+            workspace.limits->interrupted_at(place);
             throw described(std::current_exception(), "geometry", shapes[s].link, shapes[s].input);
         }
     });

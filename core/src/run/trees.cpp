@@ -6,6 +6,8 @@
 #include "geometry/row_cover.hpp"
 #include "isolated.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -73,8 +75,15 @@ void take_better_row(const Workspace& workspace, const ShapeWork& work, std::siz
 void fit_finest(const Solid& solid, const Budget& budget, SphereTree& tree) {
     SphereTree::Level& finest = tree.levels.back();
     const bool flat = tree.levels.size() <= 2;
-    finest.spheres = fitted::fit(solid, finest.spheres, budget.max_spheres.value_or(finest.spheres.size()),
-                                 flat ? fitted::Reach::far : fitted::Reach::near);
+    try {
+        finest.spheres = fitted::fit(solid, finest.spheres, budget.max_spheres.value_or(finest.spheres.size()),
+                                     flat ? fitted::Reach::far : fitted::Reach::near);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::cancelled) {
+            throw;
+        }
+        return; // they stay as the spherizer made them
+    }
     if (tree.levels.size() > 1 && flat) {
         finest.parents.assign(finest.spheres.size(), 0);
     }

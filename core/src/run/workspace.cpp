@@ -7,27 +7,14 @@
 
 namespace foam {
 
-static bool is_set(const std::atomic<bool>* flag) {
-    return flag && flag->load(std::memory_order_relaxed);
-}
+Workspace::Workspace(const Recipe& r, const Registry& all, const RunOptions& o, Journal& j, const Cache& c)
+    : recipe(r), registry(all), options(o), journal(j), cache(c),
+      limits(std::make_shared<Limits>(o, o.time_limit ? o.time_limit : r.budget_time_limit, j)) {}
 
-Cut Workspace::cut() const {
-    if (phase == Phase::finishing) {
-        return Cut::none;
-    }
-    if (is_set(options.stop)) {
-        return Cut::stop;
-    }
-    const std::optional<double> limit = time_limit();
-    return phase == Phase::searching && limit && journal.seconds() >= *limit ? Cut::time_limit : Cut::none;
-}
-
-std::optional<double> Workspace::time_limit() const {
-    return options.time_limit ? options.time_limit : recipe.budget_time_limit;
-}
-
-bool Workspace::ended() const {
-    return is_set(options.cancel) || cut() != Cut::none;
+Workspace Workspace::in(Phase other) const {
+    Workspace result = *this;
+    result.phase = other;
+    return result;
 }
 
 void Workspace::check_cancelled() const {

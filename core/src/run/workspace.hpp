@@ -5,6 +5,7 @@
 #include "data/activity.hpp"
 #include "digest.hpp"
 #include "journal.hpp"
+#include "limits.hpp"
 
 #include <foam/error.hpp>
 #include <foam/host/run.hpp>
@@ -17,30 +18,29 @@
 
 namespace foam {
 
-/// How far a run is, which says what a request to stop means.
-enum class Phase {
-    preparing, ///< there is nothing to write yet: a stop cancels the run, a time limit waits
-    searching, ///< a stop or the time limit ends the search for better spheres, what is known stays
-    finishing, ///< what was found is written
-};
-
 /// Belongs to one run.
 struct Workspace {
+    Workspace(const Recipe& recipe, const Registry& registry, const RunOptions& options, Journal& journal,
+              const Cache& cache);
+
     const Recipe& recipe;
     const Registry& registry;
     const RunOptions& options;
     Journal& journal;
     const Cache& cache;
+    std::shared_ptr<Limits> limits;
     Phase phase = Phase::preparing;
 
     /// The same in another phase of the run.
-    Workspace in(Phase other) const { return {recipe, registry, options, journal, cache, other}; }
+    Workspace in(Phase other) const;
     /// What ends the work of this phase before its time, but for a cancellation.
-    Cut cut() const;
+    Cut cut() const { return limits->cut(phase); }
     /// s since the start of the run; nothing: none.
-    std::optional<double> time_limit() const;
+    std::optional<double> time_limit() const { return limits->time_limit(); }
     /// Whether stages are to give up.
-    bool ended() const;
+    bool ended() const { return limits->ended(phase); }
+    /// What loops of this phase ask.
+    const StopRequest* request() const { return &limits->request(phase); }
     /// Throws Error(cancelled) if ended().
     void check_cancelled() const;
 };
@@ -63,6 +63,7 @@ auto run_stage(const Workspace& workspace, const std::string& stage, const std::
     workspace.journal.started(link, stage);
     StageContext context(workspace.journal, link, stage, derive_seed(workspace.recipe.seed, stage + content),
                          [&workspace] { return workspace.ended(); });
+    const StopScope scope(workspace.request());
     const ActivityScope activity(place_of(stage, link, input), CrashRemedy::isolate_stage);
     const double begin = workspace.journal.seconds();
     const auto close = [&] {
@@ -77,6 +78,7 @@ auto run_stage(const Workspace& workspace, const std::string& stage, const std::
         return result;
     } catch (...) {
         close();
+        workspace.limits->interrupted_at(place_of(stage, link, input));
         throw described(std::current_exception(), stage, link, input);
     }
 }

@@ -76,7 +76,11 @@ Cut explore_worst_first(const Workspace& workspace, std::vector<ShapeWork>& shap
     for (bool any = true; any && cut == Cut::none;) {
         cut = explore(workspace, shapes, wanted);
         measure_trees(
-            workspace, shapes, [&](std::size_t s, std::size_t count) { return figures[s].contains(count); },
+            workspace, shapes,
+            [&](std::size_t s, std::size_t count) {
+                return figures[s].contains(count) || !shapes[s].known.curve.knows(count);
+            },
+            [&](std::size_t s) { return figures[s].empty(); },
             [&](const ShapeWork& work, const SphereTree& tree) {
                 return figure_of(work.shape->original(), tree.finest(), objective);
             },

@@ -3,6 +3,7 @@
 #include "gl_objects.hpp"
 #include "shaders.hpp"
 
+#include <foam/cancellation.hpp>
 #include <foam/error.hpp>
 
 #include <algorithm>
@@ -78,7 +79,9 @@ cv::Mat3b read_pixels(const Gl& gl, int width, int height) {
     gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
     gl.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rows.data);
     cv::Mat3b picture(height, width);
+    CancellationCounter asking(64);
     for (int y = 0; y < height; ++y) {
+        asking.check();
         for (int x = 0; x < width; ++x) {
             const cv::Vec4b& rgba = rows(height - 1 - y, x);
             picture(y, x) = {rgba[2], rgba[1], rgba[0]};

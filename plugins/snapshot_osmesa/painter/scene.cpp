@@ -2,6 +2,8 @@
 
 #include "colour_map.hpp"
 
+#include <foam/cancellation.hpp>
+
 #include <algorithm>
 #include <string>
 
@@ -33,7 +35,9 @@ std::size_t add_mesh(const FigureMesh& item, const Projection& project, std::vec
     }
     std::size_t dropped = 0;
     corners.reserve(corners.size() + 3 * mesh.triangles.size());
+    CancellationCounter asking(8192);
     for (const Triangle& t : mesh.triangles) {
+        asking.check();
         if (std::max({t[0], t[1], t[2]}) >= points.size()) {
             ++dropped;
             continue;
@@ -99,7 +103,9 @@ Scene make_scene(const Figure& figure, const Layout& layout, Context& context) {
                 dropped_triangles += add_mesh(item, project, item.translucent ? view.glass : view.facets);
             }
         }
+        CancellationCounter asking(256);
         for (std::size_t k = 0; k < panel.spheres.size(); ++k) {
+            asking.check();
             if (drawable(panel.spheres[k])) {
                 view.balls.push_back(make_ball(panel.spheres[k], k, project, layout.radii));
             } else {

@@ -13,4 +13,7 @@ void write_activities(int descriptor);
 /// Removes the folders of runs that are not finished. Only for a process that ends now; safe in a signal handler.
 void remove_unfinished_runs();
 
+/// Kills the processes in which isolated stages run. Only for a process that ends now; safe in a signal handler.
+void end_children();
+
 } // namespace foam

@@ -36,14 +36,33 @@ public:
     virtual void on(const Event& event) = 0;
 };
 
+/// What ended the search for better spheres before its time.
+enum class Cut { none, time_limit, stop };
+/// As manifests write it: "time limit", "stop"; empty for none.
+const char* to_string(Cut cut);
+
+/// A run that goes on although it was to end.
+struct Unresponsive {
+    Cut asked = Cut::stop;       ///< what it does not follow
+    double seconds = 0;          ///< since the start of the run
+    std::vector<std::string> at; ///< what it is at work on: "stage '…', link '…'"
+};
+
 struct RunOptions {
     std::filesystem::path out; ///< run directory; empty: nothing is written, the model is only returned
     bool fresh = false;        ///< neither read nor write the cache
     std::size_t threads = 0;   ///< 0: all cores
     const std::atomic<bool>* cancel = nullptr;
-    /// Ends the search for better spheres: the best so far are written. Before there are any it cancels the run.
+    /// Ends the search for better spheres: the best so far are written, if that is done in 1.5 s. Before there are any
+    /// it cancels the run.
     const std::atomic<bool>* stop = nullptr;
-    std::optional<double> time_limit; ///< s since the start, as `stop`; instead of the recipe's
+    /// s since the start, in which the best that is found is to be written; instead of the recipe's. Not a tenth and half
+    /// a second later than this the run has ended, with an error if there is nothing that is proved.
+    std::optional<double> time_limit;
+    /// Called once, from a thread of its own, when the run goes on 1.9 s after it was asked to stop, or half a second
+    /// and a tenth after its time limit: a stage never asks whether to end. The program may end itself. Absent: the run
+    /// has a warning that says so.
+    std::function<void(const Unresponsive&)> on_unresponsive;
     Observer* observer = nullptr;
     /// The program that runs the calls of isolated stages in child processes: its main() begins with
     /// serve_isolated_call(). Empty: this one, if its main() does; else a recipe that isolates a stage is refused.
@@ -93,11 +112,6 @@ struct InputSize {
     std::size_t links = 0;     ///< with collision geometry
     std::size_t triangles = 0; ///< of their meshes
 };
-
-/// What ended the search for better spheres before its time.
-enum class Cut { none, time_limit, stop };
-/// As manifests write it: "time limit", "stop"; empty for none.
-const char* to_string(Cut cut);
 
 struct RunResult {
     SphereModel model;
