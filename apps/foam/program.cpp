@@ -107,7 +107,7 @@ void add_mesh_unit(CLI::App& command, MeshUnit& unit) {
         ->check(CLI::IsMember(length_units()).description(""));
     command.add_option("--scale", unit.scale, "What a mesh is enlarged by, besides its unit; default: 1")
         ->type_name("F")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Validator(CLI::PositiveNumber).description(""));
 }
 
 double length_of(const std::string& text, const std::string& option) {

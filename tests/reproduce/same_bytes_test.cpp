@@ -59,7 +59,7 @@ TEST_F(SameBytes, OfASingleMeshFromTheResolvedRecipe) {
     must("run mesh.yaml --fresh --out first");
     must("run first/recipe.resolved.yaml --fresh --out second");
     expect_same("first", "second");
-    EXPECT_THAT(contents(path() / "first/mesh.urdf"), HasSubstr("filename=\"bumpy.obj\""));
+    EXPECT_THAT(contents(path() / "first/mesh.urdf"), HasSubstr("filename=\"../bumpy.obj\""));
 }
 
 TEST_F(SameBytes, UnderAGermanLocaleOfTheEnvironment) {
