@@ -152,7 +152,7 @@ void add_evaluate(Program& program) {
     command
         ->add_option("--clip", arguments->clips,
                      "Say how far the link's spheres reach beyond the plane n · p = OFFSET, n along the normal, in its "
-                     "frame, m; repeatable")
+                     "frame; OFFSET in m or with its unit, 5mm; repeatable")
         ->type_name("LINK=NX,NY,NZ,OFFSET")
         ->expected(1)
         ->take_all();

@@ -144,6 +144,22 @@ TEST_F(RecipeValues, SettingsReachEveryPlace) {
     EXPECT_EQ(recipe.name, "other");
 }
 
+TEST_F(RecipeValues, LengthsMayHaveAUnit) {
+    const RecipeResult result =
+        parse_chain("budget: {max_protrusion: 10mm}\nunit: in\nscale: 3\n"
+                    "links: {a: {max_protrusion: 0.4 in, clip: [{normal: [0, 0, 1], offset: -2cm, reach: '5 mm'}]}}\n",
+                    {{"stages.smooth.fixture.step", "7mm"}});
+    ASSERT_TRUE(result.ok()) << text_of(result.diagnostics);
+    const Recipe& recipe = result.recipes.at(0);
+    EXPECT_EQ(recipe.budget_max_protrusion, 0.01);
+    EXPECT_EQ(recipe.mesh_unit.unit, "in");
+    EXPECT_EQ(recipe.mesh_unit.scale, 3);
+    EXPECT_EQ(recipe.links.at(0).max_protrusion, 0.4 * 0.0254);
+    EXPECT_EQ(recipe.links.at(0).clip->at(0).offset, -0.02);
+    EXPECT_EQ(recipe.links.at(0).clip->at(0).reach, 0.005);
+    EXPECT_EQ(recipe.filters.back().given.at("step"), ParameterValue(0.007));
+}
+
 TEST_F(RecipeValues, SettingsToNullTakeKeysAway) {
     const RecipeResult result = parse_chain("budget: {spheres: 3}\nsweep: {seed: [1, 2]}\n",
                                             {{"sweep", "null"}, {"budget.spheres", "~"}, {"stages.0", ""}});

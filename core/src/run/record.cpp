@@ -168,7 +168,7 @@ Record read_record(const std::filesystem::path& manifest) {
                         manifest.string()));
     }
     try {
-        return parse_record(read_file(manifest), manifest.string());
+        return parse_record(read_file(manifest, most_model_bytes), manifest.string());
     } catch (const Error& failure) {
         if (failure.code() == ErrorCode::usage) {
             throw;
