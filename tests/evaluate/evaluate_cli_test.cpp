@@ -78,7 +78,7 @@ TEST_F(EvaluateCli, HowFarSpheresReachBeyondPlanes) {
         EXPECT_EQ(refused.code, 2) << bad;
         EXPECT_THAT(refused.err,
                     HasSubstr("--clip expects LINK=NX,NY,NZ,OFFSET with a normal that is not zero, such as "
-                              "base=0,0,-1,0; got '" +
+                              "base=0,0,-1,5mm; got '" +
                               bad + "'"));
     }
     EXPECT_THAT(foam("evaluate arm.urdf good.csv --clip foot=0,0,1,0").err,

@@ -89,16 +89,17 @@ TEST_F(WriteUrdfReferences, AcrossASymbolicLink) {
 TEST_F(WriteUrdfReferences, ThatLeadNowhereStay) {
     const std::string text = visual("filename='meshes/none.dae'");
     EXPECT_EQ(written(text, root_ / "out"), text);
-    EXPECT_THAT(context_.said,
-                ElementsAre("warning: 1 relative paths of meshes lead to no file from the folder of " +
-                            (root_ / "in/robot.urdf").string() + " and are kept as they are (the first: "
-                            "'meshes/none.dae')"));
+    EXPECT_THAT(context_.said, ElementsAre("warning: 1 relative paths of meshes lead to no file from the folder of " +
+                                           (root_ / "in/robot.urdf").string() +
+                                           " and are kept as they are (the first: "
+                                           "'meshes/none.dae')"));
 }
 
 TEST_F(WriteUrdfReferences, AllOfThemButReplacedCollisions) {
     const std::string text =
         "<robot><material name='m'><texture filename='wood &amp; \"oak\".png'/></material>"
-        "<link name='a'><visual><geometry><mesh filename='meshes/a.dae'/></geometry></visual><collision><geometry><mesh "
+        "<link name='a'><visual><geometry><mesh "
+        "filename='meshes/a.dae'/></geometry></visual><collision><geometry><mesh "
         "filename='meshes/b.stl'/></geometry></collision></link><!-- filename='meshes/a.dae' -->"
         "<link name='b'><collision><geometry><mesh filename='meshes/b.stl'/></geometry></collision></link>"
         "<gazebo><plugin filename='meshes/b.stl'/></gazebo></robot>";
@@ -128,8 +129,9 @@ TEST_F(WriteUrdfReferences, AsTheParameterSays) {
               visual("filename='" + (root_ / "in/meshes/a.dae").string() + "'"));
     EXPECT_EQ(written(text, {}, "absolute"), written(text, root_ / "out", "absolute"));
     EXPECT_EQ(written(text, {}), text) << "nobody knows where it will lie";
-    EXPECT_THAT(context_.said, ElementsAre(HasSubstr("warning: relative paths of meshes are kept as they are (the first: "
-                                                     "'meshes/a.dae'); they lead to their files from the folder of ")));
+    EXPECT_THAT(context_.said,
+                ElementsAre(HasSubstr("warning: relative paths of meshes are kept as they are (the first: "
+                                      "'meshes/a.dae'); they lead to their files from the folder of ")));
 }
 
 } // namespace
