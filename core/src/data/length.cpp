@@ -81,10 +81,13 @@ std::string size_text(const Box& box) {
 }
 
 std::string count_text(std::size_t count) {
-    std::string text = fmt::format("{}", count);
-    for (std::size_t at = text.size(); at > 3;) {
-        at -= 3;
-        text.insert(at, ",");
+    const std::string digits = fmt::format("{}", count);
+    std::string text;
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+        if (i > 0 && (digits.size() - i) % 3 == 0) {
+            text.push_back(',');
+        }
+        text.push_back(digits[i]);
     }
     return text;
 }
