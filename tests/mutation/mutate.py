@@ -22,11 +22,10 @@ HERE = Path(__file__).resolve().parent
 BUILD = Path(os.environ.get("FOAM_MUTATION_BUILD", ROOT / "build" / "mutation"))
 CORE, TESTS = ROOT / "core" / "src", ROOT / "tests"
 
-SURFACE = ["geometry/certificate_test", "evaluate/certificate_adversary_test", "geometry/proof_edge_test"]
-GROWN = ["geometry/growth_test", "geometry/growth_edge_test"]
-MEASURED = ["geometry/volume_test", "geometry/measure_test", "geometry/measure_edge_test"]
-INNER = ["geometry/inner_test", "geometry/inner_edge_test"]
-WRITTEN = ["data/text_test", "run/finished_tree_test", "run/written_proof_test"]
+SURFACE = ["geometry/balls_test", "geometry/crease_cuts_test", "geometry/certificate_test", "evaluate/certificate_adversary_test"]
+GROWN = ["geometry/growth_test"]
+MEASURED = ["geometry/volume_test", "geometry/measure_test"]
+INNER = ["geometry/inner_test"]
 
 # Which tests belong to which file, the ones that are likely to notice first. `core` names the files of core that tests link besides.
 BELONG = {
