@@ -318,3 +318,62 @@ TEST(Inner, ContainedSpheresGo) {
     EXPECT_EQ(radii({{{}, 0.5}, {{}, 0.5}, {{}, 0.5}}), (Radii{0.5, 0, 0})) << "the first of equal ones stays";
     EXPECT_EQ(radii({{{}, 0.5}, {{0.001, 0, 0}, 0.5}}), (Radii{0.5, 0.5}));
 }
+
+TEST(Inner, AtTheRimTheWindingNumberMustBeAboveOneHalf) {
+    // In the opening of a cube it is one half; from there down it rises by 0.9003 times the depth.
+    const auto cube = Solid::make(open_cube());
+    const double slope = std::sqrt(8.0) / std::numbers::pi, margin = 1e-6;
+    EXPECT_EQ(inner_radius(*cube, {0, 0, 0.5}), 0);
+    EXPECT_EQ(inner_radius(*cube, {0, 0, 0.5 - 0.98 * margin / slope}), 0) << "rounding may say more than there is";
+    EXPECT_GT(inner_radius(*cube, {0, 0, 0.5 - 1.05 * margin / slope}), 0);
+}
+
+TEST(Inner, EveryTriangleHoldsBack) {
+    // Meshes of many triangles, small and large, against looking at all of them.
+    Random random(12);
+    for (const double scale : {1e-3, 1.0, 300.0}) {
+        const Mesh mesh = transformed(torus(1, 0.4), {}, {scale, scale, scale});
+        const auto solid = Solid::make(mesh);
+        for (int i = 0; i < 60; ++i) {
+            const double angle = random.uniform(0, 6.3), away = 1 + random.uniform(-0.25, 0.25);
+            const Vec3 center = Vec3{away * std::cos(angle), away * std::sin(angle), random.uniform(-0.2, 0.2)} * scale;
+            double nearest = std::numeric_limits<double>::infinity();
+            for (const Triangle& t : mesh.triangles) { // the planes of a face are no farther than the face
+                for (const std::uint32_t corner : t) {
+                    nearest = std::min(nearest, distance(center, mesh.vertices[corner]));
+                }
+            }
+            const double radius = inner_radius(*solid, center, 1e6), depth = -solid->signed_distance(center);
+            EXPECT_LE(radius, nearest);
+            EXPECT_LE(radius, depth);
+            EXPECT_GE(radius, depth - 220 * epsilon * scale);
+        }
+    }
+}
+
+TEST(Inner, NeedlesHoldBackToo) {
+    // A triangle with corners that are all but on one line, in a cube: how far it is, is the distance to a segment.
+    Random random(13);
+    for (int round = 0; round < 300; ++round) {
+        const auto point = [&] { return Vec3{random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9)}; };
+        const Vec3 a = point(), b = point(), between = a + (b - a) * random.uniform(), center = point();
+        Mesh mesh = box({-1, -1, -1}, {1, 1, 1});
+        std::array<Vec3, 3> corners{a, b, between};
+        std::rotate(corners.begin(), corners.begin() + round % 3, corners.end());
+        mesh.vertices.insert(mesh.vertices.end(), corners.begin(), corners.end());
+        mesh.triangles.push_back({8, 9, 10});
+        const auto solid = Solid::make(mesh);
+        const auto from = [](const Vec3& u, const Vec3& v) {
+            return std::array<Quad, 3>{Quad(v.x) - u.x, Quad(v.y) - u.y, Quad(v.z) - u.z};
+        };
+        const auto product = [](const auto& u, const auto& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; };
+        const auto line = from(a, b), way = from(a, center);
+        const Quad t = std::clamp(product(line, way) / product(line, line), Quad(0), Quad(1));
+        Quad square = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            square += (way[axis] - t * line[axis]) * (way[axis] - t * line[axis]);
+        }
+        const double radius = inner_radius(*solid, center);
+        EXPECT_LE(double(Quad(radius) * radius - square), 0) << round;
+    }
+}
