@@ -220,6 +220,17 @@ TEST(Certificate, TellsWhatItTook) {
         EXPECT_EQ(took(both).triangles, 2u);
     }
     EXPECT_EQ(took(together(together(cut, cut), held)).certificate.pieces, 7u);
+    // Of two triangles one is cut more often.
+    std::vector<Sphere> row;
+    for (int i = 0; i < 4; ++i) {
+        row.push_back({{i + 0.5, 0.1, 0}, 0.52});
+    }
+    const Mesh often = triangle({0, 0, 0}, {4, 0, 0}, {0, 0.2, 0}), once = triangle({0, 0, 0}, {2, 0, 0}, {0, 0.2, 0});
+    const auto halvings = [&](const Mesh& mesh) { return geometry::prove_cover(*Solid::make(mesh), row).halvings; };
+    EXPECT_EQ(halvings(once), 1u);
+    EXPECT_EQ(halvings(often), 3u);
+    EXPECT_EQ(halvings(together(often, once)), 3u);
+    EXPECT_EQ(halvings(together(once, often)), 3u);
 }
 
 TEST(Certificate, DepthIsOfHalvings) {

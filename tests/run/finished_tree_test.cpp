@@ -214,7 +214,7 @@ TEST(FinishedTree, InnerLevelsKeepTheirParents) {
 TEST(FinishedTree, OneSphereInsteadOfWorseOnes) {
     const auto solid = cube(1);
     const double least = volume(std::sqrt(0.75));
-    const std::vector<Sphere> wide{{{-0.1, 0, 0}, 1}, {{0.1, 0, 0}, 1}}, good{{{}, std::sqrt(0.75) * (1 + 1e-5)}};
+    const std::vector<Sphere> wide{{{-0.1, 0, 0}, 1}, {{0.1, 0, 0}, 1}}, good{{{}, std::sqrt(0.75) * (1 + 2.5e-5)}}, worse{{{}, std::sqrt(0.75) * (1 + 5e-5)}};
     const FinishedTree one = finished_tree(*solid, flat_tree(wide), Guarantee::outer);
     EXPECT_TRUE(one.one_instead);
     ASSERT_EQ(one.tree.finest().size(), 1u);
@@ -223,6 +223,7 @@ TEST(FinishedTree, OneSphereInsteadOfWorseOnes) {
     EXPECT_FALSE(finished_tree(*solid, flat_tree(wide), Guarantee::outer, false).one_instead);
     EXPECT_FALSE(finished_tree(*solid, flat_tree(wide), Guarantee::fitted).one_instead);
     EXPECT_FALSE(finished_tree(*solid, flat_tree(good), Guarantee::outer).one_instead) << "not clearly worse";
+    EXPECT_TRUE(finished_tree(*solid, flat_tree(worse), Guarantee::outer).one_instead);
     // Many that overlap: their sum is large, what they take together is not.
     EXPECT_FALSE(finished_tree(*solid, flat_tree({good[0], good[0], good[0]}), Guarantee::outer).one_instead);
     EXPECT_NEAR(wrong_volume(*solid, wide, Guarantee::outer), least - 1, 1e-6);
@@ -234,6 +235,27 @@ TEST(FinishedTree, OneSphereInsteadOfWorseOnes) {
     EXPECT_NEAR(wrong_volume(*solid, {{{1, 0, 0}, 0.5}}, Guarantee::fitted), 1 + volume(0.5), 3e-3) << "both";
     EXPECT_NEAR(covered_protrusion(*solid, {{{}, 0.1}}, Guarantee::outer), std::sqrt(0.75) - 0.5, 1e-3);
     EXPECT_EQ(covered_protrusion(*solid, {{{}, 0.1}}, Guarantee::fitted), 0);
+}
+
+TEST(FinishedTree, ALevelThatIsGoneKeepsTheParentOfItsFirst) {
+    const auto solid = cube(1);
+    const Sphere outside{{9, 0, 0}, 0.1}, left{{-0.2, 0, 0}, 0.1}, right{{0.2, 0, 0}, 0.1};
+    SphereTree tree;
+    tree.levels = {{{{{}, 0.4}}, {}}, {{left, right}, {0, 0}}, {{outside, outside}, {1, 0}}, {{left, right}, {0, 1}}};
+    const SphereTree inner = finished_tree(*solid, tree, Guarantee::inner).tree;
+    EXPECT_EQ(inner.levels[2].parents, (std::vector<std::uint32_t>{1}));
+    EXPECT_EQ(inner.levels[3].parents, (std::vector<std::uint32_t>{0, 0}));
+}
+
+TEST(FinishedTree, NoWrongVolumeIsBelowZero) {
+    Random random(5);
+    for (int round = 0; round < 100; ++round) {
+        const double radius = random.uniform(0.1, 1);
+        const auto solid = test::primitive_solid({Primitive::Kind::sphere, {}, radius, 0});
+        for (const Guarantee guarantee : {Guarantee::outer, Guarantee::inner, Guarantee::fitted}) {
+            EXPECT_GE(wrong_volume(*solid, {{{}, radius}}, guarantee), 0);
+        }
+    }
 }
 
 } // namespace foam
