@@ -380,3 +380,16 @@ TEST(Inner, NeedlesHoldBackToo) {
         EXPECT_LE(double(Quad(radius) * radius - square), 0) << round;
     }
 }
+
+TEST(Inner, SpheresThatAreNoneHaveNoRadius) {
+    const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
+    for (const auto& solid : {Solid::make(box({-1, -1, -1}, {1, 1, 1})), primitive_solid({Primitive::Kind::sphere, {}, 1, 0}),
+                              primitive_solid({Primitive::Kind::box, {1, 1, 1}, 0, 0}),
+                              primitive_solid({Primitive::Kind::cylinder, {}, 1, 1})}) {
+        for (const Sphere& none : {Sphere{{nan, 0, 0}, 0.1}, Sphere{{0, infinity, 0}, 0.1}, Sphere{{0, 0, -infinity}, 0.1},
+                                   Sphere{{}, nan}, Sphere{{}, infinity}, Sphere{{}, -infinity}, Sphere{{nan, nan, nan}, nan}}) {
+            EXPECT_EQ(inner_radii(*solid, std::vector<Sphere>{none}).front(), 0) << none.center.x << " " << none.radius;
+        }
+        EXPECT_EQ(inner_radius(*solid, {}, 0.1), 0.1);
+    }
+}
