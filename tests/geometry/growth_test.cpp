@@ -302,3 +302,32 @@ TEST(Growth, RoundedUpIsTheNextMultiple) {
         }
     }
 }
+
+TEST(Growth, ARoundPartIsClosedByTheBallThatNeedsLeast) {
+    const auto ball = primitive_solid({Primitive::Kind::sphere, {}, 0.25, 0});
+    std::vector<Sphere> spheres{{{}, 0.2499}};
+    geometry::grow(*ball, spheres, 0, 1000);
+    EXPECT_EQ(spheres[0].radius, 0.25) << "exact, not by pieces of its tessellation";
+    const Sphere near{{0.0005, 0, 0}, 0.25}, exact{{}, 0.2499}, far{{0.1, 0, 0}, 0.2}, deep{{0.001, 0, 0}, 0.2498};
+    for (const auto& [given, best] : {std::pair(std::vector{near, exact}, 1u), std::pair(std::vector{exact, near}, 0u),
+                                      std::pair(std::vector{far, exact, deep}, 1u), std::pair(std::vector{far, deep, exact, near}, 2u)}) {
+        spheres = given;
+        geometry::grow(*ball, spheres, 0, 1000);
+        for (std::size_t i = 0; i < spheres.size(); ++i) {
+            EXPECT_EQ(spheres[i].radius, i == best ? 0.25 : given[i].radius) << i;
+        }
+    }
+    spheres = {exact};
+    geometry::grow(*ball, spheres, 0.015625, 1000);
+    EXPECT_EQ(spheres[0].radius, 0.25);
+    // Where no ball is near enough, pieces grow them; where one holds the part already, none grows.
+    spheres = {{{0, 0, 0.1}, 0.2}, {{0, 0, -0.1}, 0.2}};
+    geometry::grow(*ball, spheres, 0, 100'000);
+    EXPECT_TRUE(certify(*ball, spheres).holds);
+    EXPECT_GE(spheres[0].radius, 0.2);
+    EXPECT_GE(spheres[1].radius, 0.2);
+    spheres = {{{}, 0.3}, {{}, 0.2499}};
+    geometry::grow(*ball, spheres, 0, 1000);
+    EXPECT_EQ(spheres[0].radius, 0.3);
+    EXPECT_EQ(spheres[1].radius, 0.2499);
+}

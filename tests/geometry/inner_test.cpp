@@ -393,3 +393,14 @@ TEST(Inner, SpheresThatAreNoneHaveNoRadius) {
         EXPECT_EQ(inner_radius(*solid, {}, 0.1), 0.1);
     }
 }
+
+TEST(Inner, DeepPointsStayAsTheyAre) {
+    const auto rod = Solid::make(box({0, 0, 0}, {4, 1, 1.1}));
+    for (const auto& [given, moved] : {std::pair(Sphere{{1.93, 0.47, 1.17}, 0.9}, Sphere{{1.93, 0.498125, 0.523125}, 0.498125}),
+                                       std::pair(Sphere{{-0.1, 0.9, 0.3}, 0.7}, Sphere{{0.46875, 0.5390625, 0.475}, 0.4609375}),
+                                       std::pair(Sphere{{4.05, 1.02, -0.01}, 0.8}, Sphere{{3.55, 0.57, 0.415}, 0.415})}) {
+        const Sphere found = shrunk_to_fit(*rod, {given}).front();
+        EXPECT_LT(distance(found.center, moved.center), 1e-12);
+        EXPECT_NEAR(found.radius, moved.radius, 1e-12);
+    }
+}
