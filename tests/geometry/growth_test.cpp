@@ -238,6 +238,10 @@ TEST(GrowthStays, ByCellsWhereLooksEnd) {
     geometry::grow(*slab, spheres, 0, 7);
     EXPECT_TRUE(certify(*slab, spheres).holds);
     expect_radii(spheres, {0.593691541, 0.722856585, 0.574655504, 1.12632217, 0.653782344, 0.876584876});
+    spheres = six_in_slab();
+    spheres.push_back({{50, 0, 0}, 0});
+    geometry::grow(*slab, spheres, 0, 7);
+    EXPECT_EQ(spheres.back().radius, 0) << "nothing asks for it";
     spheres = four_in_round_parts;
     geometry::grow(*round_parts(), spheres, 0, 7);
     EXPECT_TRUE(certify(*round_parts(), spheres).holds);
@@ -332,6 +336,9 @@ TEST(Growth, ARoundPartIsClosedByTheBallThatNeedsLeast) {
     EXPECT_TRUE(certify(*ball, spheres).holds);
     EXPECT_GE(spheres[0].radius, 0.2);
     EXPECT_GE(spheres[1].radius, 0.2);
+    spheres = {{{0.3, 0, 0}, 0.2}};
+    geometry::grow(*ball, spheres, 0, 100'000);
+    EXPECT_NEAR(spheres[0].radius, 0.55, 0.01);
     spheres = {{{}, 0.3}, {{}, 0.2499}};
     geometry::grow(*ball, spheres, 0, 1000);
     EXPECT_EQ(spheres[0].radius, 0.3);
