@@ -273,6 +273,7 @@ TEST(Inner, TheWorstSphereIsTold) {
 TEST(Inner, TheBoundNearARimIsThatOfBiotAndSavart) {
     // Above the bottom's middle: the open top is seen as a square, of which the solid angle is known.
     const auto cube = Solid::make(open_cube());
+    const auto large = Solid::make(transformed(open_cube(), {}, {64, 64, 64}));
     for (const double z : {-0.35, -0.2, 0.0, 0.1, 0.2, 0.3}) {
         const double height = 0.5 - z, winding = 1 - std::asin(0.25 / (0.25 + height * height)) / std::numbers::pi;
         const auto bound = [&](double r) { // 1/4π of the integral along four edges
@@ -293,6 +294,7 @@ TEST(Inner, TheBoundNearARimIsThatOfBiotAndSavart) {
         EXPECT_LE(radius, low * (z < -0.1 ? 1 + 1e-8 : 0.999))
             << "a piece of an edge counts at its nearest point; " << z;
         EXPECT_GE(radius, 0.985 * low) << z;
+        EXPECT_NEAR(inner_radius(*large, {0, 0, 64 * z}, 640), 64 * radius, 1e-9) << "of any size";
     }
 }
 
@@ -414,5 +416,29 @@ TEST(Inner, DeepPointsStayAsTheyAre) {
         const Sphere found = shrunk_to_fit(*rod, {given}).front();
         EXPECT_LT(distance(found.center, moved.center), 1e-12);
         EXPECT_NEAR(found.radius, moved.radius, 1e-12);
+    }
+}
+
+TEST(Inner, NoBallReachesThroughAHole) {
+    // A square hole in a cube's top: below its middle the rim is the nearest part of the surface.
+    Mesh mesh = open_cube();
+    for (const double half : {0.05, 0.1, 0.2}) {
+        Mesh holed = mesh;
+        const auto first = static_cast<std::uint32_t>(holed.vertices.size());
+        for (const double size : {0.5, half}) {
+            holed.vertices.insert(holed.vertices.end(),
+                                  {{-size, -size, 0.5}, {size, -size, 0.5}, {size, size, 0.5}, {-size, size, 0.5}});
+        }
+        for (std::uint32_t k = 0; k < 4; ++k) {
+            const std::uint32_t next = (k + 1) % 4;
+            holed.triangles.push_back({first + k, first + next, first + 4 + next});
+            holed.triangles.push_back({first + k, first + 4 + next, first + 4 + k});
+        }
+        const auto solid = Solid::make(holed);
+        for (const double depth : {0.02, 0.05, 0.1, 0.2}) {
+            const double radius = inner_radius(*solid, {0, 0, 0.5 - depth}), rim = std::hypot(depth, half);
+            EXPECT_LT(radius, rim * (1 - 1e-3)) << half << " " << depth;
+            EXPECT_LT(solid->signed_distance({0, 0, 0.5 - depth + radius}), 0) << "its top is inside";
+        }
     }
 }
