@@ -332,6 +332,7 @@ TEST(Measure, TotalOfErrorsAndNothing) {
         EXPECT_DOUBLE_EQ(sum.area, 5);
         EXPECT_DOUBLE_EQ(sum.exposed_area, 8);
         EXPECT_DOUBLE_EQ(sum.gap, 0.2);
+        EXPECT_DOUBLE_EQ(sum.protrusion_max, 0.7);
         EXPECT_DOUBLE_EQ(sum.volume_error, 0.05);
         EXPECT_DOUBLE_EQ(sum.excess_volume_error, 0.1);
         EXPECT_DOUBLE_EQ(sum.missing_volume_error, 0.025);

@@ -263,7 +263,8 @@ def chosen(options):
         mutants = [m for m in mutants if m.number in options.number]
     if options.survivors:
         passed = {tuple(line.split("\t")[:3]) for line in options.survivors.read_text().splitlines() if line.endswith("\tpasses")}
-        mutants = [m for m in mutants if (m.file, m.line_text, m.change) in passed]
+        known = equivalents()
+        mutants = [m for m in mutants if (m.file, m.line_text, m.change) in passed and not reason_of(m, known)]
     if options.sample and options.sample < len(mutants):
         mutants = sorted(random.Random(options.seed).sample(mutants, options.sample), key=lambda m: m.number)
     return mutants
