@@ -129,8 +129,14 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
         covering.input = measuring.input = out.geometries.front();
         const auto finish = [&](const Workspace& in_time, const SphereTree& tree) {
             FinishedTree finished =
-                run_stage(in_time, "cover", out.link, out.geometries.front(), "", covering,
-                          [&](Context&) { return finished_tree(solid, tree, workspace.recipe.guarantee); });
+                run_stage(in_time, "cover", out.link, out.geometries.front(), "", covering, [&](Context&) {
+                    return finished_tree(solid, tree, workspace.recipe.guarantee, link.recipe.clip.empty());
+                });
+            if (finished.one_instead) {
+                workspace.journal.finding({Severity::warning, out.link, "cover",
+                                           "one sphere around the geometry is written: those of the spherizer would "
+                                           "claim more; remedy: more spheres, or another spherizer"});
+            }
             out.tree = std::move(finished.tree);
             growth[g] = finished.growth;
             out.measures = run_stage(in_time, "measure", out.link, out.geometries.front(), "", measuring,
