@@ -3,7 +3,7 @@
 #include <foam/host/crash.hpp>
 
 #include <csignal>
-#include <cstring>
+#include <cstdio>
 #include <unistd.h>
 
 namespace foam::cli {
@@ -12,6 +12,9 @@ namespace {
 // A signal handler can reach nothing but an object of static storage.
 std::atomic<bool> interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
+std::atomic<int> first_signal{0};
+static_assert(std::atomic<int>::is_always_lock_free);
+constexpr int exit_code_of_a_cut = 130;
 
 void on_signal(int signal) {
     if (interrupted.exchange(true, std::memory_order_relaxed)) {
@@ -20,6 +23,7 @@ void on_signal(int signal) {
         raise(signal);
         return;
     }
+    first_signal.store(signal, std::memory_order_relaxed);
     constexpr char message[] = "\nfoam: stopping; once more ends it at once\n";
     [[maybe_unused]] const auto written = write(STDERR_FILENO, message, sizeof message - 1);
     write_activities(STDERR_FILENO); // a stage that never asks whether to stop is named here
@@ -34,6 +38,22 @@ const std::atomic<bool>& stop_on_interrupt() {
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
     return interrupted;
+}
+
+void end_on_termination() {
+    struct sigaction action {};
+    action.sa_handler = [](int) { _exit(exit_code_of_a_cut); };
+    sigaction(SIGTERM, &action, nullptr);
+}
+
+int exit_code_after(int code) {
+    const int signal = first_signal.load(std::memory_order_relaxed);
+    if (signal == SIGINT) {
+        std::fflush(nullptr);
+        std::signal(SIGINT, SIG_DFL);
+        raise(SIGINT);
+    }
+    return signal == 0 ? code : exit_code_of_a_cut;
 }
 
 } // namespace foam::cli

@@ -1,3 +1,4 @@
+#include "interrupt.hpp"
 #include "judge.hpp"
 #include "program.hpp"
 
@@ -102,11 +103,8 @@ int run_program(int count, char** arguments) {
     }
 }
 
-} // namespace
-
-int main(int count, char** arguments) {
-    foam::serve_isolated_call(count, arguments);
-    foam::report_crashes();
+/// Whatever is thrown is told.
+int guarded(int count, char** arguments) {
     try {
         return run_program(count, arguments);
     } catch (const foam::Error& error) {
@@ -116,4 +114,13 @@ int main(int count, char** arguments) {
         tell(fmt::format("error: {} (a bug in foam; please report it)", error.what()));
         return foam::exit_code(foam::ErrorCode::internal);
     }
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    foam::serve_isolated_call(count, arguments);
+    foam::report_crashes();
+    end_on_termination();
+    return exit_code_after(guarded(count, arguments));
 }
