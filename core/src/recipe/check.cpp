@@ -96,6 +96,8 @@ void check_plain_values(const Value& root, Recipe& recipe, Findings& findings) {
         if (const auto read = read_value(*value, p, "", findings)) {
             if (p.name == "seed") {
                 recipe.seed = static_cast<std::uint64_t>(std::get<std::int64_t>(*read));
+            } else if (p.name == "strict") {
+                recipe.strict = std::get<bool>(*read);
             } else {
                 words[p.name] = std::get<std::string>(*read);
             }
@@ -167,6 +169,7 @@ void check_self_collision(const Value& value, const Value& root, Recipe& recipe,
         refuse_unknown_keys(value, "self_collision", {"pose"}, findings);
         if (const Value* pose = value.find("pose")) {
             recipe.self_collision_pose = read_pose(*pose, findings);
+            recipe.self_collision_where = findings.locate(pose->where);
         }
     } else {
         findings.error(value.where, "wrong-type",

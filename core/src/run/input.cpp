@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace foam {
 namespace fs = std::filesystem;
 namespace {
@@ -66,6 +68,14 @@ std::string extension_of(const fs::path& file) {
 }
 
 } // namespace
+
+bool input_resolves(const Recipe& recipe) {
+    const ResourceResolver resolver = resolver_of(recipe);
+    const auto& candidates = recipe.urdf.empty() ? recipe.mesh : recipe.urdf;
+    return std::any_of(candidates.begin(), candidates.end(), [&](const std::string& candidate) {
+        return resolver.resolve(candidate, recipe_folder(recipe)).found();
+    });
+}
 
 ResolvedResource resolve_input(const Recipe& recipe, std::string* chosen) {
     const ResourceResolver resolver = resolver_of(recipe);

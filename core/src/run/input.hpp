@@ -22,5 +22,7 @@ struct Input {
 /// Takes the first candidate that resolves. Throws Error(input) naming every place tried, or what is wrong with the
 /// file.
 Input load_input(const Workspace& workspace);
+/// Whether there is such a candidate.
+bool input_resolves(const Recipe& recipe);
 
 } // namespace foam

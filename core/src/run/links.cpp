@@ -94,7 +94,8 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
     result.model.groups.resize(groups.size());
     std::vector<double> growth(groups.size());
     std::vector<std::array<StageReport, 2>> reports(groups.size());
-    workspace.journal.expect(2 * groups.size());
+    workspace.journal.begin("growth");
+    workspace.journal.expect(groups.size());
     parallel_for(groups.size(), [&](std::size_t g) {
         LinkWork& link = links[groups[g].link];
         auto& [covering, measuring] = reports[g];
@@ -121,6 +122,13 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
         out.tree = std::move(finished.tree);
         covering.output = digest_of_content(out.tree);
         growth[g] = finished.growth;
+    });
+    workspace.journal.begin("measures");
+    workspace.journal.expect(groups.size());
+    parallel_for(groups.size(), [&](std::size_t g) {
+        SphereGroup& out = result.model.groups[g];
+        const Solid& solid = *groups[g].solid;
+        StageReport& measuring = reports[g][1];
         out.measures = run_stage(workspace, "measure", out.link, out.geometries.front(), "", measuring,
                                  [&](Context&) { return measured(workspace, solid, out.tree.finest()); });
         measuring.output = digest_of_content(out.measures);

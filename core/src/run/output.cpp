@@ -58,21 +58,29 @@ std::vector<WrittenProof> check_written(const Workspace& workspace, const Finish
 
 std::vector<OutputFile> write_outputs(const Workspace& workspace, const FinishedModel& finished,
                                       const RunDirectory& directory) {
-    std::vector<OutputFile> files(workspace.recipe.outputs.size());
-    workspace.journal.expect(files.size());
-    parallel_for(files.size(), [&](std::size_t i) {
-        const OutputCall& output = workspace.recipe.outputs[i];
+    const std::vector<OutputCall>& outputs = workspace.recipe.outputs;
+    std::vector<std::string> texts(outputs.size());
+    std::vector<std::unique_ptr<Writer>> writers(outputs.size());
+    const auto as_task = [&](std::size_t i, const auto& body) {
         StageReport report;
-        std::vector<WrittenProof> proofs;
-        const std::string bytes =
-            run_stage(workspace, output.writer.stage, "", output.file, output.file, report, [&](Context& context) {
-                const auto writer = workspace.registry.make<Writer>(output.writer.stage, output.writer.given);
-                std::string text = writer->write(finished.model, context);
-                proofs = check_written(workspace, finished, output, text, *writer);
-                return text;
-            });
-        directory.write(output.file, bytes);
-        files[i] = {output.writer.stage, output.file, digest_of(bytes), bytes.size(), std::move(proofs)};
+        return run_stage(workspace, outputs[i].writer.stage, "", outputs[i].file, outputs[i].file, report, body);
+    };
+    workspace.journal.begin("writing");
+    workspace.journal.expect(outputs.size());
+    parallel_for(outputs.size(), [&](std::size_t i) {
+        texts[i] = as_task(i, [&](Context& context) {
+            writers[i] = workspace.registry.make<Writer>(outputs[i].writer.stage, outputs[i].writer.given);
+            return writers[i]->write(finished.model, context);
+        });
+    });
+    workspace.journal.begin("proof");
+    workspace.journal.expect(outputs.size());
+    std::vector<OutputFile> files(outputs.size());
+    parallel_for(outputs.size(), [&](std::size_t i) {
+        std::vector<WrittenProof> proofs =
+            as_task(i, [&](Context&) { return check_written(workspace, finished, outputs[i], texts[i], *writers[i]); });
+        directory.write(outputs[i].file, texts[i]);
+        files[i] = {outputs[i].writer.stage, outputs[i].file, digest_of(texts[i]), texts[i].size(), std::move(proofs)};
     });
     return files;
 }
