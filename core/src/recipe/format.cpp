@@ -24,6 +24,7 @@ std::vector<Parameter> top_level_values() {
                  "geometry, proved; fitted: neither is promised."),
         Parameter::choice("on_error", {"stop", "skip", "fallback"}, "stop")
             .doc("When a link fails: stop the run, leave the link out, or stand its bounding sphere in for it."),
+        Parameter::boolean("strict", false).doc("A glob in 'links' that names no link is an error, not a warning."),
     };
 }
 
