@@ -33,7 +33,7 @@ void add_execute_options(CLI::App& command, ExecuteOptions& options) {
     command.add_flag("--fresh", options.fresh, "Neither read nor write the cache");
     command
         .add_option("--time-limit", options.time_limit,
-                    "Look for better spheres until S seconds after the start, then write the best so far")
+                    "Write the best spheres that are found within S seconds of the start")
         ->type_name("S")
         ->check(CLI::PositiveNumber);
     add_force(command, options.force);
