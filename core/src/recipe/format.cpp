@@ -44,8 +44,8 @@ std::vector<Parameter> budget_values() {
         Parameter::number("time_limit", 10)
             .at_least(0.001)
             .unit("s")
-            .doc("Time since the start after which no better spheres are looked for: the best so far are written, and "
-                 "the run may not give the same again. Absent: no limit."),
+            .doc("Time since the start in which the best spheres that are found are written; the run may not give the "
+                 "same again. Absent: no limit."),
     };
 }
 
