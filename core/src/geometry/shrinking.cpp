@@ -32,6 +32,7 @@ public:
         }
         std::make_heap(queue_.begin(), queue_.end());
         while (!queue_.empty() && queue_.front().far > need_) {
+            asking.check();
             if (looks_ == 0) {
                 return std::max(need_, limit_);
             }
