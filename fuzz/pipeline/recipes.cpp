@@ -9,9 +9,9 @@ namespace {
 /// The most that is drawn for parameters that buy precision with time, by their names.
 double work_limit(const std::string& parameter) {
     static const std::map<std::string, double> limits{
-        {"leaves", 2000},   {"numCover", 2000}, {"num_samples", 400}, {"initSpheres", 600}, {"minSpheres", 200},
-        {"min_samples", 8}, {"minCover", 8},    {"branch", 12},       {"depth", 2},         {"testerLevels", 2},
-        {"most", 48},       {"spheres", 12},    {"iterations", 60},   {"subdivisions", 2},  {"maxOptLevel", 2}};
+        {"leaves", 1000},   {"numCover", 300}, {"num_samples", 120}, {"initSpheres", 120}, {"minSpheres", 50},
+        {"min_samples", 8}, {"minCover", 8},   {"branch", 12},       {"depth", 2},         {"testerLevels", 2},
+        {"most", 48},       {"spheres", 12},   {"iterations", 60},   {"subdivisions", 2},  {"maxOptLevel", 2}};
     const auto found = limits.find(parameter);
     return found == limits.end() ? 1e300 : found->second;
 }
@@ -19,6 +19,12 @@ double work_limit(const std::string& parameter) {
 /// The least, for those of which a small one takes long.
 double work_floor(const std::string& parameter) {
     return parameter == "alpha" ? 0.03 : parameter == "spacing" ? 0.5 : -1e300;
+}
+
+/// Those whose defaults are made for real parts.
+bool costly_by_default(const std::string& parameter) {
+    return parameter == "numCover" || parameter == "num_samples" || parameter == "initSpheres" ||
+           parameter == "minSpheres";
 }
 
 double random_number(Dice& dice, const Parameter& parameter, double usual) {
@@ -40,8 +46,8 @@ std::string random_value(Dice& dice, const Parameter& parameter) {
     }
     case Parameter::Type::number:
         return text_of(random_number(dice, parameter, std::get<double>(parameter.default_value)));
-    case Parameter::Type::choice:
-        return quoted(dice.of(parameter.choices));
+    case Parameter::Type::choice: // of JSON's layouts one holds a single mesh only
+        return parameter.name == "layout" ? dice.of({"links", "foam"}) : quoted(dice.of(parameter.choices));
     case Parameter::Type::text:
         return quoted(std::get<std::string>(parameter.default_value));
     }
@@ -97,7 +103,8 @@ private:
     std::string parameters(const std::string& stage, double share, const std::string& where, std::string text = "") {
         for (const Parameter& parameter : registry_.find(stage)->info.parameters) {
             Dice dice(derive_seed(seed_, where + stage + "." + parameter.name));
-            const bool needed = parameter.name == "most" && !spheres_ && where.empty();
+            const bool needed = where.empty() && ((parameter.name == "most" && !spheres_) ||
+                                                  (costly_by_default(parameter.name) && !dice.chance(0.03)));
             if (dice.chance(share) || needed) {
                 text += (text.empty() ? "" : ", ") + parameter.name + ": " + random_value(dice, parameter);
             }
@@ -128,7 +135,7 @@ private:
         std::vector<std::string> parts;
         shared_ = spheres_;
         if (spheres_) {
-            parts.push_back("spheres: " + std::to_string(dice_.between(1, 12)));
+            parts.push_back("spheres: " + std::to_string(static_cast<int>(dice_.magnitude(1, 13))));
         }
         if (guarantee_ != "inner" && dice_.chance(0.12)) {
             shared_ = true;
