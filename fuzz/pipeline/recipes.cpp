@@ -135,7 +135,9 @@ private:
         std::vector<std::string> parts;
         shared_ = spheres_;
         if (spheres_) {
-            parts.push_back("spheres: " + std::to_string(static_cast<int>(dice_.magnitude(1, 13))));
+            const int least =
+                input_.links.size() > 1 && dice_.chance(0.8) ? static_cast<int>(input_.links.size()) - 1 : 0;
+            parts.push_back("spheres: " + std::to_string(least + static_cast<int>(dice_.magnitude(1, 13))));
         }
         if (guarantee_ != "inner" && dice_.chance(0.12)) {
             shared_ = true;
@@ -173,17 +175,17 @@ private:
     std::vector<std::string> overrides(bool limit) {
         std::vector<std::string> parts;
         const int least = dice_.between(1, 3);
-        if (limit || dice_.chance(0.4)) {
+        if (limit || dice_.chance(0.5)) {
             parts.push_back("max_spheres: " + std::to_string(dice_.between(3, 12)));
+        }
+        if (guarantee_ != "inner" && parts.size() > 0 && dice_.chance(0.2)) { // behind max_spheres: else up to 256
+            parts.push_back("max_protrusion: " + protrusion());
         }
         if (dice_.chance(0.2)) {
             parts.push_back("min_spheres: " + std::to_string(least));
         }
         if (shared_ && dice_.chance(0.2)) {
             parts.push_back("weight: " + text_of(dice_.of({0.0, 1e-6, 0.5, 2.0, 1e6})));
-        }
-        if (guarantee_ != "inner" && dice_.chance(0.15)) {
-            parts.push_back("max_protrusion: " + protrusion());
         }
         if (input_.robot && dice_.chance(0.1)) {
             parts.push_back("skip: " + std::string(dice_.chance(0.7) ? "true" : "false"));
