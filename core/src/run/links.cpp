@@ -2,6 +2,7 @@
 
 #include "clip.hpp"
 #include "cover.hpp"
+#include "own_frame.hpp"
 
 #include <foam/inner.hpp>
 #include <foam/measure.hpp>
@@ -78,9 +79,12 @@ template <class Body> bool done_in_time(const Workspace& workspace, Body body) {
     }
 }
 
-/// The vertices of a link that was loaded, in its frame; empty if it was not.
+/// The vertices of a link that was loaded, in its frame; empty if it was not, or was refused.
 std::vector<Vec3> vertices_of(const LinkWork& link) {
     std::vector<Vec3> points;
+    if (!is_workable(link)) {
+        return points;
+    }
     for (const Element& element : link.elements) {
         const Primitive* primitive = element.primitive();
         if (!primitive && !element.raw) {
