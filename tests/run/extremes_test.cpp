@@ -101,6 +101,7 @@ std::map<std::string, Mesh> legal_meshes() {
         {"needle of 1e-5", sample::box({1, 1e-5, 1e-5})},
         {"sliver far away", sample::box({1e-6, 1, 1}, {1e6, 0, 0})},
         {"flat", sample::box({1, 1, 0})},
+        {"line", sample::box({1, 0, 0})},
     };
 }
 

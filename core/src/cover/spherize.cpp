@@ -23,7 +23,8 @@ std::optional<Objective> objective_named(std::string_view name) {
 class WorkedOn {
 public:
     explicit WorkedOn(const Solid& solid) : given_(solid), frame_(geometry::own_frame(solid)) {
-        if (const std::string why = geometry::why_out_of_bounds(solid.bounds()); !why.empty()) {
+        const bool is_point = geometry::size_of(solid.bounds()) == 0; // then a tiny sphere does
+        if (const std::string why = geometry::why_out_of_bounds(solid.bounds()); !is_point && !why.empty()) {
             throw Error(ErrorCode::geometry, "spherize: the solid cannot be covered: " + why);
         }
         if (!frame_.is_given()) {
