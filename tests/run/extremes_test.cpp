@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <atomic>
+
 namespace foam {
 namespace {
 
@@ -51,10 +53,21 @@ protected:
         ErrorCode code = ErrorCode::internal;
     };
 
+    /// Counts the tasks of stages that are no loaders.
+    struct Begun final : Observer {
+        void on(const Event& event) override {
+            tasks += event.kind == Event::Kind::task_started && !event.stage.starts_with("load.");
+        }
+        std::atomic<int> tasks = 0;
+    };
+
     Outcome outcome(const std::string& recipe) {
         Outcome result;
+        begun.tasks = 0;
         try {
-            const RunResult made = run(recipe_of(recipe), registry, options());
+            RunOptions observed = options();
+            observed.observer = &begun;
+            const RunResult made = run(recipe_of(recipe), registry, observed);
             result.certified = made.certified;
             result.excess_volume = made.total.excess_volume;
         } catch (const Error& error) {
@@ -67,6 +80,8 @@ protected:
         write("part.obj", obj_of(mesh));
         return outcome("name: x\nmesh: part.obj\nstages: [" + stages + "]\nbudget: {spheres: 6}\n");
     }
+    Begun begun;
+
     std::vector<std::string> stages_of(StageKind kind) const {
         std::vector<std::string> names;
         for (const auto& [name, stage] : registry.stages()) {
@@ -163,6 +178,7 @@ TEST_F(Extremes, WhatIsBeyondTheBoundsIsRefusedBeforeAnyStage) {
             EXPECT_THAT(made.error, HasSubstr(expected.second)) << name << ", " << chain;
             EXPECT_THAT(made.error, HasSubstr("remedy: ")) << name << ", " << chain;
             EXPECT_EQ(made.code, ErrorCode::input) << name << ", " << chain;
+            EXPECT_EQ(begun.tasks, 0) << name << ", " << chain;
         }
     }
 }
