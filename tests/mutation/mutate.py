@@ -1,0 +1,302 @@
+#!/usr/bin/env python3
+"""Mutation testing of the proof: changes the code of certificate, growth, measures and round trip in one place at a time and
+runs the tests that belong to it. A change that no test notices survives. See docs/dev/testing.md."""
+import argparse
+import concurrent.futures
+import os
+import random
+import re
+import resource
+import shutil
+import subprocess
+import sys
+import time
+from collections import Counter
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from mutations import mutants_of  # noqa: E402
+
+ROOT = Path(__file__).resolve().parents[2]
+HERE = Path(__file__).resolve().parent
+BUILD = Path(os.environ.get("FOAM_MUTATION_BUILD", ROOT / "build" / "mutation"))
+CORE, TESTS = ROOT / "core" / "src", ROOT / "tests"
+
+SURFACE = ["geometry/balls_test", "geometry/crease_cuts_test", "geometry/certificate_test", "evaluate/certificate_adversary_test"]
+GROWN = ["geometry/growth_test"]
+MEASURED = ["geometry/volume_test", "geometry/measure_test"]
+INNER = ["geometry/inner_test"]
+
+# Which tests belong to which file, the ones that are likely to notice first. `core` names the files of core that tests link besides.
+BELONG = {
+    "geometry/certificate.cpp": SURFACE + GROWN,
+    "geometry/cover.cpp": SURFACE + GROWN,
+    "geometry/crease_cuts.cpp": SURFACE + GROWN,
+    "geometry/growth.cpp": GROWN + SURFACE,
+    "geometry/shrinking.cpp": GROWN,
+    "geometry/inner.cpp": INNER,
+    "geometry/rim.cpp": INNER,
+    "geometry/measure.cpp": MEASURED,
+    "geometry/measure_surface.cpp": MEASURED,
+    "geometry/measure_volume.cpp": MEASURED,
+    "geometry/exact_union_volume.cpp": MEASURED,
+    "geometry/intervals.cpp": ["geometry/solid_test"] + MEASURED + ["geometry/inside_test"],
+    "run/cover.cpp": ["run/finished_tree_test"],
+    "run/written_proof.cpp": ["run/written_proof_test"],
+    "data/text.cpp": ["data/text_test", "run/finished_tree_test"],
+}
+LINKED = {"contract/sample.cpp", "run/cover.cpp", "run/written_proof.cpp"}  # besides data and geometry
+FLAGS = ("-std=c++20 -O1 -fPIC -DNDEBUG -D_GLIBCXX_ASSERTIONS -ffp-contract=off -w -DFMT_SHARED -DFOAM_VERSION=\"mutation\" "
+         "-DFOAM_YAML_CPP_VERSION=\"\" -DFOAM_PLUGIN_SUBDIRECTORY=\"foam/plugins\" -isystem /usr/include/eigen3").split()
+INCLUDES = [f"-I{ROOT}/core/include", f"-I{BUILD}/include", f"-I{CORE}", f"-I{TESTS}"]
+LIBRARIES = "-lgmock -lgtest -lgtest_main -ltbb -lfmt -lyaml-cpp -lexpat -lxxhash -lpthread -ldl".split()
+HEADERS = {"core": "algorithm array cmath cstdint filesystem functional map memory optional set span string string_view variant vector "
+                   "fmt/format.h".split(),
+           "tests": "gmock/gmock.h gtest/gtest.h algorithm filesystem fstream string vector".split()}
+
+
+def compiler():
+    return os.environ.get("CXX", "g++")
+
+
+def run(command, **more):
+    return subprocess.run(command, capture_output=True, text=True, errors="replace", **more)
+
+
+# --- what is built once -------------------------------------------------------------------------------------------------------
+
+def precompiled(name):
+    """Headers that all files of a kind begin with, compiled once."""
+    folder = BUILD / "headers"
+    folder.mkdir(parents=True, exist_ok=True)
+    header = folder / f"{name}.hpp"
+    text = "".join(f"#include <{h}>\n" for h in HEADERS[name])
+    if not header.exists() or header.read_text() != text or not header.with_suffix(".hpp.gch").exists():
+        header.write_text(text)
+        done = run([compiler(), *FLAGS, "-x", "c++-header", str(header), "-o", f"{header}.gch"])
+        if done.returncode:
+            sys.exit(done.stderr)
+    return header
+
+
+def is_new(made, dependencies):
+    """Whether an object is newer than all files that it was made of."""
+    if not made.exists() or not dependencies.exists():
+        return False
+    names = re.sub(r"\\\n", " ", dependencies.read_text()).split(":", 1)[1].split()
+    return all(Path(n).exists() and Path(n).stat().st_mtime <= made.stat().st_mtime for n in names)
+
+
+def compile_file(source, made, headers, folder=None):
+    """Returns what the compiler says if it fails. `folder`: where includes in quotes are looked for first."""
+    made.parent.mkdir(parents=True, exist_ok=True)
+    command = [compiler(), *FLAGS, *INCLUDES, "-include", str(BUILD / "headers" / f"{headers}.hpp"), "-MMD", "-c", str(source),
+               "-o", str(made), f"-DFOAM_TEST_SOURCE=\"{ROOT}\"", f"-DFOAM_TEST_PLUGINS=\"{BUILD}/plugins\"",
+               f"-DFOAM_TEST_SHARED=\"{os.environ.get('FOAM_SHARED', '')}\"", "-DFOAM_TEST_BINARY=\"\""]
+    if folder:
+        command[1:1] = ["-iquote", str(folder)]
+    done = run(command)
+    if done.returncode:
+        made.unlink(missing_ok=True)
+    return done.stderr if done.returncode else ""
+
+
+def tests_of(file):
+    return [t for t in BELONG[file] if (TESTS / f"{t}.cpp").exists()]
+
+
+def build(jobs):
+    """Compiles core's files and the tests where they changed; core becomes an archive, of which tests link what they need."""
+    record = BUILD / "include" / "foam" / "abi_record.hpp"  # no plugin is loaded
+    if not record.exists():
+        record.parent.mkdir(parents=True, exist_ok=True)
+        record.write_text('#pragma once\n#define FOAM_ABI_LAYOUT "mutation"\n')
+    for name in HEADERS:
+        precompiled(name)
+    written = {f"{CORE}/geometry", f"{CORE}/data"}
+    sources = [(p, BUILD / "core" / p.parent.name / f"{p.stem}.o", "core")
+               for p in sorted(CORE.glob("*/*.cpp")) if str(p.parent) in written or f"{p.parent.name}/{p.name}" in LINKED]
+    sources += [(TESTS / f"{t}.cpp", BUILD / "tests" / f"{t}.o", "tests") for t in sorted({t for f in BELONG for t in tests_of(f)})]
+    stale = [s for s in sources if not is_new(s[1], s[1].with_suffix(".d"))]
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        for (source, _, _), told in zip(stale, pool.map(lambda s: compile_file(*s), stale)):
+            if told:
+                sys.exit(f"{source} does not compile:\n{told}")
+    archive = BUILD / "libcore.a"
+    if stale or not archive.exists():
+        archive.unlink(missing_ok=True)
+        done = run(["ar", "rcs", str(archive), *[str(s[1]) for s in sources if s[2] == "core"]])
+        if done.returncode:
+            sys.exit(done.stderr)
+
+
+def linked(program, objects, tests):
+    """Links the tests; an object that comes before the archive stands in for that of the archive."""
+    linker = next((f"-fuse-ld={n}" for n in ("lld", "gold") if shutil.which(f"ld.{n}")), "")
+    done = run([compiler(), *([linker] if linker else []), *map(str, objects), *[str(BUILD / "tests" / f"{t}.o") for t in tests],
+                str(BUILD / "libcore.a"), *LIBRARIES, "-o", str(program)])
+    return done.stderr if done.returncode else ""
+
+
+# --- mutants ------------------------------------------------------------------------------------------------------------------
+
+def limits(seconds):
+    def set_them():
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
+        resource.setrlimit(resource.RLIMIT_AS, (6 << 30, 6 << 30))
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    return set_them
+
+
+def tested(program, seconds):
+    """How a test program ends: "passes", the first case that fails, "hangs" or "crashes"."""
+    command = [str(program), "--gtest_fail_fast", "--gtest_brief=1"]
+    try:
+        done = run(command, preexec_fn=limits(seconds), timeout=20 * seconds, cwd=BUILD)
+    except subprocess.TimeoutExpired:
+        return "hangs"
+    if done.returncode == 0:
+        return "passes"
+    if done.returncode in (-24, -9):
+        return "hangs"
+    failed = re.search(r"\[  FAILED  \] (\S+)", done.stdout)
+    return failed.group(1) if failed else f"crashes ({done.returncode})"
+
+
+class Bench:
+    """The programs of a file's tests, and how long they take on the code as it is."""
+
+    def __init__(self):
+        self.seconds = {}
+
+    def limit(self, file):
+        tests = tuple(tests_of(file))
+        if tests not in self.seconds:
+            program = BUILD / "unchanged"
+            told = linked(program, [], tests)
+            before = resource.getrusage(resource.RUSAGE_CHILDREN)
+            result = tested(program, 600) if not told else told
+            after = resource.getrusage(resource.RUSAGE_CHILDREN)
+            if result != "passes":
+                sys.exit(f"the tests of {file} do not pass on the code as it is: {result}")
+            self.seconds[tests] = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+            print(f"{file}: its tests take {self.seconds[tests]:.1f} s of CPU time", flush=True)
+        return int(4 * self.seconds[tests] + 6)
+
+    def outcome(self, mutant):
+        seconds = self.limit(mutant.file)
+        folder = BUILD / "mutant"
+        folder.mkdir(exist_ok=True)
+        source, made, program = folder / Path(mutant.file).name, folder / "mutant.o", folder / "tests"
+        source.write_text(mutant.source)
+        if compile_file(source, made, "core", (CORE / mutant.file).parent):
+            return "does not compile"
+        if linked(program, [made], tests_of(mutant.file)):
+            return "does not compile"
+        return tested(program, seconds)
+
+
+def mutants_of_all(only):
+    found = []
+    for file in filter(lambda f: (CORE / f).exists(), BELONG):
+        these = mutants_of(file, (CORE / file).read_text(), len(found))  # numbers do not depend on what is chosen
+        found += these
+    return [m for m in found if not only or any(name in m.file for name in only)]
+
+
+def equivalents():
+    """Mutations that change nothing that can be observed: {(file, line, change): reason} from equivalent.md's tables."""
+    known, file = {}, ""
+    for line in (HERE / "equivalent.md").read_text().splitlines():
+        if line.startswith("## "):
+            file = line[3:].strip()
+        cells = [c.strip().strip("`").replace("¦", "|") for c in line.strip("|").split(" | ")]
+        if line.startswith("| `") and len(cells) == 3:
+            for change in cells[1].split("`, `"):
+                known[(file, cells[0].strip().strip("`"), change)] = cells[2]
+    return known
+
+
+def reason_of(mutant, known):
+    for change in (mutant.change, re.sub(r" \(\d+\)$", "", mutant.change), "*"):
+        if reason := known.get((mutant.file, mutant.line_text, change)):
+            return reason
+    return ""
+
+
+def summary(results, known):
+    rows = ["| file | mutants | found | of these hang | equivalent | survived | found, % |", "|---|---|---|---|---|---|---|"]
+    count = {file: Counter() for file in BELONG}
+    for mutant, outcome in results:
+        kind = ("none" if outcome == "does not compile" else "found" if outcome != "passes"
+                else "equivalent" if reason_of(mutant, known) else "survived")
+        count[mutant.file][kind] += 1
+        count[mutant.file]["hang"] += outcome == "hangs"
+    count["all"] = sum(count.values(), Counter())
+    for file, c in count.items():
+        counted = c["found"] + c["survived"]
+        if counted + c["equivalent"]:
+            rows.append(f"| {file} | {counted} | {c['found']} | {c['hang']} | {c['equivalent']} | {c['survived']} | "
+                        f"{100 * c['found'] / max(counted, 1):.1f} |")
+    return "\n".join(rows)
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--list", action="store_true", help="print the mutants and end")
+    parser.add_argument("--only", action="append", metavar="FILE", help="files of core/src whose name contains this; may be repeated")
+    parser.add_argument("--sample", type=int, metavar="N", help="as many of them, chosen at random")
+    parser.add_argument("--seed", type=int, default=1, help="of the choice")
+    parser.add_argument("--number", type=int, action="append", metavar="N", help="this mutant; may be repeated")
+    parser.add_argument("--survivors", type=Path, metavar="LOG", help="only those that passed according to the log of a run before")
+    parser.add_argument("--until", metavar="HH:MM", help="start no mutant after this time of the day, UTC")
+    parser.add_argument("--jobs", type=int, default=2, help="compilers at once for what is built once")
+    parser.add_argument("--log", type=Path, default=BUILD / "log.txt", help="where each outcome is added")
+    parser.add_argument("--results", type=Path, help="write the table of results to this file")
+    return parser.parse_args()
+
+
+def chosen(options):
+    mutants = mutants_of_all(options.only)
+    if options.number:
+        mutants = [m for m in mutants if m.number in options.number]
+    if options.survivors:
+        passed = {tuple(line.split("\t")[:3]) for line in options.survivors.read_text().splitlines() if line.endswith("\tpasses")}
+        mutants = [m for m in mutants if (m.file, m.line_text, m.change) in passed]
+    if options.sample and options.sample < len(mutants):
+        mutants = sorted(random.Random(options.seed).sample(mutants, options.sample), key=lambda m: m.number)
+    return mutants
+
+
+def main():
+    options = arguments()
+    mutants = chosen(options)
+    if options.list:
+        print("\n".join(m.name for m in mutants))
+        return 0
+    os.nice(10)
+    BUILD.mkdir(parents=True, exist_ok=True)
+    build(options.jobs)
+    known, bench, results = equivalents(), Bench(), []
+    with options.log.open("a") as log:
+        for n, mutant in enumerate(mutants):
+            if options.until and time.strftime("%H:%M", time.gmtime()) >= options.until:
+                break
+            begin = time.monotonic()
+            outcome = bench.outcome(mutant)
+            results.append((mutant, outcome))
+            log.write(f"{mutant.file}\t{mutant.line_text}\t{mutant.change}\t{outcome}\n")
+            log.flush()
+            told = f"{outcome} (equivalent)" if outcome == "passes" and reason_of(mutant, known) else outcome
+            print(f"{n + 1}/{len(mutants)} {time.monotonic() - begin:.1f} s {told}: {mutant.name}", flush=True)
+    table = summary(results, known)
+    survived = [m for m, outcome in results if outcome == "passes" and not reason_of(m, known)]
+    print(table, *[f"survived: {m.name}" for m in survived], sep="\n")
+    if options.results:
+        options.results.write_text(table + "\n")
+    counted = [m for m, outcome in results if outcome not in ("passes", "does not compile")]
+    return 0 if len(counted) >= 0.95 * (len(counted) + len(survived)) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
