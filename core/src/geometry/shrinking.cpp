@@ -37,7 +37,6 @@ public:
                 return std::max(need_, limit_);
             }
             --looks_;
-            asking.check();
             std::pop_heap(queue_.begin(), queue_.end());
             const Entry next = queue_.back();
             queue_.pop_back();
