@@ -157,13 +157,13 @@ TEST_F(Run, ATimeLimitBeforeThereIsAModelSaysWhereTheTimeWent) {
 
 TEST_F(Run, ABallStandsInForWhatIsNotFoundInTime) {
     RunOptions o = options();
-    o.time_limit = 0.2;
+    o.time_limit = 2;
     const RunResult result =
         run(recipe("stages: [spherize.misbehaving: {how: waits, link: tip}]\nbudget: {spheres: 20}\n"), registry, o);
     EXPECT_EQ(result.cut, Cut::time_limit);
     EXPECT_TRUE(result.certified);
     EXPECT_EQ(result.links.at(1).measures.spheres, 1u);
-    EXPECT_THAT(warnings_of(result), ::testing::Contains("tip: it made nothing within the time limit of 0.2 s: one "
+    EXPECT_THAT(warnings_of(result), ::testing::Contains("tip: it made nothing within the time limit of 2 s: one "
                                                          "enclosing sphere stands in"));
 }
 
