@@ -239,8 +239,10 @@ bool handle_errors(const Workspace& workspace, std::vector<LinkWork>& links, std
         if (workspace.recipe.on_error == OnError::stop) {
             throw *links[l].error;
         }
-        const std::vector<Vec3> points =
-            workspace.recipe.on_error == OnError::fallback ? vertices_of(links[l]) : std::vector<Vec3>{};
+        // What is wrong with the geometry itself (code input), nothing stands in for: a proof would not hold either.
+        const bool stand_in =
+            workspace.recipe.on_error == OnError::fallback && links[l].error->code() != ErrorCode::input;
+        const std::vector<Vec3> points = stand_in ? vertices_of(links[l]) : std::vector<Vec3>{};
         if (points.empty()) {
             links[l].report.error = message;
             workspace.journal.finding(
