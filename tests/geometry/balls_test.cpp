@@ -128,6 +128,29 @@ TEST(Balls, HoldAPieceOnlyWithAllItsCorners) {
     }
 }
 
+TEST(Balls, AreClosed) {
+    // A radius that is 0.5 without slack, and corners at that distance.
+    const auto solid = Solid::make(triangle({0.5, 0, 0}, {-0.5, 0, 0}, {0, 0, 0}));
+    Balls balls(*solid, std::vector<Sphere>{{{}, 1}}, 120);
+    double full = balls.full_radius(0, 0.5);
+    while (balls.radius(0) != 0.5 && full > 0.5) {
+        full = std::nextafter(full, 0);
+        balls.set_radius(0, full);
+    }
+    ASSERT_EQ(balls.radius(0), 0.5);
+    for (const Vec3& far : {Vec3{0.5, 0, 0}, Vec3{0, -0.5, 0}}) {
+        EXPECT_TRUE(balls.holds(0, far));
+        EXPECT_TRUE(balls.holds(0, flat(far, {}, {})));
+        EXPECT_TRUE(balls.holds(0, flat({}, far, {})));
+        EXPECT_TRUE(balls.holds(0, flat({}, {}, far)));
+        EXPECT_EQ(balls.gap(0, far), 0);
+        EXPECT_EQ(balls.power(0, far), 0);
+    }
+    EXPECT_FALSE(balls.holds(0, Vec3{std::nextafter(0.5, 1), 0, 0}));
+    EXPECT_EQ(balls.gap(0, {2, 0, 0}), 1.5);
+    EXPECT_EQ(balls.power(0, {2, 0, 0}), 3.75);
+}
+
 TEST(Pieces, SizeAndDiameter) {
     const Piece piece = flat({0, 0, 0}, {3, 0, 0}, {0, 4, 0});
     EXPECT_DOUBLE_EQ(size_of(piece), 5);
@@ -212,12 +235,15 @@ TEST(Pieces, HalvesOfAPrismTileIt) {
 TEST(Balls, CandidatesAreAllThatMayBeNearest) {
     Random random(3);
     for (int round = 0; round < 300; ++round) {
-        const auto solid = Solid::make(triangle(random_vector(random, 1), random_vector(random, 1), random_vector(random, 1)));
+        const double size = round % 2 == 0 ? 1 : 0.03;
+        const auto solid = Solid::make(triangle(random_vector(random, size), random_vector(random, size), random_vector(random, size)));
         std::vector<Sphere> spheres;
-        for (int i = round % 40; i >= 0; --i) {
+        for (int i = round; i >= 0; --i) {
             spheres.push_back({random_vector(random, 2), random.uniform(-0.1, round % 3 == 0 ? 0.2 : 0.9)});
         }
-        const Balls balls(*solid, spheres, 120);
+        Balls balls(*solid, spheres, 120);
+        balls.set_radius(0, 1.5); // what was known of the largest is known anew
+        balls.set_radius(static_cast<std::uint32_t>(round), 0.1);
         const Piece piece = balls.piece(0);
         const Vec3 middle = (piece.corners.a + piece.corners.b + piece.corners.c) / 3;
         std::vector<std::pair<double, std::uint32_t>> gaps;

@@ -1,4 +1,5 @@
 // The proof of cover: it must hold where it can, and never where a point is uncovered.
+#include "geometry/proof.hpp"
 #include "geometry/shapes.hpp"
 
 #include <foam/measure.hpp>
@@ -112,6 +113,7 @@ TEST(Certificate, GrowthIsTheGap) {
             EXPECT_FALSE(certificate.holds);
             EXPECT_GE(certificate.growth, sampled);
             EXPECT_LE(certificate.growth, sampled * 1.05 + 0.01);
+            EXPECT_GE(gap_at(certificate.witness, spheres), 0.998 * certificate.growth) << "the witness is the worst";
             for (Sphere& s : spheres) {
                 s.radius += certificate.growth * (1 + 1e-9) + 1e-9;
             }
@@ -185,4 +187,174 @@ TEST(Certificate, ASphereCoversItsPrimitive) {
     const auto capsule = primitive_solid({Primitive::Kind::capsule, {}, 0.25, 1});
     EXPECT_TRUE(certify(*capsule, std::vector<Sphere>{{{}, 0.75 + 1e-9}}).holds);
     EXPECT_FALSE(certify(*capsule, std::vector<Sphere>{{{}, 0.75 - 1e-9}}).holds);
+}
+
+namespace {
+
+/// Balls about a hole of this size in the origin, in the plane.
+std::vector<Sphere> around_a_hole(double hole, const Vec3& at = {}, double turn = 0.3) {
+    std::vector<Sphere> spheres;
+    for (int k = 0; k < 3; ++k) {
+        const double angle = 2 * std::numbers::pi * k / 3 + turn;
+        spheres.push_back({at + 2 * Vec3{std::cos(angle), std::sin(angle), 0}, 2 - hole});
+    }
+    return spheres;
+}
+
+const Mesh small_triangle = triangle({-1, -1, 0}, {1, -1, 0}, {0, 1, 0});
+
+} // namespace
+
+TEST(Certificate, TellsWhatItTook) {
+    const Mesh held = triangle({0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}), cut = triangle({0, 0, 0}, {2, 0, 0}, {0, 0.2, 0});
+    const std::vector<Sphere> two{{{0.5, 0.1, 0}, 0.7}, {{1.5, 0.1, 0}, 0.7}};
+    const auto took = [&](const Mesh& mesh) { return geometry::prove_cover(*Solid::make(mesh), two); };
+    EXPECT_EQ(took(held).certificate.pieces, 1u);
+    EXPECT_EQ(took(held).halvings, 0u);
+    EXPECT_EQ(took(cut).certificate.pieces, 3u);
+    EXPECT_EQ(took(cut).halvings, 1u);
+    for (const Mesh& both : {together(held, cut), together(cut, held)}) {
+        EXPECT_TRUE(took(both).certificate.holds);
+        EXPECT_EQ(took(both).certificate.pieces, 4u);
+        EXPECT_EQ(took(both).halvings, 1u) << "of the piece that was cut most often";
+        EXPECT_EQ(took(both).triangles, 2u);
+    }
+    EXPECT_EQ(took(together(together(cut, cut), held)).certificate.pieces, 7u);
+    // Of two triangles one is cut more often.
+    std::vector<Sphere> row;
+    for (int i = 0; i < 4; ++i) {
+        row.push_back({{i + 0.5, 0.1, 0}, 0.52});
+    }
+    const Mesh often = triangle({0, 0, 0}, {4, 0, 0}, {0, 0.2, 0}), once = triangle({0, 0, 0}, {2, 0, 0}, {0, 0.2, 0});
+    const auto halvings = [&](const Mesh& mesh) { return geometry::prove_cover(*Solid::make(mesh), row).halvings; };
+    EXPECT_EQ(halvings(once), 1u);
+    EXPECT_EQ(halvings(often), 3u);
+    EXPECT_EQ(halvings(together(often, once)), 3u);
+    EXPECT_EQ(halvings(together(once, often)), 3u);
+}
+
+TEST(Certificate, DepthIsOfHalvings) {
+    // A row of balls over a long strip: its triangles are cut six times, which counts as twelve halvings.
+    const auto strip = Solid::make(triangle({0, 0, 0}, {64, 0, 0}, {64, 0.1, 0}));
+    std::vector<Sphere> row;
+    for (int i = 0; i < 64; ++i) {
+        row.push_back({{i + 0.5, 0.05, 0}, 0.51});
+    }
+    const std::uint32_t halvings = geometry::prove_cover(*strip, row).halvings;
+    for (int depth = 0; depth < 12; ++depth) {
+        EXPECT_EQ(certify(*strip, row, depth).holds, 3 * depth >= static_cast<int>(2 * halvings)) << depth << " " << halvings;
+    }
+    // Where a part is open, its growth is that of pieces of the size to which it was halved.
+    const auto solid = Solid::make(small_triangle);
+    const std::vector<Sphere> spheres = around_a_hole(1e-3, {0.037, -0.113, 0});
+    double whole = std::numeric_limits<double>::infinity();
+    for (const Sphere& s : spheres) {
+        double worst = 0;
+        for (const Vec3& v : solid->surface().vertices) {
+            worst = std::max(worst, distance(v, s.center) - s.radius);
+        }
+        whole = std::min(whole, worst);
+    }
+    EXPECT_NEAR(certify(*solid, spheres, 0).growth, whole, 1e-12) << "not halved";
+    EXPECT_LT(certify(*solid, spheres, 1).growth, whole);
+    for (int depth = 2; depth < 8; ++depth) {
+        EXPECT_LT(certify(*solid, spheres, depth).growth, certify(*solid, spheres, depth - 2).growth) << depth;
+    }
+    EXPECT_EQ(certify(*solid, spheres, -5).growth, certify(*solid, spheres, 0).growth);
+    EXPECT_EQ(certify(*solid, spheres, 61).growth, certify(*solid, spheres, 60).growth);
+    for (const int depth : {0, 1, 2, 4}) {
+        const geometry::CoverProof proof = geometry::prove_cover(*solid, spheres, depth);
+        EXPECT_LE(proof.halvings, static_cast<std::uint32_t>(3 * depth));
+        EXPECT_GE(proof.halvings, static_cast<std::uint32_t>(depth));
+    }
+}
+
+TEST(Certificate, DepthSetsTheSlack) {
+    // The least radius that passes is above the exact one by the slack of that depth.
+    const auto solid = Solid::make(triangle({1, 2, 2}, {2, 1, 2}, {2, 2, 1}));
+    const Vec3 middle = solid->bounds().center();
+    double extent = 0;
+    for (const Vec3& v : solid->surface().vertices) {
+        extent = std::max(extent, distance(v, middle));
+    }
+    for (const int depth : {0, 20, 40, 60}) {
+        double low = 3 - 1e-9, high = 3 + 1e-9;
+        while (std::nextafter(low, high) < high) {
+            const double at = low + (high - low) / 2;
+            (certify(*solid, std::vector<Sphere>{{{}, at}}, depth).holds ? high : low) = at;
+        }
+        constexpr double epsilon = std::numeric_limits<double>::epsilon();
+        const double slack = epsilon * ((3 * depth + 8) * (extent + norm(middle) + 3) + 8 * norm(middle));
+        EXPECT_NEAR(high - 3, slack, 3e-15) << depth;
+    }
+}
+
+TEST(Certificate, TheGapIsFoundToAThousandth) {
+    Random random(9);
+    const auto solid = Solid::make(small_triangle);
+    for (int round = 0; round < 150; ++round) {
+        const double hole = std::pow(10, random.uniform(-6, -2));
+        const Certificate missed = certify(*solid, around_a_hole(hole, {random.uniform(-0.1, 0.1), random.uniform(-0.3, 0), 0}, random.uniform(0, 2)));
+        EXPECT_FALSE(missed.holds);
+        EXPECT_GE(missed.growth, hole * (1 - 1e-9));
+        EXPECT_LE(missed.growth, hole * 1.001 + 1e-14);
+    }
+}
+
+TEST(Certificate, TheWorstOfSeveralHolesIsTold) {
+    for (const bool first : {true, false}) {
+        const Vec3 away{10, 0, 0};
+        Mesh other = small_triangle;
+        for (Vec3& v : other.vertices) {
+            v += away;
+        }
+        std::vector<Sphere> spheres = around_a_hole(first ? 2e-3 : 1e-3);
+        for (const Sphere& s : around_a_hole(first ? 1e-3 : 2e-3, away)) {
+            spheres.push_back(s);
+        }
+        const Certificate missed = certify(*Solid::make(together(small_triangle, other)), spheres);
+        EXPECT_NEAR(missed.growth, 2e-3, 3e-6);
+        EXPECT_EQ(missed.triangle, first ? 0u : 1u);
+        EXPECT_LT(distance(missed.witness, first ? Vec3{} : away), 1e-4);
+    }
+    // Corners far out, the near one first or last; what is covered beside them is not named.
+    const Mesh near = triangle({0, 0, 0}, {0, 0, 2}, {0.1, 0, 0}), far = triangle({0, 0, 0}, {0, 3, 0}, {0.1, 0, 0}),
+               held = triangle({0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0});
+    for (const Mesh& mesh : {together(together(near, far), held), together(together(far, near), held), together(held, together(near, far))}) {
+        const Certificate missed = certify(*Solid::make(mesh), std::vector<Sphere>{{{}, 1}});
+        EXPECT_NEAR(missed.growth, 2, 1e-9);
+        EXPECT_EQ(missed.witness, (Vec3{0, 3, 0}));
+        EXPECT_EQ(mesh.vertices[mesh.triangles[missed.triangle][1]], (Vec3{0, 3, 0}));
+    }
+}
+
+TEST(Certificate, ARoundPartThatIsHeldLeavesTheOthersOpen) {
+    // Each part in turn lacks its ball. Spheres and capsules are held in closed form, their tessellation is not.
+    using Kind = Primitive::Kind;
+    std::vector<Solid::Part> parts{{std::make_shared<const Mesh>(box({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1})), {}, {}},
+                                   {nullptr, Primitive{Kind::sphere, {}, 0.2, 0}, Pose::from_xyz_rpy({1, 0, 0}, {})},
+                                   {nullptr, Primitive{Kind::box, {0.2, 0.2, 0.2}, 0, 0}, Pose::from_xyz_rpy({2, 0, 0}, {})},
+                                   {nullptr, Primitive{Kind::sphere, {}, 0.2, 0}, Pose::from_xyz_rpy({3, 0, 0}, {})},
+                                   {nullptr, Primitive{Kind::cylinder, {}, 0.1, 0.2}, Pose::from_xyz_rpy({4, 0, 0}, {})}};
+    const auto solid = Solid::make(parts);
+    std::vector<Sphere> all;
+    for (int i = 0; i < 5; ++i) {
+        all.push_back({{double(i), 0, 0}, 0.2});
+    }
+    const Certificate complete = certify(*solid, all);
+    EXPECT_TRUE(complete.holds);
+    std::size_t flat = solid->surface().triangles.size();
+    for (const std::size_t part : {1, 3}) {
+        flat -= solid->part_offsets()[part + 1] - solid->part_offsets()[part];
+    }
+    EXPECT_EQ(complete.pieces, flat) << "round parts are not looked at by pieces";
+    for (std::size_t lacking = 0; lacking < 5; ++lacking) {
+        std::vector<Sphere> spheres = all;
+        spheres[lacking].radius = 0.05;
+        const Certificate missed = certify(*solid, spheres);
+        EXPECT_FALSE(missed.holds) << lacking;
+        EXPECT_GE(missed.triangle, solid->part_offsets()[lacking]);
+        EXPECT_LT(missed.triangle, solid->part_offsets()[lacking + 1]);
+        EXPECT_GT(missed.growth, 0.05);
+    }
 }

@@ -1,4 +1,5 @@
 // Growth until the proof holds: never less than that, and not much more.
+#include "geometry/growth.hpp"
 #include "geometry/shapes.hpp"
 
 #include <foam/error.hpp>
@@ -169,4 +170,135 @@ TEST(Tightening, KeepsWhatLiesInside) {
     EXPECT_TRUE(certify(*cube, tight).holds);
     EXPECT_DOUBLE_EQ(tight[1].radius, 0.7) << "it adds nothing outside";
     EXPECT_LT(union_volume(tight), union_volume(std::vector<Sphere>{{{}, 1.74}}) * 1.02);
+}
+
+namespace {
+
+// Covers that were right stay as they are: radii of some of them, to nine digits.
+
+void expect_radii(const std::vector<Sphere>& spheres, const std::vector<double>& radii) {
+    ASSERT_EQ(spheres.size(), radii.size());
+    for (std::size_t i = 0; i < radii.size(); ++i) {
+        EXPECT_NEAR(spheres[i].radius, radii[i], 2e-9 * (1 + radii[i])) << "sphere " << i;
+    }
+}
+
+const std::shared_ptr<const Solid> slab = Solid::make(box({-1, -0.7, -0.2}, {1, 0.7, 0.2}));
+
+std::vector<Sphere> six_in_slab() {
+    Random random(21);
+    std::vector<Sphere> spheres;
+    for (int i = 0; i < 6; ++i) {
+        const double x = random.uniform(-1, 1), y = random.uniform(-1, 1), z = random.uniform(-0.2, 0.2);
+        spheres.push_back({{x, y, z}, random.uniform(0.1, 0.4)});
+    }
+    return spheres;
+}
+
+/// Five rows of four, more than needed.
+std::vector<Sphere> twenty_over_slab() {
+    std::vector<Sphere> spheres;
+    for (int i = 0; i < 5; ++i) {
+        for (int j = 0; j < 4; ++j) {
+            spheres.push_back({{-0.8 + 0.4 * i, -0.525 + 0.35 * j, 0.01 * i}, 0.42});
+        }
+    }
+    spheres[3].radius = 0.5;
+    spheres[13].radius = 0.7;
+    return spheres;
+}
+
+std::shared_ptr<const Solid> round_parts() {
+    return Solid::make({{nullptr, Primitive{Primitive::Kind::capsule, {}, 0.1, 0.4}, Pose{}},
+                        {nullptr, Primitive{Primitive::Kind::cylinder, {}, 0.15, 0.3}, Pose::from_xyz_rpy({0.2, 0, 0}, {0, 1, 0})}});
+}
+
+const std::vector<Sphere> four_in_round_parts{
+    {{0, 0, 0.2}, 0.1}, {{0, 0, -0.15}, 0.08}, {{0.15, 0.02, 0}, 0.1}, {{0.3, 0, 0.05}, 0.12}};
+
+} // namespace
+
+TEST(GrowthStays, OfSpheresInASlab) {
+    expect_radii(grown_to_cover(*slab, six_in_slab()), {0.379173201, 0.826706883, 0.263667805, 1.12632217, 0.275910003, 0.14756674});
+    expect_radii(grown_to_cover(*slab, six_in_slab(), 1e-3), {0.379, 0.824, 0.264, 1.127, 0.276, 0.148});
+    expect_radii(tightened_to_cover(*slab, six_in_slab()),
+                 {0.379173201, 0.826706883, 0.0956314522, 1.12632217, 0.0798333167, 0.0772901267});
+}
+
+TEST(GrowthStays, OfRoundParts) {
+    const std::vector<double> radii{0.223702837, 0.180396673, 0.205523461, 0.166861306};
+    expect_radii(grown_to_cover(*round_parts(), four_in_round_parts), radii);
+    expect_radii(tightened_to_cover(*round_parts(), four_in_round_parts), radii);
+}
+
+TEST(GrowthStays, ByCellsWhereLooksEnd) {
+    std::vector<Sphere> spheres = six_in_slab();
+    geometry::grow(*slab, spheres, 0, 7);
+    EXPECT_TRUE(certify(*slab, spheres).holds);
+    expect_radii(spheres, {0.593691541, 0.722856585, 0.574655504, 1.12632217, 0.653782344, 0.876584876});
+    spheres = four_in_round_parts;
+    geometry::grow(*round_parts(), spheres, 0, 7);
+    EXPECT_TRUE(certify(*round_parts(), spheres).holds);
+    expect_radii(spheres, {0.206141719, 0.197216654, 0.206048817, 0.196243621});
+    spheres = six_in_slab();
+    geometry::grow(*slab, spheres, 0.25, 7);
+    expect_radii(spheres, {0.75, 0.75, 0.75, 1.25, 0.75, 1});
+    EXPECT_EQ(geometry::most_looks(*slab), 20'240u);
+}
+
+TEST(GrowthStays, NeededRadii) {
+    const std::vector<Sphere> cover = twenty_over_slab();
+    ASSERT_TRUE(certify(*slab, cover).holds);
+    const geometry::Balls balls(*slab, cover, geometry::growth_halvings, geometry::growth_caution);
+    for (const auto& [i, radius] : {std::pair(0u, 0.332603367), std::pair(3u, 0.332603367), std::pair(6u, 0.0), std::pair(9u, 0.0),
+                                    std::pair(12u, 0.0), std::pair(15u, 0.30683187), std::pair(18u, 0.320000996)}) {
+        geometry::Balls own = balls;
+        std::size_t looks = 1'000;
+        EXPECT_NEAR(geometry::needed_radius(own, i, cover[i].radius, looks), radius, 2e-9);
+        EXPECT_GE(looks, 500u);
+        EXPECT_LT(looks, 1'000u);
+        own = balls;
+        looks = 8;
+        EXPECT_NEAR(geometry::needed_radius(own, i, cover[i].radius, looks), cover[i].radius, 1e-12) << "not known better";
+        EXPECT_EQ(looks, 0u);
+        if (radius > 0) {
+            std::vector<Sphere> least = cover;
+            least[i].radius = radius + 1e-8;
+            EXPECT_TRUE(certify(*slab, least).holds);
+            least[i].radius = radius - 1e-5;
+            EXPECT_FALSE(certify(*slab, least).holds);
+        }
+    }
+}
+
+TEST(GrowthStays, ShrunkCovers) {
+    std::vector<Sphere> spheres = twenty_over_slab();
+    const std::vector<double> floor(20, 0.1);
+    geometry::shrink(*slab, spheres, floor, 0, {});
+    expect_radii(spheres, {0.332603367, 0.332603367, 0.332603367, 0.332603367, 0.338710792, 0.338710792, 0.338710792,
+                           0.409389789, 0.345000002, 0.408900964, 0.296811053, 0.296811053, 0.419999998, 0.236582234,
+                           0.419999998, 0.419999999, 0.358085185, 0.419999995, 0.358085185, 0.358085185});
+    spheres = twenty_over_slab();
+    geometry::shrink(*slab, spheres, floor, 0.01, {true, 3});
+    EXPECT_TRUE(certify(*slab, spheres).holds);
+    expect_radii(spheres, {0.34, 0.42, 0.1, 0.49, 0.41, 0.1, 0.42, 0.33, 0.3, 0.4, 0.1, 0.36, 0.1, 0.66, 0.1, 0.35, 0.38, 0.1, 0.38, 0.36});
+}
+
+TEST(Growth, RoundedUpIsTheNextMultiple) {
+    EXPECT_EQ(geometry::rounded_up(0.75, 0.25), 0.75);
+    EXPECT_EQ(geometry::rounded_up(std::nextafter(0.75, 1), 0.25), 1);
+    EXPECT_EQ(geometry::rounded_up(0.3, 0), 0.3);
+    EXPECT_EQ(geometry::rounded_up(0.3, -1), 0.3);
+    EXPECT_EQ(geometry::rounded_up(0.3, std::nan("")), 0.3);
+    EXPECT_TRUE(std::isinf(geometry::rounded_up(std::numeric_limits<double>::infinity(), 0.25)));
+    Random random(3);
+    for (int round = 0; round < 3000; ++round) { // multiples that are rounded themselves, a last bit more and less
+        const double quantum = std::pow(10, -round % 9), exact = std::floor(random.uniform(1, 1e6)) * quantum;
+        for (const double radius : {exact, std::nextafter(exact, 1e9), std::nextafter(exact, 0)}) {
+            const double up = geometry::rounded_up(radius, quantum);
+            EXPECT_GE(up, radius);
+            EXPECT_LE(up, radius + quantum * (1 + 1e-9));
+            EXPECT_EQ(up, std::round(up / quantum) * quantum);
+        }
+    }
 }

@@ -1,5 +1,6 @@
 // The figures of a model on cases whose answers are known.
 #include "geometry/joint_volume.hpp"
+#include "geometry/measure_parts.hpp"
 #include "geometry/shapes.hpp"
 
 #include <foam/measure.hpp>
@@ -256,4 +257,105 @@ TEST(Measure, Total) {
     EXPECT_DOUBLE_EQ(sum.protrusion_mean, 0.02);
     EXPECT_FALSE(sum.certified);
     EXPECT_FALSE(total({}).certified);
+}
+
+TEST(Measure, BallHalfOutOfAFace) {
+    const auto cube = Solid::make(box({-1, -1, -1}, {1, 1, 1}));
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double side : {-1.0, 1.0}) {
+            Vec3 center{};
+            center[axis] = side;
+            const Measures m = measure(*cube, std::vector<Sphere>{{center, 0.5}});
+            EXPECT_NEAR(m.exposed_area, pi / 2, 5e-3);
+            EXPECT_NEAR(m.protrusion_max, 0.5, 1e-6);
+            EXPECT_NEAR(m.protrusion_mean, 0.25, 1e-3) << "Archimedes: the height is uniform over a sphere's area";
+            EXPECT_NEAR(m.covered, pi / 96, 2e-4);
+            EXPECT_NEAR(m.excess_volume, pi / 12, 4 * m.excess_volume_error);
+            EXPECT_NEAR(m.missing_volume, 8 - pi / 12, 4 * m.missing_volume_error);
+            EXPECT_GT(m.excess_volume_error, 1e-6);
+            EXPECT_LT(m.excess_volume_error, 2e-4);
+            EXPECT_DOUBLE_EQ(m.excess_error, m.excess_volume_error / 8);
+            EXPECT_DOUBLE_EQ(m.missing_error, m.missing_volume_error / 8);
+            EXPECT_DOUBLE_EQ(m.excess, m.excess_volume / 8);
+        }
+    }
+}
+
+TEST(Measure, HiddenSurfaceDoesNotProtrude) {
+    // Of two balls on a face the second hides a cap of the first; one within another counts for nothing.
+    const auto cube = Solid::make(box({-1, -1, -1}, {1, 1, 1}));
+    const std::vector<Sphere> one{{{1, 0, 0}, 0.5}}, within{{{1, 0, 0}, 0.5}, {{1.1, 0, 0}, 0.2}}, twice{{{1, 0, 0}, 0.5}, {{1, 0, 0}, 0.5}};
+    const geometry::Protrusion alone = geometry::protrusion(*cube, one, 20'000);
+    EXPECT_NEAR(alone.exposed_area, pi / 2, 3e-4);
+    EXPECT_EQ(geometry::protrusion(*cube, within, 20'000).exposed_area, alone.exposed_area);
+    EXPECT_NEAR(geometry::protrusion(*cube, twice, 20'000).exposed_area, alone.exposed_area, 1e-9) << "one of them counts";
+    // At a distance d of the centres a cap of height r - d/2 is hidden on each, half of it outside.
+    const std::vector<Sphere> two{{{1, 0, 0}, 0.5}, {{1, 0.3, 0}, 0.5}};
+    const geometry::Protrusion both = geometry::protrusion(*cube, two, 20'000);
+    EXPECT_NEAR(both.exposed_area, pi - 2 * pi * 0.5 * 0.35, 1e-3);
+    EXPECT_NEAR(both.max, 0.5, 1e-6);
+    const std::vector<Sphere> apart{{{1, 0, 0}, 0.5}, {{-1, 0, 0}, 0.25}};
+    const geometry::Protrusion sum = geometry::protrusion(*cube, apart, 20'000);
+    EXPECT_NEAR(sum.exposed_area, pi / 2 + pi / 8, 1e-3);
+    EXPECT_NEAR(sum.mean, (pi / 2 * 0.25 + pi / 8 * 0.125) / (pi / 2 + pi / 8), 1e-3) << "by area";
+    EXPECT_NEAR(sum.max, 0.5, 1e-6);
+    EXPECT_EQ(geometry::protrusion(*cube, std::vector<Sphere>{{{}, 0.5}}, 100).exposed_area, 0);
+    EXPECT_EQ(geometry::protrusion(*cube, {}, 100).mean, 0);
+    EXPECT_GT(geometry::protrusion(*cube, one, 0).exposed_area + 1, 0) << "at least one direction";
+}
+
+TEST(Measure, RefinementFindsTheFarthestPoint) {
+    // A coarse set of directions: the search goes on to the point above the corner's diagonal.
+    const auto cube = Solid::make(box({-1, -1, -1}, {1, 1, 1}));
+    for (const std::size_t directions : {20, 60}) {
+        EXPECT_NEAR(geometry::protrusion(*cube, std::vector<Sphere>{{{1, 1, 1}, 0.5}}, directions).max, 0.5, 1e-3);
+        EXPECT_NEAR(geometry::protrusion(*cube, std::vector<Sphere>{{{0.2, 0.1, 0}, 1.5}}, directions).max, 0.7, 1e-3);
+    }
+}
+
+TEST(Measure, CoveredShareOfEachTriangle) {
+    // Balls about faces' middles: what they hold of the surface are discs.
+    const auto cube = Solid::make(box({-1, -1, -1}, {1, 1, 1}));
+    MeasureOptions options;
+    EXPECT_NEAR(geometry::covered_share(*cube, std::vector<Sphere>{{{1, 0, 0}, 0.9}, {{0, -1.1, 0}, 0.5}}, options),
+                (0.81 + 0.24) * pi / 24, 3e-4);
+    EXPECT_NEAR(geometry::covered_share(*cube, std::vector<Sphere>{{{}, 1.2}}, options), 6 * 0.44 * pi / 24, 3e-4);
+    EXPECT_EQ(geometry::covered_share(*cube, std::vector<Sphere>{{{}, 1.8}}, options), 1);
+    EXPECT_EQ(geometry::covered_share(*cube, {}, options), 0);
+    options.surface_points = 0;
+    EXPECT_EQ(geometry::covered_share(*cube, std::vector<Sphere>{{{}, 1.8}}, options), 0) << "nothing is known";
+}
+
+TEST(Measure, TotalOfErrorsAndNothing) {
+    Measures a, b;
+    a.volume = 2, a.excess_volume = 1, a.missing_volume = 0.5, a.area = 1, a.covered = 0.5, a.exposed_area = 2;
+    a.volume_error = 0.03, a.excess_volume_error = 0.06, a.missing_volume_error = 0.02, a.protrusion_mean = 0.3, a.gap = 0.2;
+    b.volume = 2, b.excess_volume = 3, b.missing_volume = 0.3, b.area = 4, b.covered = 0.25, b.exposed_area = 6;
+    b.volume_error = 0.04, b.excess_volume_error = 0.08, b.missing_volume_error = 0.015, b.protrusion_mean = 0.1, b.gap = 0.1;
+    for (const auto& links : {std::vector{a, b}, std::vector{b, a}}) {
+        const Measures sum = total(links);
+        EXPECT_DOUBLE_EQ(sum.volume, 4);
+        EXPECT_DOUBLE_EQ(sum.area, 5);
+        EXPECT_DOUBLE_EQ(sum.exposed_area, 8);
+        EXPECT_DOUBLE_EQ(sum.gap, 0.2);
+        EXPECT_DOUBLE_EQ(sum.volume_error, 0.05);
+        EXPECT_DOUBLE_EQ(sum.excess_volume_error, 0.1);
+        EXPECT_DOUBLE_EQ(sum.missing_volume_error, 0.025);
+        EXPECT_DOUBLE_EQ(sum.covered, 1.5 / 5);
+        EXPECT_DOUBLE_EQ(sum.protrusion_mean, 1.2 / 8);
+        EXPECT_DOUBLE_EQ(sum.excess, 1);
+        EXPECT_DOUBLE_EQ(sum.missing, 0.2);
+        EXPECT_DOUBLE_EQ(sum.excess_error, std::sqrt(0.01 + 3 * 0.0025) / 4);
+        EXPECT_DOUBLE_EQ(sum.missing_error, std::sqrt(0.000625 + 0.04 * 0.0025) / 4);
+        EXPECT_FALSE(sum.certified);
+    }
+    a.certified = true;
+    EXPECT_TRUE(total(std::vector{a, a}).certified);
+    EXPECT_FALSE(total(std::vector{a, b}).certified);
+    EXPECT_FALSE(total(std::vector{b, a}).certified);
+    const Measures none = total(std::vector<Measures>{{}});
+    EXPECT_EQ(none.covered, 0);
+    EXPECT_EQ(none.protrusion_mean, 0);
+    EXPECT_EQ(none.excess, 0);
+    EXPECT_EQ(none.missing, 0);
 }

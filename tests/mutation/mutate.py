@@ -40,7 +40,7 @@ BELONG = {
     "geometry/measure_surface.cpp": MEASURED,
     "geometry/measure_volume.cpp": MEASURED,
     "geometry/exact_union_volume.cpp": MEASURED,
-    "geometry/intervals.cpp": ["geometry/solid_test"] + MEASURED + ["geometry/inside_test"],
+    "geometry/intervals.cpp": ["geometry/intervals_test"],
     "run/cover.cpp": ["run/finished_tree_test"],
     "run/written_proof.cpp": ["run/written_proof_test"],
     "data/text.cpp": ["data/text_test", "run/finished_tree_test"],

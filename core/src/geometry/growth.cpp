@@ -219,9 +219,9 @@ std::size_t most_looks(const Solid& solid) {
     return least_looks + looks_a_triangle * solid.surface().triangles.size();
 }
 
-void grow(const Solid& solid, std::vector<Sphere>& spheres, double quantum) {
+void grow(const Solid& solid, std::vector<Sphere>& spheres, double quantum, std::size_t looks) {
     std::vector<Sphere> grown = spheres;
-    if (Growth(solid, grown, quantum).run(most_looks(solid))) {
+    if (Growth(solid, grown, quantum).run(looks)) {
         spheres = std::move(grown);
     } else {
         grow_by_cells(solid, spheres, quantum);
@@ -248,7 +248,7 @@ void close_what_is_left(const Solid& solid, std::vector<Sphere>& spheres, double
         if (certify(solid, spheres).holds) {
             return;
         }
-        geometry::grow(solid, spheres, quantum);
+        geometry::grow(solid, spheres, quantum, geometry::most_looks(solid));
     }
     if (!certify(solid, spheres).holds) {
         throw Error(ErrorCode::internal, "growth left a part of the surface uncovered");
@@ -271,7 +271,7 @@ std::vector<Sphere> grown_to_cover(const Solid& solid, std::vector<Sphere> spher
         floor.push_back(s.radius);
     }
     if (!certify(solid, spheres).holds) {
-        geometry::grow(solid, spheres, quantum);
+        geometry::grow(solid, spheres, quantum, geometry::most_looks(solid));
         geometry::shrink(solid, spheres, floor, quantum, {});
         close_what_is_left(solid, spheres, quantum);
     }

@@ -17,12 +17,13 @@ inline constexpr double growth_caution = 2;
 /// Radii that are multiples of `quantum`, rounded up; as they are if quantum is 0.
 double rounded_up(double radius, double quantum);
 
-/// Grows balls until every triangle is held, the worst gaps first, each by the ball that adds the least volume outside.
-void grow(const Solid& solid, std::vector<Sphere>& spheres, double quantum);
-
 /// Pieces that growth and shrinking look at before they do with a rougher answer: usual covers take a tenth at most,
 /// needles in wide gaps any number.
 std::size_t most_looks(const Solid& solid);
+
+/// Grows balls until every triangle is held, the worst gaps first, each by the ball that adds the least volume outside;
+/// by the balls' power cells where that takes more than `looks`.
+void grow(const Solid& solid, std::vector<Sphere>& spheres, double quantum, std::size_t looks);
 
 /// The least radius with which ball `i` holds what the others leave uncovered; 0 if they leave nothing. `limit`: a
 /// radius with which it does, and the answer where `looks`, which this counts down, come to their end.

@@ -1,21 +1,13 @@
 // Writing the model, and the proof on what was written.
 #pragma once
 
-#include "links.hpp"
 #include "run_directory.hpp"
+#include "written_proof.hpp"
 
 #include <string>
 #include <vector>
 
 namespace foam {
-
-/// What the proof on a written file took for one link. Guarantee::inner: `pieces` and `halvings` are 0, as nothing is
-/// split.
-struct WrittenProof {
-    std::string link;
-    std::size_t spheres = 0, triangles = 0, pieces = 0;
-    std::uint32_t halvings = 0; ///< of the smallest piece
-};
 
 struct OutputFile {
     std::string stage; ///< the writer; empty for a debug mesh
