@@ -70,5 +70,24 @@ TEST_F(Run, OneSphereStandsInForOthersThatWouldClaimMore) {
     EXPECT_THAT(warnings_of(result), ::testing::Contains(::testing::HasSubstr("one sphere around the geometry")));
 }
 
+TEST_F(Run, ElementsThatOnlyTheirOwnFrameProvesAreRefused) {
+    write("apart.urdf", R"(<robot name="apart"><link name="base">
+<collision><geometry><box size="1e-5 2e-5 1e-5"/></geometry></collision>
+<collision><origin xyz="2e6 0 0"/><geometry><box size="100 1000 100"/></geometry></collision></link></robot>)");
+    const std::string text =
+        "name: apart\nrobot: {urdf: apart.urdf}\nstages: [spherize.octree]\nbudget: {spheres: 4}\n";
+    EXPECT_TRUE(run(recipe_of(text), registry, options()).certified);
+    try {
+        run(recipe_of(text + "per: collision\n"), registry, options("refused"));
+        ADD_FAILURE() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::geometry);
+        EXPECT_STREQ(error.what(),
+                     "link 'base': its collision elements are too small for the distance between them: what is "
+                     "proved of each in a frame of its own does not hold in the link's; remedy: per: link");
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "refused"));
+}
+
 } // namespace
 } // namespace foam

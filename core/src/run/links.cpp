@@ -99,11 +99,22 @@ std::vector<Vec3> vertices_of(const LinkWork& link) {
     return points;
 }
 
-/// Whether a sphere around a link may be written where the spherizer's would claim more: not where they aim at something
-/// else than little excess, nor where they keep off planes.
+/// Whether a sphere around a link may be written where the spherizer's would claim more: not where they aim at
+/// something else than little excess, nor where they keep off planes.
 bool one_may_stand_in(const Workspace& workspace, const LinkWork& link) {
-    return link.recipe.clip.empty() &&
-           objective_of(link.recipe.spherizer, workspace.registry) == Objective::excess;
+    return link.recipe.clip.empty() && objective_of(link.recipe.spherizer, workspace.registry) == Objective::excess;
+}
+
+/// Proofs allow for rounding, in proportion to the distances in the frame: in the link's own that may be more than in
+/// those of its elements.
+void require_proof(const Workspace& workspace, const LinkWork& link) {
+    if (workspace.recipe.guarantee != Guarantee::fitted && !link.report.measures.certified) {
+        throw Error(
+            ErrorCode::geometry,
+            fmt::format("link '{}': its collision elements are too small for the distance between them: what is "
+                        "proved of each in a frame of its own does not hold in the link's; remedy: per: link",
+                        link.link->name));
+    }
 }
 
 /// Groups of spheres on their way into the model: they are made to cover, then measured.
@@ -148,8 +159,8 @@ private:
     void cover_by(std::size_t g, const SphereTree& tree, const Workspace& in_time) {
         SphereGroup& out = out_[g];
         const bool one_may_do = one_may_stand_in(workspace_, links_[groups_[g].link]);
-        FinishedTree finished = run_stage(
-            in_time, "cover", out.link, out.geometries.front(), "", reports[g][0], [&](Context&) {
+        FinishedTree finished =
+            run_stage(in_time, "cover", out.link, out.geometries.front(), "", reports[g][0], [&](Context&) {
                 return finished_tree(*groups_[g].solid, tree, workspace_.recipe.guarantee, one_may_do);
             });
         if (finished.one_instead) {
@@ -172,9 +183,8 @@ private:
 
     void measure(std::size_t g, const Workspace& in_time) {
         SphereGroup& out = out_[g];
-        out.measures = run_stage(in_time, "measure", out.link, out.geometries.front(), "", reports[g][1], [&](Context&) {
-            return measured(workspace_, *groups_[g].solid, out.tree.finest());
-        });
+        out.measures = run_stage(in_time, "measure", out.link, out.geometries.front(), "", reports[g][1],
+                                 [&](Context&) { return measured(workspace_, *groups_[g].solid, out.tree.finest()); });
     }
 
     const Workspace& workspace_;
@@ -212,7 +222,8 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
                 link.spheres.insert(link.spheres.end(), spheres.begin(), spheres.end());
                 links[l].report.growth = std::max(links[l].report.growth, finishing.growth[g]);
                 links[l].report.measures = result.model.groups[g].measures;
-                links[l].report.stages.insert(links[l].report.stages.end(), finishing.reports[g].begin(), finishing.reports[g].end());
+                links[l].report.stages.insert(links[l].report.stages.end(), finishing.reports[g].begin(),
+                                              finishing.reports[g].end());
                 link.solid = groups[g].solid;
                 ++parts;
             }
@@ -221,6 +232,7 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
             if (parts > 1) {
                 link.solid = solid_of(links[l]);
                 links[l].report.measures = measured(workspace, *link.solid, link.spheres);
+                require_proof(workspace, links[l]);
             }
             report_planes(workspace, links[l], link.spheres);
             result.links.push_back(std::move(link));
@@ -239,10 +251,8 @@ bool handle_errors(const Workspace& workspace, std::vector<LinkWork>& links, std
         if (workspace.recipe.on_error == OnError::stop) {
             throw *links[l].error;
         }
-        // What is wrong with the geometry itself (code input), nothing stands in for: a proof would not hold either.
-        const bool stand_in =
-            workspace.recipe.on_error == OnError::fallback && links[l].error->code() != ErrorCode::input;
-        const std::vector<Vec3> points = stand_in ? vertices_of(links[l]) : std::vector<Vec3>{};
+        const std::vector<Vec3> points =
+            workspace.recipe.on_error == OnError::fallback ? vertices_of(links[l]) : std::vector<Vec3>{};
         if (points.empty()) {
             links[l].report.error = message;
             workspace.journal.finding(
