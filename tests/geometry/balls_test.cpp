@@ -37,7 +37,9 @@ Piece flat(const Vec3& a, const Vec3& b, const Vec3& c) {
 /// The prism from a triangle straight down by `depths`.
 Piece prism(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& depths) {
     const Vec3 down = -1.0 * normalized(cross(b - a, c - a));
-    return {.corners = {a, b, c}, .beneath = {a + depths.x * down, b + depths.y * down, c + depths.z * down}, .curved = true};
+    return {.corners = {a, b, c},
+            .beneath = {a + depths.x * down, b + depths.y * down, c + depths.z * down},
+            .curved = true};
 }
 
 } // namespace
@@ -58,7 +60,8 @@ TEST(Balls, SlackIsWhatTheProofAsksFor) {
             for (const std::uint32_t most : {0u, 120u, 180u}) {
                 Balls balls(*solid, std::vector<Sphere>{{center, radius}}, most, caution);
                 const auto slack = [&](double r) { // twice 2u is an epsilon
-                    return caution * epsilon * ((most + 8) * (extent + distance(center, origin) + r) + 8 * norm(origin));
+                    return caution * epsilon *
+                           ((most + 8) * (extent + distance(center, origin) + r) + 8 * norm(origin));
                 };
                 EXPECT_NEAR(balls.extent(), extent, 1e-12 * (1 + offset));
                 EXPECT_NEAR((radius - balls.radius(0)) / slack(radius), 1, 1e-5);
@@ -71,7 +74,8 @@ TEST(Balls, SlackIsWhatTheProofAsksFor) {
                 EXPECT_NEAR((-radius - balls.radius(0)) / slack(radius), 1, 1e-5) << "never larger by its sign";
             }
             const Balls usual(*solid, std::vector<Sphere>{{center, radius}}, 120);
-            EXPECT_NEAR((radius - usual.radius(0)) / (epsilon * (128 * (extent + distance(center, origin) + radius) + 8 * norm(origin))),
+            EXPECT_NEAR((radius - usual.radius(0)) /
+                            (epsilon * (128 * (extent + distance(center, origin) + radius) + 8 * norm(origin))),
                         1, 0.02)
                 << "once, if nothing is said";
         }
@@ -199,9 +203,11 @@ TEST(Pieces, HalvesTileThePiece) {
     const auto [first, second] = halves(flat({0, 0, 0}, {2, 0, 0}, {1, std::sqrt(3.0), 0}));
     EXPECT_EQ(first.corners.b, (Vec3{1, 0, 0}));
     EXPECT_EQ(second.corners.a, (Vec3{1, 0, 0}));
-    EXPECT_EQ(halves(flat({0, 0, 0}, {1, 2, 0}, {0, 4, 0})).first.corners.c, (Vec3{0, 2, 0})) << "the last, the longest";
+    EXPECT_EQ(halves(flat({0, 0, 0}, {1, 2, 0}, {0, 4, 0})).first.corners.c, (Vec3{0, 2, 0}))
+        << "the last, the longest";
     EXPECT_EQ(halves(flat({0, 0, 0}, {1, 0, 0}, {0.5, 3, 0})).first.corners.c, (Vec3{0.75, 1.5, 0})) << "of the others";
-    EXPECT_EQ(halves(flat({0.5, 3, 0}, {0, 0, 0}, {1, 0, 0})).first.corners.b, (Vec3{0.25, 1.5, 0})) << "first and last";
+    EXPECT_EQ(halves(flat({0.5, 3, 0}, {0, 0, 0}, {1, 0, 0})).first.corners.b, (Vec3{0.25, 1.5, 0}))
+        << "first and last";
 }
 
 TEST(Pieces, HalvesOfAPrismTileIt) {
@@ -236,7 +242,8 @@ TEST(Balls, CandidatesAreAllThatMayBeNearest) {
     Random random(3);
     for (int round = 0; round < 300; ++round) {
         const double size = round % 2 == 0 ? 1 : 0.03;
-        const auto solid = Solid::make(triangle(random_vector(random, size), random_vector(random, size), random_vector(random, size)));
+        const auto solid = Solid::make(
+            triangle(random_vector(random, size), random_vector(random, size), random_vector(random, size)));
         std::vector<Sphere> spheres;
         for (int i = round; i >= 0; --i) {
             spheres.push_back({random_vector(random, 2), random.uniform(-0.1, round % 3 == 0 ? 0.2 : 0.9)});
@@ -253,7 +260,8 @@ TEST(Balls, CandidatesAreAllThatMayBeNearest) {
         std::sort(gaps.begin(), gaps.end());
         std::vector<std::uint32_t> expected, found, all(balls.size()), chosen;
         for (const auto& [gap, i] : gaps) {
-            if (gap <= gaps[0].first + 2.001 * reach(middle, piece) && (expected.empty() || !balls.holds(gaps[0].second, piece))) {
+            if (gap <= gaps[0].first + 2.001 * reach(middle, piece) &&
+                (expected.empty() || !balls.holds(gaps[0].second, piece))) {
                 expected.push_back(i);
             }
         }
@@ -338,10 +346,12 @@ TEST(Balls, ThePrismBeneathAFacetReachesTheTrueSurface) {
             }
             const geometry::Corners& t = piece.corners;
             const Vec3 normal = normalized(cross(t.b - t.a, t.c - t.a));
-            const bool end = primitive.kind == Primitive::Kind::cylinder && std::abs(dot(normal, pose.rotate({0, 0, 1}))) > 0.9;
+            const bool end =
+                primitive.kind == Primitive::Kind::cylinder && std::abs(dot(normal, pose.rotate({0, 0, 1}))) > 0.9;
             EXPECT_EQ(piece.curved, !end);
             flat_ones += end;
-            for (Vec3 geometry::Corners::*corner : {&geometry::Corners::a, &geometry::Corners::b, &geometry::Corners::c}) {
+            for (Vec3 geometry::Corners::*corner :
+                 {&geometry::Corners::a, &geometry::Corners::b, &geometry::Corners::c}) {
                 const Vec3 top = piece.corners.*corner, down = top - piece.beneath.*corner;
                 if (piece.curved) {
                     const double depth = depth_below(primitive, pose, balls.to_solid(top), normal);
@@ -358,11 +368,10 @@ TEST(Balls, ThePrismBeneathAFacetReachesTheTrueSurface) {
 
 TEST(Balls, RoundPartsInClosedForm) {
     const Pose pose = Pose::from_xyz_rpy({0.3, -0.2, 0.1}, {0.4, 0.5, 0.6});
-    const auto solid =
-        Solid::make({{nullptr, Primitive{Primitive::Kind::box, {0.1, 0.1, 0.1}, 0, 0}, Pose{}},
-                     {nullptr, Primitive{Primitive::Kind::capsule, {}, 0.1, 0.4}, pose},
-                     {nullptr, Primitive{Primitive::Kind::cylinder, {}, 0.1, 0.4}, pose},
-                     {nullptr, Primitive{Primitive::Kind::sphere, {}, 0.2, 0}, pose}});
+    const auto solid = Solid::make({{nullptr, Primitive{Primitive::Kind::box, {0.1, 0.1, 0.1}, 0, 0}, Pose{}},
+                                    {nullptr, Primitive{Primitive::Kind::capsule, {}, 0.1, 0.4}, pose},
+                                    {nullptr, Primitive{Primitive::Kind::cylinder, {}, 0.1, 0.4}, pose},
+                                    {nullptr, Primitive{Primitive::Kind::sphere, {}, 0.2, 0}, pose}});
     const Vec3 middle = pose.translation, away{0.1, 0.2, -0.3}, half = pose.rotate({0, 0, 0.2});
     const double nan = std::nan("");
     Balls balls(*solid, std::vector<Sphere>{{middle, 0.1}, {middle + away, 0.1}, {{nan, 0, 0}, 9}}, 120);

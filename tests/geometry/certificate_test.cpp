@@ -242,7 +242,8 @@ TEST(Certificate, DepthIsOfHalvings) {
     }
     const std::uint32_t halvings = geometry::prove_cover(*strip, row).halvings;
     for (int depth = 0; depth < 12; ++depth) {
-        EXPECT_EQ(certify(*strip, row, depth).holds, 3 * depth >= static_cast<int>(2 * halvings)) << depth << " " << halvings;
+        EXPECT_EQ(certify(*strip, row, depth).holds, 3 * depth >= static_cast<int>(2 * halvings))
+            << depth << " " << halvings;
     }
     // Where a part is open, its growth is that of pieces of the size to which it was halved.
     const auto solid = Solid::make(small_triangle);
@@ -294,7 +295,8 @@ TEST(Certificate, TheGapIsFoundToAThousandth) {
     const auto solid = Solid::make(small_triangle);
     for (int round = 0; round < 150; ++round) {
         const double hole = std::pow(10, random.uniform(-6, -2));
-        const Certificate missed = certify(*solid, around_a_hole(hole, {random.uniform(-0.1, 0.1), random.uniform(-0.3, 0), 0}, random.uniform(0, 2)));
+        const Certificate missed = certify(
+            *solid, around_a_hole(hole, {random.uniform(-0.1, 0.1), random.uniform(-0.3, 0), 0}, random.uniform(0, 2)));
         EXPECT_FALSE(missed.holds);
         EXPECT_GE(missed.growth, hole * (1 - 1e-9));
         EXPECT_LE(missed.growth, hole * 1.001 + 1e-14);
@@ -320,7 +322,8 @@ TEST(Certificate, TheWorstOfSeveralHolesIsTold) {
     // Corners far out, the near one first or last; what is covered beside them is not named.
     const Mesh near = triangle({0, 0, 0}, {0, 0, 2}, {0.1, 0, 0}), far = triangle({0, 0, 0}, {0, 3, 0}, {0.1, 0, 0}),
                held = triangle({0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0});
-    for (const Mesh& mesh : {together(together(near, far), held), together(together(far, near), held), together(held, together(near, far))}) {
+    for (const Mesh& mesh : {together(together(near, far), held), together(together(far, near), held),
+                             together(held, together(near, far))}) {
         const Certificate missed = certify(*Solid::make(mesh), std::vector<Sphere>{{{}, 1}});
         EXPECT_NEAR(missed.growth, 2, 1e-9);
         EXPECT_EQ(missed.witness, (Vec3{0, 3, 0}));
@@ -331,11 +334,12 @@ TEST(Certificate, TheWorstOfSeveralHolesIsTold) {
 TEST(Certificate, ARoundPartThatIsHeldLeavesTheOthersOpen) {
     // Each part in turn lacks its ball. Spheres and capsules are held in closed form, their tessellation is not.
     using Kind = Primitive::Kind;
-    std::vector<Solid::Part> parts{{std::make_shared<const Mesh>(box({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1})), {}, {}},
-                                   {nullptr, Primitive{Kind::sphere, {}, 0.2, 0}, Pose::from_xyz_rpy({1, 0, 0}, {})},
-                                   {nullptr, Primitive{Kind::box, {0.2, 0.2, 0.2}, 0, 0}, Pose::from_xyz_rpy({2, 0, 0}, {})},
-                                   {nullptr, Primitive{Kind::sphere, {}, 0.2, 0}, Pose::from_xyz_rpy({3, 0, 0}, {})},
-                                   {nullptr, Primitive{Kind::cylinder, {}, 0.1, 0.2}, Pose::from_xyz_rpy({4, 0, 0}, {})}};
+    std::vector<Solid::Part> parts{
+        {std::make_shared<const Mesh>(box({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1})), {}, {}},
+        {nullptr, Primitive{Kind::sphere, {}, 0.2, 0}, Pose::from_xyz_rpy({1, 0, 0}, {})},
+        {nullptr, Primitive{Kind::box, {0.2, 0.2, 0.2}, 0, 0}, Pose::from_xyz_rpy({2, 0, 0}, {})},
+        {nullptr, Primitive{Kind::sphere, {}, 0.2, 0}, Pose::from_xyz_rpy({3, 0, 0}, {})},
+        {nullptr, Primitive{Kind::cylinder, {}, 0.1, 0.2}, Pose::from_xyz_rpy({4, 0, 0}, {})}};
     const auto solid = Solid::make(parts);
     std::vector<Sphere> all;
     for (int i = 0; i < 5; ++i) {

@@ -1,4 +1,5 @@
-// Triangles and prisms cut where balls meet: nothing of them may be left out, and no more rounding than was allowed for.
+// Triangles and prisms cut where balls meet: nothing of them may be left out, and no more rounding than was allowed
+// for.
 #include "geometry/crease_cuts.hpp"
 #include "geometry/shapes.hpp"
 
@@ -29,8 +30,8 @@ std::vector<std::uint32_t> all_of(const Balls& balls) {
 /// The triangle (0,0,0) (count,0,0) (0,1,0) under a row of balls that meet above x = 1, 2, ….
 struct Row {
     explicit Row(int count, double radius = 1.2, std::uint32_t most_halvings = 120)
-        : solid(Solid::make(triangle({0, 0, 0}, {double(count), 0, 0}, {0, 1, 0}))), balls(*solid, row(count, radius), 120),
-          cuts(balls, most_halvings) {}
+        : solid(Solid::make(triangle({0, 0, 0}, {double(count), 0, 0}, {0, 1, 0}))),
+          balls(*solid, row(count, radius), 120), cuts(balls, most_halvings) {}
 
     static std::vector<Sphere> row(int count, double radius) {
         std::vector<Sphere> spheres;
@@ -98,7 +99,8 @@ TEST(CreaseCuts, ManyCornersAreLeftToHalving) {
             const double angle = (k + 0.5) * between;
             spheres.push_back({2 * Vec3{std::cos(angle), std::sin(angle), 0}, radius});
         }
-        const auto solid = Solid::make(triangle({0, 0, 0}, {2.2, 0, 0}, {1.1, 2.2 * std::sin(std::numbers::pi / 3), 0}));
+        const auto solid =
+            Solid::make(triangle({0, 0, 0}, {2.2, 0, 0}, {1.1, 2.2 * std::sin(std::numbers::pi / 3), 0}));
         const Balls balls(*solid, spheres, 120);
         CreaseCuts cuts(balls, 120);
         EXPECT_EQ(cuts.cover(balls.piece(0), all_of(balls)), around <= 10) << around;
@@ -133,7 +135,8 @@ TEST(CreaseCuts, WhatIsBeneathIsAskedFor) {
         EXPECT_FALSE(cuts.cover(moved(deep), all_of(balls)));
         std::vector<double> reach(2, 0);
         cuts.raise(moved(deep), all_of(balls), reach);
-        const double needed = std::min(distance(deep.beneath.*corner, {-0.7, 0.1, 0.5}), distance(deep.beneath.*corner, {0.7, 0.1, 0.5}));
+        const double needed =
+            std::min(distance(deep.beneath.*corner, {-0.7, 0.1, 0.5}), distance(deep.beneath.*corner, {0.7, 0.1, 0.5}));
         EXPECT_NEAR(std::max(reach[0], reach[1]), needed, 1e-12) << "as far as the deepest corner";
         deep.curved = false;
         EXPECT_TRUE(cuts.cover(moved(deep), all_of(balls))) << "of a flat piece nothing is beneath";
@@ -169,7 +172,8 @@ TEST(CreaseCuts, RaisedBallsHoldTheTriangle) {
             }
         }
         for (std::size_t i = 0; i < spheres.size(); ++i) {
-            EXPECT_LE(reach[i], sampled[i] + 0.1) << "no farther than its part reaches, but for the samples' spacing; " << round;
+            EXPECT_LE(reach[i], sampled[i] + 0.1)
+                << "no farther than its part reaches, but for the samples' spacing; " << round;
         }
     }
 }

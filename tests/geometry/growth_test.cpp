@@ -209,8 +209,9 @@ std::vector<Sphere> twenty_over_slab() {
 }
 
 std::shared_ptr<const Solid> round_parts() {
-    return Solid::make({{nullptr, Primitive{Primitive::Kind::capsule, {}, 0.1, 0.4}, Pose{}},
-                        {nullptr, Primitive{Primitive::Kind::cylinder, {}, 0.15, 0.3}, Pose::from_xyz_rpy({0.2, 0, 0}, {0, 1, 0})}});
+    return Solid::make(
+        {{nullptr, Primitive{Primitive::Kind::capsule, {}, 0.1, 0.4}, Pose{}},
+         {nullptr, Primitive{Primitive::Kind::cylinder, {}, 0.15, 0.3}, Pose::from_xyz_rpy({0.2, 0, 0}, {0, 1, 0})}});
 }
 
 const std::vector<Sphere> four_in_round_parts{
@@ -219,7 +220,8 @@ const std::vector<Sphere> four_in_round_parts{
 } // namespace
 
 TEST(GrowthStays, OfSpheresInASlab) {
-    expect_radii(grown_to_cover(*slab, six_in_slab()), {0.379173201, 0.826706883, 0.263667805, 1.12632217, 0.275910003, 0.14756674});
+    expect_radii(grown_to_cover(*slab, six_in_slab()),
+                 {0.379173201, 0.826706883, 0.263667805, 1.12632217, 0.275910003, 0.14756674});
     expect_radii(grown_to_cover(*slab, six_in_slab(), 1e-3), {0.379, 0.824, 0.264, 1.127, 0.276, 0.148});
     expect_radii(tightened_to_cover(*slab, six_in_slab()),
                  {0.379173201, 0.826706883, 0.0956314522, 1.12632217, 0.0798333167, 0.0772901267});
@@ -236,6 +238,10 @@ TEST(GrowthStays, ByCellsWhereLooksEnd) {
     geometry::grow(*slab, spheres, 0, 7);
     EXPECT_TRUE(certify(*slab, spheres).holds);
     expect_radii(spheres, {0.593691541, 0.722856585, 0.574655504, 1.12632217, 0.653782344, 0.876584876});
+    spheres = six_in_slab();
+    spheres.push_back({{50, 0, 0}, 0});
+    geometry::grow(*slab, spheres, 0, 7);
+    EXPECT_EQ(spheres.back().radius, 0) << "nothing asks for it";
     spheres = four_in_round_parts;
     geometry::grow(*round_parts(), spheres, 0, 7);
     EXPECT_TRUE(certify(*round_parts(), spheres).holds);
@@ -250,8 +256,9 @@ TEST(GrowthStays, NeededRadii) {
     const std::vector<Sphere> cover = twenty_over_slab();
     ASSERT_TRUE(certify(*slab, cover).holds);
     const geometry::Balls balls(*slab, cover, geometry::growth_halvings, geometry::growth_caution);
-    for (const auto& [i, radius] : {std::pair(0u, 0.332603367), std::pair(3u, 0.332603367), std::pair(6u, 0.0), std::pair(9u, 0.0),
-                                    std::pair(12u, 0.0), std::pair(15u, 0.30683187), std::pair(18u, 0.320000996)}) {
+    for (const auto& [i, radius] :
+         {std::pair(0u, 0.332603367), std::pair(3u, 0.332603367), std::pair(6u, 0.0), std::pair(9u, 0.0),
+          std::pair(12u, 0.0), std::pair(15u, 0.30683187), std::pair(18u, 0.320000996)}) {
         geometry::Balls own = balls;
         std::size_t looks = 1'000;
         EXPECT_NEAR(geometry::needed_radius(own, i, cover[i].radius, looks), radius, 2e-9);
@@ -259,7 +266,8 @@ TEST(GrowthStays, NeededRadii) {
         EXPECT_LT(looks, 1'000u);
         own = balls;
         looks = 8;
-        EXPECT_NEAR(geometry::needed_radius(own, i, cover[i].radius, looks), cover[i].radius, 1e-12) << "not known better";
+        EXPECT_NEAR(geometry::needed_radius(own, i, cover[i].radius, looks), cover[i].radius, 1e-12)
+            << "not known better";
         EXPECT_EQ(looks, 0u);
         if (radius > 0) {
             std::vector<Sphere> least = cover;
@@ -281,7 +289,8 @@ TEST(GrowthStays, ShrunkCovers) {
     spheres = twenty_over_slab();
     geometry::shrink(*slab, spheres, floor, 0.01, {true, 3});
     EXPECT_TRUE(certify(*slab, spheres).holds);
-    expect_radii(spheres, {0.34, 0.42, 0.1, 0.49, 0.41, 0.1, 0.42, 0.33, 0.3, 0.4, 0.1, 0.36, 0.1, 0.66, 0.1, 0.35, 0.38, 0.1, 0.38, 0.36});
+    expect_radii(spheres, {0.34, 0.42, 0.1, 0.49, 0.41, 0.1,  0.42, 0.33, 0.3,  0.4,
+                           0.1,  0.36, 0.1, 0.66, 0.1,  0.35, 0.38, 0.1,  0.38, 0.36});
 }
 
 TEST(Growth, RoundedUpIsTheNextMultiple) {
@@ -301,4 +310,37 @@ TEST(Growth, RoundedUpIsTheNextMultiple) {
             EXPECT_EQ(up, std::round(up / quantum) * quantum);
         }
     }
+}
+
+TEST(Growth, ARoundPartIsClosedByTheBallThatNeedsLeast) {
+    const auto ball = primitive_solid({Primitive::Kind::sphere, {}, 0.25, 0});
+    std::vector<Sphere> spheres{{{}, 0.2499}};
+    geometry::grow(*ball, spheres, 0, 1000);
+    EXPECT_EQ(spheres[0].radius, 0.25) << "exact, not by pieces of its tessellation";
+    const Sphere near{{0.0005, 0, 0}, 0.25}, exact{{}, 0.2499}, far{{0.1, 0, 0}, 0.2}, deep{{0.001, 0, 0}, 0.2498};
+    for (const auto& [given, best] :
+         {std::pair(std::vector{near, exact}, 1u), std::pair(std::vector{exact, near}, 0u),
+          std::pair(std::vector{far, exact, deep}, 1u), std::pair(std::vector{far, deep, exact, near}, 2u)}) {
+        spheres = given;
+        geometry::grow(*ball, spheres, 0, 1000);
+        for (std::size_t i = 0; i < spheres.size(); ++i) {
+            EXPECT_EQ(spheres[i].radius, i == best ? 0.25 : given[i].radius) << i;
+        }
+    }
+    spheres = {exact};
+    geometry::grow(*ball, spheres, 0.015625, 1000);
+    EXPECT_EQ(spheres[0].radius, 0.25);
+    // Where no ball is near enough, pieces grow them; where one holds the part already, none grows.
+    spheres = {{{0, 0, 0.1}, 0.2}, {{0, 0, -0.1}, 0.2}};
+    geometry::grow(*ball, spheres, 0, 100'000);
+    EXPECT_TRUE(certify(*ball, spheres).holds);
+    EXPECT_GE(spheres[0].radius, 0.2);
+    EXPECT_GE(spheres[1].radius, 0.2);
+    spheres = {{{0.3, 0, 0}, 0.2}};
+    geometry::grow(*ball, spheres, 0, 100'000);
+    EXPECT_NEAR(spheres[0].radius, 0.55, 0.01);
+    spheres = {{{}, 0.3}, {{}, 0.2499}};
+    geometry::grow(*ball, spheres, 0, 1000);
+    EXPECT_EQ(spheres[0].radius, 0.3);
+    EXPECT_EQ(spheres[1].radius, 0.2499);
 }

@@ -186,7 +186,8 @@ TEST(Inner, NoRadiusIsAboveTheExactDistance) {
             const Pose pose = Pose::from_xyz_rpy(random_direction(random) * offset, random_direction(random) * 3);
             const Mesh mesh = transformed(box({-1, -1, -1}, {1, 1, 1}), pose, {size, 2 * size, 3 * size});
             const auto solid = Solid::make(mesh);
-            const Vec3 center = pose * (Vec3{random.uniform(-0.5, 0.5), random.uniform(-1, 1), random.uniform(-1, 1)} * size);
+            const Vec3 center =
+                pose * (Vec3{random.uniform(-0.5, 0.5), random.uniform(-1, 1), random.uniform(-1, 1)} * size);
             double exact = std::numeric_limits<double>::infinity(), extent = 0;
             for (const Triangle& t : mesh.triangles) {
                 exact = std::min(exact, exact_distance(mesh, t, center));
@@ -240,13 +241,17 @@ TEST(Inner, OrientationAndHollows) {
 }
 
 TEST(Inner, TheBestOfThePartsCounts) {
-    const auto mesh = [](double half) { return std::make_shared<const Mesh>(box({-half, -half, -half}, {half, half, half})); };
-    const Solid::Part small{mesh(0.5), {}, {}}, large{mesh(0.8), {}, {}}, round{{}, Primitive{Primitive::Kind::sphere, {}, 0.6, 0}, {}},
+    const auto mesh = [](double half) {
+        return std::make_shared<const Mesh>(box({-half, -half, -half}, {half, half, half}));
+    };
+    const Solid::Part small{mesh(0.5), {}, {}}, large{mesh(0.8), {}, {}},
+        round{{}, Primitive{Primitive::Kind::sphere, {}, 0.6, 0}, {}},
         rounder{{}, Primitive{Primitive::Kind::sphere, {}, 0.9, 0}, {}};
     using Parts = std::vector<Solid::Part>;
-    for (const auto& [parts, best] : {std::pair(Parts{small, large}, 0.8), std::pair(Parts{large, small}, 0.8),
-                                      std::pair(Parts{small, round}, 0.6), std::pair(Parts{round, large}, 0.8),
-                                      std::pair(Parts{round, rounder}, 0.9), std::pair(Parts{rounder, round, large}, 0.9)}) {
+    for (const auto& [parts, best] :
+         {std::pair(Parts{small, large}, 0.8), std::pair(Parts{large, small}, 0.8), std::pair(Parts{small, round}, 0.6),
+          std::pair(Parts{round, large}, 0.8), std::pair(Parts{round, rounder}, 0.9),
+          std::pair(Parts{rounder, round, large}, 0.9)}) {
         EXPECT_NEAR(inner_radius(*Solid::make(parts), {}), best, 1e-12);
         EXPECT_EQ(inner_radius(*Solid::make(parts), {}, 0.45), 0.45);
     }
@@ -268,6 +273,7 @@ TEST(Inner, TheWorstSphereIsTold) {
 TEST(Inner, TheBoundNearARimIsThatOfBiotAndSavart) {
     // Above the bottom's middle: the open top is seen as a square, of which the solid angle is known.
     const auto cube = Solid::make(open_cube());
+    const auto large = Solid::make(transformed(open_cube(), {}, {64, 64, 64}));
     for (const double z : {-0.35, -0.2, 0.0, 0.1, 0.2, 0.3}) {
         const double height = 0.5 - z, winding = 1 - std::asin(0.25 / (0.25 + height * height)) / std::numbers::pi;
         const auto bound = [&](double r) { // 1/4π of the integral along four edges
@@ -285,14 +291,17 @@ TEST(Inner, TheBoundNearARimIsThatOfBiotAndSavart) {
             (bound(middle) < winding - 0.5 ? low : high) = middle;
         }
         const double radius = inner_radius(*cube, {0, 0, z});
-        EXPECT_LE(radius, low * (z < -0.1 ? 1 + 1e-8 : 0.999)) << "a piece of an edge counts at its nearest point; " << z;
+        EXPECT_LE(radius, low * (z < -0.1 ? 1 + 1e-8 : 0.999))
+            << "a piece of an edge counts at its nearest point; " << z;
         EXPECT_GE(radius, 0.985 * low) << z;
+        EXPECT_NEAR(inner_radius(*large, {0, 0, 64 * z}, 640), 64 * radius, 1e-9) << "of any size";
     }
 }
 
 TEST(Inner, SpheresMoveToADeepPoint) {
     const auto rod = Solid::make(box({0, 0, 0}, {4, 1, 1}));
-    for (const Vec3& start : {Vec3{2, 0.5, 1.2}, Vec3{2, 0.5, -0.2}, Vec3{2, 1.2, 0.5}, Vec3{2, -0.2, 0.6}, Vec3{-0.2, 0.5, 0.5}}) {
+    for (const Vec3& start :
+         {Vec3{2, 0.5, 1.2}, Vec3{2, 0.5, -0.2}, Vec3{2, 1.2, 0.5}, Vec3{2, -0.2, 0.6}, Vec3{-0.2, 0.5, 0.5}}) {
         const Sphere moved = shrunk_to_fit(*rod, {{start, 1}}).front();
         EXPECT_GT(moved.radius, 0.485);
         EXPECT_LT(distance(moved.center, start), 1) << "within reach";
@@ -355,7 +364,9 @@ TEST(Inner, NeedlesHoldBackToo) {
     // A triangle with corners that are all but on one line, in a cube: how far it is, is the distance to a segment.
     Random random(13);
     for (int round = 0; round < 3000; ++round) {
-        const auto point = [&] { return Vec3{random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9)}; };
+        const auto point = [&] {
+            return Vec3{random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9)};
+        };
         const Vec3 a = point(), b = point(), between = a + (b - a) * random.uniform(), center = point();
         Mesh mesh = box({-1, -1, -1}, {1, 1, 1});
         std::array<Vec3, 3> corners{a, b, between};
@@ -383,13 +394,51 @@ TEST(Inner, NeedlesHoldBackToo) {
 
 TEST(Inner, SpheresThatAreNoneHaveNoRadius) {
     const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
-    for (const auto& solid : {Solid::make(box({-1, -1, -1}, {1, 1, 1})), primitive_solid({Primitive::Kind::sphere, {}, 1, 0}),
-                              primitive_solid({Primitive::Kind::box, {1, 1, 1}, 0, 0}),
-                              primitive_solid({Primitive::Kind::cylinder, {}, 1, 1})}) {
-        for (const Sphere& none : {Sphere{{nan, 0, 0}, 0.1}, Sphere{{0, infinity, 0}, 0.1}, Sphere{{0, 0, -infinity}, 0.1},
-                                   Sphere{{}, nan}, Sphere{{}, infinity}, Sphere{{}, -infinity}, Sphere{{nan, nan, nan}, nan}}) {
+    for (const auto& solid :
+         {Solid::make(box({-1, -1, -1}, {1, 1, 1})), primitive_solid({Primitive::Kind::sphere, {}, 1, 0}),
+          primitive_solid({Primitive::Kind::box, {1, 1, 1}, 0, 0}),
+          primitive_solid({Primitive::Kind::cylinder, {}, 1, 1})}) {
+        for (const Sphere& none :
+             {Sphere{{nan, 0, 0}, 0.1}, Sphere{{0, infinity, 0}, 0.1}, Sphere{{0, 0, -infinity}, 0.1}, Sphere{{}, nan},
+              Sphere{{}, infinity}, Sphere{{}, -infinity}, Sphere{{nan, nan, nan}, nan}}) {
             EXPECT_EQ(inner_radii(*solid, std::vector<Sphere>{none}).front(), 0) << none.center.x << " " << none.radius;
         }
         EXPECT_EQ(inner_radius(*solid, {}, 0.1), 0.1);
+    }
+}
+
+TEST(Inner, DeepPointsStayAsTheyAre) {
+    const auto rod = Solid::make(box({0, 0, 0}, {4, 1, 1.1}));
+    for (const auto& [given, moved] :
+         {std::pair(Sphere{{1.93, 0.47, 1.17}, 0.9}, Sphere{{1.93, 0.498125, 0.523125}, 0.498125}),
+          std::pair(Sphere{{-0.1, 0.9, 0.3}, 0.7}, Sphere{{0.46875, 0.5390625, 0.475}, 0.4609375}),
+          std::pair(Sphere{{4.05, 1.02, -0.01}, 0.8}, Sphere{{3.55, 0.57, 0.415}, 0.415})}) {
+        const Sphere found = shrunk_to_fit(*rod, {given}).front();
+        EXPECT_LT(distance(found.center, moved.center), 1e-12);
+        EXPECT_NEAR(found.radius, moved.radius, 1e-12);
+    }
+}
+
+TEST(Inner, NoBallReachesThroughAHole) {
+    // A square hole in a cube's top: below its middle the rim is the nearest part of the surface.
+    Mesh mesh = open_cube();
+    for (const double half : {0.05, 0.1, 0.2}) {
+        Mesh holed = mesh;
+        const auto first = static_cast<std::uint32_t>(holed.vertices.size());
+        for (const double size : {0.5, half}) {
+            holed.vertices.insert(holed.vertices.end(),
+                                  {{-size, -size, 0.5}, {size, -size, 0.5}, {size, size, 0.5}, {-size, size, 0.5}});
+        }
+        for (std::uint32_t k = 0; k < 4; ++k) {
+            const std::uint32_t next = (k + 1) % 4;
+            holed.triangles.push_back({first + k, first + next, first + 4 + next});
+            holed.triangles.push_back({first + k, first + 4 + next, first + 4 + k});
+        }
+        const auto solid = Solid::make(holed);
+        for (const double depth : {0.02, 0.05, 0.1, 0.2}) {
+            const double radius = inner_radius(*solid, {0, 0, 0.5 - depth}), rim = std::hypot(depth, half);
+            EXPECT_LT(radius, rim * (1 - 1e-3)) << half << " " << depth;
+            EXPECT_LT(solid->signed_distance({0, 0, 0.5 - depth + radius}), 0) << "its top is inside";
+        }
     }
 }

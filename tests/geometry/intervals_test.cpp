@@ -36,7 +36,8 @@ void expect_ascending(const Intervals& intervals, bool may_touch) {
     for (std::size_t i = 0; i < intervals.size(); ++i) {
         EXPECT_LT(intervals[i].enter, intervals[i].leave);
         if (i > 0) {
-            EXPECT_TRUE(intervals[i - 1].leave < intervals[i].enter || (may_touch && intervals[i - 1].leave == intervals[i].enter));
+            EXPECT_TRUE(intervals[i - 1].leave < intervals[i].enter ||
+                        (may_touch && intervals[i - 1].leave == intervals[i].enter));
         }
     }
 }
@@ -81,7 +82,8 @@ TEST(Intervals, OfBalls) {
     for (int round = 0; round < 300; ++round) {
         std::vector<Sphere> balls, near;
         for (int i = round % 7; i >= 0; --i) {
-            balls.push_back({{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}, random.uniform(0.1, 0.8)});
+            balls.push_back(
+                {{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}, random.uniform(0.1, 0.8)});
         }
         const int axis = round % 3;
         const Vec3 origin{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
@@ -91,13 +93,16 @@ TEST(Intervals, OfBalls) {
         for (int k = -300; k <= 300; ++k) {
             const double at = k / 100.0;
             const Vec3 p = origin + along(axis) * at;
-            const bool held = std::any_of(balls.begin(), balls.end(), [&](const Sphere& s) { return distance(p, s.center) < s.radius; });
-            EXPECT_EQ(held, std::any_of(along_line.begin(), along_line.end(),
-                                        [&](const Solid::Interval& piece) { return piece.enter < at && at < piece.leave; }));
+            const bool held = std::any_of(balls.begin(), balls.end(),
+                                          [&](const Sphere& s) { return distance(p, s.center) < s.radius; });
+            EXPECT_EQ(held, std::any_of(along_line.begin(), along_line.end(), [&](const Solid::Interval& piece) {
+                          return piece.enter < at && at < piece.leave;
+                      }));
         }
         const double from = random.uniform(-0.5, 0), to = random.uniform(0, 0.5);
         const Vec3 a = origin + along(axis) * from, b = origin + along(axis) * to;
-        EXPECT_EQ(one_holds(balls, origin, axis, from, to), std::any_of(balls.begin(), balls.end(), [&](const Sphere& s) {
+        EXPECT_EQ(one_holds(balls, origin, axis, from, to),
+                  std::any_of(balls.begin(), balls.end(), [&](const Sphere& s) {
                       return distance(a, s.center) <= s.radius && distance(b, s.center) <= s.radius;
                   }));
         balls_between(balls, axis, from, to, near);

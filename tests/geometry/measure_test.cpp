@@ -284,11 +284,13 @@ TEST(Measure, BallHalfOutOfAFace) {
 TEST(Measure, HiddenSurfaceDoesNotProtrude) {
     // Of two balls on a face the second hides a cap of the first; one within another counts for nothing.
     const auto cube = Solid::make(box({-1, -1, -1}, {1, 1, 1}));
-    const std::vector<Sphere> one{{{1, 0, 0}, 0.5}}, within{{{1, 0, 0}, 0.5}, {{1.1, 0, 0}, 0.2}}, twice{{{1, 0, 0}, 0.5}, {{1, 0, 0}, 0.5}};
+    const std::vector<Sphere> one{{{1, 0, 0}, 0.5}}, within{{{1, 0, 0}, 0.5}, {{1.1, 0, 0}, 0.2}},
+        twice{{{1, 0, 0}, 0.5}, {{1, 0, 0}, 0.5}};
     const geometry::Protrusion alone = geometry::protrusion(*cube, one, 20'000);
     EXPECT_NEAR(alone.exposed_area, pi / 2, 3e-4);
     EXPECT_EQ(geometry::protrusion(*cube, within, 20'000).exposed_area, alone.exposed_area);
-    EXPECT_NEAR(geometry::protrusion(*cube, twice, 20'000).exposed_area, alone.exposed_area, 1e-9) << "one of them counts";
+    EXPECT_NEAR(geometry::protrusion(*cube, twice, 20'000).exposed_area, alone.exposed_area, 1e-9)
+        << "one of them counts";
     // At a distance d of the centres a cap of height r - d/2 is hidden on each, half of it outside.
     const std::vector<Sphere> two{{{1, 0, 0}, 0.5}, {{1, 0.3, 0}, 0.5}};
     const geometry::Protrusion both = geometry::protrusion(*cube, two, 20'000);
@@ -329,9 +331,11 @@ TEST(Measure, CoveredShareOfEachTriangle) {
 TEST(Measure, TotalOfErrorsAndNothing) {
     Measures a, b;
     a.volume = 2, a.excess_volume = 1, a.missing_volume = 0.5, a.area = 1, a.covered = 0.5, a.exposed_area = 2;
-    a.volume_error = 0.03, a.excess_volume_error = 0.06, a.missing_volume_error = 0.02, a.protrusion_mean = 0.3, a.gap = 0.2;
+    a.volume_error = 0.03, a.excess_volume_error = 0.06, a.missing_volume_error = 0.02, a.protrusion_mean = 0.3,
+    a.gap = 0.2;
     b.volume = 2, b.excess_volume = 3, b.missing_volume = 0.3, b.area = 4, b.covered = 0.25, b.exposed_area = 6;
-    b.volume_error = 0.04, b.excess_volume_error = 0.08, b.missing_volume_error = 0.015, b.protrusion_mean = 0.1, b.gap = 0.1;
+    b.volume_error = 0.04, b.excess_volume_error = 0.08, b.missing_volume_error = 0.015, b.protrusion_mean = 0.1,
+    b.gap = 0.1;
     for (const auto& links : {std::vector{a, b}, std::vector{b, a}}) {
         const Measures sum = total(links);
         EXPECT_DOUBLE_EQ(sum.volume, 4);

@@ -1,5 +1,6 @@
 // Volumes of unions of parts and of balls.
 #include "geometry/shapes.hpp"
+#include "geometry/union_parts.hpp"
 
 #include <foam/measure.hpp>
 #include <foam/random.hpp>
@@ -135,4 +136,40 @@ TEST(ExactUnionVolume, IgnoresWhatIsNoBall) {
 TEST(UnionVolume, IgnoresWhatIsNoBall) {
     const std::vector<Sphere> spheres{{{}, 1}, {{}, -3}, {{std::nan(""), 0, 0}, 2}, {{1, 0, 0}, 0}, {{}, std::nan("")}};
     EXPECT_NEAR(union_volume(spheres), 4 / 3.0 * pi, 1e-9);
+}
+
+TEST(ExactUnionVolume, PartsThatStayedAreTakenOver) {
+    // Balls that change, come, go or change places, against the parts of all anew: to the last bit.
+    Random random(8);
+    const auto ball = [&] {
+        return Sphere{{random.uniform(), random.uniform(), random.uniform()}, 0.05 + 0.2 * random.uniform()};
+    };
+    std::vector<Sphere> balls;
+    for (int i = 0; i < 12; ++i) {
+        balls.push_back(ball());
+    }
+    geometry::UnionParts parts(balls);
+    for (int round = 0; round < 200; ++round) {
+        const auto i = static_cast<std::size_t>(random.uniform() * static_cast<double>(balls.size()));
+        switch (round % 5) {
+        case 0:
+            balls[i].radius *= 0.5;
+            break;
+        case 1:
+            balls.push_back(ball());
+            break;
+        case 2:
+            balls.pop_back();
+            break;
+        case 3:
+            balls[i] = ball();
+            break;
+        default:
+            std::swap(balls[0], balls[i]);
+            break;
+        }
+        parts = parts.with(balls);
+        EXPECT_EQ(parts.volume(), geometry::UnionParts(balls).volume()) << round;
+    }
+    EXPECT_EQ(parts.with({}).volume(), 0);
 }

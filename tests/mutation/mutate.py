@@ -218,7 +218,7 @@ def equivalents():
 
 
 def reason_of(mutant, known):
-    for change in (mutant.change, re.sub(r" \(\d+\)$", "", mutant.change), "*"):
+    for change in (mutant.change, "*"):
         if reason := known.get((mutant.file, mutant.line_text, change)):
             return reason
     return ""
@@ -249,6 +249,7 @@ def arguments():
     parser.add_argument("--seed", type=int, default=1, help="of the choice")
     parser.add_argument("--number", type=int, action="append", metavar="N", help="this mutant; may be repeated")
     parser.add_argument("--survivors", type=Path, metavar="LOG", help="only those that passed according to the log of a run before")
+    parser.add_argument("--summarise", type=Path, metavar="LOG", help="print the table of what a log tells, the last outcome of each, and end")
     parser.add_argument("--until", metavar="HH:MM", help="start no mutant after this time of the day, UTC")
     parser.add_argument("--jobs", type=int, default=2, help="compilers at once for what is built once")
     parser.add_argument("--log", type=Path, default=BUILD / "log.txt", help="where each outcome is added")
@@ -274,6 +275,10 @@ def main():
     if options.list:
         print("\n".join(m.name for m in mutants))
         return 0
+    if options.summarise:
+        told = dict(line.rsplit("\t", 1) for line in options.summarise.read_text().splitlines())
+        keys = {m: f"{m.file}\t{m.line_text}\t{m.change}" for m in mutants}
+        return report([(m, told[keys[m]]) for m in mutants if keys[m] in told], options)
     os.nice(10)
     BUILD.mkdir(parents=True, exist_ok=True)
     build(options.jobs)
@@ -289,13 +294,19 @@ def main():
             log.flush()
             told = f"{outcome} (equivalent)" if outcome == "passes" and reason_of(mutant, known) else outcome
             print(f"{n + 1}/{len(mutants)} {time.monotonic() - begin:.1f} s {told}: {mutant.name}", flush=True)
+    return report(results, options)
+
+
+def report(results, options):
+    """Prints the table and what survived; the exit code says whether enough were found."""
+    known = equivalents()
     table = summary(results, known)
     survived = [m for m, outcome in results if outcome == "passes" and not reason_of(m, known)]
     print(table, *[f"survived: {m.name}" for m in survived], sep="\n")
     if options.results:
         options.results.write_text(table + "\n")
-    counted = [m for m, outcome in results if outcome not in ("passes", "does not compile")]
-    return 0 if len(counted) >= 0.95 * (len(counted) + len(survived)) else 1
+    found = [m for m, outcome in results if outcome not in ("passes", "does not compile")]
+    return 0 if len(found) >= 0.95 * (len(found) + len(survived)) else 1
 
 
 if __name__ == "__main__":

@@ -1,4 +1,5 @@
-// The numbers that go into files: rounded so that they print short and the proof still holds, at sizes of every exponent.
+// The numbers that go into files: rounded so that they print short and the proof still holds, at sizes of every
+// exponent.
 #include "run/cover.hpp"
 
 #include "geometry/joint_volume.hpp"
@@ -52,7 +53,8 @@ double volume(double radius) {
 TEST(FinishedTree, OuterNumbersAreOnAGridAndStillCover) {
     Random random(1);
     for (int exponent = -24; exponent <= 8; ++exponent) {
-        for (const double factor : {1.0, 3.7, 0.5774}) { // the diagonal of the last is just above and below a power of ten
+        for (const double factor :
+             {1.0, 3.7, 0.5774}) { // the diagonal of the last is just above and below a power of ten
             const double size = factor * std::pow(10, exponent);
             const auto solid = cube(size);
             const std::vector<Sphere> given = balls_in_cube(random, size);
@@ -96,7 +98,8 @@ TEST(FinishedTree, RadiiThatRoundingBringsBelowAreTakenAStepUp) {
             const double on_grid = *parse_number(number_text(std::round(random.uniform(1, 3) * 1e6)) + "e-6");
             given.push_back({{}, i % 3 == 0 ? on_grid : std::nextafter(on_grid, i % 3 == 1 ? 9 : 0)});
         }
-        const std::vector<Sphere> spheres = finished_tree(*solid, flat_tree(given), Guarantee::outer, false).tree.finest();
+        const std::vector<Sphere> spheres =
+            finished_tree(*solid, flat_tree(given), Guarantee::outer, false).tree.finest();
         for (std::size_t i = 0; i < given.size(); ++i) {
             EXPECT_GE(spheres[i].radius, given[i].radius);
             EXPECT_LE(spheres[i].radius, given[i].radius + 1.001e-6);
@@ -157,7 +160,8 @@ TEST(FinishedTree, InnerRadiiOnTheGridStay) {
 
 TEST(FinishedTree, ZeroIsNeverNegative) {
     const auto solid = cube(1);
-    const auto spheres = finished_tree(*solid, flat_tree({{{-1e-9, -0.0, 1e-9}, 1}}), Guarantee::outer, false).tree.finest();
+    const auto spheres =
+        finished_tree(*solid, flat_tree({{{-1e-9, -0.0, 1e-9}, 1}}), Guarantee::outer, false).tree.finest();
     for (int axis = 0; axis < 3; ++axis) {
         EXPECT_EQ(number_text(spheres[0].center[axis]), "0");
     }
@@ -183,9 +187,10 @@ TEST(FinishedTree, EveryLevelCovers) {
 TEST(FinishedTree, InnerLevelsKeepTheirParents) {
     const auto solid = Solid::make(test::box({0, 0, 0}, {4, 1, 1}));
     SphereTree tree; // of the middle level one sphere lies outside; its child goes to the nearest that is left
-    tree.levels = {{{{{2, 0.5, 0.5}, 3}}, {}},
-                   {{{{2, 9, 9}, 0.1}, {{1, 0.5, 0.5}, 0.9}, {{3, 0.5, 0.5}, 0.9}}, {0, 0, 0}},
-                   {{{{0.7, 0.5, 0.5}, 0.4}, {{3.5, 0.5, 0.5}, 0.4}, {{1.5, 9, 9}, 0.1}, {{2.9, 0.4, 0.5}, 0.3}}, {1, 0, 1, 2}}};
+    tree.levels = {
+        {{{{2, 0.5, 0.5}, 3}}, {}},
+        {{{{2, 9, 9}, 0.1}, {{1, 0.5, 0.5}, 0.9}, {{3, 0.5, 0.5}, 0.9}}, {0, 0, 0}},
+        {{{{0.7, 0.5, 0.5}, 0.4}, {{3.5, 0.5, 0.5}, 0.4}, {{1.5, 9, 9}, 0.1}, {{2.9, 0.4, 0.5}, 0.3}}, {1, 0, 1, 2}}};
     const SphereTree inner = finished_tree(*solid, tree, Guarantee::inner).tree;
     ASSERT_EQ(inner.levels.size(), 3u);
     ASSERT_EQ(inner.levels[1].spheres.size(), 2u);
@@ -214,7 +219,8 @@ TEST(FinishedTree, InnerLevelsKeepTheirParents) {
 TEST(FinishedTree, OneSphereInsteadOfWorseOnes) {
     const auto solid = cube(1);
     const double least = volume(std::sqrt(0.75));
-    const std::vector<Sphere> wide{{{-0.1, 0, 0}, 1}, {{0.1, 0, 0}, 1}}, good{{{}, std::sqrt(0.75) * (1 + 2.5e-5)}}, worse{{{}, std::sqrt(0.75) * (1 + 5e-5)}};
+    const std::vector<Sphere> wide{{{-0.1, 0, 0}, 1}, {{0.1, 0, 0}, 1}}, good{{{}, std::sqrt(0.75) * (1 + 2.5e-5)}},
+        worse{{{}, std::sqrt(0.75) * (1 + 5e-5)}};
     const FinishedTree one = finished_tree(*solid, flat_tree(wide), Guarantee::outer);
     EXPECT_TRUE(one.one_instead);
     ASSERT_EQ(one.tree.finest().size(), 1u);
@@ -229,7 +235,8 @@ TEST(FinishedTree, OneSphereInsteadOfWorseOnes) {
     EXPECT_NEAR(wrong_volume(*solid, wide, Guarantee::outer), least - 1, 1e-6);
     EXPECT_NEAR(wrong_volume(*solid, good, Guarantee::outer), volume(good[0].radius) - 1, 1e-9);
     EXPECT_NEAR(wrong_volume(*solid, {{{}, 0.6}, {{5, 0, 0}, 0.5}}, Guarantee::inner), 1 - volume(0.5), 1e-9);
-    EXPECT_NEAR(wrong_volume(*solid, {{{0.1, 0, 0}, 0.6}, {{0.3, 0, 0}, 0.1}}, Guarantee::inner), 1 - volume(0.4), 1e-9);
+    EXPECT_NEAR(wrong_volume(*solid, {{{0.1, 0, 0}, 0.6}, {{0.3, 0, 0}, 0.1}}, Guarantee::inner), 1 - volume(0.4),
+                1e-9);
     EXPECT_NEAR(wrong_volume(*solid, {{{}, 0.5}}, Guarantee::fitted), 1 - volume(0.5), 3e-3) << "missing";
     EXPECT_NEAR(wrong_volume(*solid, {{{}, 1}}, Guarantee::fitted), volume(1) - 1, 1e-9) << "excess";
     EXPECT_NEAR(wrong_volume(*solid, {{{1, 0, 0}, 0.5}}, Guarantee::fitted), 1 + volume(0.5), 3e-3) << "both";

@@ -48,7 +48,8 @@ protected:
 
 TEST_F(WrittenProofs, TellWhatTheyTook) {
     const std::vector<Sphere> two{{{-0.5, 0, 0}, 1.6}, {{0.5, 0, 0}, 1.6}}, one{{{}, 2}};
-    const std::vector<WrittenProof> proofs = prove_written({{"base", two}, {"tip", one}}, finished, Guarantee::outer, "f");
+    const std::vector<WrittenProof> proofs =
+        prove_written({{"base", two}, {"tip", one}}, finished, Guarantee::outer, "f");
     ASSERT_EQ(proofs.size(), 2u);
     EXPECT_EQ(proofs[0].link, "base");
     EXPECT_EQ(proofs[0].spheres, 2u);
@@ -82,8 +83,9 @@ TEST_F(WrittenProofs, AnUlpThatAWriterLostIsFound) {
     EXPECT_THAT(failure({{"base", {{{0, 0, 1}, 2}}}, {"tip", good}}), HasSubstr(" m are missing at ["));
     const double most = inner_radii(*finished.links[0].solid, std::vector<Sphere>{{{}, 9}}).front();
     EXPECT_EQ(failure({{"base", {{{}, most}}}, {"tip", {{{}, most}}}}, Guarantee::inner), "");
-    EXPECT_THAT(failure({{"base", {{{}, 0.5}, {{}, 1 + 1e-15}}}, {"tip", {{{}, most}}}}, Guarantee::inner),
-                HasSubstr("link 'base': the certificate does not hold on the numbers read back: sphere 1 sticks out by "));
+    EXPECT_THAT(
+        failure({{"base", {{{}, 0.5}, {{}, 1 + 1e-15}}}, {"tip", {{{}, most}}}}, Guarantee::inner),
+        HasSubstr("link 'base': the certificate does not hold on the numbers read back: sphere 1 sticks out by "));
     EXPECT_EQ(failure({{"base", good}, {"tip", good}}, Guarantee::inner) == "", false);
 }
 
@@ -103,7 +105,8 @@ TEST_F(WrittenProofs, WhatWasNotProvedIsNotAskedFor) {
     ASSERT_EQ(proofs.size(), 1u);
     EXPECT_EQ(proofs[0].link, "tip");
     works[1].report.measures.certified = false;
-    EXPECT_THAT(prove_written({{"base", {{{}, 0.1}}}, {"tip", {{{}, 0.1}}}}, finished, Guarantee::outer, "f"), IsEmpty());
+    EXPECT_THAT(prove_written({{"base", {{{}, 0.1}}}, {"tip", {{{}, 0.1}}}}, finished, Guarantee::outer, "f"),
+                IsEmpty());
 }
 
 } // namespace

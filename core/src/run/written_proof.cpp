@@ -45,11 +45,10 @@ std::vector<WrittenProof> prove_written(const std::map<std::string, std::vector<
             continue;
         }
         WrittenProof& took = proofs.emplace_back(WrittenProof{.link = name});
-        if (const std::string lack = broken_promise(*link.solid, found->second, guarantee, took);
-            !lack.empty()) {
+        if (const std::string lack = broken_promise(*link.solid, found->second, guarantee, took); !lack.empty()) {
             throw Error(ErrorCode::internal,
-                        fmt::format("{}: link '{}': the certificate does not hold on the numbers read back: {}",
-                                    file, name, lack));
+                        fmt::format("{}: link '{}': the certificate does not hold on the numbers read back: {}", file,
+                                    name, lack));
         }
     }
     return proofs;
