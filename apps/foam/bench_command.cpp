@@ -1,5 +1,6 @@
 #include "execute.hpp"
 #include "interrupt.hpp"
+#include "overwriting.hpp"
 #include "program.hpp"
 
 #include <foam/error.hpp>
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 struct Arguments {
     std::string experiment, out;
     std::size_t threads = 1;
-    bool check = false;
+    bool check = false, force = false;
 };
 
 int bench(Program& program, const Arguments& arguments) {
@@ -31,6 +32,7 @@ int bench(Program& program, const Arguments& arguments) {
     }
     ExperimentOptions options;
     options.out = arguments.out.empty() ? fs::path("benchmarks") / read.experiment->name : fs::path(arguments.out);
+    refuse_replacing(options.out, {arguments.experiment}, arguments.force);
     options.threads = arguments.threads;
     options.cancel = &stop_on_interrupt();
     options.tell = [](const std::string& line) { tell(line); };
@@ -39,7 +41,7 @@ int bench(Program& program, const Arguments& arguments) {
     for (const fs::path& file : result.files) {
         files.push_back(file.string());
     }
-    print(result.markdown);
+    print_data(result.markdown);
     tell(fmt::format("written to {}: {}", options.out.string(), fmt::join(files, " ")));
     return 0;
 }
@@ -65,6 +67,7 @@ void add_bench(Program& program) {
         ->type_name("N")
         ->check(CLI::Range(std::size_t{0}, std::size_t{1024}))
         ->capture_default_str();
+    add_force(*command, arguments->force);
     command->add_flag("--check", arguments->check, "Say all that is wrong with the experiment, and measure nothing");
     command->callback(
         [&program, arguments] { program.action = [&program, arguments] { return bench(program, *arguments); }; });

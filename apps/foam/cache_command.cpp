@@ -38,7 +38,7 @@ int cache_command(const Arguments& arguments) {
         const nlohmann::ordered_json json{{"folder", folder.string()},  {"entries", left.entries},
                                           {"bytes", left.bytes},        {"limit_bytes", limit},
                                           {"deleted", deleted.entries}, {"deleted_bytes", deleted.bytes}};
-        print(json.dump(2) + "\n");
+        print_json(json);
         return 0;
     }
     std::string text = fmt::format("{}: {}; ", folder.string(), contents_text(left));

@@ -30,12 +30,12 @@ std::string table_of(const Original& original, const MatchedModel& model, const 
             continue;
         }
         if (outer && model.spheres[i].empty()) {
-            table += fmt::format("{:<{}}  it has no spheres\n", original.links[i].link, width);
+            table += padded(original.links[i].link, width) + "  it has no spheres\n";
             continue;
         }
-        table +=
-            fmt::format("{:<{}}  {:>9}  {:>8}  {}\n", original.links[i].link, width, millimetres(proofs[i].growth, 6),
-                        outer ? proofs[i].triangle : proofs[i].sphere, point_text(proofs[i].witness));
+        table += fmt::format("{}  {:>9}  {:>8}  {}\n", padded(original.links[i].link, width),
+                             millimetres(proofs[i].growth, 6), outer ? proofs[i].triangle : proofs[i].sphere,
+                             point_text(proofs[i].witness));
     }
     return table;
 }
@@ -66,6 +66,11 @@ int certify_spheres(Program& program, const Arguments& arguments) {
     const Original original = original_of(program, arguments.judge);
     const MatchedModel model = model_of(program, arguments.judge, original, arguments.spheres);
     const std::vector<LinkProof> proofs = prove(original, model, outer ? Guarantee::outer : Guarantee::inner);
+    std::vector<bool> held;
+    for (const LinkProof& proof : proofs) {
+        held.push_back(proof.holds);
+    }
+    const ProvedLinks proved = proved_links(original, held, outer ? Guarantee::outer : Guarantee::inner);
     const auto failed = std::count_if(proofs.begin(), proofs.end(), [](const LinkProof& p) { return !p.holds; });
     if (arguments.json) {
         const nlohmann::ordered_json json{{"original", arguments.judge.original},
@@ -73,18 +78,21 @@ int certify_spheres(Program& program, const Arguments& arguments) {
                                           {"format", model.file.format},
                                           {"guarantee", arguments.guarantee},
                                           {"certified", failed == 0},
+                                          {"proof", json_of_proof<nlohmann::ordered_json>(proved)},
                                           {"notes", model.notes},
                                           {"links", json_of_proofs(original, proofs, outer)}};
-        print(json.dump(2) + "\n");
+        print_json(json);
     } else if (failed == 0) {
         print(fmt::format("Certified ({}): {} on {} link{}, {} sphere{}.\n", arguments.guarantee,
                           outer ? "the geometry lies inside the spheres" : "the spheres lie inside the geometry",
                           proofs.size(), proofs.size() == 1 ? "" : "s", sphere_count(model),
-                          sphere_count(model) == 1 ? "" : "s"));
+                          sphere_count(model) == 1 ? "" : "s") +
+              not_judged_text(proved));
     } else {
-        print(table_of(original, model, proofs, outer) + fmt::format("Not certified ({}): {} of {} link{}.\n",
-                                                                     arguments.guarantee, failed, proofs.size(),
-                                                                     proofs.size() == 1 ? "" : "s"));
+        print(table_of(original, model, proofs, outer) +
+              fmt::format("Not certified ({}): {} of {} link{}.\n", arguments.guarantee, failed, proofs.size(),
+                          proofs.size() == 1 ? "" : "s") +
+              not_judged_text(proved));
     }
     return failed == 0 ? 0 : not_certified;
 }

@@ -1,9 +1,12 @@
 #include "program.hpp"
 
 #include <foam/error.hpp>
+#include <foam/host/plan.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <set>
 
 namespace foam::cli {
 namespace {
@@ -33,11 +36,25 @@ nlohmann::ordered_json json_of(const RecipeResult& read) {
     return json;
 }
 
+/// What the recipe says of links and joints, held against the robot where there is one. Points of a sweep share most of
+/// it.
+void add_unknown_names(RecipeResult& read, const Registry& registry) {
+    std::set<std::string> told;
+    for (const Recipe& recipe : read.recipes) {
+        for (Diagnostic& finding : unknown_names(recipe, registry)) {
+            if (told.insert(finding.text()).second) {
+                read.diagnostics.push_back(std::move(finding));
+            }
+        }
+    }
+}
+
 int check_recipe(Program& program, const Arguments& arguments) {
-    const RecipeResult read =
+    RecipeResult read =
         read_recipe(arguments.recipe, program.registry(), settings_of(arguments.settings), arguments.variants);
+    add_unknown_names(read, program.registry());
     if (arguments.json) {
-        print(json_of(read).dump(2) + "\n");
+        print_json(json_of(read));
     } else {
         std::string text;
         for (const Diagnostic& finding : read.diagnostics) {
@@ -64,6 +81,7 @@ void add_check(Program& program) {
     command->add_option("recipe", arguments->recipe, "The recipe, a YAML file")->type_name("RECIPE")->required();
     add_variants(*command, arguments->variants);
     add_settings(*command, arguments->settings);
+    add_strict(*command, arguments->settings);
     command->add_flag("--json", arguments->json, "Print the findings as JSON");
     command->callback([&program, arguments] {
         program.action = [&program, arguments] { return check_recipe(program, *arguments); };

@@ -1,5 +1,6 @@
 // foam compare: several sphere models of one robot.
 #include "comparison.hpp"
+#include "overwriting.hpp"
 
 #include <foam/stage.hpp>
 
@@ -13,7 +14,7 @@ struct Arguments {
     std::vector<std::string> models;
     std::string html;
     std::uint64_t seed = 0;
-    bool json = false;
+    bool json = false, force = false;
 };
 
 /// A, B, …, Z, then 27, 28, …
@@ -41,17 +42,29 @@ Pictures pictures_of(Program& program, const Comparison& comparison) {
 
 int compare_models(Program& program, const Arguments& arguments) {
     const ThreadLimit limit(arguments.judge.threads);
+    std::vector<std::filesystem::path> inputs(arguments.models.begin(), arguments.models.end());
+    inputs.emplace_back(arguments.judge.original);
+    refuse_overwriting(arguments.html, inputs, arguments.force);
     Comparison comparison{original_of(program, arguments.judge), {}};
     for (const std::string& file : arguments.models) {
-        MatchedModel model = model_of(program, arguments.judge, comparison.original, file);
+        MatchedModel model = model_of(program, arguments.judge, comparison.original, file, false);
         Evaluation evaluation = evaluate(comparison.original, model, arguments.seed);
         comparison.models.push_back({label_of(comparison.models.size()), std::move(model), std::move(evaluation)});
     }
+    std::vector<const SphereFile*> files;
+    for (const JudgedModel& judged : comparison.models) {
+        files.push_back(&judged.model.file);
+    }
+    require_renames(arguments.judge, files);
     if (!arguments.html.empty()) {
         write_whole_file(arguments.html, html_of(comparison, pictures_of(program, comparison)));
         tell(fmt::format("written: {}", arguments.html));
     }
-    print(arguments.json ? json_of(comparison).dump(2) + "\n" : table_of(comparison));
+    if (arguments.json) {
+        print_json(json_of(comparison));
+    } else {
+        print(table_of(comparison));
+    }
     return 0;
 }
 
@@ -67,6 +80,7 @@ void add_compare(Program& program) {
     add_judge_options(*command, arguments->judge);
     command->add_option("models", arguments->models, "The sphere models")->type_name("SPHERES")->required();
     command->add_option("--html", arguments->html, "Write a page, too")->type_name("FILE");
+    add_force(*command, arguments->force);
     command->add_option("--seed", arguments->seed, "Seed of the samples; default 0")->type_name("N");
     command->add_flag("--json", arguments->json, "Print the figures as JSON: metres, not millimetres");
     command->callback([&program, arguments] {

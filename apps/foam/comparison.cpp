@@ -38,7 +38,7 @@ std::string table_of_links(const Comparison& comparison) {
     }
     std::string table = first + "\n" + second + "\n";
     for (std::size_t i = 0; i < comparison.original.links.size(); ++i) {
-        table += fmt::format("{:<{}}", comparison.original.links[i].link, width);
+        table += padded(comparison.original.links[i].link, width);
         for (const JudgedModel& judged : comparison.models) {
             table += cells(judged.evaluation.links[i]);
         }

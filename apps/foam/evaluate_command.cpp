@@ -28,8 +28,8 @@ std::string with_error(double value, double error, int digits) {
 
 std::string row(const std::string& name, std::size_t width, const Figures& figures) {
     const Measures& m = figures.measures;
-    return fmt::format("{:<{}}  {:>7}  {:>13}  {:>9}  {:>13}  {:>13}  {:>9}  {:>9}  {:>9}\n", name, width, m.spheres,
-                       with_error(100 * m.covered, 100 * figures.covered_error, 2), millimetres(m.gap),
+    return fmt::format("{}  {:>7}  {:>13}  {:>9}  {:>13}  {:>13}  {:>9}  {:>9}  {:>9}\n", padded(name, width),
+                       m.spheres, with_error(100 * m.covered, 100 * figures.covered_error, 2), millimetres(m.gap),
                        with_error(m.excess, m.excess_error, 3), with_error(m.missing, m.missing_error, 3),
                        millimetres(m.protrusion_max), millimetres(m.protrusion_mean), m.certified ? "yes" : "no");
 }
@@ -91,8 +91,8 @@ std::string planes_text(const std::vector<LinkPlane>& planes, const Original& or
     std::string text;
     for (const auto& [link, plane] : planes) {
         text += model.spheres[link].empty()
-                    ? fmt::format("{}: has no spheres\n", original.links[link].link)
-                    : fmt::format("{}: {} mm beyond the plane with {}\n", original.links[link].link,
+                    ? fmt::format("{}: has no spheres\n", shown(original.links[link].link))
+                    : fmt::format("{}: {} mm beyond the plane with {}\n", shown(original.links[link].link),
                                   millimetres(reach_beyond(plane, model.spheres[link]), 3), text_of(plane));
     }
     return text;
@@ -125,11 +125,13 @@ int evaluate_spheres(Program& program, const Arguments& arguments) {
         if (!planes.empty()) {
             json["clip"] = planes_json(planes, original, model);
         }
-        print(json.dump(2) + "\n");
+        print_json(json);
     } else {
         print(fmt::format("{} ({}): {} sphere{} for {}\n", arguments.spheres, model.file.format, sphere_count(model),
                           sphere_count(model) == 1 ? "" : "s", arguments.judge.original) +
-              table_of(original, evaluation) + planes_text(planes, original, model));
+              table_of(original, evaluation) +
+              not_judged_text(proved_links(original, certified_links(evaluation), Guarantee::outer)) +
+              planes_text(planes, original, model));
     }
     return 0;
 }

@@ -1,6 +1,7 @@
 #include "execute.hpp"
 
 #include "interrupt.hpp"
+#include "overwriting.hpp"
 #include "progress.hpp"
 
 #include <foam/error.hpp>
@@ -8,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace foam::cli {
 namespace {
@@ -33,15 +33,16 @@ void add_execute_options(CLI::App& command, ExecuteOptions& options) {
     command.add_flag("--fresh", options.fresh, "Neither read nor write the cache");
     command
         .add_option("--time-limit", options.time_limit,
-                    "Look for better spheres until S seconds after the start, then write the best so far")
+                    "Write the best spheres that are found within S seconds of the start")
         ->type_name("S")
         ->check(CLI::PositiveNumber);
+    add_force(command, options.force);
     command.add_flag("-v,--verbose", options.verbose, "Tell notes too, not only warnings and errors");
 }
 
 void tell_findings(const std::vector<Diagnostic>& findings) {
     for (const Diagnostic& finding : findings) {
-        fmt::print(stderr, "{}\n", finding.text());
+        tell_text(finding.text() + "\n");
     }
 }
 
@@ -68,6 +69,11 @@ RunResult execute(const Recipe& recipe, const Registry& registry, const std::fil
     run_options.fresh = options.fresh;
     run_options.threads = options.threads;
     run_options.accept = options.accept;
+    run_options.inputs_known = [&](const std::vector<std::filesystem::path>& inputs) {
+        refuse_overwriting(options.target, inputs, options.force);
+        refuse_replacing(directory, inputs, options.force);
+    };
+    run_options.inputs_known({resolve_input(recipe).path});
     Progress progress(options.verbose);
     run_options.observer = &progress;
     return run(recipe, registry, run_options);

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <unistd.h>
 
@@ -20,6 +21,8 @@ constexpr unsigned time_to_stop = 2; // s
 // A signal handler can reach nothing but an object of static storage.
 std::atomic<bool> asked{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
+std::atomic<int> first_signal{0};
+static_assert(std::atomic<int>::is_always_lock_free);
 
 void write_text(const char* text) {
     [[maybe_unused]] const auto written = write(STDERR_FILENO, text, std::strlen(text));
@@ -33,6 +36,7 @@ void on_signal(int signal) {
         raise(signal);
         return;
     }
+    first_signal.store(signal, std::memory_order_relaxed);
     write_text("\nfoam: stopping; once more ends it at once\n");
     write_activities(STDERR_FILENO); // a stage that never asks whether to stop is named here
     alarm(time_to_stop);
@@ -44,7 +48,7 @@ void on_alarm(int) {
     write_activities(STDERR_FILENO);
     end_children();
     remove_unfinished_runs();
-    _exit(exit_code(ErrorCode::cancelled));
+    _exit(exit_code_after(exit_code(ErrorCode::cancelled)));
 }
 
 void handle(int signal, void (*handler)(int)) {
@@ -75,7 +79,16 @@ void give_up(const Unresponsive& what) {
                      "isolate: process for that stage (--set isolate=process), which ends with its process"));
     end_children();
     remove_unfinished_runs();
-    _exit(stop ? exit_code(ErrorCode::cancelled) : exit_code(ErrorCode::geometry));
+    _exit(stop ? exit_code_after(exit_code(ErrorCode::cancelled)) : exit_code(ErrorCode::geometry));
+}
+
+int exit_code_after(int code) {
+    const int signal = first_signal.load(std::memory_order_relaxed);
+    if (signal == SIGINT) {
+        std::signal(SIGINT, SIG_DFL);
+        raise(SIGINT);
+    }
+    return signal == 0 ? code : exit_code(ErrorCode::cancelled);
 }
 
 } // namespace foam::cli

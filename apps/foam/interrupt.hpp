@@ -1,4 +1,4 @@
-// SIGINT and SIGTERM as a polite request to stop.
+// SIGINT and SIGTERM as a polite request to stop. The caller sees a cut.
 #pragma once
 
 #include <foam/cancellation.hpp>
@@ -11,6 +11,9 @@ namespace foam::cli {
 /// From now on SIGINT and SIGTERM set the flag that is returned; a second one ends the program at once. So does the
 /// first if the program has not ended 2 s later.
 const std::atomic<bool>& stop_on_interrupt();
+/// Ends the program as one that the user has cut, if he has: by SIGINT itself, so that a shell's loop ends too, or,
+/// after SIGTERM, with 130. Returns `code` otherwise.
+int exit_code_after(int code);
 
 /// Whether one came.
 bool interrupted();

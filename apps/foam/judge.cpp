@@ -1,11 +1,14 @@
 #include "judge.hpp"
 
 #include <foam/error.hpp>
+#include <foam/measure_names.hpp>
+#include <foam/text.hpp>
 
 #include <fmt/format.h>
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -61,13 +64,74 @@ Original original_of(Program& program, const JudgeOptions& options) {
     return original;
 }
 
-MatchedModel model_of(Program& program, const JudgeOptions& options, const Original& original,
-                      const std::string& file) {
-    MatchedModel model = match(original, read_sphere_file(file, program.registry()), renames_of(options.renames));
+MatchedModel model_of(Program& program, const JudgeOptions& options, const Original& original, const std::string& file,
+                      bool alone) {
+    SphereFile spheres = read_sphere_file(file, program.registry());
+    if (alone) {
+        require_renames(options, {&spheres});
+    }
+    MatchedModel model = match(original, std::move(spheres), renames_of(options.renames));
     for (const std::string& note : model.notes) {
         tell(fmt::format("warning: {}: {}", file, note));
     }
     return model;
+}
+
+void require_renames(const JudgeOptions& options, const std::vector<const SphereFile*>& files) {
+    std::vector<std::string> names;
+    for (const SphereFile* file : files) {
+        for (const LinkSpheres& link : file->links) {
+            names.push_back(link.link);
+        }
+        for (const auto& [link, joint] : file->fixed_joints) {
+            names.push_back(link);
+            names.push_back(joint.parent);
+        }
+    }
+    for (const auto& [old, name] : renames_of(options.renames)) {
+        const auto begins = [&, &old = old](const std::string& link) {
+            return old.empty() ? link.empty() : link.starts_with(old);
+        };
+        if (std::none_of(names.begin(), names.end(), begins)) {
+            const std::string near = nearest_word(old, names);
+            throw Error(ErrorCode::usage,
+                        fmt::format("--rename {0}={1}: no link of the spheres is called '{0}' or begins with it{2}",
+                                    shown(old), shown(name),
+                                    near.empty() ? "" : fmt::format("; did you mean '{}'?", shown(near))));
+        }
+    }
+}
+
+namespace {
+
+constexpr const char* proof_fails = "the proof does not hold";
+
+} // namespace
+
+std::string not_judged_text(ProvedLinks links) {
+    std::erase_if(links.left_out, [](const ProvedLinks::LeftOut& link) { return link.reason == proof_fails; });
+    return omissions_of(links);
+}
+
+ProvedLinks proved_links(const Original& original, const std::vector<bool>& proved, Guarantee guarantee) {
+    ProvedLinks links;
+    links.guarantee = guarantee;
+    links.visual_only = visual_only_links(*original.robot);
+    std::size_t next = 0; // of those that are judged, in the robot's order
+    for (const Link& link : original.robot->links) {
+        if (link.collisions.empty()) {
+            continue;
+        }
+        ++links.with_collision;
+        if (next == original.links.size() || original.links[next].link != link.name) {
+            links.left_out.push_back({link.name, "not asked for by --link"});
+        } else if (proved[next++]) {
+            ++links.proved;
+        } else {
+            links.left_out.push_back({link.name, proof_fails});
+        }
+    }
+    return links;
 }
 
 void write_whole_file(const std::filesystem::path& file, const std::string& text) {
@@ -98,26 +162,25 @@ Json json_number(double value) {
 
 Json json_of(const Figures& figures) {
     const Measures& m = figures.measures;
-    return {{"spheres", m.spheres},
-            {"area_m2", m.area},
-            {"volume_m3", m.volume},
-            {"covered", m.covered},
-            {"covered_standard_error", figures.covered_error},
-            {"gap_m", json_number(m.gap)},
-            {"excess", json_number(m.excess)},
-            {"excess_standard_error", json_number(m.excess_error)},
-            {"missing", json_number(m.missing)},
-            {"missing_standard_error", json_number(m.missing_error)},
-            {"protrusion_max_m", m.protrusion_max},
-            {"protrusion_mean_m", m.protrusion_mean},
-            {"volume_ratio", json_number(1 + m.excess - m.missing)},
-            {"certified", m.certified}};
+    Json json = json_of_measures<Json>(m);
+    json["covered_standard_error"] = figures.covered_error;
+    json["volume_ratio"] = json_number(1 + m.excess - m.missing);
+    return json;
+}
+
+std::vector<bool> certified_links(const Evaluation& evaluation) {
+    std::vector<bool> certified;
+    for (const Figures& figures : evaluation.links) {
+        certified.push_back(figures.measures.certified);
+    }
+    return certified;
 }
 
 Json json_of(const Original& original, const MatchedModel& model, const Evaluation& evaluation) {
     Json json{{"model", model.file.file.string()},
               {"format", model.file.format},
               {"notes", model.notes},
+              {"proof", json_of_proof<Json>(proved_links(original, certified_links(evaluation), Guarantee::outer))},
               {"total", json_of(evaluation.total)},
               {"with_spheres", json_of(evaluation.with_spheres)},
               {"links", Json::array()}};

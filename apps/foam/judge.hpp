@@ -4,6 +4,7 @@
 #include "program.hpp"
 
 #include <foam/host/evaluate.hpp>
+#include <foam/host/proved_links.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -33,8 +34,15 @@ void add_judge_options(CLI::App& command, JudgeOptions& options);
 
 /// The geometry, with what its loader warned of told on stderr.
 Original original_of(Program& program, const JudgeOptions& options);
-/// The spheres brought onto its links, with the notes told on stderr.
-MatchedModel model_of(Program& program, const JudgeOptions& options, const Original& original, const std::string& file);
+/// The spheres brought onto its links, with the notes told on stderr. `alone`: every rename must be of a link of it.
+MatchedModel model_of(Program& program, const JudgeOptions& options, const Original& original, const std::string& file,
+                      bool alone = true);
+/// Throws Error(usage) for a --rename whose OLD no link of the files has, or begins with.
+void require_renames(const JudgeOptions& options, const std::vector<const SphereFile*>& files);
+/// Sentences about the links that are not judged; those whose proof fails stand in tables.
+std::string not_judged_text(ProvedLinks links);
+/// What is proved of the original's robot. `proved`: of each link that is judged.
+ProvedLinks proved_links(const Original& original, const std::vector<bool>& proved, Guarantee guarantee);
 
 /// In one step, so that a reader never sees half of it. Throws Error(output).
 void write_whole_file(const std::filesystem::path& file, const std::string& text);
@@ -45,6 +53,8 @@ std::string millimetres(double metres, int digits = 2);
 nlohmann::ordered_json json_number(double value);
 /// The names are those of manifest.json.
 nlohmann::ordered_json json_of(const Figures& figures);
+/// Of each link that is judged.
+std::vector<bool> certified_links(const Evaluation& evaluation);
 /// File, format, notes and figures of one model.
 nlohmann::ordered_json json_of(const Original& original, const MatchedModel& model, const Evaluation& evaluation);
 /// The number of spheres that are judged.

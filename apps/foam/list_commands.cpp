@@ -106,7 +106,11 @@ int list_stages(Program& program, bool as_json) {
         json.push_back(json_of(stage));
         text += fmt::format("{:<22} {:<13} {}\n", name, to_string(stage.kind), stage.info.summary);
     }
-    print(as_json ? json.dump(2) + "\n" : text);
+    if (as_json) {
+        print_json(json);
+    } else {
+        print(text);
+    }
     return 0;
 }
 
@@ -119,7 +123,11 @@ int describe_stage(Program& program, const std::string& name, bool as_json) {
                                                   near.empty() ? "; `foam stages` lists them"
                                                                : fmt::format("; did you mean '{}'?", near)));
     }
-    print(as_json ? json_of(*stage).dump(2) + "\n" : description(*stage));
+    if (as_json) {
+        print_json(json_of(*stage));
+    } else {
+        print(description(*stage));
+    }
     return 0;
 }
 
@@ -150,7 +158,11 @@ int list_plugins(Program& program, bool why, bool as_json) {
             text += fmt::format("looked in {}\n", folder.string());
         }
     }
-    print(as_json ? json.dump(2) + "\n" : text);
+    if (as_json) {
+        print_json(json);
+    } else {
+        print(text);
+    }
     if (refused > 0 && !why && !as_json) {
         tell(fmt::format("{} more refused; `foam plugins --why` says why", refused));
     }

@@ -2,6 +2,7 @@
 #include "judge.hpp"
 #include "program.hpp"
 
+#include <cstdio>
 #include <foam/error.hpp>
 #include <foam/host/crash.hpp>
 #include <foam/host/isolation.hpp>
@@ -105,12 +106,8 @@ int run_program(int count, char** arguments) {
     }
 }
 
-} // namespace
-
-int main(int count, char** arguments) {
-    foam::serve_isolated_call(count, arguments);
-    foam::report_crashes();
-    stop_on_interrupt();
+/// Whatever is thrown is told.
+int guarded(int count, char** arguments) {
     try {
         return run_program(count, arguments);
     } catch (const foam::Error& error) {
@@ -120,4 +117,15 @@ int main(int count, char** arguments) {
         tell(fmt::format("error: {} (a bug in foam; please report it)", error.what()));
         return foam::exit_code(foam::ErrorCode::internal);
     }
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    foam::serve_isolated_call(count, arguments);
+    foam::report_crashes();
+    stop_on_interrupt();
+    const int code = guarded(count, arguments);
+    std::fflush(nullptr); // a signal would leave what is buffered
+    return exit_code_after(code);
 }

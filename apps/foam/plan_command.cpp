@@ -88,7 +88,7 @@ std::string link_text(const PlannedLink& link) {
         return "left out by " + places_text(link);
     }
     if (!link.error.empty()) {
-        return "cannot be read: " + link.error;
+        return "cannot be read: " + shown_lines(link.error);
     }
     std::vector<std::string> stages;
     for (const PlannedStage& stage : link.stages) {
@@ -121,7 +121,7 @@ std::string text_of(const Plan& plan, const Recipe& recipe) {
             continue;
         }
         for (const ClipPlane& plane : recipe.for_link(link.link).clip) {
-            line("clip", fmt::format("{}: {}, spheres reach at most {} m beyond it", link.link, text_of(plane),
+            line("clip", fmt::format("{}: {}, spheres reach at most {} m beyond it", shown(link.link), text_of(plane),
                                      to_text(plane.reach)));
         }
     }
@@ -130,7 +130,8 @@ std::string text_of(const Plan& plan, const Recipe& recipe) {
     }
     const std::size_t width = column_width("", plan.links, &PlannedLink::link);
     for (const PlannedLink& link : plan.links) {
-        line(&link == &plan.links.front() ? "links" : "", fmt::format("{:<{}}  {}", link.link, width, link_text(link)));
+        line(&link == &plan.links.front() ? "links" : "",
+             fmt::format("{}  {}", padded(link.link, width), link_text(link)));
     }
     for (const PlannedOutput& output : plan.outputs) {
         line(&output == &plan.outputs.front() ? "outputs" : "",
@@ -246,6 +247,7 @@ int plan_recipe(Program& program, const Arguments& arguments) {
     bool unreadable = false;
     for (const Recipe& recipe : read.recipes) {
         const Plan planned = plan(recipe, registry);
+        tell_findings(planned.warnings);
         if (arguments.json) {
             runs.push_back(json_of(planned, recipe));
         } else {
@@ -254,7 +256,11 @@ int plan_recipe(Program& program, const Arguments& arguments) {
         unreadable = unreadable || std::any_of(planned.links.begin(), planned.links.end(),
                                                [](const PlannedLink& link) { return !link.error.empty(); });
     }
-    print(arguments.json ? Json{{"runs", runs}, {"variants", read.variants}}.dump(2) + "\n" : text);
+    if (arguments.json) {
+        print_json({{"runs", runs}, {"variants", read.variants}});
+    } else {
+        print(text);
+    }
     if (!read.variants.empty() && arguments.variants.empty()) {
         tell(fmt::format("without its variants: {}; --variant chooses", fmt::join(read.variants, ", ")));
     }
@@ -271,6 +277,7 @@ void add_plan(Program& program) {
     command->add_option("recipe", arguments->recipe, "The recipe, a YAML file")->type_name("RECIPE")->required();
     add_variants(*command, arguments->variants);
     add_settings(*command, arguments->settings);
+    add_strict(*command, arguments->settings);
     command->add_flag("--json", arguments->json, "Print the plan as JSON");
     command->callback(
         [&program, arguments] { program.action = [&program, arguments] { return plan_recipe(program, *arguments); }; });

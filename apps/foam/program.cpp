@@ -4,8 +4,10 @@
 #include <foam/host/isolation.hpp>
 #include <foam/host/length.hpp>
 #include <foam/host/version.hpp>
+#include <foam/text.hpp>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <cstdio>
 
@@ -92,6 +94,12 @@ void add_settings(CLI::App& command, std::vector<std::string>& texts) {
         ->take_all();
 }
 
+void add_strict(CLI::App& command, std::vector<std::string>& texts) {
+    command.add_flag_callback(
+        "--strict", [&texts] { texts.emplace_back("strict=true"); },
+        "A glob of the recipe that names no link is an error, as by strict: true");
+}
+
 void add_variants(CLI::App& command, std::vector<std::string>& names) {
     command
         .add_option("--variant", names, "A variant of the recipe instead of itself; repeatable; '*' for all of them")
@@ -131,13 +139,29 @@ std::vector<Setting> settings_of(const std::vector<std::string>& texts) {
 }
 
 void print(std::string_view text) {
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
+    print_data(shown_lines(text));
+}
+
+void print_data(std::string_view bytes) {
+    if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0) {
         throw Error(ErrorCode::output, "cannot write to the standard output");
     }
 }
 
+void print_json(const nlohmann::ordered_json& json) {
+    const auto dumped = [&json](bool ascii) {
+        return json.dump(2, ' ', ascii, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    };
+    const std::string text = dumped(false);
+    print_data(shown_lines(text) == text ? text : dumped(true));
+}
+
 void tell(std::string_view line) {
-    fmt::print(stderr, "foam: {}\n", line);
+    tell_text(fmt::format("foam: {}\n", line));
+}
+
+void tell_text(std::string_view text) {
+    fmt::print(stderr, "{}", shown_lines(text));
 }
 
 } // namespace foam::cli

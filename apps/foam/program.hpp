@@ -5,6 +5,7 @@
 #include <foam/host/registry.hpp>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <functional>
 #include <optional>
@@ -61,6 +62,8 @@ CLI::App* add_command(Program& program, const std::string& name, const std::stri
                       const std::string& examples);
 /// `--set key.path=value`, repeatable.
 void add_settings(CLI::App& command, std::vector<std::string>& texts);
+/// `--strict`: a setting of the recipe.
+void add_strict(CLI::App& command, std::vector<std::string>& texts);
 /// `--variant NAME`, repeatable.
 void add_variants(CLI::App& command, std::vector<std::string>& names);
 /// `--unit` and `--scale` of a single mesh.
@@ -70,9 +73,16 @@ double length_of(const std::string& text, const std::string& option);
 /// Throws Error(usage) for a text without '='.
 std::vector<Setting> settings_of(const std::vector<std::string>& texts);
 
-/// Writes to stdout all at once; throws Error(output) if that fails.
+/// Writes to stdout all at once, what people read: no text from a file steers their terminal. Throws Error(output) if
+/// that fails.
 void print(std::string_view text);
-/// A line on stderr.
+/// The same for what programs read: byte by byte.
+void print_data(std::string_view bytes);
+/// The same for JSON; of what would steer a terminal it holds the escapes.
+void print_json(const nlohmann::ordered_json& json);
+/// On stderr, as print(): with the program's name, and a line end.
 void tell(std::string_view line);
+/// The same without them.
+void tell_text(std::string_view text);
 
 } // namespace foam::cli

@@ -2,8 +2,11 @@
 
 #include "program.hpp"
 
+#include <foam/text.hpp>
+
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <sys/ioctl.h>
@@ -18,10 +21,10 @@ std::size_t terminal_width() {
 }
 
 std::string time_left(const Event& event) {
-    if (event.done < 0.05 || event.seconds < 0.5) {
+    if (!event.seconds_left) {
         return "";
     }
-    const double left = event.seconds / event.done * (1 - event.done);
+    const double left = *event.seconds_left;
     return left < 90 ? fmt::format("{:.0f} s left", left) : fmt::format("{:.0f} min left", left / 60);
 }
 
@@ -38,13 +41,27 @@ const char* word_for(Severity severity) {
     return "note";
 }
 
+/// As much of a line as takes no more columns.
+std::string cut_to(std::string line, std::size_t columns) {
+    while (shown_width(line) > columns) {
+        do { // a whole character
+            const bool continues = (static_cast<unsigned char>(line.back()) & 0xC0U) == 0x80U;
+            line.pop_back();
+            if (!continues) {
+                break;
+            }
+        } while (!line.empty());
+    }
+    return line;
+}
+
 /// "link, stage: "; what is of the whole run has no place.
 std::string place_of(const Event& event) {
     if (event.link.empty() && event.stage.empty()) {
         return "";
     }
     const char* separator = event.link.empty() || event.stage.empty() ? "" : ", ";
-    return fmt::format("{}{}{}: ", event.link, separator, event.stage);
+    return fmt::format("{}{}{}: ", shown(event.link), separator, shown(event.stage));
 }
 
 } // namespace
@@ -78,7 +95,7 @@ void Progress::draw(const Event& event) {
         return;
     }
     if (!event.stage.empty()) {
-        task_ = event.link.empty() ? event.stage : event.link + " " + event.stage;
+        task_ = shown(event.link.empty() ? event.stage : event.link + " " + event.stage);
     }
     constexpr double least_seconds = 0.1; // between two drawings
     if (event.seconds - last_drawn_ < least_seconds) {
@@ -87,10 +104,9 @@ void Progress::draw(const Event& event) {
     last_drawn_ = event.seconds;
     constexpr int cells = 20;
     const int full = static_cast<int>(event.done * cells);
-    std::string line = fmt::format("[{:#<{}}{:.<{}}] {:3.0f} % {} {}", "", full, "", cells - full, event.done * 100,
-                                   task_, time_left(event));
-    line.resize(std::min(line.size(), terminal_width() - 1));
-    fmt::print(stderr, "\r\033[K{}", line);
+    std::string line = fmt::format("[{:#<{}}{:.<{}}] {:3.0f} % {} {}", "", full, "", cells - full,
+                                   std::floor(event.done * 100), task_, time_left(event));
+    fmt::print(stderr, "\r\033[K{}", cut_to(line, terminal_width() - 1));
     std::fflush(stderr);
     drawn_ = true;
 }

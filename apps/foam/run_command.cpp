@@ -84,7 +84,7 @@ int run_recipe(Program& program, Arguments arguments) {
         }
     }
     if (arguments.json) {
-        print(nlohmann::ordered_json{{"runs", runs}}.dump(2) + "\n");
+        print_json({{"runs", runs}});
     }
     return code;
 }
@@ -109,6 +109,7 @@ void add_run(Program& program) {
         ->type_name("DIR");
     add_variants(*command, arguments->variants);
     add_settings(*command, arguments->settings);
+    add_strict(*command, arguments->settings);
     add_execute_options(*command, arguments->execute);
     command->add_flag("--json", arguments->json, "Print the result as JSON");
     command->callback(

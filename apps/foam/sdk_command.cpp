@@ -10,7 +10,7 @@ void add_sdk(Program& program) {
                                     "  cmake -S mine -B mine/build -DCMAKE_PREFIX_PATH=\"$(foam sdk)\"");
     command->callback([&program] {
         program.action = [] {
-            print(sdk_prefix().string() + "\n");
+            print_data(sdk_prefix().string() + "\n");
             return 0;
         };
     });

@@ -2,7 +2,9 @@
 #include "ignored_elsewhere.hpp"
 #include "interrupt.hpp"
 #include "judge.hpp"
+#include "overwriting.hpp"
 #include "program.hpp"
+#include "table.hpp"
 
 #include <foam/error.hpp>
 #include <foam/host/self_collision.hpp>
@@ -10,7 +12,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
+#include <set>
 
 namespace foam::cli {
 namespace {
@@ -22,7 +26,7 @@ struct Arguments {
     std::vector<std::string> renames, pose;
     std::size_t spheres = 32, threads = 0;
     SelfCollisionOptions options;
-    bool json = false;
+    bool json = false, force = false;
 };
 
 JointValues pose_of(const std::vector<std::string>& texts) {
@@ -47,6 +51,22 @@ CollisionModel model_of(Program& program, const Arguments& arguments) {
         tell(fmt::format("warning: {}: {}", arguments.urdf, note));
     }
     return model;
+}
+
+/// Throws Error(usage) for a joint that the robot does not have.
+void require_joints(const JointValues& pose, const Robot& robot) {
+    std::vector<std::string> joints;
+    for (const Joint& joint : robot.joints) {
+        joints.push_back(joint.name);
+    }
+    for (const auto& [name, value] : pose) {
+        if (std::find(joints.begin(), joints.end(), name) == joints.end()) {
+            const std::string near = nearest_word(name, joints);
+            throw Error(ErrorCode::usage,
+                        fmt::format("--pose: {} has no joint '{}'{}", robot.file.string(), shown(name),
+                                    near.empty() ? "" : fmt::format("; did you mean '{}'?", shown(near))));
+        }
+    }
 }
 
 std::size_t count(const CollisionModel& model, CollisionModel::Source source) {
@@ -122,14 +142,16 @@ std::string table_of(const Arguments& arguments, const CollisionModel& model, co
     const std::vector<Link>& links = model.robot->links;
     std::size_t width = 5;
     for (const LinkPair& pair : matrix.pairs) {
-        width = std::max({width, links[pair.first].name.size(), links[pair.second].name.size()});
+        for (const std::size_t link : {pair.first, pair.second}) {
+            width = std::max(width, shown_width(shown(links[link].name)));
+        }
     }
     std::string text = fmt::format("{}: {}\n{:<{}}  {:<{}}  {:<8}  {}\n", arguments.urdf, model_text(arguments, model),
                                    "link", width, "link", width, "reason", "evidence");
     for (const LinkPair& pair : matrix.pairs) {
-        text +=
-            fmt::format("{:<{}}  {:<{}}  {:<8}  {}\n", links[pair.first].name, width, links[pair.second].name, width,
-                        pair.reason == PairReason::none ? "(check)" : to_string(pair.reason), evidence(matrix, pair));
+        text += fmt::format(
+            "{}  {}  {:<8}  {}\n", padded(links[pair.first].name, width), padded(links[pair.second].name, width),
+            pair.reason == PairReason::none ? "(check)" : to_string(pair.reason), evidence(matrix, pair));
     }
     return text + summary(matrix);
 }
@@ -182,11 +204,31 @@ Json json_of(const Arguments& arguments, const Kinematics& kinematics, const Col
             {"pairs", json_of_pairs(model, matrix)}};
 }
 
+/// Pairs that are about another robot, or misspelt.
+void tell_unknown_links(const Agreement& agreement, const Robot& robot) {
+    std::set<std::string> unknown;
+    for (const IgnoredPair& pair : agreement.unknown) {
+        for (const std::string& name : {pair.first, pair.second}) {
+            if (!robot.find_link(name)) {
+                unknown.insert("'" + shown(name) + "'");
+            }
+        }
+    }
+    if (!unknown.empty()) {
+        tell(fmt::format("warning: {}: names that are no link of {}: {}", agreement.file, robot.file.string(),
+                         fmt::join(unknown, ", ")));
+    }
+}
+
 int self_collision(Program& program, Arguments& arguments) {
     const ThreadLimit limit(arguments.threads);
     arguments.options.reference = pose_of(arguments.pose);
     arguments.options.cancel = &stop_on_interrupt();
+    for (const std::string& target : {arguments.srdf, arguments.curobo}) {
+        refuse_overwriting(target, {arguments.urdf, arguments.model, arguments.against}, arguments.force);
+    }
     const CollisionModel model = model_of(program, arguments);
+    require_joints(arguments.options.reference, *model.robot);
     const Kinematics kinematics(model.robot);
     const SelfCollisionMatrix matrix = self_collision_matrix(kinematics, model, arguments.options);
     if (!arguments.srdf.empty()) {
@@ -199,10 +241,15 @@ int self_collision(Program& program, Arguments& arguments) {
     std::string text = table_of(arguments, model, matrix);
     if (!arguments.against.empty()) {
         const Agreement found = agreement(arguments.against, *model.robot, matrix);
+        tell_unknown_links(found, *model.robot);
         json["against"] = json_of(found, *model.robot);
         text += text_of(found, *model.robot, matrix);
     }
-    print(arguments.json ? json.dump(2) + "\n" : text);
+    if (arguments.json) {
+        print_json(json);
+    } else {
+        print(text);
+    }
     return 0;
 }
 
@@ -271,6 +318,7 @@ void add_self_collision(Program& program) {
         ->add_option("--against", arguments->against,
                      "Hold the pairs against those that an SRDF, a cuRobo file or an XRDF leaves out")
         ->type_name("FILE");
+    add_force(*command, arguments->force);
     command->add_flag("--json", arguments->json, "Print the matrix as JSON");
     command->add_option("-j,--threads", arguments->threads, "Number of threads; default: one a core")
         ->type_name("N")

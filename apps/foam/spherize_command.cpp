@@ -118,20 +118,22 @@ int run_quick(const Arguments& arguments, const Recipe& recipe, const QuickRecip
     }
     const ScratchFolder scratch = to_stdout(arguments) ? ScratchFolder() : ScratchFolder(beside);
     const fs::path directory = arguments.out.empty() ? scratch.path() / "run" : fs::path(arguments.out);
-    const RunResult result = execute(recipe, registry, directory, arguments.execute);
+    ExecuteOptions options = arguments.execute;
+    options.target = to_stdout(arguments) ? fs::path() : target;
+    const RunResult result = execute(recipe, registry, directory, options);
     const fs::path made = directory / recipe.outputs.at(0).file;
     const std::string bytes = result_for(to_stdout(arguments) ? fs::path() : fs::absolute(beside), made, result,
                                          recipe.outputs.at(0), registry);
     if (to_stdout(arguments)) {
-        print(bytes);
-        fmt::print(stderr, "{}", table_of(result, recipe.guarantee));
+        print_data(bytes);
+        tell_text(table_of(result, recipe.guarantee));
         return exit_code_of(result);
     }
     deliver(bytes, scratch.path(), target);
     if (arguments.json) {
         auto json = json_of(result, recipe, arguments.out);
         json["files"] = {target.string()};
-        print(json.dump(2) + "\n");
+        print_json(json);
     } else {
         print(table_of(result, recipe.guarantee) +
               fmt::format("Written: {} ({:.2f} s)\n", target.string(), result.seconds));
@@ -155,7 +157,7 @@ int spherize(Program& program, const Arguments& arguments) {
     const RecipeResult read = parse_recipe(quick.text, quick.name + ".yaml", registry, settings_of(arguments.settings));
     require_ok(read, arguments.input);
     if (arguments.print_recipe) {
-        print(arguments.settings.empty() ? quick.text : to_yaml(read.recipes.at(0), registry, true));
+        print_data(arguments.settings.empty() ? quick.text : to_yaml(read.recipes.at(0), registry, true));
         return 0;
     }
     return run_quick(arguments, read.recipes.at(0), quick, registry);
@@ -202,6 +204,7 @@ void add_spherize(Program& program) {
     command->add_flag("--print-recipe", arguments->print_recipe,
                       "Print the recipe that this stands for, and run nothing");
     add_settings(*command, arguments->settings);
+    add_strict(*command, arguments->settings);
     add_execute_options(*command, arguments->execute);
     command->add_flag("--json", arguments->json, "Print the summary as JSON");
     command->callback(

@@ -1,6 +1,9 @@
 #include "summary.hpp"
 #include "table.hpp"
 
+#include <foam/measure_names.hpp>
+#include <foam/text.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,24 +18,9 @@ constexpr double mm_per_m = 1000;
 
 std::string row(const std::string& name, std::size_t width, const Measures& m, Guarantee guarantee,
                 const std::string& growth) {
-    return fmt::format("{:<{}}  {:>7}  {:>8.3f}  {:>8.3f}  {:>9}  {:>9}\n", name, width, m.spheres,
+    return fmt::format("{}  {:>7}  {:>8.3f}  {:>8.3f}  {:>9}  {:>9}\n", padded(name, width), m.spheres,
                        guarantee == Guarantee::inner ? m.missing : m.excess, m.gap * mm_per_m,
                        m.certified ? "yes" : "no", growth);
-}
-
-Json json_of(const Measures& m) {
-    return {{"spheres", m.spheres},
-            {"area", m.area},
-            {"volume", m.volume},
-            {"covered", m.covered},
-            {"gap", m.gap},
-            {"excess", m.excess},
-            {"excess_error", m.excess_error},
-            {"missing", m.missing},
-            {"missing_error", m.missing_error},
-            {"protrusion_max", m.protrusion_max},
-            {"protrusion_mean", m.protrusion_mean},
-            {"certified", m.certified}};
 }
 
 Json json_of(const InputSize& size) {
@@ -43,9 +31,9 @@ Json json_of(const InputSize& size) {
 Json json_of(const PlaneReach& reach) {
     const ClipPlane& plane = reach.plane;
     return {{"normal", {plane.normal.x, plane.normal.y, plane.normal.z}},
-            {"offset", plane.offset},
-            {"reach", plane.reach},
-            {"reached", reach.reached},
+            {"offset_m", plane.offset},
+            {"reach_m", plane.reach},
+            {"reached_m", reach.reached},
             {"kept", reach.kept()}};
 }
 
@@ -111,9 +99,9 @@ std::string table_of(const RunResult& result, Guarantee guarantee) {
                          guarantee == Guarantee::inner ? "missing" : "excess", "gap mm", "certified", "growth mm");
     for (const LinkReport& link : result.links) {
         if (link.skipped) {
-            table += fmt::format("{:<{}}  left out by the recipe\n", link.link, width);
+            table += padded(link.link, width) + "  left out by the recipe\n";
         } else if (!link.error.empty() && link.measures.spheres == 0) {
-            table += fmt::format("{:<{}}  left out: {}\n", link.link, width, link.error);
+            table += fmt::format("{}  left out: {}\n", padded(link.link, width), shown(link.error));
         } else {
             table += row(link.link, width, link.measures, guarantee, fmt::format("{:.3f}", link.growth * mm_per_m));
         }
@@ -121,19 +109,12 @@ std::string table_of(const RunResult& result, Guarantee guarantee) {
     table += row("total", width, result.total, guarantee, "");
     for (const LinkReport& link : result.links) {
         for (const PlaneReach& plane : link.clip) {
-            table += fmt::format("{}: {:.3f} mm beyond the plane with {}: {}, {} mm allowed\n", link.link,
+            table += fmt::format("{}: {:.3f} mm beyond the plane with {}: {}, {} mm allowed\n", shown(link.link),
                                  plane.reached * mm_per_m, text_of(plane.plane), plane.kept() ? "kept" : "NOT KEPT",
                                  plane.plane.reach * mm_per_m);
         }
     }
-    if (guarantee == Guarantee::outer) {
-        table += result.certified ? "Proved: the geometry of every link lies inside its spheres.\n"
-                                  : "Not proved for every link: geometry may stick out of the spheres.\n";
-    }
-    if (guarantee == Guarantee::inner) {
-        table += result.certified ? "Proved: the spheres of every link lie inside its geometry.\n"
-                                  : "Not proved for every link: spheres may stick out of the geometry.\n";
-    }
+    table += verdict_of(result.proved) + omissions_of(result.proved);
     return table;
 }
 
@@ -144,9 +125,10 @@ Json json_of(const RunResult& result, const Recipe& recipe, const std::filesyste
               {"input_size", json_of(result.input_size)},
               {"directory", directory.string()},
               {"certified", result.certified},
-              {"seconds", result.seconds},
+              {"proof", json_of_proof<Json>(result.proved)},
+              {"wall_seconds", result.seconds},
               {"cpu_seconds", result.cpu_seconds},
-              {"total", json_of(result.total)},
+              {"total", json_of_measures<Json>(result.total)},
               {"links", Json::array()},
               {"filters", Json::array()},
               {"files", Json::array()},
@@ -155,8 +137,8 @@ Json json_of(const RunResult& result, const Recipe& recipe, const std::filesyste
         json["cut"] = to_string(result.cut);
     }
     for (const LinkReport& link : result.links) {
-        Json entry{{"link", link.link}, {"skipped", link.skipped}, {"growth", link.growth}};
-        entry.update(json_of(link.measures));
+        Json entry{{"link", link.link}, {"skipped", link.skipped}, {"growth_m", link.growth}};
+        entry.update(json_of_measures<Json>(link.measures));
         for (const PlaneReach& plane : link.clip) {
             entry["clip"].push_back(json_of(plane));
         }
@@ -170,7 +152,7 @@ Json json_of(const RunResult& result, const Recipe& recipe, const std::filesyste
                                    {"meshes", total.meshes},
                                    {"triangles_before", total.before},
                                    {"triangles_after", total.after},
-                                   {"distance", total.distance},
+                                   {"distance_m", total.distance},
                                    {"volume_change", total.volume_change}});
     }
     for (const auto& file : result.files) {

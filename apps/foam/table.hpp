@@ -1,20 +1,29 @@
 // Tables on the terminal.
 #pragma once
 
+#include <foam/text.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <string_view>
 
 namespace foam::cli {
 
-/// What a column needs that holds `text` and a member of each row.
+/// What a column needs that holds `text` and a member of each row, as padded() shows it.
 template <class Rows, class Member> std::size_t column_width(std::string_view text, const Rows& rows, Member member) {
     std::size_t width = text.size();
     for (const auto& row : rows) {
-        width = std::max(width, std::invoke(member, row).size());
+        width = std::max(width, shown_width(shown(std::invoke(member, row))));
     }
     return width;
+}
+
+/// A name, fit for the terminal, with spaces up to the width of its column.
+inline std::string padded(std::string_view name, std::size_t width) {
+    std::string text = shown(name);
+    return text.append(width - std::min(width, shown_width(text)), ' ');
 }
 
 } // namespace foam::cli

@@ -63,7 +63,11 @@ int verify_run(Program& program, const Arguments& arguments) {
     Progress progress(arguments.execute.verbose);
     options.observer = &progress;
     const Verification result = verify(arguments.directory, program.registry(), options);
-    print(arguments.json ? json_of(result, arguments.directory).dump(2) + "\n" : text_of(result, arguments.directory));
+    if (arguments.json) {
+        print_json(json_of(result, arguments.directory));
+    } else {
+        print(text_of(result, arguments.directory));
+    }
     return result.equal() ? 0 : 1;
 }
 

@@ -29,7 +29,7 @@ void add_version(Program& program) {
         program.action = [json] {
             const auto all = about();
             if (*json) {
-                print(all.dump(2) + "\n");
+                print_json(all);
                 return 0;
             }
             std::string text;
@@ -60,9 +60,9 @@ void add_schema(Program& program) {
     command->add_flag("--json")->description("It is JSON in any case");
     command->callback([&program, what] {
         program.action = [&program, what] {
-            print(*what == "manifest"  ? manifest_schema()
-                  : *what == "spheres" ? spheres_schema()
-                                       : recipe_schema(program.registry()));
+            print_data(*what == "manifest"  ? manifest_schema()
+                       : *what == "spheres" ? spheres_schema()
+                                            : recipe_schema(program.registry()));
             return 0;
         };
     });

@@ -143,7 +143,7 @@ private:
         if (after != expected) {
             find("a run left more than its directory behind");
         }
-        for (const std::string& odd : odd_figures(*result_, *recipe_)) {
+        for (const std::string& odd : odd_figures(*result_)) {
             find(odd);
         }
         for (const fs::path& file : result_->files) {
@@ -175,8 +175,22 @@ private:
         return names;
     }
 
+    /// A link that was lost may be one that cannot be read.
+    std::vector<std::string> globs_of_the_rest() const {
+        std::vector<std::string> globs;
+        const std::set<std::string> without = left_out();
+        for (const SphereGroup& group : result_->model.groups) {
+            std::string glob;
+            for (const char c : group.link) {
+                glob += c == '*' || c == '?' || c == '[' ? std::string("[") + c + "]" : std::string(1, c);
+            }
+            globs.push_back(glob);
+        }
+        return without.empty() ? std::vector<std::string>{} : globs;
+    }
+
     void judge_files() {
-        const Original original = load_original(folder_ / case_.input, registry_);
+        const Original original = load_original(folder_ / case_.input, registry_, globs_of_the_rest());
         for (const std::string& odd : excess_findings(original, *result_, *recipe_)) {
             find(odd);
         }

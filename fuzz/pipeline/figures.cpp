@@ -81,7 +81,7 @@ std::string text_of_number(double value) {
     return text;
 }
 
-std::vector<std::string> odd_figures(const RunResult& result, const Recipe& recipe) {
+std::vector<std::string> odd_figures(const RunResult& result) {
     std::vector<std::string> findings;
     for (const SphereGroup& group : result.model.groups) {
         if (!all_sound(group.tree)) {
@@ -94,8 +94,10 @@ std::vector<std::string> odd_figures(const RunResult& result, const Recipe& reci
     if (const std::string odd = odd_measure(result.total); !odd.empty()) {
         findings.push_back("figure of the whole: " + odd);
     }
-    if (recipe.guarantee != Guarantee::fitted && !result.certified) {
-        findings.push_back("written, but not certified");
+    for (const ProvedLinks::LeftOut& link : result.proved.left_out) {
+        if (link.reason == "the proof does not hold") {
+            findings.push_back("written, but not certified: link '" + link.link + "'");
+        }
     }
     return findings;
 }

@@ -113,6 +113,23 @@ std::string line_of(std::string text) {
     return text.substr(0, 500);
 }
 
+/// A refusal without names and numbers: equal ones are counted together.
+std::string kind_of(const std::string& end) {
+    std::string kind;
+    bool quoted = false, number = false;
+    for (const char c : end) {
+        const bool digit = (c >= '0' && c <= '9') || (number && (c == '.' || c == 'e' || c == '-' || c == '+'));
+        if (!quoted && !(digit && number)) {
+            kind += digit ? '#' : c;
+        }
+        number = digit;
+        if (c == '\'') {
+            quoted = !quoted;
+        }
+    }
+    return kind.substr(0, 200);
+}
+
 /// What is told at the end, and goes on record.
 class Record {
 public:
@@ -130,6 +147,9 @@ public:
         ++(outcome.findings.empty() ? passed_ : failed_);
         ++ends_[outcome.end.substr(0, outcome.end.find(':')) +
                 (outcome.spherizer.empty() ? "" : " " + outcome.spherizer)];
+        if (outcome.end.starts_with("refused")) {
+            ++refusals_[kind_of(outcome.end)];
+        }
         seconds_.push_back(outcome.seconds);
     }
 
@@ -142,6 +162,9 @@ public:
         }
         for (const auto& [end, count] : ends_) {
             say(std::to_string(count) + "  " + (end.empty() ? "(ended its process)" : end));
+        }
+        for (const auto& [kind, count] : refusals_) {
+            stream_ << count << "  " << line_of(kind) << "\n";
         }
         char text[200];
         std::snprintf(text, sizeof text, "seeds %llu to %llu; CPU %.0f s, median %.1f ms, longest %.2f s",
@@ -163,7 +186,7 @@ private:
 
     std::ofstream stream_;
     std::size_t passed_ = 0, failed_ = 0;
-    std::map<std::string, std::size_t> ends_;
+    std::map<std::string, std::size_t> ends_, refusals_;
     std::vector<double> seconds_;
 };
 

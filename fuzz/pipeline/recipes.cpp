@@ -9,9 +9,9 @@ namespace {
 /// The most that is drawn for parameters that buy precision with time, by their names.
 double work_limit(const std::string& parameter) {
     static const std::map<std::string, double> limits{
-        {"leaves", 2000},   {"numCover", 2000}, {"num_samples", 400}, {"initSpheres", 600}, {"minSpheres", 200},
-        {"min_samples", 8}, {"minCover", 8},    {"branch", 12},       {"depth", 2},         {"testerLevels", 2},
-        {"most", 48},       {"spheres", 12},    {"iterations", 60},   {"subdivisions", 2},  {"maxOptLevel", 2}};
+        {"leaves", 1000},   {"numCover", 300}, {"num_samples", 120}, {"initSpheres", 120}, {"minSpheres", 50},
+        {"min_samples", 8}, {"minCover", 8},   {"branch", 12},       {"depth", 2},         {"testerLevels", 2},
+        {"most", 48},       {"spheres", 12},   {"iterations", 60},   {"subdivisions", 2},  {"maxOptLevel", 2}};
     const auto found = limits.find(parameter);
     return found == limits.end() ? 1e300 : found->second;
 }
@@ -19,6 +19,12 @@ double work_limit(const std::string& parameter) {
 /// The least, for those of which a small one takes long.
 double work_floor(const std::string& parameter) {
     return parameter == "alpha" ? 0.03 : parameter == "spacing" ? 0.5 : -1e300;
+}
+
+/// Those whose defaults are made for real parts.
+bool costly_by_default(const std::string& parameter) {
+    return parameter == "numCover" || parameter == "num_samples" || parameter == "initSpheres" ||
+           parameter == "minSpheres";
 }
 
 double random_number(Dice& dice, const Parameter& parameter, double usual) {
@@ -40,8 +46,8 @@ std::string random_value(Dice& dice, const Parameter& parameter) {
     }
     case Parameter::Type::number:
         return text_of(random_number(dice, parameter, std::get<double>(parameter.default_value)));
-    case Parameter::Type::choice:
-        return quoted(dice.of(parameter.choices));
+    case Parameter::Type::choice: // of JSON's layouts one holds a single mesh only
+        return parameter.name == "layout" ? dice.of({"links", "foam"}) : quoted(dice.of(parameter.choices));
     case Parameter::Type::text:
         return quoted(std::get<std::string>(parameter.default_value));
     }
@@ -97,7 +103,8 @@ private:
     std::string parameters(const std::string& stage, double share, const std::string& where, std::string text = "") {
         for (const Parameter& parameter : registry_.find(stage)->info.parameters) {
             Dice dice(derive_seed(seed_, where + stage + "." + parameter.name));
-            const bool needed = parameter.name == "most" && !spheres_ && where.empty();
+            const bool needed = where.empty() && ((parameter.name == "most" && !spheres_) ||
+                                                  (costly_by_default(parameter.name) && !dice.chance(0.03)));
             if (dice.chance(share) || needed) {
                 text += (text.empty() ? "" : ", ") + parameter.name + ": " + random_value(dice, parameter);
             }
@@ -128,7 +135,9 @@ private:
         std::vector<std::string> parts;
         shared_ = spheres_;
         if (spheres_) {
-            parts.push_back("spheres: " + std::to_string(dice_.between(1, 12)));
+            const int least =
+                input_.links.size() > 1 && dice_.chance(0.8) ? static_cast<int>(input_.links.size()) - 1 : 0;
+            parts.push_back("spheres: " + std::to_string(least + static_cast<int>(dice_.magnitude(1, 13))));
         }
         if (guarantee_ != "inner" && dice_.chance(0.12)) {
             shared_ = true;
@@ -166,17 +175,17 @@ private:
     std::vector<std::string> overrides(bool limit) {
         std::vector<std::string> parts;
         const int least = dice_.between(1, 3);
-        if (limit || dice_.chance(0.4)) {
+        if (limit || dice_.chance(0.5)) {
             parts.push_back("max_spheres: " + std::to_string(dice_.between(3, 12)));
+        }
+        if (guarantee_ != "inner" && parts.size() > 0 && dice_.chance(0.2)) { // behind max_spheres: else up to 256
+            parts.push_back("max_protrusion: " + protrusion());
         }
         if (dice_.chance(0.2)) {
             parts.push_back("min_spheres: " + std::to_string(least));
         }
         if (shared_ && dice_.chance(0.2)) {
             parts.push_back("weight: " + text_of(dice_.of({0.0, 1e-6, 0.5, 2.0, 1e6})));
-        }
-        if (guarantee_ != "inner" && dice_.chance(0.15)) {
-            parts.push_back("max_protrusion: " + protrusion());
         }
         if (input_.robot && dice_.chance(0.1)) {
             parts.push_back("skip: " + std::string(dice_.chance(0.7) ? "true" : "false"));

@@ -22,8 +22,7 @@ std::string escaped(const std::string& text) {
 
 /// Names that a URDF may hold, though nobody should give them.
 std::string odd_name(Dice& dice) {
-    static const std::vector<std::string> names{"",
-                                                " ",
+    static const std::vector<std::string> names{" ",
                                                 "a b",
                                                 "../../up",
                                                 "/abs/olute",

@@ -15,7 +15,7 @@ std::string Reader::place(const xml::Element& element) const {
 }
 
 void Reader::fail(const xml::Element& element, const std::string& what) const {
-    throw Error(ErrorCode::input, fmt::format("{}: {}", place(element), what));
+    throw Error(ErrorCode::input, fmt::format("{}: {}", place(element), shown(what)));
 }
 
 const std::string& Reader::required(const xml::Element& element, std::string_view attribute) const {

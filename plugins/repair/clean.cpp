@@ -19,12 +19,10 @@ void check_extents(const Mesh& mesh) {
     const double extent = std::max({size.x, size.y, size.z});
     if (!(extent < 1e90)) {
         throw Error(ErrorCode::geometry,
-                    fmt::format("the mesh extends over {:g} m: its volume cannot be computed; check the "
-                                "unit of the file and its scale",
-                                extent));
+                    "the mesh is too large for its volume to be computed; check the unit of the file and its scale");
     }
     if (!(extent > 1e-90)) {
-        throw Error(ErrorCode::geometry, fmt::format("the mesh has no extent ({:g} m)", extent));
+        throw Error(ErrorCode::geometry, "the mesh has no extent");
     }
 }
 

@@ -14,6 +14,7 @@ struct Part {
     std::vector<std::uint32_t> triangles;
     Box box;
     double volume = 0;
+    double rounding = 0; ///< of the volume, at the most
     bool turn = false;
     int outermost = -1; ///< the outermost part that holds this one
 };
@@ -32,6 +33,8 @@ std::vector<Part> parts_of(const Mesh& mesh, const Components& components) {
         for (const std::uint32_t i : part.triangles) {
             const Corners t = corners(mesh, mesh.triangles[i]);
             part.volume += dot(t[0] - center, cross(t[1] - center, t[2] - center)) / 6;
+            part.rounding += 4 * std::numeric_limits<double>::epsilon() * distance(t[0], center) *
+                             distance(t[1], center) * distance(t[2], center);
         }
     }
     return parts;
@@ -74,7 +77,8 @@ NestingReport orient_components(Mesh& mesh, const Components& components, const 
         check_cancelled();
         Part& part = parts[order[k]];
         const double size = part.box.diagonal();
-        report.hollow |= !(std::abs(part.volume) > 1e-12 * size * size * size);
+        // Spikes and needles fill little of their box.
+        report.hollow |= !(std::abs(part.volume) > std::min(1e-12 * size * size * size, part.rounding));
         int winding = 0; // of the larger parts, at this one
         for (std::size_t j = 0; j < k; ++j) {
             const Part& other = parts[order[j]];

@@ -64,8 +64,9 @@ Mesh rebuilt(const Mesh& mesh, const RebuildOptions& options, Context& context) 
             if (sheets > 0.01) {
                 context.log(
                     Severity::info,
-                    fmt::format("about {:.0f} % of the surface has no inside: it became a solid about {:.3g} m thick",
-                                100 * sheets, 2 * distances.off_sheets * octree.cell_size() * frame.scale));
+                    fmt::format(
+                        "about {:.0f} % of the surface has no inside: it became a solid about {:.3g} of the size thick",
+                        100 * sheets, 2 * distances.off_sheets * octree.cell_size() * filled));
             }
             for (Vec3& p : surface.mesh.vertices) {
                 p = frame.out(p);

@@ -20,10 +20,13 @@ public:
         if (std::optional<Mesh> result = mended(cleaned, options_, context)) {
             return std::move(*result);
         }
+        const Topology defects = topology(cleaned.distinct);
         throw Error(ErrorCode::geometry,
                     fmt::format("the mesh is too broken to be mended in place ({}); remedy: repair.auto or "
                                 "repair.watertight, which rebuild the surface",
-                                describe(topology(cleaned.distinct))));
+                                defects.closed_manifold()
+                                    ? "closed, but too thin for its volume to be told from rounding"
+                                    : describe(defects)));
     }
 
 private:

@@ -22,8 +22,9 @@ public:
         const Box box = bounds(input);
         const double diagonal = box.diagonal();
         if (input.triangles.empty() || !(diagonal > 1e-90 && diagonal < 1e90)) {
-            throw Error(ErrorCode::geometry, fmt::format("the mesh has no surface to wrap ({} triangles, size {:g} m)",
-                                                         input.triangles.size(), diagonal));
+            throw Error(ErrorCode::geometry,
+                        fmt::format("the mesh has no surface to wrap ({} triangles{})", input.triangles.size(),
+                                    input.triangles.empty() ? "" : ", and no size to compute with"));
         }
         Mesh result = in_unit_box(input, box.center(), 1 / diagonal);
         result = repair::alpha_wrap(result, alpha_, offset_);

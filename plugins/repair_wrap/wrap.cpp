@@ -9,7 +9,6 @@
 #include <CGAL/alpha_wrap_3.h>
 
 #include <algorithm>
-#include <string>
 
 namespace foam::repair {
 namespace {
@@ -32,13 +31,11 @@ Mesh alpha_wrap(const Mesh& mesh, double alpha, double offset) {
     for (const auto& [a, b, c] : mesh.triangles) {
         faces.push_back({a, b, c});
     }
-    // The library leaves out triangles without area, and crashes if none is left.
-    const bool none = std::all_of(faces.begin(), faces.end(), [&](const auto& face) {
-        return CGAL::collinear(points[face[0]], points[face[1]], points[face[2]]);
-    });
-    if (none) {
-        throw Error(ErrorCode::geometry, "all triangles lie on lines or in points (" + std::to_string(faces.size()) +
-                                             " of them): there is no surface to wrap");
+    const auto has_area = [&](const std::array<std::size_t, 3>& face) {
+        return !CGAL::collinear(points[face[0]], points[face[1]], points[face[2]]);
+    };
+    if (std::none_of(faces.begin(), faces.end(), has_area)) { // the library leaves the others out, and needs one
+        throw Error(ErrorCode::geometry, "the mesh has no triangle with an area: there is nothing to wrap");
     }
     CGAL::Surface_mesh<Kernel::Point_3> wrapped;
     CGAL::alpha_wrap_3(points, faces, alpha, offset, wrapped, CGAL::parameters::default_values(),

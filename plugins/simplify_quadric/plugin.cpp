@@ -23,7 +23,8 @@ void check(const Mesh& mesh, const Topology& defects) {
     const Vec3 size = bounds(mesh).size();
     const double extent = std::max({size.x, size.y, size.z});
     if (!(extent > 0 && extent < 1e90)) {
-        throw Error(ErrorCode::geometry, fmt::format("the mesh extends over {:g} m: nothing to simplify", extent));
+        throw Error(ErrorCode::geometry, extent > 0 ? "the mesh is too large for its volume to be computed"
+                                                    : "the mesh has no extent: there is nothing to simplify");
     }
 }
 
@@ -70,8 +71,7 @@ private:
                 return result;
             }
         }
-        context.log(Severity::info,
-                    fmt::format("no simplification within {:g} m could be proved: the mesh stays", max_distance_));
+        context.log(Severity::info, "no simplification within max_distance could be proved: the mesh stays");
         return mesh;
     }
 

@@ -40,9 +40,11 @@ Sphere ball_about(const Vec3& center, const Solid& solid, const Frame& frame) {
     return {center, -solid.signed_distance(frame.to_world(center)) / frame.scale};
 }
 
-/// A larger ball near by: pattern search (Hooke and Jeeves 1961).
+/// A larger ball near by: pattern search (Hooke and Jeeves 1961). In a spike it would climb in tiny steps for ever.
 Sphere enlarged(Sphere best, const Solid& solid, const Frame& frame) {
-    for (double step = best.radius / 2; step > best.radius / 20;) {
+    constexpr int most_steps = 1'000;
+    double step = best.radius / 2;
+    for (int n = 0; n < most_steps && step > best.radius / 20; ++n) {
         bool better = false;
         for (int axis = 0; axis < 3; ++axis) {
             for (const double side : {-step, step}) {

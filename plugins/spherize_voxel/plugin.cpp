@@ -81,8 +81,8 @@ private:
             result.voxels = lattice.filled(radius_);
         }
         if (result.voxels.empty() || result.voxels.size() > most_) {
-            context.log(Severity::warning, name + ": spheres of " + to_text(ParameterValue(radius_)) +
-                                               " m are more than " + std::to_string(most_) +
+            context.log(Severity::warning, name + ": spheres of the radius asked for are more than " +
+                                               std::to_string(most_) +
                                                " here, larger ones are taken; remedy: raise radius or most");
             return search.best(most_, context);
         }

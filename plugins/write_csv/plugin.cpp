@@ -85,7 +85,8 @@ Sphere read_sphere(const std::vector<std::string>& row, std::size_t number) {
     for (std::size_t i = 0; i < values.size(); ++i) {
         const std::optional<double> value = parse_number(row[i + 1]);
         if (!value) {
-            throw Error(ErrorCode::output, fmt::format("CSV: row {}: '{}' is not a finite number", number, row[i + 1]));
+            throw Error(ErrorCode::output,
+                        fmt::format("CSV: row {}: '{}' is not a finite number", number, shown(row[i + 1])));
         }
         values[i] = *value;
     }

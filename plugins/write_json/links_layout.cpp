@@ -2,6 +2,7 @@
 
 #include <foam/cancellation.hpp>
 #include <foam/error.hpp>
+#include <foam/measure_names.hpp>
 
 #include <algorithm>
 
@@ -20,27 +21,17 @@ const char* guarantee_text(Guarantee guarantee) {
     return "fitted";
 }
 
-std::string measures_object(const Measures& m) {
-    const std::pair<const char*, double> figures[] = {{"area", m.area},
-                                                      {"volume", m.volume},
-                                                      {"covered", m.covered},
-                                                      {"gap", m.gap},
-                                                      {"excess", m.excess},
-                                                      {"excess_error", m.excess_error},
-                                                      {"excess_volume", m.excess_volume},
-                                                      {"excess_volume_error", m.excess_volume_error},
-                                                      {"missing", m.missing},
-                                                      {"missing_error", m.missing_error},
-                                                      {"missing_volume", m.missing_volume},
-                                                      {"missing_volume_error", m.missing_volume_error},
-                                                      {"exposed_area", m.exposed_area},
-                                                      {"protrusion_max", m.protrusion_max},
-                                                      {"protrusion_mean", m.protrusion_mean}};
-    std::string text = fmt::format("{{\"spheres\": {}", m.spheres);
-    for (const auto& [name, value] : figures) {
-        text += fmt::format(", \"{}\": {}", name, json_number(value));
+std::string measures_object(const Measures& measures) {
+    struct Text {
+        std::string operator()(std::size_t count) const { return fmt::format("{}", count); }
+        std::string operator()(double value) const { return json_number(value); }
+        std::string operator()(bool flag) const { return flag ? "true" : "false"; }
+    };
+    std::vector<std::string> members;
+    for (const auto& [name, value] : named_figures(measures)) {
+        members.push_back(fmt::format("\"{}\": {}", name, std::visit(Text{}, value)));
     }
-    return text + fmt::format(", \"certified\": {}}}", m.certified);
+    return fmt::format("{{{}}}", fmt::join(members, ", "));
 }
 
 std::string level_array(const SphereTree::Level& level) {

@@ -152,7 +152,7 @@ private:
         std::size_t value = 0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
         if (error != std::errc{} || end != text.data() + text.size()) {
-            fail(fmt::format("'{}' is not a count or an index", text));
+            fail(fmt::format("'{}' is not a count or an index", shown(text)));
         }
         return value;
     }
@@ -183,7 +183,7 @@ private:
             const std::string_view number = word(text);
             const std::optional<double> parsed = parse_number(number);
             if (!parsed) {
-                fail(fmt::format("'{}' is not a finite number", number));
+                fail(fmt::format("'{}' is not a finite number", shown(number)));
             }
             value = *parsed;
         }

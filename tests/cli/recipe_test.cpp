@@ -245,18 +245,18 @@ TEST_F(CliRecipe, PlanSaysTheWholeBudget) {
     write("boxes.yaml", boxes);
     const std::string settings =
         "plan boxes.yaml --set 'budget={spheres: 9, excess: 0.5, max_protrusion: 1e-2, time_limit: "
-        "60}' --set 'links.a*.weight=2' --set 'self_collision={pose: {lift: 0.1}}' ";
+        "60}' --set 'links.a*.weight=2' --set 'self_collision={pose: {b: 0.1}}' ";
     const Outcome plan = foam(settings);
     ASSERT_EQ(plan.code, 0) << plan.err;
     EXPECT_THAT(plan.out,
                 HasSubstr("  budget     9 spheres, excess of at most 0.5, protrusion of at most 0.01 m, the best "
                           "within 60 s; guarantee outer; seed 0\n"
-                          "  apart      spheres of links that are not neighbours, with lift at 0.1, others at "
+                          "  apart      spheres of links that are not neighbours, with b at 0.1, others at "
                           "zero\n"));
     const std::string text = foam(settings + "--json").out;
     EXPECT_THAT(text, HasSubstr("\"spheres\": 9,\n        \"excess\": 0.5,\n        \"max_protrusion\": 0.01,\n"
                                 "        \"time_limit\": 60.0\n"));
-    EXPECT_THAT(text, HasSubstr("\"lift\": 0.1\n"));
+    EXPECT_THAT(text, HasSubstr("\"b\": 0.1\n"));
 }
 
 TEST_F(CliRecipe, PlanKnowsWhatTheCacheHolds) {

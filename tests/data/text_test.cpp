@@ -49,5 +49,19 @@ TEST(Text, Words) {
     EXPECT_THAT(words(" \n"), testing::IsEmpty());
 }
 
+TEST(Text, WhatIsShownSteersNoTerminal) {
+    EXPECT_EQ(shown("base_link, größe 漢字"), "base_link, größe 漢字");
+    EXPECT_EQ(shown("a\x1b[31m\n\t\x7f" + std::string(1, '\0')), "a\\x1b[31m\\x0a\\x09\\x7f\\x00");
+    EXPECT_EQ(shown("\u009b\u202e\u2066\u200e\u061c\u2028"), "\\u{009b}\\u{202e}\\u{2066}\\u{200e}\\u{061c}\\u{2028}");
+    EXPECT_EQ(shown("\xff\xc0\xaf\xed\xa0\x80\xc3"), "\\xff\\xc0\\xaf\\xed\\xa0\\x80\\xc3");
+    EXPECT_EQ(shown_lines("a\nb\r"), "a\nb\\x0d");
+}
+
+TEST(Text, WidthsAreColumns) {
+    EXPECT_EQ(shown_width("größe"), 5u);
+    EXPECT_EQ(shown_width("漢字"), 4u);
+    EXPECT_EQ(shown_width("e\u0301"), 1u);
+}
+
 } // namespace
 } // namespace foam

@@ -34,7 +34,7 @@ TEST(Wrap, RefusesTrianglesWithoutArea) {
     line.vertices = {{}, along, -along, 2 * along};
     line.triangles = {{0, 1, 2}, {1, 2, 3}};
     EXPECT_EQ(refusal("repair.wrap", line),
-              "all triangles lie on lines or in points (2 of them): there is no surface to wrap");
+              "the mesh has no triangle with an area: there is nothing to wrap");
 }
 
 } // namespace

@@ -216,6 +216,16 @@ TEST(Measure, NoSpheresAndNoVolume) {
     EXPECT_NEAR(flat.excess_volume, 4 / 3.0 * pi, 0.05);
 }
 
+TEST(Measure, AVolumeNextToNothing) {
+    for (const double thin : {1e-178, 1e-310}) {
+        const auto plate = Solid::make(box({-1, -1, 0}, {1, 1, thin}));
+        const Measures m = measure(*plate, std::vector<Sphere>{{{}, 1.5}});
+        EXPECT_GT(m.excess, 1e100);
+        EXPECT_GE(m.excess_error, 0) << "a number";
+        EXPECT_GE(m.missing_error, 0);
+    }
+}
+
 TEST(Measure, SameSeedSameNumbers) {
     const auto solid = Solid::make(torus(1, 0.3, 12));
     const std::vector<Sphere> spheres{{{1, 0, 0}, 0.5}, {{-1, 0, 0}, 0.4}};

@@ -177,6 +177,42 @@ TEST_F(IsolationCli, ASecondInterruptEndsWhatNeverAsks) {
     expect_nothing_left();
 }
 
+/// So does the first after a while.
+TEST_F(IsolationCli, OneInterruptEndsWhatNeverAsks) {
+    write("two.yaml", "foam: 1\nrobot: {urdf: two.urdf}\nplugins: ['" FOAM_TEST_ILL_BEHAVED "']\n"
+                      "stages: [spherize.ill: {how: loop, process_file: '" +
+                          (path() / "process").string() + "'}]\n");
+    const Outcome outcome = shell("'" FOAM_TEST_BINARY "' run two.yaml --fresh & pid=$!; while [ ! -e process ]; "
+                                  "do sleep 0.02; done; kill -TERM $pid; wait $pid");
+    EXPECT_EQ(outcome.code, 130) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("after the start it still works on stage 'spherize.ill', link '"));
+    EXPECT_THAT(outcome.err, HasSubstr("nothing was written; remedy: isolate: process for that stage"));
+    expect_nothing_left();
+}
+
+/// What never asks is named and ended once a time limit is over, in any phase.
+TEST_F(IsolationCli, ATimeLimitEndsWhatNeverAsks) {
+    for (const std::string stages :
+         {"stages: [spherize.ill: {how: loop}]\n", "stages: [repair.ill: {how: loop}, spherize.grid]\n"}) {
+        const Outcome outcome = run(stages, "--time-limit 0.5");
+        EXPECT_EQ(outcome.code, 1) << outcome.err;
+        EXPECT_THAT(outcome.err, HasSubstr("foam: error: the time limit is over, but 1."));
+        EXPECT_THAT(outcome.err, HasSubstr("s after the start it still works on stage '"));
+        EXPECT_THAT(outcome.err, HasSubstr(".ill', link '"));
+        expect_nothing_left();
+    }
+}
+
+/// In a process of its own it is ended with that: a ball stands in for what it would have made.
+TEST_F(IsolationCli, ATimeLimitEndsAnIsolatedStage) {
+    const Outcome outcome = run("stages: [spherize.ill: {isolate: process, how: loop, process_file: '" +
+                                    (path() / "process").string() + "'}]\n",
+                                "--time-limit 1");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("it made nothing within the time limit of 1 s: one enclosing sphere stands in"));
+    wait_for_end(process_in(path() / "process"));
+}
+
 TEST_F(IsolationCli, TheHiddenCommandIsForFoamItself) {
     const Outcome outcome = foam("isolated-call </dev/null");
     EXPECT_EQ(outcome.code, 2);

@@ -43,6 +43,7 @@ const std::vector<Expectation> expectations{
     {"real/self_intersectA.obj", 17160, 0.147953, ""},
     {"real/openscad-nonmanifold-crash.obj", 1442, 451.96, ""},
     {"real/Cray_right.obj", 12, 1.57608e+116, ""},
+    {"real/Generic_Twin_7081.1.t0_right.obj", 11656, 43004.4, ""},
     {"real/Wuson.stl", 3732, 1.14837, ""},
     {"real/sphereWithHole.stl", 285, 13.4586, ""},
     {"real/Spider_ascii.stl", 1368, 10.0854, ""},

@@ -28,8 +28,8 @@ TEST_F(ReportOfRun, IsAmongTheFilesOfTheRun) {
 TEST_F(ReportOfRun, SaysWhatTheRunSays) {
     const std::string html = report_of(recipe(chain));
     EXPECT_THAT(html, AllOf(HasSubstr("<h1>arm</h1>"),
-                            HasSubstr("<p class=\"verdict yes\">Proved: the geometry of every link lies inside its "
-                                      "spheres.</p>"),
+                            HasSubstr("<p class=\"verdict yes\">Proved: the collision geometry of 2 of 2 links "
+                                      "lies inside their spheres.</p>"),
                             HasSubstr("<dt>Spheres</dt><dd>" + std::to_string(result.total.spheres) +
                                       "<small>budget 9</small>"),
                             HasSubstr("<tr data-link=\"tip\"><th scope=\"row\">tip</th>"),
@@ -104,7 +104,7 @@ TEST_F(ReportOfRun, ALinkThatIsLeftOutHasNoFigures) {
     EXPECT_THAT(html, AllOf(HasSubstr("<th scope=\"row\">tip</th><td class=\"why\" colspan=\"9\">left out by the "
                                       "recipe</td>"),
                             HasSubstr("<small>1 left out by the recipe</small>"),
-                            HasSubstr("No part of it: <code>tip</code>")));
+                            HasSubstr("Not part of the proof: tip (skip in the recipe).")));
     EXPECT_EQ(scene_of(html)["links"].size(), 1u);
 }
 
@@ -119,7 +119,7 @@ TEST_F(ReportOfRun, InnerIsSeenThroughTheGeometry) {
                                            "size=\"1 1 1\"/></geometry></collision></link></robot>");
     const std::string html = report_of(
         recipe("stages: [spherize.grid]\nbudget: {spheres: 9}\nguarantee: inner\n", "robot: {urdf: box.urdf}"));
-    EXPECT_THAT(html, AllOf(HasSubstr("Proved: the spheres of every link lie inside its geometry."),
+    EXPECT_THAT(html, AllOf(HasSubstr("Proved: the spheres of 1 of 1 link lie inside its collision geometry."),
                             HasSubstr("name=\"clear\" value=\"geometry\" checked"),
                             HasSubstr("arm.urdf' --guarantee inner")));
 }

@@ -46,6 +46,20 @@ TEST_F(Run, ALostLinkIsOnlyLostOnRequest) {
                                        &Finding::message, HasSubstr("one enclosing sphere stands in for the link"))));
 }
 
+TEST_F(Run, NoSphereStandsInForGeometryThatCannotBeProved) {
+    write("huge.urdf",
+          "<robot name=\"r\"><link name=\"base\"><collision><geometry><box size=\"1 1 1\"/></geometry>"
+          "</collision></link><link name=\"far\"><collision><geometry><box size=\"1e12 1 1\"/></geometry>"
+          "</collision></link><joint name=\"j\" type=\"fixed\"><parent link=\"base\"/><child link=\"far\"/>"
+          "</joint></robot>");
+    const RunResult result = run(recipe_of("name: huge\nrobot: {urdf: huge.urdf}\nstages: [spherize.grid]\n"
+                                           "on_error: fallback\n"),
+                                 registry, options());
+    EXPECT_TRUE(result.links_lost);
+    EXPECT_THAT(result.links[1].error, HasSubstr("its size is 1e+12 m"));
+    EXPECT_EQ(result.model.groups.size(), 1u);
+}
+
 TEST_F(Run, NoInputThatExists) {
     const auto result =
         parse_recipe("foam: 1\nname: x\nrobot: {urdf: [package://no_such/a.urdf, b.urdf]}\nstages: [spherize.grid]\n",

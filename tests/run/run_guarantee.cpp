@@ -53,7 +53,9 @@ TEST_F(Run, InnerSaysWhereNothingIsLeft) {
     EXPECT_EQ(code, ErrorCode::geometry);
     const RunResult rest = run(recipe(stages + "on_error: skip\n"), registry, options());
     EXPECT_TRUE(rest.links_lost);
-    EXPECT_TRUE(rest.certified);
+    EXPECT_FALSE(rest.certified) << "not of all";
+    EXPECT_EQ(rest.proved.proved, 1u);
+    EXPECT_EQ(rest.proved.with_collision, 2u);
 }
 
 TEST_F(Run, OneSphereStandsInForOthersThatWouldClaimMore) {
@@ -66,6 +68,25 @@ TEST_F(Run, OneSphereStandsInForOthersThatWouldClaimMore) {
     EXPECT_EQ(result.total.spheres, 1u);
     EXPECT_LE(result.total.excess, 0.02);
     EXPECT_THAT(warnings_of(result), ::testing::Contains(::testing::HasSubstr("one sphere around the geometry")));
+}
+
+TEST_F(Run, ElementsThatOnlyTheirOwnFrameProvesAreRefused) {
+    write("apart.urdf", R"(<robot name="apart"><link name="base">
+<collision><geometry><box size="1e-5 2e-5 1e-5"/></geometry></collision>
+<collision><origin xyz="2e6 0 0"/><geometry><box size="100 1000 100"/></geometry></collision></link></robot>)");
+    const std::string text =
+        "name: apart\nrobot: {urdf: apart.urdf}\nstages: [spherize.octree]\nbudget: {spheres: 4}\n";
+    EXPECT_TRUE(run(recipe_of(text), registry, options()).certified);
+    try {
+        run(recipe_of(text + "per: collision\n"), registry, options("refused"));
+        ADD_FAILURE() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::geometry);
+        EXPECT_STREQ(error.what(),
+                     "link 'base': its collision elements are too small for the distance between them: what is "
+                     "proved of each in a frame of its own does not hold in the link's; remedy: per: link");
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "refused"));
 }
 
 } // namespace

@@ -100,7 +100,8 @@ TEST_F(Run, ATimeLimitThatIsOverLeavesTheFewestSpheres) {
             const RunResult result =
                 run(recipe("stages: [spherize.grid]\n" + links + "budget: " + budget + "\n"), registry, o);
             EXPECT_EQ(result.cut, Cut::time_limit) << budget;
-            EXPECT_TRUE(result.certified);
+            EXPECT_EQ(result.certified, links.empty()) << "a link that is skipped is not proved";
+            EXPECT_EQ(result.proved.proved, links.empty() ? 2u : 1u);
             EXPECT_EQ(result.total.spheres, links.empty() ? 2u : 1u) << budget;
             EXPECT_THAT(warnings_of(result),
                         ::testing::Contains(": the search ended at its time limit of 1e-09 s: these are the best "
@@ -133,9 +134,65 @@ TEST_F(Run, ATimeLimitInBetweenKeepsTheStepsOfOneLink) {
     o.time_limit = 1e9;
     const RunResult result = run(r, registry, o);
     EXPECT_EQ(result.cut, Cut::stop);
-    EXPECT_TRUE(result.certified);
+    EXPECT_EQ(result.proved.proved, 1u);
     EXPECT_GT(result.total.spheres, 4u);
     EXPECT_LE(result.total.spheres, 8u);
+}
+
+TEST_F(Run, ATimeLimitBeforeThereIsAModelSaysWhereTheTimeWent) {
+    run(recipe("stages: [spherize.grid]\n"), registry, options());
+    const std::string before = read_file(folder.path() / "out/manifest.json");
+    RunOptions o = options();
+    o.time_limit = 0.2;
+    try {
+        run(recipe("stages: [spherize.misbehaving: {how: waits, link: tip}]\nguarantee: inner\n"), registry, o);
+        ADD_FAILURE() << "the run ended by itself";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::geometry);
+        EXPECT_STREQ(error.what(), "stage 'spherize.misbehaving', link 'tip': no sphere was found within the time limit "
+                                   "of 0.2 s; remedy: more time");
+    }
+    EXPECT_EQ(read_file(folder.path() / "out/manifest.json"), before);
+}
+
+TEST_F(Run, ABallStandsInForWhatIsNotFoundInTime) {
+    RunOptions o = options();
+    o.time_limit = 2;
+    const RunResult result =
+        run(recipe("stages: [spherize.misbehaving: {how: waits, link: tip}]\nbudget: {spheres: 20}\n"), registry, o);
+    EXPECT_EQ(result.cut, Cut::time_limit);
+    EXPECT_TRUE(result.certified);
+    EXPECT_EQ(result.links.at(1).measures.spheres, 1u);
+    EXPECT_THAT(warnings_of(result), ::testing::Contains("tip: it made nothing within the time limit of 2 s: one "
+                                                         "enclosing sphere stands in"));
+}
+
+TEST_F(Run, WhatGoesOnAfterAStopIsNamed) {
+    const std::filesystem::path release = folder.path() / "release";
+    std::atomic<bool> stop = false;
+    std::vector<Unresponsive> told;
+    RunOptions o = options();
+    o.stop = &stop;
+    o.on_unresponsive = [&](const Unresponsive& what) {
+        told.push_back(what);
+        std::ofstream{release} << "\n";
+    };
+    const Recipe deaf =
+        recipe("stages: [spherize.misbehaving: {how: 'deaf until " + release.string() + "', link: tip}]\n");
+    std::thread stopper([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        stop = true;
+    });
+    try {
+        run(deaf, registry, o);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::cancelled);
+    }
+    stopper.join();
+    ASSERT_EQ(told.size(), 1u);
+    EXPECT_EQ(told[0].asked, Cut::stop);
+    EXPECT_GE(told[0].seconds, 1.9);
+    EXPECT_THAT(told[0].at, ::testing::Contains(HasSubstr("stage 'spherize.misbehaving', link 'tip'")));
 }
 
 } // namespace

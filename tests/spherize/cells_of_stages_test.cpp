@@ -216,8 +216,8 @@ TEST_P(Voxel, WhereTheRadiusTakesTooManyLargerOnesAreTakenAndThisIsSaid) {
     const SphereTree tree = stage->spherize({"part", solid, solid}, {}, listening);
     EXPECT_LE(tree.finest().size(), 100u);
     EXPECT_GT(tree.finest().size(), 20u);
-    EXPECT_EQ(listening.said, "part: spheres of 0.001 m are more than 100 here, larger ones are taken; remedy: raise "
-                              "radius or most");
+    EXPECT_EQ(listening.said, "part: spheres of the radius asked for are more than 100 here, larger ones are taken; "
+                              "remedy: raise radius or most");
 }
 
 TEST_P(Voxel, WideSpacingLeavesGapsForGrowthToClose) {

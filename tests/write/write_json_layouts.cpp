@@ -56,7 +56,7 @@ TEST(WriteJson, UnknownFiguresAreNull) {
     model.groups[2].measures.certified = false;
     const json document = written(model, "links");
     EXPECT_TRUE(document["links"]["second"]["groups"][0]["measures"]["excess"].is_null());
-    EXPECT_TRUE(document["links"]["second"]["groups"][0]["measures"]["gap"].is_null());
+    EXPECT_TRUE(document["links"]["second"]["groups"][0]["measures"]["gap_m"].is_null());
     EXPECT_EQ(document["certified"], false);
 }
 

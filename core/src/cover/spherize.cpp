@@ -1,8 +1,10 @@
 #include "cover/objective_search.hpp"
 #include "cover/quick_search.hpp"
 #include "cover/search.hpp"
+#include "geometry/own_frame.hpp"
 
 #include <foam/error.hpp>
+#include <foam/union_volume.hpp>
 
 #include <algorithm>
 #include <variant>
@@ -17,8 +19,38 @@ std::optional<Objective> objective_named(std::string_view name) {
     return it == std::end(objectives) ? std::nullopt : std::optional(it->second);
 }
 
+/// The solid in a frame in which it is worked on: its own where its size or place is out of the ordinary.
+class WorkedOn {
+public:
+    explicit WorkedOn(const Solid& solid) : given_(solid), frame_(geometry::own_frame(solid)) {
+        const bool is_point = geometry::size_of(solid.bounds()) == 0; // then a tiny sphere does
+        if (const std::string why = geometry::why_out_of_bounds(solid.bounds()); !is_point && !why.empty()) {
+            throw Error(ErrorCode::geometry, "spherize: the solid cannot be covered: " + why);
+        }
+        if (!frame_.is_given()) {
+            own_ = frame_.to_own(solid);
+        }
+    }
+    const Solid& solid() const { return own_ ? *own_ : given_; }
+    /// A cover of solid() as one of the given solid, proved there.
+    Cover in_given_frame(Cover cover) const {
+        if (own_) {
+            cover.spheres = grown_to_cover(given_, frame_.from_own(std::move(cover.spheres)));
+            cover.certificate = certify(given_, cover.spheres);
+            cover.volume = exact_union_volume(cover.spheres);
+        }
+        return cover;
+    }
+
+private:
+    const Solid& given_;
+    geometry::OwnFrame frame_;
+    std::shared_ptr<const Solid> own_;
+};
+
 struct CoverSearch::Data {
-    Data(const Solid& solid, const SpherizeOptions& options) {
+    Data(const Solid& given, const SpherizeOptions& options) : work(given) {
+        const Solid& solid = work.solid();
         if (options.objective != Objective::excess) {
             search.emplace<cover::ObjectiveSearch>(solid, options);
         } else if (options.effort == Effort::fast) {
@@ -27,6 +59,7 @@ struct CoverSearch::Data {
             search.emplace<cover::Search>(solid, options);
         }
     }
+    WorkedOn work;
     std::variant<std::monostate, cover::QuickSearch, cover::Search, cover::ObjectiveSearch> search;
 };
 
@@ -45,12 +78,12 @@ static void check(std::size_t count) {
 Cover CoverSearch::cover(std::size_t count) {
     check(count);
     if (auto* const quick = std::get_if<cover::QuickSearch>(&data_->search)) {
-        return quick->cover(count);
+        return data_->work.in_given_frame(quick->cover(count));
     }
     if (auto* const other = std::get_if<cover::ObjectiveSearch>(&data_->search)) {
-        return other->cover(count);
+        return data_->work.in_given_frame(other->cover(count));
     }
-    return std::get<cover::Search>(data_->search).cover(count);
+    return data_->work.in_given_frame(std::get<cover::Search>(data_->search).cover(count));
 }
 
 std::vector<Cover> spherize_each(const Solid& solid, std::span<const std::size_t> counts,
@@ -77,8 +110,7 @@ static Cover quick_or_better(Quick quick, const Solid& solid, std::size_t count,
     return search.was_stopped() && figure(search, found) < figure(search, better) ? found : better;
 }
 
-Cover spherize(const Solid& solid, std::size_t count, const SpherizeOptions& options) {
-    check(count);
+static Cover spherize_as_is(const Solid& solid, std::size_t count, const SpherizeOptions& options) {
     if (options.effort != Effort::fast && !options.stop) {
         return CoverSearch(solid, options).cover(count);
     }
@@ -91,6 +123,12 @@ Cover spherize(const Solid& solid, std::size_t count, const SpherizeOptions& opt
     return quick_or_better<cover::ObjectiveSearch>(
         cover::ObjectiveSearch(solid, fast), solid, count, options,
         [](const cover::ObjectiveSearch& search, const Cover& cover) { return search.figure(cover); });
+}
+
+Cover spherize(const Solid& solid, std::size_t count, const SpherizeOptions& options) {
+    check(count);
+    const WorkedOn work(solid);
+    return work.in_given_frame(spherize_as_is(work.solid(), count, options));
 }
 
 Cover spherize(const Mesh& mesh, std::size_t count, const SpherizeOptions& options) {

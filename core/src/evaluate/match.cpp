@@ -1,6 +1,7 @@
 // Which spheres of a file belong to which link of a robot.
 #include <foam/error.hpp>
 #include <foam/host/evaluate.hpp>
+#include <foam/text.hpp>
 
 #include <fmt/format.h>
 
@@ -121,10 +122,10 @@ private:
         }
         std::vector<std::string> theirs, ours;
         for (const LinkSpheres& link : model_.file.links) {
-            theirs.push_back(link.link);
+            theirs.push_back(shown(link.link));
         }
         for (const OriginalLink& link : original_.links) {
-            ours.push_back(link.link);
+            ours.push_back(shown(link.link));
         }
         throw Error(ErrorCode::input,
                     fmt::format("{}: none of its links ({}) is a link with collision geometry of {} ({}); remedy: "
@@ -151,7 +152,7 @@ private:
         }
     }
 
-    void note(std::string text) { model_.notes.push_back(std::move(text)); }
+    void note(const std::string& text) { model_.notes.push_back(shown(text)); }
 
     const Original& original_;
     MatchedModel& model_;

@@ -190,8 +190,8 @@ private:
     }
 
     static Table case_table(const std::vector<RobotResult>& results) {
-        Table table{{"robot", "method", "spheres_per_link", "spheres", "excess", "excess_error", "protrusion_max_m",
-                     "protrusion_mean_m", "gap_m", "covered", "certified", "cpu_s"},
+        Table table{{"robot", "method", "spheres_per_link", "spheres", "excess", "excess_standard_error",
+                     "protrusion_max_m", "protrusion_mean_m", "gap_m", "covered", "certified", "cpu_seconds"},
                     {}};
         const auto number = [](double value) { return fmt::format("{:.6g}", value); };
         for (const RobotResult& result : results) {

@@ -39,8 +39,8 @@ std::string change(const Mean& mean, const Mean& first) {
 Outcome Throughput::told(const std::vector<GraspModel>& models, const std::vector<std::vector<Measurement>>& results,
                          const std::string& version, const std::string& input, std::size_t excluded) const {
     Outcome outcome;
-    outcome.cases = {{"model", "spheres", "repeat", "steps", "wall_s", "cpu_s", "steps_per_s", "steps_per_cpu_s",
-                      "contacts_per_step", "gripped", "lifted", "mean_lift_m"},
+    outcome.cases = {{"model", "spheres", "repeat", "steps", "wall_seconds", "cpu_seconds", "steps_per_s",
+                      "steps_per_cpu_s", "contacts_per_step", "gripped", "lifted", "mean_lift_m"},
                      {}};
     Table table{{"model", "steps a second", "of the original's", "steps a CPU second", "of the original's",
                  "contacts a step", "gripped", "lifted"},

@@ -93,7 +93,8 @@ public:
         std::string chosen;
         const std::vector<SizedMesh> meshes = make_meshes(bench, chosen);
         Outcome outcome;
-        outcome.cases.columns = {"figure", "curve", "triangles_wanted", "triangles", "cpu_s", "repeats", "remark"};
+        outcome.cases.columns = {"figure",  "curve", "triangles_wanted", "triangles", "cpu_seconds",
+                                 "repeats", "remark"};
         outcome.sections.push_back({"", method_text(chosen, meshes), "", {}});
         for (const Group& group : groups) {
             std::vector<Curve> curves;

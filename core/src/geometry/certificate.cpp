@@ -17,11 +17,16 @@ constexpr double smallest_piece = 1e-9;
 /// The gap is found to this relative accuracy, from above.
 constexpr double gap_accuracy = 1e-3;
 
+/// Proofs of usual covers take some pieces a triangle. Where balls end along a whole edge or face of a needle any
+/// number would be asked for: what is open when so many were looked at counts as uncovered.
+constexpr std::size_t least_pieces = 1'000'000, pieces_a_triangle = 100;
+
 class Proof {
 public:
     Proof(const Solid& solid, std::span<const Sphere> spheres, int depth)
         : shrink_(std::ldexp(1.0, -depth)), most_halvings_(static_cast<std::uint32_t>(3 * depth)),
-          balls_(solid, spheres, most_halvings_), cuts_(balls_, most_halvings_) {}
+          balls_(solid, spheres, most_halvings_), cuts_(balls_, most_halvings_),
+          most_pieces_(least_pieces + pieces_a_triangle * balls_.piece_count()) {}
 
     geometry::CoverProof run() {
         certificate_.holds = true;
@@ -116,7 +121,8 @@ private:
         if (!certificate_.holds && upper <= std::max(certificate_.growth, proved_gap_)) {
             return;
         }
-        const bool small = geometry::size_of(item.piece) <= smallest_ || item.piece.level >= most_halvings_;
+        const bool small = geometry::size_of(item.piece) <= smallest_ || item.piece.level >= most_halvings_ ||
+                           certificate_.pieces >= most_pieces_;
         if (small || !(upper - lower > gap_accuracy * upper)) {
             fail(item.piece, corners.points[farthest]);
             certificate_.growth = std::max(certificate_.growth, std::max(upper, 0.0));
@@ -138,6 +144,7 @@ private:
     std::uint32_t most_halvings_;
     Balls balls_;
     geometry::CreaseCuts cuts_;
+    std::size_t most_pieces_;
     std::uint32_t last_ = 0; // ball that held a triangle
     double smallest_ = 0;
     double proved_gap_ = 0; // of a corner that no ball holds

@@ -14,7 +14,9 @@ void set_ratios(Measures& m) {
     m.missing = ratio(m.missing_volume, m.volume, 0);
     // What vol(S) is off by is in both volumes of the ratio. For excess, vol(U) / vol(S) - 1 + missing, that adds up.
     const auto error = [&](double of_volume, double factor) {
-        return ratio(std::sqrt(of_volume * of_volume + factor * m.volume_error * m.volume_error), m.volume, 0);
+        // Of a volume next to nothing the factor is infinite, and no number times an error of 0.
+        const double of_solid = m.volume_error > 0 ? factor * m.volume_error * m.volume_error : 0;
+        return ratio(std::sqrt(of_volume * of_volume + of_solid), m.volume, 0);
     };
     m.excess_error = error(m.excess_volume_error, m.volume > 0 ? m.excess * (m.excess + 2) : 0);
     m.missing_error = error(m.missing_volume_error, m.missing * m.missing);

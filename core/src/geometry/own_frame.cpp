@@ -16,6 +16,12 @@ Vec3 middle_of(const Box& box) {
     return box.low * 0.5 + box.high * 0.5;
 }
 
+/// Without overflow on the way.
+double length_of(const Vec3& v) {
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    return largest > 0 && std::isfinite(largest) ? norm(v / largest) * largest : largest;
+}
+
 template <class Convert> Mesh converted(Mesh mesh, const Convert& convert) {
     for (Vec3& vertex : mesh.vertices) {
         vertex = convert(vertex);
@@ -26,8 +32,7 @@ template <class Convert> Mesh converted(Mesh mesh, const Convert& convert) {
 } // namespace
 
 double size_of(const Box& box) {
-    const Vec3 size = box.size();
-    return std::hypot(size.x, size.y, size.z);
+    return length_of(box.size());
 }
 
 std::string why_bad_size(double size) {
@@ -49,7 +54,7 @@ std::string why_bad_size(double size) {
 }
 
 std::string why_bad_place(const Vec3& middle, double size) {
-    const double away = std::hypot(middle.x, middle.y, middle.z);
+    const double away = length_of(middle);
     if (!(away <= farthest_place * size)) {
         return fmt::format(
             "it is {:.3g} m from the origin of its frame, more than {:g} times its size of {:.3g} m: the "

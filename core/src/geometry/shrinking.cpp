@@ -32,11 +32,11 @@ public:
         }
         std::make_heap(queue_.begin(), queue_.end());
         while (!queue_.empty() && queue_.front().far > need_) {
+            asking.check();
             if (looks_ == 0) {
                 return std::max(need_, limit_);
             }
             --looks_;
-            asking.check();
             std::pop_heap(queue_.begin(), queue_.end());
             const Entry next = queue_.back();
             queue_.pop_back();

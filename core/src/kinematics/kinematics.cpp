@@ -2,6 +2,7 @@
 
 #include <foam/error.hpp>
 #include <foam/host/kinematics.hpp>
+#include <foam/text.hpp>
 
 #include <fmt/format.h>
 
@@ -25,7 +26,8 @@ const JointTags* find(const Tags& tags, const std::string& joint) {
 }
 
 [[noreturn]] void fail(const Robot& robot, const JointTags* tags, const std::string& what) {
-    throw Error(ErrorCode::input, tags ? fmt::format("{}:{}: {}", robot.file.string(), tags->line, what) : what);
+    throw Error(ErrorCode::input,
+                tags ? fmt::format("{}:{}: {}", robot.file.string(), tags->line, shown(what)) : shown(what));
 }
 
 Freedom freedom_of(const Joint& joint, const Robot& robot, const JointTags* tags) {
@@ -164,11 +166,11 @@ std::vector<double> Kinematics::configuration(const JointValues& values) const {
         if (joint == robot_->joints.end()) {
             throw Error(ErrorCode::usage, fmt::format("a value is given for joint '{}', but robot '{}' has no such "
                                                       "joint",
-                                                      name, robot_->name));
+                                                      shown(name), shown(robot_->name)));
         }
         if (std::none_of(freedoms_.begin(), freedoms_.end(),
                          [&, &name = name](const Freedom& freedom) { return freedom.joint == name; })) {
-            throw Error(ErrorCode::usage, fmt::format("a value is given for joint '{}', which {}", name,
+            throw Error(ErrorCode::usage, fmt::format("a value is given for joint '{}', which {}", shown(name),
                                                       moves(*joint) ? "follows another" : "does not move"));
         }
     }

@@ -34,7 +34,7 @@ void read_rows(const std::string& text, SphereFile& result) {
             continue;
         }
         const auto fail = [&](const std::string& why) {
-            throw Error(ErrorCode::input, fmt::format("{}:{}: {}", result.file.string(), line, why));
+            throw Error(ErrorCode::input, fmt::format("{}:{}: {}", result.file.string(), line, shown(why)));
         };
         if (fields.size() != 4 && fields.size() != 5) {
             fail(fmt::format("a row of {} fields; expected are x y z radius, or link x y z radius", fields.size()));

@@ -5,6 +5,7 @@
 #include "recipe/value.hpp"
 
 #include <foam/error.hpp>
+#include <foam/text.hpp>
 
 #include <fmt/format.h>
 
@@ -55,7 +56,7 @@ public:
 private:
     [[noreturn]] void fail(const Value& at, const std::string& why) const {
         throw Error(ErrorCode::input,
-                    fmt::format("{}:{}:{}: {}", result_.file.string(), at.where.line, at.where.column, why));
+                    fmt::format("{}:{}:{}: {}", result_.file.string(), at.where.line, at.where.column, shown(why)));
     }
     [[noreturn]] void unknown(const Value& at) const {
         fail(at, "no sphere model is known that looks like this; read are URDF, the JSON, CSV and PLY of foam, the "

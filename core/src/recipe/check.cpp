@@ -100,6 +100,8 @@ void check_plain_values(const Value& root, Recipe& recipe, Findings& findings) {
                 recipe.mesh_unit.unit = std::get<std::string>(*read);
             } else if (p.name == "scale") {
                 recipe.mesh_unit.scale = std::get<double>(*read);
+            } else if (p.name == "strict") {
+                recipe.strict = std::get<bool>(*read);
             } else {
                 words[p.name] = std::get<std::string>(*read);
             }
@@ -185,6 +187,7 @@ void check_self_collision(const Value& value, const Value& root, Recipe& recipe,
         refuse_unknown_keys(value, "self_collision", {"pose"}, findings);
         if (const Value* pose = value.find("pose")) {
             recipe.self_collision_pose = read_pose(*pose, findings);
+            recipe.self_collision_where = findings.locate(pose->where);
         }
     } else {
         findings.error(value.where, "wrong-type",

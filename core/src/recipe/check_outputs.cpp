@@ -192,6 +192,7 @@ void check_snapshots(const Value* snapshots, const Value& root, Recipe& recipe, 
         }
         if (const Value* pose = snapshots->find("pose")) {
             recipe.pose = read_pose(*pose, checking.findings);
+            recipe.pose_where = checking.findings.locate(pose->where);
         }
         if (const Value* renderer = snapshots->find("renderer")) {
             read_renderer(*renderer, recipe, checking);

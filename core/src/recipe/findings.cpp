@@ -1,5 +1,7 @@
 #include "findings.hpp"
 
+#include <foam/text.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -95,27 +97,20 @@ std::vector<Diagnostic> Findings::take() {
 
 std::string in_quotes(std::string_view text) {
     constexpr std::size_t most = 60;
-    std::string result = "'";
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto byte = static_cast<unsigned char>(text[i]);
-        const bool starts_character = (byte & 0xC0U) != 0x80U;
-        if (result.size() > most && starts_character) {
-            return result + "…'";
-        }
-        if (byte < 0x20 || byte == 0x7F) {
-            result += fmt::format("\\x{:02x}", byte);
-        } else {
-            result += text[i];
-        }
+    std::size_t end = std::min(most, text.size());
+    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) {
+        ++end; // within a character
     }
-    return result + "'";
+    return fmt::format("'{}{}'", shown(text.substr(0, end)), end < text.size() ? "…" : "");
 }
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
     if (const std::string near = word.size() < 200 ? nearest_word(word, known) : ""; !near.empty()) {
         return fmt::format("; did you mean {}?", in_quotes(near));
     }
-    return !known.empty() && known.size() <= 30 ? fmt::format("; known: {}", fmt::join(known, ", ")) : "";
+    std::vector<std::string> names;
+    std::transform(known.begin(), known.end(), std::back_inserter(names), shown);
+    return !known.empty() && known.size() <= 30 ? fmt::format("; known: {}", fmt::join(names, ", ")) : "";
 }
 
 } // namespace reading

@@ -24,6 +24,7 @@ std::vector<Parameter> top_level_values() {
                  "geometry, proved; fitted: neither is promised."),
         Parameter::choice("on_error", {"stop", "skip", "fallback"}, "stop")
             .doc("When a link fails: stop the run, leave the link out, or stand its bounding sphere in for it."),
+        Parameter::boolean("strict", false).doc("A glob in 'links' that names no link is an error, not a warning."),
     };
 }
 
@@ -43,8 +44,8 @@ std::vector<Parameter> budget_values() {
         Parameter::number("time_limit", 10)
             .at_least(0.001)
             .unit("s")
-            .doc("Time since the start after which no better spheres are looked for: the best so far are written, and "
-                 "the run may not give the same again. Absent: no limit."),
+            .doc("Time since the start in which the best spheres that are found are written; the run may not give the "
+                 "same again. Absent: no limit."),
     };
 }
 

@@ -81,6 +81,7 @@ public:
         line("on_error: {}", recipe_.on_error == OnError::stop   ? "stop"
                              : recipe_.on_error == OnError::skip ? "skip"
                                                                  : "fallback");
+        line("strict: {}", recipe_.strict);
         return std::move(text_);
     }
 

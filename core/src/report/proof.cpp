@@ -30,17 +30,6 @@ std::string output_names(const Report& report) {
     return names;
 }
 
-/// Links that have no spheres are not part of any proof.
-std::string not_part_of_it(const Report& report) {
-    std::string names;
-    for (const Json& link : report.manifest["links"]) {
-        if (!link.contains("measures")) {
-            names += fmt::format("{}<code>{}</code>", names.empty() ? "" : ", ", escaped(link["link"]));
-        }
-    }
-    return names.empty() ? "" : fmt::format("<p>No part of it: {}, left out of the model.</p>\n", names);
-}
-
 std::size_t count_of(const Json& proof, const char* key) {
     return proof[key].get<std::size_t>();
 }
@@ -110,7 +99,7 @@ std::string proof_section(const Report& report) {
                   "side: no point outside the spheres passes.</p>\n"
                 : "<p>How: a ball lies inside if its centre does and no triangle comes nearer to it than the radius. "
                   "Rounding is on the safe side: no ball that sticks out passes.</p>\n";
-    return section("proof", "Certificate", html + not_part_of_it(report) + took(report));
+    return section("proof", "Certificate", html + omissions(report) + took(report));
 }
 
 } // namespace foam::report

@@ -73,7 +73,7 @@ std::vector<std::pair<std::string, StageTime>> stage_times(const Json& execution
             }
             ++entry->second.calls;
             entry->second.cached += stage["cached"].get<bool>() ? 1 : 0;
-            entry->second.seconds += stage["seconds"].get<double>();
+            entry->second.seconds += stage["wall_seconds"].get<double>();
         }
     }
     return times;
@@ -171,8 +171,23 @@ std::string reproduce_section(const Report& report) {
     return section("reproduce", "Reproduce", html);
 }
 
-std::string execution_section(const Report& report) {
-    const Json& execution = report.manifest["execution"];
+/// Where the time of the run went: the rows add up to it.
+static std::string phase_table(const Json& execution) {
+    std::string rows;
+    const auto row = [&rows](const std::string& name, double wall, double cpu) {
+        rows += fmt::format("<tr><th scope=\"row\">{}</th>{}{}</tr>\n", name, cell(wall, number(wall, 3)),
+                            cell(cpu, number(cpu, 3)));
+    };
+    for (const Json& phase : execution["phases"]) {
+        row(escaped(phase["phase"]), phase["wall_seconds"].get<double>(), phase["cpu_seconds"].get<double>());
+    }
+    row("whole run", execution["wall_seconds"].get<double>(), execution["cpu_seconds"].get<double>());
+    return fmt::format("<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Time by phase\"><table>\n"
+                       "<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody></table></div>\n",
+                       heads({"phase", "seconds", "CPU seconds"}), rows);
+}
+
+static std::string stage_table(const Json& execution) {
     const auto times = stage_times(execution);
     std::vector<double> all;
     for (const auto& [stage, time] : times) {
@@ -186,16 +201,22 @@ std::string execution_section(const Report& report) {
                             cell(static_cast<double>(time.cached), fmt::format("{}", time.cached)),
                             cell(time.seconds, number(time.seconds, 3) + scale.svg(time.seconds)));
     }
+    return fmt::format("<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Time by stage\"><table "
+                       "class=\"sortable\">\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody></table></div>\n",
+                       heads({"stage", "calls", "from the cache", "seconds"}), rows);
+}
+
+std::string execution_section(const Report& report) {
+    const Json& execution = report.manifest["execution"];
     const auto seconds = [&](const char* key) { return number(execution[key].get<double>(), 2); };
     return section(
         "execution", "Time",
         execution_only(fmt::format("<p>{} s on {}, CPU {} s, before this report. Input: <code>{}</code></p>\n"
-                                   "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Time by "
-                                   "stage\"><table class=\"sortable\">\n"
-                                   "<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody></table></div>\n",
-                                   seconds("seconds"), counted(execution["threads"].get<std::size_t>(), "thread"),
-                                   seconds("cpu_seconds"), escaped(execution["input"]["file"]),
-                                   heads({"stage", "calls", "from the cache", "seconds"}), rows)));
+                                   "{}<p class=\"note\">Of the stages that work on links, all calls "
+                                   "together, several at once:</p>\n{}",
+                                   seconds("wall_seconds"), counted(execution["threads"].get<std::size_t>(), "thread"),
+                                   seconds("cpu_seconds"), escaped(execution["input"]["file"]), phase_table(execution),
+                                   stage_table(execution))));
 }
 
 } // namespace foam::report

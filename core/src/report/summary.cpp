@@ -65,10 +65,10 @@ std::string error_text(const Json& measures, const char* figure) {
 std::string header_section(const Report& report) {
     const Json& manifest = report.manifest;
     return fmt::format("<header>\n<h1>{}</h1>\n<p>{} · {} · made by foam {}</p>\n"
-                       "<p class=\"verdict {}\">{}</p>\n</header>\n",
+                       "<p class=\"verdict {}\">{}</p>\n{}</header>\n",
                        escaped(manifest["settings"]["name"]), markup_escaped(report.name),
                        escaped(manifest["input"]["file"]), escaped(manifest["foam_version"]), verdict_class(report),
-                       verdict(report));
+                       verdict(report), omissions(report));
 }
 
 std::string summary_section(const Report& report) {
@@ -83,7 +83,7 @@ std::string summary_section(const Report& report) {
                  fmt::format("{} % of the surface covered", number(100 * value_of(total["covered"]), 2)));
     html += tile("Protrusion", number(mm_per_m * value_of(total["protrusion_max_m"]), 1) + " mm",
                  fmt::format("mean {} mm", number(mm_per_m * value_of(total["protrusion_mean_m"]), 1)));
-    html += execution_only(tile("Time", number(execution["seconds"].get<double>(), 2) + " s",
+    html += execution_only(tile("Time", number(execution["wall_seconds"].get<double>(), 2) + " s",
                                 fmt::format("CPU {} s", number(execution["cpu_seconds"].get<double>(), 2))));
     return section("summary", "Summary",
                    html + "</dl>\n<p class=\"note\">Excess: volume that the spheres wrongly claim, over the volume of "

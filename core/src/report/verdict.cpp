@@ -1,5 +1,12 @@
 #include "verdict.hpp"
 
+#include "text.hpp"
+
+#include <foam/host/markup.hpp>
+#include <foam/host/proved_links.hpp>
+
+#include <fmt/format.h>
+
 namespace foam::report {
 
 std::string guarantee_of(const Report& report) {
@@ -10,21 +17,42 @@ bool certified(const Report& report) {
     return report.manifest["certified"].get<bool>();
 }
 
+/// As the manifest has it.
+static ProvedLinks proved_links(const Report& report) {
+    const Json& proof = report.manifest["proof"];
+    ProvedLinks links;
+    links.guarantee = guarantee_of(report) == "outer"   ? Guarantee::outer
+                      : guarantee_of(report) == "inner" ? Guarantee::inner
+                                                        : Guarantee::fitted;
+    links.with_collision = proof["links_with_collision"].get<std::size_t>();
+    links.proved = proof["links_proved"].get<std::size_t>();
+    proof["visual_only"].get_to(links.visual_only);
+    for (const Json& link : proof["left_out"]) {
+        links.left_out.push_back({link["link"].get<std::string>(), link["reason"].get<std::string>()});
+    }
+    return links;
+}
+
 std::string verdict(const Report& report) {
     const std::string guarantee = guarantee_of(report);
     if (guarantee == "fitted") {
         return "No guarantee was asked for: the figures say how well the spheres fit.";
     }
-    if (guarantee == "inner") {
-        return certified(report) ? "Proved: the spheres of every link lie inside its geometry."
-                                 : "Not proved for every link: spheres may stick out of the geometry.";
-    }
-    return certified(report) ? "Proved: the geometry of every link lies inside its spheres."
-                             : "Not proved for every link: geometry may stick out of the spheres.";
+    std::string text = verdict_of(proved_links(report));
+    text.erase(text.find_last_not_of('\n') + 1);
+    return markup_escaped(text);
+}
+
+std::string omissions(const Report& report) {
+    const std::string text = omissions_of(proved_links(report));
+    return text.empty() ? "" : fmt::format("<p class=\"note\">{}</p>\n", markup_escaped(text));
 }
 
 std::string verdict_class(const Report& report) {
-    return guarantee_of(report) == "fitted" ? "plain" : certified(report) ? "yes" : "no";
+    if (guarantee_of(report) == "fitted") {
+        return "plain";
+    }
+    return certified(report) ? "yes" : proved_links(report).proved > 0 ? "plain" : "no";
 }
 
 } // namespace foam::report

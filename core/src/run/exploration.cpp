@@ -211,6 +211,7 @@ public:
         Cut cut = Cut::none;
         do {
             cut = explore(workspace_, shapes_, wanted);
+            workspace_.journal.round(explored_share());
             wanted = rungs_over_limit();
             if (wanted.empty()) {
                 wanted = rungs_that_save();
@@ -220,6 +221,16 @@ public:
     }
 
 private:
+    /// Of the way: of the spheres that there are, those that the shapes were tried with.
+    double explored_share() const {
+        double explored = 0;
+        for (const std::size_t g : takers(shapes_, groups_)) {
+            const auto& asked = shapes_[groups_[g].shape].known.asked;
+            explored += asked.empty() ? 0 : static_cast<double>(asked.rbegin()->first);
+        }
+        return std::min(0.95, explored / static_cast<double>(goal_.most));
+    }
+
     double gain(std::size_t s) const { return weights_[s] * expected_gain(workspace_.recipe, shapes_[s]); }
 
     std::vector<std::size_t> rungs(std::size_t s) const {

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace foam {
 namespace fs = std::filesystem;
 namespace {
@@ -87,6 +89,14 @@ std::string read_mesh_file(const Workspace& workspace, const fs::path& file) {
     return limit ? read_file(file, static_cast<std::uintmax_t>(*limit),
                              fmt::format("simplify the mesh, or raise max_bytes of {}", loader->info.name))
                  : read_file(file);
+}
+
+bool input_resolves(const Recipe& recipe) {
+    const ResourceResolver resolver = resolver_of(recipe);
+    const auto& candidates = recipe.urdf.empty() ? recipe.mesh : recipe.urdf;
+    return std::any_of(candidates.begin(), candidates.end(), [&](const std::string& candidate) {
+        return resolver.resolve(candidate, recipe_folder(recipe)).found();
+    });
 }
 
 ResolvedResource resolve_input(const Recipe& recipe, std::string* chosen) {

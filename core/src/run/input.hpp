@@ -25,5 +25,7 @@ std::string read_mesh_file(const Workspace& workspace, const std::filesystem::pa
 /// Takes the first candidate that resolves. Throws Error(input) naming every place tried, or what is wrong with the
 /// file.
 Input load_input(const Workspace& workspace);
+/// Whether there is such a candidate.
+bool input_resolves(const Recipe& recipe);
 
 } // namespace foam

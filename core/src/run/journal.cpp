@@ -1,6 +1,7 @@
 #include "journal.hpp"
 
 #include <nlohmann/json.hpp>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <tuple>
@@ -42,6 +43,20 @@ const char* to_string(Severity severity) {
     return "";
 }
 
+/// CPU time of this process and of the children of isolated stages, s.
+double cpu_of_process() {
+    const auto seconds = [](const timeval& t) {
+        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
+    double sum = 0;
+    for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+        rusage usage{};
+        getrusage(who, &usage);
+        sum += seconds(usage.ru_utime) + seconds(usage.ru_stime);
+    }
+    return sum;
+}
+
 std::string json_line(const Event& event) {
     nlohmann::ordered_json line;
     line["event"] = to_string(event.kind);
@@ -67,18 +82,94 @@ std::string json_line(const Event& event) {
 
 Observer::~Observer() = default;
 
-Journal::Journal(Observer* observer) : observer_(observer) {}
+Journal::Journal(Observer* observer) : observer_(observer), cpu_start_(cpu_of_process()) {}
 
 double Journal::seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
+double Journal::cpu_seconds() const {
+    return cpu_of_process() - cpu_start_;
+}
+
+void Journal::plan(std::vector<PhaseWeight> phases) {
+    const std::lock_guard lock(mutex_);
+    plan_ = std::move(phases);
+    phase_ = plan_.size();
+}
+
+void Journal::end_phase() {
+    if (!current_.phase.empty()) {
+        phases_.push_back({current_.phase, seconds() - current_.seconds, cpu_seconds() - current_.cpu_seconds});
+    }
+}
+
+void Journal::begin(const std::string& phase) {
+    const std::lock_guard lock(mutex_);
+    end_phase();
+    current_ = {phase, seconds(), cpu_seconds()};
+    const auto planned =
+        std::find_if(plan_.begin(), plan_.end(), [&](const PhaseWeight& other) { return other.phase == phase; });
+    phase_ = static_cast<std::size_t>(planned - plan_.begin());
+    expected_ = done_ = 0;
+    rounds_ = 0;
+}
+
+Journal::Times Journal::times() const {
+    const std::lock_guard lock(mutex_);
+    Times times{phases_, seconds(), cpu_seconds()};
+    RunPhase other{"other", times.seconds, times.cpu_seconds};
+    if (!current_.phase.empty()) {
+        times.phases.push_back(
+            {current_.phase, times.seconds - current_.seconds, times.cpu_seconds - current_.cpu_seconds});
+    }
+    for (const RunPhase& phase : times.phases) {
+        other.seconds -= phase.seconds;
+        other.cpu_seconds -= phase.cpu_seconds;
+    }
+    times.phases.push_back(std::move(other));
+    return times;
+}
+
+/// Of the phase: its tasks, or a part of what rounds before have left.
+double Journal::phase_share(double running) const {
+    if (expected_ == 0 || phase_ >= plan_.size()) {
+        return rounds_;
+    }
+    const double tasks = std::min(1.0, (static_cast<double>(done_) + running) / static_cast<double>(expected_));
+    constexpr double part_of_a_round = 0.2;
+    return plan_[phase_].countable ? tasks : rounds_ + part_of_a_round * (1 - rounds_) * tasks;
+}
+
 double Journal::done_share(double running) {
-    if (expected_ > 0) {
-        shown_ =
-            std::max(shown_, std::min(1.0, (static_cast<double>(done_) + running) / static_cast<double>(expected_)));
+    double before = 0, all = 0;
+    for (std::size_t i = 0; i < plan_.size(); ++i) {
+        before += i < phase_ ? plan_[i].weight : 0;
+        all += plan_[i].weight;
+    }
+    if (phase_ < plan_.size()) {
+        constexpr double most = 0.99; // what comes after the last phase is the end
+        shown_ = std::max(shown_, std::min(most, (before + plan_[phase_].weight * phase_share(running)) / all));
     }
     return shown_;
+}
+
+std::optional<double> Journal::seconds_left(double running) const {
+    if (phase_ >= plan_.size() || !plan_[phase_].countable) {
+        return std::nullopt;
+    }
+    const double share = phase_share(running), passed = seconds() - current_.seconds;
+    if (share < 0.05 || passed < 0.5) {
+        return std::nullopt;
+    }
+    double later = 0;
+    for (std::size_t i = phase_ + 1; i < plan_.size(); ++i) {
+        later += plan_[i].weight;
+    }
+    if (later > plan_[phase_].weight) { // what the phases to come take says nothing of theirs
+        return std::nullopt;
+    }
+    return passed / share * (1 - share + later / plan_[phase_].weight);
 }
 
 void Journal::deliver(Event event) {
@@ -96,6 +187,12 @@ void Journal::expect(std::size_t tasks) {
     expected_ += tasks;
 }
 
+void Journal::round(double share) {
+    const std::lock_guard lock(mutex_);
+    rounds_ = std::max(share, phase_share(0));
+    expected_ = done_ = 0;
+}
+
 void Journal::started(const std::string& link, const std::string& stage) {
     const std::lock_guard lock(mutex_);
     Event event;
@@ -103,6 +200,7 @@ void Journal::started(const std::string& link, const std::string& stage) {
     event.link = link;
     event.stage = stage;
     event.done = done_share(0);
+    event.seconds_left = seconds_left(0);
     deliver(std::move(event));
 }
 
@@ -116,6 +214,7 @@ void Journal::finished(const std::string& link, const StageReport& report) {
     event.duration = report.seconds;
     event.cached = report.cached;
     event.done = done_share(0);
+    event.seconds_left = seconds_left(0);
     deliver(std::move(event));
 }
 
@@ -125,6 +224,7 @@ void Journal::progress(const std::string& link, const std::string& stage, double
     event.link = link;
     event.stage = stage;
     event.done = done_share(std::clamp(fraction, 0.0, 1.0));
+    event.seconds_left = seconds_left(std::clamp(fraction, 0.0, 1.0));
     deliver(std::move(event));
 }
 

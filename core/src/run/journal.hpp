@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,13 +20,26 @@ struct StageLog {
     std::vector<StageReport::Metric> metrics;
 };
 
+struct PhaseWeight {
+    std::string phase;
+    double weight = 0;     ///< of its usual time among those of the others
+    bool countable = true; ///< the number of its tasks is known when it begins
+};
+
 /// Thread-safe.
 class Journal {
 public:
     explicit Journal(Observer* observer);
 
-    /// The number of tasks of the run, for the share that is done. May grow.
+    /// The phases of the run in their order, each with its usual share of the work. They end, for who watches, before
+    /// the run does.
+    void plan(std::vector<PhaseWeight> phases);
+    /// Ends the phase before and begins this one.
+    void begin(const std::string& phase);
+    /// The number of tasks of the phase, for the share that is done. May grow.
     void expect(std::size_t tasks);
+    /// A phase without a known end has done a round of its tasks; `share`: of the phase, as far as can be said.
+    void round(double share);
     void started(const std::string& link, const std::string& stage);
     void finished(const std::string& link, const StageReport& report);
     void progress(const std::string& link, const std::string& stage, double fraction);
@@ -35,6 +49,15 @@ public:
     void emit(Event::Kind kind, const std::string& message = {});
 
     double seconds() const;
+    /// CPU time since the start, s, with that of children that have ended.
+    double cpu_seconds() const;
+    /// What each phase took until now, and as "other" what none of them did: they add up to seconds() and
+    /// cpu_seconds(), which are returned with them.
+    struct Times {
+        std::vector<RunPhase> phases;
+        double seconds = 0, cpu_seconds = 0;
+    };
+    Times times() const;
     /// In an order that does not depend on threads: by link, stage and text.
     std::vector<Finding> findings() const;
     /// One JSON object a line, in the order of time.
@@ -42,13 +65,22 @@ public:
 
 private:
     void deliver(Event event);
+    void end_phase();
+    double phase_share(double running) const;
     double done_share(double running);
+    std::optional<double> seconds_left(double running) const;
 
     Observer* observer_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    double cpu_start_;
     mutable std::mutex mutex_;
+    std::vector<PhaseWeight> plan_;
+    std::size_t phase_ = 0; ///< index in the plan; its size before the first
+    RunPhase current_;      ///< its times: when it began
+    std::vector<RunPhase> phases_;
     std::size_t expected_ = 0, done_ = 0;
-    double shown_ = 0; ///< the share never goes back when more tasks turn up
+    double rounds_ = 0; ///< share of the phase that former rounds have done
+    double shown_ = 0;  ///< the share never goes back when more tasks turn up
     std::vector<Finding> findings_;
     std::string events_;
 };

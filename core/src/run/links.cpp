@@ -2,6 +2,8 @@
 
 #include "clip.hpp"
 #include "cover.hpp"
+#include "objective.hpp"
+#include "own_frame.hpp"
 
 #include <foam/inner.hpp>
 #include <foam/measure.hpp>
@@ -78,9 +80,12 @@ template <class Body> bool done_in_time(const Workspace& workspace, Body body) {
     }
 }
 
-/// The vertices of a link that was loaded, in its frame; empty if it was not.
+/// The vertices of a link that was loaded, in its frame; empty if it was not, or was refused.
 std::vector<Vec3> vertices_of(const LinkWork& link) {
     std::vector<Vec3> points;
+    if (!is_workable(link)) {
+        return points;
+    }
     for (const Element& element : link.elements) {
         const Primitive* primitive = element.primitive();
         if (!primitive && !element.raw) {
@@ -94,6 +99,100 @@ std::vector<Vec3> vertices_of(const LinkWork& link) {
     return points;
 }
 
+/// Whether a sphere around a link may be written where the spherizer's would claim more: not where they aim at
+/// something else than little excess, nor where they keep off planes.
+bool one_may_stand_in(const Workspace& workspace, const LinkWork& link) {
+    return link.recipe.clip.empty() && objective_of(link.recipe.spherizer, workspace.registry) == Objective::excess;
+}
+
+/// Proofs allow for rounding, in proportion to the distances in the frame: in the link's own that may be more than in
+/// those of its elements.
+void require_proof(const Workspace& workspace, const LinkWork& link) {
+    if (workspace.recipe.guarantee != Guarantee::fitted && !link.report.measures.certified) {
+        throw Error(
+            ErrorCode::geometry,
+            fmt::format("link '{}': its collision elements are too small for the distance between them: what is "
+                        "proved of each in a frame of its own does not hold in the link's; remedy: per: link",
+                        link.link->name));
+    }
+}
+
+/// Groups of spheres on their way into the model: they are made to cover, then measured.
+class Finishing {
+public:
+    Finishing(const Workspace& workspace, const std::vector<LinkWork>& links, std::vector<Group>& groups,
+              std::vector<SphereGroup>& out)
+        : growth(groups.size()), reports(groups.size()), workspace_(workspace), links_(links), groups_(groups),
+          out_(out) {
+        out.resize(groups.size());
+    }
+
+    void cover(std::size_t g) {
+        Group& group = groups_[g];
+        const LinkWork& link = links_[group.link];
+        out_[g].link = link.link->name;
+        for (const std::size_t e : group.elements) {
+            out_[g].geometries.push_back(link.elements[e].geometry);
+        }
+        if (!group.solid) {
+            group.solid = solid_of(link, group.elements);
+        }
+        reports[g][0].input = reports[g][1].input = out_[g].geometries.front();
+        if (!done_in_time(workspace_, [&] { cover_by(g, group.tree, workspace_.in(Phase::covering)); })) {
+            cover_by_one(g);
+        }
+    }
+
+    void measure(std::size_t g) {
+        if (!done_in_time(workspace_, [&] { measure(g, workspace_.in(Phase::covering)); })) {
+            cover_by_one(g);
+            measure(g, workspace_);
+        }
+        reports[g][0].output = digest_of_content(out_[g].tree);
+        reports[g][1].output = digest_of_content(out_[g].measures);
+    }
+
+    std::vector<double> growth;                      ///< m
+    std::vector<std::array<StageReport, 2>> reports; ///< of cover and measure
+
+private:
+    void cover_by(std::size_t g, const SphereTree& tree, const Workspace& in_time) {
+        SphereGroup& out = out_[g];
+        const bool one_may_do = one_may_stand_in(workspace_, links_[groups_[g].link]);
+        FinishedTree finished =
+            run_stage(in_time, "cover", out.link, out.geometries.front(), "", reports[g][0], [&](Context&) {
+                return finished_tree(*groups_[g].solid, tree, workspace_.recipe.guarantee, one_may_do);
+            });
+        if (finished.one_instead) {
+            workspace_.journal.finding({Severity::warning, out.link, "cover",
+                                        "one sphere around the geometry is written: those of the spherizer would claim "
+                                        "more; remedy: more spheres, or another spherizer"});
+        }
+        out.tree = std::move(finished.tree);
+        growth[g] = finished.growth;
+    }
+
+    void cover_by_one(std::size_t g) {
+        workspace_.journal.finding(
+            {Severity::warning, out_[g].link, "",
+             fmt::format("there is no time before the limit of {} s is over to make its {} spheres cover and to "
+                         "measure them: one enclosing sphere stands in",
+                         *workspace_.time_limit(), groups_[g].tree.finest().size())});
+        cover_by(g, flat_tree({minimum_enclosing_sphere(groups_[g].solid->surface().vertices)}), workspace_);
+    }
+
+    void measure(std::size_t g, const Workspace& in_time) {
+        SphereGroup& out = out_[g];
+        out.measures = run_stage(in_time, "measure", out.link, out.geometries.front(), "", reports[g][1],
+                                 [&](Context&) { return measured(workspace_, *groups_[g].solid, out.tree.finest()); });
+    }
+
+    const Workspace& workspace_;
+    const std::vector<LinkWork>& links_;
+    std::vector<Group>& groups_;
+    std::vector<SphereGroup>& out_;
+};
+
 } // namespace
 
 std::shared_ptr<const Solid> solid_of(const LinkWork& link) {
@@ -106,43 +205,13 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
     result.model.name = workspace.recipe.name;
     result.model.guarantee = workspace.recipe.guarantee;
     result.model.robot = std::move(robot);
-    result.model.groups.resize(groups.size());
-    std::vector<double> growth(groups.size());
-    std::vector<std::array<StageReport, 2>> reports(groups.size());
-    workspace.journal.expect(2 * groups.size());
-    parallel_for(groups.size(), [&](std::size_t g) {
-        LinkWork& link = links[groups[g].link];
-        auto& [covering, measuring] = reports[g];
-        SphereGroup& out = result.model.groups[g];
-        out.link = link.link->name;
-        for (const std::size_t e : groups[g].elements) {
-            out.geometries.push_back(link.elements[e].geometry);
-        }
-        if (!groups[g].solid) {
-            groups[g].solid = solid_of(link, groups[g].elements);
-        }
-        const Solid& solid = *groups[g].solid;
-        covering.input = measuring.input = out.geometries.front();
-        const auto finish = [&](const Workspace& in_time, const SphereTree& tree) {
-            FinishedTree finished =
-                run_stage(in_time, "cover", out.link, out.geometries.front(), "", covering,
-                          [&](Context&) { return finished_tree(solid, tree, workspace.recipe.guarantee); });
-            out.tree = std::move(finished.tree);
-            growth[g] = finished.growth;
-            out.measures = run_stage(in_time, "measure", out.link, out.geometries.front(), "", measuring,
-                                     [&](Context&) { return measured(workspace, solid, out.tree.finest()); });
-        };
-        if (!done_in_time(workspace, [&] { finish(workspace.in(Phase::covering), groups[g].tree); })) {
-            workspace.journal.finding(
-                {Severity::warning, out.link, "",
-                 fmt::format("there is no time before the limit of {} s is over to make its {} spheres cover and to "
-                             "measure them: one enclosing sphere stands in",
-                             *workspace.time_limit(), groups[g].tree.finest().size())});
-            finish(workspace, flat_tree({minimum_enclosing_sphere(solid.surface().vertices)}));
-        }
-        covering.output = digest_of_content(out.tree);
-        measuring.output = digest_of_content(out.measures);
-    });
+    Finishing finishing(workspace, links, groups, result.model.groups);
+    workspace.journal.begin("growth");
+    workspace.journal.expect(groups.size());
+    parallel_for(groups.size(), [&](std::size_t g) { finishing.cover(g); });
+    workspace.journal.begin("measures");
+    workspace.journal.expect(groups.size());
+    parallel_for(groups.size(), [&](std::size_t g) { finishing.measure(g); });
     for (std::size_t l = 0; l < links.size(); ++l) {
         FinishedLink link;
         link.work = &links[l];
@@ -151,9 +220,10 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
             if (groups[g].link == l) {
                 const auto& spheres = result.model.groups[g].tree.finest();
                 link.spheres.insert(link.spheres.end(), spheres.begin(), spheres.end());
-                links[l].report.growth = std::max(links[l].report.growth, growth[g]);
+                links[l].report.growth = std::max(links[l].report.growth, finishing.growth[g]);
                 links[l].report.measures = result.model.groups[g].measures;
-                links[l].report.stages.insert(links[l].report.stages.end(), reports[g].begin(), reports[g].end());
+                links[l].report.stages.insert(links[l].report.stages.end(), finishing.reports[g].begin(),
+                                              finishing.reports[g].end());
                 link.solid = groups[g].solid;
                 ++parts;
             }
@@ -162,6 +232,7 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
             if (parts > 1) {
                 link.solid = solid_of(links[l]);
                 links[l].report.measures = measured(workspace, *link.solid, link.spheres);
+                require_proof(workspace, links[l]);
             }
             report_planes(workspace, links[l], link.spheres);
             result.links.push_back(std::move(link));

@@ -4,6 +4,7 @@
 #include "settings.hpp"
 
 #include <foam/host/version.hpp>
+#include <foam/measure_names.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -22,19 +23,8 @@ const char* text(Severity severity) {
                                            : "debug";
 }
 
-Json to_json(const Measures& m) {
-    return {{"spheres", m.spheres},
-            {"certified", m.certified},
-            {"gap_m", m.gap},
-            {"covered", m.covered},
-            {"excess", m.excess},
-            {"excess_standard_error", m.excess_error},
-            {"missing", m.missing},
-            {"missing_standard_error", m.missing_error},
-            {"protrusion_max_m", m.protrusion_max},
-            {"protrusion_mean_m", m.protrusion_mean},
-            {"volume_m3", m.volume},
-            {"area_m2", m.area}};
+Json to_json(const Measures& measures) {
+    return json_of_measures<Json>(measures);
 }
 
 Json to_json(const PlaneReach& reach) {
@@ -76,6 +66,10 @@ Json to_json(const WrittenProof& proof) {
             {"triangles", proof.triangles},
             {"pieces", proof.pieces},
             {"halvings", proof.halvings}};
+}
+
+Json to_json(const RunPhase& phase) {
+    return {{"phase", phase.phase}, {"wall_seconds", phase.seconds}, {"cpu_seconds", phase.cpu_seconds}};
 }
 
 template <class T> Json to_json(const std::vector<T>& list);
@@ -167,7 +161,7 @@ Json timings_of(const LinkReport& link) {
         }
         Json entry{{"stage", stage.stage},
                    {"input", stage.input},
-                   {"seconds", stage.seconds},
+                   {"wall_seconds", stage.seconds},
                    {"cached", stage.cached},
                    {"metrics", metrics}};
         if (stage.change) {
@@ -199,8 +193,9 @@ Json execution_of(const Workspace& workspace, const RunFiles& files, const RunRe
                      {"file", files.input.file.string()}}},
                    {"mesh_files", Json::array()},
                    {"threads", thread_count()},
-                   {"seconds", result.seconds},
+                   {"wall_seconds", result.seconds},
                    {"cpu_seconds", result.cpu_seconds},
+                   {"phases", to_json(result.phases)},
                    {"links", Json::array()},
                    {"findings", Json::array()}};
     for (const InputFile& mesh : files.meshes) {
@@ -236,6 +231,7 @@ std::string manifest_json(const Workspace& workspace, const RunFiles& files, con
                   {"mesh_files", to_json(files.meshes)},
                   {"links", to_json(result.links)},
                   {"certified", result.certified},
+                  {"proof", json_of_proof<Json>(result.proved)},
                   {"total", to_json(result.total)},
                   {"outputs", to_json(files.outputs)},
                   {"debug_meshes", to_json(files.debug_meshes)},

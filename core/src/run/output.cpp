@@ -4,29 +4,40 @@ namespace foam {
 
 std::vector<OutputFile> write_outputs(const Workspace& workspace, const FinishedModel& finished,
                                       const RunDirectory& directory) {
-    std::vector<OutputFile> files(workspace.recipe.outputs.size());
-    workspace.journal.expect(files.size());
-    parallel_for(files.size(), [&](std::size_t i) {
-        const OutputCall& output = workspace.recipe.outputs[i];
+    const std::vector<OutputCall>& outputs = workspace.recipe.outputs;
+    std::vector<std::string> texts(outputs.size());
+    std::vector<std::unique_ptr<Writer>> writers(outputs.size());
+    const auto as_task = [&](std::size_t i, const auto& body) {
         StageReport report;
+        return run_stage(workspace, outputs[i].writer.stage, "", outputs[i].file, outputs[i].file, report, body);
+    };
+    workspace.journal.begin("writing");
+    workspace.journal.expect(outputs.size());
+    std::vector<OutputFile> files(outputs.size());
+    parallel_for(outputs.size(), [&](std::size_t i) {
+        texts[i] = as_task(i, [&](Context& context) {
+            writers[i] = workspace.registry.make<Writer>(outputs[i].writer.stage, outputs[i].writer.given);
+            SphereModel model = finished.model;
+            model.folder = (directory.target() / outputs[i].file).parent_path();
+            std::string text = writers[i]->write(model, context);
+            QuietContext quiet;
+            const std::string portable = writers[i]->write(finished.model, quiet);
+            files[i].portable_digest = portable == text ? "" : digest_of(portable);
+            return text;
+        });
+    });
+    workspace.journal.begin("proof");
+    workspace.journal.expect(outputs.size());
+    parallel_for(outputs.size(), [&](std::size_t i) {
         OutputFile& file = files[i];
-        const std::string bytes =
-            run_stage(workspace, output.writer.stage, "", output.file, output.file, report, [&](Context& context) {
-                const auto writer = workspace.registry.make<Writer>(output.writer.stage, output.writer.given);
-                SphereModel model = finished.model;
-                model.folder = (directory.target() / output.file).parent_path();
-                std::string text = writer->write(model, context);
-                file.proofs = prove_written(writer->read(text), finished, workspace.recipe.guarantee, output.file);
-                QuietContext quiet;
-                const std::string portable = writer->write(finished.model, quiet);
-                file.portable_digest = portable == text ? "" : digest_of(portable);
-                return text;
-            });
-        directory.write(output.file, bytes);
-        file.stage = output.writer.stage;
-        file.file = output.file;
-        file.digest = digest_of(bytes);
-        file.bytes = bytes.size();
+        file.proofs = as_task(i, [&](Context&) {
+            return prove_written(writers[i]->read(texts[i]), finished, workspace.recipe.guarantee, outputs[i].file);
+        });
+        directory.write(outputs[i].file, texts[i]);
+        file.stage = outputs[i].writer.stage;
+        file.file = outputs[i].file;
+        file.digest = digest_of(texts[i]);
+        file.bytes = texts[i].size();
     });
     return files;
 }

@@ -37,6 +37,29 @@ std::string why_not_workable(const Element& element, const Pose& origin, Box& in
     return geometry::why_bad_place(origin * (box.low * 0.5 + box.high * 0.5), geometry::size_of(box));
 }
 
+struct Complaint {
+    const Element* element = nullptr; ///< null: all of them together
+    std::string why;                  ///< empty: none
+};
+
+Complaint complaint_of(const LinkWork& link) {
+    Box whole;
+    for (const Element& element : link.elements) {
+        if (!element.raw && !element.primitive()) {
+            return {}; // could not be loaded
+        }
+        if (std::string why = why_not_workable(element, element.source->origin, whole); !why.empty()) {
+            return {&element, std::move(why)};
+        }
+    }
+    const double size = geometry::size_of(whole);
+    return {nullptr, size > geometry::largest_size
+                         ? fmt::format("its collision elements are spread over {:.3g} m, more than the {:g} m up to "
+                                       "which spheres can be proved to cover them; remedy: check their origins",
+                                       size, geometry::largest_size)
+                         : ""};
+}
+
 /// Of a parameter that is a length; 0 where it has none.
 double length_of(const Parameter& declared, const Parameters& values) {
     return declared.type == Parameter::Type::number && declared.unit_text == metre ? values.number(declared.name) : 0;
@@ -62,23 +85,14 @@ Box posed(const Box& box, const Pose& pose) {
 }
 
 void require_workable(const Robot& robot, const LinkWork& link) {
-    Box whole;
-    for (const Element& element : link.elements) {
-        if (!element.raw && !element.primitive()) {
-            return; // could not be loaded
-        }
-        if (const std::string why = why_not_workable(element, element.source->origin, whole); !why.empty()) {
-            throw Error(ErrorCode::input,
-                        fmt::format("link '{}': {}: {}", link.link->name, name_of(robot, element), why));
-        }
+    if (const Complaint complaint = complaint_of(link); !complaint.why.empty()) {
+        const std::string where = complaint.element ? name_of(robot, *complaint.element) + ": " : "";
+        throw Error(ErrorCode::input, fmt::format("link '{}': {}{}", link.link->name, where, complaint.why));
     }
-    if (const double size = geometry::size_of(whole); size > geometry::largest_size) {
-        throw Error(
-            ErrorCode::input,
-            fmt::format("link '{}': its collision elements are spread over {:.3g} m, more than the {:g} m up to "
-                        "which spheres can be proved to cover them; remedy: check their origins",
-                        link.link->name, size, geometry::largest_size));
-    }
+}
+
+bool is_workable(const LinkWork& link) {
+    return complaint_of(link).why.empty();
 }
 
 geometry::OwnFrame frame_for_stage(geometry::OwnFrame frame, const StageCall& call, const Registry& registry) {

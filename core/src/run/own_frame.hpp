@@ -18,6 +18,8 @@ Box posed(const Box& box, const Pose& pose);
 /// Throws Error(input) naming link, geometry, number and remedy where the geometry of a link that was loaded is larger,
 /// smaller or farther away than can be worked on.
 void require_workable(const Robot& robot, const LinkWork& link);
+/// Whether that is so, of a link of which all could be loaded.
+bool is_workable(const LinkWork& link);
 
 /// The frame, or one nearer to the given frame's scale if the stage's parameters in m would leave their bounds.
 geometry::OwnFrame frame_for_stage(geometry::OwnFrame frame, const StageCall& call, const Registry& registry);

@@ -2,6 +2,7 @@
 
 #include "budget.hpp"
 #include "input.hpp"
+#include "names.hpp"
 #include "trees.hpp"
 
 #include <algorithm>
@@ -112,7 +113,10 @@ Plan plan(const Recipe& recipe, const Registry& registry, const RunOptions& opti
     const Workspace workspace{recipe, registry, options, journal, cache};
     const Input input = load_input(workspace);
 
+    std::vector<Diagnostic> unknown = unknown_names(recipe, *input.robot);
+    require_names(unknown);
     Plan result;
+    result.warnings = std::move(unknown);
     result.input = input.chosen;
     result.input_file = {input.file, input.digest};
     const auto& candidates = recipe.urdf.empty() ? recipe.mesh : recipe.urdf;
@@ -133,6 +137,21 @@ Plan plan(const Recipe& recipe, const Registry& registry, const RunOptions& opti
         result.renderer = planned(recipe.renderer, registry);
     }
     return result;
+}
+
+std::vector<Diagnostic> unknown_names(const Recipe& recipe, const Registry& registry) {
+    if (recipe.links.empty() && recipe.self_collision_pose.empty() && recipe.pose.empty()) {
+        return {};
+    }
+    const auto& candidates = recipe.urdf.empty() ? recipe.mesh : recipe.urdf;
+    if (candidates.empty() || !input_resolves(recipe)) {
+        return {};
+    }
+    const RunOptions options;
+    Journal journal(nullptr);
+    const Cache cache({});
+    const Workspace workspace{recipe, registry, options, journal, cache};
+    return unknown_names(recipe, *load_input(workspace).robot);
 }
 
 } // namespace foam

@@ -175,6 +175,9 @@ std::vector<FilterTask> filter_tasks(const Workspace& workspace, std::vector<Lin
     std::map<Digest, std::size_t> known;
     std::vector<FilterTask> tasks;
     for (std::size_t l = 0; l < links.size(); ++l) {
+        if (links[l].error) {
+            continue; // no stage gets what was refused
+        }
         for (std::size_t e = 0; e < links[l].elements.size(); ++e) {
             Element& element = links[l].elements[e];
             if (!element.raw) {

@@ -5,12 +5,12 @@
 #include "input.hpp"
 #include "input_size.hpp"
 #include "manifest.hpp"
+#include "names.hpp"
 #include "report.hpp"
 #include "separation.hpp"
 #include "watchdog.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 #include <tbb/global_control.h>
 
 #include <optional>
@@ -18,30 +18,43 @@
 namespace foam {
 namespace {
 
-/// Of this process and the children of isolated stages.
-double cpu_seconds() {
-    const auto seconds = [](const timeval& t) {
-        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-    };
-    double sum = 0;
-    for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
-        rusage usage{};
-        getrusage(who, &usage);
-        sum += seconds(usage.ru_utime) + seconds(usage.ru_stime);
-    }
-    return sum;
-}
-
-bool all_certified(const FinishedModel& finished) {
-    for (const FinishedLink& link : finished.links) {
-        if (!link.work->report.measures.certified) {
-            return false;
+/// What the guarantee is proved of. A link without spheres is left out of the proof.
+ProvedLinks proved_links(const Workspace& workspace, const Robot& robot, const std::vector<LinkWork>& links) {
+    ProvedLinks proved;
+    proved.guarantee = workspace.recipe.guarantee;
+    proved.with_collision = links.size();
+    proved.visual_only = visual_only_links(robot);
+    for (const LinkWork& link : links) {
+        const LinkReport& report = link.report;
+        if (report.skipped || !report.error.empty()) {
+            proved.left_out.push_back({report.link, report.skipped ? "skip in the recipe" : "on_error: skip"});
+        } else if (report.measures.certified) {
+            ++proved.proved;
+        } else if (proved.guarantee != Guarantee::fitted) {
+            proved.left_out.push_back({report.link, "the proof does not hold"});
         }
     }
-    return !finished.links.empty();
+    return proved;
 }
 
-void fill_result(RunResult& result, const Journal& journal, const std::vector<LinkWork>& links, double cpu_begin) {
+/// The phases of a run, with the shares of time that they were seen to take.
+std::vector<PhaseWeight> phases_of(const Recipe& recipe, bool written) {
+    std::vector<PhaseWeight> phases{
+        {"reading", 1}, {"filters", 10}, {"spheres", 60, false}, {"growth", 6}, {"measures", 10}};
+    if (written) {
+        phases.insert(phases.end(), {{"writing", 1}, {"proof", 3}});
+        if (recipe.debug_meshes) {
+            phases.push_back({"debug meshes", 2});
+        }
+        if (recipe.snapshots || recipe.debug_snapshots) {
+            phases.push_back({"pictures", recipe.debug_snapshots ? 60.0 : 30.0});
+        }
+        phases.push_back({"record", 2});
+    }
+    return phases;
+}
+
+void fill_result(RunResult& result, const Journal& journal, const std::vector<LinkWork>& links) {
     std::vector<Measures> measures;
     for (const LinkWork& link : links) {
         result.links.push_back(link.report);
@@ -51,8 +64,29 @@ void fill_result(RunResult& result, const Journal& journal, const std::vector<Li
     }
     result.total = total(measures);
     result.findings = journal.findings();
-    result.seconds = journal.seconds();
-    result.cpu_seconds = cpu_seconds() - cpu_begin;
+    Journal::Times times = journal.times();
+    result.seconds = times.seconds;
+    result.cpu_seconds = times.cpu_seconds;
+    result.phases = std::move(times.phases);
+}
+
+/// Says which names of the recipe the robot does not have. Throws Error(recipe) if one of them is an error.
+void check_names(const Workspace& workspace, const Input& input) {
+    const std::vector<Diagnostic> findings = unknown_names(workspace.recipe, *input.robot);
+    require_names(findings);
+    for (const Diagnostic& finding : findings) {
+        workspace.journal.finding(
+            {Severity::warning, "", "", fmt::format("{}: {}", finding.where.text(), finding.message)});
+    }
+}
+
+/// All files of the robot or mesh.
+std::vector<std::filesystem::path> files_read(const RunFiles& files) {
+    std::vector<std::filesystem::path> read{files.input.file};
+    for (const InputFile& mesh : files.meshes) {
+        read.push_back(mesh.file);
+    }
+    return read;
 }
 
 /// The model in the formats that the recipe asks for, and pictures of it.
@@ -60,12 +94,16 @@ Snapshots write_model(const Workspace& workspace, const FinishedModel& finished,
                       RunFiles& files, RunResult& result) {
     files.outputs = write_outputs(workspace, finished, directory);
     const Workspace decorating = workspace.in(Phase::decorating);
-    files.debug_meshes = write_debug_meshes(decorating, finished, directory);
+    if (workspace.recipe.debug_meshes) {
+        workspace.journal.begin("debug meshes");
+        files.debug_meshes = write_debug_meshes(decorating, finished, directory);
+    }
     for (const auto* written : {&files.outputs, &files.debug_meshes}) {
         for (const OutputFile& file : *written) {
             result.files.emplace_back(file.file);
         }
     }
+    workspace.journal.begin("pictures");
     Snapshots pictures = write_snapshots(decorating, finished, directory);
     result.files.insert(result.files.end(), pictures.files.begin(), pictures.files.end());
     return pictures;
@@ -94,6 +132,7 @@ std::vector<LinkWork> links_of(const Workspace& workspace, const Input& input, R
     std::vector<LinkWork> links = load_links(workspace, *input.robot, files.meshes);
     size = input_size(*input.robot, links);
     tell_input_size(workspace, input, links, size);
+    workspace.journal.begin("filters");
     filter_links(workspace, links);
     if (links.empty()) {
         throw Error(ErrorCode::input,
@@ -103,19 +142,26 @@ std::vector<LinkWork> links_of(const Workspace& workspace, const Input& input, R
     return links;
 }
 
-RunResult run_in(const Workspace& preparing, std::optional<RunDirectory>& directory, double cpu_begin) {
+RunResult run_in(const Workspace& preparing, std::optional<RunDirectory>& directory) {
     const Recipe& recipe = preparing.recipe;
     Journal& journal = preparing.journal;
     std::optional<StopScope> scope(preparing.request());
     RunResult result;
+    journal.plan(phases_of(recipe, directory.has_value()));
+    journal.begin("reading");
     journal.expect(1);
     const Input input = load_input(preparing);
+    check_names(preparing, input);
     result.input = input.chosen;
     result.input_file = input.file;
     journal.emit(Event::Kind::run_started, input.file.string());
 
     RunFiles files{.input = input, .meshes = {}, .outputs = {}, .debug_meshes = {}};
     std::vector<LinkWork> links = links_of(preparing, input, files, result.input_size);
+    if (preparing.options.inputs_known) {
+        preparing.options.inputs_known(files_read(files));
+    }
+    journal.begin("spheres");
     std::optional<ReferencePose> pose;
     if (recipe.self_collision) {
         pose.emplace(input.robot, recipe.self_collision_pose, links);
@@ -139,8 +185,10 @@ RunResult run_in(const Workspace& preparing, std::optional<RunDirectory>& direct
     if (directory) {
         pictures = write_model(workspace, finished, *directory, files, result);
     }
-    result.certified = all_certified(finished);
-    fill_result(result, journal, links, cpu_begin);
+    result.proved = proved_links(workspace, *input.robot, links);
+    result.certified = result.proved.all();
+    fill_result(result, journal, links);
+    journal.begin("record");
     if (directory) {
         write_record(workspace, finished, *directory, files, pictures, result);
     } else {
@@ -169,7 +217,6 @@ RunResult run(const Recipe& recipe, const Registry& registry, const RunOptions& 
     if (options.threads > 0) {
         threads.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
     }
-    const double cpu_begin = cpu_seconds();
     std::optional<RunDirectory> directory;
     if (!options.out.empty()) {
         directory.emplace(options.out);
@@ -180,7 +227,7 @@ RunResult run(const Recipe& recipe, const Registry& registry, const RunOptions& 
     const Workspace preparing{recipe, registry, options, journal, cache};
     const Watchdog watchdog(*preparing.limits, options, journal);
     try {
-        RunResult result = run_in(preparing, directory, cpu_begin);
+        RunResult result = run_in(preparing, directory);
         cache.keep_within(limit);
         return result;
     } catch (const Error& error) {

@@ -1,5 +1,7 @@
 #include "workspace.hpp"
 
+#include <foam/text.hpp>
+
 #include <fmt/format.h>
 
 #include <new>
@@ -33,10 +35,10 @@ std::filesystem::path cache_folder(const RunOptions& options) {
 std::string place_of(const std::string& stage, const std::string& link, const std::string& input) {
     std::string place = fmt::format("stage '{}'", stage);
     if (!link.empty()) {
-        place += fmt::format(", link '{}'", link);
+        place += fmt::format(", link '{}'", shown(link));
     }
     if (!input.empty()) {
-        place += fmt::format(", input '{}'", input);
+        place += fmt::format(", input '{}'", shown(input));
     }
     return place;
 }

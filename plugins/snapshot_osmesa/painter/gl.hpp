@@ -42,6 +42,7 @@ namespace foam::snapshot {
     X(GetUniformLocation, GETUNIFORMLOCATION)                                                                          \
     X(LinkProgram, LINKPROGRAM)                                                                                        \
     X(PixelStorei, PIXELSTOREI)                                                                                        \
+    X(Finish, FINISH)                                                                                                  \
     X(ReadPixels, READPIXELS)                                                                                          \
     X(ShaderSource, SHADERSOURCE)                                                                                      \
     X(TexImage2D, TEXIMAGE2D)                                                                                          \

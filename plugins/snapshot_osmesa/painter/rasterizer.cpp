@@ -123,9 +123,14 @@ cv::Mat3b Rasterizer::draw(const Scene& scene, int supersampling, double mesh_op
     const Target glass(gl, factor * scene.width, factor * scene.height, true);
     const Target picture(gl, scene.width, scene.height, false);
 
+    const auto end_step = [&] { // the driver draws when it likes to
+        gl.Finish();
+        check_cancelled();
+    };
     gl.Enable(GL_DEPTH_TEST);
     solid.begin();
     for (const View& view : scene.views) {
+        end_step();
         use(gl, programs_->facets, scene, view, factor);
         draw_corners(gl, view.facets);
         use(gl, programs_->balls, scene, view, factor);
@@ -133,12 +138,15 @@ cv::Mat3b Rasterizer::draw(const Scene& scene, int supersampling, double mesh_op
     }
     glass.begin();
     for (const View& view : scene.views) {
+        end_step();
         use(gl, programs_->glass, scene, view, factor);
         draw_corners(gl, view.glass);
     }
     gl.Disable(GL_DEPTH_TEST);
+    end_step();
     picture.begin();
     compose(gl, programs_->compose, solid, glass, factor, mesh_opacity);
+    end_step();
     cv::Mat3b pixels = read_pixels(gl, scene.width, scene.height);
     if (const GLenum error = gl.GetError(); error != GL_NO_ERROR) {
         throw Error(ErrorCode::output,

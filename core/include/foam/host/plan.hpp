@@ -45,9 +45,14 @@ struct Plan {
     std::vector<PlannedLink> links;   ///< those with collision geometry
     std::vector<PlannedOutput> outputs;
     std::optional<PlannedStage> renderer; ///< absent: no pictures
+    std::vector<Diagnostic> warnings;     ///< names of the recipe that mean nothing of the robot
 };
 
 /// Throws Error as run() does if there is no input or it cannot be read; errors of single links are kept with them.
 Plan plan(const Recipe& recipe, const Registry& registry, const RunOptions& options = {});
+
+/// Names of links and joints in the recipe that the robot does not have, found without reading meshes. Empty if the
+/// recipe has no such names, or no input of it resolves. Throws Error as run() does if the robot cannot be read.
+std::vector<Diagnostic> unknown_names(const Recipe& recipe, const Registry& registry);
 
 } // namespace foam

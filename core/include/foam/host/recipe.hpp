@@ -106,6 +106,7 @@ struct Recipe {
     std::optional<double> budget_time_limit;     ///< s; the search for better spheres ends then
     Guarantee guarantee = Guarantee::outer;
     bool self_collision = false;     ///< keep the spheres of links apart whose geometry is, in this pose
+    Location self_collision_where;   ///< of the pose
     JointValues self_collision_pose; ///< rad or m; of joints that are not named: zero, or the limit nearest to it
     std::vector<LinkOverride> links;
     std::vector<OutputCall> outputs;
@@ -113,8 +114,10 @@ struct Recipe {
     std::array<int, 2> snapshot_size{1280, 960};
     StageCall renderer; ///< stage empty: snapshot.osmesa
     JointValues pose;   ///< of the robot's snapshot
+    Location pose_where;
     bool debug_meshes = false, debug_snapshots = false;
     OnError on_error = OnError::stop;
+    bool strict = false; ///< a glob that names no link is an error, not a warning
     Isolation isolation; ///< of mesh loaders, and of the stages that do not say otherwise
 
     /// What applies to one link: the chain with the overrides and the recipe's isolation merged in.

@@ -3,6 +3,7 @@
 
 #include <foam/context.hpp>
 #include <foam/host/clip_plane.hpp>
+#include <foam/host/proved_links.hpp>
 #include <foam/host/recipe.hpp>
 #include <foam/mesh_change.hpp>
 #include <foam/model.hpp>
@@ -22,10 +23,11 @@ struct Event {
     Kind kind = Kind::progress;
     std::string link; ///< empty: the whole run
     std::string stage;
-    double seconds = 0;  ///< since the start of the run
-    double duration = 0; ///< task_finished: seconds the task took
-    bool cached = false; ///< task_finished: taken from the cache
-    double done = 0;     ///< share of the whole run that is done, 0 to 1
+    double seconds = 0;                 ///< since the start of the run
+    double duration = 0;                ///< task_finished: seconds the task took
+    bool cached = false;                ///< task_finished: taken from the cache
+    double done = 0;                    ///< share of the whole run that is done, 0 to 1; below 1 before run_finished
+    std::optional<double> seconds_left; ///< to the end of the run, where it can be known
     Severity severity = Severity::info;
     std::string message; ///< finding; run_started: the input's file; input_loaded: its size
 };
@@ -73,6 +75,8 @@ struct RunOptions {
     bool numbers_as_asked = false;
     /// Called with the manifest before the run directory is put in place; what it throws ends the run.
     std::function<void(const std::string& manifest)> accept;
+    /// Called with all files of the robot or mesh when they are read; what it throws ends the run.
+    std::function<void(const std::vector<std::filesystem::path>& files)> inputs_known;
 };
 
 /// A message of a stage about a link.
@@ -113,6 +117,12 @@ struct InputSize {
     std::size_t triangles = 0; ///< of their meshes
 };
 
+/// A part of the work of a run; together they are all of it.
+struct RunPhase {
+    std::string phase; ///< "reading", "filters", …, "other"
+    double seconds = 0, cpu_seconds = 0;
+};
+
 struct RunResult {
     SphereModel model;
     std::string input; ///< the candidate that was taken, as written
@@ -122,11 +132,14 @@ struct RunResult {
     std::vector<Finding> findings;
     std::vector<std::filesystem::path> files; ///< written, relative to the run directory
     Measures total;
-    bool certified = false; ///< the guarantee is proved on what was read back from every written file
-    double seconds = 0;     ///< wall
+    ProvedLinks proved;
+    /// Of every link with collision geometry the guarantee is proved, on what was read back from every written file.
+    bool certified = false;
+    double seconds = 0; ///< wall
     double cpu_seconds = 0;
-    Cut cut = Cut::none;     ///< if not none, the same run may give other spheres
-    bool links_lost = false; ///< done, but links were skipped after errors: exit code 4
+    std::vector<RunPhase> phases; ///< in their order; their times add up to those above
+    Cut cut = Cut::none;          ///< if not none, the same run may give other spheres
+    bool links_lost = false;      ///< done, but links were skipped after errors: exit code 4
 };
 
 /// Runs it. Throws Error naming stage, link and input; on an exception or cancellation the run directory is as it was

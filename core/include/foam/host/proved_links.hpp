@@ -1,0 +1,48 @@
+// What a proof is of: the links of a robot that it speaks of, and those that it does not.
+#pragma once
+
+#include <foam/robot.hpp>
+#include <foam/sphere.hpp>
+
+#include <string>
+#include <vector>
+
+namespace foam {
+
+struct ProvedLinks {
+    /// With collision geometry, and not proved.
+    struct LeftOut {
+        std::string link, reason;
+    };
+    Guarantee guarantee = Guarantee::outer;
+    std::size_t with_collision = 0;
+    std::size_t proved = 0;
+    std::vector<LeftOut> left_out;        ///< in the robot's order
+    std::vector<std::string> visual_only; ///< links without collision geometry that are seen: they have no spheres
+
+    /// Whether every link with collision geometry is proved.
+    bool all() const { return proved > 0 && proved == with_collision; }
+};
+
+/// Names of the links that have visual geometry and no collision geometry.
+std::vector<std::string> visual_only_links(const Robot& robot);
+
+/// Returns the sentence about the proof, and a line end; empty for Guarantee::fitted, of which there is none.
+std::string verdict_of(const ProvedLinks& links);
+/// Returns sentences about the links that are left out or have visual geometry only, each on a line. Names are fit for
+/// a terminal; of many only the first are named.
+std::string omissions_of(const ProvedLinks& links);
+
+/// Returns a JSON object, of a class such as nlohmann's.
+template <class Json> Json json_of_proof(const ProvedLinks& links) {
+    Json json{{"links_with_collision", links.with_collision},
+              {"links_proved", links.proved},
+              {"left_out", Json::array()},
+              {"visual_only", Json(links.visual_only)}};
+    for (const ProvedLinks::LeftOut& link : links.left_out) {
+        json["left_out"].push_back({{"link", link.link}, {"reason", link.reason}});
+    }
+    return json;
+}
+
+} // namespace foam

@@ -1,0 +1,104 @@
+"""SIGTERM ends foam within 2 s with exit code 130, whatever it is at work on, and leaves nothing half-written."""
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+import program
+
+TIME_TO_STOP = 2
+DELAYS = (0.05, 0.15, 0.4, 0.8, 1.5, 3)
+
+
+def big_mesh(file):
+    """Half a million triangles as text: it takes a while to read, to filter and to cover."""
+    side = 500
+    with open(file, "w", encoding="ascii") as out:
+        for i in range(side):
+            for k in range(side):
+                out.write(f"v {i} {k} {(i * i + 3 * k * k) % 97 / 10}\n")
+        for i in range(side - 1):
+            for k in range(side - 1):
+                a = i * side + k + 1
+                out.write(f"f {a} {a + side} {a + 1}\nf {a + 1} {a + side} {a + side + 1}\n")
+
+
+def many_pictures(folder):
+    (folder / "pictures.yaml").write_text(
+        "foam: 1\nname: pictures\nrobot: {urdf: ['%s']}\nstages: [spherize.cover: {effort: fast}]\n"
+        "budget: {spheres: 30}\noutputs: [{write.urdf: {file: out.urdf}}]\nsnapshots: {size: [1600, 1200]}\n"
+        "debug: {snapshots: true, meshes: true}\n" % (program.SOURCE / "configs/robots/panda/panda.urdf"),
+        encoding="utf-8")
+    return folder / "pictures.yaml"
+
+
+def commands(folder):
+    """(name, arguments) of what takes seconds, each longest in another phase."""
+    panda = program.SOURCE / "configs/robots/panda/panda.urdf"
+    mesh = folder / "big.obj"
+    big_mesh(mesh)
+    model = folder / "model.urdf"
+    subprocess.run([program.FOAM, "spherize", str(panda), "-n", "40", "-o", str(model)], check=True,
+                   capture_output=True)
+    spherize = ["spherize", panda, "--fresh", "--out", "run"]
+    yield "loading", ["spherize", mesh, "-n", 8, "--fresh", "--out", "run"]
+    yield "filtering", ["spherize", mesh, "-n", 8, "-m", "medial", "--fresh", "--out", "run"]
+    yield "searching", [*spherize, "-n", 2000]
+    yield "searching, medial", [*spherize, "-n", 500, "-m", "medial"]
+    yield "pictures", ["run", many_pictures(folder), "--fresh", "--out", "run"]
+    yield "self-collision", ["self-collision", panda]
+    yield "evaluate", ["evaluate", mesh, "model.urdf"]
+    twin = program.SHARED / "meshes/real/Generic_Twin_7081.1.t0_right.obj"
+    if twin.exists():
+        yield "growing", ["spherize", twin, "-n", 8, "--fresh", "--out", "run"]
+
+
+def stopped(folder, arguments, delay):
+    """None if it had ended by itself; else what is wrong."""
+    process = program.start(folder, arguments)
+    time.sleep(delay)
+    if process.poll() is not None:
+        process.communicate()
+        return None
+    begin = time.monotonic()
+    process.send_signal(signal.SIGTERM)
+    try:
+        _, err = process.communicate(timeout=60)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        return "did not end within a minute"
+    seconds = time.monotonic() - begin
+    if seconds > TIME_TO_STOP + program.SLACK:
+        return f"ended {seconds:.2f} s after the signal:\n{err}"
+    # Before the program handles signals, and after it has written everything, it ends as any program does.
+    if process.returncode not in (130, -signal.SIGTERM) or (process.returncode < 0 and delay > 1):
+        return f"exit code {process.returncode}:\n{err}"
+    left = program.half_written(folder)
+    return f"left {left}" if left else ""
+
+
+def main():
+    failed = stops = 0
+    with tempfile.TemporaryDirectory() as place:
+        place = pathlib.Path(place)
+        for name, arguments in commands(place):
+            for delay in DELAYS:
+                with tempfile.TemporaryDirectory() as folder:
+                    folder = pathlib.Path(folder)
+                    (folder / "model.urdf").write_bytes((place / "model.urdf").read_bytes())
+                    wrong = stopped(folder, arguments, delay)
+                if wrong is None:
+                    break
+                stops += 1
+                failed += wrong != ""
+                print(f"{name}, after {delay} s: {'FAILED: ' + wrong if wrong else 'ok'}", flush=True)
+    if stops < 10:
+        print(f"FAILED: only {stops} runs took long enough to be stopped")
+        return 1
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
