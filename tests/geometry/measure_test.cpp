@@ -336,6 +336,7 @@ TEST(Measure, TotalOfErrorsAndNothing) {
     b.volume = 2, b.excess_volume = 3, b.missing_volume = 0.3, b.area = 4, b.covered = 0.25, b.exposed_area = 6;
     b.volume_error = 0.04, b.excess_volume_error = 0.08, b.missing_volume_error = 0.015, b.protrusion_mean = 0.1,
     b.gap = 0.1;
+    a.protrusion_max = 0.7, b.protrusion_max = 0.6;
     for (const auto& links : {std::vector{a, b}, std::vector{b, a}}) {
         const Measures sum = total(links);
         EXPECT_DOUBLE_EQ(sum.volume, 4);
