@@ -1,3 +1,4 @@
+#include <foam/random.hpp>
 #include <foam/sphere.hpp>
 
 #include <array>
@@ -113,17 +114,44 @@ private:
     std::array<std::array<double, 4>, 4> coefficient_{};
 };
 
+Sphere grown_to_hold(Sphere sphere, const std::vector<Vec3>& points) {
+    for (const Vec3& point : points) {
+        sphere.radius = std::max(sphere.radius, distance(point, sphere.center));
+    }
+    return sphere;
+}
+
+void shuffle(std::vector<Vec3>& points, Random& random) {
+    for (std::size_t i = points.size(); i > 1; --i) {
+        std::swap(points[i - 1], points[static_cast<std::size_t>(random.below(i))]);
+    }
+}
+
 } // namespace
 
 Sphere minimum_enclosing_sphere(const std::vector<Vec3>& points) {
     if (points.empty()) {
         return {};
     }
-    Sphere sphere = EnclosingBall(points).solve();
-    for (const Vec3& point : points) {
-        sphere.radius = std::max(sphere.radius, distance(point, sphere.center));
+    // Where many points lie on the ball, rounding can end the search before it holds them all: with luck not in another
+    // order. A ball that needs no growth is the smallest.
+    constexpr double rounding = 1e-6;
+    constexpr int orders = 32;
+    std::vector<Vec3> ordered = points;
+    Random random(points.size());
+    Sphere best;
+    for (int order = 0; order < orders; ++order) {
+        const Sphere found = EnclosingBall(ordered).solve();
+        const Sphere grown = grown_to_hold(found, points);
+        if (order == 0 || grown.radius < best.radius) {
+            best = grown;
+        }
+        if (!(grown.radius > (1 + rounding) * found.radius)) {
+            break;
+        }
+        shuffle(ordered, random);
     }
-    return sphere;
+    return best;
 }
 
 Sphere enclosing_sphere(const Sphere& a, const Sphere& b) {

@@ -8,6 +8,8 @@
 #include <foam/inner.hpp>
 #include <foam/measure.hpp>
 
+#include <foam/text.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -113,7 +115,7 @@ void require_proof(const Workspace& workspace, const LinkWork& link) {
             ErrorCode::geometry,
             fmt::format("link '{}': its collision elements are too small for the distance between them: what is "
                         "proved of each in a frame of its own does not hold in the link's; remedy: per: link",
-                        link.link->name));
+                        shown(link.link->name)));
     }
 }
 

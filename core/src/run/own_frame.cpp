@@ -1,5 +1,7 @@
 #include "own_frame.hpp"
 
+#include <foam/text.hpp>
+
 #include <fmt/format.h>
 
 namespace foam {
@@ -87,7 +89,7 @@ Box posed(const Box& box, const Pose& pose) {
 void require_workable(const Robot& robot, const LinkWork& link) {
     if (const Complaint complaint = complaint_of(link); !complaint.why.empty()) {
         const std::string where = complaint.element ? name_of(robot, *complaint.element) + ": " : "";
-        throw Error(ErrorCode::input, fmt::format("link '{}': {}{}", link.link->name, where, complaint.why));
+        throw Error(ErrorCode::input, fmt::format("link '{}': {}{}", shown(link.link->name), where, complaint.why));
     }
 }
 
