@@ -143,7 +143,7 @@ private:
         if (after != expected) {
             find("a run left more than its directory behind");
         }
-        for (const std::string& odd : odd_figures(*result_)) {
+        for (const std::string& odd : odd_figures(*result_, *recipe_)) {
             find(odd);
         }
         for (const fs::path& file : result_->files) {

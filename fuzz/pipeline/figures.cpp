@@ -81,7 +81,7 @@ std::string text_of_number(double value) {
     return text;
 }
 
-std::vector<std::string> odd_figures(const RunResult& result) {
+std::vector<std::string> odd_figures(const RunResult& result, const Recipe& recipe) {
     std::vector<std::string> findings;
     for (const SphereGroup& group : result.model.groups) {
         if (!all_sound(group.tree)) {
@@ -94,10 +94,16 @@ std::vector<std::string> odd_figures(const RunResult& result) {
     if (const std::string odd = odd_measure(result.total); !odd.empty()) {
         findings.push_back("figure of the whole: " + odd);
     }
-    for (const ProvedLinks::LeftOut& link : result.proved.left_out) {
-        if (link.reason == "the proof does not hold") {
+    bool whole = true;
+    for (const LinkReport& link : result.links) {
+        const bool left_out = link.skipped || !link.error.empty();
+        whole = whole && !left_out;
+        if (recipe.guarantee != Guarantee::fitted && !left_out && !link.measures.certified) {
             findings.push_back("written, but not certified: link '" + link.link + "'");
         }
+    }
+    if (recipe.guarantee != Guarantee::fitted && whole && !result.certified) {
+        findings.push_back("written, but not certified");
     }
     return findings;
 }

@@ -12,7 +12,7 @@ namespace foam::fuzz {
 std::string text_of_number(double value);
 
 /// Spheres that are not finite, figures that are no numbers, a guarantee without proof.
-std::vector<std::string> odd_figures(const RunResult& result);
+std::vector<std::string> odd_figures(const RunResult& result, const Recipe& recipe);
 
 /// Links whose spheres claim more outside than one bounding sphere would. Not asked where the recipe wants other things
 /// first: planes kept off, another objective than excess, elements on their own.
