@@ -42,7 +42,7 @@ void on_signal(int signal) {
     alarm(time_to_stop);
 }
 
-/// What was asked to stop goes on.
+/// What was asked to stop goes on. Runs have a watchdog of their own; this one is for commands and phases without a run.
 void on_alarm(int) {
     write_text("foam: stopped; what does not ask whether to end is ended with the program:\n");
     write_activities(STDERR_FILENO);

@@ -21,6 +21,20 @@ TEST_F(Run, NamesStageLinkAndInputOfAFailure) {
     EXPECT_FALSE(fs::exists(folder.path() / "out"));
 }
 
+TEST_F(Run, EscapesNamesInAStagesOwnMessage) {
+    write("tab.urdf", "<robot name=\"r\"><link name=\"a&#9;b\"><collision><geometry><box size=\"1 1 1\"/></geometry>"
+                      "</collision></link></robot>");
+    try {
+        run(recipe_of("name: tab\nrobot: {urdf: tab.urdf}\n"
+                      "stages: [spherize.misbehaving: {how: named, link: \"a\\tb\"}]\n"),
+            registry, options());
+        ADD_FAILURE() << "no error";
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(), "stage 'spherize.misbehaving', link 'a\\x09b', input 'box': a\\x09b is not to my "
+                                   "taste");
+    }
+}
+
 TEST_F(Run, ABrokenContractIsFound) {
     EXPECT_THAT(failure("stages: [spherize.misbehaving: {how: nothing, link: base}]\n"),
                 HasSubstr("it returned no spheres"));

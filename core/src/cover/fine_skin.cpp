@@ -25,12 +25,11 @@ FineSkin::FineSkin(const Mesh& surface, const Frame& frame, std::size_t pieces) 
     double longest = std::max(std::sqrt(5 * area / number), 4 / number);
     // Needles ask for any number of pieces. Then their edges stay longer: some pieces more are enough to begin with, and
     // power cells cut what is long.
-    const std::vector<std::array<std::uint32_t, 3>> whole = faces;
-    const std::size_t corners = points.size();
     std::size_t most_faces = faces.size() + 100'000;
     while (!halve_long_edges(longest, most_faces)) {
-        faces = whole;
-        points.resize(corners);
+        faces.clear();
+        points = {};
+        add_faces(surface, frame);
         most_faces = faces.size() + 4 * pieces;
         longest *= 1.5;
         fine = false;

@@ -1,7 +1,7 @@
 #include "cover/inner_search.hpp"
 
-#include <foam/host/spherize.hpp>
 #include <foam/cancellation.hpp>
+#include <foam/host/spherize.hpp>
 #include <foam/inner.hpp>
 #include <foam/union_volume.hpp>
 

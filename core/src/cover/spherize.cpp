@@ -48,19 +48,36 @@ private:
     std::shared_ptr<const Solid> own_;
 };
 
-struct CoverSearch::Data {
-    Data(const Solid& given, const SpherizeOptions& options) : work(given) {
-        const Solid& solid = work.solid();
+/// The search that objective and effort ask for, of a solid as it is.
+class SearchAsIs {
+public:
+    SearchAsIs(const Solid& solid, const SpherizeOptions& options) {
         if (options.objective != Objective::excess) {
-            search.emplace<cover::ObjectiveSearch>(solid, options);
+            search_.emplace<cover::ObjectiveSearch>(solid, options);
         } else if (options.effort == Effort::fast) {
-            search.emplace<cover::QuickSearch>(solid, options);
+            search_.emplace<cover::QuickSearch>(solid, options);
         } else {
-            search.emplace<cover::Search>(solid, options);
+            search_.emplace<cover::Search>(solid, options);
         }
     }
+    Cover cover(std::size_t count) {
+        if (auto* const quick = std::get_if<cover::QuickSearch>(&search_)) {
+            return quick->cover(count);
+        }
+        if (auto* const other = std::get_if<cover::ObjectiveSearch>(&search_)) {
+            return other->cover(count);
+        }
+        return std::get<cover::Search>(search_).cover(count);
+    }
+
+private:
+    std::variant<std::monostate, cover::QuickSearch, cover::Search, cover::ObjectiveSearch> search_;
+};
+
+struct CoverSearch::Data {
+    Data(const Solid& given, const SpherizeOptions& options) : work(given), search(work.solid(), options) {}
     WorkedOn work;
-    std::variant<std::monostate, cover::QuickSearch, cover::Search, cover::ObjectiveSearch> search;
+    SearchAsIs search;
 };
 
 CoverSearch::CoverSearch(const Solid& solid, const SpherizeOptions& options)
@@ -77,13 +94,7 @@ static void check(std::size_t count) {
 
 Cover CoverSearch::cover(std::size_t count) {
     check(count);
-    if (auto* const quick = std::get_if<cover::QuickSearch>(&data_->search)) {
-        return data_->work.in_given_frame(quick->cover(count));
-    }
-    if (auto* const other = std::get_if<cover::ObjectiveSearch>(&data_->search)) {
-        return data_->work.in_given_frame(other->cover(count));
-    }
-    return data_->work.in_given_frame(std::get<cover::Search>(data_->search).cover(count));
+    return data_->work.in_given_frame(data_->search.cover(count));
 }
 
 std::vector<Cover> spherize_each(const Solid& solid, std::span<const std::size_t> counts,
@@ -112,7 +123,7 @@ static Cover quick_or_better(Quick quick, const Solid& solid, std::size_t count,
 
 static Cover spherize_as_is(const Solid& solid, std::size_t count, const SpherizeOptions& options) {
     if (options.effort != Effort::fast && !options.stop) {
-        return CoverSearch(solid, options).cover(count);
+        return SearchAsIs(solid, options).cover(count);
     }
     if (options.objective == Objective::excess) {
         return quick_or_better<cover::Search>(cover::QuickSearch(solid, options), solid, count, options,

@@ -49,6 +49,29 @@ inline double squared_distance(const BvhNode& node, const Vec3& p) {
     return dx * dx + dy * dy + dz * dz;
 }
 
+/// Calls visit(k) for the places k in order() of the items in leaves, where enters(node) is true from the root down.
+template <class Enters, class Visit> void for_each_entered(const Bvh& bvh, Enters enters, Visit visit) {
+    const std::vector<BvhNode>& nodes = bvh.nodes();
+    std::array<std::uint32_t, Bvh::max_depth> stack;
+    std::size_t size = 0;
+    stack[size] = 0;
+    size += !nodes.empty();
+    while (size > 0) {
+        const BvhNode& node = nodes[stack[--size]];
+        if (!enters(node)) {
+            continue;
+        }
+        if (!node.leaf()) {
+            stack[size++] = node.first + 1;
+            stack[size++] = node.first;
+            continue;
+        }
+        for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+            visit(k);
+        }
+    }
+}
+
 /// Calls visit(k) for the places k in order() of the items in leaves whose box is nearer to `p` than nearest(), the
 /// nearer child first. `nearest`: the least squared distance known so far.
 template <class Nearest, class Visit>

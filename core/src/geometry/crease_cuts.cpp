@@ -45,22 +45,8 @@ CreaseCuts::Polygon CreaseCuts::take() {
     return next;
 }
 
-bool CreaseCuts::cover(const Piece& piece, std::span<const std::uint32_t> candidates) {
-    begin(piece, candidates);
-    CancellationCounter asking(256);
-    while (!waiting_.empty()) {
-        asking.check();
-        const Polygon next = take();
-        Pair pair;
-        const Answer answer = look(next, pair);
-        if (answer == Answer::open || (answer == Answer::divided && !cut(next, pair))) {
-            return false;
-        }
-    }
-    return true;
-}
-
-void CreaseCuts::raise(const Piece& piece, std::span<const std::uint32_t> candidates, std::vector<double>& reach) {
+template <class Open>
+bool CreaseCuts::walk(const Piece& piece, std::span<const std::uint32_t> candidates, Open goes_on_after) {
     begin(piece, candidates);
     CancellationCounter asking(256);
     while (!waiting_.empty()) {
@@ -71,14 +57,28 @@ void CreaseCuts::raise(const Piece& piece, std::span<const std::uint32_t> candid
         if (answer == Answer::held || (answer == Answer::divided && cut(next, pair))) {
             continue;
         }
-        double& farthest = reach[pair.first]; // where rounding sees no two parts, one ball takes both
-        for (std::size_t k = 0; k < next.corners; ++k) {
-            farthest = std::max(farthest, distance(balls_.center(pair.first), next.top[k]));
-            if (next.curved) {
-                farthest = std::max(farthest, distance(balls_.center(pair.first), next.beneath[k]));
-            }
+        if (!goes_on_after(next, pair)) {
+            return false;
         }
     }
+    return true;
+}
+
+bool CreaseCuts::cover(const Piece& piece, std::span<const std::uint32_t> candidates) {
+    return walk(piece, candidates, [](const Polygon&, const Pair&) { return false; });
+}
+
+void CreaseCuts::raise(const Piece& piece, std::span<const std::uint32_t> candidates, std::vector<double>& reach) {
+    walk(piece, candidates, [&](const Polygon& open, const Pair& pair) {
+        double& farthest = reach[pair.first]; // where rounding sees no two parts, one ball takes both
+        for (std::size_t k = 0; k < open.corners; ++k) {
+            farthest = std::max(farthest, distance(balls_.center(pair.first), open.top[k]));
+            if (open.curved) {
+                farthest = std::max(farthest, distance(balls_.center(pair.first), open.beneath[k]));
+            }
+        }
+        return true;
+    });
 }
 
 /// Open: the ball whose power is least at all corners, and so everywhere, does not hold one of them.

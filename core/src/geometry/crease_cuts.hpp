@@ -44,6 +44,10 @@ private:
     };
     enum class Answer { held, open, divided };
 
+    /// Divides the piece until balls hold its parts. Calls goes_on_after(polygon, pair) for each that no ball holds and
+    /// no cut divides; false where that says false.
+    template <class Open>
+    bool walk(const Piece& piece, std::span<const std::uint32_t> candidates, Open goes_on_after);
     void begin(const Piece& piece, std::span<const std::uint32_t> candidates);
     Polygon take();
     /// Open: `pair.first` is the ball whose power is least at all corners.

@@ -78,23 +78,11 @@ private:
     /// Lower bound of the distance to the surface where it is below `most`.
     double distance(const Vec3& p, double most) const {
         double nearest = most;
-        const std::vector<BvhNode>& nodes = bvh_.nodes();
-        std::vector<std::uint32_t> stack{0};
-        while (!stack.empty()) {
-            const BvhNode& node = nodes[stack.back()];
-            stack.pop_back();
-            if (std::sqrt(squared_distance(node, p)) * (1 - 8 * unit) >= nearest) {
-                continue;
-            }
-            if (!node.leaf()) {
-                stack.push_back(node.first + 1);
-                stack.push_back(node.first);
-                continue;
-            }
-            for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-                nearest = std::min(nearest, distance_at_least(triangles_[i], p));
-            }
-        }
+        const auto is_nearer = [&](const BvhNode& node) {
+            return std::sqrt(squared_distance(node, p)) * (1 - 8 * unit) < nearest;
+        };
+        for_each_entered(bvh_, is_nearer,
+                         [&](std::uint32_t k) { nearest = std::min(nearest, distance_at_least(triangles_[k], p)); });
         return nearest;
     }
 

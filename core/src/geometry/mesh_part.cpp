@@ -115,7 +115,6 @@ double MeshPart::winding(const Vec3& p) const {
 }
 
 template <class Visit> void MeshPart::visit_line(const Line& line, Visit visit) const {
-    const std::vector<BvhNode>& nodes = bvh_.nodes();
     // Boxes are tested a little larger than they are, so that rounding never hides a triangle.
     const double margin = tolerance_ + 1e-12 * (box_.diagonal() + norm(line.origin() - box_.center()));
     const Vec3 o = line.origin(), d = line.direction();
@@ -133,29 +132,14 @@ template <class Visit> void MeshPart::visit_line(const Line& line, Visit visit) 
         return std::abs(c.x) <= ay * half.z + az * half.y && std::abs(c.y) <= az * half.x + ax * half.z &&
                std::abs(c.z) <= ax * half.y + ay * half.x;
     };
-    std::array<std::uint32_t, Bvh::max_depth> stack;
-    std::size_t size = 0;
-    stack[size] = 0;
-    size += !nodes.empty();
-    while (size > 0) {
-        const BvhNode& node = nodes[stack[--size]];
-        if (!hit(node)) {
-            continue;
-        }
-        if (!node.leaf()) {
-            stack[size++] = node.first + 1;
-            stack[size++] = node.first;
-            continue;
-        }
-        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-            double t = 0;
-            if (items_[i].counts) {
-                if (const int change = line.cross(items_[i].corners, t); change != 0) {
-                    visit(t, change);
-                }
+    for_each_entered(bvh_, hit, [&](std::uint32_t i) {
+        double t = 0;
+        if (items_[i].counts) {
+            if (const int change = line.cross(items_[i].corners, t); change != 0) {
+                visit(t, change);
             }
         }
-    }
+    });
 }
 
 bool MeshPart::winding_by_line(const Vec3& p, int axis, int& winding) const {

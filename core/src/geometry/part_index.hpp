@@ -57,24 +57,7 @@ public:
 
 private:
     template <class Enters, class Visit> void traverse(Enters enters, Visit visit) const {
-        const std::vector<BvhNode>& nodes = bvh_.nodes();
-        std::array<std::uint32_t, Bvh::max_depth> stack;
-        std::size_t size = 0;
-        stack[size++] = 0;
-        while (size > 0) {
-            const BvhNode& node = nodes[stack[--size]];
-            if (!enters(node)) {
-                continue;
-            }
-            if (!node.leaf()) {
-                stack[size++] = node.first + 1;
-                stack[size++] = node.first;
-                continue;
-            }
-            for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-                visit(bvh_.order()[k]);
-            }
-        }
+        for_each_entered(bvh_, enters, [&](std::uint32_t place) { visit(bvh_.order()[place]); });
     }
 
     Bvh bvh_;

@@ -88,27 +88,6 @@ template <class Bounds> bool overlap(const Bounds& a, const Box& b) {
            a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
-/// Calls visit(k) for every triangle whose node of the hierarchy meets the box.
-template <class Visit> void for_each_near(const Bvh& bvh, const Box& box, Visit visit) {
-    std::array<std::uint32_t, Bvh::max_depth> stack;
-    std::size_t size = 0;
-    stack[size++] = 0;
-    while (size > 0) {
-        const BvhNode& node = bvh.nodes()[stack[--size]];
-        if (!overlap(node, box)) {
-            continue;
-        }
-        if (!node.leaf()) {
-            stack[size++] = node.first + 1;
-            stack[size++] = node.first;
-            continue;
-        }
-        for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-            visit(bvh.order()[k]);
-        }
-    }
-}
-
 } // namespace
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(const Mesh& mesh) {
@@ -125,7 +104,9 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(const Me
     std::vector<std::vector<std::uint32_t>> found(count);
     parallel_for(count, [&](std::size_t index) {
         const auto i = static_cast<std::uint32_t>(index);
-        for_each_near(bvh, boxes[index], [&](std::uint32_t k) {
+        const auto is_near = [&](const BvhNode& node) { return overlap(node, boxes[index]); };
+        geometry::for_each_entered(bvh, is_near, [&](std::uint32_t place) {
+            const std::uint32_t k = bvh.order()[place];
             if (k > i && overlap(boxes[k], boxes[i]) &&
                 (side_passes_through(mesh, i, k) || side_passes_through(mesh, k, i))) {
                 found[index].push_back(k);

@@ -55,12 +55,12 @@ Error described(std::exception_ptr thrown, const std::string& stage, const std::
         }
         // Loaders begin with the file's name and place; once is enough.
         const bool named = !input.empty() && std::string_view(error.what()).starts_with(input);
-        return {error.code(), fmt::format("{}: {}", named ? outer : where, error.what())};
+        return {error.code(), fmt::format("{}: {}", named ? outer : where, shown_lines(error.what()))};
     } catch (const std::bad_alloc&) {
         return {ErrorCode::geometry, fmt::format("{}: not enough memory", where)};
     } catch (const std::exception& error) {
         return {ErrorCode::plugin,
-                fmt::format("{}: the stage failed with an exception of its own: {}", where, error.what())};
+                fmt::format("{}: the stage failed with an exception of its own: {}", where, shown_lines(error.what()))};
     } catch (...) {
         return {ErrorCode::plugin, fmt::format("{}: the stage threw something that is no std::exception", where)};
     }
