@@ -111,13 +111,16 @@ Vec3 PowerCells::crossing(const Vec3& from, const Vec3& to, const Ball& a, const
 /// An edge that is long beside the balls may run through any number of cells. Along it powers differ by what is linear in
 /// its length: the lower envelope of such lines is walked, each of which is steeper downwards than the one before.
 void PowerCells::cut_edge(std::uint32_t from, std::uint32_t to, const Balls& balls) {
+    const std::uint32_t last = owners_.owner[to];
+    if (owners_.owner[from] == last) {
+        return;
+    }
     const Vec3 begin = skin_.points.at(from), along = skin_.points.at(to) - begin;
     lines_.clear();
     for (const Ball& ball : balls) {
         lines_.push_back({power(ball, begin), 2 * (along.x * (begin.x - ball.x) + along.y * (begin.y - ball.y) +
                                                    along.z * (begin.z - ball.z))});
     }
-    const std::uint32_t last = owners_.owner[to];
     double t = 0;
     for (std::uint32_t cell = owners_.owner[from]; cell != last;) {
         std::uint32_t next = last;

@@ -60,21 +60,31 @@ MeshPart::MeshPart(const Mesh& mesh, const Reading& reading, Unclosed) : closed_
         largest = std::max({largest, std::abs(box_.low[axis]), std::abs(box_.high[axis])});
     }
     tolerance_ = 8 * std::numeric_limits<double>::epsilon() * largest;
+    if (NeedleIndex::pays(boxes, box_)) {
+        std::vector<Corners> triangles;
+        for (const Item& item : items_) {
+            triangles.push_back(item.corners);
+        }
+        needles_.emplace(triangles, center);
+    }
     if (!closed_) {
         compute_moments();
     }
 }
 
 void MeshPart::closest(const Vec3& p, Nearest& nearest) const {
-    for_each_nearer(
-        bvh_, p, [&] { return nearest.squared_distance; },
-        [&](std::uint32_t k) {
-            const Vec3 q = closest_on_triangle(items_[k].corners, p);
-            const double d2 = squared_norm(q - p);
-            if (d2 < nearest.squared_distance) {
-                nearest = {d2, q, items_[k].index};
-            }
-        });
+    const auto look_at = [&](std::uint32_t k) {
+        const Vec3 q = closest_on_triangle(items_[k].corners, p);
+        const double d2 = squared_norm(q - p);
+        if (d2 < nearest.squared_distance) {
+            nearest = {d2, q, items_[k].index};
+        }
+    };
+    if (needles_) {
+        needles_->for_each_nearer(p, [&] { return std::sqrt(nearest.squared_distance); }, look_at);
+    } else {
+        for_each_nearer(bvh_, p, [&] { return nearest.squared_distance; }, look_at);
+    }
 }
 
 bool MeshPart::touches(const Vec3& p, double distance) const {
@@ -115,6 +125,18 @@ double MeshPart::winding(const Vec3& p) const {
 }
 
 template <class Visit> void MeshPart::visit_line(const Line& line, Visit visit) const {
+    const auto cross_triangle = [&](std::uint32_t i) {
+        double t = 0;
+        if (items_[i].counts) {
+            if (const int change = line.cross(items_[i].corners, t); change != 0) {
+                visit(t, change);
+            }
+        }
+    };
+    if (needles_) {
+        needles_->for_each_along(line, cross_triangle);
+        return;
+    }
     // Boxes are tested a little larger than they are, so that rounding never hides a triangle.
     const double margin = tolerance_ + 1e-12 * (box_.diagonal() + norm(line.origin() - box_.center()));
     const Vec3 o = line.origin(), d = line.direction();
@@ -132,14 +154,7 @@ template <class Visit> void MeshPart::visit_line(const Line& line, Visit visit) 
         return std::abs(c.x) <= ay * half.z + az * half.y && std::abs(c.y) <= az * half.x + ax * half.z &&
                std::abs(c.z) <= ax * half.y + ay * half.x;
     };
-    for_each_entered(bvh_, hit, [&](std::uint32_t i) {
-        double t = 0;
-        if (items_[i].counts) {
-            if (const int change = line.cross(items_[i].corners, t); change != 0) {
-                visit(t, change);
-            }
-        }
-    });
+    for_each_entered(bvh_, hit, cross_triangle);
 }
 
 bool MeshPart::winding_by_line(const Vec3& p, int axis, int& winding) const {

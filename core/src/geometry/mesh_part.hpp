@@ -3,6 +3,7 @@
 
 #include "geometry/bvh.hpp"
 #include "geometry/line_crossing.hpp"
+#include "geometry/needle_index.hpp"
 #include "geometry/orientation.hpp"
 #include "geometry/triangle.hpp"
 
@@ -10,6 +11,7 @@
 #include <foam/solid.hpp>
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -117,6 +119,7 @@ private:
 
     Bvh bvh_;
     std::vector<Item> items_;
+    std::optional<NeedleIndex> needles_;      // of meshes of which bvh_ tells too little
     std::vector<Moments> moments_;            // of open meshes only
     std::unique_ptr<const MeshPart> closing_; // of open meshes only: the closing surface
     bool quick_closing_ = false;              // asking that costs less than asking the surface

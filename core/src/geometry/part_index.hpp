@@ -31,10 +31,11 @@ public:
 
     /// Calls visit(part) for the parts that may be as near to the point as nearest(), m, the near ones first.
     template <class Least, class Visit> void for_each_nearer(const Vec3& p, Least nearest, Visit visit) const {
+        const double margin = margin_ + 1e-12 * norm(p - center_);
         geometry::for_each_nearer(
             bvh_, p,
             [&] {
-                const double reach = nearest() + margin_;
+                const double reach = nearest() + margin;
                 return reach > 0 ? reach * reach : 0.0;
             },
             [&](std::uint32_t k) { visit(bvh_.order()[k]); });

@@ -1,0 +1,97 @@
+// Queries on a rod of needles at an angle to the axes.
+#include "geometry/needle_index.hpp"
+
+#include <foam/random.hpp>
+#include <foam/solid.hpp>
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace foam {
+namespace {
+
+constexpr double length = 100, radius = 1;
+const Vec3 along = normalized(Vec3{4, -8, 1});
+const Vec3 across = normalized(cross(along, Vec3{0, 0, 1}));
+const Vec3 third = cross(along, across);
+const Vec3 middle{300, -200, 50};
+
+Vec3 placed(double x, double y, double z) {
+    return middle + along * x + across * y + third * z;
+}
+
+/// A prism of 400 sides, closed, of which each side is two needles from end to end.
+Mesh rod() {
+    constexpr std::uint32_t sides = 400;
+    Mesh mesh;
+    for (std::uint32_t i = 0; i < sides; ++i) {
+        const double angle = 2 * std::numbers::pi * i / sides;
+        mesh.vertices.push_back(placed(-length / 2, radius * std::cos(angle), radius * std::sin(angle)));
+        mesh.vertices.push_back(placed(length / 2, radius * std::cos(angle), radius * std::sin(angle)));
+    }
+    for (std::uint32_t i = 0; i < sides; ++i) {
+        const std::uint32_t a = 2 * i, b = 2 * ((i + 1) % sides);
+        mesh.triangles.push_back({a, a + 1, b});
+        mesh.triangles.push_back({b, a + 1, b + 1});
+        if (i >= 2) {
+            mesh.triangles.push_back({0, a, 2 * (i - 1)});
+            mesh.triangles.push_back({1, 2 * (i - 1) + 1, a + 1});
+        }
+    }
+    return mesh;
+}
+
+std::vector<geometry::Corners> corners_of(const Mesh& mesh) {
+    std::vector<geometry::Corners> corners;
+    for (const auto& [a, b, c] : mesh.triangles) {
+        corners.push_back({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
+    }
+    return corners;
+}
+
+bool pays(const std::vector<geometry::Corners>& triangles) {
+    std::vector<Box> boxes;
+    Box all;
+    for (const geometry::Corners& t : triangles) {
+        Box& box = boxes.emplace_back();
+        for (const Vec3& corner : {t.a, t.b, t.c}) {
+            box.add(corner);
+            all.add(corner);
+        }
+    }
+    return geometry::NeedleIndex::pays(boxes, all);
+}
+
+TEST(NeedleIndex, PaysForNeedlesAtAnAngleAlone) {
+    EXPECT_TRUE(pays(corners_of(rod())));
+    Mesh straight = rod();
+    for (Vec3& v : straight.vertices) {
+        v = {dot(v - middle, along), dot(v - middle, across), dot(v - middle, third)};
+    }
+    EXPECT_FALSE(pays(corners_of(straight)));
+}
+
+TEST(NeedleIndex, FindsWhatLookingAtEachTriangleFinds) {
+    const Mesh mesh = rod();
+    const std::vector<geometry::Corners> triangles = corners_of(mesh);
+    const auto solid = Solid::make(mesh);
+    Random random(7);
+    for (int k = 0; k < 2000; ++k) {
+        const double reach = k % 2 == 0 ? 1.5 : 400;
+        const Vec3 local{random.uniform(-60, 60), random.uniform(-reach, reach), random.uniform(-reach, reach)};
+        const Vec3 p = placed(local.x, local.y, local.z);
+        double nearest = 1e300;
+        for (const geometry::Corners& t : triangles) {
+            nearest = std::min(nearest, distance(geometry::closest_on_triangle(t, p), p));
+        }
+        EXPECT_NEAR(distance(solid->closest(p).point, p), nearest, 1e-11) << k; // coordinates of 400 are rounded
+        const double from_axis = std::hypot(local.y, local.z);
+        if (std::abs(from_axis - radius) > 1e-3 && std::abs(std::abs(local.x) - length / 2) > 1e-3) {
+            EXPECT_EQ(solid->contains(p), from_axis < radius && std::abs(local.x) < length / 2) << k;
+        }
+    }
+}
+
+} // namespace
+} // namespace foam
