@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -145,8 +146,10 @@ public:
                 std::to_string(seed) + " --keep DIR]");
         }
         ++(outcome.findings.empty() ? passed_ : failed_);
-        ++ends_[outcome.end.substr(0, outcome.end.find(':')) +
-                (outcome.spherizer.empty() ? "" : " " + outcome.spherizer)];
+        Share& share = ends_[outcome.end.substr(0, outcome.end.find(':')) +
+                             (outcome.spherizer.empty() ? "" : " " + outcome.spherizer)];
+        ++share.cases;
+        share.seconds += outcome.seconds;
         if (outcome.end.starts_with("refused")) {
             ++refusals_[kind_of(outcome.end)];
         }
@@ -160,8 +163,9 @@ public:
         for (const double s : seconds_) {
             sum += s;
         }
-        for (const auto& [end, count] : ends_) {
-            say(std::to_string(count) + "  " + (end.empty() ? "(ended its process)" : end));
+        for (const auto& [end, share] : ends_) {
+            say(std::to_string(share.cases) + "  " + (end.empty() ? "(ended its process)" : end) + ", CPU " +
+                std::to_string(std::lround(share.seconds)) + " s");
         }
         for (const auto& [kind, count] : refusals_) {
             stream_ << count << "  " << line_of(kind) << "\n";
@@ -185,8 +189,13 @@ private:
     }
 
     std::ofstream stream_;
+    struct Share {
+        std::size_t cases = 0;
+        double seconds = 0;
+    };
     std::size_t passed_ = 0, failed_ = 0;
-    std::map<std::string, std::size_t> ends_, refusals_;
+    std::map<std::string, Share> ends_;
+    std::map<std::string, std::size_t> refusals_;
     std::vector<double> seconds_;
 };
 

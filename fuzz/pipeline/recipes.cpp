@@ -18,13 +18,13 @@ double work_limit(const std::string& parameter) {
 
 /// The least, for those of which a small one takes long.
 double work_floor(const std::string& parameter) {
-    return parameter == "alpha" ? 0.03 : parameter == "spacing" ? 0.5 : -1e300;
+    return parameter == "alpha" ? 0.06 : parameter == "spacing" ? 0.5 : -1e300;
 }
 
 /// Those whose defaults are made for real parts.
 bool costly_by_default(const std::string& parameter) {
     return parameter == "numCover" || parameter == "num_samples" || parameter == "initSpheres" ||
-           parameter == "minSpheres";
+           parameter == "minSpheres" || parameter == "alpha";
 }
 
 double random_number(Dice& dice, const Parameter& parameter, double usual) {
@@ -34,6 +34,13 @@ double random_number(Dice& dice, const Parameter& parameter, double usual) {
     const double decades = dice.magnitude(std::max(low, high > 0 ? high * 1e-9 : 1e-9), std::max(high, 1e-9));
     const double value = dice.chance(0.1) ? low : dice.chance(0.1) ? high : dice.chance(0.7) ? around : decades;
     return std::clamp(value, low, high);
+}
+
+/// The best takes seconds a link: recipes that ask for it have a time limit.
+constexpr const char* best_effort = "best";
+
+std::string random_effort(Dice& dice) {
+    return dice.chance(0.1) ? best_effort : dice.of({"fast", "normal"});
 }
 
 std::string random_value(Dice& dice, const Parameter& parameter) {
@@ -47,7 +54,9 @@ std::string random_value(Dice& dice, const Parameter& parameter) {
     case Parameter::Type::number:
         return text_of(random_number(dice, parameter, std::get<double>(parameter.default_value)));
     case Parameter::Type::choice: // of JSON's layouts one holds a single mesh only
-        return parameter.name == "layout" ? dice.of({"links", "foam"}) : quoted(dice.of(parameter.choices));
+        return parameter.name == "layout"   ? dice.of({"links", "foam"})
+               : parameter.name == "effort" ? quoted(random_effort(dice))
+                                            : quoted(dice.of(parameter.choices));
     case Parameter::Type::text:
         return quoted(std::get<std::string>(parameter.default_value));
     }
@@ -146,7 +155,7 @@ private:
         if (guarantee_ != "inner" && dice_.chance(0.12)) {
             parts.push_back("max_protrusion: " + protrusion());
         }
-        if (dice_.chance(0.05)) {
+        if (dice_.chance(0.05) || text_.find(best_effort) != std::string::npos) {
             parts.push_back("time_limit: " + text_of(dice_.magnitude(0.001, 0.3)));
         }
         if (!parts.empty()) {
@@ -194,8 +203,10 @@ private:
             parts.push_back(clip());
         }
         if (dice_.chance(0.1)) {
-            const std::string stage = dice_.of(chain_);
-            parts.push_back(stage + ": " + parameters(stage, 0.2, "links "));
+            const std::string stage = dice_.of(chain_), changed = parameters(stage, 0.2, "links ");
+            if (changed.find(best_effort) == std::string::npos) {
+                parts.push_back(stage + ": " + changed);
+            }
         }
         return parts;
     }
