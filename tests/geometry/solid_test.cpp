@@ -160,6 +160,19 @@ TEST(Solid, TinyAndHugeCoordinates) {
     }
 }
 
+TEST(Solid, SignedDistanceDoesNotDependOnTheOrderOfParts) {
+    const auto large = std::make_shared<const Mesh>(box({0, 0, 0}, {1, 1, 1}));
+    const auto small = std::make_shared<const Mesh>(box({0.6, 0.4, 0.4}, {0.8, 0.6, 0.6}));
+    const Vec3 p{0.5, 0.5, 0.5}; // half a metre inside the large box, 0.1 m outside the small one
+    for (const bool large_first : {true, false}) {
+        std::vector<Solid::Part> parts{{large, std::nullopt, {}}, {small, std::nullopt, {}}};
+        if (!large_first) {
+            std::swap(parts[0], parts[1]);
+        }
+        EXPECT_DOUBLE_EQ(Solid::make(std::move(parts))->signed_distance(p), -0.5) << large_first;
+    }
+}
+
 TEST(Solid, OffsetsOfParts) {
     const auto mesh = std::make_shared<const Mesh>(box({0, 0, 0}, {1, 1, 1}));
     const auto solid = Solid::make(std::vector<Solid::Part>{

@@ -25,10 +25,19 @@ def big_mesh(file):
                 out.write(f"f {a} {a + side} {a + 1}\nf {a + 1} {a + side} {a + side + 1}\n")
 
 
+def many_balls(file):
+    """A cover of the big mesh, made by hand: a lattice of balls."""
+    with open(file, "w", encoding="ascii") as out:
+        out.write("link,x,y,z,radius\n")
+        for i in range(0, 500, 6):
+            for k in range(0, 500, 6):
+                out.write(f"big,{i},{k},5,9\n")
+
+
 def many_pictures(folder):
     (folder / "pictures.yaml").write_text(
         "foam: 1\nname: pictures\nrobot: {urdf: ['%s']}\nstages: [spherize.cover: {effort: fast}]\n"
-        "budget: {spheres: 30}\noutputs: [{write.urdf: {file: out.urdf}}]\nsnapshots: {size: [1600, 1200]}\n"
+        "budget: {spheres: 30}\noutputs: [{write.urdf: {file: out.urdf}}]\nsnapshots: {size: [4000, 3000]}\n"
         "debug: {snapshots: true, meshes: true}\n" % (program.SOURCE / "configs/robots/panda/panda.urdf"),
         encoding="utf-8")
     return folder / "pictures.yaml"
@@ -39,9 +48,6 @@ def commands(folder):
     panda = program.SOURCE / "configs/robots/panda/panda.urdf"
     mesh = folder / "big.obj"
     big_mesh(mesh)
-    model = folder / "model.urdf"
-    subprocess.run([program.FOAM, "spherize", str(panda), "-n", "40", "-o", str(model)], check=True,
-                   capture_output=True)
     spherize = ["spherize", panda, "--fresh", "--out", "run"]
     yield "loading", ["spherize", mesh, "-n", 8, "--fresh", "--out", "run"]
     yield "filtering", ["spherize", mesh, "-n", 8, "-m", "medial", "--fresh", "--out", "run"]
@@ -49,7 +55,15 @@ def commands(folder):
     yield "searching, medial", [*spherize, "-n", 500, "-m", "medial"]
     yield "pictures", ["run", many_pictures(folder), "--fresh", "--out", "run"]
     yield "self-collision", ["self-collision", panda]
-    yield "evaluate", ["evaluate", mesh, "model.urdf"]
+    balls = folder / "balls.csv"
+    many_balls(balls)
+    yield "certify", ["certify", mesh, balls]
+    yield "evaluate", ["evaluate", mesh, balls]
+    yield "compare", ["compare", mesh, balls, balls]
+    subprocess.run([program.FOAM, "spherize", panda, "-n", "300", "--fresh", "--out", folder / "done"], check=True,
+                   capture_output=True)
+    yield "verify", ["verify", folder / "done"]
+    yield "bench", ["bench", program.SOURCE / "configs/experiments/filters.yaml", "--out", "results"]
     twin = program.SHARED / "meshes/real/Generic_Twin_7081.1.t0_right.obj"
     if twin.exists():
         yield "growing", ["spherize", twin, "-n", 8, "--fresh", "--out", "run"]
@@ -86,9 +100,7 @@ def main():
         for name, arguments in commands(place):
             for delay in DELAYS:
                 with tempfile.TemporaryDirectory() as folder:
-                    folder = pathlib.Path(folder)
-                    (folder / "model.urdf").write_bytes((place / "model.urdf").read_bytes())
-                    wrong = stopped(folder, arguments, delay)
+                    wrong = stopped(pathlib.Path(folder), arguments, delay)
                 if wrong is None:
                     break
                 stops += 1

@@ -248,9 +248,8 @@ double Solid::signed_distance(const Vec3& point) const {
         Nearest nearest{std::numeric_limits<double>::infinity()};
         part.mesh().closest(point, nearest);
         const double distance = std::sqrt(nearest.squared_distance);
-        if (distance < least || least < 0) {
-            least = std::min(least, part.mesh().contains(point) ? -distance : distance);
-        }
+        // A part that is farther off than another may have the point deep inside.
+        least = std::min(least, part.mesh().contains(point) ? -distance : distance);
     }
     return least;
 }
