@@ -1,3 +1,4 @@
+#include "run/debug.hpp"
 #include "run/files.hpp"
 #include "run/run_directory.hpp"
 #include "support/temporary_folder.hpp"
@@ -57,6 +58,17 @@ TEST(RunDirectory, ReplacesAnEarlierRunWhole) {
     EXPECT_EQ(read_file(target / "manifest.json"), "second");
     EXPECT_FALSE(fs::exists(target / "first.urdf"));
     EXPECT_EQ(entries(folder.path()), 1u);
+}
+
+TEST(RunDirectory, AnyLinkNameMakesAFolderName) {
+    EXPECT_EQ(folder_name("panda_link0"), "panda_link0");
+    EXPECT_EQ(folder_name("a/b"), "a%2Fb");
+    EXPECT_EQ(folder_name(".."), "_..");
+    const std::string longest(200, 'x'), longer(201, 'x'), other = longer + "y";
+    EXPECT_EQ(folder_name(longest), longest);
+    EXPECT_EQ(folder_name(longer).size(), 200u);
+    EXPECT_NE(folder_name(longer), folder_name(other));
+    EXPECT_LE(folder_name(std::string(300, '/')).size(), 200u);
 }
 
 TEST(RunDirectory, NeverReplacesWhatIsNotARun) {

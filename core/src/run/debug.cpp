@@ -7,6 +7,11 @@
 #include <cstring>
 
 namespace foam {
+namespace {
+
+constexpr std::size_t longest_folder_name = 200; // file systems take 255 bytes
+
+} // namespace
 
 Mesh link_mesh(const LinkWork& link, std::size_t stage) {
     Mesh mesh;
@@ -27,6 +32,10 @@ std::string folder_name(const std::string& link) {
         const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
                            c == '_' || c == '.';
         name += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+    if (name.size() > longest_folder_name) { // "%_" is in no other name
+        const std::string digest = digest_of(link).substr(0, 16);
+        return name.substr(0, longest_folder_name - 2 - digest.size()) + "%_" + digest;
     }
     return name.empty() || name.find_first_not_of('.') == std::string::npos ? "_" + name : name;
 }

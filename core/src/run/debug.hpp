@@ -31,7 +31,8 @@ Snapshots write_snapshots(const Workspace& workspace, const FinishedModel& finis
 /// The link after filter `stage` (0: as loaded), all elements in one mesh, link frame.
 Mesh link_mesh(const LinkWork& link, std::size_t stage);
 
-/// A link's name as a folder name: everything but letters, digits, '-', '_' and '.' replaced.
+/// Returns a link's name as a folder name: all but letters, digits, '-', '_' and '.' replaced, a long one cut and ended
+/// by its digest. Different names stay different.
 std::string folder_name(const std::string& link);
 
 /// Binary little-endian PLY.
