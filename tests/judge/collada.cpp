@@ -1,6 +1,7 @@
 #include "collada.hpp"
 
 #include "mesh_files.hpp"
+#include "polygon.hpp"
 #include "xml.hpp"
 
 #include <map>
@@ -179,9 +180,11 @@ private:
                 const std::size_t size = primitives.name == "triangles"  ? 3
                                          : primitives.name == "polygons" ? corners
                                                                          : static_cast<std::size_t>(counts.at(polygon));
-                for (std::size_t k = 2; k < size; ++k) {
-                    triangles_.push_back({corner(begin), corner(begin + k - 1), corner(begin + k)});
+                std::vector<Point> polygon_corners;
+                for (std::size_t k = 0; k < size; ++k) {
+                    polygon_corners.push_back(corner(begin + k));
                 }
+                append_polygon(std::move(polygon_corners), triangles_);
                 begin += size;
             }
         }

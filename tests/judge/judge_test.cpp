@@ -164,6 +164,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Given{"meshes/real/Spider_ascii.stl", "", "-n 12"}, Given{"meshes/real/duck.dae", "", "-n 12"},
                     Given{"meshes/synthetic/nested_shells_cavity.stl", "", "-n 12"},
                     Given{"meshes/synthetic/overlapping_parts.obj", "", "-n 12"},
+                    Given{"meshes/synthetic/star_ngon_concave.obj", "", "-n 12"},
                     Given{"meshes/synthetic/far_from_origin.obj", "", "-n 12"},
                     Given{"meshes/synthetic/tiny_1e-6.stl", "", "-n 12"},
                     Given{"meshes/synthetic/mm_y_up_instances.dae", "", "-n 12"}),

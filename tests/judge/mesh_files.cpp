@@ -1,6 +1,7 @@
 #include "mesh_files.hpp"
 
 #include "collada.hpp"
+#include "polygon.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -102,9 +103,7 @@ std::vector<Corners> read_obj(const std::string& bytes) {
             corners.push_back(vertices.at(index > 0 ? static_cast<std::size_t>(index) - 1
                                                     : vertices.size() - static_cast<std::size_t>(-index)));
         }
-        for (std::size_t k = 2; k < corners.size(); ++k) {
-            triangles.push_back({corners[0], corners[k - 1], corners[k]});
-        }
+        append_polygon(std::move(corners), triangles);
     }
     return triangles;
 }
