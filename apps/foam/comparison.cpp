@@ -6,19 +6,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace foam::cli {
 namespace {
 
-std::string ratio(double value) {
-    return std::isfinite(value) ? fmt::format("{:.3f}", value) : "inf";
-}
-
 std::string total_row(const std::string& label, const Figures& figures) {
     const Measures& m = figures.measures;
     return fmt::format("{:<5}  {:>7}  {:>9.2f}  {:>8}  {:>8}  {:>8}  {:>8}  {:>8}  {:>9}\n", label, m.spheres,
-                       100 * m.covered, millimetres(m.gap), ratio(m.excess), ratio(m.missing),
+                       100 * m.covered, millimetres(m.gap), figure_text(m.excess, 3), figure_text(m.missing, 3),
                        millimetres(m.protrusion_max), millimetres(m.protrusion_mean), m.certified ? "yes" : "no");
 }
 
@@ -26,7 +21,7 @@ std::string cells(const Figures& figures) {
     const Measures& m = figures.measures;
     return m.spheres == 0
                ? fmt::format("  |{:>8}{:>9}{:>9}", "-", "-", "-")
-               : fmt::format("  |{:>8}{:>9}{:>9}", m.spheres, ratio(m.excess), m.certified ? "0" : millimetres(m.gap));
+               : fmt::format("  |{:>8}{:>9}{:>9}", m.spheres, figure_text(m.excess, 3), m.certified ? "0" : millimetres(m.gap));
 }
 
 std::string table_of_links(const Comparison& comparison) {

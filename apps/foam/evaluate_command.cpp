@@ -23,7 +23,7 @@ struct Arguments {
 };
 
 std::string with_error(double value, double error, int digits) {
-    return std::isfinite(value) ? fmt::format("{:.{}f} ±{:.{}f}", value, digits, error, digits) : "inf";
+    return std::isfinite(value) ? fmt::format("{} ±{}", figure_text(value, digits), figure_text(error, digits)) : "inf";
 }
 
 std::string row(const std::string& name, std::size_t width, const Figures& figures) {

@@ -1,4 +1,5 @@
 #include "judge.hpp"
+#include "table.hpp"
 
 #include <foam/error.hpp>
 #include <foam/measure_names.hpp>
@@ -153,7 +154,7 @@ void write_whole_file(const std::filesystem::path& file, const std::string& text
 }
 
 std::string millimetres(double metres, int digits) {
-    return std::isfinite(metres) ? fmt::format("{:.{}f}", 1000 * metres, digits) : "inf";
+    return figure_text(1000 * metres, digits);
 }
 
 Json json_number(double value) {

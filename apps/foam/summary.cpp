@@ -18,8 +18,9 @@ constexpr double mm_per_m = 1000;
 
 std::string row(const std::string& name, std::size_t width, const Measures& m, Guarantee guarantee,
                 const std::string& growth) {
-    return fmt::format("{}  {:>7}  {:>8.3f}  {:>8.3f}  {:>9}  {:>9}\n", padded(name, width), m.spheres,
-                       guarantee == Guarantee::inner ? m.missing : m.excess, m.gap * mm_per_m,
+    return fmt::format("{}  {:>7}  {:>8}  {:>8}  {:>9}  {:>9}\n", padded(name, width), m.spheres,
+                       figure_text(guarantee == Guarantee::inner ? m.missing : m.excess, 3),
+                       figure_text(m.gap * mm_per_m, 3),
                        m.certified ? "yes" : "no", growth);
 }
 
@@ -103,7 +104,7 @@ std::string table_of(const RunResult& result, Guarantee guarantee) {
         } else if (!link.error.empty() && link.measures.spheres == 0) {
             table += fmt::format("{}  left out: {}\n", padded(link.link, width), shown(link.error));
         } else {
-            table += row(link.link, width, link.measures, guarantee, fmt::format("{:.3f}", link.growth * mm_per_m));
+            table += row(link.link, width, link.measures, guarantee, figure_text(link.growth * mm_per_m, 3));
         }
     }
     table += row("total", width, result.total, guarantee, "");

@@ -3,7 +3,10 @@
 
 #include <foam/text.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -18,6 +21,15 @@ template <class Rows, class Member> std::size_t column_width(std::string_view te
         width = std::max(width, shown_width(shown(std::invoke(member, row))));
     }
     return width;
+}
+
+/// Returns a figure with so many digits behind the point; one of a million and more with four digits in all, so that it
+/// stays in its column; "inf" for what has no end.
+inline std::string figure_text(double value, int digits) {
+    constexpr double too_wide = 1e6;
+    return !std::isfinite(value)           ? "inf"
+           : std::abs(value) >= too_wide ? fmt::format("{:.4g}", value)
+                                           : fmt::format("{:.{}f}", value, digits);
 }
 
 /// A name, fit for the terminal, with spaces up to the width of its column.

@@ -67,6 +67,11 @@ TEST_F(Match, LinksThatOnlyCarrySpheresAreFolded) {
                                          "1 of 2 links with collision geometry have no spheres: base"));
 }
 
+TEST_F(Match, RefusesAModelWithoutAnySphereSwitchedOn) {
+    EXPECT_THAT(refusal_of("base 0 0 0 0\ntip 0 0 0 -1\n"),
+                ::testing::EndsWith(": no sphere has a radius above 0; remedy: correct the file"));
+}
+
 TEST_F(Match, Renames) {
     const SphereFile file = read("my_base 0 0 0 0.2\n7 0 0 0 0.1\n");
     const MatchedModel model = match(original(), file, {{"my_", ""}, {"7", "tip"}});

@@ -112,6 +112,16 @@ TEST_F(SphereFiles, ANegativeRadiusSwitchesASphereOff) {
     EXPECT_THAT(file.notes, ElementsAre("2 spheres of a radius not above 0 are switched off and left out"));
 }
 
+TEST_F(SphereFiles, RefusesNumbersThatNoFigureHolds) {
+    EXPECT_EQ(refusal("l 0 0 0 1e300\n"),
+              "FILE: the sphere [0, 0, 0, 1e+300] of link 'l' is farther away or larger than 1e+20 m, where figures and "
+              "proofs have no meaning; remedy: correct the file");
+    EXPECT_EQ(refusal("l 0 0 0 1\nm 0 -1e21 0 1\n"),
+              "FILE: the sphere [0, -1e+21, 0, 1] of link 'm' is farther away or larger than 1e+20 m, where figures "
+              "and proofs have no meaning; remedy: correct the file");
+    EXPECT_EQ(read("l 0 0 1e20 1e20\n").links.size(), 1u);
+}
+
 TEST_F(SphereFiles, Lula) {
     expect_both_links(read(R"(api_version: 1.0
 collision_spheres:

@@ -120,6 +120,11 @@ private:
                             "second; `foam spherize` makes one",
                             model_.file.file.string(), model_.file.format));
         }
+        if (std::all_of(model_.file.links.begin(), model_.file.links.end(),
+                        [](const LinkSpheres& link) { return link.spheres.empty(); })) {
+            throw Error(ErrorCode::input, fmt::format("{}: no sphere has a radius above 0; remedy: correct the file",
+                                                      model_.file.file.string()));
+        }
         std::vector<std::string> theirs, ours;
         for (const LinkSpheres& link : model_.file.links) {
             theirs.push_back(shown(link.link));

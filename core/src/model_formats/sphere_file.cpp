@@ -4,13 +4,18 @@
 #include "run/files.hpp"
 
 #include <foam/error.hpp>
+#include <foam/text.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace foam {
 namespace {
+
+/// m; geometry is at most 10^9 m large, and 10^9 times that away.
+constexpr double farthest_sphere = 1e20;
 
 /// The text behind a byte order mark, blanks and comments of `#`.
 std::string_view first_token(std::string_view text) {
@@ -40,6 +45,22 @@ void drop_disabled(SphereFile& result) {
     if (dropped > 0) {
         result.notes.push_back(fmt::format("{} sphere{} of a radius not above 0 {} switched off and left out", dropped,
                                            dropped == 1 ? "" : "s", dropped == 1 ? "is" : "are"));
+    }
+}
+
+/// Throws Error(input) for numbers whose squares and cubes no double holds: figures would be infinite.
+void require_workable(const SphereFile& result) {
+    for (const LinkSpheres& link : result.links) {
+        for (const Sphere& s : link.spheres) {
+            const double largest = std::max({std::abs(s.center.x), std::abs(s.center.y), std::abs(s.center.z), s.radius});
+            if (!(largest <= farthest_sphere)) {
+                throw Error(ErrorCode::input,
+                            fmt::format("{}: the sphere [{}, {}, {}, {}] of link '{}' is farther away or larger than "
+                                        "{} m, where figures and proofs have no meaning; remedy: correct the file",
+                                        result.file.string(), s.center.x, s.center.y, s.center.z, s.radius,
+                                        shown(link.link), farthest_sphere));
+            }
+        }
     }
 }
 
@@ -77,6 +98,7 @@ SphereFile parse_sphere_file(const std::string& text, const std::filesystem::pat
         model_formats::read_tree(text, result);
     }
     drop_disabled(result);
+    require_workable(result);
     return result;
 }
 
