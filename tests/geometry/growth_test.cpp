@@ -115,6 +115,16 @@ TEST(Growth, SameResultEveryTime) {
     EXPECT_EQ(tightened_to_cover(*solid, spheres), tightened_to_cover(*solid, spheres));
 }
 
+TEST(Growth, BallsThatMeetJustAtTheSurface) {
+    // Found by the pipeline fuzzer (seed 1009619): a capsule 18 km long and 1.7 m thick.
+    const Primitive capsule{.kind = Primitive::Kind::capsule, .radius = 0.8576176610868728, .length = 18374.68279787327};
+    const auto solid = Solid::make(std::vector<Solid::Part>{{nullptr, capsule, {}}});
+    const std::vector<Sphere> spheres{{{-3.8518515875030901, -2.4044942660744644, 323.02592617279447}, 3265.868687165816},
+                                      {{0.51763487780607897, -3.670154495439224, 6424.3895125577264}, 2763.8120654918007},
+                                      {{9.8289609637144579, 3.7554063182337396, -6101.3889711905904}, 3086.8280474083631}};
+    EXPECT_TRUE(certify(*solid, grown_to_cover(*solid, spheres)).holds);
+}
+
 TEST(Growth, SpheresThatAreNone) {
     const auto cube = Solid::make(box({-1, -1, -1}, {1, 1, 1}));
     const double nan = std::nan("");
