@@ -22,7 +22,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SHARED = pathlib.Path(os.environ.get("FOAM_SHARED", ROOT.parent / "shared")).resolve()
 SPHERIZERS = ["cover", "grid", "hubbard", "medial", "octree", "spawn", "voxel"]
-LONGEST = 300  # s of a case
+LONGEST = 120  # s of a case
 
 
 def cases():
