@@ -18,13 +18,13 @@ double work_limit(const std::string& parameter) {
 
 /// The least, for those of which a small one takes long.
 double work_floor(const std::string& parameter) {
-    return parameter == "alpha" ? 0.06 : parameter == "spacing" ? 0.5 : -1e300;
+    return parameter == "alpha" ? 0.06 : parameter == "offset" ? 0.01 : parameter == "spacing" ? 0.5 : -1e300;
 }
 
 /// Those whose defaults are made for real parts.
 bool costly_by_default(const std::string& parameter) {
     return parameter == "numCover" || parameter == "num_samples" || parameter == "initSpheres" ||
-           parameter == "minSpheres" || parameter == "alpha";
+           parameter == "minSpheres" || parameter == "alpha" || parameter == "offset";
 }
 
 double random_number(Dice& dice, const Parameter& parameter, double usual) {
