@@ -9,7 +9,7 @@ namespace {
 /// The most that is drawn for parameters that buy precision with time, by their names.
 double work_limit(const std::string& parameter) {
     static const std::map<std::string, double> limits{
-        {"leaves", 1000},   {"numCover", 300}, {"num_samples", 120}, {"initSpheres", 120}, {"minSpheres", 50},
+        {"leaves", 1000},   {"numCover", 120}, {"num_samples", 80}, {"initSpheres", 80}, {"minSpheres", 50},
         {"min_samples", 8}, {"minCover", 8},   {"branch", 12},       {"depth", 2},         {"testerLevels", 2},
         {"most", 48},       {"spheres", 12},   {"iterations", 60},   {"subdivisions", 2},  {"maxOptLevel", 2}};
     const auto found = limits.find(parameter);
