@@ -110,9 +110,9 @@ public:
 /// Whether the calls of a stage run in child processes, and within which limits. What is absent is left to others: the
 /// stage's key in a recipe, then the top level, then StageInfo::isolation.
 struct Isolation {
-    std::optional<bool> process;
-    std::optional<double> time_limit;        ///< s; of one call
-    std::optional<std::size_t> memory_limit; ///< MiB; of one call
+    std::optional<bool> process{};
+    std::optional<double> time_limit{};        ///< s; of one call
+    std::optional<std::size_t> memory_limit{}; ///< MiB; of one call
 
     bool operator==(const Isolation&) const = default;
     /// This, and where it is silent `base`.
