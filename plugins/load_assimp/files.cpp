@@ -12,7 +12,7 @@ namespace foam::load_assimp {
 namespace fs = std::filesystem;
 
 Files::Files(const fs::path& file, std::uintmax_t max_bytes)
-    : folder_(fs::absolute(file).lexically_normal().parent_path()), bytes_left_(max_bytes) {
+    : mesh_(fs::absolute(file).lexically_normal()), folder_(mesh_.parent_path()), bytes_left_(max_bytes) {
     FileContents read = read_regular_file(file, max_bytes, too_large_remedy);
     if (!read.problem.empty()) {
         throw Error(ErrorCode::input, fmt::format("{}: {}", file.string(), read.why_not()));
@@ -21,10 +21,13 @@ Files::Files(const fs::path& file, std::uintmax_t max_bytes)
         throw Error(ErrorCode::input, fmt::format("{}: the file is empty; remedy: export it again", file.string()));
     }
     bytes_left_ -= read.bytes.size();
-    contents_.emplace(place_of(file.c_str()), std::move(read.bytes));
+    contents_.emplace(mesh_, std::move(read.bytes));
 }
 
 fs::path Files::place_of(const char* file) const {
+    if (file == mesh_) {
+        return mesh_; // whatever its name holds
+    }
     std::string name = file;
     std::replace(name.begin(), name.end(), '\\', '/'); // formats from Windows
     const fs::path place = (folder_ / name).lexically_normal();

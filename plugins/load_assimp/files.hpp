@@ -21,6 +21,9 @@ public:
     /// Reads `file`. Throws Error(input).
     Files(const std::filesystem::path& file, std::uintmax_t max_bytes);
 
+    /// The name by which assimp is to ask for the mesh.
+    std::string mesh() const { return mesh_.string(); }
+
     bool Exists(const char* file) const override;
     char getOsSeparator() const override { return '/'; }
     Assimp::IOStream* Open(const char* file, const char* mode) override;
@@ -33,7 +36,7 @@ private:
     /// Where a name that assimp asks for leads; empty: out of the folder.
     std::filesystem::path place_of(const char* file) const;
 
-    std::filesystem::path folder_;
+    std::filesystem::path mesh_, folder_;
     std::uintmax_t bytes_left_;
     std::map<std::filesystem::path, std::string> contents_;
     std::vector<std::string> refused_;

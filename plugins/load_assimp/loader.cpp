@@ -76,7 +76,6 @@ Loader::Loader(const Parameters& parameters)
       max_bytes_(static_cast<std::uintmax_t>(parameters.integer("max_bytes"))) {}
 
 Mesh Loader::load(const std::filesystem::path& file, Context& context) const {
-    const std::string place = std::filesystem::absolute(file).lexically_normal().string();
     const std::string ending = ending_of(file);
     const auto error = [&](const std::string& what) {
         return Error(ErrorCode::input, fmt::format("{}: {}", file.string(), what));
@@ -88,7 +87,7 @@ Mesh Loader::load(const std::filesystem::path& file, Context& context) const {
         const Files& files = *owned;
         importer.SetIOHandler(owned.release()); // the importer's now
         configure(importer);
-        const aiScene& scene = read_scene(importer, place, max_triangles_);
+        const aiScene& scene = read_scene(importer, files.mesh(), max_triangles_);
         for (const std::string& refused : files.refused()) {
             context.log(Severity::info, fmt::format("left out what it refers to: {}", refused));
         }

@@ -1,6 +1,7 @@
 // Files that end too early or whose bytes are wrong: an error that names the file and the remedy, or a mesh that passes
 // the checks; foam itself lives on, within the limits of time and memory.
 #include "fixture.hpp"
+#include "isolation/ill.hpp"
 
 #include <foam/host/plan.hpp>
 #include <foam/host/recipe.hpp>
@@ -30,8 +31,10 @@ protected:
         registry.load(FOAM_TEST_PLUGINS "/spherize_octree.so");
         options.program = FOAM_TEST_BINARY;
         options.fresh = true;
+        const std::string memory = sanitized ? "" : ", memory_limit: 1024"; // sanitizers keep none
         const RecipeResult read = parse_recipe("foam: 1\nmesh: x.3ds\nstages: [spherize.octree]\noutputs: []\n"
-                                               "loaders: {load.assimp: {time_limit: 20, memory_limit: 1024}}\n",
+                                               "loaders: {load.assimp: {time_limit: 20" +
+                                                   memory + "}}\n",
                                                folder.path() / "recipe.yaml", registry);
         EXPECT_TRUE(read.ok());
         recipe = read.recipes.at(0);

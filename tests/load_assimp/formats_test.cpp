@@ -107,6 +107,20 @@ TEST_F(LoadAssimp, ReadsFormatsThatAreWrittenByHand) {
     }
 }
 
+TEST_F(LoadAssimp, DxfKeepsItsAxes) {
+    std::string text = "0\nSECTION\n2\nENTITIES\n0\n3DFACE\n8\n0\n";
+    const double corners[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 2, 3}, {0, 2, 3}};
+    for (int corner = 0; corner < 4; ++corner) {
+        for (int axis = 0; axis < 3; ++axis) {
+            text += std::to_string(10 * (axis + 1) + corner) + "\n" + std::to_string(corners[corner][axis]) + "\n";
+        }
+    }
+    const Mesh got = load(write("face.dxf", text + "0\nENDSEC\n0\nEOF\n"));
+    EXPECT_EQ(bounds(got).low, Vec3{});
+    EXPECT_EQ(bounds(got).high, (Vec3{1, 2, 3}));
+    EXPECT_EQ(got.triangles.size(), 1u);
+}
+
 TEST_F(LoadAssimp, IfcIsInMetresWithTheAxesOfTheFile) {
     expect_same(load(FOAM_TEST_SOURCE "/tests/load_assimp/millimetres.ifc"), sample::box({1, 2, 3}, {0.5, 1, 1.5}));
 }

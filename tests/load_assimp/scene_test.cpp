@@ -80,7 +80,8 @@ TEST_F(Scenes, VerticesThatAreNotFiniteAreAnErrorWhereAFaceUsesThem) {
     mesh.vertices.push_back({std::numeric_limits<double>::quiet_NaN(), 0, 0});
     expect_same(load(exported(*scene_of(mesh), assbin)), sample::bracket());
     mesh.triangles[0][1] = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
-    EXPECT_EQ(refusal(scene_of(mesh)), "a vertex is not finite: (nan, nan, nan); remedy: export the mesh again without it");
+    EXPECT_EQ(refusal(scene_of(mesh)),
+              "a vertex is not finite: (nan, nan, nan); remedy: export the mesh again without it");
     aiMatrix4x4 infinite;
     infinite.b4 = std::numeric_limits<float>::infinity();
     EXPECT_THAT(refusal(scene_of(one(part_of(sample::bracket())), {node_of({0}, infinite)})),
@@ -132,6 +133,20 @@ TEST_F(LoadAssimp, FilesAreReadAsOursAre) {
     const auto pipe = folder.path() / "pipe.3ds";
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
     EXPECT_THAT(error_of(pipe), HasSubstr("remedy: "));
+}
+
+TEST_F(LoadAssimp, NamesOfFilesMayBeAnything) {
+    std::ifstream stream(exported(*scene_of(sample::bracket()), {"3ds", "3ds"}), std::ios::binary);
+    const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+    for (const char* name : {"PART.3DS", "with space.3ds", "back\\slash.3ds", "größe.v1.2.3ds", "-n.3ds"}) {
+        SCOPED_TRACE(name);
+        expect_same(load(write(name, bytes)), sample::bracket());
+    }
+    std::filesystem::create_directory(folder.path() / "deeper");
+    write("deeper/part.3ds", bytes);
+    std::filesystem::current_path(folder.path()); // each test is a process of its own
+    expect_same(load("deeper/../deeper/part.3ds"), sample::bracket());
+    std::filesystem::current_path("/");
 }
 
 TEST_F(LoadAssimp, OtherFilesAreReadFromTheFolderOfTheMeshAlone) {
