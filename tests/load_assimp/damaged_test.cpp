@@ -19,6 +19,10 @@ struct Victim {
     const char* sample; ///< null: assimp's exporter writes it
 };
 
+void PrintTo(const Victim& victim, std::ostream* out) {
+    *out << victim.id;
+}
+
 constexpr Victim victims[] = {{"3ds", "3ds", nullptr},           {"x", "x", nullptr},
                               {"x3d", "x3d", nullptr},           {"3mf", "3mf", nullptr},
                               {"fbxa", "fbx", nullptr},          {"fbx", "fbx", nullptr},

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,10 @@ struct Format {
     const char* ending;
     double metres = 1; ///< what load.assimp makes of 1 in the file
 };
+
+inline void PrintTo(const Format& format, std::ostream* out) {
+    *out << format.id;
+}
 
 /// fbx is binary, fbxa text.
 inline constexpr Format formats[] = {
