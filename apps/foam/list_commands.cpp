@@ -37,6 +37,21 @@ Json json_of(const Parameter& p) {
     return json;
 }
 
+/// By the keys of recipes; those that the stage leaves to the recipe are left out.
+Json json_of(const Isolation& isolation) {
+    Json json = Json::object();
+    if (isolation.process) {
+        json["isolate"] = *isolation.process ? "process" : "none";
+    }
+    if (isolation.time_limit) {
+        json["time_limit"] = *isolation.time_limit;
+    }
+    if (isolation.memory_limit) {
+        json["memory_limit"] = *isolation.memory_limit;
+    }
+    return json;
+}
+
 Json json_of(const RegisteredStage& stage) {
     Json json{{"name", stage.info.name},
               {"kind", to_string(stage.kind)},
@@ -49,6 +64,8 @@ Json json_of(const RegisteredStage& stage) {
               {"extensions", stage.info.extensions},
               {"original_only", stage.info.original_only},
               {"objective_parameter", stage.info.objective_parameter},
+              {"isolation", json_of(stage.info.isolation)},
+              {"last_resort", stage.info.last_resort},
               {"parameters", Json::array()}};
     for (const Parameter& p : stage.info.parameters) {
         json["parameters"].push_back(json_of(p));
@@ -79,6 +96,16 @@ std::string description(const RegisteredStage& stage) {
     }
     if (!stage.info.extensions.empty()) {
         text += fmt::format("Files: .{}\n", fmt::join(stage.info.extensions, " ."));
+    }
+    if (stage.info.last_resort) {
+        text += "Reads those that no other loader reads, or all if 'loaders: {prefer: …}' names it.\n";
+    }
+    if (const Json isolation = json_of(stage.info.isolation); !isolation.empty()) {
+        text += "Unless the recipe says otherwise:";
+        for (const auto& [key, value] : isolation.items()) {
+            text += fmt::format(" {}: {},", key, value.is_string() ? value.get<std::string>() : value.dump());
+        }
+        text.back() = '\n';
     }
     if (stage.info.original_only) {
         text += "Looks at the original geometry alone: mesh filters before it change nothing.\n";

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <map>
 
 namespace foam::cli {
 namespace {
@@ -98,6 +99,19 @@ std::string link_text(const PlannedLink& link) {
                        link.overrides.empty() ? "" : "; changed by " + places_text(link));
 }
 
+/// "10 by load.mesh, 1 by load.assimp".
+std::string loaders_text(const Plan& plan) {
+    std::map<std::string, std::size_t> counts;
+    for (const PlannedFile& mesh : plan.meshes) {
+        ++counts[mesh.loader];
+    }
+    std::vector<std::string> parts;
+    for (const auto& [loader, count] : counts) {
+        parts.push_back(fmt::format("{} by {}", count, loader));
+    }
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 std::string text_of(const Plan& plan, const Recipe& recipe) {
     const auto plugin = [](const PlannedStage& stage) {
         return fmt::format("{} {}", stage.plugin, stage.plugin_version);
@@ -110,6 +124,9 @@ std::string text_of(const Plan& plan, const Recipe& recipe) {
     line("input", fmt::format("{} ({})", plan.input, plan.input_file.file.string()));
     for (const std::string& candidate : plan.not_found) {
         line("", "not found before it: " + candidate);
+    }
+    if (const std::string loaders = loaders_text(plan); !loaders.empty()) {
+        line("meshes", loaders);
     }
     for (const PlannedStage& stage : plan.stages) {
         line(&stage == &plan.stages.front() ? "stages" : "",
@@ -204,6 +221,7 @@ Json json_of(const Plan& plan, const Recipe& recipe) {
     }
     for (const PlannedFile& mesh : plan.meshes) {
         json["meshes"].push_back(json_of(mesh));
+        json["meshes"].back()["loader"] = mesh.loader;
     }
     for (const PlannedStage& stage : plan.stages) {
         json["stages"].push_back(json_of(stage, false));

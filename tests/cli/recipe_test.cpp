@@ -226,6 +226,7 @@ TEST_F(CliRecipe, PlanSaysWhatWouldRunAndWritesNothing) {
         (path() / "boxes.urdf").string() +
         ")\n"
         "             not found before it: package://none/boxes.urdf\n"
+        "  meshes     1 by load.mesh\n"
         "  stages     smooth.humphrey {iterations: 0} (smooth 1.0)\n"
         "             spherize.grid (spherize_grid 1.0)\n"
         "  budget     as the spherizer's parameters say; guarantee outer; seed 0\n"

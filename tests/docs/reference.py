@@ -86,6 +86,11 @@ def stage_page(stage):
     page += f"- plugin: `{stage['plugin']}` {stage['plugin_version']}, licence {stage['license']}\n"
     if stage["extensions"]:
         page += f"- files: {', '.join('`.' + extension + '`' for extension in stage['extensions'])}\n"
+    if stage["last_resort"]:
+        page += "- reads those that no other loader reads, or all if `loaders: {prefer: …}` names it\n"
+    if stage["isolation"]:
+        wishes = ", ".join(f"`{key}: {literal(value)}`" for key, value in stage["isolation"].items())
+        page += f"- unless the recipe says otherwise: {wishes}\n"
     if stage["original_only"]:
         page += "- looks at the original geometry alone: mesh filters before it change nothing\n"
     if stage["objective_parameter"]:

@@ -178,6 +178,57 @@ TEST_F(Isolation, NamesACrashOfALoader) {
     EXPECT_THAT(message, HasSubstr(" its own process ("));
 }
 
+/// A mesh of a loader that wishes for a process of its own.
+class WishedIsolation : public Isolation {
+protected:
+    std::string failure_of(const std::string& how, const std::string& rest = "") {
+        write("mesh.wishing", how + "\n");
+        const Recipe mesh = recipe_of("mesh: mesh.wishing\nstages: [spherize.ill]\n" + rest);
+        try {
+            run(mesh, registry, options());
+        } catch (const Error& error) {
+            code = error.code();
+            return error.what();
+        }
+        return "";
+    }
+    std::string place() const {
+        return "stage 'load.wishing', link 'mesh', input '" + (folder.path() / "mesh.wishing").string() + "': ";
+    }
+};
+
+TEST_F(WishedIsolation, ACrashIsReportedWithFileAndRemedy) {
+    EXPECT_EQ(failure_of("well"), "");
+    EXPECT_EQ(failure_of("exit"),
+              place() + "the stage ended its own process (exit code 3) without a result; remedy: the file may be "
+                        "damaged: export it again, or as STL, OBJ, PLY, DAE, OFF or GLB");
+    EXPECT_EQ(code, ErrorCode::plugin);
+    if (!sanitized) {
+        EXPECT_EQ(failure_of("abort"),
+                  place() + "the stage crashed in its own process (SIGABRT, the program gave up); remedy: the file may "
+                            "be damaged: export it again, or as STL, OBJ, PLY, DAE, OFF or GLB");
+    }
+}
+
+TEST_F(WishedIsolation, TheRecipeOverrulesIt) {
+    EXPECT_EQ(failure_of("loop", "loaders: {load.wishing: {time_limit: 1}}\n"),
+              place() + "the stage took longer than its time_limit of 1 s and was stopped; remedy: raise the limit, or "
+                        "simplify the input");
+    const std::string own = "the stage failed with an exception of its own: index out of range";
+    RunOptions none = options();
+    none.program.clear(); // no child can be started
+    write("mesh.wishing", "exception\n");
+    for (const char* rest : {"isolate: none\n", "loaders: {load.wishing: {isolate: none}}\n",
+                             "isolate: process\nloaders: {load.wishing: {isolate: none}}\n"}) {
+        try {
+            run(recipe_of(std::string("mesh: mesh.wishing\nstages: [spherize.ill]\n") + rest), registry, none);
+            ADD_FAILURE() << rest;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.what(), place() + own) << rest;
+        }
+    }
+}
+
 TEST_F(Isolation, EndsAnEndlessLoopAtItsTimeLimit) {
     EXPECT_EQ(filter_failure("loop", ", time_limit: 1"),
               std::string(in_filter) +

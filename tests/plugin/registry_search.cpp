@@ -88,10 +88,22 @@ TEST_F(RegistrySearch, FindsByFileEndingAndKind) {
     };
     EXPECT_EQ(name(StageKind::mesh_loader, "stl"), "load.fixture");
     EXPECT_EQ(name(StageKind::mesh_loader, "STL"), "load.fixture");
+    EXPECT_EQ(name(StageKind::mesh_loader, "aside"), "load.aside");
     EXPECT_EQ(name(StageKind::writer, "Json"), "write.json");
     EXPECT_EQ(name(StageKind::writer, "stl"), "");
     EXPECT_EQ(name(StageKind::mesh_loader, ""), "");
     EXPECT_EQ(name(StageKind::mesh_loader, ".stl"), "");
+}
+
+TEST_F(RegistrySearch, ThePreferredStageGoesFirstAndThoseOfLastResortLast) {
+    const auto name = [&](std::string_view extension, std::string_view preferred) {
+        return registry_.find_for_extension(StageKind::mesh_loader, extension, preferred)->info.name;
+    };
+    EXPECT_EQ(name("stl", ""), "load.fixture");
+    EXPECT_EQ(name("STL", "load.aside"), "load.aside");
+    EXPECT_EQ(name("stl", "load.fixture"), "load.fixture");
+    EXPECT_EQ(name("obj", "load.aside"), "load.fixture") << "load.aside does not read it";
+    EXPECT_EQ(name("stl", "write.json"), "load.fixture") << "of another kind";
 }
 
 TEST_F(RegistrySearch, ListsStagesByName) {

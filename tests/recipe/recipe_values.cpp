@@ -242,8 +242,8 @@ TEST_F(RecipeValues, LoadersHaveParameters) {
     const RecipeResult result = parse_chain("loaders: {load.fixture: {max_triangles: 12}}\n");
     ASSERT_TRUE(result.ok()) << text_of(result.diagnostics);
     const Recipe& recipe = result.recipes.at(0);
-    EXPECT_EQ(recipe.loader_parameters("load.fixture").at("max_triangles"), ParameterValue(std::int64_t{12}));
-    EXPECT_TRUE(recipe.loader_parameters("load.other").empty());
+    EXPECT_EQ(recipe.loader_call("load.fixture").given.at("max_triangles"), ParameterValue(std::int64_t{12}));
+    EXPECT_TRUE(recipe.loader_call("load.other").given.empty());
     EXPECT_NE(to_yaml(recipe, registry_).find("\nloaders: {load.fixture: {max_triangles: 12}}\n"), std::string::npos);
 }
 

@@ -107,6 +107,18 @@ public:
     virtual std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const = 0;
 };
 
+/// Whether the calls of a stage run in child processes, and within which limits. What is absent is left to others: the
+/// stage's key in a recipe, then the top level, then StageInfo::isolation.
+struct Isolation {
+    std::optional<bool> process{};
+    std::optional<double> time_limit{};        ///< s; of one call
+    std::optional<std::size_t> memory_limit{}; ///< MiB; of one call
+
+    bool operator==(const Isolation&) const = default;
+    /// This, and where it is silent `base`.
+    Isolation over(const Isolation& base) const;
+};
+
 /// What a plugin says of a stage.
 struct StageInfo {
     std::string name{};      ///< "kind.method", e.g. "repair.watertight"
@@ -126,6 +138,10 @@ struct StageInfo {
     std::string objective_parameter{};
     /// Mesh loaders: those of `extensions` whose files say what unit they are in, so that load() gives metres.
     std::vector<std::string> extensions_with_unit{};
+    /// Mesh loaders, mesh filters and spherizers: where a recipe does not say otherwise.
+    Isolation isolation{};
+    /// Loaders: whether others that read the same file name ending go first.
+    bool last_resort = false;
 };
 
 } // namespace foam

@@ -69,7 +69,7 @@ void check_mesh_loader(const MeshLoader& loader, const StageInfo& info, const Co
             const std::string bytes = read_file(sample);
             const ScratchFolder scratch;
             for (const std::size_t share : {1, 3, 5, 7}) {
-                const fs::path cut = written(scratch.path() / fmt::format("cut{}.{}", share, ending),
+                const fs::path cut = written(scratch.path() / fmt::format("cut{}{}", share, sample.extension().string()),
                                              bytes.substr(0, bytes.size() * share / 8));
                 require_mesh_or_refusal(loader, cut, false);
             }

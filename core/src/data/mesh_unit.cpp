@@ -33,7 +33,7 @@ double MeshUnit::factor() const {
 }
 
 std::string why_refused(const MeshUnit& unit, const std::filesystem::path& file, InputKind kind,
-                        const Registry& registry) {
+                        const Registry& registry, std::string_view preferred) {
     if (!unit.given()) {
         return "";
     }
@@ -43,7 +43,7 @@ std::string why_refused(const MeshUnit& unit, const std::filesystem::path& file,
                            file.string());
     }
     const std::string ending = ending_of(file);
-    const RegisteredStage* loader = registry.find_for_extension(StageKind::mesh_loader, ending);
+    const RegisteredStage* loader = registry.find_for_extension(StageKind::mesh_loader, ending, preferred);
     const std::vector<std::string> own = loader ? loader->info.extensions_with_unit : std::vector<std::string>();
     if (unit.unit && std::find(own.begin(), own.end(), ending) != own.end()) {
         return fmt::format(

@@ -27,6 +27,14 @@ std::vector<SphereTree> Spherizer::spherize_each(const Shape& shape, std::span<c
     return trees;
 }
 
+Isolation Isolation::over(const Isolation& base) const {
+    Isolation result = *this;
+    result.process = process ? process : base.process;
+    result.time_limit = time_limit ? time_limit : base.time_limit;
+    result.memory_limit = memory_limit ? memory_limit : base.memory_limit;
+    return result;
+}
+
 const char* to_string(StageKind kind) {
     switch (kind) {
     case StageKind::mesh_loader:

@@ -122,6 +122,12 @@ private:
             throw Error(ErrorCode::input,
                         fmt::format("{}: no loader reads files that end in '{}'", path.string(), extension));
         }
+        if (loader->info.isolation.process.value_or(false)) {
+            throw Error(ErrorCode::input,
+                        fmt::format("{}: {} reads it in a process of its own, experiments read meshes in this one; "
+                                    "remedy: convert it to STL, OBJ, PLY, DAE, OFF or GLB",
+                                    path.string(), loader->info.name));
+        }
         LimitedContext context(bench, std::numeric_limits<double>::infinity());
         Mesh raw = bench.registry().make<MeshLoader>(loader->info.name)->load(path, context);
         for (const StageCall& call : prepare) {

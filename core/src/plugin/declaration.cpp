@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <regex>
 #include <set>
 
@@ -16,8 +17,7 @@ std::string why_reserved(const RegisteredStage& stage, std::string_view name) {
                            "writes; remedy: rename it",
                            stage.info.name);
     }
-    const bool isolable = stage.kind == StageKind::mesh_filter || stage.kind == StageKind::spherizer;
-    if (isolable && (name == "isolate" || name == "time_limit" || name == "memory_limit")) {
+    if (can_be_isolated(stage.kind) && (name == "isolate" || name == "time_limit" || name == "memory_limit")) {
         return fmt::format("stage '{}': a {} cannot have a parameter '{}', recipes say by that key how it is isolated; "
                            "remedy: rename it",
                            stage.info.name, to_string(stage.kind), name);
@@ -63,6 +63,25 @@ std::string why_no_objective(const StageInfo& info) {
                              info.name, name);
 }
 
+/// Why a stage cannot be isolated as it wishes; empty if it can, or does not.
+std::string why_bad_isolation(const RegisteredStage& stage) {
+    const Isolation& wish = stage.info.isolation;
+    if (wish == Isolation{}) {
+        return "";
+    }
+    if (!can_be_isolated(stage.kind)) {
+        return fmt::format("stage '{}': a {} cannot run in a process of its own; remedy: leave its isolation empty",
+                           stage.info.name, to_string(stage.kind));
+    }
+    const bool good_time = !wish.time_limit || (std::isfinite(*wish.time_limit) && *wish.time_limit > 0);
+    if (!wish.process.value_or(false) || !good_time || wish.memory_limit == std::size_t{0}) {
+        return fmt::format("stage '{}': its isolation is no process with limits above 0; remedy: .isolation = "
+                           "{{.process = true, .time_limit = 60, .memory_limit = 4096}}",
+                           stage.info.name);
+    }
+    return "";
+}
+
 /// What a stage declaration gets wrong; empty if nothing.
 std::string why_bad(const RegisteredStage& stage) {
     const StageInfo& info = stage.info;
@@ -106,10 +125,15 @@ std::string why_bad(const RegisteredStage& stage) {
                                info.name, p.name, why);
         }
     }
-    return why_no_objective(info);
+    const std::string why = why_bad_isolation(stage);
+    return why.empty() ? why_no_objective(info) : why;
 }
 
 } // namespace
+
+bool can_be_isolated(StageKind kind) {
+    return kind == StageKind::mesh_loader || kind == StageKind::mesh_filter || kind == StageKind::spherizer;
+}
 
 std::string why_bad(const std::vector<RegisteredStage>& stages, const Registry& registry) {
     if (stages.empty()) {

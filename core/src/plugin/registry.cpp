@@ -202,15 +202,23 @@ const RegisteredStage* Registry::find(std::string_view stage) const {
     return it == stages_.end() ? nullptr : &it->second;
 }
 
-const RegisteredStage* Registry::find_for_extension(StageKind kind, std::string_view extension) const {
+const RegisteredStage* Registry::find_for_extension(StageKind kind, std::string_view extension,
+                                                    std::string_view preferred) const {
     const std::string wanted = lower(extension);
+    const RegisteredStage* found = nullptr;
     for (const auto& [name, stage] : stages_) {
         const auto& handled = stage.info.extensions;
-        if (stage.kind == kind && std::find(handled.begin(), handled.end(), wanted) != handled.end()) {
+        if (stage.kind != kind || std::find(handled.begin(), handled.end(), wanted) == handled.end()) {
+            continue;
+        }
+        if (name == preferred) {
             return &stage;
         }
+        if (!found || (found->info.last_resort && !stage.info.last_resort)) {
+            found = &stage;
+        }
     }
-    return nullptr;
+    return found;
 }
 
 std::string Registry::nearest(std::string_view stage) const {

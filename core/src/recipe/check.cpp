@@ -152,7 +152,7 @@ void check_unit(const Value& root, const Recipe& recipe, const Checking& checkin
     const bool robot = !recipe.urdf.empty();
     for (const std::string& input : robot ? recipe.urdf : recipe.mesh) {
         const InputKind kind = robot ? InputKind::robot : InputKind::mesh;
-        if (const std::string why = why_refused(recipe.mesh_unit, input, kind, checking.registry);
+        if (const std::string why = why_refused(recipe.mesh_unit, input, kind, checking.registry, recipe.preferred_loader);
             key && !why.empty()) {
             checking.findings.error(key->where, "conflict", why);
             return;
@@ -288,7 +288,6 @@ Recipe check_recipe(const Value& root, const std::filesystem::path& file, const 
     check_plain_values(root, recipe, findings);
     check_name(root, file, suffix, root.find("name"), recipe, findings);
     check_input(root, recipe, findings);
-    check_unit(root, recipe, checking);
     if (const Value* path = root.find("package_path")) {
         recipe.package_path = read_references(*path, "package_path", findings);
     }
@@ -310,6 +309,7 @@ Recipe check_recipe(const Value& root, const std::filesystem::path& file, const 
     if (const Value* loaders = root.find("loaders")) {
         check_loaders(*loaders, recipe, checking);
     }
+    check_unit(root, recipe, checking);
     check_stages(root.find("stages"), root, recipe, checking);
     if (const Value* links = root.find("links")) {
         check_links(*links, recipe, checking);

@@ -31,6 +31,8 @@ void read_stage_parameters(StageItem& item, const std::vector<std::string>& othe
 Isolation read_isolation(const Value& map, std::string_view owner, Findings& findings);
 /// A finding for each limit in `map` if `effective`, which holds what is merged into it, is no process of its own.
 void refuse_idle_limits(const Value& map, const Isolation& effective, std::string_view owner, Findings& findings);
+/// The same for a stage; `base`: what its own isolation is merged into, before what the stage wishes.
+void refuse_idle_limits(const StageItem& item, const Isolation& base, Findings& findings);
 /// The finding for a stage name nobody knows.
 void report_unknown_stage(const Key& name, const Checking& checking);
 

@@ -41,4 +41,11 @@ void refuse_idle_limits(const Value& map, const Isolation& effective, std::strin
     }
 }
 
+void refuse_idle_limits(const StageItem& item, const Isolation& base, Findings& findings) {
+    if (item.parameters && item.stage) {
+        refuse_idle_limits(*item.parameters, item.call.isolation.over(base).over(item.stage->info.isolation),
+                           item.call.stage, findings);
+    }
+}
+
 } // namespace foam::reading

@@ -71,10 +71,7 @@ void read_stage_override(const Key& key, const Value& value, const Recipe& recip
         return;
     }
     read_stage_parameters(item, {}, checking);
-    if (item.parameters) {
-        refuse_idle_limits(*item.parameters, item.call.isolation.over(isolation_in_chain(key.text, recipe)), key.text,
-                           checking.findings);
-    }
+    refuse_idle_limits(item, isolation_in_chain(key.text, recipe), checking.findings);
     link.stages.push_back(std::move(item.call));
 }
 

@@ -2,6 +2,8 @@
 #include "check.hpp"
 #include "format.hpp"
 
+#include "plugin/declaration.hpp"
+
 #include <fmt/format.h>
 
 namespace foam::reading {
@@ -74,7 +76,7 @@ void read_stage_parameters(StageItem& item, const std::vector<std::string>& othe
     const std::string& stage = item.call.stage;
     if (expect_map(*item.parameters, stage, fmt::format("{}: {{parameter: value}}", stage), checking.findings)) {
         std::vector<std::string> others = other_keys;
-        if (item.stage->kind == StageKind::mesh_filter || item.stage->kind == StageKind::spherizer) {
+        if (can_be_isolated(item.stage->kind)) {
             for (const Parameter& p : isolation_values()) {
                 others.push_back(p.name);
             }
@@ -98,10 +100,7 @@ void check_stages(const Value* stages, const Value& root, Recipe& recipe, const 
     for (const Value& value : stages->items) {
         StageItem item = read_stage_item(value, "stages", checking);
         read_stage_parameters(item, {}, checking);
-        if (item.parameters) {
-            refuse_idle_limits(*item.parameters, item.call.isolation.over(recipe.isolation), item.call.stage,
-                               checking.findings);
-        }
+        refuse_idle_limits(item, recipe.isolation, checking.findings);
         if (!item.stage) {
             unknown = true;
             continue;

@@ -21,7 +21,8 @@ std::vector<Parameter> budget_values();    ///< spheres, excess, max_protrusion,
 std::vector<Parameter> link_values();      ///< skip, min_spheres, max_spheres, weight, max_protrusion
 std::vector<Parameter> clip_values();      ///< offset, reach, of a plane beside its normal
 std::vector<Parameter> debug_values();     ///< meshes, snapshots
-/// isolate, time_limit, memory_limit: at the top level, and beside the parameters of mesh filters and spherizers.
+/// isolate, time_limit, memory_limit: at the top level, and beside the parameters of mesh loaders, mesh filters and
+/// spherizers.
 std::vector<Parameter> isolation_values();
 /// Whether a text with a unit ("10mm") stands for a number in metres.
 bool is_length(const Parameter& parameter);

@@ -72,14 +72,6 @@ bool glob_matches(std::string_view glob, std::string_view name) {
     return glob.find_first_not_of('*', g) == std::string_view::npos;
 }
 
-Isolation Isolation::over(const Isolation& base) const {
-    Isolation result = *this;
-    result.process = process ? process : base.process;
-    result.time_limit = time_limit ? time_limit : base.time_limit;
-    result.memory_limit = memory_limit ? memory_limit : base.memory_limit;
-    return result;
-}
-
 Recipe::LinkRecipe Recipe::for_link(const std::string& link) const {
     LinkRecipe result;
     result.filters = filters;

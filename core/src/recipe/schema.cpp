@@ -1,6 +1,8 @@
 // JSON Schema of recipes: for editors and for checks by other tools.
 #include "format.hpp"
 
+#include "plugin/declaration.hpp"
+
 #include <foam/host/length.hpp>
 #include <foam/host/recipe.hpp>
 
@@ -120,7 +122,7 @@ Json parameters_of(const RegisteredStage& stage) {
         }
         properties["file"] = std::move(file);
     }
-    if (stage.kind == StageKind::mesh_filter || stage.kind == StageKind::spherizer) {
+    if (can_be_isolated(stage.kind)) {
         add_isolation(properties);
     }
     schema["properties"] = std::move(properties);
@@ -177,12 +179,18 @@ Json link_schema(const Registry& registry) {
 }
 
 Json loader_schema(const Registry& registry) {
-    Json properties = Json::object();
+    Json names = Json::array(), parameters = Json::object();
     for (const auto& [name, stage] : registry.stages()) {
         if (stage.kind == StageKind::mesh_loader || stage.kind == StageKind::robot_loader) {
-            properties[name] = reference(name);
+            names.push_back(name);
+            parameters[name] = reference(name);
         }
     }
+    Json properties;
+    properties["prefer"] = {
+        {"description", "Loader that reads a file if several read its ending; absent: load.mesh rather than load.assimp."},
+        {"enum", std::move(names)}};
+    properties.update(parameters);
     Json schema = object(std::move(properties));
     schema["description"] = "Parameters of loaders; which one reads a file, its ending says.";
     return schema;

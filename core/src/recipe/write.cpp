@@ -112,6 +112,9 @@ private:
 
     void write_loaders() {
         std::vector<std::string> loaders;
+        if (!recipe_.preferred_loader.empty()) {
+            loaders.push_back("prefer: " + yaml_text(recipe_.preferred_loader));
+        }
         for (const StageCall& loader : recipe_.loaders) {
             loaders.push_back(stage(loader, "", true));
         }

@@ -71,7 +71,7 @@ std::string extension_of(const fs::path& file) {
 
 /// The value of a loader's parameter max_bytes; nothing if it has none.
 std::optional<std::int64_t> max_bytes(const Recipe& recipe, const RegisteredStage& loader) {
-    const auto given = recipe.loader_parameters(loader.info.name);
+    const auto given = recipe.loader_call(loader.info.name).given;
     for (const Parameter& parameter : loader.info.parameters) {
         if (parameter.name == "max_bytes" && parameter.type == Parameter::Type::integer) {
             const auto value = given.find(parameter.name);
@@ -83,8 +83,13 @@ std::optional<std::int64_t> max_bytes(const Recipe& recipe, const RegisteredStag
 
 } // namespace
 
+const RegisteredStage* mesh_loader_of(const Workspace& workspace, const fs::path& file) {
+    return workspace.registry.find_for_extension(StageKind::mesh_loader, extension_of(file),
+                                                 workspace.recipe.preferred_loader);
+}
+
 std::string read_mesh_file(const Workspace& workspace, const fs::path& file) {
-    const RegisteredStage* loader = workspace.registry.find_for_extension(StageKind::mesh_loader, extension_of(file));
+    const RegisteredStage* loader = mesh_loader_of(workspace, file);
     const auto limit = loader ? max_bytes(workspace.recipe, *loader) : std::nullopt;
     return limit ? read_file(file, static_cast<std::uintmax_t>(*limit),
                              fmt::format("simplify the mesh, or raise max_bytes of {}", loader->info.name))
@@ -128,7 +133,8 @@ Input load_input(const Workspace& workspace) {
     input.file = resolve_input(workspace.recipe, &input.chosen).path;
     const bool mesh = workspace.recipe.urdf.empty();
     if (const std::string why = why_refused(workspace.recipe.mesh_unit, input.file,
-                                            mesh ? InputKind::mesh : InputKind::robot, workspace.registry);
+                                            mesh ? InputKind::mesh : InputKind::robot, workspace.registry,
+                                            workspace.recipe.preferred_loader);
         !why.empty()) {
         throw Error(ErrorCode::usage, why);
     }
@@ -142,8 +148,8 @@ Input load_input(const Workspace& workspace) {
         input.report.output = digest_of_content(*input.robot);
         return input;
     }
-    const RegisteredStage* loader =
-        workspace.registry.find_for_extension(StageKind::robot_loader, extension_of(input.file));
+    const RegisteredStage* loader = workspace.registry.find_for_extension(
+        StageKind::robot_loader, extension_of(input.file), workspace.recipe.preferred_loader);
     if (!loader) {
         loader = workspace.registry.find_for_extension(StageKind::robot_loader, "urdf");
     }
@@ -154,7 +160,7 @@ Input load_input(const Workspace& workspace) {
     input.robot = run_stage(
         workspace, loader->info.name, "", input.file.string(), input.digest, input.report, [&](Context& context) {
             const auto stage = workspace.registry.make<RobotLoader>(
-                loader->info.name, workspace.recipe.loader_parameters(loader->info.name));
+                loader->info.name, workspace.recipe.loader_call(loader->info.name).given);
             return std::make_shared<const Robot>(stage->load(text, input.file, resolver_of(workspace.recipe), context));
         });
     input.report.output = digest_of_content(*input.robot);

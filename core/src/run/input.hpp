@@ -19,6 +19,8 @@ struct Input {
     StageReport report;                 ///< of the loader; its stage is empty for a single mesh
 };
 
+/// The loader that reads a mesh file by its ending; null if none does.
+const RegisteredStage* mesh_loader_of(const Workspace& workspace, const std::filesystem::path& file);
 /// The bytes of a mesh file; of no more than its loader takes by its parameter max_bytes. Throws Error(input).
 std::string read_mesh_file(const Workspace& workspace, const std::filesystem::path& file);
 

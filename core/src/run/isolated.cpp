@@ -16,8 +16,20 @@
 namespace foam {
 namespace {
 
+constexpr bool sanitized = std::string_view(FOAM_ABI_SANITIZER) != "none";
+
 bool is_isolated(const Isolation& isolation) {
     return isolation.process.value_or(false);
+}
+
+/// What the recipe says, and where it is silent what the stage wishes.
+Isolation isolation_of(const Workspace& workspace, const StageCall& call) {
+    const RegisteredStage* stage = workspace.registry.find(call.stage);
+    Isolation wish = stage ? stage->info.isolation : Isolation{};
+    if (sanitized) {
+        wish.memory_limit.reset(); // it cannot be kept, and nobody asked for it
+    }
+    return call.isolation.over(wish);
 }
 
 /// The plugin's file: the child loads this one, those it uses, and no other.
@@ -65,8 +77,15 @@ bool take_message(std::string_view message, Context& context, std::string& resul
     return false; // the stage wrote to a descriptor that is not its own
 }
 
+/// What a user can do about a call that came to a bad end; empty: nothing in general.
+std::string remedy_of(const StageRequest& request) {
+    return request.what == StageRequest::What::load
+               ? "; remedy: the file may be damaged: export it again, or as STL, OBJ, PLY, DAE, OFF or GLB"
+               : "";
+}
+
 /// What to say of a child that gave no answer.
-Error bad_end(const ChildEnd& end, const Isolation& isolation) {
+Error bad_end(const ChildEnd& end, const Isolation& isolation, const StageRequest& request) {
     const std::string memory =
         isolation.memory_limit
             ? fmt::format("; its memory_limit of {} MiB may be too little for it", *isolation.memory_limit)
@@ -80,13 +99,15 @@ Error bad_end(const ChildEnd& end, const Isolation& isolation) {
                                                  to_text(isolation.time_limit.value_or(0)))};
     case ChildEnd::Why::signalled:
         return {ErrorCode::plugin,
-                fmt::format("the stage crashed in its own process ({}){}", signal_text(end.number), memory)};
+                fmt::format("the stage crashed in its own process ({}){}{}", signal_text(end.number), memory,
+                            remedy_of(request))};
     case ChildEnd::Why::exited:
     case ChildEnd::Why::answered:
         break;
     }
     return {ErrorCode::plugin,
-            fmt::format("the stage ended its own process (exit code {}) without a result{}", end.number, memory)};
+            fmt::format("the stage ended its own process (exit code {}) without a result{}{}", end.number, memory,
+                        remedy_of(request))};
 }
 
 /// The answer to a request; throws what the stage has thrown, and for a child that gave none.
@@ -96,10 +117,14 @@ std::string call_in_child(const Workspace& workspace, StageRequest request, cons
                                           : serves_isolated_calls()          ? "/proc/self/exe"
                                                                              : "";
     if (program.empty()) {
-        throw Error(ErrorCode::usage, "this program cannot run stages in processes of their own; remedy: delete "
-                                      "'isolate' from the recipe, or run it with foam");
+        throw Error(ErrorCode::usage,
+                    fmt::format("this program cannot run stages in processes of their own; remedy: {}, or run it with "
+                                "foam",
+                                workspace.registry.find(request.stage)->info.isolation.process.value_or(false)
+                                    ? fmt::format("say isolate: none for {}", request.stage)
+                                    : "delete 'isolate' from the recipe"));
     }
-    if (isolation.memory_limit && std::string_view(FOAM_ABI_SANITIZER) != "none") {
+    if (isolation.memory_limit && sanitized) {
         throw Error(ErrorCode::usage, "a foam built with a sanitizer cannot keep a memory_limit; remedy: delete it");
     }
     request.parent = getpid();
@@ -123,7 +148,7 @@ std::string call_in_child(const Workspace& workspace, StageRequest request, cons
         return take_message(message, context, result, thrown);
     });
     if (end.why != ChildEnd::Why::answered) {
-        throw bad_end(end, isolation);
+        throw bad_end(end, isolation, request);
     }
     try {
         if (thrown) {
@@ -154,7 +179,8 @@ Mesh mesh_from(const std::string& bytes) {
 }
 
 Mesh filter_as_is(const Workspace& workspace, const StageCall& call, const Mesh& mesh, Context& context) {
-    if (!is_isolated(call.isolation)) {
+    const Isolation isolation = isolation_of(workspace, call);
+    if (!is_isolated(isolation)) {
         return workspace.registry.make<MeshFilter>(call.stage, call.given)->apply(mesh, context);
     }
     StageRequest request;
@@ -162,13 +188,14 @@ Mesh filter_as_is(const Workspace& workspace, const StageCall& call, const Mesh&
     request.stage = call.stage;
     request.given = call.given;
     put_mesh(request.work, mesh);
-    return mesh_from(call_in_child(workspace, std::move(request), call.isolation, context));
+    return mesh_from(call_in_child(workspace, std::move(request), isolation, context));
 }
 
 std::vector<SphereTree> spherize_as_is(const Workspace& workspace, const StageCall& call,
                                        std::unique_ptr<Spherizer>& stage, const Shape& shape,
                                        std::span<const Budget> budgets, Context& context) {
-    if (!is_isolated(call.isolation)) {
+    const Isolation isolation = isolation_of(workspace, call);
+    if (!is_isolated(isolation)) {
         if (!stage) {
             stage = workspace.registry.make<Spherizer>(call.stage, call.given);
         }
@@ -179,7 +206,7 @@ std::vector<SphereTree> spherize_as_is(const Workspace& workspace, const StageCa
     request.stage = call.stage;
     request.given = call.given;
     put_shape_work(request.work, shape, budgets);
-    const std::string bytes = call_in_child(workspace, std::move(request), call.isolation, context);
+    const std::string bytes = call_in_child(workspace, std::move(request), isolation, context);
     ByteReader in(bytes);
     std::vector<SphereTree> trees;
     for (auto count = in.take<std::uint64_t>(); count > 0 && in.good(); --count) {
@@ -195,15 +222,15 @@ std::vector<SphereTree> spherize_as_is(const Workspace& workspace, const StageCa
 
 Mesh call_loader(const Workspace& workspace, const std::string& stage, const std::filesystem::path& file,
                  Context& context) {
-    const Isolation& isolation = workspace.recipe.isolation;
-    const auto given = workspace.recipe.loader_parameters(stage);
+    const StageCall call = workspace.recipe.loader_call(stage);
+    const Isolation isolation = isolation_of(workspace, call);
     if (!is_isolated(isolation)) {
-        return workspace.registry.make<MeshLoader>(stage, given)->load(file, context);
+        return workspace.registry.make<MeshLoader>(stage, call.given)->load(file, context);
     }
     StageRequest request;
     request.what = StageRequest::What::load;
     request.stage = stage;
-    request.given = given;
+    request.given = call.given;
     request.work = std::filesystem::absolute(file).string();
     return mesh_from(call_in_child(workspace, std::move(request), isolation, context));
 }

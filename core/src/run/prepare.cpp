@@ -103,14 +103,13 @@ InputFile input_file(const Workspace& workspace, const MeshReference& reference)
 void load(const Workspace& workspace, const std::vector<LinkWork>& links, LoadTask& task) {
     const std::filesystem::path& path = task.reference.path;
     const std::string& link = links[task.targets.front().link].link->name;
-    std::string extension = path.extension().string();
-    extension = extension.empty() ? "" : extension.substr(1);
-    const RegisteredStage* loader = workspace.registry.find_for_extension(StageKind::mesh_loader, extension);
+    const RegisteredStage* loader = mesh_loader_of(workspace, path);
     if (!loader) {
+        const std::string extension = path.extension().string();
         throw Error(ErrorCode::input,
                     fmt::format("link '{}': {}: no loader reads files that end in '.{}'; remedy: convert it to "
                                 "STL, OBJ, PLY, DAE, OFF or GLB",
-                                link, path.string(), extension));
+                                link, path.string(), extension.empty() ? "" : extension.substr(1)));
     }
     task.file = input_file(workspace, task.reference);
     task.report.input = task.reference.uri;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace foam {
 
@@ -22,8 +23,8 @@ struct MeshUnit {
 
 enum class InputKind { robot, mesh };
 /// Why `file` cannot be read so, with the remedy; empty if it can: a robot is in metres, and some formats of meshes say
-/// their unit themselves.
+/// their unit themselves. `preferred`: the loader that goes first where several read the file's ending.
 std::string why_refused(const MeshUnit& unit, const std::filesystem::path& file, InputKind kind,
-                        const Registry& registry);
+                        const Registry& registry, std::string_view preferred = {});
 
 } // namespace foam

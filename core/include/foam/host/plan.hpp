@@ -34,6 +34,7 @@ struct PlannedOutput {
 struct PlannedFile {
     std::filesystem::path file;
     std::string digest;
+    std::string loader{}; ///< of a mesh: the stage that reads it
 };
 
 struct Plan {

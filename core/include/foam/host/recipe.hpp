@@ -35,23 +35,12 @@ struct Diagnostic {
     std::string text() const; ///< "file:line:column: error[code]: message"
 };
 
-/// Whether the calls of a stage run in child processes, and within which limits. What is absent is as in the recipe.
-struct Isolation {
-    std::optional<bool> process;
-    std::optional<double> time_limit;        ///< s; of one call
-    std::optional<std::size_t> memory_limit; ///< MiB; of one call
-
-    bool operator==(const Isolation&) const = default;
-    /// This, and where it is silent `base`.
-    Isolation over(const Isolation& base) const;
-};
-
 /// One stage of a recipe with checked parameters.
 struct StageCall {
     std::string stage;
     std::map<std::string, ParameterValue> given; ///< as in the recipe; the defaults are the stage's own
     Location where;
-    Isolation isolation{}; ///< mesh filters and spherizers
+    Isolation isolation{}; ///< mesh loaders, mesh filters and spherizers
 };
 
 /// Overrides for the links that a glob names ("*finger"): parameters of stages of the chain, or skip.
@@ -97,6 +86,7 @@ struct Recipe {
     std::vector<std::string> package_path; ///< searched before the environment; relative to the recipe
     std::vector<std::string> plugins;      ///< files to load; relative to the recipe
     std::vector<StageCall> loaders;        ///< parameters of loaders; the input's ending says which one reads it
+    std::string preferred_loader;          ///< the one that goes first where several read an ending; may be empty
     std::vector<StageCall> filters;        ///< mesh filters in order
     StageCall spherizer;
     bool per_link = true;                        ///< false: spherize every collision element on its own
@@ -118,7 +108,7 @@ struct Recipe {
     bool debug_meshes = false, debug_snapshots = false;
     OnError on_error = OnError::stop;
     bool strict = false; ///< a glob that names no link is an error, not a warning
-    Isolation isolation; ///< of mesh loaders, and of the stages that do not say otherwise
+    Isolation isolation; ///< of the stages that do not say otherwise
 
     /// What applies to one link: the chain with the overrides and the recipe's isolation merged in.
     struct LinkRecipe {
@@ -132,8 +122,8 @@ struct Recipe {
         std::vector<ClipPlane> clip;          ///< in the link's frame
     };
     LinkRecipe for_link(const std::string& link) const;
-    /// What the recipe says of a loader.
-    std::map<std::string, ParameterValue> loader_parameters(const std::string& stage) const;
+    /// What the recipe says of a loader, the recipe's isolation merged in.
+    StageCall loader_call(const std::string& stage) const;
 };
 
 /// What came of reading a recipe: `recipes` holds one entry for each variant asked for, times the points of its sweep,

@@ -52,8 +52,10 @@ public:
     const RegisteredStage* find(std::string_view stage) const;
     /// All stages by name.
     const std::map<std::string, RegisteredStage, std::less<>>& stages() const { return stages_; }
-    /// The first stage of that kind which handles a file name ending ("stl"; any case); nullptr if none does.
-    const RegisteredStage* find_for_extension(StageKind kind, std::string_view extension) const;
+    /// The stage of that kind which handles a file name ending ("stl"; any case); nullptr if none does. Of several
+    /// `preferred` goes first, then the others by name, those of last resort at the end.
+    const RegisteredStage* find_for_extension(StageKind kind, std::string_view extension,
+                                              std::string_view preferred = {}) const;
     /// The nearest known stage name, for "did you mean"; empty if nothing is near.
     std::string nearest(std::string_view stage) const;
 
