@@ -74,7 +74,7 @@ int check_recipe(Program& program, const Arguments& arguments) {
 } // namespace
 
 void add_check(Program& program) {
-    CLI::App* command = add_command(program, "check", "Say all that is wrong with a recipe, without running it",
+    CLI::App* command = add_command(program, "check", "List all errors of a recipe without running it",
                                     "  foam check my_robot.yaml\n"
                                     "  foam check my_robot.yaml --set budget.spheres=60 --json");
     auto arguments = std::make_shared<Arguments>();

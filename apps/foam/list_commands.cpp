@@ -199,10 +199,10 @@ int list_plugins(Program& program, bool why, bool as_json) {
 } // namespace
 
 void add_stages(Program& program) {
-    CLI::App* command = add_command(program, "stages", "List the stages that recipes are made of",
-                                    "  foam stages\n  foam stages --json");
+    CLI::App* command =
+        add_command(program, "stages", "List the stages that recipes can use", "  foam stages\n  foam stages --json");
     auto json = std::make_shared<bool>(false);
-    command->add_flag("--json", *json, "Print them as JSON, with all parameters");
+    command->add_flag("--json", *json, "Print the stages as JSON, with all parameters");
     command->callback([&program, json] { program.action = [&program, json] { return list_stages(program, *json); }; });
 }
 
@@ -212,7 +212,7 @@ void add_describe(Program& program) {
     auto name = std::make_shared<std::string>();
     auto json = std::make_shared<bool>(false);
     command->add_option("stage", *name, "Name of the stage, kind.method")->type_name("STAGE")->required();
-    command->add_flag("--json", *json, "Print it as JSON");
+    command->add_flag("--json", *json, "Print the stage as JSON");
     command->callback([&program, name, json] {
         program.action = [&program, name, json] { return describe_stage(program, *name, *json); };
     });
@@ -222,8 +222,8 @@ void add_plugins(Program& program) {
     CLI::App* command = add_command(program, "plugins", "List the plugins",
                                     "  foam plugins --why\n  foam plugins --plugin ./mine.so --why");
     auto why = std::make_shared<bool>(false), json = std::make_shared<bool>(false);
-    command->add_flag("--why", *why, "Say where each was found and why others were refused");
-    command->add_flag("--json", *json, "Print them as JSON");
+    command->add_flag("--why", *why, "Show the file of each plugin, and why plugins were refused");
+    command->add_flag("--json", *json, "Print the plugins as JSON");
     command->callback([&program, why, json] {
         program.action = [&program, why, json] { return list_plugins(program, *why, *json); };
     });

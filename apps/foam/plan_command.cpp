@@ -288,7 +288,7 @@ int plan_recipe(Program& program, const Arguments& arguments) {
 } // namespace
 
 void add_plan(Program& program) {
-    CLI::App* command = add_command(program, "plan", "Say what a recipe would run, and what the cache holds of it",
+    CLI::App* command = add_command(program, "plan", "Show what a recipe would run and what is cached",
                                     "  foam plan configs/panda_22.yaml\n"
                                     "  foam plan my_robot.yaml --variant fine --json");
     auto arguments = std::make_shared<Arguments>();
