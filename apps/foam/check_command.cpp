@@ -65,7 +65,7 @@ int check_recipe(Program& program, const Arguments& arguments) {
     if (!read.ok()) {
         return exit_code(ErrorCode::recipe);
     }
-    tell(fmt::format("{}: good for {} run{}{}", arguments.recipe, read.recipes.size(),
+    tell(fmt::format("{}: valid, {} run{}{}", arguments.recipe, read.recipes.size(),
                      read.recipes.size() == 1 ? "" : "s",
                      read.variants.empty() ? "" : fmt::format("; variants: {}", fmt::join(read.variants, ", "))));
     return 0;

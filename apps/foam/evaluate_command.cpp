@@ -81,7 +81,7 @@ LinkPlane plane_of(const std::string& text, const Original& original) {
                                    [&](const OriginalLink& l) { return l.link == text.substr(0, equals); });
     if (link == original.links.end()) {
         throw Error(ErrorCode::usage,
-                    fmt::format("--clip {}: there is no link '{}' to judge", text, text.substr(0, equals)));
+                    fmt::format("--clip {}: there is no link '{}' to evaluate", text, text.substr(0, equals)));
     }
     result.link = static_cast<std::size_t>(link - original.links.begin());
     return result;

@@ -124,7 +124,7 @@ ProvedLinks proved_links(const Original& original, const std::vector<bool>& prov
         }
         ++links.with_collision;
         if (next == original.links.size() || original.links[next].link != link.name) {
-            links.left_out.push_back({link.name, "not asked for by --link"});
+            links.left_out.push_back({link.name, "excluded by --link"});
         } else if (proved[next++]) {
             ++links.proved;
         } else {

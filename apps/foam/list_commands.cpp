@@ -108,10 +108,10 @@ std::string description(const RegisteredStage& stage) {
         text.back() = '\n';
     }
     if (stage.info.original_only) {
-        text += "Looks at the original geometry alone: mesh filters before it change nothing.\n";
+        text += "Uses only the original geometry: mesh filters before it have no effect.\n";
     }
     if (!stage.info.objective_parameter.empty()) {
-        text += fmt::format("What is to be least: parameter {}.\n", stage.info.objective_parameter);
+        text += fmt::format("Objective: parameter {}.\n", stage.info.objective_parameter);
     }
     text += stage.info.parameters.empty() ? "No parameters.\n" : "\nParameters:\n";
     for (const Parameter& p : stage.info.parameters) {
@@ -191,7 +191,7 @@ int list_plugins(Program& program, bool why, bool as_json) {
         print(text);
     }
     if (refused > 0 && !why && !as_json) {
-        tell(fmt::format("{} more refused; `foam plugins --why` says why", refused));
+        tell(fmt::format("{} more refused; `foam plugins --why` shows why", refused));
     }
     return 0;
 }

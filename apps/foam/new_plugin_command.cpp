@@ -162,7 +162,7 @@ int new_plugin(Program& program, const std::string& stage, const std::string& di
                       "  cmake -S {} -B {} -DCMAKE_PREFIX_PATH={}\n"
                       "  cmake --build {}\n"
                       "  ctest --test-dir {} --output-on-failure\n"
-                      "{}/README.md says more.\n",
+                      "{}/README.md has the details.\n",
                       target.string(), folder, build, shell_quoted(sdk_prefix().string()), build, build, folder));
     return 0;
 }

@@ -53,7 +53,7 @@ int run_recipe(Program& program, Arguments arguments) {
         arguments.recipe = arguments.recipe.empty() ? lock->resolved_recipe().string() : arguments.recipe;
         arguments.execute.accept = [&lock](const std::string& manifest) { lock->check_outputs(manifest); };
     } else if (arguments.recipe.empty()) {
-        throw Error(ErrorCode::usage, "recipe is required; `foam run --help` says how to use it");
+        throw Error(ErrorCode::usage, "recipe is required; `foam run --help` explains its use");
     }
     RecipeResult read = read_recipe(arguments.recipe, registry, settings_of(arguments.settings), arguments.variants);
     if (lock && !read.ok()) {

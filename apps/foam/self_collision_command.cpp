@@ -82,7 +82,7 @@ std::string model_text(const Arguments& arguments, const CollisionModel& model) 
     if (covers == 0) {
         return "its own spheres";
     }
-    return fmt::format("certified covers of at most {} spheres for {} link{}{}", arguments.spheres, covers,
+    return fmt::format("certified models of at most {} spheres for {} link{}{}", arguments.spheres, covers,
                        covers == 1 ? "" : "s", given == 0 ? "" : fmt::format(", its own spheres for {}", given));
 }
 

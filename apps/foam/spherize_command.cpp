@@ -48,7 +48,7 @@ std::string output_ending(const Arguments& arguments, const Registry& registry) 
     const std::string extension = fs::path(arguments.output).extension().string();
     if (extension.empty()) {
         throw Error(ErrorCode::usage,
-                    fmt::format("the ending of '{}' is to say the format; remedy: -o {}.json, or --format",
+                    fmt::format("the format of '{}' is unknown without an extension; remedy: -o {}.json, or --format",
                                 arguments.output, arguments.output));
     }
     return extension.substr(1);
@@ -152,7 +152,7 @@ int spherize(Program& program, const Arguments& arguments) {
     const QuickRecipe quick = quick_recipe(arguments.input, arguments.method, output_ending(arguments, registry),
                                            budget_of(arguments), arguments.unit, registry);
     for (const std::string& stage : quick.left_out) {
-        tell(fmt::format("warning: no plugin offers {}; it is left out", stage));
+        tell(fmt::format("warning: no plugin offers {}; it is skipped", stage));
     }
     const RecipeResult read = parse_recipe(quick.text, quick.name + ".yaml", registry, settings_of(arguments.settings));
     require_ok(read, arguments.input);

@@ -21,19 +21,18 @@ TEST_F(Cli, UnknownCommand) {
     const Outcome outcome = foam("rum recipe.yaml");
     EXPECT_EQ(outcome.code, 2);
     EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(outcome.err,
-              "foam: unknown command 'rum'; did you mean 'run'?\nfoam: `foam --help` says how to use it\n");
+    EXPECT_EQ(outcome.err, "foam: unknown command 'rum'; did you mean 'run'?\nfoam: `foam --help` explains its use\n");
 }
 
 TEST_F(Cli, UnknownCommandThatIsNearNothing) {
-    EXPECT_EQ(foam("frobnicate").err, "foam: unknown command 'frobnicate'\nfoam: `foam --help` says how to use it\n");
+    EXPECT_EQ(foam("frobnicate").err, "foam: unknown command 'frobnicate'\nfoam: `foam --help` explains its use\n");
 }
 
 TEST_F(Cli, UnknownOption) {
     const Outcome outcome = foam("stages --jsno");
     EXPECT_EQ(outcome.code, 2);
     EXPECT_EQ(outcome.err,
-              "foam: unknown option '--jsno'; did you mean '--json'?\nfoam: `foam stages --help` says how to use it\n");
+              "foam: unknown option '--jsno'; did you mean '--json'?\nfoam: `foam stages --help` explains its use\n");
 }
 
 TEST_F(Cli, MissingAndSurplusArguments) {

@@ -83,8 +83,8 @@ TEST_F(Run, ElementsThatOnlyTheirOwnFrameProvesAreRefused) {
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::geometry);
         EXPECT_STREQ(error.what(),
-                     "link 'base': its collision elements are too small for the distance between them: what is "
-                     "proved of each in a frame of its own does not hold in the link's; remedy: per: link");
+                     "link 'base': its collision elements are too small for the distance between them: the proof of "
+                     "each in its own frame does not hold in the link's frame; remedy: per: link");
     }
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "refused"));
 }

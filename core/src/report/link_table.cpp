@@ -82,7 +82,7 @@ private:
     }
 
     static std::string empty_row(const Json& link) {
-        const std::string why = link.contains("error") ? escaped(link["error"]) : "left out by the recipe";
+        const std::string why = link.contains("error") ? escaped(link["error"]) : "excluded by the recipe";
         return fmt::format("<tr><th scope=\"row\">{}</th><td class=\"why\" colspan=\"{}\">{}</td></tr>\n",
                            escaped(link["link"]), columns - 1, why);
     }

@@ -44,7 +44,7 @@ std::string link_count_text(const Json& manifest) {
         skipped += link.contains("skipped") ? 1 : 0;
         lost += link.contains("error") ? 1 : 0;
     }
-    std::string text = skipped > 0 ? fmt::format("{} left out by the recipe", skipped) : "";
+    std::string text = skipped > 0 ? fmt::format("{} excluded by the recipe", skipped) : "";
     if (lost > 0) {
         text += fmt::format("{}{} with an error", text.empty() ? "" : ", ", lost);
     }
