@@ -137,10 +137,9 @@ TEST_F(SelfCollisionCli, ListsThatCannotBeRead) {
               "foam: error: theirs:2: <disable_collisions> does not name two links; remedy: <disable_collisions "
               "link1=\"A\" link2=\"B\"/>\n");
     EXPECT_EQ(refusal("<robot>\n<link></robot>"), "foam: error: theirs:2: no XML: mismatched tag\n");
-    EXPECT_EQ(
-        refusal("links: {}\n"),
-        "foam: error: theirs: it leaves out no pairs of links; read are the <disable_collisions> of SRDFs, cuRobo's "
-        "self_collision_ignore and XRDF's self_collision\n");
+    EXPECT_EQ(refusal("links: {}\n"),
+              "foam: error: theirs: it excludes no pairs of links; supported are the <disable_collisions> of SRDFs, "
+              "cuRobo's self_collision_ignore and XRDF's self_collision\n");
     EXPECT_EQ(refusal("self_collision_ignore: {base: upper}\n"),
               "foam: error: theirs:1:31: expected a list of links, got the text 'upper'\n");
 }
