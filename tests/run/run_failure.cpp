@@ -16,7 +16,7 @@ TEST_F(Run, NamesStageLinkAndInputOfAFailure) {
         "stage 'spherize.misbehaving', link 'tip', input 'cylinder': the stage threw an exception: index out of range");
     EXPECT_EQ(code, ErrorCode::plugin);
     EXPECT_THAT(failure("stages: [spherize.misbehaving: {how: integer, link: tip}]\n"),
-                HasSubstr("threw something that is no"));
+                HasSubstr("threw an object that is not a"));
     EXPECT_FALSE(fs::exists(folder.path() / "out"));
 }
 

@@ -67,7 +67,8 @@ TEST_F(Run, OneSphereStandsInForOthersThatWouldClaimMore) {
     EXPECT_TRUE(result.certified);
     EXPECT_EQ(result.total.spheres, 1u);
     EXPECT_LE(result.total.excess, 0.02);
-    EXPECT_THAT(warnings_of(result), ::testing::Contains(::testing::HasSubstr("one sphere around the geometry")));
+    EXPECT_THAT(warnings_of(result),
+                ::testing::Contains(::testing::HasSubstr("one enclosing sphere is written, because")));
 }
 
 TEST_F(Run, ElementsThatOnlyTheirOwnFrameProvesAreRefused) {
