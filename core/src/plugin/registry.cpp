@@ -90,8 +90,7 @@ std::string enrol(Entry entry, PluginRecord& record, Collector& collector) {
                            error.what());
     } catch (...) {
         return "it threw an object that is not a std::exception while it enrolled its stages; remedy: correct the body "
-               "of "
-               "FOAM_PLUGIN";
+               "of FOAM_PLUGIN";
     }
     return "";
 }
