@@ -98,10 +98,11 @@ std::string description(const RegisteredStage& stage) {
         text += fmt::format("Files: .{}\n", fmt::join(stage.info.extensions, " ."));
     }
     if (stage.info.last_resort) {
-        text += "Reads those that no other loader reads, or all if 'loaders: {prefer: …}' names it.\n";
+        text +=
+            "Reads the files that no other loader reads, or all of these formats if 'loaders: {prefer: …}' names it.\n";
     }
     if (const Json isolation = json_of(stage.info.isolation); !isolation.empty()) {
-        text += "Unless the recipe says otherwise:";
+        text += "Default isolation:";
         for (const auto& [key, value] : isolation.items()) {
             text += fmt::format(" {}: {},", key, value.is_string() ? value.get<std::string>() : value.dump());
         }

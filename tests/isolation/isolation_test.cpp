@@ -204,7 +204,7 @@ TEST_F(WishedIsolation, ACrashIsReportedWithFileAndRemedy) {
     EXPECT_EQ(code, ErrorCode::plugin);
     if (!sanitized) {
         EXPECT_EQ(failure_of("abort"),
-                  place() + "the stage crashed in its own process (SIGABRT, the program gave up); remedy: the file may "
+                  place() + "the stage crashed in its own process (SIGABRT, the program aborted); remedy: the file may "
                             "be damaged: export it again, or as STL, OBJ, PLY, DAE, OFF or GLB");
     }
 }
@@ -213,7 +213,7 @@ TEST_F(WishedIsolation, TheRecipeOverrulesIt) {
     EXPECT_EQ(failure_of("loop", "loaders: {load.wishing: {time_limit: 1}}\n"),
               place() + "the stage took longer than its time_limit of 1 s and was stopped; remedy: raise the limit, or "
                         "simplify the input");
-    const std::string own = "the stage failed with an exception of its own: index out of range";
+    const std::string own = "the stage threw an exception: index out of range";
     RunOptions none = options();
     none.program.clear(); // no child can be started
     write("mesh.wishing", "exception\n");

@@ -114,7 +114,7 @@ TEST_F(ChoiceOfLoader, NeedsAProgramThatIsolates) {
     RunOptions without = options();
     without.program.clear();
     EXPECT_THAT(plan(recipe("part.3ds"), registry, without).links.at(0).error,
-                HasSubstr("this program cannot run stages in processes of their own; remedy: say isolate: none for "
+                HasSubstr("this program cannot run stages in child processes; remedy: set isolate: none for "
                           "load.assimp, or run it with foam"));
     EXPECT_EQ(
         plan(recipe("part.3ds", "loaders: {load.assimp: {isolate: none}}\n"), registry, without).links.at(0).error, "");

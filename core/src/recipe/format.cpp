@@ -89,7 +89,7 @@ std::vector<Parameter> isolation_values() {
     return {
         Parameter::choice("isolate", {"none", "process"}, "none")
             .doc("process: each call runs in a child process, where a crash or a limit ends the call, not the run. "
-                 "Absent: as at the top level; there: as the stage wishes, else none."),
+                 "Absent: as at the top level; there: the default of the stage, otherwise none."),
         Parameter::number("time_limit", 60)
             .at_least(0.001)
             .unit("s")
