@@ -124,7 +124,7 @@ TEST_F(ChoiceOfLoader, NeedsAProgramThatIsolates) {
 TEST_F(ChoiceOfLoader, ItsLimitsAreTheRecipes) {
     EXPECT_EQ(finding_of("loaders: {load.assimp: {time_limit: 30}}\n"), "");
     EXPECT_THAT(finding_of("loaders: {load.assimp: {isolate: none, time_limit: 30}}\n"),
-                HasSubstr("error[conflict]: 'time_limit' of load.assimp can only be kept by a process of its own"));
+                HasSubstr("error[conflict]: 'time_limit' of load.assimp needs process isolation"));
 }
 
 TEST_F(ChoiceOfLoader, WantOfTimeAndMemoryIsReportedWithTheFile) {
