@@ -49,7 +49,7 @@ int bench(Program& program, const Arguments& arguments) {
 } // namespace
 
 void add_bench(Program& program) {
-    CLI::App* command = add_command(program, "bench", "Run an experiment: measure stages, write tables and plots",
+    CLI::App* command = add_command(program, "bench", "Measure stages, write tables and plots",
                                     "  foam bench configs/experiments/filters.yaml\n"
                                     "  foam bench configs/experiments/methods.yaml -o methods -j 4\n"
                                     "  foam bench my_experiment.yaml --check");
@@ -59,16 +59,16 @@ void add_bench(Program& program) {
         ->required();
     command
         ->add_option("-o,--out", arguments->out,
-                     "Folder of the results; default: benchmarks/NAME, NAME being the experiment's")
+                     "Folder of the results; default: benchmarks/NAME with the name of the experiment")
         ->type_name("DIR");
     command
         ->add_option("-j,--threads", arguments->threads,
-                     "Number of threads that a stage may use; 0: one a core; more of them disturb CPU times")
+                     "Threads that a stage may use, at most 1024; 0: one per core; several threads distort CPU times")
         ->type_name("N")
-        ->check(CLI::Range(std::size_t{0}, std::size_t{1024}))
+        ->check(CLI::Range(std::size_t{0}, std::size_t{1024}).description(""))
         ->capture_default_str();
     add_force(*command, arguments->force);
-    command->add_flag("--check", arguments->check, "Say all that is wrong with the experiment, and measure nothing");
+    command->add_flag("--check", arguments->check, "List all errors of the experiment, and measure nothing");
     command->callback(
         [&program, arguments] { program.action = [&program, arguments] { return bench(program, *arguments); }; });
 }

@@ -51,16 +51,18 @@ int cache_command(const Arguments& arguments) {
 } // namespace
 
 void add_cache(Program& program) {
-    CLI::App* command = add_command(program, "cache", "Say what the cache holds, or make it smaller",
+    CLI::App* command = add_command(program, "cache", "Show the size of the cache, or reduce it",
                                     "  foam cache\n"
-                                    "  foam cache --trim 500    keep what was used last, at most 500 MiB\n"
+                                    "  foam cache --trim 500    keep the latest entries, at most 500 MiB\n"
                                     "  foam cache --clear");
     auto arguments = std::make_shared<Arguments>();
     CLI::Option* trim =
-        command->add_option("--trim", arguments->trim, "Delete what was not used for longest until N MiB are left")
+        command
+            ->add_option("--trim", arguments->trim,
+                         "Delete the entries that were not used for the longest time, until N MiB are left")
             ->type_name("N");
-    command->add_flag("--clear", arguments->clear, "Delete all")->excludes(trim);
-    command->add_flag("--json", arguments->json, "Print it as JSON");
+    command->add_flag("--clear", arguments->clear, "Delete all entries")->excludes(trim);
+    command->add_flag("--json", arguments->json, "Print the result as JSON");
     command->callback([&program, arguments] { program.action = [arguments] { return cache_command(*arguments); }; });
 }
 

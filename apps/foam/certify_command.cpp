@@ -100,19 +100,20 @@ int certify_spheres(Program& program, const Arguments& arguments) {
 } // namespace
 
 void add_certify(Program& program) {
-    CLI::App* command = add_command(
-        program, "certify", "Prove that a sphere model encloses its geometry, or say where it does not",
-        "  foam certify robot.urdf robot_spheres.urdf\n"
-        "  foam certify part.stl part.json --json\n"
-        "Every triangle of the raw geometry is proved to lie in the spheres, or a point is named where the\n"
-        "proof fails (witness) and how much the nearest sphere would have to grow there.\n"
-        "Exit codes: 0 certified, 1 not, 2 wrong command line");
+    CLI::App* command = add_command(program, "certify", "Prove that spheres cover a geometry, or find a gap",
+                                    "  foam certify robot.urdf robot_spheres.urdf\n"
+                                    "  foam certify part.stl part.json --json\n"
+                                    "\n"
+                                    "The proof covers every triangle of the raw geometry. If it fails, foam prints\n"
+                                    "a point outside the spheres (witness), and the length by which the radius of\n"
+                                    "the nearest sphere would have to grow to cover it (growth).\n"
+                                    "Exit codes: 0 certified, 1 not certified, 2 invalid command line");
     auto arguments = std::make_shared<Arguments>();
     add_judge_options(*command, arguments->judge);
     command->add_option("spheres", arguments->spheres, "The sphere model")->type_name("SPHERES")->required();
     command
         ->add_option("--guarantee", arguments->guarantee,
-                     "outer: the geometry lies in the spheres; inner: the spheres lie in the geometry")
+                     "outer: the geometry lies inside the spheres; inner: the spheres lie inside the geometry")
         ->type_name("outer|inner")
         ->capture_default_str()
         ->check(CLI::IsMember({"outer", "inner"}).description(""));

@@ -65,7 +65,7 @@ int check_recipe(Program& program, const Arguments& arguments) {
     if (!read.ok()) {
         return exit_code(ErrorCode::recipe);
     }
-    tell(fmt::format("{}: good for {} run{}{}", arguments.recipe, read.recipes.size(),
+    tell(fmt::format("{}: valid, {} run{}{}", arguments.recipe, read.recipes.size(),
                      read.recipes.size() == 1 ? "" : "s",
                      read.variants.empty() ? "" : fmt::format("; variants: {}", fmt::join(read.variants, ", "))));
     return 0;
@@ -74,7 +74,7 @@ int check_recipe(Program& program, const Arguments& arguments) {
 } // namespace
 
 void add_check(Program& program) {
-    CLI::App* command = add_command(program, "check", "Say all that is wrong with a recipe, without running it",
+    CLI::App* command = add_command(program, "check", "List all errors of a recipe without running it",
                                     "  foam check my_robot.yaml\n"
                                     "  foam check my_robot.yaml --set budget.spheres=60 --json");
     auto arguments = std::make_shared<Arguments>();

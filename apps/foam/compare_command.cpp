@@ -71,18 +71,19 @@ int compare_models(Program& program, const Arguments& arguments) {
 } // namespace
 
 void add_compare(Program& program) {
-    CLI::App* command =
-        add_command(program, "compare", "Judge several sphere models of one robot side by side",
-                    "  foam compare robot.urdf a.urdf b.yaml c.json\n"
-                    "  foam compare robot.urdf a.urdf b.urdf --html comparison.html   with pictures; one file\n"
-                    "The figures are those of `foam evaluate`.");
+    CLI::App* command = add_command(program, "compare", "Evaluate several models of one robot side by side",
+                                    "  foam compare robot.urdf a.urdf b.yaml c.json\n"
+                                    "  foam compare robot.urdf a.urdf b.urdf --html comparison.html\n"
+                                    "\n"
+                                    "The figures are those of `foam evaluate`.");
     auto arguments = std::make_shared<Arguments>();
     add_judge_options(*command, arguments->judge);
     command->add_option("models", arguments->models, "The sphere models")->type_name("SPHERES")->required();
-    command->add_option("--html", arguments->html, "Write a page, too")->type_name("FILE");
+    command->add_option("--html", arguments->html, "Also write one HTML file with tables and pictures")
+        ->type_name("FILE");
     add_force(*command, arguments->force);
-    command->add_option("--seed", arguments->seed, "Seed of the samples; default 0")->type_name("N");
-    command->add_flag("--json", arguments->json, "Print the figures as JSON: metres, not millimetres");
+    command->add_option("--seed", arguments->seed, "Seed of the samples; default: 0")->type_name("N");
+    command->add_flag("--json", arguments->json, "Print the figures as JSON, in metres instead of millimetres");
     command->callback([&program, arguments] {
         program.action = [&program, arguments] { return compare_models(program, *arguments); };
     });

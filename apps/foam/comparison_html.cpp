@@ -121,12 +121,13 @@ std::string html_of(const Comparison& comparison, const Pictures& pictures) {
         html += image(pictures.whole, "The robot under the spheres of each model");
     }
     html += "<h2>Links</h2>\n" + link_table(comparison) + link_pictures(comparison, pictures) + notes(comparison);
-    return html_page(title,
-                     html + fmt::format("<footer>covered: share of the surface that lies in the spheres. gap: how far "
-                                        "the geometry sticks out. excess, missing: volume wrongly claimed and left "
-                                        "out, over the volume of the geometry. out: how far the spheres stick out. "
-                                        "certified: gap 0 is proved. foam {}.</footer>\n",
-                                        version()));
+    return html_page(
+        title,
+        html + fmt::format(
+                   "<footer>covered: share of the surface inside the spheres. gap: how far the geometry extends beyond "
+                   "the spheres. excess, missing: excess and missing volume / volume of the geometry. out: how far the "
+                   "spheres extend beyond the geometry. certified: gap = 0 is proved. foam {}.</footer>\n",
+                   version()));
 }
 
 } // namespace foam::cli

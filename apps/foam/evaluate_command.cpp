@@ -81,7 +81,7 @@ LinkPlane plane_of(const std::string& text, const Original& original) {
                                    [&](const OriginalLink& l) { return l.link == text.substr(0, equals); });
     if (link == original.links.end()) {
         throw Error(ErrorCode::usage,
-                    fmt::format("--clip {}: there is no link '{}' to judge", text, text.substr(0, equals)));
+                    fmt::format("--clip {}: there is no link '{}' to evaluate", text, text.substr(0, equals)));
     }
     result.link = static_cast<std::size_t>(link - original.links.begin());
     return result;
@@ -139,27 +139,32 @@ int evaluate_spheres(Program& program, const Arguments& arguments) {
 } // namespace
 
 void add_evaluate(Program& program) {
-    CLI::App* command = add_command(
-        program, "evaluate", "Judge a sphere model, anybody's, by the geometry that it stands for",
-        "  foam evaluate robot.urdf robot_spheres.urdf\n"
-        "  foam evaluate panda.urdf franka.yml --json             cuRobo, Lula, XRDF, MorphIt, …\n"
-        "  foam evaluate part.stl part.json\n"
-        "  foam evaluate iiwa.urdf drake.urdf --rename iiwa_link_=lbr_iiwa_link_\n"
-        "Formats are recognised by their content. covered: share of the surface in the spheres; gap: how far\n"
-        "the geometry sticks out; excess, missing: volume wrongly claimed and left out, over the link's;\n"
-        "out: how far spheres stick out; certified: gap 0 is proved. ±: standard error.");
+    CLI::App* command = add_command(program, "evaluate", "Measure the quality of a sphere model",
+                                    "  foam evaluate robot.urdf robot_spheres.urdf\n"
+                                    "  foam evaluate panda.urdf franka.yml --json    cuRobo, Lula, XRDF, MorphIt, …\n"
+                                    "  foam evaluate part.stl part.json\n"
+                                    "  foam evaluate iiwa.urdf drake.urdf --rename iiwa_link_=lbr_iiwa_link_\n"
+                                    "\n"
+                                    "foam recognises formats by the content of the file. Columns of the table:\n"
+                                    "  covered    share of the surface inside the spheres\n"
+                                    "  gap        how far the geometry extends beyond the spheres\n"
+                                    "  excess     volume of the spheres outside the link / volume of the link\n"
+                                    "  missing    volume of the link outside the spheres / volume of the link\n"
+                                    "  out        how far the spheres extend beyond the link\n"
+                                    "  certified  gap = 0 is proved\n"
+                                    "A number after ± is a standard error.");
     auto arguments = std::make_shared<Arguments>();
     add_judge_options(*command, arguments->judge);
     command->add_option("spheres", arguments->spheres, "The sphere model")->type_name("SPHERES")->required();
     command
         ->add_option("--clip", arguments->clips,
-                     "Say how far the link's spheres reach beyond the plane n · p = OFFSET, n along the normal, in its "
-                     "frame; OFFSET in m or with its unit, 5mm; repeatable")
+                     "Report how far the spheres of LINK extend beyond the plane n · p = OFFSET of its frame, with the "
+                     "unit normal n along NX,NY,NZ; OFFSET in m or with a unit, e.g. 5mm; repeatable")
         ->type_name("LINK=NX,NY,NZ,OFFSET")
         ->expected(1)
         ->take_all();
-    command->add_option("--seed", arguments->seed, "Seed of the samples; default 0")->type_name("N");
-    command->add_flag("--json", arguments->json, "Print the figures as JSON: metres, not millimetres");
+    command->add_option("--seed", arguments->seed, "Seed of the samples; default: 0")->type_name("N");
+    command->add_flag("--json", arguments->json, "Print the figures as JSON, in metres instead of millimetres");
     command->callback([&program, arguments] {
         program.action = [&program, arguments] { return evaluate_spheres(program, *arguments); };
     });

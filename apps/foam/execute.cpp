@@ -27,17 +27,15 @@ void tell_input(const Recipe& recipe) {
 } // namespace
 
 void add_execute_options(CLI::App& command, ExecuteOptions& options) {
-    command.add_option("-j,--threads", options.threads, "Number of threads; default: one a core")
-        ->type_name("N")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1024}));
-    command.add_flag("--fresh", options.fresh, "Neither read nor write the cache");
+    add_threads(command, options.threads);
+    command.add_flag("--fresh", options.fresh, "Do not use the cache");
     command
         .add_option("--time-limit", options.time_limit,
-                    "Write the best spheres that are found within S seconds of the start")
+                    "Write the best spheres that foam finds within S seconds of the start")
         ->type_name("S")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Validator(CLI::PositiveNumber).description(""));
     add_force(command, options.force);
-    command.add_flag("-v,--verbose", options.verbose, "Tell notes too, not only warnings and errors");
+    command.add_flag("-v,--verbose", options.verbose, "Also print notes, not only warnings and errors");
 }
 
 void tell_findings(const std::vector<Diagnostic>& findings) {
@@ -81,7 +79,9 @@ RunResult execute(const Recipe& recipe, const Registry& registry, const std::fil
 
 int exit_code_of(const RunResult& result) {
     constexpr int links_left_out = 4;
-    return result.cut == Cut::stop || interrupted() ? exit_code(ErrorCode::cancelled) : result.links_lost ? links_left_out : 0;
+    return result.cut == Cut::stop || interrupted() ? exit_code(ErrorCode::cancelled)
+           : result.links_lost                      ? links_left_out
+                                                    : 0;
 }
 
 } // namespace foam::cli

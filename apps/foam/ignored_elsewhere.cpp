@@ -52,15 +52,15 @@ Agreement agreement(const std::string& file, const Robot& robot, const SelfColli
 
 std::string text_of(const Agreement& agreement, const Robot& robot, const SelfCollisionMatrix& matrix) {
     std::string text =
-        fmt::format("{} leaves out {} pairs: {} of them are left out here, {} to check here, {} of links "
-                    "without spheres; {} more are left out here.\n",
+        fmt::format("{} excludes {} pairs: {} of them are excluded here, {} need a check here, {} contain links "
+                    "without spheres; {} more are excluded here.\n",
                     agreement.file, agreement.both + agreement.only_there.size() + agreement.unknown.size(),
                     agreement.both, agreement.only_there.size(), agreement.unknown.size(), agreement.only_here.size());
     for (const Agreement::Difference& difference : agreement.only_there) {
         text += line("to check here", difference.pair, difference.reason, robot, matrix);
     }
     for (const LinkPair& pair : agreement.only_here) {
-        text += line("left out here", pair, to_string(pair.reason), robot, matrix);
+        text += line("excluded here", pair, to_string(pair.reason), robot, matrix);
     }
     return text;
 }

@@ -37,14 +37,14 @@ void on_signal(int signal) {
         return;
     }
     first_signal.store(signal, std::memory_order_relaxed);
-    write_text("\nfoam: stopping; once more ends it at once\n");
+    write_text("\nfoam: stopping; a second signal ends it at once\n");
     write_activities(STDERR_FILENO); // a stage that never asks whether to stop is named here
     alarm(time_to_stop);
 }
 
 /// What was asked to stop goes on. Runs have a watchdog of their own; this one is for commands and phases without a run.
 void on_alarm(int) {
-    write_text("foam: stopped; what does not ask whether to end is ended with the program:\n");
+    write_text("foam: stopped; the program ends with these stages, which do not respond:\n");
     write_activities(STDERR_FILENO);
     end_children();
     remove_unfinished_runs();
@@ -75,7 +75,7 @@ void give_up(const Unresponsive& what) {
     const bool stop = what.asked == Cut::stop;
     tell(fmt::format("{} {:.1f} s after the start it still works on {}; nothing was written; remedy: {}",
                      stop ? "stopped:" : "error: the time limit is over, but", what.seconds,
-                     what.at.empty() ? "what no stage is named for" : fmt::format("{}", fmt::join(what.at, "; ")),
+                     what.at.empty() ? "work outside of the stages" : fmt::format("{}", fmt::join(what.at, "; ")),
                      "isolate: process for that stage (--set isolate=process), which ends with its process"));
     end_children();
     remove_unfinished_runs();

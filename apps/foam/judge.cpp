@@ -34,9 +34,10 @@ Renames renames_of(const std::vector<std::string>& texts) {
 
 void add_renames(CLI::App& command, std::vector<std::string>& texts) {
     command
-        .add_option("--rename", texts,
-                    "A link of SPHERES that is called OLD, or begins with it, is NEW in ORIGINAL; '=LINK' for "
-                    "spheres that name no link; repeatable")
+        .add_option(
+            "--rename", texts,
+            "Rename links of SPHERES to match ORIGINAL: the name or prefix OLD becomes NEW; '=LINK' for spheres "
+            "without a link name; repeatable")
         ->type_name("OLD=NEW")
         ->expected(1)
         ->take_all();
@@ -48,13 +49,11 @@ void add_judge_options(CLI::App& command, JudgeOptions& options) {
         ->required();
     add_mesh_unit(command, options.unit);
     add_renames(command, options.renames);
-    command.add_option("--link", options.links, "Judge only links that this glob names; repeatable")
+    command.add_option("--link", options.links, "Evaluate only links that match this glob; repeatable")
         ->type_name("GLOB")
         ->expected(1)
         ->take_all();
-    command.add_option("-j,--threads", options.threads, "Number of threads; default: one a core")
-        ->type_name("N")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1024}));
+    add_threads(command, options.threads);
 }
 
 Original original_of(Program& program, const JudgeOptions& options) {
@@ -125,7 +124,7 @@ ProvedLinks proved_links(const Original& original, const std::vector<bool>& prov
         }
         ++links.with_collision;
         if (next == original.links.size() || original.links[next].link != link.name) {
-            links.left_out.push_back({link.name, "not asked for by --link"});
+            links.left_out.push_back({link.name, "excluded by --link"});
         } else if (proved[next++]) {
             ++links.proved;
         } else {

@@ -98,20 +98,21 @@ std::string description(const RegisteredStage& stage) {
         text += fmt::format("Files: .{}\n", fmt::join(stage.info.extensions, " ."));
     }
     if (stage.info.last_resort) {
-        text += "Reads those that no other loader reads, or all if 'loaders: {prefer: …}' names it.\n";
+        text +=
+            "Reads the files that no other loader reads, or all of these formats if 'loaders: {prefer: …}' names it.\n";
     }
     if (const Json isolation = json_of(stage.info.isolation); !isolation.empty()) {
-        text += "Unless the recipe says otherwise:";
+        text += "Default isolation:";
         for (const auto& [key, value] : isolation.items()) {
             text += fmt::format(" {}: {},", key, value.is_string() ? value.get<std::string>() : value.dump());
         }
         text.back() = '\n';
     }
     if (stage.info.original_only) {
-        text += "Looks at the original geometry alone: mesh filters before it change nothing.\n";
+        text += "Uses only the original geometry: mesh filters before it have no effect.\n";
     }
     if (!stage.info.objective_parameter.empty()) {
-        text += fmt::format("What is to be least: parameter {}.\n", stage.info.objective_parameter);
+        text += fmt::format("Objective: parameter {}.\n", stage.info.objective_parameter);
     }
     text += stage.info.parameters.empty() ? "No parameters.\n" : "\nParameters:\n";
     for (const Parameter& p : stage.info.parameters) {
@@ -191,7 +192,7 @@ int list_plugins(Program& program, bool why, bool as_json) {
         print(text);
     }
     if (refused > 0 && !why && !as_json) {
-        tell(fmt::format("{} more refused; `foam plugins --why` says why", refused));
+        tell(fmt::format("{} more refused; `foam plugins --why` shows why", refused));
     }
     return 0;
 }
@@ -199,10 +200,10 @@ int list_plugins(Program& program, bool why, bool as_json) {
 } // namespace
 
 void add_stages(Program& program) {
-    CLI::App* command = add_command(program, "stages", "List the stages that recipes are made of",
-                                    "  foam stages\n  foam stages --json");
+    CLI::App* command =
+        add_command(program, "stages", "List the stages that recipes can use", "  foam stages\n  foam stages --json");
     auto json = std::make_shared<bool>(false);
-    command->add_flag("--json", *json, "Print them as JSON, with all parameters");
+    command->add_flag("--json", *json, "Print the stages as JSON, with all parameters");
     command->callback([&program, json] { program.action = [&program, json] { return list_stages(program, *json); }; });
 }
 
@@ -212,7 +213,7 @@ void add_describe(Program& program) {
     auto name = std::make_shared<std::string>();
     auto json = std::make_shared<bool>(false);
     command->add_option("stage", *name, "Name of the stage, kind.method")->type_name("STAGE")->required();
-    command->add_flag("--json", *json, "Print it as JSON");
+    command->add_flag("--json", *json, "Print the stage as JSON");
     command->callback([&program, name, json] {
         program.action = [&program, name, json] { return describe_stage(program, *name, *json); };
     });
@@ -222,8 +223,8 @@ void add_plugins(Program& program) {
     CLI::App* command = add_command(program, "plugins", "List the plugins",
                                     "  foam plugins --why\n  foam plugins --plugin ./mine.so --why");
     auto why = std::make_shared<bool>(false), json = std::make_shared<bool>(false);
-    command->add_flag("--why", *why, "Say where each was found and why others were refused");
-    command->add_flag("--json", *json, "Print them as JSON");
+    command->add_flag("--why", *why, "Show the file of each plugin, and why plugins were refused");
+    command->add_flag("--json", *json, "Print the plugins as JSON");
     command->callback([&program, why, json] {
         program.action = [&program, why, json] { return list_plugins(program, *why, *json); };
     });

@@ -60,7 +60,7 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
 int usage_error(const CLI::App& app, const CLI::ParseError& error) {
     const CLI::App& command = current(app);
     tell(explain(app, error));
-    tell(fmt::format("`foam {}--help` says how to use it", &command == &app ? "" : command.get_name() + " "));
+    tell(fmt::format("`foam {}--help` explains its use", &command == &app ? "" : command.get_name() + " "));
     return foam::exit_code(foam::ErrorCode::usage);
 }
 

@@ -162,7 +162,7 @@ int new_plugin(Program& program, const std::string& stage, const std::string& di
                       "  cmake -S {} -B {} -DCMAKE_PREFIX_PATH={}\n"
                       "  cmake --build {}\n"
                       "  ctest --test-dir {} --output-on-failure\n"
-                      "{}/README.md says more.\n",
+                      "{}/README.md has the details.\n",
                       target.string(), folder, build, shell_quoted(sdk_prefix().string()), build, build, folder));
     return 0;
 }
@@ -170,10 +170,9 @@ int new_plugin(Program& program, const std::string& stage, const std::string& di
 } // namespace
 
 void add_new_plugin(Program& program) {
-    CLI::App* command =
-        add_command(program, "new-plugin", "Write a little project with a stage of your own, a test and a recipe",
-                    "  foam new-plugin spherize.mine\n"
-                    "  foam new-plugin smooth.mine --dir ~/plugins/smooth_mine");
+    CLI::App* command = add_command(program, "new-plugin", "Create a plugin project with test and recipe",
+                                    "  foam new-plugin spherize.mine\n"
+                                    "  foam new-plugin smooth.mine --dir ~/plugins/smooth_mine");
     auto stage = std::make_shared<std::string>(), directory = std::make_shared<std::string>();
     command
         ->add_option("stage", *stage,

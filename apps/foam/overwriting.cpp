@@ -10,7 +10,7 @@ namespace foam::cli {
 namespace fs = std::filesystem;
 
 void add_force(CLI::App& command, bool& force) {
-    command.add_flag("--force", force, "Write even where that replaces an input");
+    command.add_flag("--force", force, "Write even if this replaces an input file");
 }
 
 void refuse_overwriting(const fs::path& target, const std::vector<fs::path>& inputs, bool force) {

@@ -52,7 +52,7 @@ std::string budget_text(const Recipe& recipe) {
         parts.push_back(fmt::format("protrusion of at most {} m", to_text(*recipe.budget_max_protrusion)));
     }
     if (parts.empty()) {
-        parts.emplace_back("as the spherizer's parameters say");
+        parts.emplace_back("determined by the spherizer's parameters");
     }
     if (recipe.budget_time_limit) {
         parts.push_back(fmt::format("the best within {} s", to_text(*recipe.budget_time_limit)));
@@ -86,7 +86,7 @@ std::string cache_text(const PlannedStage& stage) {
 
 std::string link_text(const PlannedLink& link) {
     if (link.skipped) {
-        return "left out by " + places_text(link);
+        return "excluded by " + places_text(link);
     }
     if (!link.error.empty()) {
         return "cannot be read: " + shown_lines(link.error);
@@ -280,7 +280,7 @@ int plan_recipe(Program& program, const Arguments& arguments) {
         print(text);
     }
     if (!read.variants.empty() && arguments.variants.empty()) {
-        tell(fmt::format("without its variants: {}; --variant chooses", fmt::join(read.variants, ", ")));
+        tell(fmt::format("without its variants: {}; --variant selects them", fmt::join(read.variants, ", ")));
     }
     return unreadable ? exit_code(ErrorCode::input) : 0;
 }
@@ -288,7 +288,7 @@ int plan_recipe(Program& program, const Arguments& arguments) {
 } // namespace
 
 void add_plan(Program& program) {
-    CLI::App* command = add_command(program, "plan", "Say what a recipe would run, and what the cache holds of it",
+    CLI::App* command = add_command(program, "plan", "Show what a recipe would run and what is cached",
                                     "  foam plan configs/panda_22.yaml\n"
                                     "  foam plan my_robot.yaml --variant fine --json");
     auto arguments = std::make_shared<Arguments>();

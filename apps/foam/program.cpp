@@ -1,5 +1,7 @@
 #include "program.hpp"
 
+#include "help.hpp"
+
 #include <foam/error.hpp>
 #include <foam/host/isolation.hpp>
 #include <foam/host/length.hpp>
@@ -13,29 +15,30 @@
 
 namespace foam::cli {
 
-Program::Program() : app("foam turns robots and objects into spheres that are proved to enclose them.", "foam") {
+Program::Program() : app("foam approximates robots and objects by spheres that are proved to enclose them.", "foam") {
     app.set_version_flag("--version", "foam " + version(), "Print the version");
     app.set_help_flag("-h,--help", "Print this help");
     app.fallthrough();
     app.require_subcommand(1);
-    app.get_formatter()->column_width(34);
-    app.add_option("--plugin", plugin_files_, "Load this plugin too; repeatable")
+    app.formatter(std::make_shared<HelpFormatter>());
+    app.add_option("--plugin", plugin_files_, "Also load this plugin; repeatable")
         ->type_name("FILE")
         ->expected(1)
         ->take_all();
-    app.add_option("--plugin-dir", plugin_folders_, "Load the plugins of this folder too; repeatable")
+    app.add_option("--plugin-dir", plugin_folders_, "Also load the plugins of this folder; repeatable")
         ->type_name("DIR")
         ->expected(1)
         ->take_all()
         ->check(CLI::Validator(CLI::ExistingDirectory).description("")); // the help would say DIR:DIR
     app.footer("Examples:\n"
-               "  foam run configs/panda_22.yaml              a robot by a recipe\n"
-               "  foam spherize robot.urdf -n 60              a robot without a recipe\n"
-               "  foam spherize part.stl -n 16 -o part.json   a mesh\n"
-               "  foam stages                                 what recipes are made of\n"
+               "  foam run configs/panda_22.yaml              run a recipe\n"
+               "  foam spherize robot.urdf -n 60              a robot, without a recipe\n"
+               "  foam spherize part.stl -n 16 -o part.json   a mesh, without a recipe\n"
+               "  foam stages                                 the stages that recipes can use\n"
                "\n"
-               "Exit codes: 0 done, 1 a stage failed, 2 recipe or command line wrong, 3 plugin refused,\n"
-               "            4 done with links left out, 130 cancelled. `foam COMMAND --help` says more.");
+               "Exit codes: 0 done, 1 a stage failed, 2 invalid recipe or command line,\n"
+               "            3 plugin refused, 4 done except for some links, 130 cancelled.\n"
+               "`foam COMMAND --help` explains a command.");
 }
 
 std::vector<std::filesystem::path> Program::plugin_folders() const {
@@ -87,8 +90,8 @@ CLI::App* add_command(Program& program, const std::string& name, const std::stri
 void add_settings(CLI::App& command, std::vector<std::string>& texts) {
     command
         .add_option("--set", texts,
-                    "Change a value of the recipe: key.path=value, e.g. budget.spheres=60 or "
-                    "stages.simplify.quadric.ratio=0.1; repeatable")
+                    "Change a value of the recipe, e.g. budget.spheres=60 or stages.simplify.quadric.ratio=0.1; "
+                    "repeatable")
         ->type_name("KEY=VALUE")
         ->expected(1)
         ->take_all();
@@ -97,23 +100,29 @@ void add_settings(CLI::App& command, std::vector<std::string>& texts) {
 void add_strict(CLI::App& command, std::vector<std::string>& texts) {
     command.add_flag_callback(
         "--strict", [&texts] { texts.emplace_back("strict=true"); },
-        "A glob of the recipe that names no link is an error, as by strict: true");
+        "Treat a glob that matches no link as an error, like strict: true in the recipe");
 }
 
 void add_variants(CLI::App& command, std::vector<std::string>& names) {
     command
-        .add_option("--variant", names, "A variant of the recipe instead of itself; repeatable; '*' for all of them")
+        .add_option("--variant", names,
+                    "Run this variant instead of the recipe itself; '*' runs all variants; repeatable")
         ->type_name("NAME")
         ->expected(1)
         ->take_all();
 }
 
+void add_threads(CLI::App& command, std::size_t& threads) {
+    command.add_option("-j,--threads", threads, "Threads, at most 1024; default: one per core")
+        ->type_name("N")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1024}).description(""));
+}
+
 void add_mesh_unit(CLI::App& command, MeshUnit& unit) {
-    command
-        .add_option("--unit", unit.unit, "What the numbers of a mesh are in, if its file does not say it; default: m")
+    command.add_option("--unit", unit.unit, "Unit of the mesh, for formats without a unit; default: m")
         ->type_name(fmt::format("{}", fmt::join(length_units(), "|")))
         ->check(CLI::IsMember(length_units()).description(""));
-    command.add_option("--scale", unit.scale, "What a mesh is enlarged by, besides its unit; default: 1")
+    command.add_option("--scale", unit.scale, "Scale factor of the mesh, in addition to its unit; default: 1")
         ->type_name("F")
         ->check(CLI::Validator(CLI::PositiveNumber).description(""));
 }

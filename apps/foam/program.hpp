@@ -66,6 +66,8 @@ void add_settings(CLI::App& command, std::vector<std::string>& texts);
 void add_strict(CLI::App& command, std::vector<std::string>& texts);
 /// `--variant NAME`, repeatable.
 void add_variants(CLI::App& command, std::vector<std::string>& names);
+/// `-j`: number of threads.
+void add_threads(CLI::App& command, std::size_t& threads);
 /// `--unit` and `--scale` of a single mesh.
 void add_mesh_unit(CLI::App& command, MeshUnit& unit);
 /// A length in m from "10mm"; throws Error(usage) naming the option.

@@ -126,7 +126,7 @@ QuickRecipe quick_recipe(const std::filesystem::path& input, const std::string& 
     }
     recipe.text += fmt::format("  - {}: {{}}\n", spheres.name);
     if (const std::string text = budget_text(budget); !text.empty()) {
-        recipe.text += fmt::format("budget: {{{}}}   # over the whole robot\n", text);
+        recipe.text += fmt::format("budget: {{{}}}   # for the whole robot\n", text);
     }
     recipe.text +=
         fmt::format("guarantee: outer\noutputs:\n  - {}: {{file: {}}}\n", writer->info.name, quoted(recipe.output));

@@ -53,7 +53,7 @@ int run_recipe(Program& program, Arguments arguments) {
         arguments.recipe = arguments.recipe.empty() ? lock->resolved_recipe().string() : arguments.recipe;
         arguments.execute.accept = [&lock](const std::string& manifest) { lock->check_outputs(manifest); };
     } else if (arguments.recipe.empty()) {
-        throw Error(ErrorCode::usage, "recipe is required; `foam run --help` says how to use it");
+        throw Error(ErrorCode::usage, "recipe is required; `foam run --help` explains its use");
     }
     RecipeResult read = read_recipe(arguments.recipe, registry, settings_of(arguments.settings), arguments.variants);
     if (lock && !read.ok()) {
@@ -94,18 +94,19 @@ int run_recipe(Program& program, Arguments arguments) {
 void add_run(Program& program) {
     CLI::App* command = add_command(program, "run", "Run a recipe",
                                     "  foam run configs/panda_22.yaml\n"
-                                    "  foam run configs/panda_22.yaml --set budget.spheres=60 --out /tmp/panda_60\n"
+                                    "  foam run configs/panda_22.yaml --set budget.spheres=60 --out panda_60\n"
                                     "  foam run configs/panda_22.yaml -j 4 --fresh --json\n"
                                     "  foam run my_robot.yaml --variant fine\n"
                                     "  foam run --locked manifest.json panda_22.yaml");
     auto arguments = std::make_shared<Arguments>();
     command->add_option("recipe", arguments->recipe, "The recipe, a YAML file")->type_name("RECIPE");
     command
-        ->add_option("--locked", arguments->locked,
-                     "Refuse versions, inputs and settings other than this manifest's, and outputs of other bytes; "
-                     "without RECIPE: the recipe.resolved.yaml beside it")
+        ->add_option(
+            "--locked", arguments->locked,
+            "Refuse versions, inputs, settings and outputs that differ from this manifest; without RECIPE, run "
+            "the recipe.resolved.yaml next to it")
         ->type_name("MANIFEST");
-    command->add_option("-o,--out", arguments->out, "Run directory; default: runs/NAME, NAME being the recipe's")
+    command->add_option("-o,--out", arguments->out, "Run directory; default: runs/NAME with the name of the recipe")
         ->type_name("DIR");
     add_variants(*command, arguments->variants);
     add_settings(*command, arguments->settings);

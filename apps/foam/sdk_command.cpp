@@ -6,7 +6,7 @@
 namespace foam::cli {
 
 void add_sdk(Program& program) {
-    CLI::App* command = add_command(program, "sdk", "Print where the SDK is, for CMake: headers and find_package(foam)",
+    CLI::App* command = add_command(program, "sdk", "Print the folder of the SDK for CMake",
                                     "  cmake -S mine -B mine/build -DCMAKE_PREFIX_PATH=\"$(foam sdk)\"");
     command->callback([&program] {
         program.action = [] {

@@ -82,7 +82,7 @@ std::string model_text(const Arguments& arguments, const CollisionModel& model) 
     if (covers == 0) {
         return "its own spheres";
     }
-    return fmt::format("certified covers of at most {} spheres for {} link{}{}", arguments.spheres, covers,
+    return fmt::format("certified models of at most {} spheres for {} link{}{}", arguments.spheres, covers,
                        covers == 1 ? "" : "s", given == 0 ? "" : fmt::format(", its own spheres for {}", given));
 }
 
@@ -254,18 +254,18 @@ int self_collision(Program& program, Arguments& arguments) {
 }
 
 void add_model_options(CLI::App& command, Arguments& arguments) {
-    command.add_option("robot", arguments.urdf, "The robot, a URDF; its collision spheres are taken as they are")
+    command.add_option("robot", arguments.urdf, "The robot, a URDF; its collision spheres are used as they are")
         ->type_name("ROBOT")
         ->required();
     command
         .add_option("--spheres", arguments.spheres,
-                    "A link with other geometry gets a certified cover of at most so many spheres")
+                    "Maximum number of certified spheres that cover a link with other geometry, 1 to 1000")
         ->type_name("N")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1000}))
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1000}).description(""))
         ->capture_default_str();
     command
         .add_option("--model", arguments.model,
-                    "Spheres for the robot's links, of any format that `foam evaluate` reads")
+                    "Spheres of the robot's links, in any format that `foam evaluate` reads")
         ->type_name("SPHERES");
     add_renames(command, arguments.renames);
 }
@@ -274,55 +274,63 @@ void add_sampling_options(CLI::App& command, Arguments& arguments) {
     SelfCollisionOptions& options = arguments.options;
     command
         .add_option("--samples", options.samples,
-                    "Random configurations for pairs of which nothing is proved; 0: proofs alone")
+                    "Number of random configurations for pairs without a proof, at most 1000000000; 0: only proofs")
         ->type_name("N")
-        ->check(CLI::Range(std::size_t{0}, std::size_t{1000000000}))
+        ->check(CLI::Range(std::size_t{0}, std::size_t{1000000000}).description(""))
         ->capture_default_str();
-    command.add_option("--confidence", options.confidence, "Of the bound that samples without touch give; in (0, 1)")
+    command
+        .add_option("--confidence", options.confidence,
+                    "Confidence of the bound for pairs that no sample found in contact, in (0, 1)")
         ->type_name("C")
         ->capture_default_str();
     command.add_option("--seed", options.seed, "Seed of the samples")->type_name("N")->capture_default_str();
     command
-        .add_option("--pose", arguments.pose,
-                    "A joint's value in the reference pose, rad or m; default: zero, moved into the limits; repeatable")
+        .add_option(
+            "--pose", arguments.pose,
+            "Joint position in the reference pose, in rad or m; default: zero, moved into the limits; repeatable")
         ->type_name("JOINT=VALUE")
         ->expected(1)
         ->take_all();
     command
-        .add_option("--proof-boxes", options.proof_boxes,
-                    "A proof gives up after so many boxes of joint values for a pair; 0: no proofs")
+        .add_option(
+            "--proof-boxes", options.proof_boxes,
+            "Maximum number of boxes of joint positions in the proof for a pair, at most 1000000000; 0: no proofs")
         ->type_name("N")
-        ->check(CLI::Range(std::size_t{0}, std::size_t{1000000000}))
+        ->check(CLI::Range(std::size_t{0}, std::size_t{1000000000}).description(""))
         ->capture_default_str();
 }
 
 } // namespace
 
 void add_self_collision(Program& program) {
-    CLI::App* command = add_command(
-        program, "self-collision", "Find the pairs of links that never need a collision check",
-        "  foam self-collision panda_22.urdf --srdf panda.srdf      for MoveIt: <disable_collisions>\n"
-        "  foam self-collision panda.urdf --curobo ignore.yaml      for cuRobo: self_collision_ignore\n"
-        "  foam self-collision panda.urdf --model franka.yml --json\n"
-        "  foam self-collision panda.urdf --against panda.srdf      where the two differ, and why\n"
-        "  foam self-collision panda.urdf --samples 1000000 --confidence 0.99\n"
-        "Reasons: Adjacent: joined by a joint; Always, Never: touching in all, in no configuration, proved or, with\n"
-        "the bound that is printed, by samples; Default: touching in the reference pose. All others are to check.");
+    CLI::App* command = add_command(program, "self-collision", "Find the pairs of links that need no collision check",
+                                    "  foam self-collision panda_22.urdf --srdf panda.srdf   for MoveIt\n"
+                                    "  foam self-collision panda.urdf --curobo ignore.yaml   for cuRobo\n"
+                                    "  foam self-collision panda.urdf --model franka.yml --json\n"
+                                    "  foam self-collision panda.urdf --against panda.srdf   differences and reasons\n"
+                                    "  foam self-collision panda.urdf --samples 1000000 --confidence 0.99\n"
+                                    "\n"
+                                    "Reasons why a pair needs no check:\n"
+                                    "  Adjacent  at most one movable joint lies between the links\n"
+                                    "  Always    they touch in every configuration\n"
+                                    "  Default   they touch in the reference pose\n"
+                                    "  Never     they touch in no configuration\n"
+                                    "foam proves Always and Never, or prints a bound from random samples. All other\n"
+                                    "pairs need a check.");
     auto arguments = std::make_shared<Arguments>();
     add_model_options(*command, *arguments);
     add_sampling_options(*command, *arguments);
-    command->add_option("--srdf", arguments->srdf, "Write an SRDF with the pairs")->type_name("FILE");
+    command->add_option("--srdf", arguments->srdf, "Write the pairs as an SRDF, <disable_collisions>")
+        ->type_name("FILE");
     command->add_option("--curobo", arguments->curobo, "Write the pairs as cuRobo's self_collision_ignore (YAML)")
         ->type_name("FILE");
     command
         ->add_option("--against", arguments->against,
-                     "Hold the pairs against those that an SRDF, a cuRobo file or an XRDF leaves out")
+                     "Compare the pairs with those that an SRDF, a cuRobo file or an XRDF excludes")
         ->type_name("FILE");
     add_force(*command, arguments->force);
     command->add_flag("--json", arguments->json, "Print the matrix as JSON");
-    command->add_option("-j,--threads", arguments->threads, "Number of threads; default: one a core")
-        ->type_name("N")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1024}));
+    add_threads(*command, arguments->threads);
     command->callback([&program, arguments] {
         program.action = [&program, arguments] { return self_collision(program, *arguments); };
     });

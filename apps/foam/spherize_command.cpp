@@ -48,7 +48,7 @@ std::string output_ending(const Arguments& arguments, const Registry& registry) 
     const std::string extension = fs::path(arguments.output).extension().string();
     if (extension.empty()) {
         throw Error(ErrorCode::usage,
-                    fmt::format("the ending of '{}' is to say the format; remedy: -o {}.json, or --format",
+                    fmt::format("the format of '{}' is unknown without an extension; remedy: -o {}.json, or --format",
                                 arguments.output, arguments.output));
     }
     return extension.substr(1);
@@ -152,7 +152,7 @@ int spherize(Program& program, const Arguments& arguments) {
     const QuickRecipe quick = quick_recipe(arguments.input, arguments.method, output_ending(arguments, registry),
                                            budget_of(arguments), arguments.unit, registry);
     for (const std::string& stage : quick.left_out) {
-        tell(fmt::format("warning: no plugin offers {}; it is left out", stage));
+        tell(fmt::format("warning: no plugin offers {}; it is skipped", stage));
     }
     const RecipeResult read = parse_recipe(quick.text, quick.name + ".yaml", registry, settings_of(arguments.settings));
     require_ok(read, arguments.input);
@@ -166,10 +166,10 @@ int spherize(Program& program, const Arguments& arguments) {
 } // namespace
 
 void add_spherize(Program& program) {
-    CLI::App* command = add_command(program, "spherize", "Turn a robot or a mesh into spheres without a recipe",
-                                    "  foam spherize robot.urdf -n 60                       writes robot_spheres.urdf\n"
+    CLI::App* command = add_command(program, "spherize", "Approximate a robot or a mesh by spheres",
+                                    "  foam spherize robot.urdf -n 60           writes robot_spheres.urdf\n"
                                     "  foam spherize part.stl -n 16 -o part.json\n"
-                                    "  foam spherize robot.urdf --excess 0.5                as few as claim no more\n"
+                                    "  foam spherize robot.urdf --excess 0.5    the fewest spheres with this excess\n"
                                     "  foam spherize part.stl --method grid -o - --format csv\n"
                                     "  foam spherize robot.urdf -n 60 --print-recipe > robot.yaml");
     auto arguments = std::make_shared<Arguments>();
@@ -177,32 +177,35 @@ void add_spherize(Program& program) {
     command->add_option("input", arguments->input, "A URDF or a mesh file")->type_name("INPUT")->required();
     command
         ->add_option("-n,--spheres", arguments->budget.spheres,
-                     "Most spheres over the whole robot; default: as the method's own parameters say")
+                     "Maximum number of spheres of the whole robot, at most 1000000; default: the method's own "
+                     "parameters decide")
         ->type_name("N")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}));
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}).description(""));
     command
         ->add_option("--excess", arguments->budget.excess,
-                     "The fewest spheres that claim no more than X times the robot's own volume outside it")
+                     "Use the fewest spheres with an excess of at most X: volume of the spheres outside the robot / "
+                     "volume of the robot")
         ->type_name("X");
     command
         ->add_option("--max-protrusion", arguments->max_protrusion,
-                     "Spheres stand out of no link by more than M, as far as their number allows: 10mm, 1cm, 0.4in, or "
-                     "a number of metres")
+                     "Limit how far spheres extend beyond their link, as far as their number allows: 10mm, 1cm, 0.4in, "
+                     "or a number of metres")
         ->type_name("M");
     add_mesh_unit(*command, arguments->unit);
-    command->add_option("-m,--method", arguments->method, "Spherizer, with or without 'spherize.'")
+    command->add_option("-m,--method", arguments->method, "Spherizer, with or without the prefix 'spherize.'")
         ->type_name("METHOD")
         ->capture_default_str();
     command
         ->add_option("-o,--output", arguments->output,
-                     "Result; its ending says the format; - is the standard output; default: INPUT's name with "
-                     "_spheres, as URDF or JSON")
+                     "Output file; its extension selects the format; - is the standard output; default: the name of "
+                     "INPUT with _spheres, as URDF or JSON")
         ->type_name("OUT");
-    command->add_option("--format", arguments->format, "Format, whatever the ending of OUT: urdf, json, csv, ply, …")
+    command
+        ->add_option("--format", arguments->format,
+                     "Format of OUT, regardless of its extension: urdf, json, csv, ply, …")
         ->type_name("FORMAT");
-    command->add_option("--out", arguments->out, "Keep the whole run directory here")->type_name("DIR");
-    command->add_flag("--print-recipe", arguments->print_recipe,
-                      "Print the recipe that this stands for, and run nothing");
+    command->add_option("--out", arguments->out, "Keep the whole run directory in this folder")->type_name("DIR");
+    command->add_flag("--print-recipe", arguments->print_recipe, "Print the equivalent recipe, and run nothing");
     add_settings(*command, arguments->settings);
     add_strict(*command, arguments->settings);
     add_execute_options(*command, arguments->execute);

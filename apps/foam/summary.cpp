@@ -100,9 +100,9 @@ std::string table_of(const RunResult& result, Guarantee guarantee) {
                          guarantee == Guarantee::inner ? "missing" : "excess", "gap mm", "certified", "growth mm");
     for (const LinkReport& link : result.links) {
         if (link.skipped) {
-            table += padded(link.link, width) + "  left out by the recipe\n";
+            table += padded(link.link, width) + "  excluded by the recipe\n";
         } else if (!link.error.empty() && link.measures.spheres == 0) {
-            table += fmt::format("{}  left out: {}\n", padded(link.link, width), shown(link.error));
+            table += fmt::format("{}  failed: {}\n", padded(link.link, width), shown(link.error));
         } else {
             table += row(link.link, width, link.measures, guarantee, figure_text(link.growth * mm_per_m, 3));
         }

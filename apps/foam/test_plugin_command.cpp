@@ -40,16 +40,16 @@ int test_plugin(const Arguments& arguments) {
 } // namespace
 
 void add_test_plugin(Program& program) {
-    CLI::App* command = add_command(program, "test-plugin", "Hold the stages of a plugin to what their kinds promise",
+    CLI::App* command = add_command(program, "test-plugin", "Check that a plugin keeps its contract",
                                     "  foam test-plugin build/spherize_mine.so\n"
                                     "  foam test-plugin build/load_mine.so --sample part.mine");
     auto arguments = std::make_shared<Arguments>();
     command->add_option("file", arguments->file, "The plugin, a shared library")->type_name("FILE")->required();
-    command->add_option("--sample", arguments->samples, "A file that a loader under test reads; repeatable")
+    command->add_option("--sample", arguments->samples, "A file for the tested loader to read; repeatable")
         ->type_name("FILE")
         ->expected(1)
         ->take_all()
-        ->check(CLI::ExistingFile);
+        ->check(CLI::Validator(CLI::ExistingFile).description(""));
     command->callback([&program, arguments] { program.action = [arguments] { return test_plugin(*arguments); }; });
 }
 

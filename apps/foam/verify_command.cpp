@@ -74,20 +74,19 @@ int verify_run(Program& program, const Arguments& arguments) {
 } // namespace
 
 void add_verify(Program& program) {
-    CLI::App* command = add_command(program, "verify", "Run a run directory's recipe again and compare every digest",
+    CLI::App* command = add_command(program, "verify", "Repeat a run and compare every digest",
                                     "  foam verify runs/panda_22\n"
                                     "  foam verify runs/panda_22 -j 4 --json\n"
-                                    "Never reads the cache. Pictures are not compared.\n"
-                                    "Exit codes: 0 equal, 1 differs, 2 not a run directory or damaged, 3 a plugin is "
-                                    "missing");
+                                    "\n"
+                                    "The command never reads the cache, and does not compare pictures.\n"
+                                    "Exit codes: 0 equal, 1 different, 2 not a run directory or damaged,\n"
+                                    "            3 a plugin is missing");
     auto arguments = std::make_shared<Arguments>();
-    command->add_option("directory", arguments->directory, "A folder that `foam run` made")
+    command->add_option("directory", arguments->directory, "A folder that `foam run` wrote")
         ->type_name("RUNDIR")
         ->required();
-    command->add_option("-j,--threads", arguments->execute.threads, "Number of threads; default: one a core")
-        ->type_name("N")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1024}));
-    command->add_flag("-v,--verbose", arguments->execute.verbose, "Tell notes too, not only warnings and errors");
+    add_threads(*command, arguments->execute.threads);
+    command->add_flag("-v,--verbose", arguments->execute.verbose, "Also print notes, not only warnings and errors");
     command->add_flag("--json", arguments->json, "Print the result as JSON");
     command->callback(
         [&program, arguments] { program.action = [&program, arguments] { return verify_run(program, *arguments); }; });

@@ -24,7 +24,7 @@ nlohmann::ordered_json about() {
 void add_version(Program& program) {
     CLI::App* command = add_command(program, "version", "Print versions and the plugin ABI", "  foam version --json");
     auto json = std::make_shared<bool>(false);
-    command->add_flag("--json", *json, "Print them as JSON");
+    command->add_flag("--json", *json, "Print the versions as JSON");
     command->callback([&program, json] {
         program.action = [json] {
             const auto all = about();
@@ -48,16 +48,17 @@ void add_version(Program& program) {
 }
 
 void add_schema(Program& program) {
-    CLI::App* command =
-        add_command(program, "schema", "Print the JSON Schema of recipes, for editors, or of what runs write",
-                    "  foam schema > recipe.schema.json\n"
-                    "and in a recipe: # yaml-language-server: $schema=recipe.schema.json\n"
-                    "  foam schema manifest > manifest.schema.json");
+    CLI::App* command = add_command(program, "schema", "Print the JSON Schema of recipes or result files",
+                                    "  foam schema > recipe.schema.json\n"
+                                    "  foam schema manifest > manifest.schema.json\n"
+                                    "\n"
+                                    "For completion in an editor, begin the recipe with this line:\n"
+                                    "  # yaml-language-server: $schema=recipe.schema.json");
     auto what = std::make_shared<std::string>("recipe");
-    command->add_option("what", *what, "recipe (the default), manifest or spheres")
+    command->add_option("what", *what, "recipe (default), manifest or spheres")
         ->type_name("WHAT")
-        ->check(CLI::IsMember({"recipe", "manifest", "spheres"}));
-    command->add_flag("--json")->description("It is JSON in any case");
+        ->check(CLI::IsMember({"recipe", "manifest", "spheres"}).description(""));
+    command->add_flag("--json")->description("Accepted for uniformity: the schema is always JSON");
     command->callback([&program, what] {
         program.action = [&program, what] {
             print_data(*what == "manifest"  ? manifest_schema()

@@ -10,16 +10,16 @@ import pathlib
 import subprocess
 import sys
 
-HEAD = """# Published sphere models, judged
+HEAD = """# Published sphere models, evaluated
 
 <!-- Made by docs/benchmarks/reference_models.py FOAM ROBOTS MODELS; see the end of the page. -->
 
-Sphere models of robots as others have published them, each judged by `foam evaluate` against the collision geometry of the
-robot's URDF: what it covers, how far the geometry sticks out, and what it claims too much. The definitions are on
-[the page on evaluation](../guide/evaluation.md). The figures are over the links that have spheres; *links* says of how many.
+The table shows published sphere models of robots. `foam evaluate` compares each model with the collision geometry of the robot's URDF: its
+coverage, gap, excess, missing volume and protrusion. [Evaluating sphere models](../guide/evaluation.md) has the definitions. The figures
+include only the links that have spheres; *links* shows how many these are. CoMMALab/foam is the program of Coumar et al. 2025.
 
-It is no ranking. Some models are meant to be conservative, others to fit (MorphIt) or to be inflated by a buffer of the planner
-(cuRobo); some were made from other meshes than these, or by hand in frames that differ a little.
+The table is not a ranking. Some models are conservative, others fit the geometry (MorphIt), and planners inflate others by a buffer
+(cuRobo). Some were made from other meshes than these, or by hand in slightly different frames.
 
 | robot | model | made by | links | spheres | covered % | gap mm | excess | missing | out, mean mm | certified |
 |---|---|---|---|---|---|---|---|---|---|---|
@@ -46,13 +46,13 @@ def row(foam, robots, models, entry):
 
 
 def tail(entries):
-    text = "\n## Which geometry\n\n| robot | judged by |\n|---|---|\n"
+    text = "\n## Which geometry\n\n| robot | geometry |\n|---|---|\n"
     for robot, original in sorted({(entry["robot"], entry["original"]) for entry in entries}):
         text += f"| {robot} | `{original}` |\n"
     return text + """
-## Repeating it
+## Repeating the evaluation
 
-[reference_models.csv](reference_models.csv) names the files, where they are from, and the options that bring the names of links together.
+[reference_models.csv](reference_models.csv) lists the files, their sources, and the options that match the names of links.
 With the robots in one folder and the models in another:
 
 <!-- not run: the robots and models of others are not in this repository -->

@@ -64,7 +64,8 @@ FOAM_PLUGIN("repair", "1.0", "Apache-2.0") {
          .uses = {"repair.wrap"}});
     enrol.add<SoupFilter>(
         {.name = "repair.soup",
-         .summary = "Mends small defects in place: seams, T-junctions, facing, repeats, walls, holes; else refuses.",
+         .summary = "Repairs small defects in place: seams, T-junctions, orientation, duplicates, inner walls, holes; "
+                    "refuses larger ones.",
          .reference =
              "Guéziec, Taubin, Lazarus, Horn: Cutting and Stitching, 2001; Barequet, Sharir: Filling Gaps in the "
              "Boundary of a Polyhedron, 1995; Jacobson et al.: Robust Inside-Outside Segmentation, 2013",

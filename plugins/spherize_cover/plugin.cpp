@@ -112,20 +112,20 @@ private:
 FOAM_PLUGIN("spherize_cover", "1.0", "Apache-2.0") {
     enrol.add<CoverSpherizer>({
         .name = "spherize.cover",
-        .summary = "Spheres that claim the least volume outside: planes hand the surface to them, two at a time; "
-                   "proved.",
+        .summary =
+            "Covering spheres with the least excess volume: splits by planes, then refinement of all spheres; proved.",
         .reference =
             "Wang et al.: Variational sphere set approximation for solid objects. The Visual Computer 22, 2006",
         .revision = 14,
         .parameters =
             {
                 foam::Parameter::choice("effort", {"fast", "normal", "best"}, "normal")
-                    .doc("How long to look: fast takes a third of the time of normal, best eight to twenty times as "
-                         "long for some per cent less."),
+                    .doc("How long to search: fast takes a third of the time of normal, best eight to twenty times as "
+                         "long for a few per cent less."),
                 foam::Parameter::choice("objective", {"excess", "protrusion", "radius"}, "excess")
-                    .doc("What is to be least: the volume claimed outside, how far any sphere sticks out of the "
-                         "geometry, or the radius of the largest sphere, for planners that want equal ones."),
-                foam::Parameter::integer("spheres", 8).bounds(1, 256).doc("Number of spheres where no budget says."),
+                    .doc("What is minimised: the excess volume, the largest protrusion, or the largest radius, for "
+                         "planners that use spheres of one radius."),
+                foam::Parameter::integer("spheres", 8).bounds(1, 256).doc("Number of spheres without a budget."),
             },
         .original_only = true,
         .objective_parameter = "objective",

@@ -133,7 +133,8 @@ FOAM_PLUGIN("spherize_grid", "1.0", "Apache-2.0") {
     using foam::Parameter;
     enrol.add<foam::spherize_grid::GridSpherizer>({
         .name = "spherize.grid",
-        .summary = "Balls around the cells of an oriented grid, each the smallest that holds what lies in its cell",
+        .summary = "Balls around the cells of an oriented grid, each the smallest that contains the part of the solid "
+                   "in its cell",
         .reference = "Coumar et al. 2025 (grid method of the paper's sphere-tree tool): oriented grid, orientation and "
                      "size optimised",
         .parameters =

@@ -30,8 +30,8 @@ FOAM_PLUGIN("spherize_medial", "1.1", "GPL-3.0-or-later") {
     enrol.add_stage(foam::StageKind::spherizer,
                     {
                         .name = "spherize.hubbard",
-                        .summary = "Spheres by merging those of a medial axis of evenly spread surface points, always "
-                                   "the two whose union costs least.",
+                        .summary = "Spheres by merging those of a medial axis of evenly spread surface points, each "
+                                   "time the pair with the least cost.",
                         .reference = "Hubbard: Approximating polyhedra with spheres for time-critical collision "
                                      "detection. ACM TOG 15(3), 1996",
                         .revision = 3,
@@ -42,8 +42,8 @@ FOAM_PLUGIN("spherize_medial", "1.1", "GPL-3.0-or-later") {
     enrol.add_stage(foam::StageKind::spherizer,
                     {
                         .name = "spherize.spawn",
-                        .summary = "Spheres that all hang over the surface by the same stand-off, placed one after "
-                                   "another where they hold most of what is left.",
+                        .summary = "Spheres that all protrude by the same distance, placed one after another where "
+                                   "they contain most of the part that is not covered yet.",
                         .reference = "Bradshaw, O'Sullivan: Adaptive medial-axis approximation for sphere-tree "
                                      "construction. ACM TOG 23(1), 2004, section 5.3 (spawning)",
                         .revision = 3,

@@ -121,7 +121,8 @@ FOAM_PLUGIN("spherize_octree", "1.0", "Apache-2.0") {
     using foam::Parameter;
     enrol.add<foam::spherize_octree::OctreeSpherizer>({
         .name = "spherize.octree",
-        .summary = "Balls around the cells of an octree, each the smallest that holds what lies in its cell",
+        .summary =
+            "Balls around the cells of an octree, each the smallest that contains the part of the solid in its cell",
         .reference =
             "Hubbard 1996, Approximating polyhedra with spheres for time-critical collision detection (octree method)",
         .revision = 2,

@@ -103,7 +103,7 @@ FOAM_PLUGIN("spherize_voxel", "1.0", "Apache-2.0") {
     using foam::Parameter;
     enrol.add<foam::spherize_voxel::VoxelSpherizer>({
         .name = "spherize.voxel",
-        .summary = "Equal spheres on a voxel grid: one about each voxel that holds some of the solid",
+        .summary = "Equal spheres on a voxel grid: one around each voxel that contains a part of the solid",
         .reference = "Sundaralingam et al. 2023, cuRobo (spheres of a given radius by voxelization)",
         .parameters =
             {Parameter::number("radius", 0.02)

@@ -39,10 +39,9 @@ FOAM_PLUGIN("write_json", "1.0", "Apache-2.0") {
         {.name = "write.json",
          .summary = "Writes the sphere trees and measures of all links as JSON.",
          .reference = "schemas/spheres.schema.json; layout foam: Coumar et al. 2025",
-         .parameters =
-             {Parameter::choice("layout", {"links", "foam", "foam_mesh"}, "links")
-                  .doc("links: schemas/spheres.schema.json; foam: the database of the first foam, by link and mesh; "
-                       "foam_mesh: the same of a single mesh.")
-                  .source("links is the one layout that holds all of a model.")},
+         .parameters = {Parameter::choice("layout", {"links", "foam", "foam_mesh"}, "links")
+                            .doc("links: schemas/spheres.schema.json; foam: the database of CoMMALab/foam, by link and "
+                                 "mesh; foam_mesh: the same of a single mesh.")
+                            .source("links is the one layout that holds all of a model.")},
          .extensions = {"json"}});
 }

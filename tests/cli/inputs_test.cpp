@@ -118,10 +118,9 @@ TEST_F(CliInputs, LengthsTakeUnits) {
     EXPECT_EQ(wrong.code, 2);
     EXPECT_EQ(wrong.err, "foam: error: --max-protrusion expects a number in m, or one with mm, cm, m or in behind it, "
                          "such as 10mm; got '10km'\n");
-    EXPECT_THAT(
-        spherize("box.obj --max-protrusion 10").err,
-        HasSubstr("foam: warning: max_protrusion is 10 m, more than the whole input is large (300 mm): it limits "
-                  "nothing; if it is in millimetres: 10mm\n"));
+    EXPECT_THAT(spherize("box.obj --max-protrusion 10").err,
+                HasSubstr("foam: warning: max_protrusion is 10 m, larger than the whole input (300 mm): it has no "
+                          "effect; if it is in millimetres: 10mm\n"));
     EXPECT_THAT(spherize("box.obj --max-protrusion 10mm").err, Not(HasSubstr("it limits nothing")));
     ASSERT_EQ(spherize("box.obj").code, 0);
     EXPECT_THAT(foam("evaluate box.obj out.json --clip box=0,0,-1,5cm").out, HasSubstr("mm beyond the plane"));

@@ -36,8 +36,9 @@ TEST_F(Cli, DescribeAStage) {
 
 TEST_F(Cli, DescribeSaysWhatASpherizerDeclares) {
     const Outcome text = foam("describe spherize.cover");
-    EXPECT_THAT(text.out, HasSubstr("\nLooks at the original geometry alone: mesh filters before it change nothing.\n"
-                                    "What is to be least: parameter objective.\n"));
+    EXPECT_THAT(text.out, HasSubstr("\n"
+                                    "Uses only the original geometry: mesh filters before it have no effect.\n"
+                                    "Objective: parameter objective.\n"));
     const json data = json::parse(foam("describe spherize.cover --json").out);
     EXPECT_EQ(data["original_only"], true);
     EXPECT_EQ(data["objective_parameter"], "objective");
@@ -57,7 +58,7 @@ TEST_F(Cli, PluginsAndWhyOneIsRefused) {
     const Outcome brief = foam("plugins --plugin-dir mine");
     EXPECT_EQ(brief.code, 0);
     EXPECT_THAT(brief.out, HasSubstr("load_mesh"));
-    EXPECT_EQ(brief.err, "foam: 1 more refused; `foam plugins --why` says why\n");
+    EXPECT_EQ(brief.err, "foam: 1 more refused; `foam plugins --why` shows why\n");
     const Outcome why = foam("plugins --plugin-dir mine --why");
     EXPECT_EQ(why.code, 0);
     EXPECT_THAT(why.out, HasSubstr("mine/bad.so\n  refused: it is no shared library (it has no ELF header); remedy: "

@@ -30,7 +30,7 @@ TEST_F(CliRecipe, CheckOfAGoodOne) {
     const Outcome outcome = foam("check box.yaml");
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
     EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(outcome.err, "foam: box.yaml: good for 1 run\n");
+    EXPECT_EQ(outcome.err, "foam: box.yaml: valid, 1 run\n");
 }
 
 TEST_F(CliRecipe, CheckOfABadOneSaysAllWithPlaces) {
@@ -128,7 +128,7 @@ TEST_F(CliRecipe, CheckNamesTheVariants) {
     write("mine/composed.yaml", composed);
     const Outcome good = foam("check mine/composed.yaml");
     EXPECT_EQ(good.code, 0) << good.out;
-    EXPECT_EQ(good.err, "foam: mine/composed.yaml: good for 2 runs; variants: small, alone\n");
+    EXPECT_EQ(good.err, "foam: mine/composed.yaml: valid, 2 runs; variants: small, alone\n");
     const json data = json::parse(foam("check mine/composed.yaml --variant '*' --json").out);
     EXPECT_EQ(data["runs"], json({"composed-small-seed=1", "composed-small-seed=2", "composed-alone"}));
     EXPECT_EQ(data["variants"], json({"small", "alone"}));
@@ -218,7 +218,7 @@ TEST_F(CliRecipe, PlanSaysWhatWouldRunAndWritesNothing) {
     write("boxes.yaml", boxes);
     const Outcome plan = foam("plan boxes.yaml");
     ASSERT_EQ(plan.code, 0) << plan.err;
-    EXPECT_EQ(plan.err, "foam: without its variants: fine; --variant chooses\n");
+    EXPECT_EQ(plan.err, "foam: without its variants: fine; --variant selects them\n");
     const std::string expected =
         "boxes\n"
         "  recipe     boxes.yaml\n"
@@ -229,11 +229,11 @@ TEST_F(CliRecipe, PlanSaysWhatWouldRunAndWritesNothing) {
         "  meshes     1 by load.mesh\n"
         "  stages     smooth.humphrey {iterations: 0} (smooth 1.0)\n"
         "             spherize.grid (spherize_grid 1.0)\n"
-        "  budget     as the spherizer's parameters say; guarantee outer; seed 0\n"
+        "  budget     determined by the spherizer's parameters; guarantee outer; seed 0\n"
         "  links      base  smooth.humphrey to do, spherize.grid to do\n"
         "             arm   smooth.humphrey to do, spherize.grid to do; changed by boxes.yaml:8:3 (a*)\n"
         "             hand  smooth.humphrey nothing to do, spherize.grid to do\n"
-        "             tool  left out by boxes.yaml:9:3 (tool)\n"
+        "             tool  excluded by boxes.yaml:9:3 (tool)\n"
         "  outputs    b.csv by write.csv (write_csv 1.0)\n"
         "  directory  runs/boxes\n";
     EXPECT_EQ(plan.out, expected);
@@ -326,7 +326,7 @@ TEST_F(CliRecipe, InterruptLeavesNothing) {
     const Outcome outcome = shell("'" FOAM_TEST_BINARY "' run slow.yaml --fresh & pid=$!; for i in $(seq 500); do "
                                   "grep -q input .err && break; sleep 0.02; done; kill -INT $pid; wait $pid");
     EXPECT_EQ(outcome.code, 130) << outcome.err;
-    EXPECT_THAT(outcome.err, HasSubstr("foam: stopping; once more ends it at once\n"));
+    EXPECT_THAT(outcome.err, HasSubstr("foam: stopping; a second signal ends it at once\n"));
     EXPECT_THAT(outcome.err, HasSubstr("foam: stopped: "));
     EXPECT_FALSE(std::filesystem::exists(path() / "runs/slow"));
 }

@@ -86,7 +86,7 @@ TEST_F(CliStatement, LinksThatWereNotAskedForAreNamed) {
     ASSERT_EQ(foam("run three.yaml").code, 0);
     const Outcome outcome = foam("certify three.urdf runs/three/out.urdf --link tip");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, HasSubstr("Not part of the proof: base (not asked for by --link).\n"));
+    EXPECT_THAT(outcome.out, HasSubstr("Not part of the proof: base (excluded by --link).\n"));
 }
 
 /// The names of figures in whatever programs read.

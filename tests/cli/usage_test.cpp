@@ -1,6 +1,9 @@
 // What the program says to a wrong command line, and its help.
 #include "program.hpp"
 
+#include <algorithm>
+#include <sstream>
+
 namespace foam::test {
 namespace {
 
@@ -18,19 +21,18 @@ TEST_F(Cli, UnknownCommand) {
     const Outcome outcome = foam("rum recipe.yaml");
     EXPECT_EQ(outcome.code, 2);
     EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(outcome.err,
-              "foam: unknown command 'rum'; did you mean 'run'?\nfoam: `foam --help` says how to use it\n");
+    EXPECT_EQ(outcome.err, "foam: unknown command 'rum'; did you mean 'run'?\nfoam: `foam --help` explains its use\n");
 }
 
 TEST_F(Cli, UnknownCommandThatIsNearNothing) {
-    EXPECT_EQ(foam("frobnicate").err, "foam: unknown command 'frobnicate'\nfoam: `foam --help` says how to use it\n");
+    EXPECT_EQ(foam("frobnicate").err, "foam: unknown command 'frobnicate'\nfoam: `foam --help` explains its use\n");
 }
 
 TEST_F(Cli, UnknownOption) {
     const Outcome outcome = foam("stages --jsno");
     EXPECT_EQ(outcome.code, 2);
     EXPECT_EQ(outcome.err,
-              "foam: unknown option '--jsno'; did you mean '--json'?\nfoam: `foam stages --help` says how to use it\n");
+              "foam: unknown option '--jsno'; did you mean '--json'?\nfoam: `foam stages --help` explains its use\n");
 }
 
 TEST_F(Cli, MissingAndSurplusArguments) {
@@ -71,6 +73,33 @@ TEST_F(Cli, EveryCommandHasHelpWithExamples) {
     const Outcome all = foam("--help");
     EXPECT_EQ(all.code, 0);
     EXPECT_THAT(all.out, HasSubstr("Exit codes: 0 done"));
+}
+
+TEST_F(Cli, HelpFitsATerminalOf80Columns) {
+    const std::string all = foam("--help").out;
+    const std::size_t start = all.find("Subcommands:\n") + 13;
+    std::istringstream entries(all.substr(start, all.find("\n\n", start) - start));
+    std::vector<std::string> commands{""};
+    for (std::string line; std::getline(entries, line);) {
+        if (line.size() > 2 && line[2] != ' ') {
+            commands.push_back(line.substr(2, line.find(' ', 2) - 2));
+        }
+    }
+    ASSERT_EQ(commands.size(), 20U);
+    for (const std::string& command : commands) {
+        std::istringstream help(foam(command + " --help").out);
+        for (std::string line; std::getline(help, line);) {
+            const auto columns = std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xC0) != 0x80; });
+            EXPECT_LE(columns, 80) << command << ": " << line;
+        }
+    }
+}
+
+TEST_F(Cli, HelpShowsDefaultsAndExclusions) {
+    EXPECT_THAT(foam("self-collision --help").out,
+                HasSubstr("  --seed N                  Seed of the samples; default: 0\n"));
+    EXPECT_THAT(foam("cache --help").out,
+                HasSubstr("  --clear                   Delete all entries; not together with --trim\n"));
 }
 
 TEST_F(Cli, Version) {

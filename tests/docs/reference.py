@@ -92,7 +92,7 @@ def stage_page(stage):
         wishes = ", ".join(f"`{key}: {literal(value)}`" for key, value in stage["isolation"].items())
         page += f"- unless the recipe says otherwise: {wishes}\n"
     if stage["original_only"]:
-        page += "- looks at the original geometry alone: mesh filters before it change nothing\n"
+        page += "- uses only the original geometry: mesh filters before it have no effect\n"
     if stage["objective_parameter"]:
         page += f"- what is to be least: parameter `{stage['objective_parameter']}`\n"
     if stage["reference"]:

@@ -82,7 +82,7 @@ TEST_F(EvaluateCli, HowFarSpheresReachBeyondPlanes) {
                               bad + "'"));
     }
     EXPECT_THAT(foam("evaluate arm.urdf good.csv --clip foot=0,0,1,0").err,
-                HasSubstr("--clip foot=0,0,1,0: there is no link 'foot' to judge"));
+                HasSubstr("--clip foot=0,0,1,0: there is no link 'foot' to evaluate"));
 }
 
 TEST_F(EvaluateCli, TheSameBytesOnAnyNumberOfThreads) {

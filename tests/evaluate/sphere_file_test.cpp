@@ -85,11 +85,11 @@ TEST_F(SphereFiles, DatabaseOfTheFirstFoam) {
                            R"([{"origin": [-1, 0, 2.5], "radius": 0.25}]}, "9": )" + level +
                            R"([]}}}, "m::package://p/m.stl": {"2": {"1": )" + level +
                            R"([{"origin": [0.1, 0.2, 0.3], "radius": 0.05}]}}}})"),
-                      "database of the first foam");
+                      "database of CoMMALab/foam");
     expect_nameless(
         read("[" + level + "[]}, " + level +
              R"([{"origin": [0.1, 0.2, 0.3], "radius": 0.05}, {"origin": [-1, 0, 2.5], "radius": 0.25}]}])"),
-        "list of the first foam");
+        "list of CoMMALab/foam");
 }
 
 TEST_F(SphereFiles, CuRobo) {
@@ -204,11 +204,9 @@ TEST_F(SphereFiles, WhatIsWrongIsSaidWithItsPlace) {
             "<robot name=\"r\"><link name=\"l\"><collision><geometry><sphere radius=\"big\"/></geometry></collision>"
             "</link></robot>"),
         "FILE:1: <sphere radius>: 'big' is not a finite number");
-    const std::string unknown =
-        ": no sphere model is known that looks like this; read are URDF, the JSON, CSV and PLY of foam, the database "
-        "of "
-        "the first foam, cuRobo, Lula, bubblify and plainmp YAML, XRDF, MorphIt, ballpark and pyroki JSON, and rows of "
-        "numbers";
+    const std::string unknown = ": no sphere model is known that looks like this; read are URDF, the JSON, CSV and PLY "
+                                "of foam, the database of CoMMALab/foam, cuRobo, Lula, bubblify and plainmp YAML, "
+                                "XRDF, MorphIt, ballpark and pyroki JSON, and rows of numbers";
     EXPECT_EQ(refusal("{\"a\": 1}"), "FILE:1:1" + unknown);
     EXPECT_EQ(refusal("just words"), "FILE:1:1" + unknown);
 }

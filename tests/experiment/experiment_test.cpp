@@ -146,7 +146,7 @@ TEST_F(Running, QualityAgainstSpheres) {
     EXPECT_THAT(result.markdown, HasSubstr("Of the 4 models 4 are certified, the largest gap is 0.00 m."));
     EXPECT_THAT(result.markdown, HasSubstr("Left out, as no candidate is here: none."));
     EXPECT_THAT(result.markdown, HasSubstr("Before every method: repair.soup."));
-    EXPECT_THAT(told, HasSubstr("warning: x: none is left out: "));
+    EXPECT_THAT(told, HasSubstr("warning: x: none is skipped: "));
     // A unit cube in its circumscribed ball is most of the volume: excess = √3 π / 2 − 1.
     EXPECT_THAT(result.csv, HasSubstr("spherize.octree,1,2,1.7"));
     EXPECT_EQ(without(run(quality_experiment).csv, 11), without(result.csv, 11));
@@ -210,7 +210,7 @@ TEST_F(Queries, TablesAndFiles) {
     EXPECT_THAT(result.markdown, HasSubstr("Left out, as no candidate is here: none."));
     EXPECT_THAT(result.markdown, HasSubstr("arm is arm.urdf: 3 links, 6 spheres, "));
     EXPECT_THAT(result.markdown, HasSubstr("other is arm.urdf: 3 links, 3 spheres, "));
-    EXPECT_THAT(told, HasSubstr("warning: x: none is left out: "));
+    EXPECT_THAT(told, HasSubstr("warning: x: none is skipped: "));
     const Table table = parse_csv(result.csv, "results.csv");
     ASSERT_EQ(table.rows.size(), 16u); // 2 robots, 4 engines, 2 models
     for (std::size_t row = 0; row < table.rows.size(); ++row) {

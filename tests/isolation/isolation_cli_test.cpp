@@ -35,11 +35,12 @@ protected:
         const Outcome outcome =
             run("stages: [repair.ill, spherize.ill]\nlinks: {tip: {repair.ill: {how: " + how + "}}}\n");
         EXPECT_EQ(outcome.code, 128 + signal) << outcome.err;
-        EXPECT_THAT(outcome.err, HasSubstr("\nfoam: crashed (" + words +
-                                           "\nfoam: the run directory is as it was "
-                                           "before\nfoam: remedy: `isolate: process` in the recipe (--set "
-                                           "isolate=process) runs stages in processes of their own: a crash then loses "
-                                           "the link, not the run\n"));
+        EXPECT_THAT(outcome.err,
+                    HasSubstr("\nfoam: crashed (" + words +
+                              "\n"
+                              "foam: the run directory is as it was before\n"
+                              "foam: remedy: `isolate: process` in the recipe (--set isolate=process) runs stages in "
+                              "child processes: a crash then affects one link, not the run\n"));
         expect_nothing_left();
     }
 };
@@ -74,7 +75,7 @@ TEST_F(IsolationCli, ACrashNamesStageLinkAndInput) {
         GTEST_SKIP() << "a sanitizer ends the process in its own way";
     }
     expect_crash("segv", std::string(segv) + at, SIGSEGV);
-    expect_crash("abort", std::string("SIGABRT, the program gave up) in ") + at, SIGABRT);
+    expect_crash("abort", std::string("SIGABRT, the program aborted) in ") + at, SIGABRT);
 }
 
 TEST_F(IsolationCli, SoDoesAStackOverflow) {
@@ -98,8 +99,12 @@ TEST_F(IsolationCli, ACrashInAThreadOfTheStagesOwn) {
     }
     const Outcome outcome = run("stages: [spherize.ill: {how: segv_in_thread}]\n", "-j 1");
     EXPECT_EQ(outcome.code, 128 + SIGSEGV) << outcome.err;
-    EXPECT_THAT(outcome.err, HasSubstr("\nfoam: crashed (SIGSEGV, invalid memory access or stack overflow) in a thread "
-                                       "that was not named; at work were:\n  stage 'spherize.ill', link '"));
+    EXPECT_THAT(
+        outcome.err,
+        HasSubstr(
+            "\n"
+            "foam: crashed (SIGSEGV, invalid memory access or stack overflow) in an unknown thread; active stages:\n"
+            "  stage 'spherize.ill', link '"));
     expect_nothing_left();
 }
 
@@ -110,7 +115,7 @@ TEST_F(IsolationCli, ACrashOfAWriterLeavesNothing) {
     const Outcome outcome = run("stages: [spherize.ill]\noutputs: [write.json, write.ill: {how: abort}]\n", "-j 1");
     EXPECT_EQ(outcome.code, 128 + SIGABRT) << outcome.err;
     EXPECT_THAT(outcome.err,
-                HasSubstr("crashed (SIGABRT, the program gave up) in stage 'write.ill', input 'two.txt'\n"));
+                HasSubstr("crashed (SIGABRT, the program aborted) in stage 'write.ill', input 'two.txt'\n"));
     expect_nothing_left();
 }
 
@@ -173,7 +178,8 @@ TEST_F(IsolationCli, ASecondInterruptEndsWhatNeverAsks) {
                                   "do sleep 0.02; done; kill -INT $pid; while ! grep -q 'spherize.ill.*link' .err; do "
                                   "sleep 0.02; done; kill -INT $pid; wait $pid");
     EXPECT_EQ(outcome.code, 128 + SIGINT) << outcome.err;
-    EXPECT_THAT(outcome.err, HasSubstr("foam: stopping; once more ends it at once\n  stage 'spherize.ill', link '"));
+    EXPECT_THAT(outcome.err,
+                HasSubstr("foam: stopping; a second signal ends it at once\n  stage 'spherize.ill', link '"));
     expect_nothing_left();
 }
 
@@ -209,7 +215,8 @@ TEST_F(IsolationCli, ATimeLimitEndsAnIsolatedStage) {
                                     (path() / "process").string() + "'}]\n",
                                 "--time-limit 1");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_THAT(outcome.err, HasSubstr("it made nothing within the time limit of 1 s: one enclosing sphere stands in"));
+    EXPECT_THAT(outcome.err,
+                HasSubstr("it found no spheres within the time limit of 1 s; one enclosing sphere replaces them"));
     wait_for_end(process_in(path() / "process"));
 }
 

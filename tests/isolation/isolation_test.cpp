@@ -128,11 +128,10 @@ TEST_F(Isolation, AStageMadeOfOthersHasThem) {
 TEST_F(Isolation, HandsOnWhatAStageThrows) {
     EXPECT_EQ(filter_failure("error"), std::string(in_filter) + "this is not to my taste");
     EXPECT_EQ(code, ErrorCode::geometry);
-    EXPECT_EQ(filter_failure("exception"),
-              std::string(in_filter) + "the stage failed with an exception of its own: index out of range");
+    EXPECT_EQ(filter_failure("exception"), std::string(in_filter) + "the stage threw an exception: index out of range");
     EXPECT_EQ(code, ErrorCode::plugin);
     EXPECT_EQ(filter_failure("integer"),
-              std::string(in_filter) + "the stage threw something that is no std::exception");
+              std::string(in_filter) + "the stage threw an object that is not a std::exception");
 }
 
 TEST_F(Isolation, NamesACrashOfAFilter) {
@@ -148,7 +147,7 @@ TEST_F(Isolation, NamesACrashOfAFilter) {
               std::string(in_filter) +
                   "the stage crashed in its own process (SIGSEGV, invalid memory access or stack overflow)");
     EXPECT_EQ(filter_failure("abort"),
-              std::string(in_filter) + "the stage crashed in its own process (SIGABRT, the program gave up)");
+              std::string(in_filter) + "the stage crashed in its own process (SIGABRT, the program aborted)");
     EXPECT_EQ(filter_failure("segv_in_thread", ", memory_limit: 4096"),
               std::string(in_filter) +
                   "the stage crashed in its own process (SIGSEGV, invalid memory access or stack overflow); its "
@@ -205,7 +204,7 @@ TEST_F(WishedIsolation, ACrashIsReportedWithFileAndRemedy) {
     EXPECT_EQ(code, ErrorCode::plugin);
     if (!sanitized) {
         EXPECT_EQ(failure_of("abort"),
-                  place() + "the stage crashed in its own process (SIGABRT, the program gave up); remedy: the file may "
+                  place() + "the stage crashed in its own process (SIGABRT, the program aborted); remedy: the file may "
                             "be damaged: export it again, or as STL, OBJ, PLY, DAE, OFF or GLB");
     }
 }
@@ -214,7 +213,7 @@ TEST_F(WishedIsolation, TheRecipeOverrulesIt) {
     EXPECT_EQ(failure_of("loop", "loaders: {load.wishing: {time_limit: 1}}\n"),
               place() + "the stage took longer than its time_limit of 1 s and was stopped; remedy: raise the limit, or "
                         "simplify the input");
-    const std::string own = "the stage failed with an exception of its own: index out of range";
+    const std::string own = "the stage threw an exception: index out of range";
     RunOptions none = options();
     none.program.clear(); // no child can be started
     write("mesh.wishing", "exception\n");
@@ -239,7 +238,7 @@ TEST_F(Isolation, EndsAnEndlessLoopAtItsTimeLimit) {
 
 TEST_F(Isolation, EndsAHungryStageAtItsMemoryLimit) {
     if (sanitized) {
-        EXPECT_THAT(filter_failure("well", ", memory_limit: 512"), HasSubstr("cannot keep a memory_limit"));
+        EXPECT_THAT(filter_failure("well", ", memory_limit: 512"), HasSubstr("cannot enforce a memory_limit"));
         return;
     }
     EXPECT_EQ(filter_failure("eat", ", memory_limit: 512"),
@@ -262,9 +261,8 @@ TEST_F(Isolation, ObeysThePolicyForLostLinks) {
     EXPECT_FALSE(fallback.links_lost);
     EXPECT_TRUE(fallback.certified);
     EXPECT_EQ(fallback.links.at(1).measures.spheres, 1u);
-    EXPECT_THAT(
-        messages_of(fallback),
-        ::testing::Contains(HasSubstr("tip  one enclosing sphere stands in for the link: " + std::string(in_filter))));
+    EXPECT_THAT(messages_of(fallback), ::testing::Contains(HasSubstr("tip  one enclosing sphere replaces the link: " +
+                                                                     std::string(in_filter))));
 }
 
 TEST_F(Isolation, ACornerThatTheMeshHasNotIsFound) {
@@ -281,7 +279,7 @@ TEST_F(Isolation, NeedsAProgram) {
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::usage);
-        EXPECT_THAT(error.what(), HasSubstr("this program cannot run stages in processes of their own; remedy: delete "
+        EXPECT_THAT(error.what(), HasSubstr("this program cannot run stages in child processes; remedy: delete "
                                             "'isolate' from the recipe, or run it with foam"));
     }
 }

@@ -114,7 +114,7 @@ TEST_F(ChoiceOfLoader, NeedsAProgramThatIsolates) {
     RunOptions without = options();
     without.program.clear();
     EXPECT_THAT(plan(recipe("part.3ds"), registry, without).links.at(0).error,
-                HasSubstr("this program cannot run stages in processes of their own; remedy: say isolate: none for "
+                HasSubstr("this program cannot run stages in child processes; remedy: set isolate: none for "
                           "load.assimp, or run it with foam"));
     EXPECT_EQ(
         plan(recipe("part.3ds", "loaders: {load.assimp: {isolate: none}}\n"), registry, without).links.at(0).error, "");
@@ -124,7 +124,7 @@ TEST_F(ChoiceOfLoader, NeedsAProgramThatIsolates) {
 TEST_F(ChoiceOfLoader, ItsLimitsAreTheRecipes) {
     EXPECT_EQ(finding_of("loaders: {load.assimp: {time_limit: 30}}\n"), "");
     EXPECT_THAT(finding_of("loaders: {load.assimp: {isolate: none, time_limit: 30}}\n"),
-                HasSubstr("error[conflict]: 'time_limit' of load.assimp can only be kept by a process of its own"));
+                HasSubstr("error[conflict]: 'time_limit' of load.assimp needs process isolation"));
 }
 
 TEST_F(ChoiceOfLoader, WantOfTimeAndMemoryIsReportedWithTheFile) {

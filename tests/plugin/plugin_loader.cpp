@@ -180,9 +180,9 @@ TEST(StageObjects, ThatCannotBeMadeSayWhy) {
         }
         return "no error";
     };
-    EXPECT_EQ(message("repair.throws"), "repair.throws: its constructor failed with an exception of its own: too long");
+    EXPECT_EQ(message("repair.throws"), "repair.throws: its constructor threw an exception: too long");
     EXPECT_EQ(message("repair.throws_int"),
-              "repair.throws_int: its constructor threw something that is no std::exception");
+              "repair.throws_int: its constructor threw an object that is not a std::exception");
 }
 
 TEST(StageObjects, AreMadeOfCheckedParameters) {

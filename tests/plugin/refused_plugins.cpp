@@ -69,14 +69,14 @@ TEST(RefusedPlugins, DeadlyOnesAreToldApart) {
     };
     constexpr const char* remedy = "; remedy: correct its entry point and the constructors of its static objects";
     EXPECT_EQ(why("exits"), std::string("it ends the program while it is loaded (exit code 7)") + remedy);
-    EXPECT_EQ(why("loops", 1), std::string("it did not come back from being loaded within 1 s") + remedy);
+    EXPECT_EQ(why("loops", 1), std::string("loading it did not end within 1 s") + remedy);
     EXPECT_EQ(why_loading_ends_badly(FOAM_TEST_BINARY, file_name("no_stages")), "");
     EXPECT_EQ(why_loading_ends_badly(FOAM_TEST_BINARY, "/there/is/no/such.so"), "");
     if (std::string(FOAM_ABI_SANITIZER) == "none") { // a sanitizer ends the process in its own way
         EXPECT_EQ(why("crashes"),
                   std::string("it crashes while it is loaded (SIGSEGV, invalid memory access or stack overflow)") +
                       remedy);
-        EXPECT_EQ(why("aborts"), std::string("it crashes while it is loaded (SIGABRT, the program gave up)") + remedy);
+        EXPECT_EQ(why("aborts"), std::string("it crashes while it is loaded (SIGABRT, the program aborted)") + remedy);
     }
 }
 
@@ -127,11 +127,12 @@ TEST_F(RefusedPluginsCli, OneThatCrashesIsNamed) {
     const fs::path file = fs::canonical(FOAM_TEST_DEADLY_PLUGINS) / "deadly_aborts.so";
     const Outcome outcome = foam("stages --plugin '" + file.string() + "'");
     EXPECT_EQ(outcome.code, 128 + SIGABRT);
-    EXPECT_THAT(outcome.err, HasSubstr("\nfoam: crashed (SIGABRT, the program gave up) in plugin " + file.string() +
-                                       ", while it was loaded\n"
-                                       "foam: the run directory is as it was before\n"
-                                       "foam: remedy: take that plugin away; `foam plugins --why` tries each in a "
-                                       "process of its own\n"));
+    EXPECT_THAT(
+        outcome.err,
+        HasSubstr("\nfoam: crashed (SIGABRT, the program aborted) in plugin " + file.string() +
+                  ", while it was loaded\n"
+                  "foam: the run directory is as it was before\n"
+                  "foam: remedy: remove that plugin; `foam plugins --why` tests each plugin in a child process\n"));
 }
 
 } // namespace

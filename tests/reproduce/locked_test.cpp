@@ -137,7 +137,7 @@ TEST_F(Locked, OfASweepTheRunOfTheManifestIsTaken) {
 TEST_F(Locked, ARecipeIsNeededWithoutALock) {
     const Outcome outcome = foam("run");
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_EQ(outcome.err, "foam: error: recipe is required; `foam run --help` says how to use it\n");
+    EXPECT_EQ(outcome.err, "foam: error: recipe is required; `foam run --help` explains its use\n");
 }
 
 } // namespace

@@ -205,10 +205,11 @@ TEST_F(Verify, APluginThatIsNotThereIsNamed) {
     write_manifest("out", m);
     const Outcome outcome = foam("verify out");
     EXPECT_EQ(outcome.code, 3);
-    EXPECT_EQ(outcome.err, "foam: error: out/manifest.json: the run needs plugins that are not loaded here:\n"
-                           "  spherize_gone 2.1\n"
-                           "remedy: install them, or name them with --plugin; `foam plugins --why` says what was "
-                           "refused\n");
+    EXPECT_EQ(
+        outcome.err,
+        "foam: error: out/manifest.json: the run needs plugins that are not loaded here:\n"
+        "  spherize_gone 2.1\n"
+        "remedy: install them, or name them with --plugin; `foam plugins --why` shows why plugins were refused\n");
 }
 
 /// What makes a folder no run directory, and what is said.
@@ -262,8 +263,8 @@ TEST_F(Verify, WithoutItsRecipeThereIsARemedy) {
     const Outcome outcome = foam("verify out");
     EXPECT_EQ(outcome.code, 2);
     EXPECT_EQ(outcome.err,
-              "foam: error: out/recipe.resolved.yaml: there is no such file, and without it the run cannot be made "
-              "again; remedy: `foam run --locked out/manifest.json RECIPE` with the recipe that was published\n");
+              "foam: error: out/recipe.resolved.yaml: there is no such file, and without it the run cannot be "
+              "repeated; remedy: `foam run --locked out/manifest.json RECIPE` with the recipe that was published\n");
 }
 
 } // namespace

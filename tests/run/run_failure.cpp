@@ -13,11 +13,10 @@ TEST_F(Run, NamesStageLinkAndInputOfAFailure) {
     EXPECT_EQ(code, ErrorCode::geometry);
     EXPECT_EQ(
         failure("stages: [spherize.misbehaving: {how: exception, link: tip}]\n"),
-        "stage 'spherize.misbehaving', link 'tip', input 'cylinder': the stage failed with an exception of its own: "
-        "index out of range");
+        "stage 'spherize.misbehaving', link 'tip', input 'cylinder': the stage threw an exception: index out of range");
     EXPECT_EQ(code, ErrorCode::plugin);
     EXPECT_THAT(failure("stages: [spherize.misbehaving: {how: integer, link: tip}]\n"),
-                HasSubstr("threw something that is no"));
+                HasSubstr("threw an object that is not a"));
     EXPECT_FALSE(fs::exists(folder.path() / "out"));
 }
 
@@ -42,7 +41,7 @@ TEST_F(Run, ABrokenContractIsFound) {
     EXPECT_THAT(failure("stages: [spherize.misbehaving: {how: parents, link: base}]\n"),
                 HasSubstr("parent index of level 1"));
     EXPECT_THAT(failure("stages: [spherize.misbehaving: {how: many, link: base}]\nbudget: {spheres: 4}\n"),
-                HasSubstr("returned 1000 spheres where at most 1 were asked for"));
+                HasSubstr("returned 1000 spheres where at most 1 were requested"));
 }
 
 TEST_F(Run, ALostLinkIsOnlyLostOnRequest) {
@@ -57,7 +56,7 @@ TEST_F(Run, ALostLinkIsOnlyLostOnRequest) {
     EXPECT_TRUE(fallback.certified);
     EXPECT_EQ(fallback.links[1].measures.spheres, 1u);
     EXPECT_THAT(fallback.findings, ::testing::Contains(::testing::Field(
-                                       &Finding::message, HasSubstr("one enclosing sphere stands in for the link"))));
+                                       &Finding::message, HasSubstr("one enclosing sphere replaces the link"))));
 }
 
 TEST_F(Run, NoSphereStandsInForGeometryThatCannotBeProved) {

@@ -67,7 +67,8 @@ TEST_F(Run, OneSphereStandsInForOthersThatWouldClaimMore) {
     EXPECT_TRUE(result.certified);
     EXPECT_EQ(result.total.spheres, 1u);
     EXPECT_LE(result.total.excess, 0.02);
-    EXPECT_THAT(warnings_of(result), ::testing::Contains(::testing::HasSubstr("one sphere around the geometry")));
+    EXPECT_THAT(warnings_of(result),
+                ::testing::Contains(::testing::HasSubstr("one enclosing sphere is written, because")));
 }
 
 TEST_F(Run, ElementsThatOnlyTheirOwnFrameProvesAreRefused) {
@@ -83,8 +84,8 @@ TEST_F(Run, ElementsThatOnlyTheirOwnFrameProvesAreRefused) {
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::geometry);
         EXPECT_STREQ(error.what(),
-                     "link 'base': its collision elements are too small for the distance between them: what is "
-                     "proved of each in a frame of its own does not hold in the link's; remedy: per: link");
+                     "link 'base': its collision elements are too small for the distance between them: the proof of "
+                     "each in its own frame does not hold in the link's frame; remedy: per: link");
     }
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "refused"));
 }

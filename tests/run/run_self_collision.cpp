@@ -48,8 +48,8 @@ TEST_F(Run, SpheresOfLinksThatAreApartStayApart) {
     EXPECT_GT(overlap(), 0);
     EXPECT_THAT(warnings_of(few),
                 ::testing::Contains(::testing::MatchesRegex(
-                    "table: its spheres overlap those of tool by 0\\.[0-9]+ m in the pose of self_collision, where the "
-                    "geometry of the two is apart; remedy: more spheres for both, or max_protrusion")));
+                    "table: its spheres overlap those of tool by 0\\.[0-9]+ m in the pose of self_collision, although "
+                    "the geometry of the two links does not touch; remedy: more spheres for both, or max_protrusion")));
     // Where the geometry touches, spheres that cover it must.
     const RunResult touching = made("budget: {spheres: 4}\nself_collision: {pose: {slide: -0.04}}\n");
     EXPECT_THAT(warnings_of(touching), ::testing::Not(::testing::Contains(HasSubstr("overlap"))));

@@ -49,8 +49,8 @@ TEST_F(Run, AStopGivesTheBestSoFar) {
     EXPECT_GE(result.total.spheres, 8u) << "counts to four are known of each after the first round";
     EXPECT_LT(result.total.spheres, whole.total.spheres);
     EXPECT_EQ(warnings_of(result),
-              std::vector<std::string>{": the search was stopped: these are the best spheres until "
-                                       "then, and another run may give others"});
+              std::vector<std::string>{
+                  ": the search was stopped: these are the best spheres so far; another run may give others"});
     EXPECT_THAT(read_file(folder.path() / "out/manifest.json"), HasSubstr("\"cut\": \"stop\""));
     EXPECT_THAT(read_file(folder.path() / "whole/manifest.json"), ::testing::Not(HasSubstr("\"cut\"")));
     try {
@@ -58,8 +58,8 @@ TEST_F(Run, AStopGivesTheBestSoFar) {
         ADD_FAILURE() << "verified";
     } catch (const Error& error) {
         EXPECT_EQ(error.what(), (folder.path() / "out/manifest.json").string() +
-                                    ": the search of this run was cut short (stop), so it cannot be expected to come "
-                                    "out the same again; remedy: run its recipe without a limit");
+                                    ": the search of this run ended early (stop), so another run may give other "
+                                    "spheres; remedy: run its recipe without a limit");
     }
 }
 
@@ -105,7 +105,7 @@ TEST_F(Run, ATimeLimitThatIsOverLeavesTheFewestSpheres) {
             EXPECT_EQ(result.total.spheres, links.empty() ? 2u : 1u) << budget;
             EXPECT_THAT(warnings_of(result),
                         ::testing::Contains(": the search ended at its time limit of 1e-09 s: these are the best "
-                                            "spheres until then, and another run may give others"));
+                                            "spheres so far; another run may give others"));
         }
     }
     const RunResult result =
@@ -163,8 +163,9 @@ TEST_F(Run, ABallStandsInForWhatIsNotFoundInTime) {
     EXPECT_EQ(result.cut, Cut::time_limit);
     EXPECT_TRUE(result.certified);
     EXPECT_EQ(result.links.at(1).measures.spheres, 1u);
-    EXPECT_THAT(warnings_of(result), ::testing::Contains("tip: it made nothing within the time limit of 2 s: one "
-                                                         "enclosing sphere stands in"));
+    EXPECT_THAT(warnings_of(result),
+                ::testing::Contains(
+                    "tip: it found no spheres within the time limit of 2 s; one enclosing sphere replaces them"));
 }
 
 TEST_F(Run, WhatGoesOnAfterAStopIsNamed) {

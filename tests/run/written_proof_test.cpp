@@ -78,14 +78,14 @@ TEST_F(WrittenProofs, AnUlpThatAWriterLostIsFound) {
     const std::vector<Sphere> good{{{}, 2}};
     EXPECT_EQ(failure({{"base", {{{}, *parse_number(number_text(high))}}}, {"tip", good}}), "");
     EXPECT_THAT(failure({{"base", {{{}, *parse_number(number_text(low))}}}, {"tip", good}}),
-                HasSubstr("out.csv: link 'base': the certificate does not hold on the numbers read back: "));
+                HasSubstr("out.csv: link 'base': the certificate does not hold for the numbers read back: "));
     EXPECT_THAT(failure({{"base", good}, {"tip", {{{}, low}}}}), HasSubstr("out.csv: link 'tip': "));
     EXPECT_THAT(failure({{"base", {{{0, 0, 1}, 2}}}, {"tip", good}}), HasSubstr(" m are missing at ["));
     const double most = inner_radii(*finished.links[0].solid, std::vector<Sphere>{{{}, 9}}).front();
     EXPECT_EQ(failure({{"base", {{{}, most}}}, {"tip", {{{}, most}}}}, Guarantee::inner), "");
     EXPECT_THAT(
         failure({{"base", {{{}, 0.5}, {{}, 1 + 1e-15}}}, {"tip", {{{}, most}}}}, Guarantee::inner),
-        HasSubstr("link 'base': the certificate does not hold on the numbers read back: sphere 1 sticks out by "));
+        HasSubstr("link 'base': the certificate does not hold for the numbers read back: sphere 1 protrudes by "));
     EXPECT_EQ(failure({{"base", good}, {"tip", good}}, Guarantee::inner) == "", false);
 }
 

@@ -19,5 +19,5 @@ FOAM_PLUGIN_PATH=$PWD/build expect "$stage" "$foam" plugins
 expect "plugin $plugin 0.1" "$foam" describe "$stage" --plugin-dir build
 expect "Proved" "$foam" run recipe.yaml --plugin-dir build
 if [[ -f compare.yaml ]]; then
-    expect "good for 2 runs" "$foam" check compare.yaml --plugin-dir build
+    expect "valid, 2 runs" "$foam" check compare.yaml --plugin-dir build
 fi

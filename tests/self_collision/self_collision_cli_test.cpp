@@ -85,8 +85,8 @@ TEST_F(SelfCollisionCli, OtherGeometryIsCoveredFirst) {
     write("boxes.urdf", boxes);
     const Outcome outcome = foam("self-collision boxes.urdf --samples 100 --spheres 2");
     EXPECT_EQ(outcome.err, "");
-    EXPECT_THAT(outcome.out, HasSubstr("boxes.urdf: certified covers of at most 2 spheres for 1 link, its own spheres "
-                                       "for 2\n"));
+    EXPECT_THAT(outcome.out,
+                HasSubstr("boxes.urdf: certified models of at most 2 spheres for 1 link, its own spheres for 2\n"));
     EXPECT_TRUE(json::parse(
         foam("self-collision boxes.urdf --samples 100 --spheres 2 --json").out)["links"][0]["certified_cover"]);
 }
@@ -107,8 +107,8 @@ TEST_F(SelfCollisionCli, AgainstTheListOfAnother) {
                          "<disable_collisions link1='base' link2='hand' reason='Never'/>\n"
                          "<disable_collisions link1='base' link2='camera' reason='User'/></robot>\n");
     EXPECT_THAT(foam(command + "theirs.srdf").out,
-                HasSubstr("theirs.srdf leaves out 3 pairs: 1 of them are left out here, 1 to check here, 1 of links "
-                          "without spheres; 1 more are left out here.\n"
+                HasSubstr("theirs.srdf excludes 3 pairs: 1 of them are excluded here, 1 need a check here, 1 contain "
+                          "links without spheres; 1 more are excluded here.\n"
                           "  to check here: base, hand (Never): touch in "));
     const json against = json::parse(foam(command + "theirs.srdf --json").out)["against"];
     EXPECT_EQ(against["both"], 1);
@@ -119,10 +119,9 @@ TEST_F(SelfCollisionCli, AgainstTheListOfAnother) {
                              "robot_cfg: {kinematics: {self_collision_ignore: {base: [upper], hand: [upper]}}}\n",
                              "format: xrdf\nself_collision: {ignore: {base: [upper], hand: [upper]}}\n"}) {
         write("theirs.yaml", text);
-        EXPECT_THAT(
-            foam(command + "theirs.yaml").out,
-            HasSubstr("theirs.yaml leaves out 2 pairs: 2 of them are left out here, 0 to check here, 0 of links "
-                      "without spheres; 0 more are left out here.\n"));
+        EXPECT_THAT(foam(command + "theirs.yaml").out,
+                    HasSubstr("theirs.yaml excludes 2 pairs: 2 of them are excluded here, 0 need a check here, 0 "
+                              "contain links without spheres; 0 more are excluded here.\n"));
     }
 }
 
@@ -138,10 +137,9 @@ TEST_F(SelfCollisionCli, ListsThatCannotBeRead) {
               "foam: error: theirs:2: <disable_collisions> does not name two links; remedy: <disable_collisions "
               "link1=\"A\" link2=\"B\"/>\n");
     EXPECT_EQ(refusal("<robot>\n<link></robot>"), "foam: error: theirs:2: no XML: mismatched tag\n");
-    EXPECT_EQ(
-        refusal("links: {}\n"),
-        "foam: error: theirs: it leaves out no pairs of links; read are the <disable_collisions> of SRDFs, cuRobo's "
-        "self_collision_ignore and XRDF's self_collision\n");
+    EXPECT_EQ(refusal("links: {}\n"),
+              "foam: error: theirs: it excludes no pairs of links; supported are the <disable_collisions> of SRDFs, "
+              "cuRobo's self_collision_ignore and XRDF's self_collision\n");
     EXPECT_EQ(refusal("self_collision_ignore: {base: upper}\n"),
               "foam: error: theirs:1:31: expected a list of links, got the text 'upper'\n");
 }

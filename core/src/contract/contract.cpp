@@ -76,7 +76,7 @@ void Promises::check(const std::string& promise, const std::function<void()>& lo
     } catch (const std::exception& error) {
         message = error.what();
     } catch (...) {
-        message = "it threw something that is no std::exception; remedy: throw foam::Error";
+        message = "it threw an object that is not a std::exception; remedy: throw foam::Error";
     }
     findings.push_back({stage_, promise, message});
 }

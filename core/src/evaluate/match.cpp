@@ -85,9 +85,8 @@ private:
             return;
         }
         if (!place_above(link)) {
-            note(fmt::format("{} of link '{}' {} left out: {} has no such link",
-                             count_of(link.spheres.size(), "sphere"), name, link.spheres.size() == 1 ? "is" : "are",
-                             original_.file.filename().string()));
+            note(fmt::format("{} of link '{}' {} ignored: {} has no such link", count_of(link.spheres.size(), "sphere"),
+                             name, link.spheres.size() == 1 ? "is" : "are", original_.file.filename().string()));
         }
     }
 

@@ -58,7 +58,7 @@ public:
             try {
                 resolve_input(recipe_of(robot));
             } catch (const Error& error) {
-                bench.tell(fmt::format("warning: {}: {} is left out: {}", name, robot.name, error.what()));
+                bench.tell(fmt::format("warning: {}: {} is skipped: {}", name, robot.name, error.what()));
                 results.missing.push_back(robot.name);
                 why = error.what();
                 continue;

@@ -60,7 +60,7 @@ private:
     }
     [[noreturn]] void unknown(const Value& at) const {
         fail(at, "no sphere model is known that looks like this; read are URDF, the JSON, CSV and PLY of foam, the "
-                 "database of the first foam, cuRobo, Lula, bubblify and plainmp YAML, XRDF, MorphIt, ballpark and "
+                 "database of CoMMALab/foam, cuRobo, Lula, bubblify and plainmp YAML, XRDF, MorphIt, ballpark and "
                  "pyroki JSON, and rows of numbers");
     }
 
@@ -202,7 +202,7 @@ private:
         if (root.items.empty()) {
             unknown(root);
         }
-        result_.format = "list of the first foam";
+        result_.format = "list of CoMMALab/foam";
         const Value& finest = root.items.back();
         const Value* link = finest.is(Kind::map) ? finest.find("link") : nullptr;
         add(link ? link->text : "", at(finest, "spheres"));
@@ -222,7 +222,7 @@ private:
         if (root.keys.front().text.find("::") == std::string::npos) {
             unknown(root);
         }
-        result_.format = "database of the first foam";
+        result_.format = "database of CoMMALab/foam";
         for_each(root, [&](const std::string& key, const Value& branches) {
             const Value& depths = largest_key(branches, "branch");
             add(key.substr(0, key.rfind("::")), at(largest_key(depths, "depth"), "spheres"));

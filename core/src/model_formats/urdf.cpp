@@ -15,8 +15,8 @@ namespace {
 std::unique_ptr<RobotLoader> make_loader(const Registry& registry) {
     const RegisteredStage* stage = registry.find_for_extension(StageKind::robot_loader, "urdf");
     if (!stage) {
-        throw Error(ErrorCode::plugin,
-                    "no plugin can read URDF files; `foam plugins --why` says what was loaded and why not");
+        throw Error(ErrorCode::plugin, "no plugin can read URDF files; `foam plugins --why` shows which plugins were "
+                                       "loaded, and why others were not");
     }
     std::map<std::string, ParameterValue> given;
     for (const Parameter& parameter : stage->info.parameters) {
@@ -73,8 +73,8 @@ void read_written(const std::string& text, const std::string& extension, const R
     const RegisteredStage* stage = registry.find_for_extension(StageKind::writer, extension);
     if (!stage) {
         throw Error(ErrorCode::plugin,
-                    fmt::format("{}: no plugin reads sphere models of this format ({}); `foam plugins --why` says what "
-                                "was loaded and why not",
+                    fmt::format("{}: no plugin reads sphere models of this format ({}); `foam plugins --why` shows "
+                                "which plugins were loaded, and why others were not",
                                 result.file.string(), extension));
     }
     result.format = extension;

@@ -89,8 +89,8 @@ std::string enrol(Entry entry, PluginRecord& record, Collector& collector) {
         return fmt::format("it threw while it enrolled its stages: {}; remedy: correct the body of FOAM_PLUGIN",
                            error.what());
     } catch (...) {
-        return "it threw something that is no std::exception while it enrolled its stages; remedy: correct the body of "
-               "FOAM_PLUGIN";
+        return "it threw an object that is not a std::exception while it enrolled its stages; remedy: correct the body "
+               "of FOAM_PLUGIN";
     }
     return "";
 }
@@ -287,11 +287,10 @@ std::unique_ptr<Stage> Registry::make_stage(std::string_view name, StageKind kin
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& error) {
-        throw Error(ErrorCode::plugin,
-                    fmt::format("{}: its constructor failed with an exception of its own: {}", name, error.what()));
+        throw Error(ErrorCode::plugin, fmt::format("{}: its constructor threw an exception: {}", name, error.what()));
     } catch (...) {
         throw Error(ErrorCode::plugin,
-                    fmt::format("{}: its constructor threw something that is no std::exception", name));
+                    fmt::format("{}: its constructor threw an object that is not a std::exception", name));
     }
 }
 

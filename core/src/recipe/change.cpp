@@ -52,9 +52,9 @@ std::vector<Variant> take_variants(Value& root, Findings& findings) {
         const Key& key = variants.keys[i];
         const Value& changes = variants.items[i];
         if (const std::string why = why_no_folder_name(key.text); !why.empty()) {
-            findings.error(
-                key.where, "bad-name",
-                fmt::format("a variant's name ends that of the run's folder; {} {}", in_quotes(key.text), why));
+            findings.error(key.where, "bad-name",
+                           fmt::format("a variant's name is part of the name of the run's folder; {} {}",
+                                       in_quotes(key.text), why));
         } else if (expect_map(changes, key.text, example, findings)) {
             result.push_back({key.text, key.where,
                               read_changes(changes, "a variant",

@@ -47,15 +47,14 @@ void refuse_unknown_top_level_keys(const Value& root, const Checking& checking) 
         const auto home =
             std::find_if(std::begin(homes), std::end(homes), [&](const auto& h) { return h.first == key.text; });
         if (home != std::end(homes)) {
-            checking.findings.error(
-                key.where, "unknown-key",
-                fmt::format("{} does not stand at the top level; remedy: write {}", in_quotes(key.text), home->second));
+            checking.findings.error(key.where, "unknown-key",
+                                    fmt::format("{} does not belong at the top level; remedy: write {}",
+                                                in_quotes(key.text), home->second));
         } else if (checking.registry.find(key.text)) {
-            checking.findings.error(
-                key.where, "unknown-key",
-                fmt::format("stage {} does not stand at the top level; remedy: write it as an item of "
-                            "'stages' (or of 'outputs', if it writes)",
-                            in_quotes(key.text)));
+            checking.findings.error(key.where, "unknown-key",
+                                    fmt::format("stage {} does not belong at the top level; remedy: write it as an "
+                                                "item of 'stages' (or of 'outputs', if it writes)",
+                                                in_quotes(key.text)));
         } else {
             rest.keys.push_back(key);
         }
@@ -197,7 +196,7 @@ void check_self_collision(const Value& value, const Value& root, Recipe& recipe,
     }
     if (recipe.self_collision && root.find("mesh")) {
         findings.error(root.find_key("self_collision")->where, "conflict",
-                       "'self_collision' is about the links of a robot: it says nothing of a mesh; remedy: delete it");
+                       "'self_collision' concerns the links of a robot: it has no effect on a mesh; remedy: delete it");
     }
 }
 
@@ -208,18 +207,17 @@ void refuse_outer_keys(const Value& root, const Recipe& recipe, Findings& findin
     }
     if (recipe.budget_max_protrusion) {
         findings.error(root.find("budget")->find_key("max_protrusion")->where, "conflict",
-                       "spheres inside the geometry protrude nowhere: 'max_protrusion' says nothing with guarantee: "
+                       "spheres inside the geometry do not protrude: 'max_protrusion' has no effect with guarantee: "
                        "inner; remedy: give 'spheres' instead");
     }
     if (recipe.budget_excess) {
         findings.error(root.find("budget")->find_key("excess")->where, "conflict",
-                       "spheres inside the geometry claim nothing outside: 'excess' says nothing with guarantee: "
-                       "inner; remedy: give 'spheres' instead");
+                       "spheres inside the geometry have no excess: 'excess' has no effect with guarantee: inner; "
+                       "remedy: give 'spheres' instead");
     }
     if (recipe.on_error == OnError::fallback) {
         findings.error(root.find_key("on_error")->where, "conflict",
-                       "a bounding sphere cannot stand in for a link with guarantee: inner; remedy: on_error: stop "
-                       "or skip");
+                       "a bounding sphere cannot replace a link with guarantee: inner; remedy: on_error: stop or skip");
     }
 }
 

@@ -34,9 +34,8 @@ void refuse_idle_limits(const Value& map, const Isolation& effective, std::strin
     for (const char* limit : {"time_limit", "memory_limit"}) {
         if (const Key* key = map.find_key(limit)) {
             findings.error(key->where, "conflict",
-                           fmt::format("'{}'{} can only be kept by a process of its own; remedy: write isolate: "
-                                       "process beside it",
-                                       limit, owner.empty() ? "" : fmt::format(" of {}", owner)));
+                           fmt::format("'{}'{} needs process isolation; remedy: also write isolate: process", limit,
+                                       owner.empty() ? "" : fmt::format(" of {}", owner)));
         }
     }
 }

@@ -79,16 +79,16 @@ void read_stage_override(const Key& key, const Value& value, const Recipe& recip
 void refuse_idle_key(const Key& key, const Recipe& recipe, Findings& findings) {
     if (key.text == "max_protrusion" && recipe.guarantee == Guarantee::inner) {
         findings.error(key.where, "conflict",
-                       "spheres inside the geometry protrude nowhere: 'max_protrusion' says nothing with guarantee: "
+                       "spheres inside the geometry do not protrude: 'max_protrusion' has no effect with guarantee: "
                        "inner; remedy: delete it");
     } else if (key.text == "clip" && recipe.guarantee == Guarantee::inner) {
         findings.error(key.where, "conflict",
-                       "spheres inside the geometry reach no farther than it does: 'clip' says nothing with guarantee: "
+                       "spheres inside the geometry do not extend beyond it: 'clip' has no effect with guarantee: "
                        "inner; remedy: delete it");
     } else if (key.text == "weight" && !recipe.budget_spheres && !recipe.budget_excess && !findings.any_error()) {
         findings.error(key.where, "conflict",
-                       "'weight' is for sharing spheres out: it says nothing without budget: {spheres: …} or "
-                       "{excess: …}; remedy: give a budget, or delete it");
+                       "'weight' is a factor in the allocation of spheres: it has no effect without budget: {spheres: "
+                       "…} or {excess: …}; remedy: give a budget, or delete it");
     }
 }
 
@@ -96,7 +96,7 @@ std::optional<Vec3> read_normal(const Value& plane, Findings& findings) {
     const Value* value = plane.find("normal");
     if (!value) {
         findings.error(plane.where, "missing-key",
-                       "'normal' of 'clip' is missing; remedy: give the direction of the side that spheres keep off, "
+                       "'normal' of 'clip' is missing; remedy: give the direction into the restricted half-space, "
                        "normal: [0, 0, -1]");
         return std::nullopt;
     }
@@ -109,8 +109,8 @@ std::optional<Vec3> read_normal(const Value& plane, Findings& findings) {
     const Vec3 normal = numbers.size() == 3 ? Vec3{numbers[0], numbers[1], numbers[2]} : Vec3{};
     if (numbers.size() != value->items.size() || !is_finite(normalized(normal)) || !(norm(normalized(normal)) > 0.5)) {
         findings.error(value->where, "wrong-type",
-                       "'normal' of 'clip' expects three numbers, not all zero; remedy: give the direction of the side "
-                       "that spheres keep off, normal: [0, 0, -1]");
+                       "'normal' of 'clip' expects three numbers, not all zero; remedy: give the direction into the "
+                       "restricted half-space, normal: [0, 0, -1]");
         return std::nullopt;
     }
     return normal;
@@ -130,7 +130,7 @@ std::vector<ClipPlane> read_clip(const Value& planes, Findings& findings) {
         const auto values = read_values(item, clip_values(), "clip", {"normal"}, findings);
         if (!item.find("reach")) {
             findings.error(item.where, "missing-key",
-                           "'reach' of 'clip' is missing; remedy: say how far beyond the plane spheres may reach, in "
+                           "'reach' of 'clip' is missing; remedy: give how far spheres may extend beyond the plane, in "
                            "m, reach: 0.005");
         }
         const auto number = [&](const char* name) {

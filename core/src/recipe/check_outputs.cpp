@@ -47,7 +47,7 @@ void warn_of_ending(const RegisteredStage& writer, const std::string& file, cons
     const auto& usual = writer.info.extensions;
     if (!usual.empty() && (ending.empty() || std::find(usual.begin(), usual.end(), ending.substr(1)) == usual.end())) {
         findings.warning(where, "unusual-ending",
-                         fmt::format("{} writes .{}, whatever the ending of {}", writer.info.name,
+                         fmt::format("{} writes .{}, regardless of the extension of {}", writer.info.name,
                                      fmt::join(usual, " or ."), in_quotes(file)));
     }
 }

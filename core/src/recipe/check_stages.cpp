@@ -13,16 +13,16 @@ namespace {
 std::string home_of(StageKind kind) {
     switch (kind) {
     case StageKind::mesh_filter:
-        return "it belongs into 'stages', before the spherizer";
+        return "it belongs in 'stages', before the spherizer";
     case StageKind::spherizer:
-        return "it belongs into 'stages', as the last item";
+        return "it belongs in 'stages', as the last item";
     case StageKind::writer:
-        return "it belongs into 'outputs'";
+        return "it belongs in 'outputs'";
     case StageKind::renderer:
-        return "it belongs into 'snapshots: {renderer: …}'";
+        return "it belongs in 'snapshots: {renderer: …}'";
     case StageKind::mesh_loader:
     case StageKind::robot_loader:
-        return "the input's file ending chooses it, its parameters belong into 'loaders'";
+        return "the file extension of the input selects it; its parameters belong in 'loaders'";
     }
     return "";
 }
@@ -115,9 +115,10 @@ void check_stages(const Value* stages, const Value& root, Recipe& recipe, const 
             misplaced(fmt::format("is a {}; {}", to_string(item.stage->kind), home_of(item.stage->kind)));
         } else if (after_spherizer) {
             misplaced(
-                filter ? fmt::format("is a mesh filter behind the spherizer '{}'; remedy: move it before that",
+                filter ? fmt::format("is a mesh filter after the spherizer '{}'; remedy: move it before the spherizer",
                                      recipe.spherizer.stage)
-                       : fmt::format("is a second spherizer beside '{}'; remedy: delete one", recipe.spherizer.stage));
+                       : fmt::format("is a second spherizer in addition to '{}'; remedy: delete one",
+                                     recipe.spherizer.stage));
         } else if (filter) {
             recipe.filters.push_back(std::move(item.call));
         } else {

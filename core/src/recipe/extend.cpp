@@ -37,7 +37,7 @@ void lay_over(Value& base, const Value& over, const std::string& path, Findings&
                 std::transform(base.keys.begin(), base.keys.end(), std::back_inserter(known),
                                [](const Key& k) { return k.text; });
                 findings.error(key.where, "nothing-to-remove",
-                               fmt::format("null takes a key of the extended file away, and there is no {}{}; remedy: "
+                               fmt::format("null removes a key of the extended file, and there is no {}{}; remedy: "
                                            "correct or delete this line, or write {{}} for an empty map",
                                            in_quotes(key.text), suggestion(key.text, known)));
             }
@@ -74,8 +74,8 @@ public:
         const bool extending = root.find("extends") != nullptr, setting = root.find("set") != nullptr;
         if (setting && !extending) {
             findings_.error(root.find_key("set")->where, "conflict",
-                            "'set' changes what 'extends' brings, and there is none; remedy: write the values where "
-                            "they belong");
+                            "'set' changes values of the recipe that 'extends' names, and there is none; remedy: write "
+                            "the values at their keys");
         }
         root.erase("extends");
         root.erase("set");

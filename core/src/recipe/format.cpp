@@ -12,63 +12,69 @@ std::vector<Parameter> top_level_values() {
         Parameter::text("name", "").doc("Name of the run's folder; absent: the recipe's file name without its ending."),
         Parameter::integer("seed", 0).at_least(0).doc("Seed of all random choices."),
         Parameter::choice("unit", length_units(), "m")
-            .doc("What the numbers of a single mesh are in, if its file does not say it; absent: m."),
+            .doc("Unit of a single mesh, for formats without a unit; absent: m."),
         Parameter::number("scale", 1)
             .bounds(1e-12, 1e12)
             .unit("1")
-            .doc("What a single mesh is enlarged by, besides its unit; absent: 1."),
+            .doc("Scale factor of a single mesh, in addition to its unit; absent: 1."),
         Parameter::choice("per", {"link", "collision"}, "link")
             .doc("Spherize each link as one solid, or every collision element on its own."),
         Parameter::choice("guarantee", {"outer", "inner", "fitted"}, "outer")
-            .doc("outer: nothing of the geometry sticks out of the spheres, proved; inner: no sphere sticks out of the "
-                 "geometry, proved; fitted: neither is promised."),
+            .doc("outer: the spheres are proved to cover the geometry; inner: the spheres are proved to lie inside the "
+                 "geometry; fitted: neither is proved."),
         Parameter::choice("on_error", {"stop", "skip", "fallback"}, "stop")
-            .doc("When a link fails: stop the run, leave the link out, or stand its bounding sphere in for it."),
-        Parameter::boolean("strict", false).doc("A glob in 'links' that names no link is an error, not a warning."),
+            .doc("When a link fails: stop the run, skip the link, or replace it by one enclosing sphere."),
+        Parameter::boolean("strict", false).doc("A glob in 'links' that matches no link is an error, not a warning."),
     };
 }
 
 std::vector<Parameter> budget_values() {
     return {
-        Parameter::integer("spheres", 1).at_least(1).unit("1").doc("Most spheres over the whole robot."),
+        Parameter::integer("spheres", 1).at_least(1).unit("1").doc("Maximum number of spheres of the whole robot."),
         Parameter::number("excess", 0.5)
             .bounds(1e-6, 1e6)
             .unit("1")
-            .doc("Volume that the spheres claim outside the geometry over the volume of the geometry, of the whole "
-                 "robot: the fewest spheres that claim no more, as far as their number allows."),
+            .doc("Excess of the whole robot: volume of the spheres outside the geometry / volume of the geometry. The "
+                 "fewest spheres that reach it, as far as their number allows."),
         Parameter::number("max_protrusion", 0)
             .at_least(0)
             .unit("m")
-            .doc("Largest distance by which spheres may stand out of the geometry, as far as the number of spheres "
+            .doc("Largest distance by which spheres may extend beyond the geometry, as far as the number of spheres "
                  "allows."),
         Parameter::number("time_limit", 10)
             .at_least(0.001)
             .unit("s")
-            .doc("Time since the start in which the best spheres that are found are written; the run may not give the "
-                 "same again. Absent: no limit."),
+            .doc("Time from the start until the best spheres so far are written; another run may give other spheres. "
+                 "Absent: no limit."),
     };
 }
 
 std::vector<Parameter> link_values() {
     return {
-        Parameter::boolean("skip", false).doc("Leave these links without spheres."),
-        Parameter::integer("min_spheres", 1).at_least(1).unit("1").doc("Fewest spheres of each of these links."),
-        Parameter::integer("max_spheres", 1).at_least(1).unit("1").doc("Most spheres of each of these links."),
+        Parameter::boolean("skip", false).doc("Make no spheres for these links."),
+        Parameter::integer("min_spheres", 1)
+            .at_least(1)
+            .unit("1")
+            .doc("Minimum number of spheres of each of these links."),
+        Parameter::integer("max_spheres", 1)
+            .at_least(1)
+            .unit("1")
+            .doc("Maximum number of spheres of each of these links."),
         Parameter::number("weight", 1)
             .bounds(0, 1e6)
             .unit("1")
-            .doc("How much the volume that these links' spheres claim wrongly counts when spheres are shared out."),
+            .doc("Factor of the excess volume of these links in the allocation of spheres."),
         Parameter::number("max_protrusion", 0).at_least(0).unit("m").doc("As in 'budget', for each of these links."),
     };
 }
 
 std::vector<Parameter> clip_values() {
     return {
-        Parameter::number("offset", 0).unit("m").doc("Of the plane from the link's origin along the normal."),
+        Parameter::number("offset", 0).unit("m").doc("Distance of the plane from the link's origin, along the normal."),
         Parameter::number("reach", 0.005)
             .at_least(1e-6)
             .unit("m")
-            .doc("How far beyond the plane spheres may reach. The less, the more spheres it takes."),
+            .doc("How far spheres may extend beyond the plane. A smaller value needs more spheres."),
     };
 }
 
@@ -83,7 +89,7 @@ std::vector<Parameter> isolation_values() {
     return {
         Parameter::choice("isolate", {"none", "process"}, "none")
             .doc("process: each call runs in a child process, where a crash or a limit ends the call, not the run. "
-                 "Absent: as at the top level; there: as the stage wishes, else none."),
+                 "Absent: as at the top level; there: the default of the stage, otherwise none."),
         Parameter::number("time_limit", 60)
             .at_least(0.001)
             .unit("s")

@@ -153,7 +153,7 @@ Json stage_item(const Registry& registry, std::initializer_list<StageKind> kinds
 
 Json clip_schema() {
     Json properties;
-    properties["normal"] = {{"description", "Direction of the side that spheres keep off, in the link's frame."},
+    properties["normal"] = {{"description", "Direction into the restricted half-space, in the link's frame."},
                             {"type", "array"},
                             {"items", {{"type", "number"}}},
                             {"minItems", 3},
@@ -162,7 +162,8 @@ Json clip_schema() {
     properties.update(properties_of(clip_values()));
     Json plane = object(std::move(properties));
     plane["required"] = {"normal", "reach"};
-    return {{"description", "Planes that the spheres of these links keep off, such as the one of a mount."},
+    return {{"description", "Half-space constraints: planes beyond which the spheres of these links extend by at most "
+                            "`reach`, such as a mounting plane."},
             {"type", "array"},
             {"items", std::move(plane)}};
 }
@@ -192,7 +193,7 @@ Json loader_schema(const Registry& registry) {
         {"enum", std::move(names)}};
     properties.update(parameters);
     Json schema = object(std::move(properties));
-    schema["description"] = "Parameters of loaders; which one reads a file, its ending says.";
+    schema["description"] = "Parameters of loaders; the file extension selects the loader.";
     return schema;
 }
 
@@ -243,10 +244,10 @@ Json top_level(const Registry& registry) {
     p["name"]["pattern"] = folder_name;
     p["seed"]["maximum"] = std::numeric_limits<std::uint64_t>::max();
     add_isolation(p);
-    p["robot"] = object({{"urdf", texts("URDF files, the first that exists is taken: a path relative to the recipe, "
+    p["robot"] = object({{"urdf", texts("URDF files, the first that exists is used: a path relative to the recipe, "
                                         "package://PACKAGE/PATH or file:///PATH.")}});
     p["robot"]["required"] = {"urdf"};
-    p["mesh"] = texts("Mesh files, the first that exists is taken; references as for a URDF.");
+    p["mesh"] = texts("Mesh files, the first that exists is used; references as for a URDF.");
     p["package_path"] = texts("Folders to look for packages in, before those of the environment.");
     p["plugins"] = texts("Plugin files to load, relative to the recipe.");
     p["loaders"] = loader_schema(registry);
@@ -258,8 +259,8 @@ Json top_level(const Registry& registry) {
                    {"maxContains", 1}};
     p["budget"] = object(properties_of(budget_values()));
     p["self_collision"] = {
-        {"description", "Keep the spheres of links that are not neighbours apart in a reference pose, where their "
-                        "geometry is: such links get more spheres; true: all joints at zero."},
+        {"description", "Prevent overlaps between the spheres of links that are not neighbours in a reference pose, "
+                        "unless their geometry touches: such links get more spheres; true: all joints at zero."},
         {"anyOf", Json::array({{{"type", "boolean"}},
                                object({{"pose",
                                         {{"description", "Joint values of that pose, rad or m; joints not named are at "
@@ -268,7 +269,7 @@ Json top_level(const Registry& registry) {
                                          {"additionalProperties", {{"type", "number"}}}}}})})},
         {"default", false}};
     p["links"] = {
-        {"description", "What is different for the links that a name or glob (* ? [a-z]) matches; later ones win."},
+        {"description", "Settings for the links that a name or glob (* ? [a-z]) matches; later entries have priority."},
         {"type", "object"},
         {"propertyNames", {{"minLength", 1}}},
         {"additionalProperties", link_schema(registry)}};
@@ -346,10 +347,10 @@ Json extending_recipe(const Registry& registry) {
     p["name"] = keys["name"];
     p["variants"] = or_null(keys["variants"]);
     p["variants"]["anyOf"][0]["additionalProperties"] = or_null(keys["variants"]["additionalProperties"]);
-    p["extends"] = {{"description", "The recipe over which this one is laid; relative to this file."},
+    p["extends"] = {{"description", "The recipe that this one extends; relative to this file."},
                     {"type", "string"},
                     {"minLength", 1}};
-    p["set"] = changes("Paths of keys and their values, changed in what 'extends' brings.");
+    p["set"] = changes("Paths of keys and their values, to change in the extended recipe.");
     recipe["required"] = {"foam", "extends"};
     return recipe;
 }

@@ -157,7 +157,7 @@ void refuse_unknown_keys(const Value& map, std::string_view owner, const std::ve
         const std::size_t colon = key.text.find(':');
         if (std::find(known.begin(), known.end(), key.text.substr(0, colon)) != known.end()) {
             findings.error(key.where, "unknown-key",
-                           fmt::format("unknown key {}; remedy: put a blank behind the ':'", in_quotes(key.text)));
+                           fmt::format("unknown key {}; remedy: put a space after the ':'", in_quotes(key.text)));
         } else {
             findings.error(key.where, "unknown-key",
                            fmt::format("unknown key {}{}{}{}", in_quotes(key.text), owner.empty() ? "" : " in ", owner,

@@ -209,7 +209,7 @@ private:
     /// `refused`: a finding says already that the value cannot be used; nothing more is to be said about it.
     void add(Value value, bool refused = false) {
         if (events_left_-- == 0) {
-            findings_.error(value.where, "syntax", "the YAML parser does not get on here; remedy: correct this line");
+            findings_.error(value.where, "syntax", "the YAML parser cannot read this line; remedy: correct this line");
             throw Stop{};
         }
         if (frames_.empty()) {

@@ -82,7 +82,7 @@ private:
     }
 
     static std::string empty_row(const Json& link) {
-        const std::string why = link.contains("error") ? escaped(link["error"]) : "left out by the recipe";
+        const std::string why = link.contains("error") ? escaped(link["error"]) : "excluded by the recipe";
         return fmt::format("<tr><th scope=\"row\">{}</th><td class=\"why\" colspan=\"{}\">{}</td></tr>\n",
                            escaped(link["link"]), columns - 1, why);
     }
@@ -132,15 +132,16 @@ static std::string planes_list(const Json& manifest) {
         }
     }
     return items.empty() ? ""
-                         : "<p>How far spheres reach beyond planes that they keep off:</p>\n<ul>\n" + items + "</ul>\n";
+                         : "<p>Half-space constraints, and how far the spheres extend beyond the planes:</p>\n<ul>\n" +
+                               items + "</ul>\n";
 }
 
 std::string links_section(const Report& report) {
     const LinkTable table(report.manifest);
     return section("links", "Links",
                    table.html() + "<p class=\"note\">" + table.note() +
-                       " Out: how far spheres stick out of the geometry. Growth: by how much the sphere that grew most "
-                       "was made larger than what the spherizer gave, for the guarantee.</p>\n" +
+                       " Out: how far the spheres extend beyond the geometry. Growth: the largest length by which the "
+                       "radius of a sphere of the spherizer was enlarged for the guarantee.</p>\n" +
                        planes_list(report.manifest));
 }
 

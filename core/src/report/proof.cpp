@@ -67,15 +67,15 @@ std::string took(const Report& report) {
         html += fmt::format(
             "<details><summary><code>{}</code>: {}, {}{}</summary>\n{}</details>\n", escaped(output["file"]),
             counted(proofs.size(), "link"), counted(triangles, "triangle"),
-            outer ? fmt::format(", {} looked at, {} at most", counted(pieces, "piece"), counted(halvings, "halving"))
+            outer ? fmt::format(", {} examined, at most {}", counted(pieces, "piece"), counted(halvings, "halving"))
                   : "",
             proof_table(proofs, outer));
     }
-    return html.empty() || !outer ? html
-                                  : html + "<p class=\"note\">Triangles: of the geometry that is proved, round "
-                                           "primitives by the polyhedron around them. Pieces: triangles and parts of "
-                                           "them that were held against the spheres. Halvings: how often the smallest "
-                                           "of these was halved.</p>\n";
+    return html.empty() || !outer
+               ? html
+               : html + "<p class=\"note\">Triangles: of the geometry that is proved, round primitives as the "
+                        "polyhedron that encloses them. Pieces: triangles and parts of them that were tested against "
+                        "the spheres. Halvings: how often the smallest of these was halved.</p>\n";
 }
 
 } // namespace
@@ -84,21 +84,21 @@ std::string proof_section(const Report& report) {
     const std::string guarantee = guarantee_of(report);
     std::string html = fmt::format("<p class=\"verdict {}\">{}</p>\n", verdict_class(report), verdict(report));
     if (guarantee == "fitted") {
-        html += "<p>With <code>guarantee: outer</code> spheres grow until they hold all of the geometry, and the file "
-                "is proved; with <code>guarantee: inner</code> they shrink until they stick out nowhere.</p>\n";
+        html += "<p>With <code>guarantee: outer</code> spheres grow until they cover the geometry, and the file is "
+                "proved; with <code>guarantee: inner</code> they shrink until they lie inside the geometry.</p>\n";
         return section("proof", "Certificate", html);
     }
     html += certified(report) ? "" : open_links(report);
-    html += fmt::format("<p>The proof is about the numbers read back from {}, as another program reads them, and the "
+    html += fmt::format("<p>The proof uses the numbers read back from {}, as another program reads them, and the "
                         "meshes and primitives as the input gives them, not the repaired or simplified ones.</p>\n",
                         output_names(report));
     html += guarantee == "outer"
-                ? "<p>How: a ball that holds the three corners of a triangle holds the triangle. A triangle that no "
-                  "single ball holds is split, and its halves are asked again; what is still open at the end counts "
-                  "as not covered. Round primitives are proved on a polyhedron around them. Rounding is on the safe "
-                  "side: no point outside the spheres passes.</p>\n"
-                : "<p>How: a ball lies inside if its centre does and no triangle comes nearer to it than the radius. "
-                  "Rounding is on the safe side: no ball that sticks out passes.</p>\n";
+                ? "<p>Method: a ball that contains the three corners of a triangle contains the triangle. If no single "
+                  "ball contains a triangle, the proof splits it and examines its halves; a part that is still "
+                  "undecided at the end counts as not covered. For round primitives, the proof uses a polyhedron that "
+                  "encloses them. Rounding errors are on the safe side: no point outside the spheres passes.</p>\n"
+                : "<p>Method: a ball lies inside if its centre does and no triangle is closer to the centre than the "
+                  "radius. Rounding errors are on the safe side: no ball that protrudes passes.</p>\n";
     return section("proof", "Certificate", html + omissions(report) + took(report));
 }
 

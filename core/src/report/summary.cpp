@@ -44,7 +44,7 @@ std::string link_count_text(const Json& manifest) {
         skipped += link.contains("skipped") ? 1 : 0;
         lost += link.contains("error") ? 1 : 0;
     }
-    std::string text = skipped > 0 ? fmt::format("{} left out by the recipe", skipped) : "";
+    std::string text = skipped > 0 ? fmt::format("{} excluded by the recipe", skipped) : "";
     if (lost > 0) {
         text += fmt::format("{}{} with an error", text.empty() ? "" : ", ", lost);
     }
@@ -85,11 +85,13 @@ std::string summary_section(const Report& report) {
                  fmt::format("mean {} mm", number(mm_per_m * value_of(total["protrusion_mean_m"]), 1)));
     html += execution_only(tile("Time", number(execution["wall_seconds"].get<double>(), 2) + " s",
                                 fmt::format("CPU {} s", number(execution["cpu_seconds"].get<double>(), 2))));
-    return section("summary", "Summary",
-                   html + "</dl>\n<p class=\"note\">Excess: volume that the spheres wrongly claim, over the volume of "
-                          "the geometry. Missing: volume that they leave out. Gap: how far geometry sticks out of the "
-                          "spheres. Protrusion: how far spheres stick out of the geometry. All against the collision "
-                          "geometry as the input gives it, overlaps counted once.</p>\n");
+    return section(
+        "summary", "Summary",
+        html + "</dl>\n"
+               "<p class=\"note\">Excess: volume of the spheres outside the geometry / volume of the geometry. "
+               "Missing: volume of the geometry outside the spheres / volume of the geometry. Gap: how far the "
+               "geometry extends beyond the spheres. Protrusion: how far the spheres extend beyond the geometry. The "
+               "geometry is the collision geometry as the input gives it; overlaps count once.</p>\n");
 }
 
 } // namespace foam::report

@@ -19,9 +19,8 @@ void say_if_not_all(const Workspace& workspace, std::size_t used, std::size_t to
     if (used > 0 && used < total) {
         workspace.journal.finding(
             {Severity::warning, "", "",
-             fmt::format("{} of {} spheres are used: more that the spherizer tried on these links "
-                         "would not lower the excess",
-                         used, total)});
+             fmt::format("{} of {} spheres are used; more spheres did not reduce the excess of these links", used,
+                         total)});
     }
 }
 
@@ -183,7 +182,7 @@ void report_cut(const Workspace& workspace, Cut cut) {
     if (cut != Cut::none) {
         workspace.journal.finding(
             {Severity::warning, "", "",
-             fmt::format("{}: these are the best spheres until then, and another run may give others",
+             fmt::format("{}: these are the best spheres so far; another run may give others",
                          cut == Cut::stop
                              ? "the search was stopped"
                              : fmt::format("the search ended at its time limit of {} s", *workspace.time_limit()))});

@@ -43,17 +43,17 @@ void report(const char* crash) {
         tell(text_of(*here));
         tell("\n");
     } else if (known) {
-        tell("a thread that was not named; at work were:\n");
+        tell("an unknown thread; active stages:\n");
         write_activities(STDERR_FILENO);
     } else {
         tell("no stage: a bug in foam; please report it\n");
     }
     tell("foam: the run directory is as it was before\n");
     if (known && remedy_of(here ? *here : *active(0)) == CrashRemedy::remove_plugin) {
-        tell("foam: remedy: take that plugin away; `foam plugins --why` tries each in a process of its own\n");
+        tell("foam: remedy: remove that plugin; `foam plugins --why` tests each plugin in a child process\n");
     } else if (known) {
-        tell("foam: remedy: `isolate: process` in the recipe (--set isolate=process) runs stages in processes of "
-             "their own: a crash then loses the link, not the run\n");
+        tell("foam: remedy: `isolate: process` in the recipe (--set isolate=process) runs stages in child processes: a "
+             "crash then affects one link, not the run\n");
     }
 }
 

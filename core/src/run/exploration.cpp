@@ -109,10 +109,10 @@ static void take_enclosing_ball(const Workspace& workspace, ShapeWork& work) {
     const Sphere ball = minimum_enclosing_sphere(work.shape->original().surface().vertices);
     work.known.asked[work.least] = 1;
     work.known.trees[1] = flat_tree({ball});
-    workspace.journal.finding({Severity::warning, work.link, work.spherizer.stage,
-                               fmt::format("it made nothing within the time limit of {} s: one enclosing sphere "
-                                           "stands in",
-                                           *workspace.time_limit())});
+    workspace.journal.finding(
+        {Severity::warning, work.link, work.spherizer.stage,
+         fmt::format("it found no spheres within the time limit of {} s; one enclosing sphere replaces them",
+                     *workspace.time_limit())});
 }
 
 /// Finishes spheres of a shape as if they were the result, to know how much time that takes.

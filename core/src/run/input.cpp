@@ -154,8 +154,8 @@ Input load_input(const Workspace& workspace) {
         loader = workspace.registry.find_for_extension(StageKind::robot_loader, "urdf");
     }
     if (!loader) {
-        throw Error(ErrorCode::plugin,
-                    "no plugin can read URDF files; `foam plugins --why` says what was loaded and why not");
+        throw Error(ErrorCode::plugin, "no plugin can read URDF files; `foam plugins --why` shows which plugins were "
+                                       "loaded, and why others were not");
     }
     input.robot = run_stage(
         workspace, loader->info.name, "", input.file.string(), input.digest, input.report, [&](Context& context) {

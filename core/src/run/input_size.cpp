@@ -110,11 +110,10 @@ void warn_of_protrusion(const Workspace& workspace, const std::vector<LinkWork>&
     }
     const double edge = longest_edge(size.box);
     if (!size.box.empty() && limit > edge) {
-        workspace.journal.finding(
-            {Severity::warning, "", "",
-             fmt::format("max_protrusion is {}, more than the whole input is large ({}): it limits nothing; if it is "
-                         "in millimetres: {}mm",
-                         length_text(limit), length_text(edge), number_text(limit))});
+        workspace.journal.finding({Severity::warning, "", "",
+                                   fmt::format("max_protrusion is {}, larger than the whole input ({}): it has no "
+                                               "effect; if it is in millimetres: {}mm",
+                                               length_text(limit), length_text(edge), number_text(limit))});
     }
 }
 

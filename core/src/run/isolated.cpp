@@ -118,14 +118,13 @@ std::string call_in_child(const Workspace& workspace, StageRequest request, cons
                                                                              : "";
     if (program.empty()) {
         throw Error(ErrorCode::usage,
-                    fmt::format("this program cannot run stages in processes of their own; remedy: {}, or run it with "
-                                "foam",
+                    fmt::format("this program cannot run stages in child processes; remedy: {}, or run it with foam",
                                 workspace.registry.find(request.stage)->info.isolation.process.value_or(false)
-                                    ? fmt::format("say isolate: none for {}", request.stage)
+                                    ? fmt::format("set isolate: none for {}", request.stage)
                                     : "delete 'isolate' from the recipe"));
     }
     if (isolation.memory_limit && sanitized) {
-        throw Error(ErrorCode::usage, "a foam built with a sanitizer cannot keep a memory_limit; remedy: delete it");
+        throw Error(ErrorCode::usage, "a foam built with a sanitizer cannot enforce a memory_limit; remedy: delete it");
     }
     request.parent = getpid();
     request.plugin = plugin_file(workspace.registry, request.stage);
@@ -280,8 +279,8 @@ std::string why_loading_ends_badly(const std::filesystem::path& program, const s
     case ChildEnd::Why::cancelled:
         return "";
     case ChildEnd::Why::too_long:
-        return fmt::format("it did not come back from being loaded within {} s; remedy: correct its entry point and "
-                           "the constructors of its static objects",
+        return fmt::format("loading it did not end within {} s; remedy: correct its entry point and the constructors "
+                           "of its static objects",
                            to_text(seconds));
     case ChildEnd::Why::signalled:
         return fmt::format("it crashes while it is loaded ({}); remedy: correct its entry point and the constructors "

@@ -134,7 +134,7 @@ Error Limits::explained() const {
     const std::lock_guard lock(mutex_);
     return {ErrorCode::geometry,
             fmt::format("the time limit of {} s ended{}; nothing was written; remedy: a longer limit or a simpler mesh",
-                        *time_limit_, place_.empty() ? "" : " while at work on " + place_)};
+                        *time_limit_, place_.empty() ? "" : " while working on " + place_)};
 }
 
 std::optional<Limits::Due> Limits::due() const {

@@ -111,11 +111,10 @@ bool one_may_stand_in(const Workspace& workspace, const LinkWork& link) {
 /// those of its elements.
 void require_proof(const Workspace& workspace, const LinkWork& link) {
     if (workspace.recipe.guarantee != Guarantee::fitted && !link.report.measures.certified) {
-        throw Error(
-            ErrorCode::geometry,
-            fmt::format("link '{}': its collision elements are too small for the distance between them: what is "
-                        "proved of each in a frame of its own does not hold in the link's; remedy: per: link",
-                        shown(link.link->name)));
+        throw Error(ErrorCode::geometry,
+                    fmt::format("link '{}': its collision elements are too small for the distance between them: the "
+                                "proof of each in its own frame does not hold in the link's frame; remedy: per: link",
+                                shown(link.link->name)));
     }
 }
 
@@ -167,19 +166,18 @@ private:
             });
         if (finished.one_instead) {
             workspace_.journal.finding({Severity::warning, out.link, "cover",
-                                        "one sphere around the geometry is written: those of the spherizer would claim "
-                                        "more; remedy: more spheres, or another spherizer"});
+                                        "one enclosing sphere is written, because the spheres of the spherizer have "
+                                        "more excess volume; remedy: more spheres, or another spherizer"});
         }
         out.tree = std::move(finished.tree);
         growth[g] = finished.growth;
     }
 
     void cover_by_one(std::size_t g) {
-        workspace_.journal.finding(
-            {Severity::warning, out_[g].link, "",
-             fmt::format("there is no time before the limit of {} s is over to make its {} spheres cover and to "
-                         "measure them: one enclosing sphere stands in",
-                         *workspace_.time_limit(), groups_[g].tree.finest().size())});
+        workspace_.journal.finding({Severity::warning, out_[g].link, "",
+                                    fmt::format("the time limit of {} s is too short to make its {} spheres cover the "
+                                                "link and to measure them; one enclosing sphere replaces them",
+                                                *workspace_.time_limit(), groups_[g].tree.finest().size())});
         cover_by(g, flat_tree({minimum_enclosing_sphere(groups_[g].solid->surface().vertices)}), workspace_);
     }
 
@@ -263,7 +261,7 @@ bool handle_errors(const Workspace& workspace, std::vector<LinkWork>& links, std
             continue;
         }
         workspace.journal.finding(
-            {Severity::warning, links[l].link->name, "", "one enclosing sphere stands in for the link: " + message});
+            {Severity::warning, links[l].link->name, "", "one enclosing sphere replaces the link: " + message});
         Group group;
         group.link = l;
         group.elements = all_elements(links[l]);

@@ -41,8 +41,8 @@ std::string verdict_of(const ProvedLinks& links) {
         return "";
     }
     if (links.proved == 0) {
-        return outer ? "Not proved: geometry may stick out of the spheres.\n"
-                     : "Not proved: spheres may stick out of the geometry.\n";
+        return outer ? "Not proved: the geometry may extend beyond the spheres.\n"
+                     : "Not proved: the spheres may extend beyond the geometry.\n";
     }
     const std::string count = links_text(links.proved, links.with_collision);
     const char* whose = links.with_collision == 1 ? "its" : "their";

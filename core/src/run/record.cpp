@@ -49,7 +49,7 @@ void read_link(const Json& link, Record& record) {
         record.stages.push_back({name, text(stage, "stage"), text(stage, "input"), text(stage, "output")});
     }
     if (link.contains("skipped") || link.contains("error")) {
-        record.stages.push_back({name, "link", "", link.contains("skipped") ? "left out by the recipe" : "failed"});
+        record.stages.push_back({name, "link", "", link.contains("skipped") ? "excluded by the recipe" : "failed"});
     }
 }
 
@@ -179,10 +179,9 @@ Record read_record(const std::filesystem::path& manifest) {
 
 void require_whole(const Record& record) {
     if (!record.cut.empty()) {
-        throw Error(ErrorCode::usage,
-                    fmt::format("{}: the search of this run was cut short ({}), so it cannot be expected to come out "
-                                "the same again; remedy: run its recipe without a limit",
-                                record.source, record.cut));
+        throw Error(ErrorCode::usage, fmt::format("{}: the search of this run ended early ({}), so another run may "
+                                                  "give other spheres; remedy: run its recipe without a limit",
+                                                  record.source, record.cut));
     }
 }
 

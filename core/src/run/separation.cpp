@@ -198,10 +198,9 @@ void report_overlaps(const Workspace& workspace, const FinishedModel& finished, 
     for (const Overlap& overlap : pose.overlaps(all)) {
         workspace.journal.finding(
             {Severity::warning, finished.links[overlap.first].work->link->name, "",
-             fmt::format(
-                 "its spheres overlap those of {} by {:.3g} m in the pose of self_collision, where the geometry "
-                 "of the two is apart; remedy: more spheres for both, or max_protrusion",
-                 finished.links[overlap.second].work->link->name, overlap.depth)});
+             fmt::format("its spheres overlap those of {} by {:.3g} m in the pose of self_collision, although the "
+                         "geometry of the two links does not touch; remedy: more spheres for both, or max_protrusion",
+                         finished.links[overlap.second].work->link->name, overlap.depth)});
     }
 }
 

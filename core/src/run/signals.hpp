@@ -17,6 +17,6 @@ inline constexpr std::array<CrashSignal, 5> crash_signals{
      {SIGBUS, "SIGBUS, invalid memory access"},
      {SIGFPE, "SIGFPE, invalid arithmetic"},
      {SIGILL, "SIGILL, invalid instruction"},
-     {SIGABRT, "SIGABRT, the program gave up"}}};
+     {SIGABRT, "SIGABRT, the program aborted"}}};
 
 } // namespace foam

@@ -24,7 +24,7 @@ void check_tree(const SphereTree& tree, const Budget& budget) {
         broken("it returned no spheres");
     }
     if (budget.max_spheres && tree.finest().size() > *budget.max_spheres) {
-        broken(fmt::format("it returned {} spheres where at most {} were asked for", tree.finest().size(),
+        broken(fmt::format("it returned {} spheres where at most {} were requested", tree.finest().size(),
                            *budget.max_spheres));
     }
     for (std::size_t l = 0; l < tree.levels.size(); ++l) {

@@ -26,10 +26,12 @@ void require_plugins(const Record& record, const Registry& registry) {
         }
     }
     if (!missing.empty()) {
-        throw Error(ErrorCode::plugin,
-                    fmt::format("{}: the run needs plugins that are not loaded here:{}\nremedy: install them, or name "
-                                "them with --plugin; `foam plugins --why` says what was refused",
-                                record.source, missing));
+        throw Error(
+            ErrorCode::plugin,
+            fmt::format(
+                "{}: the run needs plugins that are not loaded here:{}\n"
+                "remedy: install them, or name them with --plugin; `foam plugins --why` shows why plugins were refused",
+                record.source, missing));
     }
 }
 
@@ -38,8 +40,8 @@ Recipe resolved_recipe(const fs::path& directory, const Record& record, Registry
     std::error_code error;
     if (!fs::is_regular_file(file, error)) {
         throw Error(ErrorCode::usage,
-                    fmt::format("{}: there is no such file, and without it the run cannot be made again; remedy: "
-                                "`foam run --locked {} RECIPE` with the recipe that was published",
+                    fmt::format("{}: there is no such file, and without it the run cannot be repeated; remedy: `foam "
+                                "run --locked {} RECIPE` with the recipe that was published",
                                 file.string(), record.source));
     }
     const RecipeResult read = read_recipe(file, registry);

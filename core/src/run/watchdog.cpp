@@ -63,7 +63,7 @@ void Watchdog::bark(const Limits::Due& due) {
         return;
     }
     for (const std::string& place : what.at) {
-        journal_.finding({Severity::warning, "", "", place + ": it goes on although the run was to end"});
+        journal_.finding({Severity::warning, "", "", place + ": it continues after the request to stop"});
     }
 }
 

@@ -60,9 +60,9 @@ Error described(std::exception_ptr thrown, const std::string& stage, const std::
         return {ErrorCode::geometry, fmt::format("{}: not enough memory", where)};
     } catch (const std::exception& error) {
         return {ErrorCode::plugin,
-                fmt::format("{}: the stage failed with an exception of its own: {}", where, shown_lines(error.what()))};
+                fmt::format("{}: the stage threw an exception: {}", where, shown_lines(error.what()))};
     } catch (...) {
-        return {ErrorCode::plugin, fmt::format("{}: the stage threw something that is no std::exception", where)};
+        return {ErrorCode::plugin, fmt::format("{}: the stage threw an object that is not a std::exception", where)};
     }
 }
 

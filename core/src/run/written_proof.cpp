@@ -26,7 +26,7 @@ std::string broken_promise(const Solid& solid, const std::vector<Sphere>& sphere
     }
     const InnerCertificate proof = certify_inner(solid, spheres);
     took.triangles = solid.surface().triangles.size();
-    return proof.holds ? "" : fmt::format("sphere {} sticks out by {} m", proof.sphere, proof.excess);
+    return proof.holds ? "" : fmt::format("sphere {} protrudes by {} m", proof.sphere, proof.excess);
 }
 
 } // namespace
@@ -47,7 +47,7 @@ std::vector<WrittenProof> prove_written(const std::map<std::string, std::vector<
         WrittenProof& took = proofs.emplace_back(WrittenProof{.link = name});
         if (const std::string lack = broken_promise(*link.solid, found->second, guarantee, took); !lack.empty()) {
             throw Error(ErrorCode::internal,
-                        fmt::format("{}: link '{}': the certificate does not hold on the numbers read back: {}", file,
+                        fmt::format("{}: link '{}': the certificate does not hold for the numbers read back: {}", file,
                                     name, lack));
         }
     }

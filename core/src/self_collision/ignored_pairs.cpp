@@ -123,8 +123,8 @@ Pairs read_yaml_ignores(const std::string& text, const std::string& file) {
     ignore = ignore ? ignore : child(child(&*root, "self_collision"), "ignore");
     if (!ignore) {
         throw Error(ErrorCode::input,
-                    fmt::format("{}: it leaves out no pairs of links; read are the <disable_collisions> "
-                                "of SRDFs, cuRobo's self_collision_ignore and XRDF's self_collision",
+                    fmt::format("{}: it excludes no pairs of links; supported are the <disable_collisions> of SRDFs, "
+                                "cuRobo's self_collision_ignore and XRDF's self_collision",
                                 file));
     }
     return pairs_of(*ignore, file);

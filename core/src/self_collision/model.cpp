@@ -38,8 +38,8 @@ CollisionModel load_robot(const std::filesystem::path& urdf, const Registry& reg
     }
     const RegisteredStage* stage = registry.find_for_extension(StageKind::robot_loader, "urdf");
     if (!stage) {
-        throw Error(ErrorCode::plugin,
-                    "no plugin can read URDF files; `foam plugins --why` says what was loaded and why not");
+        throw Error(ErrorCode::plugin, "no plugin can read URDF files; `foam plugins --why` shows which plugins were "
+                                       "loaded, and why others were not");
     }
     Listener listener;
     CollisionModel model;

@@ -1,4 +1,4 @@
-// A robot has grasped a box; its planner wants spheres, now.
+// A robot has grasped a box. Its planner needs spheres at once.
 #include <foam/host/sphere_cache.hpp>
 
 #include <chrono>
@@ -33,11 +33,11 @@ int main() {
     }
     std::cout << (cover->certificate.holds ? "proved: the box lies inside\n" : "not proved\n");
 
-    // The same object again: no search.
+    // The same object again needs no search.
     const bool known = cache.spherize(object, 8, options) == cover;
     std::cout << (known ? "known object: from memory\n" : "searched again\n");
 
-    // Better spheres while there is time: what is there when it ends is a cover, too.
+    // The search continues until the time is up, and returns the best covering spheres so far.
     const auto end = Clock::now() + std::chrono::milliseconds(50);
     const foam::Cover better = foam::spherize(object, 8, {.stop = [&] { return Clock::now() > end; }});
     std::cout << (better.certificate.holds ? "proved within the time\n" : "not proved\n");

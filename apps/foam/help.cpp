@@ -1,0 +1,70 @@
+#include "help.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+namespace foam::cli {
+namespace {
+
+constexpr std::size_t terminal_width = 80, name_width = 28;
+
+/// Returns the number of code points of a UTF-8 text.
+std::size_t width_of(const std::string& text) {
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }));
+}
+
+/// Returns a line with the name and the description, and as many further lines as the description needs.
+std::string entry(const std::string& name, const std::string& description) {
+    std::string text = "  " + name;
+    std::size_t column = width_of(text);
+    if (column >= name_width) { // no room beside the name
+        text += '\n';
+        column = 0;
+    }
+    text += std::string(name_width - column, ' ');
+    column = name_width;
+    std::istringstream words(description);
+    for (std::string word; words >> word;) {
+        const bool first = column == name_width;
+        if (!first && column + 1 + width_of(word) > terminal_width) {
+            text += '\n' + std::string(name_width, ' ');
+            column = name_width;
+        } else if (!first) {
+            text += ' ';
+            ++column;
+        }
+        text += word;
+        column += width_of(word);
+    }
+    return text + '\n';
+}
+
+} // namespace
+
+std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
+    return entry(command->get_name(), command->get_description());
+}
+
+std::string HelpFormatter::make_option(const CLI::Option* option, bool is_positional) const {
+    return entry(make_option_name(option, is_positional) + make_option_opts(option), make_option_desc(option));
+}
+
+std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
+    std::string text = option->get_type_size() == 0 ? "" : " " + option->get_type_name();
+    if (option->get_expected_max() == CLI::detail::expected_max_vector_size) {
+        text += " ...";
+    }
+    return option->get_required() ? text + " REQUIRED" : text;
+}
+
+std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
+    std::string text = option->get_description();
+    for (const CLI::Option* other : option->get_excludes()) {
+        text += "; not together with " + other->get_name();
+    }
+    const std::string value = option->get_default_str();
+    return value.empty() ? text : text + "; default: " + value;
+}
+
+} // namespace foam::cli

@@ -1,0 +1,21 @@
+// The help texts: a column of names, and descriptions that are wrapped so that no line exceeds a terminal of 80
+// columns.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace foam::cli {
+
+/// Formats the help of the program and of its commands. CLI11's own formatter never breaks a line.
+class HelpFormatter final : public CLI::Formatter {
+public:
+    std::string make_subcommand(const CLI::App* command) const override;
+    std::string make_option(const CLI::Option* option, bool is_positional) const override;
+    /// Returns the type of the option's value. The default is part of the description.
+    std::string make_option_opts(const CLI::Option* option) const override;
+    std::string make_option_desc(const CLI::Option* option) const override;
+};
+
+} // namespace foam::cli
