@@ -7,7 +7,7 @@
 namespace foam {
 namespace {
 
-/// What the registry does not refuse, but readers of `foam describe` miss.
+/// Checks what the registry accepts, but readers of `foam describe` need.
 void check_declaration(const StageInfo& info) {
     for (const Parameter& p : info.parameters) {
         const bool numeric = p.type == Parameter::Type::number || p.type == Parameter::Type::integer;
@@ -18,7 +18,7 @@ void check_declaration(const StageInfo& info) {
     }
 }
 
-/// Values at the ends of what a declaration allows.
+/// Returns values at the bounds of a declaration.
 std::vector<ParameterValue> extremes(const Parameter& p) {
     std::vector<ParameterValue> values;
     switch (p.type) {
@@ -40,7 +40,7 @@ std::vector<ParameterValue> extremes(const Parameter& p) {
     return values;
 }
 
-/// A stage that is made of others must do without them.
+/// A maker for stages that must work without other stages.
 class NoOtherStages final : public StageMaker {
     std::unique_ptr<Stage> make_stage(std::string_view, StageKind,
                                       const std::map<std::string, ParameterValue>&) const override {
@@ -120,7 +120,7 @@ std::vector<ContractFinding> check_contract(const RegisteredStage& stage, const 
             check_writer(*registry.make<Writer>(name), promises);
             break;
         case StageKind::robot_loader:
-        case StageKind::renderer: // what they give has no meaning that could be checked without knowing the method
+        case StageKind::renderer: // their results cannot be checked without knowledge of the method
             break;
         }
     } catch (const Error& error) {

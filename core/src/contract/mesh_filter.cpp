@@ -14,7 +14,7 @@ std::vector<std::pair<std::string, Mesh>> meshes() {
     return result;
 }
 
-/// The filter's mesh; nothing if it refuses this one.
+/// Returns the filter's mesh; nothing if it refuses this one.
 std::optional<Mesh> filtered(const MeshFilter& filter, const Mesh& mesh) {
     QuietContext context{3};
     try {
@@ -77,7 +77,7 @@ void check_mesh_filter(const MeshFilter& filter, Promises& promises) {
         }
     });
     promises.check("stops when asked", [&] {
-        Mesh open = sample::torus(0.1, 0.03, 200, 100); // with a hole, so that there is work for repairs too
+        Mesh open = sample::torus(0.1, 0.03, 200, 100); // with a hole, so that repairs have work too
         open.triangles.resize(open.triangles.size() - 10);
         require_stop([&](Context& context) { filter.apply(open, context); });
     });

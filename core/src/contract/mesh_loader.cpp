@@ -30,7 +30,7 @@ void require_loaded(const fs::path& file, const Mesh& mesh) {
     }
 }
 
-/// Loads, or refuses by an Error(input) that names the file.
+/// Requires that the loader loads the file, or refuses it by an Error(input) that names the file.
 void require_mesh_or_refusal(const MeshLoader& loader, const fs::path& file, bool must_refuse) {
     QuietContext context;
     try {

@@ -5,7 +5,7 @@
 namespace foam {
 namespace {
 
-/// Those of the stage's objectives that the runtime knows, by their names.
+/// Returns the objectives of the stage that the runtime knows, by their names.
 std::map<std::string, Objective> known_objectives(const StageInfo& info) {
     std::map<std::string, Objective> known;
     for (const Parameter& p : info.parameters) {

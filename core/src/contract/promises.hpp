@@ -1,4 +1,4 @@
-// How a contract is looked at: promise by promise, the first breach of each kept.
+// The check of a contract, promise by promise. The first breach of each is kept.
 #pragma once
 
 #include <foam/host/contract.hpp>
@@ -9,7 +9,7 @@
 
 namespace foam {
 
-/// A promise is broken; the message says where, how, and the remedy.
+/// A broken promise. The message has the place, the failure, and the remedy.
 class Breach : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -19,7 +19,7 @@ class Promises {
 public:
     Promises(std::string stage, const ContractOptions& options) : stage_(std::move(stage)), options_(options) {}
 
-    /// `look` throws Breach; whatever else it throws is a breach too.
+    /// Checks a promise. `look` throws Breach; any other exception is a breach too.
     void check(const std::string& promise, const std::function<void()>& look);
     std::vector<ContractFinding> findings;
 
@@ -34,19 +34,19 @@ inline void require(bool kept, const std::string& message) {
     }
 }
 
-/// A context of a user who has asked to stop.
+/// A context with a request to stop.
 class Stopped final : public QuietContext {
 public:
     bool cancelled() const override { return true; }
 };
 
-/// Requires that `call`, given a Stopped context, ends by Error(cancelled).
+/// Requires that `call` with a Stopped context ends by Error(cancelled).
 void require_stop(const std::function<void(Context&)>& call);
-/// Runs `call` with so many threads for parallel_for.
+/// Runs `call` with that many threads for parallel_for.
 void with_threads(std::size_t threads, const std::function<void()>& call);
 
 void check_spherizer(const Spherizer& spherizer, const StageInfo& info, Promises& promises);
-/// That with each objective the spheres have less of what it is about than with the others.
+/// Checks for each objective that its figure is less than with the other objectives.
 void check_objectives(const RegisteredStage& stage, const Registry& registry, Promises& promises);
 void check_mesh_filter(const MeshFilter& filter, Promises& promises);
 void check_mesh_loader(const MeshLoader& loader, const StageInfo& info, const ContractOptions& options,

@@ -38,7 +38,7 @@ Mesh torus(double large, double small, std::uint32_t around, std::uint32_t acros
     return mesh;
 }
 
-// The sides of its outline drawn up.
+// The side faces: its outline, extruded.
 Mesh bracket() {
     Mesh mesh;
     const std::array<std::pair<double, double>, 6> outline{

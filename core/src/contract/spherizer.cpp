@@ -8,7 +8,7 @@
 namespace foam {
 namespace {
 
-/// Largest distance from samples of the surface to the spheres, m.
+/// Returns the gap: the largest distance from samples of the surface to the spheres, m.
 double gap(const Solid& solid, const std::vector<Sphere>& spheres) {
     double worst = 0;
     for (const SurfacePoint& sample : solid.sample_surface(1'000, 5)) {
@@ -61,7 +61,7 @@ void require_tree(const Solid& solid, const SphereTree& tree, std::optional<std:
     }
 }
 
-/// Runs `look` on every built-in solid; a breach names the first.
+/// Runs `look` on every built-in solid. A breach names the first solid.
 void on_every_solid(const std::function<void(const Shape&)>& look) {
     std::vector<std::string> names;
     for (const auto& [name, unused] : sample::solids()) {

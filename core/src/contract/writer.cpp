@@ -5,7 +5,7 @@
 namespace foam {
 namespace {
 
-/// Two links with a box each, joined; the second one has spheres whose numbers take all digits.
+/// Returns a model of two joined links with a box each; the numbers of the second link's spheres need all digits.
 SphereModel model() {
     auto robot = std::make_shared<Robot>();
     robot->name = "pair";

@@ -21,14 +21,14 @@ struct Activity {
 
 namespace {
 
-// More calls at once than this are not named. Threads times the depth of nested calls.
+// The most calls at the same time that are named: threads times the depth of nested calls.
 std::array<Activity, 1024> slots;
 std::atomic<bool> wants_signal_stacks{false};
 
-// initial-exec: a signal handler must not be the first to touch it, with an allocation.
+// initial-exec: a signal handler must not be the first to access it, because that allocates.
 __attribute__((tls_model("initial-exec"))) thread_local ThreadWork current;
 
-/// A thread's stack for signal handlers, unless it has one already (sanitizers provide their own).
+/// A thread's stack for signal handlers, unless it already has one (sanitizers provide their own).
 class SignalStack {
 public:
     SignalStack() {

@@ -1,6 +1,6 @@
-// What each thread is at work on, kept where the handler of a crash can read it.
+// The current work of each thread, where the handler of a crash can read it.
 //
-// The exception to "no globals": a signal handler can reach nothing but objects of static storage.
+// This is the exception to "no globals": a signal handler can access only objects of static storage.
 #pragma once
 
 #include <foam/cancellation.hpp>
@@ -10,23 +10,23 @@
 
 namespace foam {
 
-/// What to do about a crash: depends on whose code runs.
+/// The remedy for a crash, which depends on whose code runs.
 enum class CrashRemedy { isolate_stage, remove_plugin };
 
-/// A slot of static storage. Fixed size: it is read while other threads go on.
+/// A slot of static storage with a fixed size: it is read while other threads continue.
 struct Activity;
 
-/// What a thread is at.
+/// The current work of a thread.
 struct ThreadWork {
-    const Activity* activity = nullptr;   ///< null: nothing that was named
-    const StopRequest* request = nullptr; ///< null: nobody may ask it to end
-    bool winds_up = false;                ///< it ends once the request is overdue
+    const Activity* activity = nullptr;   ///< null: no named work
+    const StopRequest* request = nullptr; ///< null: nothing can request its end
+    bool winds_up = false;                ///< the work ends once the request is overdue
 };
 
-/// The calling thread works on something, for the life of the object; what it worked on before comes back then.
+/// Sets the work of the calling thread for the lifetime of the object; the previous work is restored at its end.
 class ActivityScope {
 public:
-    /// `what`: a phrase for people, "stage 'spherize.medial', link 'hand'".
+    /// Begins the work. `what`: a phrase for people, "stage 'spherize.medial', link 'hand'".
     ActivityScope(std::string_view what, CrashRemedy remedy);
     ~ActivityScope();
     ActivityScope(const ActivityScope&) = delete;
@@ -37,7 +37,7 @@ private:
     const Activity* before_;
 };
 
-/// A thread helps another: it works on the same thing for the life of the object.
+/// Lends the work of another thread to the calling thread for the lifetime of the object.
 class ActivityLoan {
 public:
     explicit ActivityLoan(const ThreadWork& work);
@@ -49,19 +49,20 @@ private:
     ThreadWork before_;
 };
 
-/// Of the calling thread.
+/// Returns the work of the calling thread.
 ThreadWork current_work();
-/// Of the calling thread; null if it works on nothing that was named. Safe in a signal handler, as are those below.
+/// Returns the activity of the calling thread; null if it has no named work. Safe in a signal handler, as are the
+/// functions below.
 const Activity* current_activity();
 const char* text_of(const Activity& activity);
 CrashRemedy remedy_of(const Activity& activity);
-/// Who may ask for its end; null: nobody. Only to compare with: it may be gone.
+/// Returns the request that may end the activity; null: none. Only for comparison: it may no longer exist.
 const StopRequest* request_of(const Activity& activity);
-/// The i-th of what all threads work on; null past the last.
+/// Returns the i-th activity over all threads; null after the last.
 const Activity* active(std::size_t i);
 
-/// From now on every thread that works on something gets a stack of its own for signal handlers: one that ran out of
-/// stack could not say so otherwise.
+/// Gives every thread that works on something its own stack for signal handlers from now on: without it a stack
+/// overflow could not be reported.
 void provide_signal_stacks();
 
 } // namespace foam

@@ -20,8 +20,7 @@ template <class Visit> void for_each_side(std::span<const Triangle> triangles, s
     }
 }
 
-/// Keeps the order of sides with the same higher end. By insertion as long as they are few, as they are in nearly all
-/// meshes.
+/// Sorts by the higher end, stable. Uses insertion sort for few sides, as at nearly all vertices.
 void sort_by_higher_end(std::span<Side> sides) {
     if (sides.size() > 32) {
         std::stable_sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.high < b.high; });
@@ -41,7 +40,7 @@ void sort_by_higher_end(std::span<Side> sides) {
 
 std::vector<Side> sides_by_edge(std::span<const Triangle> triangles, std::size_t vertex_count,
                                 std::span<const char> use) {
-    // Counting sort by the lower end leaves a handful of sides to sort at each vertex, in the order of their numbers.
+    // A counting sort by the lower end leaves a few sides to sort at each vertex, in the order of their numbers.
     std::vector<std::uint32_t> start(vertex_count + 1, 0);
     for_each_side(triangles, use, [&](const Side& side) { ++start[side.low + 1]; });
     std::partial_sum(start.begin(), start.end(), start.begin());

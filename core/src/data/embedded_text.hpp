@@ -1,4 +1,4 @@
-// Files that are text within the library; cmake/EmbedText.cmake puts them there.
+// Text files inside the library, from cmake/EmbedText.cmake.
 #pragma once
 
 #include <string_view>
@@ -12,9 +12,9 @@ struct Text {
 
 // report/resources
 extern const Text page_css;    ///< of all pages
-extern const Text page_js;     ///< theme and tables that can be sorted
-extern const Text renderer_js; ///< meshes and spheres by WebGL 2
-extern const Text viewer_js;   ///< what the reader turns, shows and hides
+extern const Text page_js;     ///< colour theme and sortable tables
+extern const Text renderer_js; ///< meshes and spheres with WebGL 2
+extern const Text viewer_js;   ///< controls of the viewer
 // schemas
 extern const Text manifest_schema_json;
 extern const Text spheres_schema_json;

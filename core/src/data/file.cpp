@@ -12,10 +12,10 @@
 namespace foam {
 namespace {
 
-/// An open file, closed in the end.
+/// An open file, closed by the destructor.
 class Descriptor {
 public:
-    /// O_NONBLOCK: a pipe that took the file's place since it was looked at must not be waited for.
+    /// Opens a file. O_NONBLOCK: the file may have been replaced by a pipe, which must not block.
     explicit Descriptor(const std::filesystem::path& file)
         : number_(open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) {}
     ~Descriptor() {
@@ -48,7 +48,7 @@ FileContents cannot_be_read(int code) {
     return problem(fmt::format("it cannot be read ({})", std::strerror(code)), "check its permissions");
 }
 
-/// Up to `size` bytes into `target`: how many, -1 on an error.
+/// Reads up to `size` bytes into `target`. Returns their number, -1 on an error.
 ssize_t read_up_to(int descriptor, char* target, std::size_t size) {
     std::size_t done = 0;
     while (done < size) {
@@ -80,7 +80,7 @@ FileContents read_regular_file(const std::filesystem::path& file, std::uintmax_t
     if (descriptor.number() < 0 || fstat(descriptor.number(), &status) != 0) {
         return cannot_be_read(errno);
     }
-    if (!S_ISREG(status.st_mode)) { // something else has taken its place
+    if (!S_ISREG(status.st_mode)) { // the file was replaced by something else
         return not_regular(status);
     }
     const auto size = static_cast<std::uintmax_t>(status.st_size);

@@ -1,4 +1,4 @@
-// Work that one thread gives to another, told to the thread sanitizer.
+// The transfer of work between threads, declared to the thread sanitizer.
 #pragma once
 
 #ifdef FOAM_THREAD_SANITIZER
@@ -8,8 +8,8 @@ extern "C" void __tsan_release(void* address);
 
 namespace foam {
 
-/// What any thread did before give() happens before what a thread does after take(). It only tells: TBB sees to it, but
-/// as a library that is not built with the thread sanitizer, which would take every piece of work for a data race.
+/// Declares that what a thread did before give() happens before what a thread does after take(). It does not
+/// synchronise: TBB does, but is not built with the thread sanitizer, which would report every transfer as a data race.
 class Handover {
 public:
 #ifdef FOAM_THREAD_SANITIZER

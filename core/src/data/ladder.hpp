@@ -1,4 +1,4 @@
-// The numbers of spheres that are looked for: all small ones, then steps that grow with them.
+// Candidate counts of spheres: all small ones, then with growing steps.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace foam {
 
-/// The least number of the ladder above `count`: 1, 2, 3, 4, 5, 6, 7, 8, then four to an octave: 10, 12, 14, 16, 20,
+/// Returns the least candidate count above `count`: 1, 2, 3, 4, 5, 6, 7, 8, then four per octave: 10, 12, 14, 16, 20,
 /// 24, 28, 32, 40…
 constexpr std::size_t rung_above(std::size_t count) {
     const std::size_t octave = std::bit_floor(std::max<std::size_t>(count, 4)), step = octave / 4;

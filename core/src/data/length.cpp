@@ -9,7 +9,7 @@
 namespace foam {
 namespace {
 
-/// Metres are numerator / denominator of one: so that 7mm is the double nearest to 0.007.
+/// A unit of length in metres, numerator / denominator: so that 7mm is the double nearest to 0.007.
 struct Unit {
     std::string_view name;
     double numerator, denominator;
@@ -21,14 +21,14 @@ const Unit* find_unit(std::string_view name) {
     return it == std::end(units) ? nullptr : it;
 }
 
-/// Three digits, and all before the point: "0.125", "12.5", "1250", "1,250,000".
+/// Returns three significant digits, and all before the point: "0.125", "12.5", "1250", "1,250,000".
 std::string three_digits(double value) {
     return std::abs(value) >= 1000 && std::abs(value) < 1e15
                ? count_text(static_cast<std::size_t>(std::llround(std::abs(value))))
                : fmt::format("{:.3g}", value);
 }
 
-/// "mm" up to a metre, "m" from there on.
+/// Returns "mm" below a metre, else "m".
 const Unit& unit_for(double metres) {
     return std::abs(metres) < 1 ? units[0] : units[2];
 }

@@ -45,7 +45,7 @@ double signed_volume(const Mesh& mesh) {
     const Vec3 center = mesh.vertices.empty() ? Vec3{} : bounds(mesh).center();
     double sum = 0;
     for (const auto& [a, b, c] : mesh.triangles) {
-        // Differences of corners first: exact enough for triangles that are small against the whole.
+        // Differences of corners first: accurate for triangles that are small compared with the mesh.
         const Vec3& p = mesh.vertices[a];
         sum += dot(p - center, cross(mesh.vertices[b] - p, mesh.vertices[c] - p));
     }
@@ -69,7 +69,7 @@ void append(Mesh& mesh, const Mesh& other) {
     const auto offset = static_cast<std::uint32_t>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
     if (const std::size_t all = mesh.triangles.size() + other.triangles.size(); all > mesh.triangles.capacity()) {
-        mesh.triangles.reserve(std::max(all, 2 * mesh.triangles.capacity())); // many small ones cost no more than one
+        mesh.triangles.reserve(std::max(all, 2 * mesh.triangles.capacity())); // amortised growth
     }
     for (const auto& [a, b, c] : other.triangles) {
         mesh.triangles.push_back({a + offset, b + offset, c + offset});

@@ -20,7 +20,7 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
     std::exception_ptr first;
     std::size_t first_index = count;
     const ThreadWork shared = current_work();
-    std::atomic<bool> ended = false; // an exception for each of a million bodies would take seconds
+    std::atomic<bool> ended = false; // exceptions of a million bodies would take seconds
     Handover work, results;
     work.give();
     tbb::parallel_for(

@@ -27,8 +27,8 @@ fs::path absolute_path(const fs::path& path) {
     return error ? path : result;
 }
 
-/// Without "." and doubled separators. With ".." the path stays as it is: across a symbolic link only the file system
-/// knows what ".." means.
+/// Returns the path without "." and doubled separators. A path with ".." stays unchanged: across a symbolic link only
+/// the file system knows what ".." means.
 fs::path tidy(const fs::path& path) {
     return std::find(path.begin(), path.end(), "..") == path.end() ? path.lexically_normal() : path;
 }
@@ -40,7 +40,7 @@ int hex_digit(char c) {
                                   : -1;
 }
 
-/// RFC 3986, section 2.1; what is no escape, and %00, stays.
+/// Decodes percent escapes (RFC 3986, section 2.1). Invalid escapes and %00 stay.
 std::string percent_decoded(std::string_view text) {
     std::string decoded;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -56,9 +56,9 @@ std::string percent_decoded(std::string_view text) {
     return decoded;
 }
 
-/// The text of <name> in a package.xml (REP 149); empty if there is none.
+/// Returns the text of <name> in a package.xml (REP 149); empty if there is none.
 std::string package_name(const fs::path& directory) {
-    constexpr std::uintmax_t most = 1'000'000; // what is no small regular file names no package
+    constexpr std::uintmax_t most = 1'000'000; // only a small regular file is read
     std::string text = read_regular_file(directory / "package.xml", most, "").bytes;
     for (std::size_t begin; (begin = text.find("<!--")) != std::string::npos;) {
         const std::size_t end = text.find("-->", begin);
@@ -74,7 +74,7 @@ std::string package_name(const fs::path& directory) {
     return first == std::string::npos ? "" : name.substr(first, name.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-/// `directory` and the folders it lies in, first as it is written, then as it is without symbolic links.
+/// Returns `directory` and the folders above it, first as written, then without symbolic links.
 std::vector<fs::path> ancestors(const fs::path& directory) {
     std::vector<fs::path> result;
     std::error_code error;
@@ -107,7 +107,7 @@ std::vector<fs::path> visible_folders(const fs::path& directory) {
     return folders;
 }
 
-/// Tries one path after the other, and remembers them.
+/// Tries paths in order, and keeps a list of them.
 class Search {
 public:
     bool found() const { return result_.found(); }
@@ -124,7 +124,7 @@ public:
         }
     }
 
-    /// The package as a folder in `directory`, or `directory` itself as the package.
+    /// Tries the package as a folder in `directory`, and `directory` itself as the package.
     void try_package(const fs::path& directory, const std::string& package, const std::string& rest) {
         try_path(directory / package / rest);
         if (!found() &&
@@ -133,7 +133,7 @@ public:
         }
     }
 
-    /// In the folders one and two levels below `directory`; the list of places shows them as "*".
+    /// Tries the folders one and two levels below `directory`; the list of places shows them as "*".
     void try_workspace(const fs::path& directory, const std::string& package, const std::string& rest) {
         try_below(directory, package, rest, 2);
         if (!found()) {
@@ -171,7 +171,7 @@ void search_package(Search& search, std::string_view location, const std::vector
                     const fs::path& base) {
     const std::size_t slash = location.find('/');
     if (slash == 0 || slash == std::string_view::npos) {
-        return; // no package, or a package and no file
+        return; // no package name, or no file
     }
     std::vector<std::string> readings{percent_decoded(location)};
     if (readings.front() != location) {
@@ -179,7 +179,7 @@ void search_package(Search& search, std::string_view location, const std::vector
     }
     for (const std::string& text : readings) {
         const std::string package = text.substr(0, text.find('/'));
-        // Not fs::path's "/", which would take "package://PKG//rest" for the absolute path "/rest".
+        // Not fs::path's "/", for which "package://PKG//rest" would give the absolute path "/rest".
         const std::string rest = text.substr(std::min(text.find_first_not_of('/', package.size()), text.size()));
         for (const fs::path& directory : package_path) {
             search.try_package(directory, package, rest);
@@ -227,7 +227,7 @@ ResolvedResource ResourceResolver::resolve(const std::string& reference, const f
         if (location.starts_with("localhost/")) {
             location.remove_prefix(std::string_view("localhost").size());
         }
-        // Strictly file://x/y is a file of host x; people write it for a relative path.
+        // Strictly, file://x/y is a file of host x. Many files use it for a relative path.
         search.try_path(base / percent_decoded(location));
         search.try_path(base / std::string(location));
     }

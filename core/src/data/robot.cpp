@@ -8,7 +8,7 @@
 namespace foam {
 namespace {
 
-/// The motion of a joint with one degree of freedom.
+/// Returns the motion of a joint with one degree of freedom.
 Pose motion(const Joint& joint, double value) {
     switch (joint.kind) {
     case Joint::Kind::revolute:

@@ -74,7 +74,7 @@ private:
         }
     }
 
-    /// Adds a point to the boundary; false if it depends affinely on those already there.
+    /// Adds a point to the boundary. Returns false if it depends affinely on the present ones.
     bool push(const Vec3& point) {
         const std::size_t m = count_;
         if (m == 0) {
@@ -133,8 +133,8 @@ Sphere minimum_enclosing_sphere(const std::vector<Vec3>& points) {
     if (points.empty()) {
         return {};
     }
-    // Where many points lie on the ball, rounding can end the search before it holds them all: with luck not in another
-    // order. A ball that needs no growth is the smallest.
+    // Where many points lie on the ball, rounding can end the search before the ball contains them all; another order
+    // may succeed. A ball that needs no growth is the smallest.
     constexpr double rounding = 1e-6;
     constexpr int orders = 32;
     std::vector<Vec3> ordered = points;
@@ -170,7 +170,7 @@ Sphere enclosing_sphere(const std::vector<Sphere>& spheres) {
     if (spheres.empty()) {
         return {};
     }
-    // Badoiu and Clarkson 2003: steps of 1/(i+1) towards the farthest ball come within 1/i of the optimum.
+    // Badoiu and Clarkson 2003: steps of 1/(i+1) towards the farthest ball converge to within 1/i of the optimum.
     std::vector<Vec3> centers;
     for (const Sphere& s : spheres) {
         centers.push_back(s.center);

@@ -1,5 +1,5 @@
-// Out-of-line destructors and defaults of the classes that plugins derive from: their type information lives in core
-// alone.
+// Out-of-line destructors and defaults of the classes that plugins derive from: their type information exists only in
+// core.
 #include <foam/plugin.hpp>
 #include <foam/stage.hpp>
 

@@ -13,7 +13,7 @@ struct Character {
     char32_t code = 0;
 };
 
-/// The character that a text begins with, which is not empty: the shortest form only, no surrogate.
+/// Returns the first character of a nonempty text: the shortest form only, no surrogate.
 Character first_character(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char lead = byte(0);
@@ -66,14 +66,14 @@ std::string shown_but(std::string_view text, std::string_view kept) {
     return result;
 }
 
-/// Accents that stand on the character before them.
+/// Returns whether the character combines with the one before it.
 bool is_combining(char32_t code) {
     return (code >= 0x300 && code <= 0x36F) || (code >= 0x1AB0 && code <= 0x1AFF) ||
            (code >= 0x1DC0 && code <= 0x1DFF) || (code >= 0x20D0 && code <= 0x20FF) ||
            (code >= 0xFE00 && code <= 0xFE0F) || code == 0x200B || code == 0x200C || code == 0x200D;
 }
 
-/// East Asian characters and pictures take two columns.
+/// Returns whether the character takes two columns: East Asian characters and pictures.
 bool is_wide(char32_t code) {
     return (code >= 0x1100 && code <= 0x115F) || (code >= 0x2E80 && code <= 0xA4CF && code != 0x303F) ||
            (code >= 0xAC00 && code <= 0xD7A3) || (code >= 0xF900 && code <= 0xFAFF) ||
@@ -109,7 +109,7 @@ std::string number_text(double value) {
 }
 
 std::optional<double> parse_number(std::string_view text) {
-    // std::from_chars knows no plus sign, which other programs write.
+    // std::from_chars does not accept a plus sign, which other programs write.
     if (text.starts_with('+') && !text.starts_with("+-")) {
         text.remove_prefix(1);
     }

@@ -15,8 +15,8 @@ bool degenerate(const Mesh& mesh, const Triangle& t) {
     return cross(mesh.vertices[t[1]] - p, mesh.vertices[t[2]] - p) == Vec3{};
 }
 
-/// A corner's number: 3 · triangle + its place. The corners at a vertex form one fan exactly if they are connected over
-/// the edges they share.
+/// Returns a corner's number: 3 · triangle + its index. The corners at a vertex form one fan exactly if they are
+/// connected over their common edges.
 std::uint32_t corner_at(const Mesh& mesh, std::uint32_t triangle, std::uint32_t vertex) {
     const Triangle& t = mesh.triangles[triangle];
     return 3 * triangle + (t[0] == vertex ? 0u : t[1] == vertex ? 1u : 2u);

@@ -19,7 +19,7 @@ std::map<std::string, std::string> library_versions() {
     return {
         {"eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
         {"fmt", dotted(FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
-        {"glibc", gnu_get_libc_version()}, // its sine, power and the like
+        {"glibc", gnu_get_libc_version()}, // for sine, power and other functions
         {"nlohmann-json",
          dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
         {"onetbb", TBB_runtime_version()},

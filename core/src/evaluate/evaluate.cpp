@@ -12,8 +12,9 @@
 namespace foam {
 namespace {
 
-/// Of a share estimated with independent points. One of each kind is added to what was seen (Laplace's rule), so that a
-/// share that no sample contradicts is not taken for exact. The points are stratified: the true error is smaller.
+/// Returns the standard error of a share that was estimated with independent points. One point of each kind is added to
+/// the observed ones (Laplace's rule), so that a share without counterexamples does not count as exact. The points are
+/// stratified: the true error is smaller.
 double share_error(double share, std::size_t points) {
     const double n = static_cast<double>(points) + 2, p = (share * static_cast<double>(points) + 1) / n;
     return std::sqrt(p * (1 - p) / n);

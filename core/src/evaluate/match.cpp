@@ -1,4 +1,4 @@
-// Which spheres of a file belong to which link of a robot.
+// The assignment of spheres in a file to links of a robot.
 #include <foam/error.hpp>
 #include <foam/host/evaluate.hpp>
 #include <foam/text.hpp>
@@ -11,7 +11,7 @@
 namespace foam {
 namespace {
 
-/// The whole name first, then the longest beginning.
+/// Renames a link: a rename of the whole name comes first, then the longest prefix.
 std::string renamed(const std::string& link, const Renames& renames) {
     const std::pair<std::string, std::string>* best = nullptr;
     for (const auto& rename : renames) {
@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    /// Index of the link of the original; none: its size.
+    /// Returns the index of the link in the original robot; if there is none, the number of its links.
     std::size_t find(const std::string& link) const {
         const auto it = std::find_if(original_.links.begin(), original_.links.end(),
                                      [&](const OriginalLink& l) { return l.link == link; });
@@ -90,7 +90,7 @@ private:
         }
     }
 
-    /// Puts the spheres onto the nearest link that the original has and that this one is fixed to.
+    /// Assigns the spheres to the nearest link that the original robot has and that this link is fixed to.
     bool place_above(const LinkSpheres& link) {
         Pose pose;
         std::string at = link.link;

@@ -17,7 +17,7 @@ std::string ending_of(const std::filesystem::path& file) {
     return extension.empty() ? "" : extension.substr(1);
 }
 
-/// Links that no glob names are left out.
+/// Leaves out the links that no glob matches.
 void choose(Recipe& recipe, const Robot& robot, const std::vector<std::string>& globs) {
     for (const std::string& glob : globs) {
         if (std::none_of(robot.links.begin(), robot.links.end(),

@@ -11,8 +11,8 @@
 namespace foam {
 namespace {
 
-/// Takes notes while expat walks over the text. Exceptions must not pass through expat's C frames: the first complaint
-/// is kept and thrown afterwards.
+/// Collects tags while expat reads the text. Exceptions must not pass through expat's C frames: the first error is kept
+/// and thrown afterwards.
 class Notes {
 public:
     explicit Notes(const Robot& robot) : robot_(robot), parser_(XML_ParserCreate(nullptr)) {

@@ -1,4 +1,4 @@
-// What a URDF says of its joints beyond foam::Joint: the order of <mimic>, and whether there is a <limit> at all.
+// What a URDF has for its joints beyond foam::Joint: the values of <mimic>, and whether there is a <limit>.
 #pragma once
 
 #include <foam/robot.hpp>
@@ -20,7 +20,7 @@ struct JointTags {
     std::optional<Mimic> mimic;
 };
 
-/// By the joints' names. Empty if the source is not a URDF. Throws Error(input) for a <mimic> that is not understood.
+/// Returns the tags by joint name. Empty if the source is not a URDF. Throws Error(input) for an invalid <mimic>.
 std::map<std::string, JointTags> read_joint_tags(const Robot& robot);
 
 } // namespace foam

@@ -48,7 +48,7 @@ Freedom freedom_of(const Joint& joint, const Robot& robot, const JointTags* tags
     return {joint.name, joint.lower, joint.upper};
 }
 
-/// Follows the orders of <mimic> from joint to joint until one of its own motion.
+/// Follows <mimic> from joint to joint until one that moves independently.
 class MimicResolver {
 public:
     MimicResolver(const Robot& robot, const Tags& tags, const std::vector<Freedom>& freedoms)
@@ -64,7 +64,7 @@ public:
     JointMotion motion(const Joint& joint) const { return motion(joint, joint, 0); }
 
 private:
-    /// `steps` joints lie between the first one and this.
+    /// Returns the motion of a joint. `steps`: number of joints between the first one and this.
     JointMotion motion(const Joint& first, const Joint& joint, std::size_t steps) const {
         if (!moves(joint)) {
             return {};

@@ -1,4 +1,4 @@
-// The formats of sphere models, each read into a SphereFile.
+// The formats of sphere models, all read into a SphereFile.
 #pragma once
 
 #include <foam/host/sphere_file.hpp>
@@ -7,15 +7,15 @@
 
 namespace foam::model_formats {
 
-/// JSON and YAML: recognised by their keys.
+/// Reads JSON and YAML; their keys determine the format.
 void read_tree(const std::string& text, SphereFile& result);
-/// Rows of four numbers (x y z radius) or five (link x y z radius), apart by spaces or commas.
+/// Reads rows of four numbers (x y z radius) or five (link x y z radius), separated by spaces or commas.
 void read_rows(const std::string& text, SphereFile& result);
 void read_urdf(const std::string& text, const Registry& registry, SphereFile& result);
-/// What a writer of the registry has written: the one for files that end in `extension`.
+/// Reads the file of a writer in the registry: the one for the extension `extension`.
 void read_written(const std::string& text, const std::string& extension, const Registry& registry, SphereFile& result);
 
-/// The spheres of a link, made if it is not there yet.
+/// Returns the spheres of a link; adds the link if it is missing.
 std::vector<Sphere>& spheres_of(SphereFile& result, const std::string& link);
 
 } // namespace foam::model_formats

@@ -12,7 +12,7 @@
 namespace foam::model_formats {
 namespace {
 
-/// Without what follows a comment sign, and with spaces for the commas.
+/// Returns the line without a comment, and with spaces instead of commas.
 std::string row_of(std::string_view line) {
     std::string row(line.substr(0, line.find_first_of("#%")));
     std::replace(row.begin(), row.end(), ',', ' ');

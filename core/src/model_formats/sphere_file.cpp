@@ -1,4 +1,4 @@
-// Which format a file has, and what holds for all of them.
+// The recognition of formats, and the checks common to all.
 #include "formats.hpp"
 
 #include "run/files.hpp"
@@ -14,10 +14,10 @@
 namespace foam {
 namespace {
 
-/// m; geometry is at most 10^9 m large, and 10^9 times that away.
+/// m; geometry has a size of at most 10^9 m, and a distance of at most 10^9 times that.
 constexpr double farthest_sphere = 1e20;
 
-/// The text behind a byte order mark, blanks and comments of `#`.
+/// Returns the text after a byte order mark, blanks and comments with `#`.
 std::string_view first_token(std::string_view text) {
     text.remove_prefix(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
     for (;;) {
@@ -29,14 +29,14 @@ std::string_view first_token(std::string_view text) {
     }
 }
 
-/// Whether a line holds numbers apart by spaces or commas, and nothing else; the first may be a name.
+/// Returns whether a line has only numbers, separated by spaces or commas; the first may be a name.
 bool is_row(std::string_view text) {
     const std::string_view line = text.substr(0, text.find('\n'));
     return !line.empty() && line.find_first_of(":{[<\"") == std::string_view::npos &&
            std::count_if(line.begin(), line.end(), [](char c) { return c >= '0' && c <= '9'; }) >= 4;
 }
 
-/// Spheres of no radius are switched off; those that are no balls are an error.
+/// Removes disabled spheres, whose radius is not above 0, with a note. Throws for spheres that are not valid.
 void drop_disabled(SphereFile& result) {
     std::size_t dropped = 0;
     for (LinkSpheres& link : result.links) {
@@ -48,7 +48,7 @@ void drop_disabled(SphereFile& result) {
     }
 }
 
-/// Throws Error(input) for numbers whose squares and cubes no double holds: figures would be infinite.
+/// Throws Error(input) for numbers whose squares and cubes exceed a double: figures would be infinite.
 void require_workable(const SphereFile& result) {
     for (const LinkSpheres& link : result.links) {
         for (const Sphere& s : link.spheres) {

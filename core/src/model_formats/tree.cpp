@@ -1,5 +1,5 @@
-// JSON and YAML. What they have in common: links with lists of spheres; where these stand, and how a sphere is written,
-// is what tells the formats apart.
+// JSON and YAML. All formats have links with lists of spheres. They differ in the place of these lists and in the form
+// of a sphere.
 #include "formats.hpp"
 
 #include "recipe/value.hpp"
@@ -105,7 +105,7 @@ private:
         return {number(value.items[0]), number(value.items[1]), number(value.items[2])};
     }
 
-    /// `[x, y, z, r]`, `{center, radius}` or `{origin, radius}`.
+    /// Reads `[x, y, z, r]`, `{center, radius}` or `{origin, radius}`.
     Sphere sphere(const Value& value) const {
         if (value.is(Kind::list)) {
             if (value.items.size() != 4) {
@@ -127,7 +127,7 @@ private:
         }
     }
 
-    /// `{centers: [[x, y, z]], radii: [r]}`
+    /// Reads `{centers: [[x, y, z]], radii: [r]}`.
     void columns(const Value& value, const std::string& link) {
         const Value& centers = list(at(value, "centers"), "a list of centers");
         const Value& radii = list(at(value, "radii"), "a list of radii");
@@ -160,7 +160,7 @@ private:
                  [&](const std::string& link, const Value& value) { add(link, value); });
     }
 
-    /// cuRobo and bubblify: a map of lists; plainmp: a map of maps; Lula: a list of such maps.
+    /// Reads the forms of cuRobo and bubblify: a map of lists; plainmp: a map of maps; Lula: a list of such maps.
     void collision_spheres(const Value& spheres, const Value& holder, bool in_kinematics) {
         if (spheres.is(Kind::text)) {
             fail(spheres, fmt::format("the spheres are in another file, '{}'; remedy: give that one", spheres.text));
@@ -185,7 +185,7 @@ private:
         for_each(spheres, add_link);
     }
 
-    /// A distance that a program adds to all radii: said, not added.
+    /// Notes a distance that a program adds to all radii. It is reported, not added.
     void note_buffer(const Value& holder, std::string_view key) {
         const Value* buffer = holder.is(Kind::map) ? holder.find(key) : nullptr;
         const auto zero = [](const Value& v) { return v.is_scalar() && v.whole == 0 && v.real == 0; };
@@ -197,7 +197,7 @@ private:
         }
     }
 
-    /// One object a depth, the last the finest: the first foam's output for a single mesh.
+    /// Reads one object per depth, the last the finest: the output of CoMMALab/foam for a single mesh.
     void original_list(const Value& root) {
         if (root.items.empty()) {
             unknown(root);
@@ -208,7 +208,7 @@ private:
         add(link ? link->text : "", at(finest, "spheres"));
     }
 
-    /// Either columns by link (ballpark, pyroki) or the first foam's database, by "link::mesh", branch and depth.
+    /// Reads columns by link (ballpark, pyroki), or the database of CoMMALab/foam, by "link::mesh", branch and depth.
     void map_of_links(const Value& root) {
         if (root.keys.empty()) {
             unknown(root);
@@ -229,7 +229,7 @@ private:
         });
     }
 
-    /// The value of the largest of keys that are numbers.
+    /// Returns the value of the largest key; all keys are numbers.
     const Value& largest_key(const Value& map, std::string_view what) const {
         const Value* best = nullptr;
         long largest = -1;

@@ -10,7 +10,7 @@
 namespace foam {
 namespace {
 
-/// Keys that recipes need for themselves beside a stage's parameters.
+/// Returns why a parameter cannot have the name: recipes use some keys beside a stage's parameters. Empty if it can.
 std::string why_reserved(const RegisteredStage& stage, std::string_view name) {
     if (stage.kind == StageKind::writer && name == "file") {
         return fmt::format("stage '{}': a writer cannot have a parameter 'file', recipes say by that key where it "
@@ -25,7 +25,7 @@ std::string why_reserved(const RegisteredStage& stage, std::string_view name) {
     return "";
 }
 
-/// Why a stage's name does not fit its kind: people read the kind off the name. Empty if it does.
+/// Returns why a stage's name does not fit its kind, which people read from the name. Empty if it does.
 std::string why_misnamed(const RegisteredStage& stage) {
     static constexpr std::pair<StageKind, std::string_view> beginnings[] = {{StageKind::mesh_loader, "load."},
                                                                             {StageKind::robot_loader, "load."},
@@ -50,7 +50,7 @@ std::string why_misnamed(const RegisteredStage& stage) {
                              name, to_string(stage.kind), fits);
 }
 
-/// Why a stage's objective_parameter is not one of its choices; empty if it is, or there is none.
+/// Returns why a stage's objective_parameter is not one of its choices; empty if it is, or there is none.
 std::string why_no_objective(const StageInfo& info) {
     const std::string& name = info.objective_parameter;
     const bool found = std::any_of(info.parameters.begin(), info.parameters.end(), [&](const Parameter& p) {
@@ -63,7 +63,7 @@ std::string why_no_objective(const StageInfo& info) {
                              info.name, name);
 }
 
-/// Why a stage cannot be isolated as it wishes; empty if it can, or does not.
+/// Returns why a stage cannot be isolated as it requests; empty if it can, or requests nothing.
 std::string why_bad_isolation(const RegisteredStage& stage) {
     const Isolation& wish = stage.info.isolation;
     if (wish == Isolation{}) {
@@ -82,7 +82,7 @@ std::string why_bad_isolation(const RegisteredStage& stage) {
     return "";
 }
 
-/// What a stage declaration gets wrong; empty if nothing.
+/// Returns the error in a stage's declaration; empty if there is none.
 std::string why_bad(const RegisteredStage& stage) {
     const StageInfo& info = stage.info;
     static const std::regex stage_name("[a-z][a-z0-9]*\\.[a-z][a-z0-9_]*");

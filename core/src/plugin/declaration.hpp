@@ -1,4 +1,4 @@
-// What plugins say of their stages, checked.
+// The check of the declarations of a plugin's stages.
 #pragma once
 
 #include <foam/host/registry.hpp>
@@ -8,10 +8,11 @@
 
 namespace foam {
 
-/// What the stages of a plugin get wrong, on their own or beside those that are registered already; empty if nothing.
+/// Returns the error in a plugin's stages, alone or together with those that are registered already; empty if there is
+/// none.
 std::string why_bad(const std::vector<RegisteredStage>& stages, const Registry& registry);
 
-/// Whether the calls of such stages can run in child processes.
+/// Returns whether calls of such stages can run in child processes.
 bool can_be_isolated(StageKind kind);
 
 } // namespace foam

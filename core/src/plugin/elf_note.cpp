@@ -13,7 +13,7 @@
 namespace foam {
 namespace {
 
-/// A read-only view of the file's bytes that refuses to look outside them. Only what is asked for is read.
+/// A read-only view of the file's bytes with bounds checks. Reads only the requested bytes.
 class Bytes {
 public:
     explicit Bytes(const std::filesystem::path& file) : stream_(file, std::ios::binary) {
@@ -81,7 +81,7 @@ std::string processor(unsigned char file_class, std::uint16_t machine) {
     return narrow ? name + " (32 bits)" : name;
 }
 
-/// Why the file's segments cannot be mapped; empty if they can. Mapping a file that is cut off would end the process.
+/// Returns why the file's segments cannot be mapped; empty if they can. To map a truncated file would end the process.
 std::string read_segments(Bytes& bytes, const Elf64_Ehdr& header, std::vector<Elf64_Phdr>& segments) {
     constexpr const char* cut_off =
         "its ELF structure is damaged (the file is cut off); remedy: build or copy it again";
@@ -93,7 +93,7 @@ std::string read_segments(Bytes& bytes, const Elf64_Ehdr& header, std::vector<El
         }
         segments.push_back(segment);
     }
-    // The section headers come last in the files that linkers write: with them the file is whole.
+    // Linkers write the section headers last: if they are there, the file is complete.
     const bool whole = bytes.holds(header.e_shoff, std::uint64_t{header.e_shnum} * header.e_shentsize);
     return whole ? "" : cut_off;
 }

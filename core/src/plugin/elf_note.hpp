@@ -1,4 +1,4 @@
-// Reads a plugin's fingerprint from its file, without running any of it.
+// Reads a plugin's fingerprint from its file, without running its code.
 #pragma once
 
 #include <filesystem>
@@ -8,11 +8,11 @@
 namespace foam {
 
 struct ElfNote {
-    std::string problem;                    ///< why the file is no shared library of this machine; empty if it is
+    std::string problem;                    ///< why the file is not a shared library for this machine; empty if it is
     std::optional<std::string> fingerprint; ///< absent: a shared library, but not a foam plugin
 };
 
-/// Bounds-checked against truncated and hostile files; never throws for what the file holds.
+/// Reads the note with bounds checks against truncated and hostile files. Never throws because of the file's content.
 ElfNote read_foam_note(const std::filesystem::path& file);
 
 } // namespace foam

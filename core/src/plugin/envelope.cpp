@@ -11,7 +11,7 @@
 namespace foam {
 namespace {
 
-/// The fields of a fingerprint in the words of people.
+/// Returns the fields of a fingerprint with readable names.
 std::map<std::string, std::string> fields_of(std::string_view fingerprint) {
     static constexpr std::pair<std::string_view, std::string_view> names[] = {{"foam-abi", "ABI epoch"},
                                                                               {"layout", "ABI layout"},
@@ -29,7 +29,8 @@ std::map<std::string, std::string> fields_of(std::string_view fingerprint) {
     return fields;
 }
 
-/// An SPDX licence expression, as far as its form goes: "Apache-2.0", "(MIT OR LicenseRef-Mine) AND BSD-3-Clause".
+/// Returns whether the text has the form of an SPDX licence expression: "Apache-2.0", "(MIT OR LicenseRef-Mine) AND
+/// BSD-3-Clause".
 bool is_license(const std::string& text) {
     static const std::regex form(
         "\\(*[A-Za-z0-9][A-Za-z0-9.+:-]*\\)*( (AND|OR|WITH) \\(*[A-Za-z0-9][A-Za-z0-9.+:-]*\\)*)*");
@@ -43,13 +44,13 @@ std::string other_build(std::string_view has) {
     std::vector<std::string> built_for, is;
     for (const auto& [name, value] : ours) {
         const auto other = theirs.find(name);
-        const bool implied = name == "ABI layout" && !built_for.empty(); // each epoch has layouts of its own
+        const bool implied = name == "ABI layout" && !built_for.empty(); // each epoch has its own layouts
         if (other != theirs.end() && other->second != value && !implied) {
             built_for.push_back(fmt::format("{} {}", name, other->second));
             is.push_back(fmt::format("{} {}", name, value));
         }
     }
-    if (is.empty()) { // a field more or less: no release of foam has written that
+    if (is.empty()) { // another number of fields: no release of foam writes that
         built_for.push_back(fmt::format("[{}]", has));
         is.push_back(fmt::format("[{}]", FOAM_ABI_FINGERPRINT));
     }

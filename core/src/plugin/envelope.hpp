@@ -1,4 +1,4 @@
-// Whether a plugin was built for this foam, and what it says of itself.
+// The check that a plugin was built for this foam, and of its metadata.
 #pragma once
 
 #include <foam/plugin.hpp>
@@ -8,10 +8,10 @@
 
 namespace foam {
 
-/// Why a plugin with another fingerprint is refused, field by field.
+/// Returns why a plugin with another fingerprint is refused, field by field.
 std::string other_build(std::string_view fingerprint);
 
-/// What an envelope gets wrong; empty if nothing. The fields behind size and epoch are looked at only if those are
+/// Returns the error in an envelope; empty if there is none. The fields after size and epoch are read only if those are
 /// right.
 std::string why_bad(const foam_plugin_envelope_v1* envelope);
 

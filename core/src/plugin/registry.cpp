@@ -73,8 +73,8 @@ std::string lower(std::string_view text) {
 
 using Entry = const foam_plugin_envelope_v1* (*)();
 
-/// Runs a plugin's code for the first time: who it is goes to the record, its stages to the collector. Why not; empty
-/// if it could be done.
+/// Runs a plugin's code for the first time: writes its metadata to the record and its stages to the collector. Returns
+/// why it failed; empty if it succeeded.
 std::string enrol(Entry entry, PluginRecord& record, Collector& collector) {
     try {
         const foam_plugin_envelope_v1* envelope = entry();
@@ -95,8 +95,8 @@ std::string enrol(Entry entry, PluginRecord& record, Collector& collector) {
     return "";
 }
 
-/// Puts rounding and the treatment of small numbers back: g++ links code into libraries made with -ffast-math that has
-/// the processor flush them to zero from then on, in all that the thread and its children compute.
+/// Restores rounding and the treatment of small numbers. g++ links code into libraries made with -ffast-math that makes
+/// the processor flush small numbers to zero from then on, in all computations of the thread and its children.
 class SameArithmetic {
 public:
     SameArithmetic() { std::fegetenv(&environment_); }
@@ -154,7 +154,7 @@ std::string Registry::try_load(const fs::path& file, PluginRecord& record) {
     }
     const ActivityScope activity(fmt::format("plugin {}, while it was loaded", file.string()),
                                  CrashRemedy::remove_plugin);
-    // Never closed again: its code may live on in stage objects, exceptions and type information.
+    // Never closed: its code may still be in use by stage objects, exceptions and type information.
     void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
     if (!handle) {
         return fmt::format(
@@ -231,12 +231,12 @@ std::string Registry::nearest(std::string_view stage) const {
     if (const std::string near = nearest_word(stage, names); !near.empty()) {
         return near;
     }
-    // Without its kind, or with another: "watertight", "mesh.watertight".
+    // Without its kind, or with another one: "watertight", "mesh.watertight".
     const auto method = std::find(methods.begin(), methods.end(), nearest_word(method_of(stage), methods));
     return method == methods.end() ? "" : names[static_cast<std::size_t>(method - methods.begin())];
 }
 
-/// Hands a stage what it says that it uses.
+/// Makes for a stage the other stages that it declares to use.
 class Registry::Maker final : public StageMaker {
 public:
     Maker(const Registry& registry, const StageInfo& user) : registry_(registry), user_(user) {}

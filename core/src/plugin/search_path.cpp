@@ -11,13 +11,13 @@ std::vector<std::filesystem::path> plugin_directories(const std::vector<std::fil
     if (const char* path = std::getenv("FOAM_PLUGIN_PATH")) {
         std::istringstream stream(path);
         for (std::string entry; std::getline(stream, entry, ':');) {
-            // An empty or relative entry would mean the current directory: never.
+            // An empty or relative entry would mean the current directory, which is never searched.
             if (std::filesystem::path(entry).is_absolute()) {
                 directories.emplace_back(entry);
             }
         }
     }
-    // In the build tree as when installed.
+    // The same in the build tree and when installed.
     directories.push_back(library_folder() / FOAM_PLUGIN_SUBDIRECTORY);
     return directories;
 }

@@ -14,15 +14,15 @@ struct Change {
     std::string path;
     Value value;
     Place where;        ///< of the path
-    std::string remedy; ///< how to stop the sweep of the same path
+    std::string remedy; ///< how to end the sweep of the same path
 };
 
-/// The entries of a map of paths. Those that begin with one of `fixed` are findings and are left out. `by`: "a
+/// Reads a map from paths to values. Paths that begin with one of `fixed` are findings and are left out. `by`: "a
 /// variant".
 std::vector<Change> read_changes(const Value& map, std::string_view by, std::initializer_list<const char*> fixed,
                                  Findings& findings);
 
-/// Applies them in their order.
+/// Applies the changes in their order.
 void apply_changes(Value& root, const std::vector<Change>& changes, const Registry& registry, Findings& findings);
 
 /// A named set of changes.
@@ -32,7 +32,7 @@ struct Variant {
     std::vector<Change> changes;
 };
 
-/// Takes the key `variants` out of the tree.
+/// Removes the key `variants` from the tree and returns its variants.
 std::vector<Variant> take_variants(Value& root, Findings& findings);
 
 } // namespace foam::reading

@@ -15,7 +15,7 @@ bool is_safe(char c) {
            c == '.' || c == '+' || c == '=';
 }
 
-/// The recipe's file name without its ending, fit for a folder.
+/// Returns the recipe's file name without its extension, with the characters of a folder name only.
 std::string default_name(const std::filesystem::path& file) {
     std::string name = file.stem().string().substr(0, 100);
     std::replace_if(
@@ -24,7 +24,7 @@ std::string default_name(const std::filesystem::path& file) {
     return name.empty() ? "recipe" : name;
 }
 
-/// Words that stand one level deeper than where people look for them first.
+/// Explains keys that are one level deeper than people often write them.
 void refuse_unknown_top_level_keys(const Value& root, const Checking& checking) {
     static constexpr std::pair<std::string_view, std::string_view> homes[] = {
         {"spheres", "budget: {spheres: …}"},  {"max_protrusion", "budget: {max_protrusion: …}"},
@@ -78,7 +78,7 @@ void check_name(const Value& root, const std::filesystem::path& file, const std:
     }
 }
 
-/// Above what an integer of a stage can be: the seed is any 64-bit number.
+/// Reads a seed above the largest integer of a stage: the seed is any 64-bit number.
 bool read_large_seed(const Value& value, std::uint64_t& seed) {
     const char* end = value.text.data() + value.text.size();
     const auto [stop, error] = std::from_chars(value.text.data(), end, seed);
@@ -145,7 +145,7 @@ void check_input(const Value& root, Recipe& recipe, Findings& findings) {
     }
 }
 
-/// Unit and scale are of single meshes that do not say theirs.
+/// Checks that unit and scale are used for a single mesh whose file has no unit.
 void check_unit(const Value& root, const Recipe& recipe, const Checking& checking) {
     const Key* key = root.find_key("unit") ? root.find_key("unit") : root.find_key("scale");
     const bool robot = !recipe.urdf.empty();
@@ -200,7 +200,7 @@ void check_self_collision(const Value& value, const Value& root, Recipe& recipe,
     }
 }
 
-/// What asks for spheres that stick out.
+/// Refuses keys that need spheres outside the geometry.
 void refuse_outer_keys(const Value& root, const Recipe& recipe, Findings& findings) {
     if (recipe.guarantee != Guarantee::inner) {
         return;

@@ -1,4 +1,4 @@
-// links: what is different for some of them.
+// links: overrides for some links.
 #include "check.hpp"
 #include "format.hpp"
 
@@ -22,7 +22,7 @@ std::vector<std::string> chain_of(const Recipe& recipe) {
     return names;
 }
 
-/// Of the stage as it is without overrides.
+/// Returns the isolation of the stage without overrides.
 Isolation isolation_in_chain(std::string_view stage, const Recipe& recipe) {
     for (const StageCall& filter : recipe.filters) {
         if (filter.stage == stage) {
@@ -32,7 +32,7 @@ Isolation isolation_in_chain(std::string_view stage, const Recipe& recipe) {
     return recipe.spherizer.isolation.over(recipe.isolation);
 }
 
-/// A set that is opened and not closed matches nothing, which nobody means.
+/// Returns whether all sets of a glob are closed. One that is not matches nothing, which is never intended.
 bool is_whole_glob(std::string_view glob) {
     for (std::size_t open = glob.find('['); open != std::string_view::npos; open = glob.find('[', open + 1)) {
         const std::size_t close = glob.find(']', open + 2);
@@ -75,7 +75,7 @@ void read_stage_override(const Key& key, const Value& value, const Recipe& recip
     link.stages.push_back(std::move(item.call));
 }
 
-/// What says nothing, given the rest of the recipe.
+/// Refuses a key that has no effect with the rest of the recipe.
 void refuse_idle_key(const Key& key, const Recipe& recipe, Findings& findings) {
     if (key.text == "max_protrusion" && recipe.guarantee == Guarantee::inner) {
         findings.error(key.where, "conflict",
@@ -193,7 +193,7 @@ void check_links(const Value& links, Recipe& recipe, const Checking& checking) {
             recipe.links.push_back(read_override(links.keys[i], links.items[i], recipe, checking));
         }
     }
-    // Limits that contradict each other, as far as names without wildcards show it; for_link() finds the rest.
+    // Finds limits that contradict each other, where names without wildcards show it; for_link() finds the rest.
     for (const LinkOverride& link : recipe.links) {
         try {
             if (link.glob.find_first_of("*?[") == std::string::npos || (link.min_spheres && link.max_spheres)) {

@@ -1,4 +1,4 @@
-// outputs and snapshots: what is written.
+// outputs and snapshots: the files of a run.
 #include "check.hpp"
 #include "format.hpp"
 
@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Why a run cannot write `file`; empty if it can.
+/// Returns why a run cannot write `file`; empty if it can.
 std::string why_no_output_file(const std::string& file) {
     static constexpr const char* reserved[] = {"links",        "snapshots",    "report.html", "recipe.resolved.yaml",
                                                "events.jsonl", "manifest.json"};
@@ -35,7 +35,7 @@ std::string why_no_output_file(const std::string& file) {
     return file.size() > 1000 ? "is longer than 1000 characters" : "";
 }
 
-/// The same file, or a file where the other needs a folder.
+/// Returns whether both are the same file, or one is a file where the other needs a folder.
 bool collide(const std::string& a, const std::string& b) {
     return a == b || a.starts_with(b + "/") || b.starts_with(a + "/");
 }
@@ -52,7 +52,7 @@ void warn_of_ending(const RegisteredStage& writer, const std::string& file, cons
     }
 }
 
-/// The file an output is written to; empty after a finding.
+/// Returns the file of an output; empty after a finding.
 std::string output_file(const StageItem& item, const Recipe& recipe, const Checking& checking) {
     const Value* given =
         item.parameters && item.parameters->is(Value::Kind::map) ? item.parameters->find("file") : nullptr;

@@ -9,7 +9,7 @@
 namespace foam::reading {
 namespace {
 
-/// Where a stage that is no part of the chain belongs.
+/// Returns the key for a stage that is not part of the chain.
 std::string home_of(StageKind kind) {
     switch (kind) {
     case StageKind::mesh_filter:

@@ -36,13 +36,13 @@ public:
     }
 
 private:
-    /// The part of the path that leads to where `rest` begins.
+    /// Returns the part of the path before `rest`.
     std::string_view before(std::string_view rest) const {
         const std::size_t length = path_.size() - rest.size();
         return path_.substr(0, length == 0 ? 0 : length - 1);
     }
 
-    /// Short forms that a map can stand for: nothing, `snapshots: true`, `- stage`.
+    /// Replaces short forms by a map: nothing, `snapshots: true`, `- stage`.
     void make_map(Value& node, std::string_view rest) const {
         const bool short_stage = node.is(Value::Kind::text) && starts_with_key(rest, node.text);
         if (node.is(Value::Kind::null) || short_stage ||

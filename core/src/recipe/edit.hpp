@@ -7,18 +7,19 @@
 
 namespace foam::reading {
 
-/// Sets what `path` names ("budget.spheres", "stages.1.simplify.quadric.ratio", "stages.simplify.quadric.ratio"); list
-/// items are counted from 0 or named by their stage. Keys may hold dots: existing keys win, then names of stages. Maps
-/// that are missing on the way are made; null takes the key away. Returns why it cannot be done; empty if it is done.
+/// Sets the value at `path` ("budget.spheres", "stages.1.simplify.quadric.ratio", "stages.simplify.quadric.ratio").
+/// List items are counted from 0 or named by their stage. Keys may contain dots: existing keys come first, then names
+/// of stages. Makes missing maps on the way. A null value removes the key. Returns why it is impossible; empty if it is
+/// done.
 std::string set_by_path(Value& root, std::string_view path, const Value& value, const Registry& registry);
 
-/// One point of a sweep: the recipe's tree with the values of this point, and what makes its name unlike the others'.
+/// One point of a sweep: the recipe's tree with the values of this point, and a suffix that makes its name unique.
 struct SweepPoint {
     Value root;
     std::string suffix; ///< "-spheres=22"; empty without a sweep
 };
 
-/// Takes the key `sweep` out of the tree and makes all combinations, in the order of the keys, the last one fastest.
+/// Removes the key `sweep` from the tree and returns all combinations, in the order of the keys, the last one fastest.
 std::vector<SweepPoint> expand_sweep(Value root, const Registry& registry, Findings& findings);
 
 } // namespace foam::reading

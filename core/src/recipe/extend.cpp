@@ -21,7 +21,7 @@ fs::path identity(const fs::path& file) {
     return error ? file : result;
 }
 
-/// Whether a map is one value: these name what they replace.
+/// Returns whether a map is a single value, which replaces another one as a whole.
 bool is_whole(std::string_view path) {
     return path.starts_with("variants.") || path == "snapshots.renderer";
 }
@@ -66,7 +66,7 @@ public:
     Chain(Registry& registry, std::vector<RecipeFile>& files, Findings& findings)
         : registry_(registry), files_(files), findings_(findings) {}
 
-    /// `folder`: that of `file`, as seen from the recipe's.
+    /// Completes the tree of `file`. `folder`: that of `file`, relative to the recipe's.
     bool complete(Value& root, const fs::path& file, const fs::path& folder) {
         open_.push_back({identity(file), file.string()});
         const Value extends = root.find("extends") ? *root.find("extends") : Value{};
@@ -177,7 +177,7 @@ void load_plugins(const Value& root, const fs::path& file, Registry& registry, F
     const std::vector<Value> one = {*plugins};
     for (const Value& item : plugins->is(Value::Kind::list) ? plugins->items : one) {
         if (!item.is(Value::Kind::text) || item.text.empty()) {
-            continue; // check_recipe() finds that
+            continue; // check_recipe() reports that
         }
         const PluginRecord& record = registry.load(file.parent_path() / findings.folder_of(item.where) / item.text);
         if (!record.loaded()) {
@@ -192,7 +192,7 @@ std::vector<std::string> read_references(const Value& value, std::string_view na
     const std::vector<Value> one = {value};
     const std::vector<Value>& items = value.is(Value::Kind::list) ? value.items : one;
     if (texts.size() != items.size()) {
-        return texts; // a finding says why
+        return texts; // there is a finding
     }
     for (std::size_t i = 0; i < texts.size(); ++i) {
         const fs::path& folder = findings.folder_of(items[i].where);

@@ -1,4 +1,4 @@
-// extends: a recipe laid over another one.
+// extends: a recipe on the basis of another one.
 #pragma once
 
 #include "value.hpp"
@@ -10,18 +10,18 @@
 
 namespace foam::reading {
 
-/// The tree of `file`, laid over those that it extends, with the plugins of all loaded and `set` applied. Maps are
-/// merged key by key, at all depths; everything else is replaced, and null takes a key away. The names of variants, the
-/// stage of `renderer` and `name` are no maps to be merged: a variant and a renderer are replaced as a whole, a name is
-/// never inherited. `files`: what was read, nearest first. False after a finding that leaves nothing to check.
+/// Reads the tree of `file`, merges it into those that it extends, loads the plugins of all and applies `set`. Maps are
+/// merged key by key, at all depths. Everything else is replaced, and null removes a key. Exceptions: a variant and the
+/// stage of `renderer` are replaced as a whole, and `name` is never inherited. `files`: the files that were read,
+/// nearest first. Returns false after a finding that leaves nothing to check.
 bool complete_tree(Value& root, const std::filesystem::path& file, Registry& registry, std::vector<RecipeFile>& files,
                    Findings& findings);
 
 /// Loads the plugins that the tree names.
 void load_plugins(const Value& root, const std::filesystem::path& file, Registry& registry, Findings& findings);
 
-/// Texts as read_texts() gives them, that name files. A relative one is relative to the file in which it stands, which
-/// may be one that the recipe extends: it becomes relative to the recipe.
+/// Reads names of files, as read_texts() does. A relative one is relative to its file, which may be one that the recipe
+/// extends; the result is relative to the recipe.
 std::vector<std::string> read_references(const Value& value, std::string_view name, Findings& findings);
 
 } // namespace foam::reading

@@ -64,7 +64,7 @@ Location Findings::locate(const Place& place) const {
 void Findings::add(Diagnostic::Level level, const Place& place, std::string code, std::string message) {
     Key key{place.source, place.line, place.column, code, message};
     if (seen_.contains(key)) {
-        return; // each point of a sweep is checked; what they share is told once
+        return; // each point of a sweep is checked; common findings are reported once
     }
     if (list_.size() >= most_findings) {
         ++left_out_;
@@ -99,7 +99,7 @@ std::string in_quotes(std::string_view text) {
     constexpr std::size_t most = 60;
     std::size_t end = std::min(most, text.size());
     while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) {
-        ++end; // within a character
+        ++end; // not within a character
     }
     return fmt::format("'{}{}'", shown(text.substr(0, end)), end < text.size() ? "…" : "");
 }

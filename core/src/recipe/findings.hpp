@@ -1,4 +1,4 @@
-// Collects what is wrong with a recipe, with the place of each finding.
+// The findings in a recipe, each with its place.
 #pragma once
 
 #include <foam/host/recipe.hpp>
@@ -12,7 +12,7 @@
 
 namespace foam::reading {
 
-/// A place in one of the texts that make up a recipe. Source 0: the file; others: see Findings.
+/// A place in one of the texts of a recipe. Source 0: the file; others: see Findings.
 struct Place {
     int source = 0, line = 0, column = 0;
 };
@@ -21,18 +21,18 @@ class Findings {
 public:
     explicit Findings(std::string file);
 
-    /// A further text: a file, its folder as seen from that of the recipe. Returns its number for Place::source.
+    /// Adds a text: a file, and its folder relative to that of the recipe. Returns its number for Place::source.
     int add_file(std::string file, std::filesystem::path folder);
-    /// A further text: the n-th value of an option on the command line, "--set".
+    /// Adds a text: the n-th value of an option on the command line, "--set". Returns its number for Place::source.
     int add_argument(std::string option, int n);
-    /// The folder of the file that a place is in, as seen from the recipe's; empty: the same.
+    /// Returns the folder of a place's file, relative to the recipe's; empty: the same.
     const std::filesystem::path& folder_of(const Place& place) const;
 
     void error(const Place& place, std::string code, std::string message);
     void warning(const Place& place, std::string code, std::string message);
     bool any_error() const { return any_error_; }
     Location locate(const Place& place) const;
-    /// In the order of the text, each once. After a few hundred the rest is only counted.
+    /// Returns the findings in the order of the text, each once. After a few hundred the rest is only counted.
     std::vector<Diagnostic> take();
 
 private:
@@ -51,9 +51,9 @@ private:
     bool any_error_ = false;
 };
 
-/// `text` in single quotes, fit for a message: shortened, control characters escaped.
+/// Returns `text` in single quotes for a message: shortened, control characters escaped.
 std::string in_quotes(std::string_view text);
-/// "; did you mean 'x'?" for the nearest of `known`; else what is known, or nothing if that is too much.
+/// Returns "; did you mean 'x'?" for the nearest of `known`; else the list of `known`, or nothing if that is too long.
 std::string suggestion(std::string_view word, const std::vector<std::string>& known);
 
 } // namespace foam::reading

@@ -6,7 +6,8 @@
 namespace foam {
 namespace {
 
-/// Length of the set "[a-z]" that `glob` begins with, 0 if it is not closed; `found`: whether it holds `c`.
+/// Returns the length of the set "[a-z]" at the front of `glob`, 0 if it is not closed. `found`: whether it contains
+/// `c`.
 std::size_t match_set(std::string_view glob, char c, bool& found) {
     const std::size_t close = glob.find(']', 2); // a ']' right behind '[' is a member
     if (close == std::string_view::npos) {
@@ -26,7 +27,7 @@ std::size_t match_set(std::string_view glob, char c, bool& found) {
     return close + 1;
 }
 
-/// Length of the pattern element at the front of `glob` if it matches the character `c`, else 0.
+/// Returns the length of the pattern element at the front of `glob` if it matches the character `c`, else 0.
 std::size_t match_one(std::string_view glob, char c) {
     if (glob.empty() || glob.front() == '*') {
         return 0;
@@ -53,7 +54,7 @@ void merge(StageCall& call, const LinkOverride& link) {
 } // namespace
 
 bool glob_matches(std::string_view glob, std::string_view name) {
-    // One '*' is remembered: if the rest fails, it takes one character more. Quadratic at worst.
+    // One '*' is kept: if the rest fails, it matches one more character. Quadratic at worst.
     std::size_t g = 0, n = 0, star = std::string_view::npos, star_n = 0;
     while (n < name.size()) {
         if (const std::size_t length = match_one(glob.substr(g), name[n])) {
@@ -82,7 +83,7 @@ Recipe::LinkRecipe Recipe::for_link(const std::string& link) const {
     result.spherizer.isolation = spherizer.isolation.over(isolation);
     result.max_protrusion = budget_max_protrusion;
     for (const LinkOverride& change : links) {
-        // A glob names itself, too: "[" has no other way to stand for itself.
+        // A glob also matches its own text: "[" cannot be written otherwise.
         if (change.glob != link && !glob_matches(change.glob, link)) {
             continue;
         }

@@ -1,4 +1,4 @@
-// loaders: the parameters of what reads meshes and robots, and which goes first.
+// loaders: the parameters of loaders of meshes and robots, and their priority.
 #include "check.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ StageCall Recipe::loader_call(const std::string& stage) const {
 namespace reading {
 namespace {
 
-/// The loader of that name; null after a finding.
+/// Returns the loader with that name; null after a finding.
 const RegisteredStage* find_loader(const Key& name, const Checking& checking) {
     const RegisteredStage* stage = checking.registry.find(name.text);
     if (!stage) {

@@ -13,7 +13,7 @@ namespace {
 using namespace reading;
 namespace fs = std::filesystem;
 
-/// The values of `--set key.path=value`.
+/// Reads the values of `--set key.path=value`.
 std::vector<Change> read_settings(const std::vector<Setting>& settings, Findings& findings) {
     std::vector<Change> changes;
     for (std::size_t i = 0; i < settings.size(); ++i) {
@@ -34,7 +34,7 @@ std::vector<Change> read_settings(const std::vector<Setting>& settings, Findings
     return changes;
 }
 
-/// Whether one of the names or globs asked for is that of a variant; all that are no name are findings.
+/// Returns for each variant whether a requested name or glob matches it. Names that match none are findings.
 std::vector<bool> choose_variants(const std::vector<Variant>& variants, const std::vector<std::string>& wanted,
                                   Findings& findings) {
     std::vector<std::string> names;
@@ -60,13 +60,13 @@ std::vector<bool> choose_variants(const std::vector<Variant>& variants, const st
     return chosen;
 }
 
-/// Makes the runs of a recipe: of itself or of its variants, times the points of its sweep.
+/// Makes the runs of a recipe: of itself or of its variants, for every point of its sweep.
 class Runs {
 public:
     Runs(const fs::path& file, Registry& registry, Findings& findings)
         : file_(file), registry_(registry), findings_(findings) {}
 
-    /// `variant`: nullptr for the recipe itself. What is not chosen is checked only.
+    /// Adds runs. `variant`: nullptr for the recipe itself. Runs that are not chosen are only checked.
     void add(Value tree, const Variant* variant, const std::vector<Change>& settings, bool chosen) {
         if (count_ > most) {
             return;

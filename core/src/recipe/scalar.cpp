@@ -1,4 +1,4 @@
-// Which plain scalars are null, true/false or numbers: YAML 1.2.2, section 10.3.2 (core schema).
+// Plain scalars that are null, true/false or numbers: YAML 1.2.2, section 10.3.2 (core schema).
 #include "value.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ std::size_t digits_from(std::string_view text, std::size_t at) {
     return end - at;
 }
 
-/// [-+]? ( \. [0-9]+ | [0-9]+ ( \. [0-9]* )? ) ( [eE] [-+]? [0-9]+ )?
+/// Returns whether the text matches [-+]? ( \. [0-9]+ | [0-9]+ ( \. [0-9]* )? ) ( [eE] [-+]? [0-9]+ )?
 bool is_decimal_number(std::string_view text) {
     std::size_t at = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
     const std::size_t before = digits_from(text, at);
@@ -46,7 +46,7 @@ bool is_decimal_number(std::string_view text) {
     return at == text.size();
 }
 
-/// Reads all of `digits`; false if it holds another character or does not fit.
+/// Reads all of `digits`. Returns false for another character or an overflow.
 bool read_whole(std::string_view digits, int base, std::int64_t& value) {
     const char* end = digits.data() + digits.size();
     const auto [stop, error] = std::from_chars(digits.data(), end, value, base);
@@ -63,7 +63,7 @@ void set_decimal(Value& value) {
     value.kind = Value::Kind::number;
     const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value.real);
     if (error != std::errc()) {
-        value.real = std::numeric_limits<double>::quiet_NaN(); // no double holds it; the check of the value says so
+        value.real = std::numeric_limits<double>::quiet_NaN(); // exceeds a double; the check of the value reports it
     }
 }
 

@@ -24,7 +24,7 @@ Json as_json(const ParameterValue& value) {
     return std::visit([](const auto& v) { return Json(v); }, value);
 }
 
-/// A bound without a fraction is written as an integer.
+/// Returns a bound without a fraction as an integer.
 Json as_json(double bound) {
     constexpr double exact = 9007199254740992.0; // 2^53
     const bool whole =
@@ -40,7 +40,7 @@ std::string describe(const Parameter& p) {
     return p.source_text.empty() ? text : text + " Default from: " + p.source_text + ".";
 }
 
-/// What the text of a length with a unit looks like; its bounds only foam checks.
+/// Returns a pattern for the text of a length with a unit. Only foam checks its bounds.
 std::string length_pattern(const Parameter& p) {
     return fmt::format("^{}([0-9]+([.][0-9]*)?|[.][0-9]+)([eE][-+]?[0-9]+)? ?({})$",
                        p.low && *p.low >= 0 ? "[+]?" : "[-+]?", fmt::join(length_units(), "|"));
@@ -106,7 +106,7 @@ void add_isolation(Json& properties) {
     }
 }
 
-/// The parameters of a stage; null stands for none.
+/// Returns the schema of a stage's parameters; null means none.
 Json parameters_of(const RegisteredStage& stage) {
     Json properties = properties_of(stage.info.parameters);
     Json schema;
@@ -130,7 +130,7 @@ Json parameters_of(const RegisteredStage& stage) {
     return schema;
 }
 
-/// "stage" or {stage: {parameters}}, of the kinds given.
+/// Returns the schema of "stage" or {stage: {parameters}}, for the given kinds.
 Json stage_item(const Registry& registry, std::initializer_list<StageKind> kinds) {
     Json names = Json::array(), properties = Json::object();
     for (const auto& [name, stage] : registry.stages()) {
@@ -222,12 +222,12 @@ Json snapshot_schema() {
             {"default", false}};
 }
 
-/// Names of keys that are paths; some keys cannot be changed that way.
+/// Returns the schema for keys that are paths. Some keys cannot be changed by path.
 Json paths_without(const std::string& fixed) {
     return {{"pattern", "^[^.]+(\\.[^.]+)*$"}, {"not", {{"pattern", "^(" + fixed + ")(\\.|$)"}}}};
 }
 
-/// A map from paths to values, as in `set` and in variants.
+/// Returns the schema of a map from paths to values, as in `set` and in variants.
 Json changes(const char* description) {
     return {{"description", description},
             {"type", "object"},
@@ -301,7 +301,7 @@ Json or_null(Json schema) {
     return result;
 }
 
-/// The schema of a map that is laid over another one: no key is required, and null takes one away.
+/// Returns the schema of a map that is merged into another one: no key is required, and null removes one.
 Json laid_over(Json schema) {
     if (schema.contains("$ref")) {
         const std::string definition = schema["$ref"].get<std::string>().substr(std::string("#/$defs/").size());
@@ -327,18 +327,18 @@ Json laid_over(Json schema) {
     return schema;
 }
 
-/// A recipe that stands for itself.
+/// Returns the schema of a recipe that extends no other.
 Json whole_recipe(const Registry& registry) {
     Json recipe = object(top_level(registry));
     recipe["required"] = {"foam"};
-    // A sweep may bring the input or the stages, so only without one can their absence be told from here.
+    // A sweep may set the input or the stages: only without one are they required.
     const Json one_input = {{"oneOf", Json::array({{{"required", {"robot"}}}, {{"required", {"mesh"}}}})},
                             {"required", {"stages"}}};
     recipe["anyOf"] = Json::array({{{"required", {"sweep"}}}, one_input});
     return recipe;
 }
 
-/// A recipe that extends another one.
+/// Returns the schema of a recipe that extends another one.
 Json extending_recipe(const Registry& registry) {
     const Json keys = top_level(registry);
     Json recipe = laid_over(object(keys));

@@ -6,8 +6,8 @@
 
 namespace foam::reading {
 
-/// Why it cannot be read, with the remedy; empty if it was read. A regular file of at most a megabyte, as check_text()
-/// takes it.
+/// Reads a regular file of at most a megabyte, the limit of check_text(). Returns why it cannot be read, with the
+/// remedy; empty if it was read.
 std::string read_text(const std::filesystem::path& file, std::string& text);
 
 } // namespace foam::reading

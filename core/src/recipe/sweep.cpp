@@ -17,7 +17,7 @@ struct Axis {
     std::vector<std::string> texts; ///< in names: the values
 };
 
-/// What of a text may stand in a folder name.
+/// Returns the text with the characters of a folder name only.
 std::string safe(std::string text) {
     for (char& c : text) {
         const bool allowed = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '.' ||
@@ -27,7 +27,7 @@ std::string safe(std::string text) {
     return text;
 }
 
-/// The values as they are written, or their numbers from 1 if that would be long or ambiguous.
+/// Returns the values as written, or their numbers from 1 if that would be long or ambiguous.
 std::vector<std::string> texts_of(const std::vector<Value>& values) {
     std::vector<std::string> texts, numbers;
     bool usable = true;

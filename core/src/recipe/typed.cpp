@@ -21,7 +21,7 @@ bool is_numeric(const Value& value) {
     return value.is(Value::Kind::integer) || value.is(Value::Kind::number);
 }
 
-/// What the writer of a text may have meant as a number: without quotes, group separators, a unit, with a decimal
+/// Returns a proposal for a text that was meant as a number: without quotes, group separators or unit, with a decimal
 /// point.
 std::string number_remedy(const Value& value, const Parameter& p) {
     std::string bare = value.text;
@@ -35,7 +35,7 @@ std::string number_remedy(const Value& value, const Parameter& p) {
     if (is_numeric(plain_scalar(bare, value.where))) {
         return fmt::format("; remedy: write {}", bare);
     }
-    if (is_length(p)) { // out of its bounds, or none
+    if (is_length(p)) { // outside its bounds, or not a length
         return parse_length(value.text) ? "" : fmt::format("; remedy: write {}", length_forms());
     }
     const std::size_t end = bare.find_first_not_of("0123456789.+-");
@@ -83,7 +83,7 @@ std::string remedy(const Value& value, const Parameter& p) {
     return "";
 }
 
-/// The value as the declaration's type; nothing if it is of another.
+/// Returns the value in the declared type; nothing if it has another type.
 std::optional<ParameterValue> convert(const Value& value, const Parameter& p) {
     constexpr double exact = 9007199254740992.0; // 2^53: above, a double no longer holds every integer
     switch (p.type) {

@@ -1,4 +1,4 @@
-// A recipe's text as a tree of values, each with the place it came from.
+// A recipe's text as a tree of values with their places.
 #pragma once
 
 #include "findings.hpp"
@@ -25,35 +25,36 @@ struct Value {
     std::int64_t whole = 0;   ///< integer
     double real = 0;          ///< number; also an integer too large for `whole`
     std::string text;         ///< text; for other scalars as written
-    bool quoted = false;      ///< text that stood in quotes
+    bool quoted = false;      ///< text in quotes
     std::vector<Key> keys;    ///< map
     std::vector<Value> items; ///< list: the items; map: the value of each key
 
     bool is(Kind k) const { return kind == k; }
     bool is_scalar() const { return kind != Kind::list && kind != Kind::map; }
-    /// The value of a key of a map; nullptr if there is none.
+    /// Returns the value of a key of a map; nullptr if there is none.
     const Value* find(std::string_view key) const;
     const Key* find_key(std::string_view key) const;
     void erase(std::string_view key);
-    /// For messages: "a list", "the text 'x'", "12".
+    /// Returns words for messages: "a list", "the text 'x'", "12".
     std::string description() const;
 };
 
-/// A plain scalar by the core schema of YAML 1.2 (section 10.3.2): 010 is ten, yes is text, 0x1F is 31, 1_000 is text.
+/// Returns a plain scalar according to the core schema of YAML 1.2 (section 10.3.2): 010 is ten, yes is text, 0x1F is
+/// 31, 1_000 is text.
 Value plain_scalar(std::string text, const Place& where);
 
-/// What a text is, for messages, and how long it may be.
+/// The name of a kind of text in messages, and its largest size.
 struct TextKind {
     std::string_view name = "recipe";
     std::size_t most_bytes = 1'000'000;
 };
 
-/// Reads one YAML document, or JSON, which is YAML. Of YAML that is left out which surprises: anchors, aliases, merge
-/// keys, tags, duplicate keys, further documents. Returns nothing if the text has no tree; what is wrong is among the
-/// findings in any case. `source`: see Place. `text` must have passed check_text().
+/// Reads one YAML document, or JSON, which is YAML. Refuses the features of YAML that are often misunderstood: anchors,
+/// aliases, merge keys, tags, duplicate keys, further documents. Returns nothing if the text has no tree; errors are
+/// findings in any case. `source`: see Place. Precondition: `text` has passed check_text().
 std::optional<Value> read_yaml(const std::string& text, int source, Findings& findings, const TextKind& kind = {});
 
-/// Size and encoding: UTF-8 without control characters. False after a finding.
+/// Checks size and encoding: UTF-8 without control characters. Returns false after a finding.
 bool check_text(const std::string& text, int source, Findings& findings, const TextKind& kind = {});
 
 } // namespace foam::reading

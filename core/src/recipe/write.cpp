@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using reading::Value;
 
-/// A text as it must stand in flow context: plain where that is safe, else as a JSON string, which YAML includes.
+/// Returns a text for flow context: plain where that is safe, else as a JSON string, which is valid YAML.
 std::string yaml_text(const std::string& text) {
     const auto plain = [](char c) {
         return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '.' ||
@@ -90,7 +90,7 @@ private:
         text_ += fmt::format(format, std::forward<Args>(args)...) + "\n";
     }
 
-    /// "stage: {file: …, parameter: value}", with the defaults or only what is given.
+    /// Returns "stage: {file: …, parameter: value}", with the defaults or only with the given parameters.
     std::string stage(const StageCall& call, const std::string& file, bool defaults) const {
         std::vector<std::string> parts;
         if (!file.empty()) {

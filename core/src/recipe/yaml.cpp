@@ -1,5 +1,5 @@
-// YAML events of yaml-cpp -> Value. Events instead of YAML::Node: nodes forget where keys stood and keep duplicate keys
-// silently, and aliases make them cyclic.
+// YAML events of yaml-cpp -> Value. Events instead of YAML::Node: nodes do not keep the places of keys, they silently
+// keep duplicate keys, and aliases make them cyclic.
 #include "value.hpp"
 
 #include <fmt/format.h>
@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::size_t deepest = 50;
 
-/// Ends the reading early; the finding is made already.
+/// Ends the reading early, after a finding.
 struct Stop {};
 
-/// From yaml-cpp's marks (0-based, columns in bytes) to places (1-based, columns in characters).
+/// Converts yaml-cpp's marks (0-based, columns in bytes) to places (1-based, columns in characters).
 class PlaceFinder {
 public:
     PlaceFinder(const std::string& text, int source) : text_(text), source_(source) {
@@ -31,7 +31,7 @@ public:
     }
 
     Place operator()(const YAML::Mark& mark) const {
-        // Counting characters is limited to lines that people write.
+        // Characters are counted only in lines of usual length.
         constexpr int longest = 1000;
         int column = mark.column + 1;
         if (mark.column <= longest && static_cast<std::size_t>(mark.line) < starts_.size()) {
@@ -43,12 +43,12 @@ public:
         return {source_, mark.line + 1, column};
     }
 
-    /// Whether the quoted text that begins at the mark is closed: yaml-cpp takes the end of the file for its end.
+    /// Returns whether the quoted text at the mark is closed: yaml-cpp accepts the end of the file as its end.
     bool is_closed_quote(const YAML::Mark& mark) const {
         const std::size_t begin = offset(mark);
         const char quote = begin < text_.size() ? text_[begin] : ' ';
         if (quote != '"' && quote != '\'') {
-            return true; // a block text, or behind a tag
+            return true; // a block text, or after a tag
         }
         for (std::size_t i = begin + 1; i < text_.size(); ++i) {
             if (quote == '"' && text_[i] == '\\') {
@@ -95,10 +95,10 @@ public:
         : place_(place), events_left_(most_events), findings_(findings), kind_(kind) {}
 
     bool has_document() const { return documents_ > 0; }
-    /// The first document has been read whole.
+    /// Returns whether the first document was read completely.
     bool complete() const { return documents_ > 1; }
     Value take() { return std::move(root_); }
-    /// Where the innermost list or map that is still open began; nullptr if none is.
+    /// Returns the beginning of the innermost open list or map; nullptr if none is open.
     const Place* open_place() const { return frames_.empty() ? nullptr : &frames_.back().value.where; }
 
     void OnDocumentStart(const YAML::Mark& mark) override {
@@ -170,8 +170,8 @@ public:
 private:
     struct Frame {
         Value value;
-        bool has_key = false; ///< map: a key waits for its value
-        bool drop = false;    ///< map: that value is left out, a finding says why
+        bool has_key = false; ///< map: a key without its value yet
+        bool drop = false;    ///< map: that value is left out, after a finding
         Key key;
         std::unordered_map<std::string, Place> seen;
     };
@@ -206,7 +206,7 @@ private:
         add(std::move(value));
     }
 
-    /// `refused`: a finding says already that the value cannot be used; nothing more is to be said about it.
+    /// Adds a value. `refused`: there is a finding on the value already; no further one is added.
     void add(Value value, bool refused = false) {
         if (events_left_-- == 0) {
             findings_.error(value.where, "syntax", "the YAML parser cannot read this line; remedy: correct this line");
@@ -264,7 +264,7 @@ private:
     std::vector<Frame> frames_;
 };
 
-/// yaml-cpp's words are for people who write parsers; these are for people who write recipes.
+/// Returns yaml-cpp's message in words for authors of recipes.
 std::string explain(const std::string& message) {
     static constexpr std::pair<std::string_view, std::string_view> table[] = {
         {"illegal map value",
@@ -305,7 +305,7 @@ void report(const YAML::Exception& error, const PlaceFinder& place, TreeBuilder&
 
 std::optional<Value> read_yaml(const std::string& text, int source, Findings& findings, const TextKind& kind) {
     const PlaceFinder place(text, source);
-    // Every event takes a character, but for the empty keys and values in "{,,,}": more events than that is an endless
+    // Every event takes a character, except empty keys and values in "{,,,}": more events than that are an endless
     // loop.
     TreeBuilder builder(place, 4 * text.size() + 16, findings, kind.name);
     std::istringstream stream(text);

@@ -1,4 +1,4 @@
-// How large the spheres are.
+// The histogram of radii.
 #include "plot/scale.hpp"
 #include "sections.hpp"
 #include "text.hpp"
@@ -10,7 +10,7 @@
 namespace foam::report {
 namespace {
 
-/// Pixels.
+/// Sizes in pixels.
 constexpr double left = 56, top = 12, plot_width = 620, plot_height = 180, below = 46, right = 14;
 constexpr std::size_t bins_per_tick = 5;
 
@@ -41,7 +41,7 @@ public:
         add("<svg class=\"chart\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"Histogram of the radii\">\n",
             width, height);
         for (const plot::Tick& tick : histogram_.y.ticks) {
-            if (tick.value == static_cast<double>(static_cast<std::size_t>(tick.value))) { // spheres are whole
+            if (tick.value == static_cast<double>(static_cast<std::size_t>(tick.value))) { // counts are integers
                 const double y = down(tick.value);
                 add("<path class=\"grid\" d=\"M{:.1f} {:.1f}h{:.1f}\"/><text x=\"{:.1f}\" y=\"{:.1f}\" "
                     "text-anchor=\"end\">{}</text>\n",

@@ -24,12 +24,12 @@ std::vector<double> values_of(const Json& links, const char* figure) {
     return values;
 }
 
-/// A figure of the table that has bars.
+/// A figure of the table with bars.
 struct BarColumn {
     const char* figure;
-    const char* name; ///< in the table's head
-    double unit;      ///< of the table, in the manifest's
-    double least;     ///< what reads 0 in the table needs no bar
+    const char* name; ///< in the table's header
+    double unit;      ///< of the table, in the manifest's unit
+    double least;     ///< figures that read 0 in the table need no bar
 };
 
 constexpr BarColumn bar_columns[] = {{"excess", "excess", 1, 5e-4},
@@ -45,7 +45,7 @@ public:
         }
     }
 
-    /// What bars mean.
+    /// Returns the explanation of the bars.
     std::string note() const {
         std::string logarithmic;
         for (const BarColumn& column : bar_columns) {
@@ -116,7 +116,7 @@ private:
 
 } // namespace
 
-/// How far spheres reach beyond planes that they were to keep off.
+/// Returns the list of how far spheres extend beyond planes of half-space constraints.
 static std::string planes_list(const Json& manifest) {
     std::string items;
     for (const Json& link : manifest["links"]) {

@@ -11,7 +11,7 @@ namespace foam {
 namespace report {
 namespace {
 
-/// A source of Content Security Policy: the text of this digest and no other.
+/// Returns a source of Content Security Policy: only the text with this digest.
 std::string source_of(const embedded::Text& text) {
     std::string bytes;
     for (std::size_t i = 0; i + 1 < text.sha256.size(); i += 2) {

@@ -8,7 +8,7 @@
 
 namespace foam::report {
 
-/// `title` is text, `body` is HTML; `scripts` run after it, in their order.
+/// Returns a page. `title` is text, `body` is HTML. The `scripts` run after the body, in their order.
 std::string page(const std::string& title, const std::string& body, const std::vector<embedded::Text>& scripts);
 
 } // namespace foam::report

@@ -1,4 +1,4 @@
-// The certificate: what is proved of which file, how, and what it took for each link.
+// The certificate: what is proved of which file, the method, and the work for each link.
 #include "sections.hpp"
 #include "text.hpp"
 #include "verdict.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr double mm_per_m = 1000;
 
-/// Names of the links that stand in the way of the proof.
+/// Returns the names of the links for which the proof fails.
 std::string open_links(const Report& report) {
     std::string list;
     for (const Json& link : report.manifest["links"]) {
@@ -52,7 +52,7 @@ std::string proof_table(const Json& proofs, bool outer) {
                        outer ? "<th scope=\"col\">pieces</th><th scope=\"col\">halvings</th>" : "", rows);
 }
 
-/// Of each written file: links, triangles, pieces and the depth of the splitting.
+/// Returns for each written file: links, triangles, pieces and the depth of the subdivision.
 std::string took(const Report& report) {
     const bool outer = guarantee_of(report) == "outer";
     std::string html;

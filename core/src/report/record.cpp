@@ -1,4 +1,4 @@
-// What went in and what came out, in words and digests; how to make it again; how long it took.
+// Inputs and outputs with their digests; how to reproduce the run; its times.
 #include "sections.hpp"
 #include "text.hpp"
 
@@ -36,7 +36,7 @@ std::string commands(const std::string& text) {
     return fmt::format("<pre tabindex=\"0\"><code>{}</code></pre>\n", text);
 }
 
-/// For a POSIX shell, as HTML.
+/// Returns the text quoted for a POSIX shell, as HTML.
 std::string quoted(const std::string& text) {
     std::string result = "'";
     for (const char c : text) {
@@ -45,7 +45,7 @@ std::string quoted(const std::string& text) {
     return markup_escaped(result + "'");
 }
 
-/// A file that `foam certify` reads, if there is one.
+/// Returns a file that `foam certify` reads, if there is one.
 std::string certifiable(const Report& report) {
     for (const Json& output : report.manifest["outputs"]) {
         const auto file = output["file"].get<std::string>();
@@ -61,7 +61,7 @@ struct StageTime {
     double seconds = 0;
 };
 
-/// In the order in which the stages first come.
+/// Returns the times of stages in the order of their first occurrence.
 std::vector<std::pair<std::string, StageTime>> stage_times(const Json& execution) {
     std::vector<std::pair<std::string, StageTime>> times;
     for (const Json& link : execution["links"]) {
@@ -171,7 +171,7 @@ std::string reproduce_section(const Report& report) {
     return section("reproduce", "Reproduce", html);
 }
 
-/// Where the time of the run went: the rows add up to it.
+/// Returns the table of the times of phases, which add up to the time of the run.
 static std::string phase_table(const Json& execution) {
     std::string rows;
     const auto row = [&rows](const std::string& name, double wall, double cpu) {

@@ -1,4 +1,4 @@
-// The report of a run: one HTML file for people, from what its manifest says, its recipe and what it made.
+// The report of a run: one HTML file for people, from its manifest, its recipe and its results.
 #pragma once
 
 #include "scene.hpp"
@@ -19,13 +19,13 @@ struct Report {
     nlohmann::ordered_json manifest;
     std::string recipe;             ///< as YAML, with every default
     std::string name;               ///< of the robot or mesh
-    std::vector<ReportLink> links;  ///< those that have spheres, in the robot's order
+    std::vector<ReportLink> links;  ///< links with spheres, in the robot's order
     std::string picture;            ///< PNG of the robot; may be empty
-    std::vector<std::string> files; ///< further files of the run directory to look at
+    std::vector<std::string> files; ///< further files of the run directory for people
 };
 
-/// Equal reports give equal bytes. What may differ between two runs of a recipe (see manifest.hpp) lies between the
-/// comments <!--execution--> and <!--/execution-->.
+/// Returns the report. Equal reports give equal bytes. What may differ between two runs of a recipe (see manifest.hpp)
+/// is between the comments <!--execution--> and <!--/execution-->.
 std::string to_html(const Report& report);
 
 } // namespace foam::report

@@ -29,12 +29,12 @@ std::uint64_t packed(const std::array<std::uint16_t, 3>& corner) {
     return static_cast<std::uint64_t>(corner[0]) << 32 | static_cast<std::uint64_t>(corner[1]) << 16 | corner[2];
 }
 
-/// The triangle begun at its least corner, so that equal ones compare equal.
+/// Returns the triangle with its least corner first, so that equal triangles compare equal.
 Triangle rotated(const Triangle& t) {
     return t[0] < t[1] && t[0] < t[2] ? t : t[1] < t[2] ? Triangle{t[1], t[2], t[0]} : Triangle{t[2], t[0], t[1]};
 }
 
-/// The most triangles that a mesh may have for all to stay within `most`.
+/// Returns the largest number of triangles per mesh for which all meshes stay within `most`.
 std::size_t fair_share(std::vector<std::size_t> counts, std::size_t most) {
     std::sort(counts.begin(), counts.end());
     std::size_t rest = most;
@@ -48,13 +48,13 @@ std::size_t fair_share(std::vector<std::size_t> counts, std::size_t most) {
     return std::numeric_limits<std::size_t>::max();
 }
 
-/// The finest grid on which it has at most `most` triangles.
+/// Returns the mesh on the finest grid on which it has at most `most` triangles.
 GridMesh reduced(const Mesh& mesh, std::size_t most) {
     if (mesh.triangles.size() <= most) {
         return on_grid(mesh, finest_bits);
     }
-    // A surface passes a few times n² of the n³ cells of a grid: more than twice the side that would give `most` cells
-    // of one face is in vain.
+    // A surface passes through a few times n² of the n³ cells of a grid. A side of more than twice the one that gives
+    // `most` cells of one face has no effect.
     const auto side = static_cast<unsigned>(std::sqrt(static_cast<double>(most)));
     int bits = std::min(finest_bits, static_cast<int>(std::bit_width(side)) + 1);
     GridMesh result = on_grid(mesh, bits);
@@ -109,7 +109,7 @@ std::string to_floats(const std::vector<Sphere>& spheres) {
     return base64(bytes);
 }
 
-/// The meshes of all links, equal ones once.
+/// The distinct meshes of all links.
 class DistinctMeshes {
 public:
     std::size_t index_of(const std::shared_ptr<const Mesh>& mesh) {

@@ -1,4 +1,4 @@
-// What the viewer of a report draws, as JSON with typed arrays in base64.
+// The scene for the viewer of a report, as JSON with typed arrays in base64.
 #pragma once
 
 #include <foam/mesh.hpp>
@@ -23,7 +23,7 @@ struct SceneLink {
     std::vector<std::vector<Sphere>> levels; ///< coarse to fine; link frame
 };
 
-/// A mesh whose corners lie on a grid: what a 16-bit vertex buffer holds.
+/// A mesh with corners on a grid, for a 16-bit vertex buffer.
 struct GridMesh {
     Vec3 low;        ///< corner (0, 0, 0)
     double step = 0; ///< m, from one corner to the next
@@ -31,8 +31,8 @@ struct GridMesh {
     std::vector<Triangle> triangles;
 };
 
-/// Moves the corners to the nearest of a grid of 2^bits a side around the mesh and welds them; triangles that become
-/// degenerate go, those that occur twice stay once (vertex clustering: Rossignac and Borrel, 1993).
+/// Moves the corners to the nearest point of a grid with 2^bits points per side around the mesh and merges them.
+/// Removes degenerate and duplicate triangles (vertex clustering: Rossignac and Borrel, 1993).
 GridMesh on_grid(const Mesh& mesh, int bits);
 
 /// `max_triangles`: over all distinct meshes. Where there are more, those of most triangles are drawn coarser.

@@ -1,4 +1,4 @@
-// The viewer, and each link after each stage: the elements that the script draws into.
+// The viewer, and each link after each stage: the elements for the script's drawings.
 #include "sections.hpp"
 #include "text.hpp"
 
@@ -20,7 +20,7 @@ std::size_t level_count(const Report& report) {
     return levels;
 }
 
-/// By how much the stage moved the surface: the largest distance over the elements of the link.
+/// Returns how far the stage moved the surface: the largest distance over the elements of the link.
 std::string distance_text(const Json& manifest, const std::string& link, const std::string& stage) {
     std::optional<double> distance;
     for (const Json& worked : manifest["execution"]["links"]) {

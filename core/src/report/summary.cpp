@@ -1,4 +1,4 @@
-// Name, verdict and figures of the whole.
+// Name, verdict and figures of the whole model.
 #include "sections.hpp"
 #include "text.hpp"
 #include "verdict.hpp"
@@ -16,7 +16,7 @@ std::string tile(const std::string& term, const std::string& value, const std::s
     return fmt::format("<div><dt>{}</dt><dd>{}<small>{}</small></dd></div>\n", term, value, detail);
 }
 
-/// "22", or "20 of at most 22".
+/// Returns "22", or "20 of at most 22".
 std::string budget_text(const Json& manifest) {
     const Json& settings = manifest["settings"];
     if (!settings.contains("budget") || !settings["budget"].is_object()) {

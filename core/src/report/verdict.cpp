@@ -17,7 +17,7 @@ bool certified(const Report& report) {
     return report.manifest["certified"].get<bool>();
 }
 
-/// As the manifest has it.
+/// Returns the proved links of the manifest.
 static ProvedLinks proved_links(const Report& report) {
     const Json& proof = report.manifest["proof"];
     ProvedLinks links;

@@ -1,4 +1,4 @@
-// What a run has proved, in a line.
+// The proved properties of a run, in one line.
 #pragma once
 
 #include "report.hpp"
@@ -9,11 +9,11 @@ namespace foam::report {
 
 std::string guarantee_of(const Report& report);
 bool certified(const Report& report);
-/// As HTML.
+/// Returns the verdict as HTML.
 std::string verdict(const Report& report);
-/// Which links the proof is not of, as HTML; empty if there are none.
+/// Returns the links that the proof leaves out, as HTML; empty if there are none.
 std::string omissions(const Report& report);
-/// The class of the element that holds it.
+/// Returns the class of the verdict's element.
 std::string verdict_class(const Report& report);
 
 } // namespace foam::report

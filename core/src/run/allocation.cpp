@@ -39,7 +39,7 @@ std::size_t CostCurve::demand(double price, double weight) const {
     return best;
 }
 
-/// No sum of known counts is above.
+/// Returns an upper bound on every sum of known counts.
 static std::size_t largest_sum(const std::vector<Claimant>& claimants) {
     std::size_t sum = 0;
     for (const Claimant& claimant : claimants) {
@@ -116,7 +116,7 @@ std::vector<std::size_t> next_rungs(std::size_t explored, std::size_t least, std
 }
 
 std::vector<std::size_t> counts_alone(std::size_t least, std::size_t most) {
-    constexpr std::size_t each = 8; // up to here
+    constexpr std::size_t each = 8; // up to here every count
     std::vector<std::size_t> counts;
     for (std::size_t count = least; count <= most; count = count < each ? count + 1 : 2 * std::bit_floor(count)) {
         counts.push_back(count);

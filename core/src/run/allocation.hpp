@@ -1,4 +1,4 @@
-// Sharing a number of spheres among the links.
+// Allocation: the distribution of a number of spheres over the links.
 #pragma once
 
 #include <compare>
@@ -10,50 +10,51 @@
 
 namespace foam {
 
-/// What the spheres of a shape cost. Less is better, `over` first: no volume makes up for a limit that is not kept.
+/// Cost of the spheres of a shape. Costs compare by `over` first: no volume makes up for a violated limit.
 struct Cost {
-    double over = 0;   ///< m; by how much they protrude more, and reach farther beyond planes, than the shape may
-    double volume = 0; ///< m³; what they claim wrongly
+    double over = 0;   ///< m; by how much the spheres exceed the limits on protrusion and at half-space constraints
+    double volume = 0; ///< m³; excess or missing volume or both, by the guarantee: see wrong_volume()
 
     auto operator<=>(const Cost&) const = default;
     Cost operator+(const Cost& other) const { return {over + other.over, volume + other.volume}; }
 };
 
-/// What is known of a shape's cost by the number of spheres.
+/// The known costs of a shape by number of spheres.
 class CostCurve {
 public:
     void set(std::size_t count, Cost cost) { known_[count] = cost; }
     bool knows(std::size_t count) const { return known_.contains(count); }
     const std::map<std::size_t, Cost>& known() const { return known_; }
-    /// The least cost that is known. Precondition: something is known.
+    /// Returns the least known cost. Precondition: at least one cost is known.
     Cost least() const;
-    /// The count to take where a sphere costs `price`, m³, and wrong volume counts `weight` times: that with the least
-    /// sum of both, of equal sums the largest. Precondition: something is known.
+    /// Returns the known count that minimises weight · volume + price · count, the largest of equals. `price`: m³ per
+    /// sphere. Precondition: at least one cost is known.
     std::size_t demand(double price, double weight = 1) const;
 
 private:
     std::map<std::size_t, Cost> known_;
 };
 
-/// One of those that spheres are shared among.
+/// A participant of the allocation: the known costs of one group and its weight.
 struct Claimant {
     const CostCurve* curve = nullptr;
-    double weight = 1; ///< of its wrong volume
+    double weight = 1; ///< factor on the volume of its costs
 };
 
-/// The best sharing of every number of spheres: dynamic programme over the curves, O(curves · most · known counts).
-/// Exact: with more to share or more known the sum of costs is never higher.
+/// The optimal allocation for every number of spheres: a dynamic programme over the curves, O(curves · most · known
+/// counts). It is exact: a larger `most` or more known counts never raise the sum of costs.
 class Sharing {
 public:
-    /// For up to `most` spheres; more than all curves know together need not be asked for.
+    /// Precomputes the allocations of up to `most` spheres. A `most` above the largest sum of known counts takes no
+    /// longer than that sum.
     Sharing(std::vector<Claimant> claimants, std::size_t most);
-    /// Counts that their curves know, one for each, that add up to at most `most` with the least sum of weighted costs,
-    /// and of equal sums with the fewest spheres. Empty if no counts fit.
+    /// Returns one known count per curve: sum at most `most`, least sum of weighted costs, and of equal sums the fewest
+    /// spheres. Empty if no counts fit.
     std::vector<std::size_t> best() const;
-    /// The same with the fewest spheres for which the wrong volume, not weighted, is at most `volume` and the limits
-    /// are kept as well as `most` spheres can. Empty if no counts fit.
+    /// Returns the counts with the fewest spheres whose unweighted volume is at most `volume` and which keep the limits
+    /// as well as `most` spheres can. Empty if no counts fit.
     std::vector<std::size_t> fewest(double volume) const;
-    /// Sum of the costs of these counts, not weighted.
+    /// Returns the unweighted sum of the costs of these counts.
     Cost cost(const std::vector<std::size_t>& counts) const;
 
 private:
@@ -65,13 +66,14 @@ private:
     std::vector<std::uint32_t> choice_;
 };
 
-/// Counts to explore next where all up to `explored` are: two rungs of a ladder with steps of one up to eight and four
-/// to an octave after that, four rungs at first; within the bounds, of which both belong to the ladder. Empty at the
-/// end. No rung depends on how many spheres there are to share.
+/// Returns the counts to explore next if all up to `explored` are known: two candidate counts, four at first. Candidate
+/// counts increase by one up to eight, and by four steps an octave after that. The bounds `least` and `most` are
+/// candidate counts too. Empty if `explored` has reached `most`. The counts do not depend on the number of spheres to
+/// allocate.
 std::vector<std::size_t> next_rungs(std::size_t explored, std::size_t least, std::size_t most);
 
-/// The counts that a shape is asked for which has `most` spheres of its own: 1, 2, 3, 4, 5, 6, 7, 8, 16, 32… as far as
-/// they are above `least`, which is the first, and not above `most`. Precondition: 1 <= least <= most.
+/// Returns the counts that are requested for a shape with the fixed count `most`: 1, 2, 3, 4, 5, 6, 7, 8, 16, 32… from
+/// `least`, which is the first, up to `most`. Precondition: 1 <= least <= most.
 std::vector<std::size_t> counts_alone(std::size_t least, std::size_t most);
 
 } // namespace foam

@@ -17,12 +17,12 @@ namespace foam {
 namespace {
 
 struct Candidate {
-    SphereTree tree;                                         ///< as the spherizer made it, or split
-    std::vector<Sphere> grown;                               ///< the finest level, so that it covers
-    double volume = std::numeric_limits<double>::infinity(); ///< of their union and the solid, m³
+    SphereTree tree;                                         ///< from the spherizer, or split from such a tree
+    std::vector<Sphere> grown;                               ///< the finest level, grown to cover the solid
+    double volume = std::numeric_limits<double>::infinity(); ///< of the union of these spheres and the solid, m³
 };
 
-/// What is split covers, and knows of no planes.
+/// Returns whether splitting is impossible: its spheres always cover, and it does not know half-space constraints.
 bool splits_nothing(const Workspace& workspace, const ShapeWork& work) {
     return workspace.recipe.guarantee != Guarantee::outer || !work.clip.empty();
 }
@@ -32,7 +32,8 @@ bool any_deep(const ShapeWork& work) {
                        [](const auto& known) { return known.second.levels.size() > 2; });
 }
 
-/// The trees of the counts, with what they claim once grown; of infinite volume those for which there was no time.
+/// Returns the trees of the counts with the volume of their grown spheres. The volume is infinite where there was no
+/// time to compute it.
 std::vector<Candidate> candidates(const Workspace& workspace, const ShapeWork& work,
                                   const std::vector<std::size_t>& counts) {
     std::vector<Candidate> result(counts.size());
@@ -44,7 +45,7 @@ std::vector<Candidate> candidates(const Workspace& workspace, const ShapeWork& w
             made.volume = geometry::joint_volume(work.shape->original(), made.grown);
             return made;
         };
-        if (i == 0) { // of no use undone
+        if (i == 0) { // without the first candidate there is no result
             result[i] = candidate();
         } else if (auto made = measured_in(workspace.in(Phase::beginning), candidate)) {
             result[i] = std::move(*made);
@@ -53,7 +54,7 @@ std::vector<Candidate> candidates(const Workspace& workspace, const ShapeWork& w
     return result;
 }
 
-/// A tree of two levels with the same root.
+/// Returns a tree of two levels with the root of `tree`.
 SphereTree with_finest(const SphereTree& tree, std::vector<Sphere> spheres) {
     SphereTree result = flat_tree(std::move(spheres));
     if (tree.levels.size() > 1) {
@@ -62,9 +63,9 @@ SphereTree with_finest(const SphereTree& tree, std::vector<Sphere> spheres) {
     return result;
 }
 
-/// Splits spheres of the best so far up to `count`, and keeps what claims clearly less: more than closing it may cost.
-/// On the way it may claim more for a while: around a ring two spheres claim more than one.
-/// `splitting` is made when the first is to be split.
+/// Splits spheres of the best candidate up to `count` spheres. Keeps a result only if its volume is clearly less: by
+/// more than the final growth may add. On the way the volume may rise: around a ring, two spheres have more excess
+/// volume than one. `splitting` is made before the first split.
 void split_up_to(const Workspace& workspace, const Solid& solid, std::optional<cover::Splitting>& splitting,
                  std::size_t count, Candidate& best) {
     constexpr double clearly = 1e-5;
@@ -89,8 +90,8 @@ void split_up_to(const Workspace& workspace, const Solid& solid, std::optional<c
     }
 }
 
-/// What is best at a count is the same whatever `most` is, and so is what its spheres are split into: more are never
-/// worse.
+/// Returns the best tree with at most `most` spheres. The best tree of a count, and the trees that are split from it,
+/// do not depend on `most`. So a larger `most` never gives a worse tree.
 SphereTree with_splits_between(const Workspace& workspace, const ShapeWork& work,
                                const std::vector<std::size_t>& counts, std::size_t most) {
     std::vector<Candidate> asked = candidates(workspace, work, counts);
@@ -122,10 +123,10 @@ std::size_t best_of(const Workspace& workspace, const ShapeWork& work, const std
         counts[static_cast<std::size_t>(std::min_element(cost.begin(), cost.end()) - cost.begin())]);
 }
 
-/// Asks the spherizer; returns the counts that are known then, fewer if the search was cut.
+/// Calls the spherizer. Returns the counts that are known then: fewer than requested if the search ended early.
 std::vector<std::size_t> computed(const Workspace& workspace, ShapeWork& work, std::size_t most) {
     std::vector<std::size_t> counts = counts_alone(std::min(work.least, most), most);
-    if (workspace.time_limit()) { // all at once would leave nothing when the limit comes
+    if (workspace.time_limit()) { // a single call for all counts would have no result at the time limit
         for (const std::size_t count : counts) {
             compute_until_cut(workspace, work, {count});
         }

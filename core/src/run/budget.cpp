@@ -24,7 +24,7 @@ void say_if_not_all(const Workspace& workspace, std::size_t used, std::size_t to
     }
 }
 
-/// What the user is told of a sharing that is not what was asked for.
+/// Reports where the allocation differs from the budget.
 void report_sharing(const Workspace& workspace, const std::vector<LinkWork>& links,
                     const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups,
                     const std::vector<std::size_t>& counts, double volume, bool enough, Cut cut) {
@@ -63,7 +63,7 @@ void report_sharing(const Workspace& workspace, const std::vector<LinkWork>& lin
     }
 }
 
-/// Volume of the groups' geometry, m³.
+/// Returns the volume of the groups' geometry, m³.
 double volume_of(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups) {
     const std::vector<std::size_t> taking = takers(shapes, groups);
     std::vector<double> volumes(taking.size());
@@ -72,8 +72,8 @@ double volume_of(const std::vector<ShapeWork>& shapes, const std::vector<Group>&
     return std::accumulate(volumes.begin(), volumes.end(), 0.0);
 }
 
-/// The count of every group (0 for those with an error): at most as many spheres as the budget has, at the least wrong
-/// volume; or the fewest that are enough.
+/// Returns the count of every group, 0 for those with an error. With a number of spheres as budget: at most that many,
+/// with the least weighted cost. With an excess as budget: the fewest that keep it.
 ChosenCounts share_spheres(const Workspace& workspace, const std::vector<LinkWork>& links,
                            std::vector<ShapeWork>& shapes, const std::vector<Group>& groups, ReferencePose* pose) {
     const Recipe& recipe = workspace.recipe;
@@ -111,10 +111,10 @@ ChosenCounts share_spheres(const Workspace& workspace, const std::vector<LinkWor
     return chosen;
 }
 
-/// The fewest spheres whose cover protrudes by no more than the limit: doubled until it holds, then bisected. Of a
-/// search that is cut, the fewest that were found to, or the most that were tried.
+/// Returns the fewest spheres whose protrusion is within the limit, by doubling and bisection. If the search ends
+/// early: the fewest that were found to keep the limit, else the most that were tried.
 std::size_t count_for_protrusion(const Workspace& workspace, ShapeWork& work, double limit) {
-    const auto keeps_limit = [&](std::size_t count) -> std::optional<bool> { // nothing: the search was cut
+    const auto keeps_limit = [&](std::size_t count) -> std::optional<bool> { // nothing: the search ended early
         workspace.journal.expect(1);
         compute_until_cut(workspace, work, {count});
         if (!work.known.asked.contains(count)) {
@@ -149,7 +149,7 @@ std::size_t count_for_protrusion(const Workspace& workspace, ShapeWork& work, do
     return work.known.asked.at(high);
 }
 
-/// As many as each shape takes by itself.
+/// Returns for each shape the count that it takes without an allocation.
 ChosenCounts count_each(const Workspace& workspace, std::vector<ShapeWork>& shapes, const std::vector<Group>& groups) {
     std::vector<std::size_t> of_shape(shapes.size(), 0);
     for_each_shape(shapes, [&](std::size_t s) {
@@ -189,7 +189,7 @@ void report_cut(const Workspace& workspace, Cut cut) {
     }
 }
 
-/// Throws for a budget below the least that the groups need.
+/// Throws Error(recipe) if the budget is below the number of spheres that the groups need at least.
 void require_enough(const Recipe& recipe, const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups) {
     std::size_t least = 0;
     for (const Group& group : groups) {
@@ -210,7 +210,7 @@ ChosenCounts choose_counts(const Workspace& preparing, const std::vector<LinkWor
                            std::vector<ShapeWork>& shapes, const std::vector<Group>& groups, ReferencePose* pose) {
     const Recipe& recipe = preparing.recipe;
     const Workspace workspace = preparing.in(Phase::searching);
-    const StopScope scope(workspace.in(Phase::finishing).request()); // a search that ends leaves what it found
+    const StopScope scope(workspace.in(Phase::finishing).request()); // a search that ends early keeps its result
     if (recipe.budget_spheres || recipe.budget_excess) {
         require_enough(recipe, shapes, groups);
     }

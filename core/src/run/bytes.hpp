@@ -1,4 +1,4 @@
-// Values as bytes of this machine, for the cache and for child processes; no format for files that travel.
+// Values as bytes of this machine, for the cache and for child processes. Not a format for exchange between machines.
 #pragma once
 
 #include <foam/mesh.hpp>
@@ -42,7 +42,8 @@ inline void put_tree(std::string& out, const SphereTree& tree) {
     }
 }
 
-/// Takes values off the front of a text. Once one did not fit, all that follow are empty and good() is false.
+/// Reads values from the front of a text. After a value that did not fit, all further values are empty and good() is
+/// false.
 class ByteReader {
 public:
     explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
@@ -69,7 +70,7 @@ public:
         static_assert(std::is_trivially_copyable_v<T>);
         const std::uint64_t count = take<std::uint64_t>();
         std::vector<T> values;
-        if (fits(count) && fits(count * sizeof(T))) { // the first guards the second against overflow
+        if (fits(count) && fits(count * sizeof(T))) { // the first check prevents overflow in the second
             values.resize(count);
             if (count > 0) {
                 std::memcpy(static_cast<void*>(values.data()), rest_.data(), count * sizeof(T));

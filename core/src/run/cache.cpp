@@ -61,7 +61,7 @@ std::optional<std::string> Cache::load(const Digest& key) const {
     }
     try {
         const std::string bytes = read_file(file(key));
-        fs::last_write_time(file(key), fs::file_time_type::clock::now(), error); // trim_cache() spares it
+        fs::last_write_time(file(key), fs::file_time_type::clock::now(), error); // keeps it from trim_cache()
         const std::size_t head = magic.size() + 32;
         if (bytes.size() < head || !bytes.starts_with(magic)) {
             return std::nullopt;

@@ -1,4 +1,4 @@
-// Results of stages on disk, found by what they were made from. Anything in the folder may be deleted at any time.
+// Results of stages on disk, found by the digest of their inputs. The files may be deleted at any time.
 #pragma once
 
 #include "digest.hpp"
@@ -15,25 +15,25 @@ namespace foam {
 
 template <class T> struct Cached {
     T result;
-    StageLog said; ///< when it was made; of the findings severity and message
+    StageLog said; ///< the log of the call that made it; of findings severity and message
 };
 
 class Cache {
 public:
-    /// An empty folder name switches the cache off.
+    /// Opens the cache in `folder`. An empty name disables the cache.
     explicit Cache(std::filesystem::path folder);
 
-    /// Absent: not there, or damaged (a damaged entry counts as not there).
+    /// Returns the mesh, or nothing if the entry does not exist or is damaged.
     std::optional<Cached<Mesh>> mesh(const Digest& key) const;
     std::optional<Cached<SphereTree>> tree(const Digest& key) const;
-    /// Failures to write are not errors: the entry is then not there the next time.
+    /// Stores the mesh. Failures to write are not errors: the entry is then missing next time.
     void put(const Digest& key, const Mesh& mesh, const StageLog& said) const;
     void put(const Digest& key, const SphereTree& tree, const StageLog& said) const;
 
-    /// trim_cache() if something was put; 0: no limit.
+    /// Calls trim_cache() if something was stored. `bytes` 0: no limit.
     void keep_within(std::uintmax_t bytes) const;
 
-    /// $XDG_CACHE_HOME/foam or ~/.cache/foam; empty if neither is known.
+    /// Returns $XDG_CACHE_HOME/foam or ~/.cache/foam; empty if neither is known.
     static std::filesystem::path default_folder();
 
 private:

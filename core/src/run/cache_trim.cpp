@@ -23,7 +23,7 @@ struct Entry {
     std::uintmax_t bytes;
 };
 
-/// Cache::file(): 2 hexadecimal digits / 30 of them.
+/// Returns whether `file` has the form of Cache::file(): 2 hexadecimal digits / 30 of them.
 bool is_entry(const fs::path& file) {
     const std::string folder = file.parent_path().filename().string(), name = file.filename().string();
     return folder.size() == 2 && name.size() == 30 &&
@@ -34,7 +34,7 @@ std::vector<Entry> entries_of(const fs::path& folder) {
     std::vector<Entry> entries;
     std::error_code error;
     for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
-        std::error_code gone; // another process may trim, too
+        std::error_code gone; // another process may trim at the same time
         if (!is_entry(it->path()) || !it->is_regular_file(gone)) {
             continue;
         }

@@ -31,8 +31,8 @@ using Clock = std::chrono::steady_clock;
 
 std::atomic<std::size_t> running{0};
 
-// Where a signal handler can read them. More children at once than this outlive an end of the program at once for as
-// long as the kernel takes to see that their parent is gone.
+// Process groups of the children, where a signal handler can read them. If more children than this run at once, the
+// others survive a sudden end of the program until the kernel sees that their parent is gone.
 std::array<std::atomic<pid_t>, 256> groups;
 
 void remember(pid_t group) {
@@ -58,7 +58,7 @@ void forget(pid_t group) {
                 fmt::format("no child process for an isolated stage: {}: {}", what, std::strerror(error)));
 }
 
-/// A descriptor that is closed in the end and not inherited. Above those that a child is given.
+/// A file descriptor that is closed at the end and not inherited. Its number is above those that a child gets.
 class Descriptor {
 public:
     Descriptor(int descriptor, const char* what) {
@@ -87,7 +87,7 @@ private:
     int value_ = -1;
 };
 
-/// A file in memory that holds `bytes`, read from its beginning.
+/// Returns a memory file with the content `bytes`, positioned at its beginning.
 int memory_file(std::string_view bytes) {
     const int file = memfd_create("foam request", MFD_CLOEXEC);
     for (std::size_t done = 0; file >= 0 && done < bytes.size();) {
@@ -105,7 +105,7 @@ int memory_file(std::string_view bytes) {
     return file;
 }
 
-/// A started process; killed with its group and reaped in the end.
+/// A started process. Its destructor kills the process group and reaps the process.
 class Process {
 public:
     Process(const std::filesystem::path& program, int request, int answers) {
@@ -115,7 +115,7 @@ public:
         posix_spawnattr_init(&attributes);
         posix_spawn_file_actions_adddup2(&files, request, STDIN_FILENO);
         posix_spawn_file_actions_adddup2(&files, answers, answer_descriptor);
-        posix_spawn_file_actions_adddup2(&files, STDERR_FILENO, STDOUT_FILENO); // stdout carries foam's data alone
+        posix_spawn_file_actions_adddup2(&files, STDERR_FILENO, STDOUT_FILENO); // stdout is for foam's data alone
         posix_spawn_file_actions_addclosefrom_np(&files, answer_descriptor + 1);
         posix_spawnattr_setpgroup(&attributes, 0);
         posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
@@ -140,10 +140,10 @@ public:
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
 
-    /// Whether it has ended.
+    /// Returns whether the process has ended.
     bool ended() {
         int status = 0;
-        if (!status_ && waitpid(id_, &status, WNOHANG) != 0) { // ended, or somebody else has reaped it
+        if (!status_ && waitpid(id_, &status, WNOHANG) != 0) { // ended, or reaped elsewhere
             status_ = status;
         }
         return status_.has_value();
@@ -159,10 +159,10 @@ private:
     std::optional<int> status_;
 };
 
-/// Cuts a stream into messages: 8 bytes of length, then as many bytes.
+/// Splits a stream into messages: 8 bytes of length, then as many bytes.
 class Messages {
 public:
-    /// Reads what there is; false at the end of the stream.
+    /// Reads the available bytes. Returns false at the end of the stream.
     bool read_from(int descriptor) {
         char chunk[65536];
         const ssize_t n = read(descriptor, chunk, sizeof chunk);
@@ -171,7 +171,7 @@ public:
         }
         return n > 0 || (n < 0 && (errno == EINTR || errno == EAGAIN));
     }
-    /// True once `on_message` was content with one.
+    /// Delivers complete messages until `on_message` returns true. Returns whether it did.
     bool deliver(const std::function<bool(std::string_view)>& on_message) {
         std::size_t at = 0;
         bool content = false;
@@ -214,7 +214,7 @@ ChildEnd run_child(const std::filesystem::path& program, std::string_view reques
         pollfd ready{answers.value(), POLLIN, 0};
         if (poll(open ? &ready : nullptr, open ? 1 : 0, open ? tick : 1) > 0) {
             open = messages.read_from(answers.value());
-        } else if (child.ended()) { // all that it wrote is in the pipe
+        } else if (child.ended()) { // everything that it wrote is in the pipe
             while (open && poll(&ready, 1, 0) > 0) {
                 open = messages.read_from(answers.value());
             }

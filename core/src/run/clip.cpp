@@ -13,16 +13,16 @@
 namespace foam {
 namespace {
 
-/// Of the solid's size: room for rounding numbers, and for a cover in single precision.
+/// Margin as a share of the solid's size: for rounding of written numbers and for covers in single precision.
 constexpr double room = 2e-5;
-/// Where spheres only just meet, a proof would have to cut finely: a share of the radii.
+/// Overlap as a share of the radii: where spheres barely meet, a proof would have to subdivide finely.
 constexpr double overlap = 1e-4;
 
 std::string name_of(const ClipPlane& plane, std::size_t number) {
     return fmt::format("plane {} of 'clip' ({})", number, text_of(plane));
 }
 
-/// What balls have to keep to so that the spheres, a hair larger, keep off the planes.
+/// Returns limits for the balls such that the spheres, slightly larger, keep the half-space constraints.
 cover::Limits limits_of(const std::vector<ClipPlane>& planes, const cover::Frame& frame) {
     cover::Limits limits;
     for (const ClipPlane& plane : planes) {
@@ -67,7 +67,7 @@ std::vector<Sphere> covering_within(const Solid& solid, const std::vector<Sphere
 }
 
 std::vector<Sphere> shaved(const Solid& solid, std::vector<Sphere> spheres, const std::vector<ClipPlane>& planes) {
-    constexpr int rounds = 8; // what one plane takes off brings the sphere nearer to another that faces it
+    constexpr int rounds = 8; // a sphere moved off one plane comes nearer to another that faces it
     const double spare = room * cover::Frame(solid.bounds()).unit;
     for (Sphere& sphere : spheres) {
         for (int round = 0; round < rounds && over_planes(planes, {&sphere, 1}) > -spare; ++round) {

@@ -15,10 +15,10 @@
 namespace foam {
 namespace {
 
-/// A grid of decimal fractions 10^-digits. Its points print short and read back to the same bits.
+/// A grid of decimal fractions with step 10^-digits. Its points have a short text and read back to the same bits.
 class DecimalGrid {
 public:
-    /// About a millionth of `size`.
+    /// Chooses a step of about a millionth of `size`.
     explicit DecimalGrid(double size) {
         const int exponent = size > 0 ? static_cast<int>(std::floor(std::log10(size))) - 6 : -9;
         // Powers of ten up to 10^22 are exact doubles; a part smaller than 10^-15 m keeps its digits.
@@ -36,7 +36,7 @@ public:
         }
         return rounded;
     }
-    /// Of a value that is not negative, one that is not above it; 0 below the grid's step.
+    /// Returns for a nonnegative value a grid value that is not above it; 0 below the grid's step.
     double down(double value) const {
         if (scale_ == 0) {
             return value;
@@ -49,7 +49,7 @@ private:
     double scale_ = 0;
 };
 
-/// What lies in the solid of each sphere, about its centre: quick, for comparing.
+/// Returns for each sphere the largest concentric sphere in the solid. Fast, for comparisons only.
 std::vector<Sphere> inside_of(const Solid& solid, std::vector<Sphere> spheres) {
     for (Sphere& sphere : spheres) {
         sphere.radius = std::clamp(-solid.signed_distance(sphere.center), 0.0, sphere.radius);
@@ -63,7 +63,8 @@ Error no_room() {
                                       "spherizer, or guarantee: outer or fitted; a surface without inside has no room");
 }
 
-/// The spheres of a level that fit into the solid, with numbers of the grid. `left[i]`: where sphere i went.
+/// Returns the spheres of a level that fit into the solid, with numbers on the grid. `left[i]`: the new index of sphere
+/// i.
 SphereTree::Level fitted_level(const Solid& solid, const SphereTree::Level& level, const DecimalGrid& grid,
                                std::vector<std::optional<std::uint32_t>>& left) {
     std::vector<Sphere> spheres = shrunk_to_fit(solid, level.spheres);
@@ -85,8 +86,8 @@ SphereTree::Level fitted_level(const Solid& solid, const SphereTree::Level& leve
     return result;
 }
 
-/// Every level inside the solid, from the finest: a level of which nothing is left becomes the largest sphere below it.
-/// A sphere whose parent is gone has the nearest of that level.
+/// Moves every level into the solid, from the finest. An empty level becomes the largest sphere of the level below it.
+/// Spheres whose parent is gone get the nearest sphere of that level as parent.
 SphereTree inner_tree(const Solid& solid, const SphereTree& tree, const DecimalGrid& grid) {
     SphereTree result;
     result.levels.resize(tree.levels.size());
@@ -125,14 +126,14 @@ double volume_of(const Sphere& sphere) {
     return 4 * std::numbers::pi / 3 * sphere.radius * sphere.radius * sphere.radius;
 }
 
-/// One sphere around the solid, if that claims less than these.
+/// Returns one sphere around the solid if it has less excess volume than these spheres.
 std::optional<Sphere> better_one(const Solid& solid, const std::vector<Sphere>& spheres) {
     const Sphere one = minimum_enclosing_sphere(solid.surface().vertices);
     double sum = 0;
     for (const Sphere& sphere : spheres) {
         sum += volume_of(sphere);
     }
-    // The exact volume is dear, and seldom in doubt.
+    // The exact volume is expensive, and seldom needed for this decision.
     constexpr double clearly = 1 + 1e-4;
     if (sum <= clearly * volume_of(one) || geometry::joint_volume(solid, spheres) <= clearly * volume_of(one)) {
         return {};

@@ -1,4 +1,4 @@
-// What the guarantee asks of a spherizer's spheres, and the numbers that are written.
+// Makes spheres of a spherizer keep the guarantee, and gives them the numbers that are written.
 #pragma once
 
 #include <foam/solid.hpp>
@@ -9,12 +9,12 @@
 
 namespace foam {
 
-/// Volume that the spheres claim wrongly once the guarantee is kept, m³: outer: that of the grown ones outside the
-/// solid; inner: what the shrunk ones miss; fitted: excess plus missing. What spheres leave out is found along lines
-/// that are the same for all spheres of a solid.
+/// Returns the volume that the guarantee aims to minimise, once it is kept, m³. Outer: excess volume of the grown
+/// spheres. Inner: missing volume of the shrunk spheres. Fitted: symmetric difference. Missing volume is sampled along
+/// lines that are the same for all spheres of a solid.
 double wrong_volume(const Solid& solid, std::vector<Sphere> spheres, Guarantee guarantee);
 
-/// Largest distance of the exposed surface of the spheres from the solid, once the guarantee is kept, m.
+/// Returns the protrusion once the guarantee is kept, m: the largest distance of the exposed surface from the solid.
 double covered_protrusion(const Solid& solid, std::vector<Sphere> spheres, Guarantee guarantee);
 
 /// Throws Error(geometry) if no sphere of the finest level can lie in the solid: guarantee inner cannot be kept.
@@ -23,12 +23,13 @@ void require_room(const Solid& solid, const SphereTree& tree);
 struct FinishedTree {
     SphereTree tree;
     double growth = 0;         ///< m; largest growth of a radius of the finest level
-    bool one_instead = false; ///< one sphere stands in for others that would claim more
+    bool one_instead = false; ///< one enclosing sphere replaces spheres with more excess volume
 };
 
-/// The tree with numbers fit for a file: centres on a decimal grid of about a millionth of the solid's size; outer:
-/// radii grown so that every level covers, and rounded up on the same grid; inner: radii shrunk so that every level
-/// lies in the solid, and rounded down, spheres that find no room left out. Throws Error(geometry) if none is left.
+/// Returns the tree with the numbers of a file: centres on a decimal grid of about a millionth of the solid's size.
+/// Outer: radii grow so that every level covers the solid, and are rounded up on the same grid. Inner: radii shrink so
+/// that every level lies in the solid, and are rounded down; spheres that do not fit are left out. Throws
+/// Error(geometry) if none remains. `one_may_do`: one enclosing sphere may replace spheres with more excess volume.
 FinishedTree finished_tree(const Solid& solid, SphereTree tree, Guarantee guarantee, bool one_may_do = true);
 
 } // namespace foam

@@ -18,12 +18,12 @@ namespace foam {
 
 namespace {
 
-/// A run directory's temporary name, where a signal handler can read it.
+/// The temporary name of a run directory, where a signal handler can read it.
 struct FolderSlot {
     std::atomic<bool> taken{false}, complete{false};
     char path[PATH_MAX] = {};
 };
-std::array<FolderSlot, 16> folders; // runs at once; more are left behind by a crash
+std::array<FolderSlot, 16> folders; // of runs at the same time; a crash leaves further folders behind
 
 std::array<struct sigaction, crash_signals.size()> handlers_before;
 std::atomic_flag crashed = ATOMIC_FLAG_INIT;
@@ -59,7 +59,7 @@ void report(const char* crash) {
 
 void on_crash(int signal, siginfo_t* info, void*) {
     if (crashed.test_and_set()) {
-        for (;;) { // another thread is telling already, and will end the process
+        for (;;) { // another thread already reports, and will end the process
             pause();
         }
     }
@@ -70,7 +70,7 @@ void on_crash(int signal, siginfo_t* info, void*) {
             sigaction(signal, &handlers_before[i], nullptr);
         }
     }
-    // On return the instruction that failed runs again, and ends the program; a signal that was sent is sent again.
+    // On return the failed instruction runs again and ends the program. A signal that was sent is sent again.
     if (info->si_code <= 0) {
         raise(signal);
     }
@@ -111,7 +111,7 @@ void remove_unfinished_runs() {
         if (!slot.complete.load()) {
             continue;
         }
-        // Walking a folder needs memory, which a handler must not ask for: another program does it.
+        // To walk a folder needs memory, which a handler must not allocate: another program does it.
         const pid_t child = _Fork();
         if (child == 0) {
             char program[] = "/bin/rm", force[] = "-rf", end[] = "--";

@@ -33,7 +33,7 @@ std::string folder_name(const std::string& link) {
                            c == '_' || c == '.';
         name += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
     }
-    if (name.size() > longest_folder_name) { // "%_" is in no other name
+    if (name.size() > longest_folder_name) { // "%_" occurs in no other name
         const std::string digest = digest_of(link).substr(0, 16);
         return name.substr(0, longest_folder_name - 2 - digest.size()) + "%_" + digest;
     }

@@ -1,4 +1,4 @@
-// Content digests: the name of a thing is what it holds.
+// Content digests: the content of a value determines its name.
 #pragma once
 
 #include <foam/host/recipe.hpp>
@@ -17,8 +17,8 @@ namespace foam {
 /// 128 bits of XXH3 as 32 hexadecimal digits.
 using Digest = std::string;
 
-/// Collects what a digest is made of. Every value is preceded by its length or kind, so that no two sequences of calls
-/// give the same bytes.
+/// Hashes the values that a digest depends on. Every value is preceded by its length or kind, so that no two sequences
+/// of calls give the same bytes.
 class Hasher {
 public:
     Hasher();
@@ -35,9 +35,10 @@ public:
     Hasher& add(const Primitive& primitive);
     Hasher& add(const SphereTree& tree);
     Hasher& add(const Measures& measures);
-    /// Links, their collision elements and joints; not where files lie, nor what is only drawn.
+    /// Adds links, their collision elements and joints; not the places of files, nor visual geometry.
     Hasher& add(const Robot& robot);
-    /// A stage as it acts: name, revision, all parameters that affect its output, defaults included.
+    /// Adds what determines the effect of a stage: name, revision, all parameters that affect its output, defaults
+    /// included.
     Hasher& add(const StageCall& call, const Registry& registry);
     Digest finish() const;
 
@@ -48,7 +49,7 @@ private:
 };
 
 Digest digest_of(std::string_view bytes);
-/// Of a mesh, a tree, measures or a robot.
+/// Returns the digest of a mesh, a tree, measures or a robot.
 template <class T> Digest digest_of_content(const T& content) {
     return Hasher().add(content).finish();
 }

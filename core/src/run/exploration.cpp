@@ -15,7 +15,7 @@
 
 namespace foam {
 
-/// The groups of which the shape has no error.
+/// Returns the groups whose shape has no error.
 std::vector<std::size_t> takers(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups) {
     std::vector<std::size_t> takers;
     for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -87,7 +87,7 @@ Shared share(const std::vector<ShapeWork>& shapes, const std::vector<Group>& gro
     return {sharing.best(), false};
 }
 
-/// compute_trees(), or as far as the phase's end.
+/// Calls compute_trees(), until the phase ends.
 static void compute_in_time(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts) {
     try {
         compute_trees(workspace, work, counts);
@@ -98,7 +98,7 @@ static void compute_in_time(const Workspace& workspace, ShapeWork& work, const s
     }
 }
 
-/// One ball around the shape, where there is no time for its spherizer to make anything.
+/// Uses one enclosing sphere where there is no time for the spherizer to make any.
 static void take_enclosing_ball(const Workspace& workspace, ShapeWork& work) {
     workspace.in(Phase::preparing).check_cancelled();
     if (workspace.recipe.guarantee == Guarantee::inner) {
@@ -115,7 +115,7 @@ static void take_enclosing_ball(const Workspace& workspace, ShapeWork& work) {
                      *workspace.time_limit())});
 }
 
-/// Finishes spheres of a shape as if they were the result, to know how much time that takes.
+/// Finishes spheres of a shape as if they were the result, to measure the time that takes.
 static void try_to_finish(const Workspace& workspace, ShapeWork& work) {
     const double begin = workspace.journal.seconds();
     try {
@@ -124,7 +124,7 @@ static void try_to_finish(const Workspace& workspace, ShapeWork& work) {
         const FinishedTree tree = finished_tree(solid, work.known.trees.begin()->second, workspace.recipe.guarantee);
         measure(solid, tree.tree.finest());
     } catch (const Error&) {
-        // What is wrong with them is told where they are finished; it took its time all the same.
+        // Errors are reported where the result is finished. The time was spent all the same.
     }
     workspace.limits->add_to_reserve(workspace.journal.seconds() - begin, work.groups.size(), thread_count());
     work.tried_to_finish = true;
@@ -147,7 +147,7 @@ void compute_until_cut(const Workspace& workspace, ShapeWork& work, const std::v
     }
 }
 
-/// What a tree of a shape costs once the guarantee is kept.
+/// Returns the cost of a tree once the guarantee is kept.
 static Cost cost_of(const Workspace& workspace, const ShapeWork& work, const SphereTree& tree) {
     const Solid& solid = work.shape->original();
     const Guarantee guarantee = workspace.recipe.guarantee;
@@ -177,8 +177,8 @@ Cut explore(const Workspace& workspace, std::vector<ShapeWork>& shapes,
 
 namespace {
 
-/// What a sphere more than were explored may save, m³: costs were seen to fall as count^-0.4 on links of robots. What
-/// lies in a cavity hardly falls: only spheres much smaller than the cavity leave it free.
+/// Returns the expected reduction of excess volume by one more sphere, m³. On links of robots, costs were observed to
+/// fall as count^-0.4. Excess volume in a cavity hardly falls: only spheres much smaller than the cavity leave it free.
 double expected_gain(const Recipe& recipe, const ShapeWork& work) {
     constexpr double least_share = 0.05;
     const double wrong = work.known.curve.least().volume;
@@ -199,10 +199,11 @@ public:
         }
     }
 
-    /// Explores the curves, those first that do not keep their limit yet, then always where a sphere more may save
-    /// most, until at the price of what it may save there the shapes would take as many as there are, or as are enough.
-    /// The order does not depend on the goal, only its end does: more spheres to share mean that the same is known and
-    /// perhaps more, and the best sharing is never worse.
+    /// Explores the curves. Shapes that do not keep their limit come first. After that, always the shape where one more
+    /// sphere is expected to save most. The exploration ends when, at the price of that saving, the shapes would take
+    /// all available spheres, or as many as are enough for the goal. The goal decides only when the exploration ends,
+    /// not its order: with more spheres the same counts are known and perhaps more, and the best allocation is never
+    /// worse.
     Cut run() {
         std::vector<std::vector<std::size_t>> wanted(shapes_.size());
         for (std::size_t s = 0; s < shapes_.size(); ++s) {
@@ -221,7 +222,7 @@ public:
     }
 
 private:
-    /// Of the way: of the spheres that there are, those that the shapes were tried with.
+    /// Returns the progress: the share of the available spheres that the shapes were explored with.
     double explored_share() const {
         double explored = 0;
         for (const std::size_t g : takers(shapes_, groups_)) {
@@ -238,13 +239,14 @@ private:
                           most_of(workspace_.recipe, shapes_[s]));
     }
 
-    /// Of the shapes of which no count is known that keeps the limit. Empty: none of them could have more spheres.
+    /// Returns the next candidate counts of shapes that keep their limit with no known count. Empty: none of them could
+    /// have more spheres.
     std::vector<std::vector<std::size_t>> rungs_over_limit() const {
         std::vector<std::vector<std::size_t>> wanted(shapes_.size());
         bool any = false;
         for (std::size_t s = 0; s < shapes_.size(); ++s) {
             const ShapeWork& work = shapes_[s];
-            // With the least number for each of the others.
+            // The other shapes take their least count.
             if (!work.error && work.known.curve.least().over > 0 &&
                 least_ - work.least + work.known.asked.rbegin()->first < goal_.most) {
                 wanted[s] = rungs(s);
@@ -254,7 +256,8 @@ private:
         return any ? wanted : std::vector<std::vector<std::size_t>>{};
     }
 
-    /// Of the shapes of which a sphere may save most, or nearly as much, to use all cores. Empty: that is enough.
+    /// Returns the next candidate counts of the shapes where one more sphere is expected to save most, or nearly as
+    /// much, to use all cores. Empty: the exploration is complete.
     std::vector<std::vector<std::size_t>> rungs_that_save() const {
         const std::vector<std::size_t> takers = foam::takers(shapes_, groups_);
         double price = 0;
@@ -293,10 +296,10 @@ private:
     const std::vector<Group>& groups_;
     const Goal& goal_;
     std::vector<double> weights_; ///< of each shape, the largest of its groups
-    std::size_t least_ = 0;       ///< spheres that all groups need
+    std::size_t least_ = 0;       ///< number of spheres that all groups need
 };
 
-/// One group: the fewest that are enough lie between two rungs: bisected.
+/// Bisects between two candidate counts for the fewest spheres that are enough, for a single group.
 Cut narrow_down(const Workspace& workspace, std::vector<ShapeWork>& shapes, const Goal& goal) {
     const ShapeWork& work = shapes.front();
     if (!goal.enough) {
@@ -307,7 +310,7 @@ Cut narrow_down(const Workspace& workspace, std::vector<ShapeWork>& shapes, cons
     };
     Cut cut = Cut::none;
     while (cut == Cut::none && !work.error) {
-        std::size_t low = 0, high = 0; // the most asked for before the fewest that are enough, and those
+        std::size_t low = 0, high = 0; // the largest requested count that is not enough, and the smallest that is
         for (const auto& [asked, got] : work.known.asked) {
             if (enough(work.known.curve.known().at(got))) {
                 high = asked;

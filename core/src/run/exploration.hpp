@@ -1,4 +1,4 @@
-// Getting to know what spheres cost each shape, as far as that decides who gets how many.
+// Exploration of the costs of each shape, as far as the allocation depends on them.
 #pragma once
 
 #include "shapes.hpp"
@@ -11,50 +11,53 @@
 
 namespace foam {
 
-/// What spheres are shared for.
+/// The goal of an allocation.
 struct Goal {
-    std::size_t most = SIZE_MAX;  ///< spheres
-    std::optional<double> enough; ///< m³; the wrong volume that is good enough
+    std::size_t most = SIZE_MAX;  ///< number of spheres
+    std::optional<double> enough; ///< m³; an excess volume that is good enough
 };
 
-/// The groups of which the shape has no error.
+/// Returns the groups whose shape has no error.
 std::vector<std::size_t> takers(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups);
 
-/// The most spheres that a shape may have: where neither budget nor link says, 256.
+/// Returns the most spheres that a shape may have: 256 if neither budget nor link gives a number.
 std::size_t most_of(const Recipe& recipe, const ShapeWork& work);
 
-/// A shape whose spheres are shared with no other and limited by their number only. `groups`: of the robot.
+/// Returns whether a shape has a fixed count: it takes part in no allocation, and only its number of spheres is
+/// limited. `groups`: number of groups of the robot.
 bool has_number_of_its_own(const Recipe& recipe, const ShapeWork& shape, std::size_t groups);
 
-/// Of such a shape; SIZE_MAX: as many as the spherizer's own parameters make.
+/// Returns the fixed count of such a shape; SIZE_MAX: as many as the spherizer makes by its own parameters.
 std::size_t number_of_its_own(const Recipe& recipe, const ShapeWork& shape);
 
-/// The counts that choose_counts() asks of a shape before it knows anything; 0: no budget. `groups`: of the robot.
+/// Returns the counts that choose_counts() requests of a shape before anything is known; 0: no budget. `groups`: number
+/// of groups of the robot.
 std::vector<std::size_t> first_counts(const Recipe& recipe, const ShapeWork& shape, std::size_t groups);
 
-/// compute_trees(); of a search that is cut, those until then. If there is none yet, a stop cancels the run, and after
-/// a time limit it is the tree of the fewest spheres, or one ball around the shape where that takes too long as well.
+/// Calls compute_trees(); a search that ends early keeps its trees so far. If there is no tree yet, a stop cancels the
+/// run. After a time limit the result is then the tree with the fewest spheres, or one enclosing sphere where that
+/// takes too long as well.
 void compute_until_cut(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts);
 
-/// Of a number of spheres.
+/// Bounds on a number of spheres.
 struct Bounds {
     std::size_t least = 0, most = SIZE_MAX;
 };
 
-/// What is known of counts within the bounds.
+/// Returns the known costs of counts within the bounds.
 CostCurve within(const CostCurve& curve, const Bounds& bounds);
 
-/// Counts for the takers from what their curves know, and whether they are enough for the goal. Empty if there are not
-/// enough spheres for all.
+/// Counts for the groups without an error from their known costs, and whether they are enough for the goal. Empty if
+/// there are not enough spheres for all groups.
 struct Shared {
     std::vector<std::size_t> counts;
     bool enough = false;
 };
-/// `bounds`: of each taker; empty: none.
+/// Allocates spheres. `bounds`: one for each group without an error; empty: no bounds.
 Shared share(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups, const Goal& goal,
              const std::vector<Bounds>& bounds = {});
 
-/// What `measure()` gives, under the request of a phase; nothing if that ended it.
+/// Returns what `measure()` returns, under the stop request of the phase; nothing if that ended it early.
 template <class Measure> auto measured_in(const Workspace& workspace, Measure measure) {
     std::optional<std::invoke_result_t<Measure&>> result;
     try {
@@ -69,10 +72,10 @@ template <class Measure> auto measured_in(const Workspace& workspace, Measure me
     return result;
 }
 
-/// Measures trees on all cores, those of a search that was cut, too, as far as there is time: they are of no use
-/// without. Of the shapes without an error, each tree of which `known(shape, count)` is false; `keep(shape, count,
-/// measured)` is called in their order with what `measure(work, tree)` gave. Where `nothing_known(shape)`, the first
-/// is measured whatever time that takes. Returns whether there was time for all.
+/// Measures trees on all cores, as far as there is time, also after a search that ended early: a tree without its
+/// measure is useless. Measures each tree of a shape without an error where `known(shape, count)` is false. Calls
+/// `keep(shape, count, measured)` in order with the result of `measure(work, tree)`. Where `nothing_known(shape)`, the
+/// first tree is measured whatever time that takes. Returns whether there was time for all.
 template <class Known, class NothingKnown, class Measure, class Keep>
 bool measure_trees(const Workspace& workspace, const std::vector<ShapeWork>& shapes, Known known,
                    NothingKnown nothing_known, Measure measure, Keep keep) {
@@ -115,13 +118,13 @@ bool measure_trees(const Workspace& workspace, const std::vector<ShapeWork>& sha
     return all;
 }
 
-/// Makes the curves know the counts asked for: spherize, cover, measure what is claimed wrongly. What cut the search
-/// meanwhile is returned; something is known of every shape then, too.
+/// Adds the costs of the requested counts to the curves: spherize, grow to keep the guarantee, measure. Returns what
+/// ended the search early; something is known of every shape then, too.
 Cut explore(const Workspace& workspace, std::vector<ShapeWork>& shapes,
             const std::vector<std::vector<std::size_t>>& counts);
 
-/// Makes the curves known as far as the goal takes. What cut it before its time is returned; something is known of
-/// every shape without an error then, too.
+/// Explores the curves as far as the goal needs. Returns what ended the search early; something is known of every shape
+/// without an error then, too.
 Cut explore_for(const Workspace& workspace, std::vector<ShapeWork>& shapes, const std::vector<Group>& groups,
                 const Goal& goal);
 

@@ -17,7 +17,7 @@ fs::path recipe_folder(const Recipe& recipe) {
     return recipe.file.empty() ? fs::current_path() : fs::absolute(recipe.file).parent_path();
 }
 
-/// The recipe's package path first, then the environment's.
+/// Returns a resolver with the recipe's package path, followed by the environment's.
 ResourceResolver resolver_of(const Recipe& recipe) {
     if (recipe.package_path.empty()) {
         return ResourceResolver::from_environment();
@@ -29,7 +29,7 @@ ResourceResolver resolver_of(const Recipe& recipe) {
     return ResourceResolver::from_environment().preceded_by(std::move(folders));
 }
 
-/// A robot of one link whose collision geometry is the mesh.
+/// Returns a robot with one link whose collision geometry is the mesh.
 Robot robot_of_mesh(const fs::path& file, const std::string& reference, double scale) {
     Robot robot;
     robot.name = file.stem().string();
@@ -58,8 +58,8 @@ Robot robot_of_mesh(const fs::path& file, const std::string& reference, double s
     return robot;
 }
 
-/// How outputs name a single mesh: a URI as it is written; of a path only the file's name, so that the same recipe
-/// gives the same bytes wherever it lies.
+/// Returns the name of a single mesh in outputs: a URI as written; of a path only the file's name, so that the same
+/// recipe gives the same bytes in every folder.
 std::string portable_reference(const Input& input) {
     return input.chosen.find("://") != std::string::npos ? input.chosen : input.file.filename().string();
 }
@@ -69,7 +69,7 @@ std::string extension_of(const fs::path& file) {
     return extension.empty() ? "" : extension.substr(1);
 }
 
-/// The value of a loader's parameter max_bytes; nothing if it has none.
+/// Returns the value of a loader's parameter max_bytes; nothing if it has none.
 std::optional<std::int64_t> max_bytes(const Recipe& recipe, const RegisteredStage& loader) {
     const auto given = recipe.loader_call(loader.info.name).given;
     for (const Parameter& parameter : loader.info.parameters) {

@@ -8,7 +8,7 @@ namespace foam {
 namespace fs = std::filesystem;
 namespace {
 
-/// The folder that holds the package of `package://PKG/rest`, found at `file`; empty for other references.
+/// Returns the folder of the package in `package://PKG/rest`, resolved to `file`; empty for other references.
 fs::path package_folder(const InputPlace& place) {
     const std::string& reference = place.reference;
     if (!reference.starts_with("package://") && !reference.starts_with("model://")) {
@@ -17,7 +17,7 @@ fs::path package_folder(const InputPlace& place) {
     const std::string location = reference.substr(reference.find("://") + 3), file = place.file.string();
     const std::string package = location.substr(0, location.find('/')), rest = location.substr(package.size());
     if (!file.ends_with(rest)) {
-        return {}; // ".." in it, or escapes
+        return {}; // ".." or escapes in it
     }
     const fs::path folder = file.substr(0, file.size() - rest.size());
     return folder.filename() == package ? folder.parent_path() : folder;

@@ -11,7 +11,7 @@
 namespace foam {
 namespace {
 
-/// Objects and parts of robots are not smaller or larger, m.
+/// The usual range of sizes of objects and robot parts, m.
 constexpr double smallest = 0.001, largest = 20;
 
 double longest_edge(const Box& box) {
@@ -19,7 +19,8 @@ double longest_edge(const Box& box) {
     return std::max({size.x, size.y, size.z});
 }
 
-/// The half extent of a primitive at a pose along an axis of the frame, which has these cosines with its own axes.
+/// Returns the half extent of a primitive along an axis of the frame. `cosines`: of the angles between that axis and
+/// the primitive's own axes.
 double half_extent(const Primitive& primitive, const Vec3& cosines) {
     const double along = std::abs(cosines.z) * primitive.length / 2;
     switch (primitive.kind) {
@@ -69,7 +70,7 @@ std::string text_of(const Input& input, const InputSize& size, bool robot) {
     return size.triangles == 0 ? text : text + fmt::format(", {} triangles", count_text(size.triangles));
 }
 
-/// The unit in which a mesh would be of a usual size; empty if there is none.
+/// Returns the unit in which a mesh would have a usual size; empty if there is none.
 std::string likely_unit(const MeshUnit& given, double edge) {
     const double raw = edge / given.factor();
     for (const std::string& unit : length_units()) {

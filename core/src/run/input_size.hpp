@@ -1,4 +1,4 @@
-// How large an input is, and whether that is likely what was meant.
+// The size of an input, and whether it is plausible.
 #pragma once
 
 #include "input.hpp"
@@ -6,11 +6,11 @@
 
 namespace foam {
 
-/// Of the geometry that was loaded; links that are left out or could not be read do not count.
+/// Returns the size of the loaded geometry, without links that are skipped or could not be read.
 InputSize input_size(const Robot& robot, const std::vector<LinkWork>& links);
 
-/// Tells the size, and warns of one that hints at another unit: a mesh below 1 mm or above 20 m, spheres that may
-/// stand out farther than the input is large.
+/// Reports the size, and warns of one that suggests another unit: a mesh below 1 mm or above 20 m, a max_protrusion
+/// above the size of the input.
 void tell_input_size(const Workspace& workspace, const Input& input, const std::vector<LinkWork>& links,
                      const InputSize& size);
 

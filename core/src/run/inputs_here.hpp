@@ -1,4 +1,4 @@
-// The inputs that a recipe has here and now, without loading a mesh.
+// The inputs of a recipe on this machine, without loading a mesh.
 #pragma once
 
 #include "record.hpp"
@@ -16,8 +16,8 @@ struct InputsHere {
     std::map<std::string, std::filesystem::path> files;
 };
 
-/// The robot or mesh file and the mesh files of its links; those that cannot be read are left out. Throws Error for a
-/// robot that is not found or cannot be loaded.
+/// Returns the robot or mesh file and the mesh files of its links, without those that cannot be read. Throws Error for
+/// a robot that is not found or cannot be loaded.
 InputsHere inputs_here(const Recipe& recipe, const Registry& registry);
 
 } // namespace foam

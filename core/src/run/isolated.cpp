@@ -22,17 +22,17 @@ bool is_isolated(const Isolation& isolation) {
     return isolation.process.value_or(false);
 }
 
-/// What the recipe says, and where it is silent what the stage wishes.
+/// Returns the isolation that the recipe sets, by default the one that the stage requests.
 Isolation isolation_of(const Workspace& workspace, const StageCall& call) {
     const RegisteredStage* stage = workspace.registry.find(call.stage);
     Isolation wish = stage ? stage->info.isolation : Isolation{};
     if (sanitized) {
-        wish.memory_limit.reset(); // it cannot be kept, and nobody asked for it
+        wish.memory_limit.reset(); // it cannot be enforced, and the user did not request it
     }
     return call.isolation.over(wish);
 }
 
-/// The plugin's file: the child loads this one, those it uses, and no other.
+/// Returns the plugin's file: the child loads this one, those it uses, and no other.
 std::string plugin_file(const Registry& registry, const std::string& stage) {
     for (const PluginRecord& record : registry.plugins()) {
         if (std::find(record.stages.begin(), record.stages.end(), stage) != record.stages.end()) {
@@ -43,7 +43,7 @@ std::string plugin_file(const Registry& registry, const std::string& stage) {
                 fmt::format("stage '{}' comes from no plugin's file, so it cannot be isolated", stage));
 }
 
-/// Hands on what the child says. True once it has given its result, or has thrown.
+/// Handles a message from the child. Returns true if it is the result or a thrown error.
 bool take_message(std::string_view message, Context& context, std::string& result, std::exception_ptr& thrown) {
     const auto kind = static_cast<Answer>(message.empty() ? '\0' : message.front());
     const std::string_view rest = message.substr(message.empty() ? 0 : 1);
@@ -74,17 +74,17 @@ bool take_message(std::string_view message, Context& context, std::string& resul
         }
         return true;
     }
-    return false; // the stage wrote to a descriptor that is not its own
+    return false; // the stage wrote to a descriptor that it must not use
 }
 
-/// What a user can do about a call that came to a bad end; empty: nothing in general.
+/// Returns a remedy for a call that failed; empty if there is none in general.
 std::string remedy_of(const StageRequest& request) {
     return request.what == StageRequest::What::load
                ? "; remedy: the file may be damaged: export it again, or as STL, OBJ, PLY, DAE, OFF or GLB"
                : "";
 }
 
-/// What to say of a child that gave no answer.
+/// Returns the error for a child that gave no answer.
 Error bad_end(const ChildEnd& end, const Isolation& isolation, const StageRequest& request) {
     const std::string memory =
         isolation.memory_limit
@@ -110,7 +110,7 @@ Error bad_end(const ChildEnd& end, const Isolation& isolation, const StageReques
                         remedy_of(request))};
 }
 
-/// The answer to a request; throws what the stage has thrown, and for a child that gave none.
+/// Returns the answer to a request. Throws what the stage has thrown, and Error for a child that gave no answer.
 std::string call_in_child(const Workspace& workspace, StageRequest request, const Isolation& isolation,
                           Context& context) {
     const std::filesystem::path program = !workspace.options.program.empty() ? workspace.options.program
@@ -135,7 +135,7 @@ std::string call_in_child(const Workspace& workspace, StageRequest request, cons
     }
     request.memory_limit = isolation.memory_limit.value_or(0);
     request.seed = context.seed();
-    // Children that run side by side share the cores.
+    // Children that run at the same time share the cores.
     request.threads = std::max<std::size_t>(1, thread_count() / (running_children() + 1));
 
     std::string result;

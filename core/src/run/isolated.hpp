@@ -1,4 +1,5 @@
-// Calls of stages: here, or in a child process where the recipe says so. The results are the same, byte for byte.
+// Calls of stages: in this process, or in a child process where the recipe requests it. The results are the same, byte
+// for byte.
 #pragma once
 
 #include "workspace.hpp"
@@ -15,19 +16,21 @@
 
 namespace foam {
 
-/// Throw what the stage throws; of an isolated one also Error for a crash, a limit or an early end of its process.
+/// These functions throw what the stage throws. For an isolated stage they also throw Error for a crash, a limit or an
+/// early end of its process.
 Mesh call_loader(const Workspace& workspace, const std::string& stage, const std::filesystem::path& file,
                  Context& context);
-/// The stage sees the mesh in a frame of its own.
+/// Calls a filter with the mesh in a normalised frame.
 Mesh call_filter(const Workspace& workspace, const StageCall& call, const Mesh& mesh, Context& context);
-/// `stage`: made at the first call, for the next ones with the same shape: a stage may go on where it was. `shape`: in
-/// `frame`, from which the trees come back; the call and the budgets are in metres.
+/// Calls a spherizer. `stage`: made at the first call, and reused for further calls with the same shape: a stage may
+/// continue where it was. `shape`: in `frame`, from which the trees are transformed back. The call and the budgets are
+/// in metres.
 std::vector<SphereTree> call_spherizer(const Workspace& workspace, const StageCall& call,
                                        std::unique_ptr<Spherizer>& stage, const Shape& shape,
                                        const geometry::OwnFrame& frame, std::span<const Budget> budgets,
                                        Context& context);
 
-/// Adds how a stage is isolated, for tasks that are one only if they run alike. No part of a cache key.
+/// Adds a stage's isolation to a hash, for tasks that are shared only if they run alike. Not part of a cache key.
 void add_isolation(Hasher& hasher, const Isolation& isolation);
 
 } // namespace foam

@@ -43,7 +43,7 @@ const char* to_string(Severity severity) {
     return "";
 }
 
-/// CPU time of this process and of the children of isolated stages, s.
+/// Returns the CPU time of this process and of the children of isolated stages, s.
 double cpu_of_process() {
     const auto seconds = [](const timeval& t) {
         return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
@@ -131,7 +131,7 @@ Journal::Times Journal::times() const {
     return times;
 }
 
-/// Of the phase: its tasks, or a part of what rounds before have left.
+/// Returns the finished share of the phase: of its tasks, or of the part that remained after earlier rounds.
 double Journal::phase_share(double running) const {
     if (expected_ == 0 || phase_ >= plan_.size()) {
         return rounds_;
@@ -148,7 +148,7 @@ double Journal::done_share(double running) {
         all += plan_[i].weight;
     }
     if (phase_ < plan_.size()) {
-        constexpr double most = 0.99; // what comes after the last phase is the end
+        constexpr double most = 0.99; // after the last phase there is some work that is not counted
         shown_ = std::max(shown_, std::min(most, (before + plan_[phase_].weight * phase_share(running)) / all));
     }
     return shown_;
@@ -166,7 +166,7 @@ std::optional<double> Journal::seconds_left(double running) const {
     for (std::size_t i = phase_ + 1; i < plan_.size(); ++i) {
         later += plan_[i].weight;
     }
-    if (later > plan_[phase_].weight) { // what the phases to come take says nothing of theirs
+    if (later > plan_[phase_].weight) { // the time of this phase does not predict that of the later ones
         return std::nullopt;
     }
     return passed / share * (1 - share + later / plan_[phase_].weight);

@@ -1,4 +1,4 @@
-// What happens during a run: timings, metrics and findings by link and stage, passed on to the observer as it happens.
+// The record of a run: timings, metrics and findings by link and stage, passed to the observer as they happen.
 #pragma once
 
 #include <foam/host/run.hpp>
@@ -13,17 +13,17 @@
 
 namespace foam {
 
-/// What a stage said while it made a result; goes with the result into the cache.
+/// The log of a stage while it made a result. The cache stores it with the result.
 struct StageLog {
-    std::string call; ///< tells calls apart: results made in one call share its log
+    std::string call; ///< identifies the call: results of one call share its log
     std::vector<Finding> findings;
     std::vector<StageReport::Metric> metrics;
 };
 
 struct PhaseWeight {
     std::string phase;
-    double weight = 0;     ///< of its usual time among those of the others
-    bool countable = true; ///< the number of its tasks is known when it begins
+    double weight = 0;     ///< usual time of the phase relative to the others
+    bool countable = true; ///< the number of its tasks is known at its beginning
 };
 
 /// Thread-safe.
@@ -31,36 +31,36 @@ class Journal {
 public:
     explicit Journal(Observer* observer);
 
-    /// The phases of the run in their order, each with its usual share of the work. They end, for who watches, before
-    /// the run does.
+    /// Sets the phases of the run in order, each with its usual share of the work. For the observer they end before the
+    /// run does.
     void plan(std::vector<PhaseWeight> phases);
-    /// Ends the phase before and begins this one.
+    /// Begins a phase and ends the previous one.
     void begin(const std::string& phase);
-    /// The number of tasks of the phase, for the share that is done. May grow.
+    /// Sets the number of tasks of the phase, from which its progress follows. The number may grow.
     void expect(std::size_t tasks);
-    /// A phase without a known end has done a round of its tasks; `share`: of the phase, as far as can be said.
+    /// Ends a round of tasks in a phase without a known end. `share`: the estimated finished share of the phase.
     void round(double share);
     void started(const std::string& link, const std::string& stage);
     void finished(const std::string& link, const StageReport& report);
     void progress(const std::string& link, const std::string& stage, double fraction);
     void finding(Finding finding);
-    /// The findings of a result that comes from the cache, as if the stage had worked on this link now.
+    /// Reports the findings of a cached result, as if the stage had worked on this link now.
     void repeat(const StageLog& log, const std::string& link, const std::string& stage);
     void emit(Event::Kind kind, const std::string& message = {});
 
     double seconds() const;
-    /// CPU time since the start, s, with that of children that have ended.
+    /// Returns the CPU time since the start, s, with that of ended children.
     double cpu_seconds() const;
-    /// What each phase took until now, and as "other" what none of them did: they add up to seconds() and
+    /// The time of each phase until now, and as "other" the time outside of phases. They add up to seconds() and
     /// cpu_seconds(), which are returned with them.
     struct Times {
         std::vector<RunPhase> phases;
         double seconds = 0, cpu_seconds = 0;
     };
     Times times() const;
-    /// In an order that does not depend on threads: by link, stage and text.
+    /// Returns the findings ordered by link, stage and text, which does not depend on threads.
     std::vector<Finding> findings() const;
-    /// One JSON object a line, in the order of time.
+    /// Returns one JSON object per line, in order of time.
     std::string events_jsonl() const;
 
 private:
@@ -76,16 +76,16 @@ private:
     mutable std::mutex mutex_;
     std::vector<PhaseWeight> plan_;
     std::size_t phase_ = 0; ///< index in the plan; its size before the first
-    RunPhase current_;      ///< its times: when it began
+    RunPhase current_;      ///< its times: those at its beginning
     std::vector<RunPhase> phases_;
     std::size_t expected_ = 0, done_ = 0;
-    double rounds_ = 0; ///< share of the phase that former rounds have done
-    double shown_ = 0;  ///< the share never goes back when more tasks turn up
+    double rounds_ = 0; ///< share of the phase that earlier rounds have done
+    double shown_ = 0;  ///< the reported share never falls when tasks are added
     std::vector<Finding> findings_;
     std::string events_;
 };
 
-/// The context of one stage call. Findings go to the journal at once; they and the metrics are kept for the caller.
+/// The context of one stage call. Findings go to the journal at once. Findings and metrics are kept for the caller.
 class StageContext final : public Context {
 public:
     StageContext(Journal& journal, std::string link, std::string stage, std::uint64_t seed,

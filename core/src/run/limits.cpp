@@ -59,13 +59,14 @@ bool Limits::is_over() const {
     return end && journal_.seconds() >= *end;
 }
 
-/// Half as much again as what was seen: what is found has more spheres than what was tried first.
+/// Returns the time to reserve for finishing: 1.5 times the measured time, because results have more spheres than the
+/// first trees.
 double Limits::reserve() const {
     return std::max(1.5 * std::max(all_.load(), longest_.load()),
                     time_limit_ ? least_share_to_finish * *time_limit_ : 0.0);
 }
 
-/// Nobody has tried how long it takes to finish where there was no time limit.
+/// Returns whether it is too late for first spheres. Without a time limit the time for finishing has not been measured.
 bool Limits::too_late_to_begin() const {
     const double now = journal_.seconds();
     if (const auto stop = stopped(); stop && now >= *stop + time_to_stop / 2) {
@@ -74,7 +75,7 @@ bool Limits::too_late_to_begin() const {
     return time_limit_ && now >= late * *time_limit_ + and_late - std::max(reserve(), least_share_to_finish * and_late);
 }
 
-/// Only a time limit is kept by writing something else than what was found.
+/// Returns whether it is too late to grow and measure. Only a time limit replaces the result by a simpler one.
 bool Limits::too_late_to_cover() const {
     const double end = time_limit_ ? late * *time_limit_ + and_late : 0;
     return time_limit_ && journal_.seconds() >= end - std::max(0.4 * reserve(), least_share_to_finish * end);

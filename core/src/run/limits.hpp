@@ -1,4 +1,4 @@
-// When the work of a run is to end: who asks for it, and what that means in each phase.
+// The end of the work of a run: who requests it, and what that means in each phase.
 #pragma once
 
 #include "journal.hpp"
@@ -15,43 +15,43 @@
 
 namespace foam {
 
-/// How far a run is, which says what a request to stop means.
+/// The phase of a run. It determines the effect of a request to stop.
 enum class Phase {
-    preparing,  ///< there is nothing to write yet: a stop cancels the run
-    searching,  ///< a stop ends the search for better spheres, a time limit as long before it as finishing may take
-    beginning,  ///< the first spheres of a shape, or what they cost: as long as there is time to finish with them
-    covering,   ///< what was found is made to cover and measured: as long as there is time to write something else
-    finishing,  ///< what was found is written
+    preparing,  ///< there is no result yet: a stop cancels the run
+    searching,  ///< a stop ends the search for better spheres; a time limit ends it early enough for finishing
+    beginning,  ///< first spheres of a shape, and their cost: as long as there is time to finish with them
+    covering,   ///< growing and measuring the result: as long as there is time to write another one instead
+    finishing,  ///< writing the result
     decorating, ///< pictures and meshes for people: only while there is time for nothing else to do
 };
 
-/// Belongs to one run. Safe to call from any thread.
+/// The limits of one run. Safe to call from any thread.
 ///
-/// A run has ended a tenth and 0.3 s after its time limit, or 1.5 s after it was asked to stop: with what it found, or
-/// with an error.
+/// A run ends at most a tenth and 0.3 s after its time limit, or 1.5 s after a request to stop: with its result so far,
+/// or with an error.
 class Limits {
 public:
     Limits(const RunOptions& options, std::optional<double> time_limit, const Journal& journal);
 
-    /// s since the start of the run.
+    /// Returns the time limit, s since the start of the run.
     std::optional<double> time_limit() const { return time_limit_; }
-    /// What ends the work of a phase before its time, but for a cancellation and for the end of the run.
+    /// Returns what ends the work of a phase early, except a cancellation and the hard end of the run.
     Cut cut(Phase phase) const;
-    /// Whether the work of a phase is to end.
+    /// Returns whether the work of a phase is to end.
     bool ended(Phase phase) const;
-    /// Whether there is no time either for a result of what it has.
+    /// Returns whether there is no time even for a result from what is known.
     bool overdue(Phase phase) const;
-    /// The same for loops that ask the thread.
+    /// Returns the same as a request that loops on a thread can poll.
     const StopRequest& request(Phase phase) const { return requests_[static_cast<std::size_t>(phase)]; }
     bool owns(const StopRequest* request) const;
 
-    /// What finishing a shape was seen to take: it is kept in reserve.
+    /// Adds the measured time for finishing a shape to the reserve.
     void add_to_reserve(double seconds, std::size_t times, std::size_t threads);
-    /// Keeps the place in which the run was when its time was over, for explained().
+    /// Keeps the place of the run at its time limit, for explained().
     void interrupted_at(const std::string& place);
-    /// What to tell of a cancellation that comes out of the run.
+    /// Returns the error for a cancellation that ends the run.
     Error explained() const;
-    /// What the run is asked to do, and the s since its start after which it does not answer; nothing: it may go on.
+    /// The request to the run, and the time in s since its start after which it counts as unresponsive.
     struct Due {
         Cut asked;
         double seconds;
@@ -84,8 +84,8 @@ private:
     const std::optional<double> time_limit_;
     const Journal& journal_;
     std::array<Request, 6> requests_;
-    mutable std::atomic<double> stopped_{-1}; ///< s; when a request to stop was seen first
-    std::atomic<double> all_{0}, longest_{0}; ///< s; of finishing shapes
+    mutable std::atomic<double> stopped_{-1}; ///< s; when a request to stop was first seen
+    std::atomic<double> all_{0}, longest_{0}; ///< s; for finishing shapes
     mutable std::mutex mutex_;
     std::string place_;
 };

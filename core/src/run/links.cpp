@@ -59,7 +59,7 @@ Measures measured(const Workspace& workspace, const Solid& solid, const std::vec
     return measures;
 }
 
-/// On the numbers that are written.
+/// Reports the half-space constraints on the numbers that are written.
 void report_planes(const Workspace& workspace, LinkWork& link, const std::vector<Sphere>& spheres) {
     link.report.clip = reached(link.recipe.clip, spheres);
     for (const std::string& sentence : not_kept(link.report.clip)) {
@@ -67,8 +67,8 @@ void report_planes(const Workspace& workspace, LinkWork& link, const std::vector
     }
 }
 
-/// Whether `body` ended before the time to cover and measure was over. Where there is nothing to write instead it
-/// ends by Error(cancelled).
+/// Returns whether `body` ended within the time for growing and measuring. Where nothing else can be written, it lets
+/// Error(cancelled) pass.
 template <class Body> bool done_in_time(const Workspace& workspace, Body body) {
     try {
         body();
@@ -82,7 +82,7 @@ template <class Body> bool done_in_time(const Workspace& workspace, Body body) {
     }
 }
 
-/// The vertices of a link that was loaded, in its frame; empty if it was not, or was refused.
+/// Returns the vertices of a loaded link in its frame; empty if it was not loaded or was refused.
 std::vector<Vec3> vertices_of(const LinkWork& link) {
     std::vector<Vec3> points;
     if (!is_workable(link)) {
@@ -101,14 +101,14 @@ std::vector<Vec3> vertices_of(const LinkWork& link) {
     return points;
 }
 
-/// Whether a sphere around a link may be written where the spherizer's would claim more: not where they aim at
-/// something else than little excess, nor where they keep off planes.
+/// Returns whether one enclosing sphere may replace the spherizer's spheres if those have more excess volume: not with
+/// another objective than excess, nor with half-space constraints.
 bool one_may_stand_in(const Workspace& workspace, const LinkWork& link) {
     return link.recipe.clip.empty() && objective_of(link.recipe.spherizer, workspace.registry) == Objective::excess;
 }
 
-/// Proofs allow for rounding, in proportion to the distances in the frame: in the link's own that may be more than in
-/// those of its elements.
+/// Throws Error(geometry) if the proof does not hold for a whole link. Proofs allow for rounding in proportion to the
+/// distances in the frame, which may be larger in the link's frame than in those of its elements.
 void require_proof(const Workspace& workspace, const LinkWork& link) {
     if (workspace.recipe.guarantee != Guarantee::fitted && !link.report.measures.certified) {
         throw Error(ErrorCode::geometry,
@@ -118,7 +118,7 @@ void require_proof(const Workspace& workspace, const LinkWork& link) {
     }
 }
 
-/// Groups of spheres on their way into the model: they are made to cover, then measured.
+/// Finishes groups of spheres for the model: grows them to cover, then measures them.
 class Finishing {
 public:
     Finishing(const Workspace& workspace, const std::vector<LinkWork>& links, std::vector<Group>& groups,
@@ -154,7 +154,7 @@ public:
     }
 
     std::vector<double> growth;                      ///< m
-    std::vector<std::array<StageReport, 2>> reports; ///< of cover and measure
+    std::vector<std::array<StageReport, 2>> reports; ///< of growth and measures
 
 private:
     void cover_by(std::size_t g, const SphereTree& tree, const Workspace& in_time) {

@@ -1,4 +1,4 @@
-// The end of the line for each link: cover, proof, measures.
+// The last stages of each link: growth, proof, measures.
 #pragma once
 
 #include "spherize.hpp"
@@ -12,7 +12,7 @@
 
 namespace foam {
 
-/// A finished link: its geometry as the URDF gives it, in the link's frame, beside its spheres.
+/// A finished link: its original geometry, in the link's frame, and its spheres.
 struct FinishedLink {
     const LinkWork* work = nullptr;
     std::shared_ptr<const Solid> solid;
@@ -24,17 +24,17 @@ struct FinishedModel {
     std::vector<FinishedLink> links;
 };
 
-/// The geometry of some elements of a link as the URDF gives it, in the link's frame.
+/// Returns the original geometry of some elements of a link, in the link's frame.
 std::shared_ptr<const Solid> solid_of(const LinkWork& link, const std::vector<std::size_t>& elements);
-/// Of all its elements. Its meshes are loaded.
+/// Returns the original geometry of all elements. Precondition: its meshes are loaded.
 std::shared_ptr<const Solid> solid_of(const LinkWork& link);
 
-/// Grows what the guarantee asks for, proves it, measures it. Link reports are filled in.
+/// Grows the spheres as the guarantee requires, proves it, measures them. Fills in the link reports.
 FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Robot> robot, std::vector<LinkWork>& links,
                            std::vector<Group> groups);
 
-/// Deals with links that failed: stop throws the first error; skip leaves their geometry as it was; fallback gives them
-/// one enclosing sphere of their vertices, if they could be loaded. Returns true if a link was lost.
+/// Handles links that failed: `stop` throws the first error; `skip` keeps their geometry; `fallback` gives them one
+/// enclosing sphere of their vertices, if they could be loaded. Returns true if a link has no spheres as a result.
 bool handle_errors(const Workspace& workspace, std::vector<LinkWork>& links, std::vector<Group>& groups);
 
 } // namespace foam

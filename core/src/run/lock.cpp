@@ -14,11 +14,11 @@ namespace foam {
 namespace fs = std::filesystem;
 namespace {
 
-/// What is not as the manifest says, a line each, by kind.
+/// The differences from the manifest, one line each, by kind.
 struct Findings {
     std::vector<std::string> foam, plugins, settings, inputs;
 
-    /// Throws if there is any.
+    /// Throws if there are differences.
     void refuse(const std::string& manifest) const;
     std::string remedy() const;
 };

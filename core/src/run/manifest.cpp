@@ -94,7 +94,7 @@ template <class T> Json to_json(const std::vector<T>& list) {
     return json;
 }
 
-/// Digest of a plugin's file, which tells builds of one version apart; null if the file has gone meanwhile.
+/// Returns the digest of a plugin's file, which distinguishes builds of one version; null if the file no longer exists.
 Json build_of(const std::string& plugin, const Registry& registry) {
     for (const PluginRecord& record : registry.plugins()) {
         if (record.loaded() && record.name == plugin) {
@@ -108,7 +108,7 @@ Json build_of(const std::string& plugin, const Registry& registry) {
     return nullptr;
 }
 
-/// The plugins whose stages made the outputs.
+/// Returns the plugins whose stages made the outputs.
 Json plugins_used(const Workspace& workspace, const RunFiles& files, const RunResult& result) {
     std::set<std::string> stages{workspace.recipe.spherizer.stage, files.input.report.stage};
     for (const OutputCall& output : workspace.recipe.outputs) {
@@ -172,7 +172,7 @@ Json timings_of(const LinkReport& link) {
     return {{"link", link.link}, {"stages", stages}};
 }
 
-/// The recipe's file and those that it extends, and what was chosen of it.
+/// Returns the recipe's file and the files that it extends, and the selected parts of it.
 Json recipe_files(const Recipe& recipe) {
     Json files{{"file", recipe.file.string()}, {"digest", digest_of(recipe.source)}, {"extends", Json::array()}};
     for (const RecipeFile& base : recipe.extended) {

@@ -1,6 +1,6 @@
-// manifest.json: what was run on what, and what came out. All of it but `execution` is the same for the same recipe,
-// inputs and versions, wherever and however often it is run; `execution` holds what may differ: where files lay, how
-// long it took, what the cache held, what was said meanwhile.
+// manifest.json: the recipe, the inputs, and the results. All of it except `execution` is the same for the same recipe,
+// inputs and versions, on every machine and in every run. `execution` has what may differ: places of files, times,
+// cache hits, findings.
 #pragma once
 
 #include "input.hpp"

@@ -1,4 +1,4 @@
-// Names of links and joints in recipes, held against the robot.
+// Names of links and joints in recipes, checked against the robot.
 #pragma once
 
 #include <foam/host/recipe.hpp>

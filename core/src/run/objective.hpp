@@ -1,4 +1,4 @@
-// What covers are to have least, and how much of it they have.
+// The objectives of spherizers, and their figures.
 #pragma once
 
 #include <foam/host/recipe.hpp>
@@ -10,12 +10,12 @@
 
 namespace foam {
 
-/// What a call of a spherizer aims at, by its StageInfo::objective_parameter; nothing: something that is not known
-/// here.
+/// Returns the objective of a call of a spherizer, from its StageInfo::objective_parameter; nothing if it is not one of
+/// foam's objectives.
 std::optional<Objective> objective_of(const StageCall& spherizer, const Registry& registry);
 
-/// What spheres have of that which is to be least, grown to cover the solid: the volume outside, m³, how far they stick
-/// out, m, or the largest radius, m.
+/// Returns the figure that the objective minimises, of the spheres grown to cover the solid: the excess volume, m³, the
+/// largest protrusion, m, or the largest radius, m.
 double figure_of(const Solid& solid, const std::vector<Sphere>& spheres, Objective objective);
 
 } // namespace foam

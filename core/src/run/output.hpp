@@ -1,4 +1,4 @@
-// Writing the model, and the proof on what was written.
+// Writing of the model, and the proof on the written files.
 #pragma once
 
 #include "run_directory.hpp"
@@ -14,8 +14,8 @@ struct OutputFile {
     std::string file;  ///< relative to the run directory
     Digest digest;
     std::size_t bytes = 0;
-    std::vector<WrittenProof> proofs = {}; ///< of the links for which the guarantee is proved
-    /// Of what the writer gives for no folder, if that is something else: the same wherever the run directory lies.
+    std::vector<WrittenProof> proofs = {}; ///< of the links whose guarantee is proved
+    /// Digest of the writer's output without a folder, if that differs: the same for every place of the run directory.
     Digest portable_digest = {};
 };
 

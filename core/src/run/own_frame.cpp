@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view metre = "m";
 
-/// About the origin of its own frame.
+/// Returns the bounding box about the origin of the primitive's own frame.
 Box box_of(const Primitive& primitive) {
     const double r = primitive.radius, end = primitive.kind == Primitive::Kind::capsule ? r : 0;
     const Vec3 half = primitive.kind == Primitive::Kind::box      ? primitive.size * 0.5
@@ -18,14 +18,15 @@ Box box_of(const Primitive& primitive) {
     return {-half, half};
 }
 
-/// "arm.urdf:12: box"; of a single mesh its name.
+/// Returns "arm.urdf:12: box"; of a single mesh its name.
 std::string name_of(const Robot& robot, const Element& element) {
     return element.source->line > 0
                ? fmt::format("{}:{}: {}", robot.file.string(), element.source->line, element.geometry)
                : element.geometry;
 }
 
-/// In its own frame, then in the link's, where it is covered.
+/// Returns why the geometry is not workable, first in its own frame, then in the link's frame, where it is covered;
+/// empty if it is workable.
 std::string why_not_workable(const Element& element, const Pose& origin, Box& in_link) {
     const Box box = bounds_of(element);
     if (std::string why = geometry::why_out_of_bounds(box); !why.empty()) {
@@ -41,14 +42,14 @@ std::string why_not_workable(const Element& element, const Pose& origin, Box& in
 
 struct Complaint {
     const Element* element = nullptr; ///< null: all of them together
-    std::string why;                  ///< empty: none
+    std::string why;                  ///< empty: no problem
 };
 
 Complaint complaint_of(const LinkWork& link) {
     Box whole;
     for (const Element& element : link.elements) {
         if (!element.raw && !element.primitive()) {
-            return {}; // could not be loaded
+            return {}; // not loaded
         }
         if (std::string why = why_not_workable(element, element.source->origin, whole); !why.empty()) {
             return {&element, std::move(why)};
@@ -62,7 +63,7 @@ Complaint complaint_of(const LinkWork& link) {
                          : ""};
 }
 
-/// Of a parameter that is a length; 0 where it has none.
+/// Returns the value of a parameter that is a length; 0 if it has none.
 double length_of(const Parameter& declared, const Parameters& values) {
     return declared.type == Parameter::Type::number && declared.unit_text == metre ? values.number(declared.name) : 0;
 }

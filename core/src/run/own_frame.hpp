@@ -1,4 +1,4 @@
-// What stages get: geometry within bounds, in a frame in which its numbers are near 1.
+// The geometry that stages get: within bounds, in a frame in which its numbers are near 1.
 #pragma once
 
 #include "prepare.hpp"
@@ -10,24 +10,24 @@
 
 namespace foam {
 
-/// Of an element that was loaded, in its own frame.
+/// Returns the bounds of a loaded element, in its own frame.
 Box bounds_of(const Element& element);
-/// A box that holds the box at the pose.
+/// Returns a box that contains the box at the pose.
 Box posed(const Box& box, const Pose& pose);
 
-/// Throws Error(input) naming link, geometry, number and remedy where the geometry of a link that was loaded is larger,
-/// smaller or farther away than can be worked on.
+/// Throws Error(input) with link, geometry, number and remedy if a loaded link's geometry is larger, smaller or farther
+/// from the origin than foam can work on.
 void require_workable(const Robot& robot, const LinkWork& link);
-/// Whether that is so, of a link of which all could be loaded.
+/// Returns whether require_workable() passes, for a link that was loaded completely.
 bool is_workable(const LinkWork& link);
 
-/// The frame, or one nearer to the given frame's scale if the stage's parameters in m would leave their bounds.
+/// Returns the frame, or one closer to the given frame's scale if the stage's parameters in m would leave their bounds.
 geometry::OwnFrame frame_for_stage(geometry::OwnFrame frame, const StageCall& call, const Registry& registry);
-/// The call with its parameters in m, defaults too, in lengths of the frame.
+/// Returns the call with its parameters in m, defaults included, converted to lengths of the frame.
 StageCall call_in_frame(StageCall call, const geometry::OwnFrame& frame, const Registry& registry);
 std::vector<Budget> budgets_in_frame(std::span<const Budget> budgets, const geometry::OwnFrame& frame);
 
-/// Hands on what a stage says in a frame of its own: figures in m, m² and m³ in those units again.
+/// Passes on what a stage reports in its normalised frame: converts figures back to m, m² and m³.
 class FrameContext final : public Context {
 public:
     FrameContext(Context& context, const geometry::OwnFrame& frame) : context_(context), scale_(frame.scale()) {}

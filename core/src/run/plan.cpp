@@ -21,7 +21,7 @@ PlannedStage planned(const StageCall& call, const Registry& registry) {
     return stage;
 }
 
-/// Follows the chain through the cache: how many filters, from the first, have their results there.
+/// Returns how many filters of the chain, from the first, have results in the cache.
 std::size_t cached_filters(const Workspace& workspace, const FilterTask& task) {
     std::shared_ptr<const Mesh> mesh = task.mesh;
     for (std::size_t i = 0; i < task.filters.size(); ++i) {

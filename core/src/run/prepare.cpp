@@ -23,7 +23,7 @@ struct LoadTask {
     std::optional<Error> error;
 };
 
-/// Runs the tasks on all cores; keeps each one's error with it, but lets cancellation through.
+/// Runs the tasks on all cores. Keeps errors with their tasks, but lets cancellation pass.
 template <class Task, class Body> void run_all(std::vector<Task>& tasks, Body&& body) {
     parallel_for(tasks.size(), [&](std::size_t i) {
         try {
@@ -37,7 +37,7 @@ template <class Task, class Body> void run_all(std::vector<Task>& tasks, Body&& 
     });
 }
 
-/// A stage's promise, checked: what comes after it takes corners for granted.
+/// Checks the contract of a stage: later stages rely on valid corner indices.
 void check_triangles(const Mesh& mesh, const char* kind) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         for (const std::uint32_t corner : mesh.triangles[t]) {
@@ -175,7 +175,7 @@ std::vector<FilterTask> filter_tasks(const Workspace& workspace, std::vector<Lin
     std::vector<FilterTask> tasks;
     for (std::size_t l = 0; l < links.size(); ++l) {
         if (links[l].error) {
-            continue; // no stage gets what was refused
+            continue; // no stage gets refused geometry
         }
         for (std::size_t e = 0; e < links[l].elements.size(); ++e) {
             Element& element = links[l].elements[e];
@@ -276,7 +276,7 @@ std::vector<InputFile> mesh_files(const Workspace& workspace, const Robot& robot
         try {
             files.push_back(input_file(workspace, task.reference));
         } catch (const Error&) {
-            continue; // not among the inputs of a run, either
+            continue; // not an input of a run either
         }
     }
     return files;

@@ -1,4 +1,4 @@
-// Loading and filtering: every distinct mesh once, every distinct chain of filters on it once.
+// Loading and filtering: once for every distinct mesh, and once for every distinct chain of filters on it.
 #pragma once
 
 #include "workspace.hpp"
@@ -12,10 +12,10 @@
 
 namespace foam {
 
-/// A collision element on its way through the filters. Meshes are in the element's own frame, scaled, in metres.
+/// A collision element and its meshes after each filter, in the element's own frame, scaled, in metres.
 struct Element {
     const GeometryElement* source = nullptr;
-    std::string geometry;                              ///< mesh reference as written, or the primitive's kind
+    std::string geometry;                              ///< mesh reference as written, or the kind of primitive
     std::shared_ptr<const Mesh> raw;                   ///< null for a primitive
     std::vector<std::shared_ptr<const Mesh>> filtered; ///< after each filter; empty for a primitive
     Digest digest;                                     ///< of raw geometry and filters, without the pose
@@ -31,7 +31,7 @@ struct InputFile {
     std::size_t bytes = 0;
 };
 
-/// A link that is to become spheres.
+/// A link that is to be spherized.
 struct LinkWork {
     const Link* link = nullptr;
     Recipe::LinkRecipe recipe;
@@ -40,12 +40,12 @@ struct LinkWork {
     std::optional<Error> error;
 };
 
-/// Where a task's result goes: element `element` of link `link`.
+/// The destination of a task's result: element `element` of link `link`.
 struct Target {
     std::size_t link, element;
 };
 
-/// A chain of filters on a mesh, done once for all elements that share it.
+/// A chain of filters on a mesh, run once for all elements that share it.
 struct FilterTask {
     std::shared_ptr<const Mesh> mesh;
     std::vector<StageCall> filters;
@@ -56,21 +56,21 @@ struct FilterTask {
     std::optional<Error> error;
 };
 
-/// The links with their meshes loaded. Errors as in prepare_links().
+/// Returns the links with their meshes loaded. Errors as in prepare_links().
 std::vector<LinkWork> load_links(const Workspace& workspace, const Robot& robot, std::vector<InputFile>& files);
-/// The distinct chains of filters that loaded links need; gives elements their digests.
+/// Returns the distinct chains of filters that loaded links need. Sets the digests of the elements.
 std::vector<FilterTask> filter_tasks(const Workspace& workspace, std::vector<LinkWork>& links);
-/// What the cache knows the result of a filter on a mesh by. `content`: the mesh's digest.
+/// Returns the cache key of a filter's result on a mesh. `content`: the mesh's digest.
 Digest filter_key(const Workspace& workspace, const StageCall& filter, const Mesh& mesh, const Digest& content);
 
-/// Runs the chains of filters on loaded links; errors are kept with them.
+/// Runs the chains of filters on loaded links. Keeps errors with the links.
 void filter_links(const Workspace& workspace, std::vector<LinkWork>& links);
 
-/// load_links() and filter_links(): one entry for every link with collision geometry, in the robot's order; errors are
-/// kept in the entry, except cancellation, which is thrown. `files`: the mesh files that were read.
+/// Runs load_links() and filter_links(). Returns one entry for every link with collision geometry, in the robot's
+/// order. Errors are kept in the entry, except cancellation, which is thrown. `files`: the mesh files that were read.
 std::vector<LinkWork> prepare_links(const Workspace& workspace, const Robot& robot, std::vector<InputFile>& files);
 
-/// The mesh files that prepare_links() would read, without loading them; those that cannot be read are left out.
+/// Returns the mesh files that prepare_links() would read, without loading them; leaves out those that cannot be read.
 std::vector<InputFile> mesh_files(const Workspace& workspace, const Robot& robot);
 
 } // namespace foam

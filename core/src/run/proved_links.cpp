@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t most_named = 3;
 
-/// The first of them, and how many more there are.
+/// Returns the first names, and how many more there are.
 std::string named(const std::vector<std::string>& names) {
     const std::size_t shown = std::min(names.size(), most_named);
     std::string text =

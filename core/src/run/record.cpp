@@ -23,7 +23,7 @@ constexpr const char* nothing = "nothing";
                                               source, what));
 }
 
-/// nlohmann's message without its "[json.exception.…] ".
+/// Returns nlohmann's message without its "[json.exception.…] ".
 std::string message_of(const std::exception& error) {
     const std::string text = error.what();
     const std::size_t end = text.find("] ");
@@ -53,7 +53,7 @@ void read_link(const Json& link, Record& record) {
     }
 }
 
-/// Files of the run directory; the checkpoints are those of their making.
+/// Reads the files of the run directory. Returns their checkpoints at the time of writing.
 std::vector<Checkpoint> read_files(const Json& list, Record& record) {
     std::vector<Checkpoint> made;
     for (const Json& file : list) {
@@ -64,7 +64,7 @@ std::vector<Checkpoint> read_files(const Json& list, Record& record) {
     return made;
 }
 
-/// Every value by its path.
+/// Lists every value with its path.
 void flatten(const Json& json, const std::string& path, std::vector<std::pair<std::string, std::string>>& values) {
     if (json.is_object() && !json.empty()) {
         for (const auto& [key, value] : json.items()) {
@@ -89,7 +89,7 @@ std::vector<Checkpoint> settings_by_path(const Json& settings) {
     return checkpoints;
 }
 
-/// What is published may lack 'execution', or have lost what names folders.
+/// Reads the places of inputs. A published manifest may lack 'execution', or the names of folders.
 std::vector<InputPlace> read_places(const Json& manifest) {
     std::vector<InputPlace> places;
     try {
@@ -187,7 +187,7 @@ void require_whole(const Record& record) {
 
 std::vector<Difference> compare(const std::vector<Checkpoint>& expected, const std::vector<Checkpoint>& found) {
     using Key = std::tuple<std::string, std::string, std::string>;
-    // One mesh may occur several times in a link: the n-th is compared with the n-th.
+    // A mesh may occur several times in a link: the n-th is compared with the n-th.
     std::map<Key, std::vector<const Checkpoint*>> rest;
     for (auto at = found.rbegin(); at != found.rend(); ++at) {
         rest[{at->link, at->stage, at->input}].push_back(&*at);

@@ -22,7 +22,7 @@ std::vector<double> configuration_of(const Kinematics& kinematics, const JointVa
     }
 }
 
-/// Whether a corner of `a` lies in or on `b`; `pose`: of a in the frame of b.
+/// Returns whether a corner of `a` lies in or on `b`. `pose`: of a in the frame of b.
 bool reaches_into(const Solid& a, const Solid& b, const Pose& pose) {
     const Box& box = b.bounds();
     const double nothing = 1e-6 * box.diagonal();
@@ -37,7 +37,7 @@ bool reaches_into(const Solid& a, const Solid& b, const Pose& pose) {
     });
 }
 
-/// Whether surfaces pass through each other, or one solid reaches into the other; `pose`: of a in the frame of b.
+/// Returns whether the surfaces intersect, or one solid reaches into the other. `pose`: of a in the frame of b.
 bool touch(const Solid& a, const Solid& b, const Pose& pose) {
     if (reaches_into(a, b, pose) || reaches_into(b, a, pose.inverse())) {
         return true;
@@ -50,7 +50,7 @@ bool touch(const Solid& a, const Solid& b, const Pose& pose) {
                        [&](const auto& pair) { return pair.first < border && pair.second >= border; });
 }
 
-/// Depth of the two spheres that overlap most, m; negative: how far they are apart, less what rounding may take.
+/// Returns the depth of the two spheres that overlap most, m. Negative: their distance, less the possible rounding.
 double depth(const std::vector<Sphere>& a, const std::vector<Sphere>& b) {
     constexpr double rounding = 1e-5;
     double deepest = -std::numeric_limits<double>::infinity();

@@ -1,4 +1,4 @@
-// Links in a reference pose: which of them must not touch there, and where their spheres do.
+// Links in the reference pose: which of them must not touch, and where their spheres overlap.
 #pragma once
 
 #include "prepare.hpp"
@@ -13,7 +13,7 @@
 
 namespace foam {
 
-/// Spheres of a link, in its frame.
+/// The spheres of a link, in its frame.
 struct SpheresOfLink {
     std::size_t link = 0; ///< index into the links
     std::vector<Sphere> spheres;
@@ -25,15 +25,16 @@ struct Overlap {
     double depth = 0; ///< m; of the two spheres that overlap most
 };
 
-/// Belongs to one run; not thread-safe.
+/// A reference pose of one run. Not thread-safe.
 class ReferencePose {
 public:
-    /// Zero, moved into the limits, but for the joints that `values` names: rad or m. Throws Error(recipe) for a joint
-    /// that the robot does not have or that does not move by itself.
+    /// Sets all joints to zero, moved into their limits, except the joints that `values` names: rad or m. Throws
+    /// Error(recipe) for a joint that the robot does not have or that does not move independently.
     ReferencePose(std::shared_ptr<const Robot> robot, const JointValues& values, const std::vector<LinkWork>& links);
 
-    /// The overlaps of spheres of links that are to stay apart: links that are not neighbours and whose geometry does
-    /// not touch in this pose. Spheres that touch by less than numbers are rounded when they are written count too.
+    /// Returns the overlaps of spheres of links that are to stay apart: links that are not neighbours and whose
+    /// geometry does not touch in this pose. Spheres also count if their distance is below the rounding of written
+    /// numbers.
     std::vector<Overlap> overlaps(const std::vector<SpheresOfLink>& all);
 
 private:

@@ -8,7 +8,7 @@ namespace {
 using report::Report;
 using report::ReportLink;
 
-/// Of all groups of the link: a group whose tree has fewer levels shows its finest in the rest.
+/// Returns the levels over all groups of the link. A group with fewer levels shows its finest in the others.
 std::vector<std::vector<Sphere>> levels_of(const SphereModel& model, const std::string& link) {
     std::size_t count = 0;
     for (const SphereGroup& group : model.groups) {

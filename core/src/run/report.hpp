@@ -1,4 +1,4 @@
-// report.html: the run for people to look at, in one file.
+// report.html: a report of the run in one file.
 #pragma once
 
 #include "debug.hpp"
@@ -7,7 +7,7 @@
 
 namespace foam {
 
-/// `recipe`: as YAML, with every default. The robot stands as the recipe's snapshots show it.
+/// Returns the report. `recipe`: as YAML, with every default. The robot has the pose of the recipe's snapshots.
 std::string report_html(const Workspace& workspace, const FinishedModel& finished, const std::string& manifest,
                         const std::string& recipe, const Snapshots& pictures);
 

@@ -18,7 +18,7 @@
 namespace foam {
 namespace {
 
-/// What the guarantee is proved of. A link without spheres is left out of the proof.
+/// Returns the links for which the guarantee is proved. A link without spheres is left out.
 ProvedLinks proved_links(const Workspace& workspace, const Robot& robot, const std::vector<LinkWork>& links) {
     ProvedLinks proved;
     proved.guarantee = workspace.recipe.guarantee;
@@ -37,7 +37,7 @@ ProvedLinks proved_links(const Workspace& workspace, const Robot& robot, const s
     return proved;
 }
 
-/// The phases of a run, with the shares of time that they were seen to take.
+/// Returns the phases of a run with their usual shares of time.
 std::vector<PhaseWeight> phases_of(const Recipe& recipe, bool written) {
     std::vector<PhaseWeight> phases{
         {"reading", 1}, {"filters", 10}, {"spheres", 60, false}, {"growth", 6}, {"measures", 10}};
@@ -70,7 +70,7 @@ void fill_result(RunResult& result, const Journal& journal, const std::vector<Li
     result.phases = std::move(times.phases);
 }
 
-/// Says which names of the recipe the robot does not have. Throws Error(recipe) if one of them is an error.
+/// Reports names of the recipe that the robot does not have. Throws Error(recipe) if one of them is an error.
 void check_names(const Workspace& workspace, const Input& input) {
     const std::vector<Diagnostic> findings = unknown_names(workspace.recipe, *input.robot);
     require_names(findings);
@@ -80,7 +80,7 @@ void check_names(const Workspace& workspace, const Input& input) {
     }
 }
 
-/// All files of the robot or mesh.
+/// Returns all files of the robot or mesh.
 std::vector<std::filesystem::path> files_read(const RunFiles& files) {
     std::vector<std::filesystem::path> read{files.input.file};
     for (const InputFile& mesh : files.meshes) {
@@ -89,7 +89,7 @@ std::vector<std::filesystem::path> files_read(const RunFiles& files) {
     return read;
 }
 
-/// The model in the formats that the recipe asks for, and pictures of it.
+/// Writes the model in the formats that the recipe requests, and pictures of it.
 Snapshots write_model(const Workspace& workspace, const FinishedModel& finished, RunDirectory& directory,
                       RunFiles& files, RunResult& result) {
     files.outputs = write_outputs(workspace, finished, directory);
@@ -109,7 +109,7 @@ Snapshots write_model(const Workspace& workspace, const FinishedModel& finished,
     return pictures;
 }
 
-/// What the run was, for people and for programs. Then the directory is whole.
+/// Writes the records of the run for people and for programs. Then the directory is complete.
 void write_record(const Workspace& workspace, const FinishedModel& finished, RunDirectory& directory,
                   const RunFiles& files, const Snapshots& pictures, RunResult& result) {
     const std::string resolved = to_yaml(workspace.recipe, workspace.registry, true);
@@ -127,7 +127,7 @@ void write_record(const Workspace& workspace, const FinishedModel& finished, Run
     directory.commit();
 }
 
-/// The links, ready to become spheres, and their size.
+/// Returns the loaded and filtered links, and the size of the input.
 std::vector<LinkWork> links_of(const Workspace& workspace, const Input& input, RunFiles& files, InputSize& size) {
     std::vector<LinkWork> links = load_links(workspace, *input.robot, files.meshes);
     size = input_size(*input.robot, links);

@@ -60,12 +60,11 @@ void RunDirectory::write(const fs::path& file, std::string_view bytes) const {
 }
 
 void RunDirectory::commit() {
-    // An existing run changes places with the new one in one step, so that there is a whole run under the name at any
-    // time.
+    // An existing run is exchanged with the new one in one step, so that the name always has a complete run.
     const bool exchange = fs::exists(target_);
     if (renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), exchange ? RENAME_EXCHANGE : 0) != 0) {
         std::error_code error;
-        if (exchange) { // a file system without the exchange operation
+        if (exchange) { // the file system does not support the exchange
             fs::remove_all(target_, error);
         }
         fs::rename(temporary_, target_, error);

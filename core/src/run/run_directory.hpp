@@ -1,5 +1,5 @@
-// The folder of a run: filled under a temporary name, then put in place in one step. An interrupted run leaves what was
-// there before.
+// The folder of a run: filled under a temporary name, then put in place in one step. An interrupted run keeps the
+// previous one.
 #pragma once
 
 #include "unfinished.hpp"
@@ -13,9 +13,9 @@ namespace foam {
 class RunDirectory {
 public:
     /// Makes the temporary folder beside `target`. Throws Error(output) if `target` exists and is neither empty nor a
-    /// folder that holds the file `mark`: foreign files are never replaced.
+    /// folder with the file `mark`: other programs' files are never replaced.
     explicit RunDirectory(std::filesystem::path target, const char* mark = "manifest.json");
-    /// Removes the temporary folder, if commit() was not called.
+    /// Removes the temporary folder if commit() was not called.
     ~RunDirectory();
     RunDirectory(const RunDirectory&) = delete;
     RunDirectory& operator=(const RunDirectory&) = delete;
@@ -23,12 +23,12 @@ public:
     /// `file` is relative to the folder.
     void write(const std::filesystem::path& file, std::string_view bytes) const;
     void commit();
-    /// Where it will lie, absolute.
+    /// Returns the final absolute path.
     const std::filesystem::path& target() const { return target_; }
 
 private:
     std::filesystem::path target_, temporary_;
-    std::optional<UnfinishedFolder> unfinished_; ///< removed by a crash, too
+    std::optional<UnfinishedFolder> unfinished_; ///< removed after a crash, too
     bool committed_ = false;
 };
 

@@ -19,7 +19,7 @@ public:
         : workspace_(workspace), shapes_(shapes), groups_(groups), goal_(goal), pose_(pose),
           takers_(takers(shapes, groups)) {}
 
-    /// Indices of an overlap: of the takers.
+    /// Returns the overlaps. Their indices refer to the groups without an error.
     std::vector<Overlap> overlaps(const std::vector<std::size_t>& counts) {
         std::vector<SpheresOfLink> all;
         for (std::size_t t = 0; t < takers_.size(); ++t) {
@@ -28,9 +28,10 @@ public:
         return pose_.overlaps(all);
     }
 
-    /// Binds the counts of two takers that overlap to some that do not: first to that many spheres or more, and if that
-    /// does not help, to just so many as they have together, or as it takes. What is not known yet is explored, up to
-    /// four times as many as they have. False if that is done already, or there are no such counts.
+    /// Restricts the counts of two groups that overlap to counts that do not. The first time the counts found are lower
+    /// bounds. The second time they are fixed: with at most as many spheres as the two groups have or need. Unknown
+    /// counts are explored, up to four times the present ones. Returns false if both was done already, or there are no
+    /// such counts.
     bool part(const Overlap& overlap, const std::vector<std::size_t>& counts, std::vector<Bounds>& bounds, Cut& cut) {
         int& times = parted_[{overlap.first, overlap.second}];
         if (++times > 2) {
@@ -53,7 +54,7 @@ public:
     }
 
 private:
-    /// Counts of two takers.
+    /// The counts of two groups.
     struct Pair {
         std::size_t first = 0, second = 0;
         double depth = 0;
@@ -77,7 +78,7 @@ private:
         return link;
     }
 
-    /// Spheres that the others leave to two takers at most.
+    /// Returns the most spheres that two groups can have beside the others.
     std::size_t room(const Overlap& overlap) const {
         std::size_t others = 0;
         for (std::size_t t = 0; t < takers_.size(); ++t) {
@@ -86,8 +87,8 @@ private:
         return goal_.most - others;
     }
 
-    /// Of the counts that are known within the bounds and the room those with the least overlap, of these with the
-    /// least wrong volume or with the fewest spheres.
+    /// Returns of the known counts within the bounds and the room those with the least overlap; of these, those with
+    /// the least excess volume or with the fewest spheres.
     Pair best_pair(const Overlap& overlap, const std::vector<Bounds>& bounds, std::size_t room, bool by_volume) {
         const auto known = [&](std::size_t taker) {
             return within(shape_of(taker).known.curve, bounds[taker]).known();
@@ -146,7 +147,7 @@ private:
     ReferencePose& pose_;
     std::vector<std::size_t> takers_;
     std::map<std::pair<std::size_t, std::size_t>, std::vector<Sphere>> covering_; ///< by shape and count
-    std::map<std::pair<std::size_t, std::size_t>, int> parted_; ///< pairs of takers that counts were bound of
+    std::map<std::pair<std::size_t, std::size_t>, int> parted_; ///< restrictions by pair of groups
 };
 
 double total_depth(const std::vector<Overlap>& overlaps) {
@@ -172,13 +173,13 @@ Shared keep_apart(const Workspace& workspace, std::vector<ShapeWork>& shapes, co
             parted = separation.part(overlap, shared.counts, bounds, cut) || parted;
         }
         if (takers(shapes, groups).size() != bounds.size()) {
-            return share(shapes, groups, goal); // a spherizer failed on the way
+            return share(shapes, groups, goal); // a spherizer failed meanwhile
         }
         if (parted) {
             shared = share(shapes, groups, goal, bounds);
         }
         if (!parted || shared.counts.empty()) {
-            break; // more than there are
+            break; // there are not enough spheres
         }
         overlaps = separation.overlaps(shared.counts);
         if (const double depth = total_depth(overlaps); depth < least && shared.enough == best.enough) {

@@ -21,24 +21,23 @@
 namespace foam {
 namespace {
 
-/// A property of the process: what its main() does.
+/// A property of the process, set by its main().
 bool serves = false;
 
-/// Without a parent there is nobody to answer to.
+/// Ends the process: without a parent nobody reads the answer.
 [[noreturn]] void give_up() {
     _exit(1);
 }
 
-/// The kernel ends this process with the thread that started it, which waits for the answer.
+/// Makes the kernel end this process with the parent's thread that started it, which waits for the answer.
 void die_with_parent(std::int64_t parent) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) { // it died before that
+    if (getppid() != parent) { // the parent had died already
         give_up();
     }
 }
 
-/// Private memory alone, so that the code of libraries does not count. What is over the limit cannot be had: operator
-/// new throws.
+/// Limits private memory only, so that the code of libraries does not count. Above the limit operator new throws.
 void limit_memory(std::uint64_t mebibytes) {
     if (mebibytes > 0) {
         const rlimit limit{mebibytes << 20, mebibytes << 20};
@@ -48,14 +47,14 @@ void limit_memory(std::uint64_t mebibytes) {
     setrlimit(RLIMIT_CORE, &no_core);
 }
 
-/// Sends what the stage says to the parent, one message at a time.
+/// Sends the reports of a stage to the parent, one message each.
 class RemoteContext final : public Context {
 public:
     explicit RemoteContext(std::uint64_t seed) : seed_(seed) {}
     std::uint64_t seed() const override { return seed_; }
     bool cancelled() const override { return false; } // the parent ends this process instead
     void progress(double fraction) override {
-        constexpr double step = 0.001; // finer steps nobody sees
+        constexpr double step = 0.001; // finer steps are not visible
         {
             const std::lock_guard lock(mutex_);
             if (std::abs(fraction - shown_) < step) {
@@ -111,7 +110,7 @@ std::string answer_to(const StageRequest& request, Context& context) {
     Registry registry;
     const PluginRecord& plugin = registry.load(request.plugin);
     if (request.what == StageRequest::What::probe) {
-        return answer; // lived through it, whatever came of it
+        return answer; // the stage did not crash, whatever its result
     }
     if (!plugin.loaded()) {
         throw Error(ErrorCode::plugin, "plugin " + request.plugin + " is refused: " + plugin.rejection);
@@ -157,7 +156,8 @@ std::string answer_to(const StageRequest& request, Context& context) {
         [[maybe_unused]] const auto written = write(STDERR_FILENO, why.data(), why.size());
         _exit(exit_code(ErrorCode::usage));
     }
-    // Ctrl-C in a terminal goes to the children too, but is for foam, which may want what it has; it ends this process.
+    // Ctrl-C in a terminal also reaches the children, but is meant for foam, which may use their result. Foam ends
+    // them.
     std::signal(SIGINT, SIG_IGN);
     die_with_parent(request.parent);
     limit_memory(request.memory_limit);
@@ -169,7 +169,7 @@ std::string answer_to(const StageRequest& request, Context& context) {
     } catch (...) {
         context.send(error_answer(std::current_exception()));
     }
-    _exit(0); // destructors of a stage's static objects have no part in the result
+    _exit(0); // destructors of a stage's static objects must not affect the result
 }
 
 } // namespace

@@ -9,7 +9,7 @@ Json to_json(const ParameterValue& value) {
     return std::visit([](const auto& v) { return Json(v); }, value);
 }
 
-/// `{stage: {parameter: value}}`. An override (`defaults` false) holds what it overrides, no more.
+/// Returns `{stage: {parameter: value}}`. An override (`defaults` false) has only the parameters that it overrides.
 Json to_json(const StageCall& call, const Registry& registry, bool defaults) {
     Json values = Json::object();
     const RegisteredStage* stage = registry.find(call.stage);

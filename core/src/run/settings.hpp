@@ -1,4 +1,4 @@
-// What a recipe asks for, as far as it can change an output.
+// The settings of a recipe that can change an output.
 #pragma once
 
 #include <foam/host/recipe.hpp>
@@ -7,8 +7,8 @@
 
 namespace foam {
 
-/// Name, seed, stages with all parameters that affect their output, budget, guarantee, overrides, outputs. Not where
-/// inputs lie (their digests are compared), nor what is drawn or written for people to look at.
+/// Returns name, seed, stages with all parameters that affect their output, budget, guarantee, overrides, outputs. Not
+/// the places of inputs (their digests are compared), nor pictures and files for people.
 nlohmann::ordered_json settings_of(const Recipe& recipe, const Registry& registry);
 
 } // namespace foam

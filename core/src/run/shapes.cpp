@@ -11,7 +11,7 @@ namespace foam {
 
 bool wants_least_excess(const Recipe& recipe, const ShapeWork& work) {
     if (recipe.guarantee == Guarantee::fitted) {
-        return false; // the least of excess and missing together, and each number is a search of its own
+        return false; // here the symmetric difference is least, and each count needs its own search
     }
     return recipe.guarantee != Guarantee::outer || work.objective == Objective::excess;
 }
@@ -46,7 +46,7 @@ std::vector<Group> make_groups(const Workspace& workspace, const std::vector<Lin
     return groups;
 }
 
-/// Pose of an element in its group's frame; exactly the identity for the first.
+/// Returns the pose of an element in its group's frame; exactly the identity for the first element.
 static Pose relative_pose(const Group& group, const LinkWork& link, std::size_t element) {
     return element == group.elements.front() ? Pose{} : group.frame.inverse() * link.elements[element].source->origin;
 }
@@ -56,7 +56,7 @@ static bool original_only(const Workspace& workspace, const StageCall& spherizer
     return stage && stage->info.original_only;
 }
 
-/// In which the spherizer gets the group's shape.
+/// Returns the frame in which the spherizer gets the group's shape.
 static geometry::OwnFrame frame_of(const Workspace& workspace, const Group& group, const LinkWork& link) {
     Box whole;
     bool dusty = false;
@@ -69,7 +69,8 @@ static geometry::OwnFrame frame_of(const Workspace& workspace, const Group& grou
     return frame_for_stage(geometry::own_frame(whole, dusty), link.recipe.spherizer, workspace.registry);
 }
 
-/// Not how the processed mesh came about: what is drawn at random stays when a filter or a parameter changes nothing.
+/// Returns the digest of the geometry that the spherizer gets, not of how it was made: random draws stay the same when
+/// a filter or a parameter changes nothing.
 static Digest content_of(const Workspace& workspace, const Group& group, const LinkWork& link) {
     const bool raw_only = original_only(workspace, link.recipe.spherizer);
     Hasher hasher;
@@ -88,7 +89,7 @@ static Digest content_of(const Workspace& workspace, const Group& group, const L
     return hasher.finish();
 }
 
-/// In the frame in which the group's shape is spherized.
+/// Returns the half-space constraints in the frame in which the group's shape is spherized.
 static std::vector<ClipPlane> planes_of(const Group& group, const LinkWork& link) {
     std::vector<ClipPlane> planes;
     for (const ClipPlane& plane : link.recipe.clip) {
@@ -120,7 +121,7 @@ std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::ve
             hasher.add("frame").add(frame.origin).add(frame.scale()).add(frame.dust);
         }
         const Digest digest =
-            hasher.finish(); // what a spherizer makes of it does not depend on the bounds of the count
+            hasher.finish(); // the result of a spherizer does not depend on the bounds of the count
         hasher.add(static_cast<std::uint64_t>(link.recipe.min_spheres));
         hasher.add(static_cast<std::uint64_t>(link.recipe.max_spheres.value_or(0)));
         add_isolation(hasher, link.recipe.spherizer.isolation);

@@ -11,7 +11,7 @@ struct CrashSignal {
     const char* text;
 };
 
-/// Those that a program brings upon itself.
+/// Signals that a program raises by its own faults.
 inline constexpr std::array<CrashSignal, 5> crash_signals{
     {{SIGSEGV, "SIGSEGV, invalid memory access or stack overflow"},
      {SIGBUS, "SIGBUS, invalid memory access"},

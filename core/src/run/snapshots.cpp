@@ -82,7 +82,7 @@ Figure link_figure(const Recipe& recipe, const FinishedLink& link) {
     return figure;
 }
 
-/// original → after each filter → spheres, as the paper's figures show a link.
+/// Returns the figure original → after each filter → spheres, as the figures of Coumar et al. 2025 show a link.
 Figure stages_figure(const Recipe& recipe, const FinishedLink& link) {
     Figure figure = figure_of_size(recipe);
     figure.title = link.work->link->name;
@@ -104,7 +104,7 @@ Figure stages_figure(const Recipe& recipe, const FinishedLink& link) {
     return figure;
 }
 
-/// `robot`: its picture.
+/// Draws all pictures. `robot`: receives the robot's picture.
 void fill(Album& album, const Recipe& recipe, const FinishedModel& finished, std::string& robot) {
     if (recipe.snapshots) {
         robot = album.add("snapshots/robot.png", "", robot_figure(recipe, finished));

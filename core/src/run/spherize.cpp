@@ -16,7 +16,7 @@ SphereTree moved(SphereTree tree, const Pose& pose) {
     return tree;
 }
 
-/// With guarantee inner a shape without room for any of its spheres fails.
+/// Makes a shape fail with guarantee inner if none of its spheres fits into it.
 void require_inside(const Workspace& workspace, ShapeWork& work, std::size_t count) {
     if (workspace.recipe.guarantee != Guarantee::inner || work.error) {
         return;
@@ -60,7 +60,7 @@ SpherizedLinks spherize_links(const Workspace& workspace, std::vector<LinkWork>&
         }
         groups[g].tree = moved(work.known.trees.at(counts[g]), groups[g].frame);
         if (groups[g].elements.size() == 1 && groups[g].frame == Pose{}) {
-            groups[g].solid = work.original; // where the shape is, so is the group
+            groups[g].solid = work.original; // the group has the frame of the shape
         }
         link.report.stages.back().output = digest_of_content(groups[g].tree);
         done.push_back(std::move(groups[g]));

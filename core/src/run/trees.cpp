@@ -15,7 +15,7 @@
 namespace foam {
 namespace {
 
-/// A spherizer's promise, checked: spheres, finite, no more than asked for.
+/// Checks the contract of a spherizer: finite spheres, at most as many as requested, valid parents.
 void check_tree(const SphereTree& tree, const Budget& budget) {
     const auto broken = [](const std::string& what) {
         throw Error(ErrorCode::plugin, "the spherizer broke its contract: " + what);
@@ -46,7 +46,7 @@ void check_tree(const SphereTree& tree, const Budget& budget) {
     }
 }
 
-/// The sphere that a shape is, if it is one: no spherizer could do better.
+/// Returns the sphere if the shape is one: no spherizer can do better.
 std::optional<Sphere> as_sphere(const Solid& solid) {
     const Solid::Part& part = solid.parts().front();
     if (solid.parts().size() > 1 || !part.primitive || part.primitive->kind != Primitive::Kind::sphere) {
@@ -55,8 +55,8 @@ std::optional<Sphere> as_sphere(const Solid& solid) {
     return Sphere{part.pose.translation, part.primitive->radius};
 }
 
-/// A cylinder or capsule with a number of spheres: a row of equal ones along the axis, in closed form, stands in for
-/// what the spherizer found where it claims less.
+/// Replaces the spheres of a cylinder or capsule by a row of equal ones along the axis, in closed form, if that has
+/// less excess volume.
 void take_better_row(const Workspace& workspace, const ShapeWork& work, std::size_t count, SphereTree& tree) {
     const Recipe& recipe = workspace.recipe;
     if (count == 0 || recipe.guarantee != Guarantee::outer || work.max_protrusion || !work.clip.empty() ||
@@ -70,8 +70,8 @@ void take_better_row(const Workspace& workspace, const ShapeWork& work, std::siz
     }
 }
 
-/// With guarantee fitted the finest level is fitted, whatever stage it is from: stages give spheres that cover. Coarser
-/// levels stay bounds of it; in deep trees spheres stay near their parents.
+/// Fits the finest level with guarantee fitted, whatever stage it is from, because stages give covering spheres.
+/// Coarser levels remain bounds of it. In deep trees spheres stay near their parents.
 void fit_finest(const Solid& solid, const Budget& budget, SphereTree& tree) {
     SphereTree::Level& finest = tree.levels.back();
     const bool flat = tree.levels.size() <= 2;
@@ -82,15 +82,15 @@ void fit_finest(const Solid& solid, const Budget& budget, SphereTree& tree) {
         if (error.code() != ErrorCode::cancelled) {
             throw;
         }
-        return; // they stay as the spherizer made them
+        return; // the spherizer's spheres remain
     }
     if (tree.levels.size() > 1 && flat) {
         finest.parents.assign(finest.spheres.size(), 0);
     }
 }
 
-/// The finest level made to keep off the planes where it does not, whatever stage it is from: stages do not know of
-/// them. Coarser levels but the root go.
+/// Makes the finest level keep the half-space constraints if it does not, because stages do not know them. Removes
+/// coarser levels except the root.
 void keep_off_planes(const Workspace& workspace, const ShapeWork& work, const Budget& budget, SphereTree& tree) {
     const Solid& solid = work.shape->original();
     const bool outer = budget.guarantee == Guarantee::outer;
@@ -105,7 +105,7 @@ void keep_off_planes(const Workspace& workspace, const ShapeWork& work, const Bu
     }
 }
 
-/// One tree for each budget, checked.
+/// Runs the spherizer. Returns one checked tree for each budget.
 std::vector<SphereTree> run_spherizer(const Workspace& workspace, ShapeWork& work, const std::vector<Budget>& budgets,
                                       StageLog& said) {
     return run_stage(
@@ -133,7 +133,7 @@ std::vector<SphereTree> run_spherizer(const Workspace& workspace, ShapeWork& wor
         });
 }
 
-/// A call by the trees that it was to make.
+/// Returns a name for a call, from the keys of the trees that it makes.
 std::string call_name(const std::vector<Digest>& keys) {
     Hasher hasher;
     for (const Digest& key : keys) {
@@ -142,13 +142,13 @@ std::string call_name(const std::vector<Digest>& keys) {
     return hasher.finish();
 }
 
-/// Adds what the spherizer said to the run, once a call: by rising count, whatever the cache held, so that the metrics
-/// of the same call stay.
+/// Adds the spherizer's log to the run, once per call: by rising count, whatever the cache had, so that the metrics of
+/// the same call remain.
 void add_words(const Workspace& workspace, ShapeWork& work, const std::map<std::size_t, Cached<SphereTree>>& known) {
     for (const auto& [count, entry] : known) {
         const StageLog& said = entry.said;
         if (said.call.empty()) {
-            continue; // no spherizer was asked
+            continue; // no spherizer was called
         }
         if (work.calls.insert(said.call).second) {
             workspace.journal.repeat(said, work.link, work.spherizer.stage);
@@ -174,7 +174,7 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
     std::vector<Budget> budgets;
     std::vector<Digest> keys;
     std::vector<std::size_t> missing;
-    std::map<std::size_t, Cached<SphereTree>> known; // by the count asked for
+    std::map<std::size_t, Cached<SphereTree>> known; // by requested count
     const auto sphere = as_sphere(work.shape->original());
     for (const std::size_t count : counts) {
         if (work.known.asked.contains(count)) {
@@ -205,7 +205,7 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
         std::vector<SphereTree> trees = run_spherizer(workspace, work, budgets, said);
         said.call = call_name(keys);
         work.calls.insert(said.call);          // its findings are in the journal
-        const bool whole = !workspace.ended(); // else the stage may have given what it had when it was asked to stop
+        const bool whole = !workspace.ended(); // else the stage may have returned early
         for (std::size_t i = 0; i < trees.size(); ++i) {
             if (whole) {
                 workspace.cache.put(keys[i], trees[i], said);
@@ -214,7 +214,7 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
         }
     }
     add_words(workspace, work, known);
-    // By count, whatever the cache held: of two trees of one size the one that was asked for less stays.
+    // By count, whatever the cache had: of two trees of one size, the one with the smaller requested count stays.
     for (auto& [count, entry] : known) {
         take_better_row(workspace, work, count, entry.result);
         const std::size_t got = entry.result.finest().size();

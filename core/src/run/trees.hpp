@@ -1,4 +1,4 @@
-// The sphere trees of a shape: what its spherizer says, checked, and what the guarantee and the recipe make of that.
+// The sphere trees of a shape: the spherizer's results, checked, and adapted to the guarantee and the recipe.
 #pragma once
 
 #include "shapes.hpp"
@@ -7,11 +7,11 @@
 
 namespace foam {
 
-/// What the cache knows the tree of a shape by, of at most `count` spheres; 0: no budget.
+/// Returns the cache key of a shape's tree with at most `count` spheres; 0: no budget.
 Digest tree_key(const Workspace& workspace, const ShapeWork& work, std::size_t count);
 
-/// Trees for the counts that are asked for, from the cache or the stage; what the stage returns is checked. Count 0
-/// stands for "no budget".
+/// Adds the trees for the requested counts, from the cache or the stage, and checks the results of the stage. Count 0
+/// means "no budget".
 void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts);
 
 } // namespace foam

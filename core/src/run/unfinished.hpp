@@ -1,11 +1,11 @@
-// Folders that must not stay behind when the program is killed by a signal.
+// Folders that must be removed when a signal kills the program.
 #pragma once
 
 #include <filesystem>
 
 namespace foam {
 
-/// For its life, remove_unfinished_runs() removes the folder.
+/// Registers a folder for its lifetime: remove_unfinished_runs() removes it.
 class UnfinishedFolder {
 public:
     explicit UnfinishedFolder(const std::filesystem::path& folder);

@@ -58,7 +58,7 @@ Recipe resolved_recipe(const fs::path& directory, const Record& record, Registry
     return recipe;
 }
 
-/// `elsewhere`: reasons for the differences.
+/// Returns the differences of the inputs. `elsewhere`: reasons for them.
 std::vector<Difference> compare_inputs(const Record& expected, const Recipe& recipe, const Registry& registry,
                                        std::vector<std::string>& elsewhere) {
     std::optional<InputsHere> here;
@@ -76,7 +76,7 @@ std::vector<Difference> compare_inputs(const Record& expected, const Recipe& rec
     return differences;
 }
 
-/// Runs the recipe; what stops it is a difference, too.
+/// Runs the recipe. An error is a difference, too.
 std::optional<Record> run_again(const Recipe& recipe, const Registry& registry, const RunOptions& options,
                                 std::vector<Difference>& differences) {
     const ScratchFolder scratch;
@@ -100,7 +100,7 @@ std::optional<Record> run_again(const Recipe& recipe, const Registry& registry, 
     return read_record(again.out / "manifest.json");
 }
 
-/// The files of the run directory against the manifest.
+/// Compares the files of the run directory with the manifest.
 std::vector<Difference> compare_files(const fs::path& directory, const std::vector<RecordedFile>& files) {
     std::vector<Difference> differences;
     for (const RecordedFile& file : files) {

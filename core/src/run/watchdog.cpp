@@ -10,7 +10,7 @@
 namespace foam {
 namespace {
 
-/// What the threads of a run are at work on, each once.
+/// Returns what the threads of a run are working on, each place once.
 std::vector<std::string> places_of(const Limits& limits) {
     std::vector<std::string> places;
     for (std::size_t i = 0; const Activity* activity = active(i); ++i) {

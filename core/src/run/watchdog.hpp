@@ -1,4 +1,4 @@
-// A thread that names what goes on although the run was to end.
+// A thread that reports work that continues although the run should have ended.
 #pragma once
 
 #include "limits.hpp"
@@ -9,7 +9,7 @@
 
 namespace foam {
 
-/// Watches a run for the life of the object. No thread where nothing could ask the run to end.
+/// Watches a run during its lifetime. Starts no thread if nothing can request the end of the run.
 class Watchdog {
 public:
     Watchdog(const Limits& limits, const RunOptions& options, Journal& journal);

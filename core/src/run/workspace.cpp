@@ -53,7 +53,7 @@ Error described(std::exception_ptr thrown, const std::string& stage, const std::
         if (error.code() == ErrorCode::cancelled) {
             return error;
         }
-        // Loaders begin with the file's name and place; once is enough.
+        // Messages of loaders begin with the file's name and place; it is not repeated.
         const bool named = !input.empty() && std::string_view(error.what()).starts_with(input);
         return {error.code(), fmt::format("{}: {}", named ? outer : where, shown_lines(error.what()))};
     } catch (const std::bad_alloc&) {

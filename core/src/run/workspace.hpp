@@ -18,7 +18,7 @@
 
 namespace foam {
 
-/// Belongs to one run.
+/// The shared state of one run.
 struct Workspace {
     Workspace(const Recipe& recipe, const Registry& registry, const RunOptions& options, Journal& journal,
               const Cache& cache);
@@ -31,30 +31,30 @@ struct Workspace {
     std::shared_ptr<Limits> limits;
     Phase phase = Phase::preparing;
 
-    /// The same in another phase of the run.
+    /// Returns the same workspace in another phase of the run.
     Workspace in(Phase other) const;
-    /// What ends the work of this phase before its time, but for a cancellation.
+    /// Returns what ends the work of this phase early, except a cancellation.
     Cut cut() const { return limits->cut(phase); }
-    /// s since the start of the run; nothing: none.
+    /// Returns the time limit in s since the start of the run; nothing: no limit.
     std::optional<double> time_limit() const { return limits->time_limit(); }
-    /// Whether stages are to give up.
+    /// Returns whether stages are to end.
     bool ended() const { return limits->ended(phase); }
-    /// What loops of this phase ask.
+    /// Returns the stop request that loops of this phase poll.
     const StopRequest* request() const { return &limits->request(phase); }
     /// Throws Error(cancelled) if ended().
     void check_cancelled() const;
 };
 
-/// "stage 'spherize.medial', link 'hand', input 'hand.stl'"; what is empty is left out.
+/// Returns "stage 'spherize.medial', link 'hand', input 'hand.stl'", without what is empty.
 std::string place_of(const std::string& stage, const std::string& link, const std::string& input);
-/// Where the results of stages are kept; empty: nowhere.
+/// Returns the folder for cached results of stages; empty: no cache.
 std::filesystem::path cache_folder(const RunOptions& options);
 
-/// An Error that names stage, link and input, whatever was thrown. Cancellation stays cancellation.
+/// Returns an Error that names stage, link and input, whatever was thrown. Cancellation stays cancellation.
 Error described(std::exception_ptr thrown, const std::string& stage, const std::string& link, const std::string& input);
 
-/// Runs `body(context)`, with a StageContext, as a task of the journal: timed, its metrics kept, what it throws
-/// described. `seed` should depend on what is worked on, not on where it stands, so that equal geometry gives equal
+/// Runs `body(context)` with a StageContext as a task of the journal: measures its time, keeps its metrics, and
+/// describes what it throws. `seed` should depend on the content, not on its place, so that equal geometry gives equal
 /// results.
 template <class Body>
 auto run_stage(const Workspace& workspace, const std::string& stage, const std::string& link, const std::string& input,

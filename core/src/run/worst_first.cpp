@@ -9,13 +9,14 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The fewest spheres of a shape with which it is as good as `limit`; 0 if none that is known is.
+/// Returns the fewest spheres of a shape whose figure is at most `limit`; 0 if no known count is enough.
 std::size_t fewest_within(const std::map<std::size_t, double>& figures, double limit) {
     const auto good = std::find_if(figures.begin(), figures.end(), [&](const auto& f) { return f.second <= limit; });
     return good == figures.end() ? 0 : good->first;
 }
 
-/// For each taker the fewest within the limit; empty if that is known of not all, or is more than `most` together.
+/// Returns for each group the fewest spheres within the limit; empty if a group has no such known count, or the sum is
+/// above `most`.
 std::vector<std::size_t> counts_within(const std::vector<std::size_t>& shape_of_taker, const Figures& figures,
                                        double limit, std::size_t most) {
     std::vector<std::size_t> counts;
@@ -38,7 +39,7 @@ std::vector<std::size_t> shapes_of(const std::vector<std::size_t>& takers, const
     return shapes;
 }
 
-/// The least limit within which the takers can be, with `most` spheres together; infinite if there are not enough.
+/// Returns the least limit that all groups can keep with `most` spheres together; infinite if there are not enough.
 double best_worst(const std::vector<std::size_t>& shape_of_taker, const Figures& figures, std::size_t most) {
     std::vector<double> limits;
     for (const std::size_t shape : shape_of_taker) {
@@ -87,7 +88,7 @@ Cut explore_worst_first(const Workspace& workspace, std::vector<ShapeWork>& shap
             [&](std::size_t s, std::size_t count, double figure) { figures[s][count] = figure; });
         const std::vector<std::size_t> of_taker = shapes_of(takers(shapes, groups), groups);
         const double limit = best_worst(of_taker, figures, most);
-        // Those of which nothing better is known may keep the others waiting.
+        // Explore the shapes that determine the limit: those with no better known figure.
         any = false;
         for (std::size_t s = 0; s < shapes.size(); ++s) {
             wanted[s].clear();

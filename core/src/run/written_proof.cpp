@@ -10,7 +10,8 @@
 namespace foam {
 namespace {
 
-/// What the spheres lack of the guarantee; empty if it is proved, and then `took` is filled in.
+/// Returns the violation of the guarantee by the spheres; empty if the guarantee is proved, and then `took` is filled
+/// in.
 std::string broken_promise(const Solid& solid, const std::vector<Sphere>& spheres, Guarantee guarantee,
                            WrittenProof& took) {
     took.spheres = spheres.size();

@@ -9,8 +9,8 @@
 
 namespace foam {
 
-/// What the proof on a written file took for one link. Guarantee::inner: `pieces` and `halvings` are 0, as nothing is
-/// split.
+/// The work of the proof on a written file for one link. Guarantee::inner: `pieces` and `halvings` are 0, because
+/// nothing is split.
 struct WrittenProof {
     std::string link;
     std::size_t spheres = 0, triangles = 0, pieces = 0;
@@ -18,7 +18,7 @@ struct WrittenProof {
 };
 
 /// Proves on the spheres read back from a file, by link, what was proved in memory: the guarantee of each link whose
-/// report says that it is certified. Throws Error(internal) for a link without spheres and where a proof does not hold.
+/// report is certified. Throws Error(internal) for a link without spheres and where a proof does not hold.
 std::vector<WrittenProof> prove_written(const std::map<std::string, std::vector<Sphere>>& read,
                                         const FinishedModel& finished, Guarantee guarantee, const std::string& file);
 

@@ -1,4 +1,4 @@
-// The spheres of a link under one that holds them all.
+// The spheres of a link with one sphere that contains them all.
 #pragma once
 
 #include <foam/sphere.hpp>
@@ -14,12 +14,12 @@ struct BallGroup {
     explicit BallGroup(std::vector<Sphere> all) : bound(enclosing_sphere(all)), spheres(std::move(all)) {}
 };
 
-/// Distance between the surfaces; negative where they overlap.
+/// Returns the distance between the surfaces, m; negative where the spheres overlap.
 inline double gap(const Sphere& a, const Sphere& b) {
     return distance(a.center, b.center) - a.radius - b.radius;
 }
 
-/// Balls touch that share a point.
+/// Returns whether the balls have a common point.
 inline bool touch(const Sphere& a, const Sphere& b) {
     const double reach = a.radius + b.radius;
     return squared_norm(a.center - b.center) <= reach * reach;

@@ -5,7 +5,7 @@
 namespace foam::self_collision {
 namespace {
 
-/// Links from `link` up to the root.
+/// Returns the links from `link` up to the root.
 std::vector<std::size_t> way_up(const Kinematics& kinematics, std::size_t link) {
     std::vector<std::size_t> way{link};
     while (const auto joint = kinematics.joint_above()[way.back()]) {
@@ -19,7 +19,7 @@ double value_of(const Step& step, std::span<const double> configuration) {
     return step.sign * (motion.multiplier * configuration[*motion.freedom] + motion.offset);
 }
 
-/// Appends steps; what does not move is gathered in the chain's end.
+/// Appends steps to a chain. Merges fixed transforms into the chain's end.
 class Walker {
 public:
     explicit Walker(const Kinematics& kinematics) : kinematics_(kinematics) {}
@@ -52,7 +52,7 @@ private:
     const Kinematics& kinematics_;
 };
 
-/// The chain from its end to its start.
+/// Returns the chain from its end to its start.
 Chain reversed(const Chain& chain) {
     Chain result;
     result.unbounded = chain.unbounded;

@@ -14,15 +14,14 @@
 namespace foam {
 namespace {
 
-/// Reasons by pair; the first one counts.
+/// Reasons by pair; the first reason counts.
 using Pairs = std::map<std::pair<std::string, std::string>, std::string>;
 
 void add(Pairs& pairs, const std::string& a, const std::string& b, const std::string& reason) {
     pairs.emplace(std::minmax(a, b), reason);
 }
 
-/// Walks over an SRDF. Exceptions must not pass through expat's C frames: the first complaint is kept and thrown
-/// afterwards.
+/// Reads an SRDF. Exceptions must not pass through expat's C frames: the first error is kept and thrown afterwards.
 class SrdfReader {
 public:
     explicit SrdfReader(std::string file) : file_(std::move(file)), parser_(XML_ParserCreate(nullptr)) {
@@ -83,7 +82,7 @@ const Value* child(const Value* map, std::string_view key) {
     return map && map->is(Value::Kind::map) ? map->find(key) : nullptr;
 }
 
-/// `{link: [link, …]}`
+/// Reads `{link: [link, …]}`.
 Pairs pairs_of(const Value& ignore, const std::string& file) {
     Pairs pairs;
     const auto expect = [&](const Value& value, Value::Kind kind, const char* what) {

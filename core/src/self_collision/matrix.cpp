@@ -1,4 +1,4 @@
-// The self-collision matrix: neighbours first, then proofs, then samples for what is left.
+// The self-collision matrix: neighbours first, then proofs, then samples for the remaining pairs.
 #include "proof.hpp"
 #include "sampling.hpp"
 

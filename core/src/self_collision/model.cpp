@@ -1,4 +1,4 @@
-// The spheres that stand for each link, from the files that hold them.
+// The spheres of each link, from the files that contain them.
 #include "run/files.hpp"
 
 #include <foam/context.hpp>
@@ -52,7 +52,7 @@ CollisionModel load_robot(const std::filesystem::path& urdf, const Registry& reg
     return model;
 }
 
-/// The spheres of a link that has no other geometry; false if it has.
+/// Takes the spheres of a link without other geometry. Returns false if it has other geometry.
 bool take_spheres(const Link& link, std::vector<Sphere>& spheres) {
     for (const GeometryElement& element : link.collisions) {
         const auto* primitive = std::get_if<Primitive>(&element.geometry);

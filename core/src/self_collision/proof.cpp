@@ -9,15 +9,15 @@
 namespace foam::self_collision {
 namespace {
 
-/// m; far above what rounding does to poses and distances of a robot some metres in size (1e-14 m), far below what a
-/// proof has to spare.
+/// m; far above the rounding errors of poses and distances of a robot with a size of some metres (1e-14 m), far below
+/// the margins of proofs.
 constexpr double rounding = 1e-9;
 
 struct JointBox {
-    std::vector<double> middle, half; ///< of each freedom; those that are not in between stay as they are
+    std::vector<double> middle, half; ///< of each freedom; freedoms that are not between the links stay unchanged
 };
 
-/// One end of the chain: its spheres, and how they move.
+/// One end of the chain: its spheres and their motion.
 class MovingLink {
 public:
     MovingLink(Chain chain, const BallGroup& group)
@@ -28,7 +28,7 @@ public:
         for (std::size_t i = 0; i < chain_.steps.size(); ++i) {
             const Step& step = chain_.steps[i];
             const double half = std::abs(step.motion.multiplier) * box.half[*step.motion.freedom];
-            // A turn by an angle moves a point by the chord over it.
+            // A rotation by an angle moves a point by the chord of that angle.
             turn_[i] = prismatic(step) ? half : 2 * std::sin(std::min(half, std::numbers::pi) / 2);
         }
     }
@@ -36,8 +36,9 @@ public:
     const Pose& pose() const { return pose_; }
     const BallGroup& group() const { return group_; }
 
-    /// How far at most a point fixed to the link, at `point` in the middle of the box, is from there within the box.
-    /// From the last joint to the first: what it has moved by the later ones adds to its distance from the axis.
+    /// Returns an upper bound on the displacement within the box of a point fixed to the link, which is at `point` in
+    /// the middle of the box. From the last joint to the first: the displacement by later joints adds to the distance
+    /// from the axis.
     double displacement(const Vec3& point) const {
         double moved = 0;
         for (std::size_t i = chain_.steps.size(); i-- > 0;) {
@@ -46,7 +47,7 @@ public:
         return moved;
     }
 
-    /// Adds to each freedom what its joints may move the link's farthest point.
+    /// Adds to each freedom how far its joints may move the link's farthest point.
     void add_shares(std::vector<double>& shares) const {
         const Vec3 center = pose_ * group_.bound.center;
         double moved = group_.bound.radius;
@@ -74,9 +75,9 @@ private:
     Pose pose_;
 };
 
-/// What is known of the links within one box.
+/// The result for the links within one box.
 struct Look {
-    bool apart = false, touching = false; ///< throughout
+    bool apart = false, touching = false; ///< in the whole box
     bool touching_in_the_middle = false;
 };
 
@@ -100,7 +101,7 @@ public:
                 return Verdict::some;
             }
             if (freedoms.empty()) {
-                break; // one configuration is all there is
+                break; // there is only one configuration
             }
             if (!look.apart && !look.touching) {
                 halve(std::move(box), freedoms, waiting);
@@ -109,7 +110,7 @@ public:
         return all_apart ? Verdict::never : Verdict::always;
     }
 
-    /// How far the links may move in all, over the whole limits.
+    /// Returns an upper bound on the links' displacement over the whole limits, m.
     double largest_displacement(const std::vector<std::size_t>& freedoms) {
         place(whole(freedoms));
         const std::vector<double>& each = shares();
@@ -132,7 +133,7 @@ private:
         second_.place(box);
     }
 
-    /// What each freedom may move the links in the box that they are placed in, m.
+    /// Returns for each freedom how far it may move the links within the current box, m.
     const std::vector<double>& shares() {
         shares_.assign(kinematics_.freedoms().size(), 0.0);
         first_.add_shares(shares_);
@@ -154,7 +155,7 @@ private:
         return look_closely(a, b);
     }
 
-    /// Sphere by sphere; those that stay away from the whole other link are put aside first.
+    /// Compares sphere by sphere, after spheres that cannot reach any of the other link are left out.
     Look look_closely(const Sphere& first_bound, const Sphere& second_bound) {
         near_.clear();
         const double first_moves = first_.displacement(first_bound.center);
@@ -183,7 +184,7 @@ private:
         return look;
     }
 
-    /// Along the freedom that moves the links most.
+    /// Halves the box along the freedom that moves the links most.
     void halve(JointBox box, const std::vector<std::size_t>& freedoms, std::vector<JointBox>& waiting) {
         const std::vector<double>& each = shares();
         const std::size_t widest = *std::max_element(freedoms.begin(), freedoms.end(),
@@ -221,7 +222,7 @@ std::vector<std::size_t> freedoms_of(const Chain& chain) {
 Verdict touching_verdict(const Kinematics& kinematics, const Chain& chain, const BallGroup& first,
                          const BallGroup& second, std::size_t boxes, const std::atomic<bool>* cancel) {
     const std::vector<std::size_t> freedoms = freedoms_of(chain);
-    // Seen from a link in the middle both ends move, each by the joints on its side and so by less.
+    // In the frame of a link in the middle both ends move, each by the joints on its side only, and so by less.
     std::size_t best = 0;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t cut = 0; cut <= chain.steps.size(); ++cut) {

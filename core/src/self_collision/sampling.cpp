@@ -9,7 +9,8 @@
 namespace foam::self_collision {
 namespace {
 
-/// Each block has a stream of random numbers of its own: the same on any number of threads.
+/// Samples per block. Each block has its own stream of random numbers, so that the result does not depend on the number
+/// of threads.
 constexpr std::size_t block_size = 1024;
 
 } // namespace

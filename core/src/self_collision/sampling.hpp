@@ -1,4 +1,4 @@
-// How often pairs of links touch in random configurations.
+// The frequency of contact of pairs of links in random configurations.
 #pragma once
 
 #include "ball_group.hpp"
@@ -11,10 +11,10 @@
 
 namespace foam::self_collision {
 
-/// Of each link of the robot; none: it has no spheres.
+/// One entry per link of the robot; empty: it has no spheres.
 using Groups = std::vector<std::optional<BallGroup>>;
 
-/// The spheres of all links in one configuration. A link's spheres are moved when they are first asked for.
+/// The spheres of all links in one configuration. A link's spheres are transformed at their first use.
 class PlacedLinks {
 public:
     PlacedLinks(const Kinematics& kinematics, const Groups& groups);
@@ -28,11 +28,11 @@ private:
     const Groups& groups_;
     std::vector<Pose> poses_;
     std::vector<Sphere> bounds_;
-    std::vector<std::vector<Sphere>> spheres_; ///< empty: not moved yet
+    std::vector<std::vector<Sphere>> spheres_; ///< empty: not transformed yet
     std::vector<Sphere> near_;
 };
 
-/// In how many of `samples` random configurations each of the pairs touches.
+/// Returns for each pair in how many of `samples` random configurations it touches.
 std::vector<std::size_t> count_touching(const Kinematics& kinematics, const Groups& groups,
                                         const std::vector<LinkPair>& pairs, std::size_t samples, std::uint64_t seed,
                                         const std::atomic<bool>* cancel);

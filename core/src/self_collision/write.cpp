@@ -1,4 +1,4 @@
-// The self-collision matrix in the files of others.
+// The self-collision matrix in other tools' files.
 #include <foam/host/markup.hpp>
 #include <foam/host/self_collision.hpp>
 
@@ -7,7 +7,7 @@
 namespace foam {
 namespace {
 
-/// A name within double quotes of YAML.
+/// Returns a name within double quotes of YAML.
 std::string yaml_quoted(const std::string& text) {
     std::string result = "\"";
     for (const char c : text) {
