@@ -23,8 +23,7 @@ enum class Effort { fast, normal, best };
 enum class Objective {
     excess,     ///< least excess volume
     protrusion, ///< least maximum protrusion: the same loss of clearance everywhere
-    radius,     ///< smallest largest radius: equal spheres at best (the k-centre problem), for planners that want one
-                ///< radius
+    radius,     ///< smallest largest radius: equal spheres at best (the k-centre problem), for planners that want it
 };
 
 /// Returns the objective with the name above; nothing for any other word.
