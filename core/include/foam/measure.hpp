@@ -17,8 +17,7 @@ struct Measures {
     double area = 0;          ///< of ∂S, m²
     double volume = 0;        ///< vol(S), m³
     double covered = 0;       ///< area of ∂S inside U / area of ∂S
-    double gap = 0;           ///< max over ∂S of the distance to U, m: an upper bound, to 0.1 %; infinite without
-                              ///< spheres
+    double gap = 0;           ///< max over ∂S of the distance to U, m: from above, to 0.1 %; infinite without spheres
     double excess = 0;        ///< vol(U \ S) / vol(S); infinite if vol(S) = 0 (open surfaces without an inside)
     double excess_error = 0;  ///< standard error of excess
     double missing = 0;       ///< vol(S \ U) / vol(S); 0 if vol(S) = 0
