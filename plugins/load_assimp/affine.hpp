@@ -1,4 +1,4 @@
-// Affine maps in double precision: assimp's are in single.
+// Affine maps in double precision; those of assimp are in single precision.
 #pragma once
 
 #include <foam/vector.hpp>
@@ -7,13 +7,13 @@
 
 namespace foam::load_assimp {
 
-/// p ↦ x p.x + y p.y + z p.z + shift.
+/// The map p ↦ x p.x + y p.y + z p.z + shift.
 struct Affine {
     Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, shift{};
 
     Vec3 direction(const Vec3& d) const { return x * d.x + y * d.y + z * d.z; }
     Vec3 operator()(const Vec3& p) const { return direction(p) + shift; }
-    /// The other one first.
+    /// Returns the composition that applies `first` first.
     Affine operator*(const Affine& first) const {
         return {direction(first.x), direction(first.y), direction(first.z), (*this)(first.shift)};
     }

@@ -26,7 +26,7 @@ Files::Files(const fs::path& file, std::uintmax_t max_bytes)
 
 fs::path Files::place_of(const char* file) const {
     if (file == mesh_) {
-        return mesh_; // whatever its name holds
+        return mesh_; // whatever characters its name has
     }
     std::string name = file;
     std::replace(name.begin(), name.end(), '\\', '/'); // formats from Windows

@@ -1,4 +1,4 @@
-// The files that assimp may open: the mesh file and those beside it, read by foam with its limits, from memory.
+// The files that assimp may open: the mesh file and files in its folder, read by foam with its limits, from memory.
 #pragma once
 
 #include <assimp/IOSystem.hpp>
@@ -11,17 +11,17 @@
 
 namespace foam::load_assimp {
 
-/// What to do with files of more than max_bytes.
+/// The remedy for files of more than max_bytes.
 inline constexpr std::string_view too_large_remedy = "simplify the mesh, or raise max_bytes of load.assimp";
 
-/// Nothing is written. Of other files only those in the folder of the mesh file or below it can be opened, and all
-/// together have no more than `max_bytes`.
+/// A read-only file system for assimp. Beside the mesh file only files in its folder or below can be opened. All
+/// together have at most `max_bytes`.
 class Files final : public Assimp::IOSystem {
 public:
     /// Reads `file`. Throws Error(input).
     Files(const std::filesystem::path& file, std::uintmax_t max_bytes);
 
-    /// The name by which assimp is to ask for the mesh.
+    /// Returns the name of the mesh for assimp.
     std::string mesh() const { return mesh_.string(); }
 
     bool Exists(const char* file) const override;
@@ -29,11 +29,11 @@ public:
     Assimp::IOStream* Open(const char* file, const char* mode) override;
     void Close(Assimp::IOStream* stream) override;
 
-    /// Other files that were asked for and could not be had: "NAME: why".
+    /// Returns the requested files that could not be opened: "NAME: why".
     const std::vector<std::string>& refused() const { return refused_; }
 
 private:
-    /// Where a name that assimp asks for leads; empty: out of the folder.
+    /// Returns the path of a name that assimp requests; empty: outside of the folder.
     std::filesystem::path place_of(const char* file) const;
 
     std::filesystem::path mesh_, folder_;

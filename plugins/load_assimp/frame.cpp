@@ -6,20 +6,20 @@
 namespace foam::load_assimp {
 namespace {
 
-/// COLLADA and IFC: assimp scales to metres; FBX: see below; glTF is in metres.
+/// Formats in metres. COLLADA and IFC: assimp scales to metres; FBX: see below; glTF is in metres.
 constexpr std::array<std::string_view, 7> in_metres{"dae", "zae", "gltf", "glb", "fbx", "ifc", "ifczip"};
 
-/// Formats with z upwards that assimp turns to y upwards at the root.
+/// Formats with z up that assimp turns to y up at the root.
 constexpr std::array<std::string_view, 7> turned{"3ds", "prj", "ase", "ask", "dxf", "ifc", "ifczip"};
 
 template <class Endings> bool has(const Endings& endings, std::string_view ending) {
     return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
-/// (x, z, -y) back to (x, y, z).
+/// Maps (x, z, -y) back to (x, y, z).
 constexpr Affine turned_back{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}, {}};
 
-/// UnitScaleFactor of an FBX file, cm; 1 if it has none.
+/// Returns the UnitScaleFactor of an FBX file, cm; 1 if it has none.
 double centimetres(const aiScene& scene) {
     float factor = 1;
     if (scene.mMetaData) {

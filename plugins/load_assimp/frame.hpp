@@ -1,5 +1,4 @@
-// From what assimp makes of a format's axes and units to foam's: the axes of the file, metres where the file says its
-// unit.
+// The conversion from assimp's axes and units to foam's: the axes of the file, and metres if the file has a unit.
 #pragma once
 
 #include "affine.hpp"
@@ -11,13 +10,13 @@
 
 namespace foam::load_assimp {
 
-/// The map from the frame of the scene's root to the mesh. `ending`: of the file, lower case.
+/// Returns the map from the frame of the scene's root to the mesh. `ending`: of the file, lower case.
 Affine frame_of(const aiScene& scene, std::string_view ending);
 
-/// What to tell of the unit of such files; empty: nothing.
+/// Returns a note on the unit of such files; empty: none.
 std::string_view unit_note(std::string_view ending);
 
-/// Endings of formats that say their unit to assimp, so that the mesh is in metres.
+/// Returns the extensions of formats whose unit assimp reads, so that the mesh is in metres.
 std::span<const std::string_view> endings_with_unit();
 
 } // namespace foam::load_assimp

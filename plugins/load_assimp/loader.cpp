@@ -27,7 +27,7 @@ std::string ending_of(const std::filesystem::path& file) {
     return ending.empty() ? "" : ending.substr(1);
 }
 
-/// Only geometry is wanted, with the axes of the file.
+/// Configures the importer to read only geometry, with the axes of the file.
 void configure(Assimp::Importer& importer) {
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
@@ -39,7 +39,7 @@ void configure(Assimp::Importer& importer) {
     }
 }
 
-/// Why assimp gave no scene. Throws bad_alloc if that was why.
+/// Returns why assimp gave no scene. Throws bad_alloc if that is the reason.
 std::string reason(const Assimp::Importer& importer) {
     if (const std::exception_ptr thrown = importer.GetException()) {
         try {
@@ -54,7 +54,7 @@ std::string reason(const Assimp::Importer& importer) {
     return text.empty() ? "it gives no reason" : text.substr(0, longest);
 }
 
-/// The scene, as triangles, lines and points. It belongs to the importer.
+/// Returns the scene, as triangles, lines and points. The importer owns it.
 const aiScene& read_scene(Assimp::Importer& importer, const std::string& file, std::size_t max_triangles) {
     const auto require = [&](const aiScene* scene) -> const aiScene& {
         if (!scene) {
@@ -65,7 +65,7 @@ const aiScene& read_scene(Assimp::Importer& importer, const std::string& file, s
         return *scene;
     };
     const aiScene& scene = require(importer.ReadFile(file, 0));
-    const bool polygons = check_faces(scene, max_triangles); // the next step takes its indices on trust
+    const bool polygons = check_faces(scene, max_triangles); // the next step trusts its indices
     return polygons ? require(importer.ApplyPostProcessing(aiProcess_Triangulate)) : scene;
 }
 
@@ -85,7 +85,7 @@ Mesh Loader::load(const std::filesystem::path& file, Context& context) const {
         Assimp::Importer importer;
         auto owned = std::make_unique<Files>(file, max_bytes_);
         const Files& files = *owned;
-        importer.SetIOHandler(owned.release()); // the importer's now
+        importer.SetIOHandler(owned.release()); // the importer owns it now
         configure(importer);
         const aiScene& scene = read_scene(importer, files.mesh(), max_triangles_);
         for (const std::string& refused : files.refused()) {

@@ -1,7 +1,7 @@
 // load.assimp: mesh files through the library assimp, for formats that load.mesh does not read.
 //
-// assimp takes counts, ranges and nesting of a file on trust. So it is to run in a process of its own (StageInfo),
-// opens no file but through Files, and what it makes is checked before anything else looks at it.
+// assimp trusts counts, ranges and nesting of a file. Therefore it requests process isolation (StageInfo), opens files
+// only through Files, and its result is checked before any other use.
 #pragma once
 
 #include <foam/stage.hpp>

@@ -1,11 +1,11 @@
-// Numbers in files have a decimal point, whatever the user's language writes.
+// Numbers in files have a decimal point, whatever the user's locale.
 #pragma once
 
 #include <locale.h>
 
 namespace foam::load_assimp {
 
-/// The calling thread has the C locale as long as it lives.
+/// Sets the C locale for the calling thread during its lifetime.
 class ScopedCLocale {
 public:
     ScopedCLocale() : c_(newlocale(LC_ALL_MASK, "C", nullptr)), before_(uselocale(c_)) {}

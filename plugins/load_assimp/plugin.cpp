@@ -5,14 +5,14 @@
 
 namespace {
 
-/// What assimp 5.2 reads triangles from. Not: motions without a surface (bvh, csm), levels of games (bsp, pk3), endings
-/// that say nothing of the format (xml).
+/// Returns the extensions of formats from which assimp 5.2 reads triangles. Not: motions without a surface (bvh, csm),
+/// game levels (bsp, pk3), extensions that do not determine the format (xml).
 std::vector<std::string> endings() {
     return {"3ds", "fbx", "x3d", "3mf", "amf", "ac", "ac3d", "acc", "lwo", "lws", "lxo", "ms3d", "blend", "x", "ase",
             "ask", "dxf", "ifc", "zae", "b3d", "cob", "scn", "hmp", "iqm", "irr", "irrmesh", "md2", "md3", "mdc", "mdl",
             "md5mesh", "mesh", "ndo", "nff", "enff", "ogex", "pmx", "prj", "q3o", "q3s", "raw", "sib", "smd", "ter",
             "xgl", "zgl", "ifczip", "assbin",
-            // load.mesh goes first
+            // load.mesh comes first
             "stl", "obj", "dae", "ply", "off", "gltf", "glb"};
 }
 

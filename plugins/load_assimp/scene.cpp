@@ -9,7 +9,7 @@
 namespace foam::load_assimp {
 namespace {
 
-/// Nodes within nodes; real scenes have some tens.
+/// Largest depth of nested nodes; real scenes have some tens.
 constexpr std::size_t deepest = 1000;
 
 constexpr const char* damaged = "; remedy: the file is damaged, export it again";
@@ -25,11 +25,11 @@ void expect_triangles(std::size_t count, std::size_t most) {
     }
 }
 
-/// The number of triangles that the faces of a mesh make.
+/// Returns the number of triangles that the faces of a mesh give.
 std::size_t checked_triangles(const aiMesh& mesh) {
     std::size_t count = 0;
     for (const aiFace& face : faces_of(mesh)) {
-        if (face.mNumIndices == 0) { // what readers leave behind where a file ends too early
+        if (face.mNumIndices == 0) { // left behind by readers where a file is truncated
             throw BadScene(fmt::format("a face has no corners{}", damaged));
         }
         for (unsigned i = 0; i < face.mNumIndices; ++i) {
@@ -115,7 +115,7 @@ private:
     Context& context_;
 };
 
-/// Calls `visit(node, place)` for every node. Without recursion: how deep nodes lie is the file's word.
+/// Calls `visit(node, place)` for every node. Without recursion, because the file determines the depth of nodes.
 template <class Visit> void walk(const aiNode& root, const Affine& frame, Visit&& visit) {
     struct Entry {
         const aiNode* node;

@@ -1,4 +1,4 @@
-// From assimp's scene to a Mesh; nothing in the scene is trusted.
+// The conversion of assimp's scene to a Mesh. Nothing in the scene is trusted.
 #pragma once
 
 #include "affine.hpp"
@@ -12,18 +12,18 @@
 
 namespace foam::load_assimp {
 
-/// What is wrong with a scene, and the remedy; without the file's name.
+/// The error in a scene, and the remedy; without the file's name.
 class BadScene : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// Whether there are polygons to cut into triangles. Throws BadScene unless all faces refer to vertices that are there,
-/// and their triangles are at most `max_triangles`. Before any other step of assimp looks at them.
+/// Returns whether there are polygons to cut into triangles. Throws BadScene unless all faces refer to existing
+/// vertices and give at most `max_triangles`. Must run before any other step of assimp reads the faces.
 bool check_faces(const aiScene& scene, std::size_t max_triangles);
 
-/// The triangles of all nodes, placed by `frame` and their nodes; equal vertices become one. What has no area because
-/// corners are the same point is left out, lines and points too; a note says so. Throws BadScene.
+/// Returns the triangles of all nodes, placed by `frame` and their nodes; equal vertices become one. Leaves out
+/// triangles with two equal corners, lines and points, with a note. Throws BadScene.
 Mesh mesh_of(const aiScene& scene, const Affine& frame, std::size_t max_triangles, Context& context);
 
 } // namespace foam::load_assimp

@@ -9,7 +9,7 @@
 
 namespace foam::load_mesh {
 
-/// p ↦ A p + t in double precision, so that the products of deep node trees keep their digits. `rows`: of A.
+/// The map p ↦ A p + t in double precision, so that the products of deep node trees keep their digits. `rows`: of A.
 struct Affine {
     std::array<Vec3, 3> rows{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
     Vec3 shift;
@@ -27,13 +27,13 @@ struct Affine {
         result.shift = *this * other.shift;
         return result;
     }
-    /// Whether it turns right hands into left ones.
+    /// Returns whether the map changes handedness.
     bool mirrors() const { return dot(rows[0], cross(rows[1], rows[2])) < 0; }
 
     static Affine translation(const Vec3& t) { return {Affine{}.rows, t}; }
     static Affine scaling(const Vec3& s) { return {{Vec3{s.x, 0, 0}, Vec3{0, s.y, 0}, Vec3{0, 0, s.z}}, {}}; }
     static Affine rotation(const Pose& pose) { return {pose.rotation, {}}; }
-    /// By a quaternion of any length; nothing for one that is no rotation.
+    /// Returns the rotation by a quaternion of any length; nothing if it is not a rotation.
     static std::optional<Affine> rotation(double x, double y, double z, double w) {
         const double length = std::hypot(std::hypot(x, y), std::hypot(z, w));
         if (!(length > 0) || !std::isfinite(length)) {

@@ -15,7 +15,7 @@ constexpr std::array<std::uint8_t, 256> values() {
     for (std::size_t i = 0; i < digits.size(); ++i) {
         table[static_cast<unsigned char>(digits[i])] = static_cast<std::uint8_t>(i);
     }
-    table['-'] = 62; // the alphabet for addresses
+    table['-'] = 62; // the URL-safe alphabet
     table['_'] = 63;
     for (const char c : {' ', '\t', '\r', '\n', '='}) {
         table[static_cast<unsigned char>(c)] = skipped;

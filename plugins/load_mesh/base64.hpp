@@ -1,4 +1,4 @@
-// Bytes written as text, RFC 4648.
+// Base64, RFC 4648.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace foam::load_mesh {
 
-/// White space and missing padding are tolerated; empty if another character is in it.
+/// Decodes a text. White space and missing padding are allowed. Empty if there is another character.
 std::optional<std::string> from_base64(std::string_view text);
 
 } // namespace foam::load_mesh

@@ -1,6 +1,6 @@
 // COLLADA 1.4.1 and 1.5: the geometries that the nodes of the scene show, in metres.
 //
-// RViz and the planners of ROS take COLLADA coordinates as they are: the unit is applied, the up-axis is not.
+// RViz and the planners of ROS do not turn COLLADA coordinates: the unit is applied, the up-axis is not.
 #include "collada_geometry.hpp"
 #include "collada_node.hpp"
 #include "readers.hpp"
@@ -14,8 +14,8 @@ namespace {
 
 using xml::Element;
 
-constexpr std::size_t deepest = 200;        ///< nodes within nodes, instances counted too
-constexpr std::size_t most_nodes = 1000000; ///< a few nested instances can stand for more nodes than anyone can visit
+constexpr std::size_t deepest = 200;        ///< depth of nested nodes, including instances
+constexpr std::size_t most_nodes = 1000000; ///< a few nested instances can stand for too many nodes
 
 class SceneReader {
 public:
@@ -59,7 +59,7 @@ private:
         return *value;
     }
 
-    /// The one that <scene> names, or else the first.
+    /// Returns the scene that <scene> names, or else the first.
     const Element* visual_scene() const {
         const Element* scene = document_.root().child("scene");
         const Element* instance = scene ? scene->child("instance_visual_scene") : nullptr;
@@ -105,7 +105,8 @@ private:
         }
     }
 
-    /// What `instance` shows if it is an element of that name; nullptr, and a warning, if the file does not hold it.
+    /// Returns the target of `instance` if it is an element of that name; nullptr, with a warning, if it is not in the
+    /// file.
     const Element* instanced(const Element& instance, std::string_view name, std::string_view target_name) const {
         if (instance.name != name) {
             return nullptr;

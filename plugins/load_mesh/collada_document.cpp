@@ -8,8 +8,8 @@
 namespace foam::load_mesh {
 namespace {
 
-/// What exporters get wrong, made right byte for byte, so that places stay true: only UTF-8, and no XML declaration but
-/// at the very start.
+/// Repairs frequent errors of exporters without moving any byte, so that places stay right: bytes that are not UTF-8,
+/// and an XML declaration after the start of the file.
 std::string repaired(std::string_view text) {
     std::string result = with_valid_utf8(text);
     const std::size_t start = text.find_first_not_of(" \t\r\n");

@@ -1,4 +1,4 @@
-// A COLLADA text as its elements, found by id, and the lists of numbers that they hold.
+// A COLLADA text as elements, found by id, and their lists of numbers.
 #pragma once
 
 #include "text.hpp"
@@ -12,14 +12,14 @@ namespace foam::load_mesh {
 
 class ColladaDocument {
 public:
-    /// Throws Error(input) for what is no XML or no COLLADA. Bytes that are no UTF-8 count as '?'.
+    /// Parses the text. Throws Error(input) if it is not XML or not COLLADA. Bytes that are not UTF-8 count as '?'.
     explicit ColladaDocument(const Source& source);
 
     const Source& source() const { return source_; }
     const xml::Element& root() const { return *root_; }
-    /// The element that attribute `key` of `from` refers to ("#id"); nullptr if there is none.
+    /// Returns the element that attribute `key` of `from` refers to ("#id"); nullptr if there is none.
     const xml::Element* target(const xml::Element& from, std::string_view key) const;
-    /// Error(input) "FILE:LINE: what", at the element's start.
+    /// Returns Error(input) "FILE:LINE: what", at the element's start.
     Error error(const xml::Element& element, std::string_view what) const;
 
 private:
@@ -30,19 +30,19 @@ private:
     std::unordered_map<std::string_view, const xml::Element*> ids_;
 };
 
-/// The words between an element's tags, comments left out.
+/// The words between an element's tags, without comments.
 class ElementWords {
 public:
     ElementWords(const Source& source, const xml::Element& element);
 
-    /// Empty at the end.
+    /// Returns the next word; empty at the end.
     std::string_view next();
-    /// Line of the last word.
+    /// Returns the line of the last word.
     std::size_t line() const { return words_.line(); }
-    /// "FILE:LINE: what", at the last word.
+    /// Returns the error "FILE:LINE: what", at the last word.
     Error error(std::string_view what) const;
-    /// The next word as a coordinate or as an index (a natural number below 2^32); empty at the end, an error if it is
-    /// none.
+    /// Returns the next word as a coordinate or as an index (a natural number below 2^32). Empty at the end. Throws if
+    /// the word is not one.
     std::optional<double> number();
     std::optional<std::uint32_t> index();
 

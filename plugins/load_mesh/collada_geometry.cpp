@@ -16,7 +16,7 @@ std::string name_of(const Element& element) {
     return name ? printable(*name) : "without a name";
 }
 
-/// An attribute that is to be a natural number.
+/// Returns an attribute as a natural number.
 std::uint64_t natural(const ColladaDocument& document, const Element& element, const char* key,
                       std::uint64_t otherwise) {
     const std::string* text = element.attribute(key);
@@ -32,11 +32,11 @@ std::uint64_t natural(const ColladaDocument& document, const Element& element, c
     return static_cast<std::uint64_t>(*value);
 }
 
-/// Where the points of a <source> lie among the numbers of its array.
+/// The layout of the points of a <source> in the numbers of its array.
 struct Layout {
     std::uint64_t offset = 0, stride = 3;
-    std::array<std::uint64_t, 3> axes{0, 1, 2}; ///< of x, y and z within a stride
-    std::optional<std::uint64_t> count;         ///< points
+    std::array<std::uint64_t, 3> axes{0, 1, 2}; ///< positions of x, y and z within a stride
+    std::optional<std::uint64_t> count;         ///< number of points
 };
 
 Layout layout_of(const ColladaDocument& document, const Element* accessor) {
@@ -92,7 +92,7 @@ public:
     }
 
 private:
-    /// Which numbers of the file the points from `first_point` on are.
+    /// The place in the file of the points from `first_point` on.
     struct Place {
         std::size_t first_point;
         const Element* array;
@@ -109,7 +109,7 @@ private:
         }
     };
 
-    /// Corners that share a primitive's <p>: which number of each group is the point.
+    /// Corners with a common <p> of a primitive: the position of the point in each group of indices.
     struct Input {
         std::uint64_t stride = 1, offset = 0;
         std::uint32_t first_point = 0;
@@ -140,7 +140,7 @@ private:
         }
     }
 
-    /// The <input> of the positions, by way of <vertices> or straight.
+    /// Returns the <input> of the positions, through <vertices> or directly.
     Input input(const Element& primitive) {
         Input result;
         const Element* source = nullptr;
@@ -181,7 +181,7 @@ private:
         return target && target->name == "source" ? target : nullptr;
     }
 
-    /// Reads a <source>: the first of its points among all, and their number.
+    /// Reads a <source>. Returns the index of its first point, and the number of its points.
     std::pair<std::size_t, std::size_t> points(const Element& source) {
         const Element* technique = source.child("technique_common");
         const Element* accessor = technique ? technique->child("accessor") : nullptr;
@@ -224,13 +224,13 @@ private:
         return numbers;
     }
 
-    /// Corners of a list of indices.
+    /// The corners in a list of indices.
     class Corners {
     public:
         Corners(const ColladaDocument& document, const Element& list, const Input& input)
             : words_(document.source(), list), input_(input) {}
 
-        /// Empty at the end; an error in the middle of a corner's group of indices.
+        /// Returns the next corner; empty at the end. Throws if the list ends within a corner's group of indices.
         std::optional<std::uint32_t> next() {
             std::optional<std::uint32_t> corner;
             for (std::uint64_t i = 0; i < input_.stride; ++i) {
@@ -261,7 +261,7 @@ private:
         part_.sizes.push_back(3);
     }
 
-    /// Takes the corners from `begin` on as a polygon, if they are enough.
+    /// Adds the corners from `begin` on as a polygon, if there are enough.
     void end_polygon(std::size_t begin) {
         if (part_.corners.size() - begin < 3) {
             part_.corners.resize(begin);
@@ -325,7 +325,7 @@ private:
         }
     }
 
-    /// Every second triangle of a strip is wound the other way.
+    /// Adds triangle strips: every second triangle of a strip has the opposite orientation.
     void tristrips(const Element& primitive, const Input& input) {
         for (const Element* list : primitive.children_named("p")) {
             Corners corners(document_, *list, input);

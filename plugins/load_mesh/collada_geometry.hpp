@@ -6,8 +6,8 @@
 
 namespace foam::load_mesh {
 
-/// Triangles, polygons, strips and fans of a <geometry>, in its frame and unit; lines are left out. What is left out
-/// although it is a surface (splines, holes) or only looks wrong is logged.
+/// Returns the triangles, polygons, strips and fans of a <geometry>, in its frame and unit, without lines. Logs
+/// surfaces that are left out (splines, holes) and suspicious contents.
 Part read_geometry(const ColladaDocument& document, const xml::Element& geometry, Context& context);
 
 } // namespace foam::load_mesh

@@ -27,21 +27,21 @@ Affine scale(Numbers n) {
     return Affine::scaling(vector(n, 0));
 }
 
-/// An axis and an angle in degrees; no axis, no rotation.
+/// Returns the rotation by an axis and an angle in degrees; the identity without an axis.
 Affine rotate(Numbers n) {
     const Vec3 axis = normalized(vector(n, 0));
     return axis == Vec3{} ? Affine{} : Affine::rotation(Pose::from_axis_angle(axis, n[3] * std::numbers::pi / 180));
 }
 
-/// Eye, point of interest and up: the frame of a viewer who looks along -z.
+/// Returns the frame of a viewer who looks along -z, from eye, point of interest and up direction.
 Affine look_at(Numbers n) {
     const Vec3 eye = vector(n, 0), back = normalized(eye - vector(n, 3)), right = normalized(cross(vector(n, 6), back)),
                up = cross(back, right);
     return {{Vec3{right.x, up.x, back.x}, Vec3{right.y, up.y, back.y}, Vec3{right.z, up.z, back.z}}, eye};
 }
 
-/// Shears along the second axis by the angle (degrees) as the points go along the first: RenderMan's skew,
-/// p ↦ p + tan(angle) (p · from) along, with both axes of unit length and `from` made perpendicular to `along`.
+/// Returns RenderMan's skew by an angle in degrees: p ↦ p + tan(angle) (p · from) along, with both axes of unit length
+/// and `from` made perpendicular to `along`.
 Affine skew(Numbers n) {
     const Vec3 along = normalized(vector(n, 4)), turned = vector(n, 1),
                from = normalized(turned - along * dot(turned, along));

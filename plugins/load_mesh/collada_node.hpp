@@ -1,4 +1,4 @@
-// Where a COLLADA node puts what it holds.
+// The transform of a COLLADA node.
 #pragma once
 
 #include "affine.hpp"
@@ -6,8 +6,8 @@
 
 namespace foam::load_mesh {
 
-/// The product of the node's matrix, translate, rotate, scale, lookat and skew elements, in their order: from the
-/// node's frame to its parent's, in the file's unit.
+/// Returns the product of the node's matrix, translate, rotate, scale, lookat and skew elements, in their order: from
+/// the node's frame to its parent's, in the file's unit.
 Affine transform_of(const ColladaDocument& document, const xml::Element& node);
 
 } // namespace foam::load_mesh

@@ -48,7 +48,8 @@ Vec3 vector(const JsonPlace& place) {
     return {v[0], v[1], v[2]};
 }
 
-/// From the node's frame to its parent's: its matrix, column by column, or translation · rotation · scale.
+/// Returns the map from the node's frame to its parent's: its matrix, column by column, or translation · rotation ·
+/// scale.
 Affine transform_of(const JsonPlace& node) {
     if (const auto matrix = node.find("matrix")) {
         const std::vector<double> m = matrix->numbers(16);
@@ -95,7 +96,7 @@ private:
     };
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-    /// Of the default scene, or of the first; without scenes the nodes that are no one's children.
+    /// Returns the root nodes of the default scene, or of the first; without scenes the nodes that have no parent.
     std::vector<JsonPlace> root_nodes() const {
         std::vector<JsonPlace> roots;
         const auto scenes = root_.find("scenes"), chosen = root_.find("scene"), all = root_.find("nodes");
@@ -129,7 +130,7 @@ private:
         }
     }
 
-    /// The specification calls nodes a set of strict trees: each is reached once.
+    /// Visits the nodes. By the specification they are a set of strict trees: each is reached once.
     void nodes(const std::vector<JsonPlace>& roots) {
         std::vector<Visit> open;
         for (auto root = roots.rbegin(); root != roots.rend(); ++root) {
@@ -215,7 +216,7 @@ private:
         return part;
     }
 
-    /// Section 3.7.2.1 of the specification, which fixes the order of the corners too.
+    /// Adds triangles as in section 3.7.2.1 of the specification, which also fixes the order of the corners.
     static void add_triangles(std::uint64_t mode, const std::vector<std::uint32_t>& v, Part& part) {
         for (std::size_t i = 2; i < v.size(); i += mode == triangles ? 3 : 1) {
             const std::size_t odd = i % 2;

@@ -15,7 +15,7 @@
 namespace foam::load_mesh {
 namespace {
 
-/// "my%20part.bin" → "my part.bin"; what is no such escape stays.
+/// Decodes percent escapes: "my%20part.bin" → "my part.bin". Invalid escapes stay.
 std::string percent_decoded(std::string_view text) {
     const auto digit = [](char c) {
         return c >= '0' && c <= '9' ? c - '0' : (c | 32) >= 'a' && (c | 32) <= 'f' ? (c | 32) - 'a' + 10 : -1;
@@ -86,7 +86,7 @@ std::vector<double> GltfAccessors::values(const JsonPlace& accessor, const Shape
     return result;
 }
 
-/// `item`: what names a bufferView and a byteOffset.
+/// Reads dense elements. `item`: the object with bufferView and byteOffset.
 std::vector<double> GltfAccessors::dense(const JsonPlace& item, const Shape& shape) {
     const JsonPlace view = item.at("bufferView").target(root_, "bufferViews");
     const std::string_view whole = buffer(view.at("buffer").target(root_, "buffers"));
@@ -117,7 +117,7 @@ std::vector<double> GltfAccessors::dense(const JsonPlace& item, const Shape& sha
     return result;
 }
 
-/// Some elements have other values than the view holds.
+/// Replaces the values of sparse elements.
 void GltfAccessors::put_sparse(const JsonPlace& sparse, const Shape& shape, std::vector<double>& values) {
     Shape replaced = shape;
     replaced.count = count_of(sparse);

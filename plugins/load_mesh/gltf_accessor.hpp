@@ -1,4 +1,4 @@
-// Numbers in the buffers of a glTF: accessors, views, buffers.
+// Numbers in the buffers of a glTF file: accessors, views, buffers.
 #pragma once
 
 #include "json_place.hpp"
@@ -7,19 +7,20 @@
 
 namespace foam::load_mesh {
 
-/// Reads accessors; opens the buffers that they need, once. Names and rules after the Khronos glTF 2.0 specification,
+/// Reads accessors and opens the required buffers once. Names and rules after the Khronos glTF 2.0 specification,
 /// section 3.6, with the integer positions of KHR_mesh_quantization.
 class GltfAccessors {
 public:
-    /// `binary`: the GLB's block. Buffers may have `max_bytes` together, accessors `max_count` elements each.
+    /// Keeps the document. `binary`: the binary chunk of a GLB. Buffers may have `max_bytes` together, accessors
+    /// `max_count` elements each.
     GltfAccessors(const Source& source, const JsonPlace& root, std::string_view binary, std::uintmax_t max_bytes,
                   std::uint64_t max_count);
 
-    /// The accessor that this index means, as points. They need not be finite.
+    /// Returns the accessor with this index as points, which need not be finite.
     std::vector<Vec3> points(const JsonPlace& index);
-    /// Its elements of `width` numbers (VEC3, VEC4), one after the other.
+    /// Returns its elements of `width` numbers (VEC3, VEC4) in a row.
     std::vector<double> vectors(const JsonPlace& index, std::uint64_t width);
-    /// The same as unsigned integers.
+    /// Returns its elements as unsigned integers.
     std::vector<std::uint32_t> indices(const JsonPlace& index);
 
 private:
@@ -46,7 +47,7 @@ private:
     std::string_view binary_;
     std::uintmax_t bytes_left_;
     std::uint64_t max_count_;
-    std::map<std::string, std::string> buffers_; ///< by path; those that are no GLB block
+    std::map<std::string, std::string> buffers_; ///< by path; without the chunk of a GLB
 };
 
 } // namespace foam::load_mesh

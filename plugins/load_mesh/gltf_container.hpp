@@ -1,4 +1,4 @@
-// The two shapes of a glTF 2.0 file: JSON text, or a GLB that holds the text and a block of bytes.
+// The two forms of a glTF 2.0 file: JSON text, or a GLB with the text and a binary chunk.
 #pragma once
 
 #include "text.hpp"
@@ -10,7 +10,7 @@ struct GltfContainer {
     std::string_view binary; ///< of a GLB; empty otherwise
 };
 
-/// Throws Error(input) for a GLB of another version or that breaks off.
+/// Splits a file. Throws Error(input) for a GLB that has another version or is truncated.
 GltfContainer open_gltf(const Source& source);
 
 } // namespace foam::load_mesh

@@ -8,15 +8,15 @@
 namespace foam::load_mesh {
 namespace {
 
-/// Read here.
+/// Extensions that this plugin reads.
 constexpr std::array read_extensions{"KHR_mesh_quantization", "EXT_mesh_gpu_instancing"};
 
-/// How the surface looks, or what is known about it; never where it is.
+/// Extensions for the look of the surface or its metadata, never its place.
 constexpr std::array only_looks{"KHR_materials_",  "KHR_texture_", "EXT_texture_", "MSFT_texture_",
                                 "KHR_techniques_", "KHR_lights_",  "EXT_lights_",  "KHR_xmp",
                                 "ADOBE_materials", "MSFT_packing", "KHR_animation"};
 
-/// Compressed forms of what the file holds plainly too, unless it requires them.
+/// Compressed forms of data that the file also has uncompressed, unless it requires them.
 constexpr std::array compressions{"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"};
 
 bool is_harmless(const std::string& name) {

@@ -1,4 +1,4 @@
-// What extensions of glTF mean for its triangles.
+// The effect of glTF extensions on triangles.
 #pragma once
 
 #include "affine.hpp"
@@ -9,11 +9,11 @@
 
 namespace foam::load_mesh {
 
-/// Throws for a required extension that is not read; warns of a used one that may belong to the shape.
+/// Throws for a required extension that is not supported; warns of a used one that may affect the shape.
 void check_extensions(const Source& source, const JsonPlace& root, Context& context);
 
-/// Where the node shows its mesh: at `pose`, or with EXT_mesh_gpu_instancing at the poses that it lists, each followed
-/// by `pose`.
+/// Returns the poses of the node's mesh: `pose`, or with EXT_mesh_gpu_instancing the poses of the extension, each
+/// followed by `pose`.
 std::vector<Affine> instances(const JsonPlace& node, const Affine& pose, GltfAccessors& accessors);
 
 } // namespace foam::load_mesh

@@ -1,4 +1,4 @@
-// A JSON value and where it stands, so that messages can say it.
+// A JSON value with its place, for messages.
 #pragma once
 
 #include "text.hpp"
@@ -13,29 +13,29 @@ public:
     JsonPlace(const Source& source, const nlohmann::json& root) : source_(&source), value_(&root) {}
 
     const std::string& path() const { return path_; }
-    /// Error(input) "FILE: PATH what; remedy: …".
+    /// Returns Error(input) "FILE: PATH what; remedy: …".
     Error error(std::string_view what) const;
 
-    /// The member of an object; empty if there is none or this is no object.
+    /// Returns the member of an object; empty if there is none or this is not an object.
     std::optional<JsonPlace> find(std::string_view key) const;
     JsonPlace at(std::string_view key) const;
-    /// Items of an array; 0 if this is none.
+    /// Returns the number of items of an array; 0 if this is not one.
     std::size_t size() const { return value_->is_array() ? value_->size() : 0; }
     JsonPlace operator[](std::size_t index) const;
-    /// This is an index into list `key` of `root`: the item that it means.
+    /// Returns the item of list `key` of `root` at this index.
     JsonPlace target(const JsonPlace& root, std::string_view key) const;
 
     std::uint64_t natural() const;
     double number() const;
-    /// An array of that many numbers.
+    /// Returns an array of that many numbers.
     std::vector<double> numbers(std::size_t count) const;
-    /// Empty if this is no text.
+    /// Returns the text; empty if this is not a text.
     std::string text() const { return value_->is_string() ? value_->get<std::string>() : std::string(); }
 
     std::uint64_t natural(std::string_view key, std::uint64_t otherwise) const;
-    /// False if there is no such member.
+    /// Returns the flag; false if there is no such member.
     bool flag(std::string_view key) const;
-    /// Whether it is the same value of the same document.
+    /// Returns whether it is the same value of the same document.
     bool operator==(const JsonPlace& other) const { return value_ == other.value_; }
 
 private:

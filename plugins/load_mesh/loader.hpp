@@ -1,10 +1,10 @@
 // load.mesh: from a mesh file to a Mesh.
 //
-// Each format has a reader of its own, which calculates in double precision (a part that lies far from its origin keeps
-// its shape), trusts no count or index of the file, and names the place of what is wrong.
+// Each format has its own reader. Readers calculate in double precision, so that a part far from its origin keeps its
+// shape. They trust no count or index of the file, and name the place of an error.
 //
-// What a mesh keeps: every triangle of the file, degenerate ones too, in the order of the file; vertices of identical
-// coordinates become one; normals, colours and texture coordinates are left out.
+// A mesh has every triangle of the file, also degenerate ones, in the order of the file. Vertices with identical
+// coordinates become one. Normals, colours and texture coordinates are left out.
 #pragma once
 
 #include "builder.hpp"

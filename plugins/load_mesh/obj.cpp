@@ -56,8 +56,8 @@ private:
 
     static constexpr std::int64_t zero = std::numeric_limits<std::int64_t>::min();
 
-    /// One corner "v", "v/vt", "v//vn" or "v/vt/vn": the vertex as a 0-based index. It may lie ahead in the file, so
-    /// whether it exists is known at the end only.
+    /// Returns one corner "v", "v/vt", "v//vn" or "v/vt/vn": the vertex as a 0-based index. The vertex may follow later
+    /// in the file, so its existence is checked at the end.
     std::int64_t corner(std::string_view word) const {
         const std::string_view index = word.substr(0, word.find('/'));
         const auto value = to_integer(index);

@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    /// Moves on to the next line that holds a word.
+    /// Moves to the next line with a word.
     void need_line(std::string_view what) {
         CancellationCounter asking(4096);
         while (lines_.next()) {
@@ -55,7 +55,7 @@ private:
                                fmt::format("the file ends before {}; remedy: export or copy it again", what));
     }
 
-    /// The word that need_line() found, then those after it.
+    /// Returns the word that need_line() found, then those after it.
     std::string_view word() {
         const std::string_view result = first_.empty() ? lines_.word() : first_;
         first_ = {};
@@ -73,7 +73,7 @@ private:
         return *value;
     }
 
-    /// "OFF" with its prefixes, and the three counts, on one line or two.
+    /// Reads "OFF" with its prefixes, and the three counts, on one line or two.
     void counts() {
         need_line("the word OFF");
         std::string keyword(first_);
@@ -126,7 +126,7 @@ private:
         return p;
     }
 
-    /// False if it has fewer than three corners. What follows the corners is a colour.
+    /// Reads a face. Returns false if it has fewer than three corners. A colour may follow the corners.
     bool face() {
         const std::int64_t size = integer("the number of corners of the face");
         if (size < 0) {

@@ -48,7 +48,7 @@ struct Element {
 struct Header {
     enum class Format { text, little, big } format = Format::text;
     std::vector<Element> elements;
-    std::size_t size = 0, lines = 0; ///< of the header itself
+    std::size_t size = 0, lines = 0; ///< of the header
 };
 
 class HeaderReader {
@@ -156,7 +156,7 @@ private:
     std::vector<std::string_view> words_;
 };
 
-/// The values after the header one by one, from text or binary; every type fits a double.
+/// The values after the header in order, from text or binary; every type fits a double.
 class Values {
 public:
     Values(const Source& source, const Header& header)
@@ -200,7 +200,7 @@ public:
         return 0;
     }
 
-    /// A list's length or an index: a whole number of at least `low` and at most 2^32.
+    /// Returns a list's length or an index: an integer of at least `low` and at most 2^32.
     std::int64_t whole(Type type, std::string_view what, double low) {
         const double value = next(type);
         if (!(value >= low && value <= 4294967296.0 && value == std::floor(value))) {
@@ -213,7 +213,7 @@ public:
         return format_ == Header::Format::text ? words_.bytes_left() : source_.bytes.size() - at_;
     }
     bool text() const { return format_ == Header::Format::text; }
-    /// What is being read, for messages: "vertex 12".
+    /// Sets the current item for messages: "vertex 12".
     void at(std::string_view element, std::uint64_t index) {
         element_ = element;
         index_ = index;
@@ -260,7 +260,7 @@ public:
     }
 
 private:
-    /// A count that the rest of the file cannot hold is refused before anything is allocated.
+    /// Refuses a count for which the rest of the file is too short, before anything is allocated.
     void check_count(const Element& element) const {
         std::uint64_t least = 0;
         for (const Property& p : element.properties) {
@@ -329,7 +329,7 @@ private:
         }
     }
 
-    /// Every second triangle of a strip is wound the other way; -1 starts the next strip.
+    /// Adds triangle strips: every second triangle of a strip has the opposite orientation; -1 begins the next strip.
     void triangle_strips() {
         std::size_t start = 0;
         for (std::size_t i = 0; i < corners_.size(); ++i) {

@@ -13,12 +13,12 @@ struct Point {
     bool operator==(const Point&) const = default;
 };
 
-/// Twice the signed area of a triangle.
+/// Returns twice the signed area of a triangle.
 double turn(const Point& a, const Point& b, const Point& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Newell's normal: its length is twice the polygon's area.
+/// Returns Newell's normal: its length is twice the polygon's area.
 Vec3 newell_normal(std::span<const Vec3> p) {
     Vec3 normal;
     for (std::size_t i = 1; i + 1 < p.size(); ++i) {
@@ -27,7 +27,7 @@ Vec3 newell_normal(std::span<const Vec3> p) {
     return normal;
 }
 
-/// The polygon seen along the coordinate axis nearest to its normal, counter-clockwise.
+/// Returns the projection of the polygon along the coordinate axis nearest to its normal, counter-clockwise.
 std::vector<Point> projected(std::span<const Vec3> corners) {
     const Vec3 n = newell_normal(corners);
     int axis = std::abs(n.x) > std::abs(n.y) ? 0 : 1;
@@ -36,7 +36,7 @@ std::vector<Point> projected(std::span<const Vec3> corners) {
     std::vector<Point> points;
     points.reserve(corners.size());
     for (const Vec3& corner : corners) {
-        const Vec3 p = corner - corners[0]; // near the origin, so that a part far away keeps its digits
+        const Vec3 p = corner - corners[0]; // near the origin, so that a distant part keeps its digits
         points.push_back({p[(axis + 1) % 3], sign * p[(axis + 2) % 3]});
     }
     return points;
@@ -64,7 +64,7 @@ public:
         std::size_t left = points_.size(), since_last = 0;
         while (left > 3) {
             if (since_last > left) {
-                candidate = most_convex(candidate); // no ear: it crosses itself or is flat; go on with the best corner
+                candidate = most_convex(candidate); // no ear: self-intersecting or flat; use the best corner
             } else if (!is_ear(candidate)) {
                 candidate = next_[candidate];
                 ++since_last;
@@ -89,7 +89,7 @@ private:
 
     void spend(std::size_t work) { work_left_ -= std::min(work, work_left_); }
 
-    /// Cuts a corner off; gives the next one.
+    /// Cuts a corner off. Returns the next one.
     std::uint32_t cut(std::uint32_t i) {
         const std::uint32_t before = previous_[i], after = next_[i];
         next_[before] = after;
@@ -115,7 +115,7 @@ private:
         }
     }
 
-    /// If a corner lies in the triangle that an ear cuts off, then a reflex one does.
+    /// Returns whether corner i is an ear. If any corner lies in the triangle of an ear, then a reflex one does.
     bool is_ear(std::uint32_t i) {
         spend(1);
         if (place_[i] != convex) {
@@ -126,7 +126,7 @@ private:
             spend(1);
             const Point& p = points_[j];
             if (p == a || p == b || p == c) {
-                continue; // a bridge to a hole passes the same corner twice
+                continue; // a bridge to a hole has the same corner twice
             }
             if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0) {
                 return false;
@@ -148,8 +148,8 @@ private:
 
     std::vector<Point> points_;
     std::vector<std::uint32_t> next_, previous_;
-    std::vector<std::uint32_t> reflex_; ///< corners that turn the wrong way, or not at all
-    std::vector<std::uint32_t> place_;  ///< of each corner in reflex_, or `convex`
+    std::vector<std::uint32_t> reflex_; ///< corners that are reflex or straight
+    std::vector<std::uint32_t> place_;  ///< index of each corner in reflex_, or `convex`
     std::size_t& work_left_;
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t header_size = 84, facet_size = 50;
 
-/// The header of a binary file may start with "solid" too, so the first word alone says nothing.
+/// Returns whether the file is text. A binary header may begin with "solid" too, so the first word is not enough.
 bool is_text(std::string_view bytes) {
     const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
     if (begin == bytes.npos || lower(bytes.substr(begin, 5)) != "solid") {

@@ -28,7 +28,7 @@ template <class T> std::optional<T> parsed(std::string_view word, std::errc& pro
     return value;
 }
 
-/// Whether a number that fits no double is too small rather than too large.
+/// Returns whether a number outside the range of double is too small rather than too large.
 bool is_tiny(std::string_view number) {
     const std::size_t exponent = number.find_first_of("eE");
     if (exponent != number.npos) {
@@ -51,7 +51,7 @@ std::string_view first_word(std::string_view& text) {
     return word;
 }
 
-/// How many bytes at the front are one character of UTF-8; 0: none.
+/// Returns how many bytes at the front are one UTF-8 character; 0: none.
 std::size_t utf8_length(std::string_view text) {
     const auto byte = static_cast<unsigned char>(text[0]);
     const std::size_t length = byte < 0x80   ? 1

@@ -7,9 +7,9 @@
 
 namespace foam::urdf {
 
-/// The element with its pose and geometry; mesh paths are not resolved yet. All the shapes of the URDF specification,
-/// and capsules (Bullet, Drake, MuJoCo: `length` without the caps). Fails on anything else, and on sizes that are no
-/// solid.
+/// Returns the element with its pose and geometry; mesh paths are not resolved yet. Supports all shapes of the URDF
+/// specification, and capsules (Bullet, Drake, MuJoCo: `length` without the caps). Fails on anything else, and on sizes
+/// that give no solid.
 GeometryElement read_geometry_element(const xml::Element& element, const Reader& reader);
 
 } // namespace foam::urdf

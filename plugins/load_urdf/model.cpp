@@ -12,7 +12,7 @@
 namespace foam::urdf {
 namespace {
 
-/// Elements by name, to say where a name was first used.
+/// Elements by name, for messages on the first use of a name.
 using Names = std::map<std::string, const xml::Element*>;
 
 void require_new(Names& names, const std::string& name, const xml::Element& element, const Reader& reader) {
@@ -119,7 +119,7 @@ Joint read_joint(const xml::Element& element, const Names& links, const Reader& 
     return joint;
 }
 
-/// The joint above every link that has one.
+/// Returns the parent joint of every link that has one.
 std::map<std::string, const Joint*> joints_above(const Robot& robot, const Names& joints, const Reader& reader) {
     std::map<std::string, const Joint*> result;
     for (const Joint& joint : robot.joints) {
@@ -132,7 +132,7 @@ std::map<std::string, const Joint*> joints_above(const Robot& robot, const Names
     return result;
 }
 
-/// Finds the link that is no joint's child. Links and joints must form one tree below it.
+/// Finds the link that is not a joint's child. Links and joints must form one tree below it.
 void find_root(Robot& robot, const xml::Element& element, const Names& joints, const Reader& reader) {
     const std::map<std::string, const Joint*> above = joints_above(robot, joints, reader);
     std::vector<std::string> roots;

@@ -1,4 +1,4 @@
-// The robot as the elements of its URDF describe it.
+// The robot from the elements of its URDF.
 #pragma once
 
 #include "reader.hpp"
@@ -8,7 +8,8 @@
 
 namespace foam::urdf {
 
-/// Links and joints of <robot>, checked to be one tree; mesh paths are not resolved yet. `name` if the robot has none.
+/// Returns the links and joints of <robot>, checked to be one tree; mesh paths are not resolved yet. `name`: for a
+/// robot without one.
 Robot read_robot(const xml::Element& root, const std::string& name, const Reader& reader, Context& context);
 
 } // namespace foam::urdf

@@ -1,5 +1,5 @@
-// load.urdf: URDF files (http://wiki.ros.org/urdf/XML). Numbers are read from the XML itself, in every locale alike;
-// urdfdom gives a second opinion, so that the user learns here and not later in ROS that a model is refused there.
+// load.urdf: URDF files (http://wiki.ros.org/urdf/XML). Numbers are read from the XML itself, alike in every locale.
+// urdfdom checks the model too, so that the user learns here and not later in ROS that it refuses the model.
 #include "model.hpp"
 #include "second_opinion.hpp"
 

@@ -10,7 +10,7 @@
 namespace foam::urdf {
 namespace {
 
-/// Takes what urdfdom would print. console_bridge has one handler for the whole process, so one parse at a time.
+/// Catches the output of urdfdom. console_bridge has one handler for the whole process, so one parse at a time.
 class Listener final : public console_bridge::OutputHandler {
 public:
     Listener() : lock_(mutex()), level_(console_bridge::getLogLevel()) {
@@ -41,7 +41,7 @@ private:
     console_bridge::LogLevel level_;
 };
 
-/// The text with spaces in place of every <collision> and <visual> of a link.
+/// Returns the text with spaces in place of every <collision> and <visual> of a link.
 std::string without_geometry(std::string_view text, const xml::Element& root) {
     std::string result(text);
     for (const xml::Element* link : root.children_named("link")) {

@@ -1,4 +1,4 @@
-// What urdfdom, the parser of ROS, says of a model.
+// The check of a model by urdfdom, the parser of ROS.
 #pragma once
 
 #include <xml/document.hpp>
@@ -8,8 +8,8 @@
 
 namespace foam::urdf {
 
-/// urdfdom's complaints about links, joints and inertias; empty if it accepts the model. Geometry is kept from it: it
-/// knows no capsules and refuses what foam can read, and foam checks geometry itself.
+/// Returns urdfdom's messages on links, joints and inertias; empty if it accepts the model. It does not get the
+/// geometry: it does not support capsules and refuses geometry that foam reads, and foam checks geometry itself.
 std::vector<std::string> complaints_of_urdfdom(std::string_view text, const xml::Element& root);
 
 } // namespace foam::urdf

@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    /// Nothing if the result is not what it should be; `trouble` then says why.
+    /// Returns nothing if the result does not meet the requirements; `trouble` is then the reason.
     static std::optional<Mesh> watertight(const Mesh& mesh, std::size_t leaves, std::string& trouble,
                                           Context& context) {
         try {

@@ -13,7 +13,7 @@
 namespace foam::repair {
 namespace {
 
-/// Cubes of lengths must neither overflow nor vanish.
+/// Throws if the cube of a length would overflow or vanish.
 void check_extents(const Mesh& mesh) {
     const Vec3 size = bounds(mesh).size();
     const double extent = std::max({size.x, size.y, size.z});
@@ -31,7 +31,7 @@ Triangle sorted(Triangle t) {
     return t;
 }
 
-/// The triangles whose corner sets occur first.
+/// Returns the triangles without later repeats of the same corners.
 std::vector<Triangle> without_repeats(const std::vector<Triangle>& triangles) {
     std::vector<std::pair<Triangle, std::uint32_t>> by_corners;
     by_corners.reserve(triangles.size());

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t none = 0xFFFFFFFFu;
 
-/// For side k of triangle i, at 3 i + k: the triangle over an edge of exactly two; none elsewhere.
+/// Returns for side k of triangle i, at 3 i + k, the other triangle at an edge with exactly two; none elsewhere.
 std::vector<std::uint32_t> partners(const Mesh& mesh) {
     std::vector<std::uint32_t> result(3 * mesh.triangles.size(), none);
     for_each_edge(sides_by_edge(mesh.triangles, mesh.vertices.size()), [&](std::span<const Side> edge) {
@@ -53,7 +53,7 @@ std::vector<std::vector<std::uint32_t>> patches_of(const Mesh& mesh) {
 
 enum class Facing { outwards, inwards, wall };
 
-/// How often the inside is behind, before, or on both sides of a patch.
+/// How often the inside is behind, in front, or on both sides of a patch.
 struct Sides {
     std::size_t outwards = 0, inwards = 0, walls = 0;
 
@@ -65,7 +65,7 @@ struct Sides {
     }
 };
 
-/// The triangles of `patch`, largest first, ties in the order of the patch; at most `most` of them.
+/// Returns at most `most` triangles of `patch`, largest first, ties in the order of the patch.
 std::vector<std::uint32_t> largest(const Mesh& mesh, const std::vector<std::uint32_t>& patch, std::size_t most) {
     std::vector<std::pair<double, std::uint32_t>> by_area; // negated
     by_area.reserve(patch.size());
@@ -80,7 +80,7 @@ std::vector<std::uint32_t> largest(const Mesh& mesh, const std::vector<std::uint
     return result;
 }
 
-/// All of `patch`, in the middle and near the corners of every triangle.
+/// Samples the whole `patch`, in the middle and near the corners of every triangle.
 Sides all_sides(const Mesh& mesh, const std::vector<std::uint32_t>& patch, const Solid& solid, double step) {
     constexpr double near = 0.98; // share of the way from the middle to a corner
     Sides sides;
@@ -95,8 +95,9 @@ Sides all_sides(const Mesh& mesh, const std::vector<std::uint32_t>& patch, const
     return sides;
 }
 
-/// By the winding number before and behind the middles of the patch's largest triangles. A wall only if no part of the
-/// patch sees the outside: a body that stands in another for the most part still counts where it comes out of it.
+/// Returns the facing by the winding number in front of and behind the middles of the patch's largest triangles. A
+/// patch is a wall only if no part of it sees the outside: a body that is mostly in another one still counts where it
+/// emerges.
 Facing facing_of(const Mesh& mesh, const std::vector<std::uint32_t>& patch, const Solid& solid) {
     constexpr std::size_t most_samples = 9;
     const double step = 1e-6 * solid.bounds().diagonal();

@@ -14,7 +14,7 @@ std::uint32_t start_of(const Mesh& mesh, std::uint32_t side) {
     return mesh.triangles[side / 3][side % 3];
 }
 
-/// Reverses triangle i. Sides 0 and 2 change places (0→1, 1→2, 2→0 becomes 0→2, 2→1, 1→0), side 1 stays the same edge.
+/// Reverses triangle i. Swaps sides 0 and 2 (0→1, 1→2, 2→0 becomes 0→2, 2→1, 1→0); side 1 stays the same edge.
 void reverse(Mesh& mesh, Neighbours& neighbours, std::uint32_t i) {
     std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
     const std::uint32_t first = neighbours[3 * i], last = neighbours[3 * i + 2];
@@ -25,7 +25,7 @@ void reverse(Mesh& mesh, Neighbours& neighbours, std::uint32_t i) {
 
 /// Sorts the sides of one edge by angle around it, so that the first two, the next two, … have the inside between them.
 /// With the edge's direction from the lower to the higher vertex, the inside follows (counter-clockwise) after a
-/// triangle that passes the edge backwards and ends at one that passes it forwards. False if they do not alternate.
+/// triangle with the edge backwards, and ends at one with the edge forwards. Returns false if they do not alternate.
 bool sort_inside_between(const Mesh& mesh, std::vector<std::uint32_t>& sides) {
     const auto start = [&](std::uint32_t side) { return mesh.triangles[side / 3][side % 3]; };
     const auto end = [&](std::uint32_t side) { return mesh.triangles[side / 3][(side % 3 + 1) % 3]; };
@@ -43,7 +43,7 @@ bool sort_inside_between(const Mesh& mesh, std::vector<std::uint32_t>& sides) {
     const std::size_t offset = backward(0) ? 0 : 1;
     for (std::size_t i = 0; i < by_angle.size(); ++i) {
         if (backward(offset + i) != (i % 2 == 0) ||
-            (i > 0 && by_angle[i].first == by_angle[i - 1].first)) { // triangles on top of each other have no order
+            (i > 0 && by_angle[i].first == by_angle[i - 1].first)) { // coincident triangles have no order
             return false;
         }
         sides[i] = by_angle[(offset + i) % by_angle.size()].second;
@@ -56,7 +56,7 @@ bool sort_inside_between(const Mesh& mesh, std::vector<std::uint32_t>& sides) {
 std::optional<Neighbours> neighbours(const Mesh& mesh) {
     const std::vector<Side> sides = sides_by_edge(mesh.triangles, mesh.vertices.size());
     if (sides.size() != 3 * mesh.triangles.size()) {
-        return std::nullopt; // a triangle passes a vertex twice
+        return std::nullopt; // a triangle has a vertex twice
     }
     Neighbours result(sides.size(), none);
     bool sound = true;
@@ -160,7 +160,7 @@ std::size_t split_fans(Mesh& mesh, const Neighbours& neighbours) {
         } else {
             vertex_used[vertex] = 1;
         }
-        // Around the vertex: over the side that leaves it, to the corner behind that side in the next triangle.
+        // Around the vertex: over the outgoing side, to the corner after that side in the next triangle.
         for (std::uint32_t corner = first; !corner_done[corner];) {
             corner_done[corner] = 1;
             mesh.triangles[corner / 3][corner % 3] = vertex;

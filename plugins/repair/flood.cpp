@@ -38,7 +38,7 @@ private:
         }
     }
 
-    /// To the leaves across one face.
+    /// Spreads to the leaves across one face.
     void spread(const Node& node, std::size_t axis, int direction) {
         Cell place = node.place;
         place[axis] += direction;
@@ -47,7 +47,7 @@ private:
         }
     }
 
-    /// The leaves of a node that lie on the face one comes through.
+    /// Reaches the leaves of a node at the face of entry.
     void reach_leaves(std::uint32_t i, std::size_t axis, int direction) {
         const Node& node = octree_.nodes()[i];
         if (node.state != State::split) {

@@ -14,11 +14,11 @@ namespace {
 using Loop = std::vector<std::uint32_t>;
 
 constexpr std::size_t most_edges = 500;
-/// Deviation from a plane that still counts as flat: share of the loop's extent.
+/// Largest deviation from a plane of a flat loop, as a share of the loop's extent.
 constexpr double flatness = 1e-4;
 
-/// The lines around the holes, wound as triangles that fill them are. Where lines touch in a vertex, each goes its own
-/// way round.
+/// Returns the boundary loops of the holes, in the direction of triangles that fill them. Loops that touch in a vertex
+/// are separate.
 std::vector<Loop> loops_of(const Mesh& mesh) {
     std::multimap<std::uint32_t, std::uint32_t> next;
     for (const OpenSide& side : open_sides(mesh)) {

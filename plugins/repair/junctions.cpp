@@ -9,7 +9,7 @@
 namespace foam::repair {
 namespace {
 
-/// Vertices of open sides, by x.
+/// Returns the vertices of open sides, ordered by x.
 std::vector<std::uint32_t> vertices_by_x(const Mesh& mesh, const std::vector<OpenSide>& sides) {
     std::vector<std::uint32_t> vertices;
     CancellationCounter asking(1024);
@@ -25,7 +25,7 @@ std::vector<std::uint32_t> vertices_by_x(const Mesh& mesh, const std::vector<Ope
     return vertices;
 }
 
-/// The vertices on the side, from its start to its end.
+/// Returns the vertices on the side, from its start to its end.
 std::vector<std::uint32_t> vertices_on(const Mesh& mesh, const OpenSide& side, const std::vector<std::uint32_t>& by_x,
                                        double tolerance) {
     const Vec3 &a = mesh.vertices[side.from], &b = mesh.vertices[side.to];
@@ -51,7 +51,7 @@ std::vector<std::uint32_t> vertices_on(const Mesh& mesh, const OpenSide& side, c
     return result;
 }
 
-/// One pass: at most one side of each triangle is split.
+/// Runs one pass, which splits at most one side of each triangle.
 std::size_t split_once(Mesh& mesh, double tolerance) {
     const std::vector<OpenSide> sides = open_sides(mesh);
     const std::vector<std::uint32_t> by_x = vertices_by_x(mesh, sides);

@@ -1,4 +1,4 @@
-// T-junctions: a vertex that lies on an edge of another triangle.
+// T-junctions: vertices on an edge of another triangle.
 #pragma once
 
 #include <foam/mesh.hpp>

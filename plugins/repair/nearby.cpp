@@ -20,7 +20,7 @@ void Nearby::collect(std::uint32_t vertex, const VoxelSurface& surface, const Oc
     std::vector<Cell> cells = surface.cells[vertex];
     const Vec3 p = surface.mesh.vertices[vertex] / octree.cell_size();
     const auto is_near = [&](const Cell& cell, std::size_t axis) {
-        // Middles of the eight cells are half a cell away, those of a face's or side's middle point up to one.
+        // The middles of the eight cells are half a cell away, those for the midpoint of a face or side up to one.
         return std::abs(cell[axis] + 0.5 - p[static_cast<int>(axis)]) < 1.25;
     };
     for (std::size_t k = 0; k < cells.size(); ++k) {

@@ -1,4 +1,4 @@
-// The part of the input that a vertex of the voxel surface can be drawn to.
+// The part of the input that a vertex of the voxel surface can be projected to.
 #pragma once
 
 #include "octree.hpp"
@@ -16,19 +16,19 @@ struct Foot {
 };
 
 /// For every vertex the triangles of the input in the solid cells around it: its own cells and those joined to them
-/// across faces, among the eight cells at the vertex. What lies behind a pinch does not count.
+/// across faces, among the eight cells at the vertex. Triangles behind a pinch do not count.
 class Nearby {
 public:
     Nearby(const Mesh& input, const VoxelSurface& surface, const Octree& octree);
 
     bool none(std::uint32_t vertex) const { return lists_[vertex].empty(); }
-    /// Among the triangles near `vertex`. Precondition: there are some.
+    /// Returns the closest point on the triangles near `vertex`. Precondition: there are some.
     Foot closest(std::uint32_t vertex, const Vec3& p) const;
-    /// The segment passes through a triangle near `vertex`.
+    /// Returns whether the segment passes through a triangle near `vertex`.
     bool is_crossed(std::uint32_t vertex, const Vec3& a, const Vec3& b) const;
 
 private:
-    /// A triangle and a ball about it, to pass over what is far.
+    /// A triangle and its bounding ball, to skip distant triangles.
     struct Item {
         Corners corners;
         Vec3 center;

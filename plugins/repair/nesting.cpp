@@ -14,9 +14,9 @@ struct Part {
     std::vector<std::uint32_t> triangles;
     Box box;
     double volume = 0;
-    double rounding = 0; ///< of the volume, at the most
+    double rounding = 0; ///< largest rounding error of the volume
     bool turn = false;
-    int outermost = -1; ///< the outermost part that holds this one
+    int outermost = -1; ///< the outermost part that contains this one
 };
 
 std::vector<Part> parts_of(const Mesh& mesh, const Components& components) {
@@ -40,7 +40,7 @@ std::vector<Part> parts_of(const Mesh& mesh, const Components& components) {
     return parts;
 }
 
-/// `inner`, judged by its box and one of its points, lies inside of `outer`.
+/// Returns whether `inner`, judged by its box and one of its points, lies inside of `outer`.
 bool holds(const Mesh& mesh, const Part& outer, const Part& inner) {
     for (int axis = 0; axis < 3; ++axis) {
         if (!(outer.box.low[axis] < inner.box.low[axis] && inner.box.high[axis] < outer.box.high[axis])) {
@@ -58,7 +58,7 @@ bool holds(const Mesh& mesh, const Part& outer, const Part& inner) {
     return std::abs(angle) > 2 * std::numbers::pi;
 }
 
-/// Parts from the largest box to the smallest: what holds comes before what is held.
+/// Returns the parts from the largest box to the smallest: a part comes before those that it contains.
 std::vector<std::size_t> from_large_to_small(const std::vector<Part>& parts) {
     std::vector<std::size_t> order(parts.size());
     std::iota(order.begin(), order.end(), 0u);

@@ -10,7 +10,7 @@ namespace foam::repair {
 namespace {
 
 constexpr int max_depth = 20;
-/// Cells are tested a little larger than they are: rounding must not lose a triangle between two of them.
+/// Factor on the size of cells in tests: rounding must not lose a triangle between two of them.
 constexpr double margin = 1 + 1e-9;
 
 Cell child_place(const Cell& parent, int child) {
@@ -19,13 +19,13 @@ Cell child_place(const Cell& parent, int child) {
 
 using Lists = std::array<std::vector<std::uint32_t>, 8>;
 
-/// The box lies in the cube.
+/// Returns whether the box lies in the cube.
 bool is_in_cube(const Box& box, const Vec3& center, double half_size) {
     const Vec3 low = box.low - center, high = box.high - center;
     return std::min({low.x, low.y, low.z}) >= -half_size && std::max({high.x, high.y, high.z}) <= half_size;
 }
 
-/// The triangles of a node, dealt out to its children.
+/// Returns the triangles of a node, distributed to its children.
 Lists deal(const Mesh& mesh, const Node& node, std::span<const std::uint32_t> triangles) {
     Lists lists;
     const double size = std::ldexp(1.0, -(node.level + 1));
@@ -43,7 +43,7 @@ Lists deal(const Mesh& mesh, const Node& node, std::span<const std::uint32_t> tr
         for (const Vec3& p : c) {
             box.add(p);
         }
-        // Most triangles are small, and lie in the one child that holds their middle.
+        // Most triangles are small, and lie in the one child that contains their middle.
         const Vec3 p = box.center();
         const std::size_t home = (p.x > middle.x) + 2 * (p.y > middle.y) + 4 * (p.z > middle.z);
         const double reach = std::max({box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z}) / 2;

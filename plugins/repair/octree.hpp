@@ -1,5 +1,5 @@
-// The octree over the triangles (Huang, Su, Guibas 2018, section 3.1): cells that hold a piece of the surface are
-// split, all to the same depth; cells that hold none stay as large as they are.
+// The octree over the triangles (Huang, Su, Guibas 2018, section 3.1). Cells that contain a piece of the surface are
+// split, all to the same depth. Cells without surface keep their size.
 #pragma once
 
 #include <foam/context.hpp>
@@ -28,12 +28,12 @@ struct Node {
     std::uint32_t first_child = 0;
     State state = State::enclosed;
     std::uint8_t level = 0;
-    Cell place{}; ///< in cells of its own level
+    Cell place{}; ///< in cells of its level
 };
 
 class Octree {
 public:
-    /// Over a mesh inside of the unit cube, split until at least `leaves` cells are occupied.
+    /// Builds an octree over a mesh in the unit cube, split until at least `leaves` cells are occupied.
     Octree(const Mesh& mesh, std::size_t leaves, Context& context);
 
     int depth() const { return depth_; }
@@ -42,15 +42,16 @@ public:
     std::vector<Node>& nodes() { return nodes_; }
     const std::vector<Node>& nodes() const { return nodes_; }
 
-    /// The leaf that holds a cell of `level`, or the node of that level itself. Precondition: inside of the root.
+    /// Returns the leaf that contains a cell of `level`, or the node of that level itself. Precondition: inside of the
+    /// root.
     std::uint32_t node_at(const Cell& place, int level) const;
-    /// Everything beyond the root is outside.
+    /// Returns whether the cell is solid. Everything beyond the root is outside.
     bool is_solid(const Cell& cell) const;
-    /// Triangles that touch the cell; none unless it is occupied.
+    /// Returns the triangles that touch the cell; none unless it is occupied.
     std::span<const std::uint32_t> triangles_at(const Cell& cell) const;
-    /// The lowest cell of a leaf, and how many cells long it is.
+    /// Returns the lowest cell of a leaf, and its length in cells.
     Cell low_cell(const Node& node) const;
-    /// Gives an empty leaf eight empty children; returns the first.
+    /// Gives an empty leaf eight empty children. Returns the first.
     std::uint32_t split(std::uint32_t leaf);
     std::int32_t cells_across(const Node& node) const { return std::int32_t{1} << (depth_ - node.level); }
 
@@ -64,10 +65,10 @@ private:
 };
 
 /// Marks as filled the empty leaves that lie inside of an open `solid` (generalised winding number above one half), so
-/// that flood fill through a hole does not turn the solid into a thin shell. Leaves on both sides are split.
+/// that flood fill through a hole does not turn the solid into a thin shell. Splits leaves that lie on both sides.
 void fill_openings(Octree& octree, const Solid& solid, Context& context);
 
-/// Marks as outside every empty leaf that can be reached from beyond the root across faces of empty leaves.
+/// Marks as outside every empty leaf that is connected to the space beyond the root across faces of empty leaves.
 void flood_from_outside(Octree& octree);
 
 } // namespace foam::repair

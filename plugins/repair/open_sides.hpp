@@ -1,4 +1,4 @@
-// Sides of triangles that have no partner.
+// Sides of triangles without partner.
 #pragma once
 
 #include <foam/mesh.hpp>
@@ -12,7 +12,7 @@ struct OpenSide {
     std::uint32_t from, to, triangle, place;
 };
 
-/// The sides whose edge has no other triangle, in the order of the triangles. O(n log n).
+/// Returns the sides whose edge has no other triangle, in the order of the triangles. O(n log n).
 std::vector<OpenSide> open_sides(const Mesh& mesh);
 
 } // namespace foam::repair

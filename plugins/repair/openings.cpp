@@ -5,7 +5,7 @@
 namespace foam::repair {
 namespace {
 
-/// A place on the grid of half cells of the finest level: corners and middles of all leaves are on it.
+/// A point of the grid of half cells of the finest level, which has the corners and middles of all leaves.
 using Place = Cell;
 /// The eight corners of a leaf, then its middle.
 using Probes = std::array<Place, 9>;
@@ -24,7 +24,7 @@ Probes probes_of(const Octree& octree, const Node& node) {
     return probes;
 }
 
-/// Which places lie inside of a solid; each is asked for once, though neighbouring leaves share them.
+/// The places inside of a solid. Each is computed once, although neighbouring leaves share places.
 class Insides {
 public:
     Insides(std::vector<Place> places, const Octree& octree, const Solid& solid) : places_(std::move(places)) {
@@ -61,7 +61,7 @@ void fill_openings(Octree& octree, const Solid& solid, Context& context) {
         std::vector<Place> places;
         for (const std::uint32_t i : open) {
             const Probes probes = probes_of(octree, octree.nodes()[i]);
-            // A leaf that cannot be split is judged by its middle alone.
+            // A leaf that cannot be split is judged by its middle only.
             places.insert(places.end(), is_finest(i) ? probes.end() - 1 : probes.begin(), probes.end());
         }
         const Insides insides(std::move(places), octree, solid);

@@ -7,7 +7,7 @@
 namespace foam::repair {
 namespace {
 
-/// Depth below the surface, in cells, at which a solid is told from a sheet.
+/// Depth below the surface, in cells, at which a solid is distinguished from a sheet.
 constexpr double probe_depth = 0.01;
 
 class Projection {
@@ -59,7 +59,7 @@ private:
         return sum / (2.0 * static_cast<double>(rings_[vertex].size()));
     }
 
-    /// The surface around the vertex is nearly flat: sliding along it loses no edge.
+    /// Returns whether the surface around the vertex is nearly flat, so that sliding along it loses no edge.
     bool is_flat(std::uint32_t vertex) const {
         const Vec3 normal = ring_normal(vertex);
         return std::all_of(rings_[vertex].begin(), rings_[vertex].end(), [&](std::uint32_t t) {
@@ -74,13 +74,13 @@ private:
             const auto i = static_cast<std::uint32_t>(index);
             if (!nearby_.none(i)) {
                 targets_[i] = above_input(i, first);
-            } else if (!first) { // closes an opening: there is nothing to be drawn to
+            } else if (!first) { // closes an opening: there is no input to project to
                 targets_[i] = (mesh_.vertices[i] + ring_center(i)) * 0.5;
             }
         });
     }
 
-    /// Where the vertex should go: slid towards its neighbours' middle, then down to the input.
+    /// Returns the target of the vertex: slid towards its neighbours' mean, then projected to the input.
     Vec3 above_input(std::uint32_t i, bool first) {
         const Vec3 p = mesh_.vertices[i];
         Vec3 base = p;
@@ -95,7 +95,7 @@ private:
             const bool on_solid = solid_.contains(foot.point - away * (probe_depth * cell_));
             stand_off_[i] = (on_solid ? options_.off_solids : options_.off_sheets) * cell_;
         }
-        for (const double sign : {1.0, -1.0}) { // sliding round an edge may have led to the wrong side
+        for (const double sign : {1.0, -1.0}) { // sliding around an edge may have led to the wrong side
             const Vec3 target = foot.point + away * (sign * stand_off_[i]);
             if (!nearby_.is_crossed(i, p, target)) {
                 return target;
@@ -104,7 +104,7 @@ private:
         return p;
     }
 
-    /// All triangles at the vertex keep their side when it is at `to`.
+    /// Returns whether all triangles at the vertex keep their orientation when it is at `to`.
     bool is_allowed(std::uint32_t vertex, const Vec3& to) const {
         const double least = 1e-4 * cell_ * cell_;
         return std::all_of(rings_[vertex].begin(), rings_[vertex].end(), [&](std::uint32_t t) {
@@ -131,7 +131,7 @@ private:
         }
     }
 
-    /// Of the two diagonals of a face, the one that agrees better with the input: whose middle lies nearer to it.
+    /// Chooses for each face the diagonal whose middle is nearer to the input.
     void improve_diagonals() {
         std::vector<char> change(surface_.quads.size(), 0);
         parallel_for(surface_.quads.size(), [&](std::size_t i) {
@@ -151,7 +151,7 @@ private:
         }
     }
 
-    /// Both triangles of the other diagonal face the way the present ones do.
+    /// Returns whether both triangles of the other diagonal face the way of the present ones.
     bool is_convex(const std::array<std::uint32_t, 4>& c) const {
         const auto normal = [&](std::size_t i, std::size_t j, std::size_t k) {
             return area_vector({mesh_.vertices[c[i]], mesh_.vertices[c[j]], mesh_.vertices[c[k]]});

@@ -14,14 +14,14 @@
 namespace foam::repair {
 namespace {
 
-/// The part of the unit cube's edge that the longest extent takes: the surface does not touch the cube.
+/// The share of the unit cube's edge that the longest extent takes: the surface does not touch the cube.
 constexpr double filled = 0.998;
 
-/// Distances from the input, in cells. Solids: small against the error of the resolution itself. Sheets: room for both
+/// Distances from the input, in cells. Solids: small compared with the error of the resolution. Sheets: enough for both
 /// sides where they are curved.
 constexpr double off_solids = 0.005, off_sheets = 0.1;
 
-/// Between the mesh's frame and the unit cube.
+/// The map between the mesh's frame and the unit cube.
 struct Frame {
     Vec3 center;
     double scale;
@@ -52,7 +52,8 @@ Mesh rebuilt(const Mesh& mesh, const RebuildOptions& options, Context& context) 
     const VoxelSurface voxels = voxel_surface(octree, context);
     const Nearby nearby(input, voxels, octree);
 
-    // Thin curved sheets could end inside out if their two sides came too near to each other: then stay further off.
+    // Thin curved sheets could become inside out if their two sides came too near to each other: then a larger
+    // distance.
     for (double factor = 1; factor < 8; factor *= 2) {
         check_cancelled();
         VoxelSurface surface = voxels;

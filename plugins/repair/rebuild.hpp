@@ -1,4 +1,4 @@
-// A closed surface around anything.
+// A closed surface around any triangles.
 #pragma once
 
 #include <foam/context.hpp>
@@ -14,8 +14,8 @@ struct RebuildOptions {
         false; ///< the inside of a mesh with holes is solid, too, not only what flood fill cannot reach
 };
 
-/// A closed, outward, 2-manifold surface around the triangles of `mesh`; cavities are filled. Precondition: at least
-/// one triangle with an area.
+/// Returns a closed, outward, 2-manifold surface around the triangles of `mesh`; cavities are filled. Precondition: at
+/// least one triangle with an area.
 Mesh rebuilt(const Mesh& mesh, const RebuildOptions& options, Context& context);
 
 } // namespace foam::repair

@@ -10,7 +10,7 @@
 namespace foam::repair {
 namespace {
 
-/// Counts of what was done, told once it has led to something.
+/// Counts of the repairs, reported once they succeeded.
 class Deeds {
 public:
     void add(std::size_t count, const char* what) {
@@ -32,7 +32,7 @@ double seam_width(const Cleaned& cleaned, const SoupOptions& options) {
     return options.seam * bounds(cleaned.distinct).diagonal();
 }
 
-/// What sound() tries. `sewn`: the mesh with its seams closed, once that is made.
+/// Tries sound(). `sewn`: receives the mesh with closed seams, once it is made.
 std::optional<Mesh> tried_as_sound(const Cleaned& cleaned, const SoupOptions& options, Mesh& sewn, Context& context) {
     if (std::optional<Mesh> closed = closed_manifold(cleaned.distinct, context)) {
         return closed;

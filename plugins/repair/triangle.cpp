@@ -72,7 +72,7 @@ bool crosses(const Corners& t, const Vec3& a, const Vec3& b) {
     if ((side_a > 0 && side_b > 0) || (side_a < 0 && side_b < 0) || side_a == side_b) {
         return false;
     }
-    // Volumes of the tetrahedra that the segment spans with the edges: of one sign if it passes inside of all three.
+    // Volumes of the tetrahedra of the segment and the edges: of one sign if it passes inside of all three.
     const Vec3 direction = b - a;
     const double u = dot(direction, cross(t[0] - a, t[1] - a));
     const double v = dot(direction, cross(t[1] - a, t[2] - a));

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int halvings = 4;
 
-/// The vertices of the triangles, and of all that share a vertex with them if `wide`.
+/// Returns the vertices of the triangles, and if `wide` of all triangles that share a vertex with them.
 std::vector<char> vertices_of(const Mesh& mesh, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs,
                               bool wide) {
     std::vector<char> touched(mesh.vertices.size(), 0);
@@ -34,14 +34,14 @@ std::vector<char> vertices_of(const Mesh& mesh, const std::vector<std::pair<std:
 } // namespace
 
 std::size_t untangle(Mesh& mesh, const Mesh& voxels, Context& context) {
-    std::vector<int> times(mesh.vertices.size(), 0); // that a vertex went back
+    std::vector<int> times(mesh.vertices.size(), 0); // how often a vertex went back
     for (int round = 0;; ++round) {
         context.check_cancelled();
         const auto pairs = self_intersections(mesh);
         if (pairs.empty()) {
             break;
         }
-        // The first rounds move as little as they can; later ones take the neighbours along, so that this ends.
+        // The first rounds move as little as possible. Later ones include the neighbours, so that the loop ends.
         const std::vector<char> touched = vertices_of(mesh, pairs, round >= 2 * halvings);
         for (std::size_t i = 0; i < touched.size(); ++i) {
             if (touched[i]) {

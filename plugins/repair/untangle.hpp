@@ -1,4 +1,4 @@
-// No triangle of a rebuilt surface passes through another.
+// Removes intersections between triangles of a rebuilt surface.
 #pragma once
 
 #include <foam/context.hpp>
@@ -6,9 +6,9 @@
 
 namespace foam::repair {
 
-/// `mesh` is `voxels` with its vertices drawn to the input. Where triangles pass through each other, their vertices go
-/// back towards where they were, by halves and at last wholly, until none does: the faces of voxels never do. Returns
-/// the number of vertices that had to go back.
+/// Removes intersections. `mesh` is `voxels` with its vertices projected to the input. Vertices of triangles that
+/// intersect move back towards their voxel positions, by halves and finally completely, until no triangles intersect:
+/// the faces of voxels never do. Returns the number of vertices that moved back.
 std::size_t untangle(Mesh& mesh, const Mesh& voxels, Context& context);
 
 } // namespace foam::repair

@@ -26,13 +26,13 @@ Direction opposite(Direction d) {
     return {d.axis, -d.sign};
 }
 
-/// A face of a solid cell towards an outside one.
+/// A face of a solid cell next to an outside one.
 struct Face {
     Cell cell;
     Direction direction;
 };
 
-/// Corners are counter-clockwise seen from outside; side k leads from corner k to corner k + 1.
+/// Returns the corners, counter-clockwise seen from outside; side k leads from corner k to corner k + 1.
 std::array<Cell, 4> corner_points(const Face& face) {
     const std::size_t u = (face.direction.axis + 1) % 3, v = (face.direction.axis + 2) % 3;
     Cell origin = face.cell;
@@ -46,7 +46,7 @@ std::array<Cell, 4> corner_points(const Face& face) {
     return points;
 }
 
-/// The direction in the face's plane that leads out of it over side k.
+/// Returns the direction in the face's plane that leads out of it over side k.
 Direction across(const Face& face, std::size_t k) {
     const std::size_t u = (face.direction.axis + 1) % 3, v = (face.direction.axis + 2) % 3;
     const std::array<Direction, 4> up = {Direction{v, -1}, {u, 1}, {v, 1}, {u, -1}};
@@ -89,7 +89,7 @@ private:
         }
     }
 
-    /// The faces on one side of a leaf, which may be many cells long.
+    /// Collects the faces on one side of a leaf, which may be many cells long.
     void collect_side(const Node& node, Direction d) {
         const std::int32_t across_count = octree_.cells_across(node);
         Cell corner = octree_.low_cell(node);
@@ -106,8 +106,8 @@ private:
         }
     }
 
-    /// The face that goes on over side k, if solid cells are joined across faces only. `pinched`: another pair of faces
-    /// passes the same edge.
+    /// Returns the next face over side k, if solid cells are joined across faces only. `pinched`: another pair of faces
+    /// has the same edge.
     std::uint32_t next_face(std::uint32_t i, std::size_t k, bool& pinched) const {
         const Face& face = faces_[i];
         const Direction t = across(face, k);
@@ -129,7 +129,7 @@ private:
         return corner;
     }
 
-    /// Corners of faces that are neighbours over an edge become one vertex.
+    /// Merges the corners of faces that are neighbours over an edge into one vertex.
     void join_corners() {
         parent_.resize(4 * faces_.size());
         std::iota(parent_.begin(), parent_.end(), 0u);
@@ -227,7 +227,7 @@ private:
     const Octree& octree_;
     Context& context_;
     std::vector<Face> faces_;
-    std::unordered_map<std::uint64_t, std::uint32_t> index_; // looked up, never walked
+    std::unordered_map<std::uint64_t, std::uint32_t> index_; // looked up, never iterated
     std::vector<std::uint32_t> parent_;                      // of corners, 4 · face + place
     std::vector<std::uint32_t> midpoint_;                    // of sides: the side whose midpoint it shares
     std::vector<std::uint32_t> vertex_, middle_vertex_;

@@ -22,8 +22,9 @@ struct VoxelSurface {
     std::vector<std::vector<Cell>> cells; ///< of each vertex: the solid cells whose faces meet there
 };
 
-/// Solid cells are joined across faces only. Where two of them touch in an edge or a corner, each gets vertices of its
-/// own; an edge that is passed twice gets a midpoint for each passage, so that no two edges have the same ends.
+/// Returns the surface. Solid cells are joined across faces only. Where two of them touch in an edge or a corner, each
+/// gets its own vertices. An edge that occurs twice gets a midpoint for each occurrence, so that no two edges have the
+/// same ends.
 VoxelSurface voxel_surface(const Octree& octree, Context& context);
 
 } // namespace foam::repair

@@ -11,7 +11,7 @@
 
 namespace foam::repair {
 
-/// Throws Error(internal) if the mesh is not the closed 2-manifold with a volume that a repair promises.
+/// Throws Error(internal) if the mesh is not a closed 2-manifold with a volume, which is the contract of a repair.
 inline void check_promise(const Mesh& mesh, const char* stage) {
     const Topology defects = topology(mesh);
     const double volume = signed_volume(mesh);

@@ -7,20 +7,20 @@
 namespace foam::repair {
 namespace {
 
-/// Along each axis the number of the cell that holds a point; whole, but possibly beyond the range of integers.
+/// Returns for each axis the number of the cell of a point: an integer, possibly beyond the range of integer types.
 Vec3 cell_of(const Vec3& p, double cell) {
     return {std::floor(p.x / cell), std::floor(p.y / cell), std::floor(p.z / cell)};
 }
 
-/// The vertices that were kept, in a hashed grid.
+/// The kept vertices, in a hashed grid.
 class Kept {
 public:
     Kept(const std::vector<Vec3>& points, double tolerance)
         : points_(points), tolerance_(tolerance), mask_(std::bit_ceil(2 * points.size() + 1) - 1),
           newest_(mask_ + 1, none), older_(points.size(), none) {}
 
-    /// A kept vertex within the tolerance of the point: the first in the order of cells as long as the tolerance (z, y,
-    /// x), then of vertices. `none` if there is none.
+    /// Returns a kept vertex within the tolerance of the point: the first in the order of cells of the tolerance's size
+    /// (z, y, x), then of vertices. `none` if there is none.
     std::uint32_t near(const Vec3& p) const {
         const Vec3 low = cell_of(p - Vec3{1, 1, 1} * tolerance_, cell()),
                    high = cell_of(p + Vec3{1, 1, 1} * tolerance_, cell());
@@ -50,8 +50,8 @@ public:
     static constexpr std::uint32_t none = 0xFFFFFFFFu;
 
 private:
-    /// Long against the tolerance, so that most points have to look into one cell only; but a cell holds few vertices,
-    /// since those that are kept are no nearer to each other than the tolerance.
+    /// Returns the cell size. It is large compared with the tolerance, so that most points have only one cell to
+    /// search. A cell has few vertices, because kept vertices are no nearer to each other than the tolerance.
     double cell() const { return 8 * tolerance_; }
 
     std::size_t slot(double x, double y, double z) const {

@@ -1,12 +1,12 @@
-// Welding of vertices that are nearly the same.
+// Welding of nearly equal vertices.
 #pragma once
 
 #include <foam/mesh.hpp>
 
 namespace foam::repair {
 
-/// Vertices within `tolerance` of each other become one (the first of them), triangles that lose a corner go. Linear
-/// time as long as few vertices lie within a tolerance of each other.
+/// Merges vertices within `tolerance` of each other into the first of them, and removes triangles that lose a corner.
+/// Linear time as long as few vertices lie within a tolerance of each other.
 Mesh welded_within(const Mesh& mesh, double tolerance);
 
 } // namespace foam::repair

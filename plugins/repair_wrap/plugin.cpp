@@ -1,4 +1,4 @@
-// repair.wrap: a closed surface around anything.
+// repair.wrap: a closed surface around any triangles.
 #include "wrap.hpp"
 
 #include <foam/error.hpp>
@@ -38,7 +38,7 @@ public:
     }
 
 private:
-    /// (p - center) * scale: the library's numbers neither overflow nor vanish.
+    /// Returns (p - center) * scale, so that the library's numbers neither overflow nor vanish.
     static Mesh in_unit_box(Mesh mesh, const Vec3& center, double scale) {
         for (Vec3& p : mesh.vertices) {
             p = (p - center) * scale;

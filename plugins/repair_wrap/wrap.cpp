@@ -1,4 +1,4 @@
-// CGAL alone: this file takes long to compile.
+// Only CGAL: this file takes long to compile.
 #include "wrap.hpp"
 
 #include <foam/cancellation.hpp>
@@ -34,7 +34,7 @@ Mesh alpha_wrap(const Mesh& mesh, double alpha, double offset) {
     const auto has_area = [&](const std::array<std::size_t, 3>& face) {
         return !CGAL::collinear(points[face[0]], points[face[1]], points[face[2]]);
     };
-    if (std::none_of(faces.begin(), faces.end(), has_area)) { // the library leaves the others out, and needs one
+    if (std::none_of(faces.begin(), faces.end(), has_area)) { // the library skips the others and needs one
         throw Error(ErrorCode::geometry, "the mesh has no triangle with an area: there is nothing to wrap");
     }
     CGAL::Surface_mesh<Kernel::Point_3> wrapped;
@@ -42,7 +42,7 @@ Mesh alpha_wrap(const Mesh& mesh, double alpha, double offset) {
                        CGAL::parameters::visitor(AskingVisitor{}));
     Mesh result;
     result.vertices.reserve(wrapped.number_of_vertices());
-    for (const auto vertex : wrapped.vertices()) { // no vertex is removed: their numbers run without gaps
+    for (const auto vertex : wrapped.vertices()) { // no vertex is removed: their numbers have no gaps
         const Kernel::Point_3& p = wrapped.point(vertex);
         result.vertices.push_back({p.x(), p.y(), p.z()});
     }

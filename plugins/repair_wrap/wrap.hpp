@@ -5,9 +5,9 @@
 
 namespace foam::repair {
 
-/// The closed surface that shrink-wraps the triangles at distance `offset`, entering openings wider than `alpha`.
-/// Portaneri, Rouxel-Labbé, Hemmer, Cohen-Steiner, Alliez: Alpha Wrapping with an Offset, SIGGRAPH 2022; encloses the
-/// input. Preconditions: finite vertices, indices in range, alpha and offset above 0, in the mesh's unit.
+/// Returns the closed surface that shrink-wraps the triangles at distance `offset`, entering openings wider than
+/// `alpha`. Portaneri, Rouxel-Labbé, Hemmer, Cohen-Steiner, Alliez: Alpha Wrapping with an Offset, SIGGRAPH 2022;
+/// encloses the input. Preconditions: finite vertices, indices in range, alpha and offset above 0, in the mesh's unit.
 Mesh alpha_wrap(const Mesh& mesh, double alpha, double offset);
 
 } // namespace foam::repair

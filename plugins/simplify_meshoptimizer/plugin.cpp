@@ -1,4 +1,4 @@
-// simplify.meshoptimizer: the simplifier of game engines, by the library meshoptimizer.
+// simplify.meshoptimizer: simplification by the library meshoptimizer, common in game engines.
 #include <foam/error.hpp>
 #include <foam/plugin.hpp>
 
@@ -19,7 +19,7 @@ void check(const Mesh& mesh) {
     check_corners(mesh);
 }
 
-/// Coordinates in the unit box: the library computes in single precision.
+/// Returns the coordinates in the unit box: the library computes in single precision.
 std::vector<float> unit_positions(const Mesh& mesh) {
     const Box box = bounds(mesh);
     const Vec3 center = box.center(), size = box.size();
@@ -33,7 +33,7 @@ std::vector<float> unit_positions(const Mesh& mesh) {
         const Vec3 unit = (p - center) / extent;
         for (const double value : {unit.x, unit.y, unit.z}) {
             positions.push_back(
-                static_cast<float>(std::isfinite(value) ? value : 0.0)); // unused vertices may be anything
+                static_cast<float>(std::isfinite(value) ? value : 0.0)); // unused vertices may have any value
         }
     }
     return positions;
@@ -50,7 +50,7 @@ public:
         context.check_cancelled();
         const Topology before = topology(mesh);
         const auto share = static_cast<std::size_t>(std::ceil(ratio_ * static_cast<double>(mesh.triangles.size())));
-        // The library may break what is a closed 2-manifold; it is then asked for less.
+        // The library may break a closed 2-manifold; then the reduction is smaller.
         for (std::size_t wanted = std::max(share, least_); wanted < mesh.triangles.size(); wanted *= 2) {
             context.check_cancelled();
             Mesh result = simplified(mesh, wanted);

@@ -1,4 +1,4 @@
-// The edges that may go, the cheapest first.
+// The edges that may collapse, the least cost first.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace foam::simplify {
 
-/// Edge u v and what its collapse costs.
+/// Edge u v and the cost of its collapse.
 struct Candidate {
     double cost;
     std::uint32_t u, v;
@@ -20,9 +20,9 @@ struct Candidate {
     }
 };
 
-/// A priority queue that reads and writes memory in order, as Sanders: Fast Priority Queues for Cached Memory, 2000: a
-/// heap small enough for the cache takes what comes in; when it is full it becomes a sorted run, and runs of like
-/// length are merged. In one heap over the millions of edges of a large mesh every step would wait for memory.
+/// A priority queue that reads and writes memory in order, as in Sanders: Fast Priority Queues for Cached Memory, 2000.
+/// A heap small enough for the cache takes new entries. A full heap becomes a sorted run, and runs of similar length
+/// are merged. In one heap over the millions of edges of a large mesh every step would wait for memory.
 class Candidates {
 public:
     explicit Candidates(std::vector<Candidate> all) { add_run(std::move(all)); }
@@ -38,7 +38,7 @@ public:
         }
     }
 
-    /// Removes the cheapest one. Precondition: not empty().
+    /// Removes and returns the candidate with the least cost. Precondition: not empty().
     Candidate pop() {
         std::size_t cheapest = runs_.size(); // the heap
         for (std::size_t r = 0; r < runs_.size(); ++r) {
@@ -59,7 +59,7 @@ public:
     }
 
 private:
-    using Run = std::vector<Candidate>; // the cheapest at the end
+    using Run = std::vector<Candidate>; // the least cost at the end
 
     static constexpr std::size_t heap_limit = 8192;
 

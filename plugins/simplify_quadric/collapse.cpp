@@ -5,11 +5,11 @@
 namespace foam::simplify {
 namespace {
 
-/// Among equal errors (flat regions) short edges go first.
+/// Weight of the length: among equal errors (flat regions) short edges collapse first.
 constexpr double length_weight = 1e-6;
-/// Planes through boundary edges weigh this much more than triangles (Garland, Heckbert 1997, section 6).
+/// Weight of planes through boundary edges relative to triangles (Garland, Heckbert 1997, section 6).
 constexpr double boundary_weight = 100;
-/// Cosine of the largest turn of a triangle's normal in one collapse.
+/// Cosine of the largest rotation of a triangle's normal in one collapse.
 constexpr double least_cosine = 0.2;
 
 Vec3 area_vector(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -77,7 +77,7 @@ bool Collapse::has(std::uint32_t triangle, std::uint32_t vertex) const {
     return t[0] == vertex || t[1] == vertex || t[2] == vertex;
 }
 
-/// Each triangle's plane, weighted by a third of its area, at its corners.
+/// Adds each triangle's plane, weighted by a third of its area, to its corners.
 void Collapse::compute_quadrics() {
     for (const auto& [a, b, c] : triangles_) {
         const Vec3 normal = area_vector(vertices_[a].point, vertices_[b].point, vertices_[c].point);
@@ -116,7 +116,7 @@ std::vector<Candidate> Collapse::candidates() const {
     return result;
 }
 
-/// The point of least error; if it is far off, the best of the ends and the middle.
+/// Returns the point of least error; if it is far away, the best of the ends and the middle.
 Vec3 Collapse::placement(std::uint32_t u, std::uint32_t v, double& cost) const {
     Quadric quadric = vertices_[u].quadric;
     quadric += vertices_[v].quadric;
@@ -146,7 +146,7 @@ bool Collapse::is_stale(const Candidate& candidate) const {
     return vertices_[candidate.u].stamp != candidate.stamp_u || vertices_[candidate.v].stamp != candidate.stamp_v;
 }
 
-/// Each neighbour once; marks them with a new walk_.
+/// Visits each neighbour once; marks them with a new walk_.
 template <class Visit> void Collapse::for_each_neighbour(std::uint32_t vertex, Visit visit) {
     ++walk_;
     for (const std::uint32_t t : triangles_of_[vertex]) {
@@ -159,8 +159,8 @@ template <class Visit> void Collapse::for_each_neighbour(std::uint32_t vertex, V
     }
 }
 
-/// The link condition (Dey, Edelsbrunner, Guha, Nekhayev 1999): the neighbours that u and v share are exactly the tips
-/// of the triangles on the edge, and these tips are not joined to both of them by another pair of triangles.
+/// Checks the link condition (Dey, Edelsbrunner, Guha, Nekhayev 1999): the common neighbours of u and v are exactly the
+/// tips of the triangles on the edge, and these tips are not joined to both of them by another pair of triangles.
 bool Collapse::keeps_topology(std::uint32_t u, std::uint32_t v) {
     std::array<std::uint32_t, 2> tips{};
     std::size_t count = 0; // of tips
@@ -186,7 +186,7 @@ bool Collapse::keeps_topology(std::uint32_t u, std::uint32_t v) {
     for (const std::uint32_t t : triangles_of_[v]) {
         for (const std::uint32_t corner : triangles_[t]) {
             if (corner != v && vertices_[corner].mark == around_u) {
-                vertices_[corner].mark = walk_; // not to be counted again
+                vertices_[corner].mark = walk_; // counted only once
                 ++shared;
             }
         }
@@ -206,7 +206,7 @@ bool Collapse::stays_near(std::uint32_t u, std::uint32_t v, const Vec3& to) cons
     return quadric.error(to) <= limit * limit * (vertices_[u].area + vertices_[v].area);
 }
 
-/// No triangle that stays turns over or becomes a needle.
+/// Returns whether no remaining triangle is inverted or becomes a needle.
 bool Collapse::keeps_shape(std::uint32_t u, std::uint32_t v, const Vec3& to) const {
     for (const std::uint32_t vertex : {u, v}) {
         for (const std::uint32_t t : triangles_of_[vertex]) {
@@ -235,7 +235,7 @@ bool Collapse::keeps_shape(std::uint32_t u, std::uint32_t v, const Vec3& to) con
     return true;
 }
 
-/// Change of the volume under the triangles at u and v when both move to `to`; exact for a closed mesh.
+/// Returns the change of the volume under the triangles at u and v when both move to `to`; exact for a closed mesh.
 double Collapse::volume_gain(std::uint32_t u, std::uint32_t v, const Vec3& to) const {
     const auto six_volumes = [&](std::uint32_t t, bool moved) {
         std::array<Vec3, 3> p;
@@ -295,7 +295,7 @@ bool Collapse::try_collapse(const Candidate& cheapest, Candidates& queue) {
 }
 
 Mesh Collapse::run() {
-    // An edge that may not go is looked at again in a next pass, after its surroundings have changed.
+    // A refused edge is tried again in a next pass, after its surroundings have changed.
     for (bool progress = true; progress && count_ > limits_.triangles;) {
         progress = false;
         Candidates queue(candidates());

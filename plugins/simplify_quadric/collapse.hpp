@@ -1,4 +1,4 @@
-// Edges are collapsed in the order of their quadric error, as long as the surface stays what it is.
+// Edge collapse in the order of the quadric error, within limits.
 #pragma once
 
 #include "candidates.hpp"
@@ -13,30 +13,30 @@
 namespace foam::simplify {
 
 struct Limits {
-    std::size_t triangles = 0; ///< no further than this
+    std::size_t triangles = 0; ///< at least this number
     double volume_change = 0;  ///< largest |V - V₀| / |V₀| of a closed mesh's connected parts
-    /// Largest root mean square distance of a vertex to the planes it stands for, in the unit of the mesh.
+    /// Largest root mean square distance of a vertex to its planes, in the unit of the mesh.
     double plane_distance = std::numeric_limits<double>::infinity();
 };
 
-/// Simplifies a 2-manifold, with or without boundary. No collapse changes the topology (link condition), turns a
-/// triangle over or takes the volume out of its limits.
+/// Simplifies a 2-manifold, with or without boundary. No collapse changes the topology (link condition), inverts a
+/// triangle or exceeds the limit on the volume.
 class Collapse {
 public:
     /// Precondition: topology(mesh) is manifold and oriented.
     Collapse(const Mesh& mesh, const Limits& limits, Context& context);
-    /// May end with more triangles than wanted, when no edge is left that may go.
+    /// Simplifies the mesh. The result may have more triangles than requested if no other edge may collapse.
     Mesh run();
 
 private:
-    /// All that is known of a vertex in one place: what takes time is to fetch it from memory.
+    /// All data of a vertex in one place: most time is spent on fetching it from memory.
     struct alignas(64) Vertex {
         Vec3 point{};
         Quadric quadric{};
         double area = 0;         ///< weight of the quadric
-        std::uint32_t stamp = 0; ///< grows when the vertex moves or goes
-        std::uint32_t part = 0;  ///< the connected part it belongs to
-        std::uint32_t mark = 0;  ///< the last walk round a vertex that met it
+        std::uint32_t stamp = 0; ///< grows when the vertex moves or is removed
+        std::uint32_t part = 0;  ///< its connected part
+        std::uint32_t mark = 0;  ///< the last walk around a vertex that reached it
         bool on_boundary = false, moved = false;
     };
 

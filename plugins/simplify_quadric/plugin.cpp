@@ -1,4 +1,4 @@
-// simplify.quadric: fewer triangles, the same shape as nearly as may be.
+// simplify.quadric: fewer triangles with nearly the same shape.
 #include "collapse.hpp"
 
 #include <foam/error.hpp>
@@ -45,7 +45,7 @@ public:
         if (before.closed_manifold() && !after.closed_manifold()) {
             throw Error(ErrorCode::internal, fmt::format("simplify.quadric broke a closed mesh: {}", describe(after)));
         }
-        // The last collapse may take two triangles.
+        // The last collapse may remove two triangles.
         if (result.triangles.size() > wanted + 1 && wanted < mesh.triangles.size()) {
             context.log(
                 Severity::info,
@@ -57,8 +57,8 @@ public:
     }
 
 private:
-    /// Quadrics know the distance to planes only: with a bound on the distance the result is proved, and made again
-    /// with half the allowance until the proof holds.
+    /// Returns the simplified mesh. Quadrics know only distances to planes: a bound on the distance is therefore
+    /// proved, and the simplification repeated with half the allowance until the proof holds.
     Mesh simplified(const Mesh& mesh, std::size_t wanted, Context& context) const {
         Limits limits{.triangles = wanted, .volume_change = volume_tolerance_};
         if (max_distance_ == 0) {

@@ -26,7 +26,7 @@ double Quadric::error(const Vec3& x) const {
 
 Vec3 Quadric::minimizer(const Vec3& near) const {
     // (A + r I) s = -(A near + b) for the step s from `near`. The small r makes the matrix regular (Tikhonov):
-    // directions in which the planes say nothing get no step.
+    // directions that the planes do not determine get no step.
     const double r = 1e-4 * (xx_ + yy_ + zz_);
     if (!(r > 0)) {
         return near;

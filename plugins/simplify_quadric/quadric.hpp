@@ -8,7 +8,7 @@ namespace foam::simplify {
 /// Q(x) = xᵀ A x + 2 bᵀ x + c: the weighted sum of squared distances to planes.
 class Quadric {
 public:
-    /// weight · (n·x + d)² for the plane through `point` with the unit normal n.
+    /// Returns weight · (n·x + d)² for the plane through `point` with the unit normal n.
     static Quadric plane(const Vec3& point, const Vec3& normal, double weight);
 
     Quadric& operator+=(const Quadric& other) {
@@ -23,7 +23,7 @@ public:
         return *this;
     }
     double error(const Vec3& x) const;
-    /// The point of least error. Where the planes leave a direction open, the one nearest to `near`.
+    /// Returns the point of least error. In directions that the planes do not determine, the one nearest to `near`.
     Vec3 minimizer(const Vec3& near) const;
 
 private:

@@ -29,7 +29,7 @@ void Humphrey::step(std::vector<Vec3>& points) {
 
 namespace {
 
-/// Vertices farther than `reach` from where they were are held there.
+/// Moves vertices farther than `reach` from their first positions back to that distance.
 void hold_back(std::vector<Vec3>& points, const std::vector<Vec3>& first, double reach) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         const double moved = distance(points[i], first[i]);
@@ -43,8 +43,8 @@ Vec3 normal(const std::vector<Vec3>& points, const Triangle& t) {
     return cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
 }
 
-/// Vertices of triangles that would be turned over, or lose their area, stay at `before`. That may turn over others in
-/// turn: in the end all stay. Returns the number of vertices held.
+/// Moves vertices of triangles that would be inverted, or lose their area, back to `before`. That may invert other
+/// triangles; in the end all vertices may move back. Returns the number of vertices moved back.
 std::size_t undo_inversions(std::vector<Vec3>& points, const std::vector<Vec3>& before,
                             const std::vector<Triangle>& triangles) {
     std::vector<char> held(points.size(), 0);

@@ -1,4 +1,4 @@
-// Ways to smooth a mesh by moving its vertices; the triangles stay.
+// Methods that smooth a mesh by moving its vertices; the triangles stay.
 #pragma once
 
 #include "weights.hpp"
@@ -7,7 +7,7 @@
 
 namespace foam::smooth {
 
-/// One step of a method: new points from the present ones.
+/// A smoothing method: a step computes new points from the present ones.
 class Method {
 public:
     virtual ~Method() = default;
@@ -42,9 +42,9 @@ private:
 };
 
 /// The HC algorithm of Vollmer, Mencl, Müller: Improved Laplacian Smoothing of Noisy Surface Meshes, Eurographics 1999,
-/// section 3 (HC: Humphrey's classes): a Laplacian step, after which every vertex is pushed back by a mean of what it
-/// and its neighbours have moved away from a mix of where they were and where they were at first.
-/// `alpha`: share of the first positions in that mix; `beta`: share of the vertex itself in the mean.
+/// section 3 (HC: Humphrey's classes): a Laplacian step, after which every vertex is pushed back by a mean of its own
+/// and its neighbours' displacements from a mix of their previous and their first positions. `alpha`: share of the
+/// first positions in that mix; `beta`: share of the vertex itself in the mean.
 class Humphrey final : public Method {
 public:
     Humphrey(const Neighbourhood& around, std::vector<Vec3> first, double alpha, double beta)
@@ -60,13 +60,13 @@ private:
 
 struct Limits {
     int iterations = 0;
-    double move = 0; ///< farthest that a vertex may end from where it was, as a share of the diagonal of the box
+    double move = 0; ///< largest displacement of a vertex, as a share of the diagonal of the box
     double volume_change = 0; ///< largest |V - V₀| / |V₀| of a closed mesh
 };
 
-/// Steps of `method`, vertices held back at limits.move. Vertices of triangles that a step would turn over stay where
-/// they were. Ends early, with a message, before a step that would take a closed mesh's volume out of its limits: a
-/// mesh too coarse for smoothing would lose its shape.
+/// Returns the mesh after steps of `method`, with displacements limited by limits.move. Vertices of triangles that a
+/// step would invert stay unchanged. Ends early, with a message, before a step that would violate the limit on a closed
+/// mesh's volume: a mesh that is too coarse for smoothing would lose its shape.
 Mesh smoothed(const Mesh& mesh, Method& method, const Limits& limits, Context& context);
 
 } // namespace foam::smooth

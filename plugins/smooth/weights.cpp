@@ -12,8 +12,8 @@ struct Entry {
     double weight;
 };
 
-/// Half the cotangent of the angle at `tip`; 0 where it is obtuse or undefined, so that no weight is negative and the
-/// mean stays between the neighbours.
+/// Returns half the cotangent of the angle at `tip`; 0 where it is obtuse or undefined, so that no weight is negative
+/// and the mean stays between the neighbours.
 double half_cotangent(const Vec3& tip, const Vec3& a, const Vec3& b) {
     const double sine = norm(cross(a - tip, b - tip));
     const double cosine = dot(a - tip, b - tip);
@@ -78,7 +78,7 @@ Neighbourhood neighbourhood(const Mesh& mesh, Weighting weighting) {
         for (std::size_t k = first; k < result.neighbours.size(); ++k) {
             sum += result.neighbours[k].weight;
         }
-        // All angles obtuse or flat: the neighbours count alike.
+        // All angles obtuse or flat: the neighbours have equal weights.
         for (std::size_t k = first; k < result.neighbours.size(); ++k) {
             double& weight = result.neighbours[k].weight;
             weight = sum > 0 ? weight / sum : 1.0 / static_cast<double>(result.neighbours.size() - first);

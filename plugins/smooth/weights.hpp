@@ -1,4 +1,4 @@
-// The neighbours of every vertex and how much each of them counts.
+// The neighbours of every vertex and their weights.
 #pragma once
 
 #include <foam/mesh.hpp>
@@ -24,7 +24,7 @@ struct Neighbourhood {
     std::vector<std::uint32_t> begin;
     std::vector<Neighbour> neighbours;
 
-    /// The weighted mean of f over the neighbours of vertex i; f[i] itself if there are none.
+    /// Returns the weighted mean of f over the neighbours of vertex i; f[i] itself if there are none.
     Vec3 mean(const std::vector<Vec3>& f, std::size_t i) const;
 };
 

@@ -1,4 +1,4 @@
-// The door between the light plugin and the heavy painter library that it opens when the first picture is wanted.
+// The interface between the light plugin and the heavy painter library, which is opened for the first picture.
 #pragma once
 
 #include <foam/context.hpp>
@@ -8,26 +8,26 @@
 
 namespace foam::snapshot {
 
-/// How pictures are drawn.
+/// The settings of pictures.
 struct Settings {
     double azimuth = 0;        ///< of the eye about z, from +x towards +y; radians
     double elevation = 0;      ///< of the eye above the xy plane; radians
-    int supersampling = 2;     ///< samples a pixel along each side
-    double mesh_opacity = 0.5; ///< of translucent meshes where nothing lies before them
+    int supersampling = 2;     ///< samples per pixel along each side
+    double mesh_opacity = 0.5; ///< of translucent meshes where nothing is in front of them
     std::string font;          ///< TrueType file
 };
 
-/// Draws figures; safe to call from many threads at once.
+/// Draws figures. Safe to call from many threads at once.
 class Painter {
 public:
     virtual ~Painter() = default;
     virtual Image paint(const Figure& figure, Context& context) const = 0;
 };
 
-/// The library's only entry point, an extern "C" function of this type; the caller owns the result.
+/// The library's only entry point, an extern "C" function of this type. The caller owns the result.
 using MakePainter = Painter* (*)(const Settings& settings);
 inline constexpr const char* make_painter_name = "foam_make_snapshot_painter";
-/// Where the library lies, relative to the folder of the plugin.
+/// The place of the library relative to the plugin's folder.
 inline constexpr const char* painter_file = "snapshot_osmesa/libfoam-snapshot-painter.so";
 
 } // namespace foam::snapshot

@@ -1,5 +1,5 @@
-// snapshot.osmesa: the stage; the drawing is in painter/, a library opened when the first picture is wanted, because
-// its dependencies would slow down every start of the program tenfold.
+// snapshot.osmesa: the stage. The drawing is in painter/, a library that is opened for the first picture, because its
+// dependencies would slow down every start of the program tenfold.
 #include "painter.hpp"
 
 #include <foam/error.hpp>
@@ -15,7 +15,7 @@
 namespace foam::snapshot {
 namespace {
 
-/// Opens the painter library that lies beside this plugin.
+/// Opens the painter library beside this plugin.
 MakePainter load_painter() {
     Dl_info self{};
     if (dladdr(reinterpret_cast<const void*>(&load_painter), &self) == 0 || self.dli_fname == nullptr) {

@@ -1,4 +1,4 @@
-// The cover of foam/host/spherize.hpp as a stage.
+// spherize.cover: the covering spheres of foam/host/spherize.hpp as a stage.
 #include <foam/host/spherize.hpp>
 #include <foam/cancellation.hpp>
 #include <foam/plugin.hpp>
@@ -24,7 +24,7 @@ public:
     std::vector<foam::SphereTree> spherize_each(const foam::Shape& shape, std::span<const foam::Budget> budgets,
                                                 foam::Context& context) const override {
         context.check_cancelled();
-        const foam::WindUpScope scope; // the search asks itself, and returns what it has
+        const foam::WindUpScope scope; // the search polls the request itself, and returns its result so far
         std::vector<foam::SphereTree> trees(budgets.size());
         bool covers = false;
         for (std::size_t i = 0; i < budgets.size(); ++i) {
@@ -63,7 +63,7 @@ public:
     }
 
 private:
-    /// Where the runtime is to fit them, it is enough that they are near: the first that come to mind.
+    /// Returns initial spheres where the runtime fits them: near ones are enough, so the fastest are used.
     static foam::SphereTree starts_of_fit(const foam::Shape& shape, std::size_t count, foam::Context& context) {
         foam::Cover cover =
             foam::spherize(shape.original(), count,
@@ -71,14 +71,14 @@ private:
         return foam::flat_tree(std::move(cover.spheres));
     }
 
-    /// A solid without room for a ball is told by the runtime, of whatever spheres.
+    /// Returns spheres inside the solid. The runtime reports a solid without room for a ball, for all spherizers.
     static foam::SphereTree inside(const foam::Shape& shape, std::size_t count, foam::Context& context) {
         std::vector<foam::Sphere> spheres =
             foam::spheres_inside(shape.original(), count, [&] { return context.cancelled(); });
         return spheres.empty() ? starts_of_fit(shape, 1, context) : foam::flat_tree(std::move(spheres));
     }
 
-    /// A search that goes on when more is asked of the same shape.
+    /// A search that continues when more spheres of the same shape are requested.
     struct Kept {
         Kept(const foam::Shape& of, const CoverSpherizer& stage, std::uint64_t s)
             : shape(of), seed(s),
@@ -90,9 +90,9 @@ private:
             return &shape.original() == &other.original() && seed == other_seed;
         }
 
-        foam::Shape shape; ///< holds on to the solid
+        foam::Shape shape; ///< keeps the solid alive
         std::uint64_t seed;
-        foam::Context* context = nullptr; ///< of the present call; once it is cancelled, what was found is a cover, too
+        foam::Context* context = nullptr; ///< of the present call; after its cancellation the result so far covers
         foam::CoverSearch search;
     };
 
@@ -103,7 +103,7 @@ private:
     foam::Effort effort_;
     foam::Objective objective_;
     std::size_t spheres_;
-    mutable std::mutex mutex_; ///< of what is kept; results do not depend on it
+    mutable std::mutex mutex_; ///< for the kept search; results do not depend on it
     mutable std::unique_ptr<Kept> kept_;
 };
 

@@ -14,9 +14,9 @@ namespace foam::spherize_grid {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t directions = 100; // of union_volume(): about 1 % of error, enough to rank grids
+constexpr std::size_t directions = 100; // of union_volume(): an error of about 1 %, enough to rank grids
 
-/// The grid on a cell as it is; nothing if it has too many cells.
+/// Returns the exact grid on a cell; nothing if it has too many cells.
 std::optional<Grid> exact(const Cell& cell, const Counts& counts, std::size_t most) {
     Grid grid{cell.divided(counts), {}, 0};
     if (grid.cells.empty() || grid.cells.size() > most) {
@@ -27,7 +27,7 @@ std::optional<Grid> exact(const Cell& cell, const Counts& counts, std::size_t mo
     return grid;
 }
 
-/// The axes turned by `angle` about the one numbered `about`.
+/// Returns the axes rotated by `angle` about axis number `about`.
 Axes turned(const Axes& axes, int about, double angle) {
     const Pose turn = Pose::from_axis_angle(axes[static_cast<std::size_t>(about)], angle);
     return {turn.rotate(axes[0]), turn.rotate(axes[1]), turn.rotate(axes[2])};
@@ -61,7 +61,7 @@ double GridSearch::volume(const Counts& counts) {
     return entry->second;
 }
 
-/// The counts whose cells come nearest to cubes of the given edge length.
+/// Returns the counts whose cells are closest to cubes of the given edge length.
 Counts GridSearch::cubic(double edge) const {
     Counts counts;
     for (int axis = 0; axis < 3; ++axis) {
@@ -70,10 +70,10 @@ Counts GridSearch::cubic(double edge) const {
     return counts;
 }
 
-/// The finest near-cubic grid that is within the budget, by bisection of the edge length.
+/// Returns the finest near-cubic grid within the budget, by bisection of the edge length.
 Counts GridSearch::largest_cubic() {
     const double longest = std::max({size_.x, size_.y, size_.z});
-    // Cells in space grow as the cube of the resolution, those along a surface at least as its first power.
+    // The number of cells in a volume grows as the cube of the resolution, along a surface at least as its first power.
     double coarse = 1, fine = 2 * static_cast<double>(most_) + 1;
     Counts best{1, 1, 1};
     constexpr int steps = 12;
@@ -81,7 +81,7 @@ Counts GridSearch::largest_cubic() {
         check_cancelled();
         const double resolution = std::sqrt(coarse * fine);
         const Counts counts = cubic(longest / resolution);
-        // A grid that is far too fine even if only its surface counted need not be cut.
+        // A grid that is far too fine even by its surface alone need not be computed.
         const double cells = 1.0 * counts[0] * counts[1] * counts[2];
         if (cells <= 64.0 * static_cast<double>(most_) && volume(counts) < infinity) {
             coarse = resolution;
@@ -131,7 +131,7 @@ Grid best_grid_in(const Cell& cell, std::size_t most, Context& context) {
             return std::move(*grid);
         }
     }
-    // The cell as it is: even one that holds nothing but rounding errors has its place in a tree.
+    // The exact cell: even one that contains only rounding errors has its place in a tree.
     const Sphere ball = cell.ball();
     return {{cell}, {ball}, union_volume(std::vector<Sphere>{ball})};
 }

@@ -15,17 +15,17 @@ using Counts = std::array<int, 3>;
 
 /// A division into cells.
 struct Grid {
-    std::vector<Cell> cells;   ///< those that hold something
-    std::vector<Sphere> balls; ///< one a cell
+    std::vector<Cell> cells;   ///< cells that are not empty
+    std::vector<Sphere> balls; ///< one per cell
     double volume = 0;         ///< of the balls' union, m³
 };
 
-/// Looks for the grid of at most `most` cells whose balls have the least volume together: the finest one with
-/// near-cubic cells first, then the three counts one up or down as long as that helps.
+/// Searches for the grid of at most `most` cells whose balls have the least union volume: the finest one with
+/// near-cubic cells first, then the three counts are changed by one as long as the volume falls.
 class GridSearch {
 public:
     GridSearch(const Cell& cell, std::size_t most, Context& context);
-    /// Counts and volumes of what was looked at, the best first; grids with too many cells are not among them.
+    /// Returns the counts and volumes of the examined grids, the best first, without grids with too many cells.
     std::vector<std::pair<double, Counts>> ranking();
 
 private:
@@ -41,15 +41,16 @@ private:
     std::map<Counts, double> seen_; // volume of the union; infinite if there are too many cells
 };
 
-/// The best grid in a cell along its axes.
+/// Returns the best grid in a cell along its axes.
 Grid best_grid_in(const Cell& cell, std::size_t most, Context& context);
-/// The best grid in `whole` of any orientation: along its axes, along `principal`, or turned from there. `rough` is
-/// quick(whole).
+/// Returns the best grid in `whole` of any orientation: along its axes, along `principal`, or rotated from there.
+/// `rough` is quick(whole).
 Grid best_grid(const Cell& whole, const Cell& rough, const Axes& principal, std::size_t most, Context& context);
-/// What a search looks at in place of a cell with very many pieces: details below a fiftieth of its size do not decide.
+/// Returns a cell that the search uses in place of one with very many pieces: details below a fiftieth of its size do
+/// not affect the decision.
 Cell quick(const Cell& cell);
 
-/// The ball of each cell.
+/// Returns the ball of each cell.
 std::vector<Sphere> balls_of(const std::vector<Cell>& cells);
 
 } // namespace foam::spherize_grid

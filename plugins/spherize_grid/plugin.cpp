@@ -22,7 +22,7 @@ SphereTree two_levels(const Sphere& root, std::vector<Sphere> balls) {
     return tree;
 }
 
-/// Balls inside the solid in place of those that cover it.
+/// Returns balls inside the solid in place of the covering ones.
 std::vector<Sphere> inner_balls(const std::vector<Cell>& cells, const std::string& name) {
     std::vector<Sphere> balls;
     for (const Cell& cell : cells) {
@@ -62,7 +62,7 @@ public:
 
     std::vector<SphereTree> spherize_each(const Shape& shape, std::span<const Budget> budgets,
                                           Context& context) const override {
-        // Small numbers first: the search goes on from there.
+        // Small counts first: the search continues from there.
         std::vector<std::size_t> order(budgets.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
         const auto count = [&](std::size_t i) { return budgets[i].max_spheres.value_or(0); };
@@ -89,13 +89,13 @@ private:
         if (budget.max_spheres) {
             return flat(*budget.max_spheres);
         }
-        if (budget.guarantee == Guarantee::inner) { // cells without interior drop out, so there is no tree of them
+        if (budget.guarantee == Guarantee::inner) { // cells without interior drop out, so they form no tree
             return flat(power(branch_, depth_));
         }
         return nested(search, context);
     }
 
-    /// A grid of at most `branch` cells in every cell of the level above.
+    /// Returns a tree with a grid of at most `branch` cells in every cell of the level above.
     SphereTree nested(Search& search, Context& context) const {
         Grid level = search.best(branch_, context);
         SphereTree tree = two_levels(search.whole().ball(), level.balls);

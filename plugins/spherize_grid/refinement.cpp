@@ -7,7 +7,7 @@
 
 namespace foam::spherize_grid {
 
-/// A cell, its ball and the ways to divide it. Shared by all states that have the cell.
+/// A cell, its ball and its possible divisions, shared by all states that have the cell.
 struct Refinement::Part {
     using Division = std::vector<std::shared_ptr<Part>>;
 
@@ -17,7 +17,7 @@ struct Refinement::Part {
     Sphere ball;
     std::vector<Division> divisions;
     bool divided = false; // the divisions are known
-    double reach = 0;     // of all balls of the divisions and its own, from its centre
+    double reach = 0;     // of all balls of the divisions and the cell's own ball, from its centre
 
     void find_divisions() {
         const Cell tight = cell.in_box(cell.extent());
@@ -39,13 +39,13 @@ struct Refinement::Part {
 
 struct Refinement::Leaf {
     std::shared_ptr<Part> part;
-    std::vector<double> saved; // m³ of the union by each division, as long as the balls around stay; empty: not known
+    std::vector<double> saved; // m³ of the union per division, while the neighbouring balls stay; empty: not known
 };
 
-/// Which leaf to divide and how.
+/// The leaf to divide and the division.
 struct Refinement::Choice {
     std::size_t leaf = 0, division = 0, added = 0;
-    double gain = 0; // m³ a sphere more; zero if there is nothing to choose
+    double gain = 0; // m³ per additional sphere; zero if there is no choice
 };
 
 namespace {
@@ -86,7 +86,7 @@ void Refinement::measure(Leaves& leaves) {
     });
 }
 
-/// The division that saves most a sphere among those that add no more than `room`.
+/// Returns the division that saves most per sphere among those that add at most `room` spheres.
 Refinement::Choice Refinement::best_choice(const Leaves& leaves, std::size_t room) {
     Choice best;
     for (std::size_t i = 0; i < leaves.size(); ++i) {
@@ -108,7 +108,7 @@ void Refinement::divide(Leaves& leaves, const Choice& choice) {
     std::vector<Sphere> changed = pieces_of(division);
     changed.push_back(old->ball);
     for (Leaf& leaf : leaves) {
-        // What a division saves depends on the balls around.
+        // The saving of a division depends on the neighbouring balls.
         const auto near = [&](const Sphere& other) {
             return distance(leaf.part->ball.center, other.center) < leaf.part->reach + other.radius;
         };
@@ -131,7 +131,7 @@ Grid Refinement::at(std::size_t most, Context& context) {
         const std::size_t room = most - current.size();
         Choice choice = best_choice(current, SIZE_MAX);
         if (choice.added > room) {
-            // From here on the way depends on `most`: the common state stays behind.
+            // From here on the refinement depends on `most`: the common state is kept.
             if (state != &end) {
                 end = leaves_;
                 state = &end;

@@ -1,4 +1,4 @@
-// Cells divided further where that pays.
+// Further division of cells where it reduces the volume.
 #pragma once
 
 #include "grid_search.hpp"
@@ -7,14 +7,14 @@
 
 namespace foam::spherize_grid {
 
-/// Divides the cells of a grid into halves, quarters or eighths, always where that saves most of the union's volume for
-/// each sphere more. Asked for rising numbers of spheres it goes on from where it was.
+/// Divides the cells of a grid into halves, quarters or eighths, always where that saves most of the union's volume per
+/// additional sphere. For rising numbers of spheres it continues from its last state.
 class Refinement {
 public:
     explicit Refinement(const Grid& start);
     ~Refinement();
-    /// At most `most` cells, or those of the start. Depends on the start and `most` alone, not on what was asked
-    /// before. Precondition: `most` is no less than in the calls before.
+    /// Returns at most `most` cells, or those of the start. Depends only on the start and `most`, not on earlier calls.
+    /// Precondition: `most` is at least that of the calls before.
     Grid at(std::size_t most, Context& context);
 
 private:
@@ -26,7 +26,7 @@ private:
     static Choice best_choice(const Leaves& leaves, std::size_t room);
     static void divide(Leaves& leaves, const Choice& choice);
 
-    Leaves leaves_; // as far as divisions are the same for every larger number
+    Leaves leaves_; // as far as the divisions are the same for every larger number
 };
 
 } // namespace foam::spherize_grid

@@ -8,17 +8,17 @@
 
 namespace foam::spherize_grid {
 
-/// Remembers grids and their refinements. The solid must outlive it.
+/// Keeps grids and their refinements. The solid must outlive it.
 class Search {
 public:
-    /// `refine`: grids with fewer cells than wanted are divided further.
+    /// Prepares the search. `refine`: grids with fewer cells than allowed are divided further.
     Search(const Solid& solid, Cell::Content content, bool refine);
 
-    /// The whole solid, undivided.
+    /// Returns the whole solid, undivided.
     const Cell& whole() const { return whole_; }
-    /// The division into at most `most` cells whose balls have the least volume together: the best grid or, with
-    /// refinement, the best of those that grids for 1, 2, 3, 4, 6, 8, 12, 16, 24, … cells grow into. As these numbers
-    /// do not depend on `most`, more spheres never claim more. Depends on `most` alone, not on what was asked before.
+    /// Returns the division into at most `most` cells whose balls have the least union volume: the best grid or, with
+    /// refinement, the best of the refined grids with 1, 2, 3, 4, 6, 8, 12, 16, 24, … cells. As these numbers do not
+    /// depend on `most`, more spheres never have more excess volume. Depends only on `most`, not on earlier calls.
     Grid best(std::size_t most, Context& context);
 
 private:
@@ -30,7 +30,7 @@ private:
     std::map<std::size_t, Grid> grids_;
     struct Growth {
         std::unique_ptr<Refinement> refinement;
-        std::size_t most = 0; // asked for so far
+        std::size_t most = 0; // largest count so far
     };
     std::map<std::size_t, Growth> growths_;
 };

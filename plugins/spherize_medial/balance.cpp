@@ -9,7 +9,7 @@ namespace foam::medial {
 std::vector<Sphere> balance(std::span<const Vec3> points, std::vector<Sphere> balls, double excess,
                             const Columns& columns, Context& context) {
     double volume = columns.volume();
-    if (!(volume > 0)) { // a solid without volume: measure against its balls
+    if (!(volume > 0)) { // a solid without volume: relative to its balls
         for (const Sphere& ball : balls) {
             volume += 4.0 / 3.0 * std::numbers::pi * ball.radius * ball.radius * ball.radius;
         }

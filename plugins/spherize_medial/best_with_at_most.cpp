@@ -9,12 +9,12 @@
 
 namespace foam::medial {
 
-/// Spheres that claim less than this share of what one ball claims before they grow, do so after it too: a method's
-/// spheres nearly cover. Growing is the dear part.
+/// Share of the volume of one ball: spheres with less volume before they grow also have less afterwards, because a
+/// method's spheres nearly cover. Growing is the expensive part.
 static constexpr double clearly_less = 0.75;
 
-/// What the runtime compares covers by: the volume of the spheres and the solid together, m³. A hollow that spheres
-/// leave inside the solid is no gain.
+/// Returns the volume by which the runtime compares covering spheres: of the union of spheres and solid, m³. So a
+/// cavity is no gain.
 static double joint_volume(const Solid& solid, const std::vector<Sphere>& spheres) {
     return exact_union_volume(spheres) + solid.missing_volume(spheres);
 }

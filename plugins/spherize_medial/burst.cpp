@@ -11,8 +11,8 @@ struct Removal {
     std::vector<Sphere> balls;
 };
 
-/// The balls without `gone`: its points go where they stick out least, and those balls become the enclosing balls of
-/// what they hold then.
+/// Returns the balls without `gone`. Its points go to the balls that they lie outside of least; these become the
+/// enclosing balls of their points.
 Removal without(std::size_t gone, std::span<const Sphere> balls, const std::vector<std::vector<Vec3>>& groups,
                 const Columns& columns) {
     Removal result;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int samples_along = 24; ///< points along a column of a solid that is not closed
 
-/// Sorted, overlapping ones united, in place.
+/// Sorts segments and unites overlapping ones, in place.
 void unite(std::vector<Segment>& segments, std::size_t first) {
     const auto begin = segments.begin() + static_cast<std::ptrdiff_t>(first);
     std::sort(begin, segments.end(), [](const Segment& a, const Segment& b) { return a.low < b.low; });
@@ -30,7 +30,7 @@ void unite(std::vector<Segment>& segments, std::size_t first) {
     }
 }
 
-/// Length of [low, high] that no segment holds; the segments ascend and are disjoint.
+/// Returns the length of [low, high] outside of all segments, which are ascending and disjoint.
 double length_outside(double low, double high, std::span<const Segment> segments) {
     double length = high - low;
     for (const Segment& s : segments) {
@@ -67,7 +67,7 @@ double ball_volume(double radius) {
 } // namespace
 
 Columns::Columns(const Shape& shape, const Frame& frame, std::size_t count) {
-    // The original is what is judged; where it has holes, its repaired form is the better notion of inside.
+    // The figures refer to the original geometry. Where it has holes, its repaired form gives the better inside.
     const Solid& solid =
         shape.original().closed() || !shape.processed().closed() ? shape.original() : shape.processed();
     Box box;
@@ -80,7 +80,7 @@ Columns::Columns(const Shape& shape, const Frame& frame, std::size_t count) {
     if (!solid.closed()) {
         count = std::min<std::size_t>(count, 400);
     }
-    // Balls about a needle reach far beyond its box: they would meet any number of columns as narrow as it.
+    // Balls about a needle extend far beyond its box: they would meet any number of columns as narrow as the needle.
     const double least = std::max(1.0 / static_cast<double>(count), 1.0 / 400);
     step_ = std::sqrt(std::max(size.x, least) * std::max(size.y, least) / static_cast<double>(count));
     nx_ = std::max(1L, static_cast<long>(std::ceil(size.x / step_)));
@@ -223,7 +223,7 @@ double Columns::Free::outside(const Sphere& ball) const {
     if (!(chord_sum > 0)) { // between the columns
         return columns_.inside(ball.center) ? 0 : ball_volume(r);
     }
-    // The share of the chords times the true volume: much of the error of the quadrature cancels.
+    // The share of the chords times the exact volume: much of the quadrature's error cancels.
     return ball_volume(r) * (outside_sum / chord_sum);
 }
 

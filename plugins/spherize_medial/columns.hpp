@@ -1,6 +1,6 @@
 // The solid as columns: parallel lines with the intervals inside it (a ray representation, Van Hook 1986's "dexels").
-// Tells within nanoseconds whether a point is inside, and within microseconds the volume of balls outside the solid,
-// which is the cost that all searches of this plugin lower.
+// Determines within nanoseconds whether a point is inside, and within microseconds the volume of balls outside the
+// solid, which is the cost that all searches of this plugin minimise.
 #pragma once
 
 #include "frame.hpp"
@@ -20,24 +20,24 @@ struct Segment {
 
 class Columns {
 public:
-    /// About `count` columns along the least extent, over the bounding rectangle. Exact along a column for a closed
-    /// solid, sampled where inside is a matter of the winding number.
+    /// Makes about `count` columns along the least extent, over the bounding rectangle. Exact along a column for a
+    /// closed solid, sampled where the winding number decides what is inside.
     Columns(const Shape& shape, const Frame& frame, std::size_t count);
 
     bool inside(const Vec3& p) const;
-    /// Distance between columns.
+    /// Returns the distance between columns.
     double step() const { return step_; }
-    /// vol(S)
+    /// Returns vol(S).
     double volume() const { return volume_; }
-    /// vol(U \ S) for the union U of the balls.
+    /// Returns vol(U \ S) for the union U of the balls.
     double outside(std::span<const Sphere> balls) const;
 
-    /// The solid and some balls in the neighbourhood of one ball: what that ball may hold at no cost.
+    /// The union of the solid and some balls in the neighbourhood of one ball, where that ball has no cost.
     class Free {
     public:
-        /// Covers the cube of half edge `reach` about `center`.
+        /// Prepares the cube of half edge `reach` about `center`.
         Free(const Columns& columns, std::span<const Sphere> others, const Vec3& center, double reach);
-        /// Volume of the ball outside the free part; infinite if the ball leaves the cube.
+        /// Returns the volume of the ball outside this union; infinite if the ball leaves the cube.
         double outside(const Sphere& ball) const;
 
     private:

@@ -11,7 +11,8 @@
 namespace foam::medial {
 namespace {
 
-/// Edge of the cubes in which one corner stands for all others: that many points would fill the area evenly.
+/// Returns the edge of the cubes in which one corner stands for all others: that many points would fill the area
+/// evenly.
 double spacing(const Solid& solid, const Frame& frame, std::size_t count) {
     const double area = solid.area() / (frame.scale * frame.scale);
     return std::sqrt(std::max(area, 1e-12) / static_cast<double>(std::max<std::size_t>(count, 1)));
@@ -44,7 +45,7 @@ void add_corners(const std::vector<Vec3>& corners, std::size_t limit, double cel
     }
 }
 
-/// Points of the R2 sequence (Roberts 2018), folded into the triangle.
+/// Returns a point of the R2 sequence (Roberts 2018), folded into the triangle.
 Vec3 spread(const Vec3& a, const Vec3& b, const Vec3& c, std::size_t index) {
     double u = std::fmod(0.5 + 0.7548776662466927 * static_cast<double>(index + 1), 1.0);
     double v = std::fmod(0.5 + 0.5698402909980532 * static_cast<double>(index + 1), 1.0);
@@ -65,7 +66,7 @@ std::vector<Vec3> cover_points(const Solid& solid, const Frame& frame, const Cov
     for (const Vec3& v : mesh.vertices) {
         corners.push_back(frame.to_local(v));
     }
-    if (corners.empty()) { // nothing but triangles without extent
+    if (corners.empty()) { // only triangles without extent
         for (const Vec3& v : solid.surface().vertices) {
             corners.push_back(frame.to_local(v));
         }

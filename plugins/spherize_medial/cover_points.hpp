@@ -1,4 +1,4 @@
-// The points of the surface that spheres must hold while they are searched for.
+// The points of the surface that spheres must contain during the search.
 #pragma once
 
 #include "frame.hpp"
@@ -14,9 +14,9 @@ struct CoverOptions {
     std::size_t per_triangle = 5; ///< least number on a triangle that is larger than the spacing of the points
 };
 
-/// Corners of the surface (the proof of cover asks for these first) and points spread over it by area; local frame.
-/// Where corners lie denser than the points would, one of each neighbourhood stands for the others; the outermost
-/// corners are all kept.
+/// Returns the corners of the surface, which the proof of coverage needs first, and points spread over it by area;
+/// local frame. Where corners are denser than the points, one of each neighbourhood stands for the others. The
+/// outermost corners are all kept.
 std::vector<Vec3> cover_points(const Solid& solid, const Frame& frame, const CoverOptions& options, std::uint64_t seed);
 
 } // namespace foam::medial

@@ -8,7 +8,7 @@
 
 namespace foam::medial {
 
-/// The spherical Fibonacci lattice (González 2010): `count` directions of nearly equal solid angle.
+/// Returns the spherical Fibonacci lattice (González 2010): `count` directions of nearly equal solid angle.
 inline std::vector<Vec3> fibonacci_directions(std::size_t count) {
     constexpr double golden_angle = std::numbers::pi * (3 - 2.23606797749978969641);
     std::vector<Vec3> directions;

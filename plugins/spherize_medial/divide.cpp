@@ -11,7 +11,7 @@ struct Part {
     std::vector<Vec3> points;
     Sphere ball;
     double cost = 0;          ///< volume of the ball outside the solid
-    std::vector<Part> halves; ///< two, once the best division is known; none if there is none
+    std::vector<Part> halves; ///< two for the best known division; none if there is none
     double saving = 0;        ///< cost less that of the halves
 };
 
@@ -23,7 +23,8 @@ Part part(std::vector<Vec3> points, const Columns& columns) {
     return result;
 }
 
-/// At most `count` of the points, evenly from the list, and the ones farthest out, which fix the enclosing balls.
+/// Returns at most `count` of the points, evenly from the list, and the outermost ones, which determine the enclosing
+/// balls.
 std::vector<Vec3> thinned(const std::vector<Vec3>& points, const std::vector<Vec3>& directions, std::size_t count) {
     if (points.size() <= count) {
         return points;
@@ -39,7 +40,7 @@ std::vector<Vec3> thinned(const std::vector<Vec3>& points, const std::vector<Vec
     return result;
 }
 
-/// The plane of `directions` and some offsets for which the two enclosing balls cost least together.
+/// Finds the plane of `directions` and some offsets for which the two enclosing balls have the least cost together.
 void find_division(Part& whole, const std::vector<Vec3>& directions, const Columns& columns) {
     constexpr int offsets = 7;
     const std::vector<Vec3> points = thinned(whole.points, directions, 300);
@@ -88,7 +89,7 @@ void find_division(Part& whole, const std::vector<Vec3>& directions, const Colum
 
 std::vector<std::vector<Sphere>> divide(std::span<const Vec3> points, std::size_t count, const Columns& columns,
                                         Context& context) {
-    // Half of the directions would do (a plane has two), but the lattice has no antipodes to drop.
+    // Half of the directions would suffice (a plane has two), but the lattice has no antipodes to drop.
     std::vector<Vec3> directions = fibonacci_directions(12);
     directions.insert(directions.end(), {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}});
     std::vector<Part> parts{part({points.begin(), points.end()}, columns)};

@@ -1,4 +1,4 @@
-// The smallest ball around many points, for the inner loops.
+// The smallest enclosing ball of many points, for the inner loops.
 #pragma once
 
 #include <foam/sphere.hpp>
@@ -7,8 +7,9 @@
 
 namespace foam::medial {
 
-/// The smallest ball that holds all points, to about 1e-12 of its radius: the farthest point joins a small support set
-/// until none is outside (the pivoting of Gärtner 1999). About ten passes over the points. No points: radius 0.
+/// Returns the smallest ball that contains all points, to about 1e-12 of its radius: the farthest point joins a small
+/// support set until none is outside (the pivoting of Gärtner 1999). About ten passes over the points. No points:
+/// radius 0.
 Sphere enclosing_ball(std::span<const Vec3> points);
 
 } // namespace foam::medial

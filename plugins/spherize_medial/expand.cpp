@@ -7,7 +7,8 @@
 namespace foam::medial {
 namespace {
 
-/// Number of set bits, in operations that compilers vectorise (the portable baseline has no instruction for it).
+/// Returns the number of set bits, by operations that compilers vectorise (the portable baseline has no instruction for
+/// it).
 std::uint64_t set_bits(std::uint64_t x) {
     x -= (x >> 1) & 0x5555555555555555u;
     x = (x & 0x3333333333333333u) + ((x >> 2) & 0x3333333333333333u);
@@ -35,7 +36,7 @@ Expand::Expand(std::span<const Vec3> points, std::span<const Sphere> medial)
     }
 }
 
-/// Greedy set cover (Johnson 1974), ties to the first; empty if some points are out of reach of all.
+/// Returns a greedy set cover (Johnson 1974), ties to the first; empty if some points are out of reach of all balls.
 Expand::Chosen Expand::greedy(double stand_off) const {
     const std::size_t words = (points_ + 63) / 64;
     const auto reach = static_cast<float>(stand_off);
@@ -56,7 +57,8 @@ Expand::Chosen Expand::greedy(double stand_off) const {
     }
     Chosen chosen;
     std::size_t left = points_;
-    // What a sphere adds only falls as others are chosen: an old figure is an upper bound (lazy greedy, Minoux 1978).
+    // The contribution of a sphere only falls as others are chosen: an old value is an upper bound (lazy greedy, Minoux
+    // 1978).
     std::vector<std::size_t> bound(medial_.size(), points_);
     while (left > 0) {
         check_cancelled();

@@ -12,7 +12,8 @@ Eigen::Vector3d vector(const Vec3& v) {
     return {v.x, v.y, v.z};
 }
 
-/// Second moments of the surface about its centroid, in units of `scale`²; of the vertices if there is no area.
+/// Returns the second moments of the surface about its centroid, in units of `scale`²; of the vertices if there is no
+/// area.
 Eigen::Matrix3d second_moments(const Mesh& surface, const Vec3& origin, double scale) {
     const auto unit = [&](std::uint32_t i) { return vector((surface.vertices[i] - origin) / scale); };
     double total = 0;
@@ -65,7 +66,7 @@ Frame principal_frame(const Mesh& surface) {
                                              " m; nothing can be computed at that size: check the scale of the input");
     }
     Eigen::Matrix3d moments = second_moments(surface, frame.origin, frame.scale);
-    // Products of inertia that are rounding errors must not turn the axes of a part that is aligned already.
+    // Products of inertia that are rounding errors must not turn the axes of an aligned part.
     const double noise = 1e-9 * moments.trace();
     moments = (moments.array().abs() < noise).select(0, moments);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments);

@@ -8,7 +8,8 @@
 namespace foam::medial {
 namespace {
 
-/// The points inside of a cubic lattice over the box of half edge 1/2 about the origin, in which the solid lies.
+/// Returns the points in the solid of a cubic lattice over the box of half edge 1/2 about the origin, which contains
+/// it.
 std::vector<Vec3> points_inside(const Columns& columns, int along) {
     std::vector<Vec3> points;
     const auto at = [&](int i) { return (i + 0.5) / along - 0.5; };
@@ -25,7 +26,7 @@ std::vector<Vec3> points_inside(const Columns& columns, int along) {
     return points;
 }
 
-/// Enough points for a choice, also in slender solids that fill little of the lattice's box.
+/// Returns enough points for a choice, also in slender solids that fill little of the lattice's box.
 std::vector<Vec3> points_inside(const Columns& columns) {
     constexpr std::size_t enough = 3'000;
     std::vector<Vec3> points;
@@ -35,12 +36,13 @@ std::vector<Vec3> points_inside(const Columns& columns) {
     return points;
 }
 
-/// The ball about a centre, as large as the solid lets it; radius not above zero outside.
+/// Returns the largest ball about a centre in the solid; its radius is not above zero outside of the solid.
 Sphere ball_about(const Vec3& center, const Solid& solid, const Frame& frame) {
     return {center, -solid.signed_distance(frame.to_world(center)) / frame.scale};
 }
 
-/// A larger ball near by: pattern search (Hooke and Jeeves 1961). In a spike it would climb in tiny steps for ever.
+/// Returns a larger ball nearby, by pattern search (Hooke and Jeeves 1961). In a spike it would take endless tiny
+/// steps.
 Sphere enlarged(Sphere best, const Solid& solid, const Frame& frame) {
     constexpr int most_steps = 1'000;
     double step = best.radius / 2;
@@ -65,7 +67,7 @@ Sphere enlarged(Sphere best, const Solid& solid, const Frame& frame) {
 
 std::vector<Sphere> inner_balls(const Solid& solid, const Frame& frame, const Columns& columns,
                                 std::span<const Sphere> centers, std::size_t count, Context& context) {
-    // As they are, and moved to where there is more room.
+    // The balls as given, and moved to where there is more room.
     std::vector<Sphere> balls(2 * centers.size());
     parallel_for(centers.size(), [&](std::size_t i) {
         balls[2 * i] = ball_about(centers[i].center, solid, frame);
@@ -93,7 +95,7 @@ std::vector<Sphere> inner_balls(const Solid& solid, const Frame& frame, const Co
         });
         const auto best = static_cast<std::size_t>(std::max_element(gain.begin(), gain.end()) - gain.begin());
         if (gain[best] == 0 && !chosen.empty()) {
-            break; // what is left is finer than the lattice
+            break; // the rest is finer than the lattice
         }
         chosen.push_back(balls[best]);
         for (const std::uint32_t p : held[best]) {

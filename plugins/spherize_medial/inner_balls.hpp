@@ -1,4 +1,4 @@
-// Balls inside the solid: what the guarantee `inner` asks for.
+// Balls inside the solid, for the guarantee `inner`.
 #pragma once
 
 #include "columns.hpp"
@@ -11,9 +11,9 @@
 
 namespace foam::medial {
 
-/// At most `count` balls inside the solid about some of the centres, each as large as it can be: one after another the
-/// one that holds most of what none holds yet, of points of a lattice (greedy maximum coverage; Nemhauser, Wolsey and
-/// Fisher 1978: at least 1 - 1/e of the most that could be held). Local frame. Empty if no centre is inside.
+/// Returns at most `count` balls inside the solid about some of the centres, each as large as possible. One after
+/// another the ball with most points of a lattice that no ball contains yet (greedy maximum coverage; Nemhauser, Wolsey
+/// and Fisher 1978: at least 1 - 1/e of the maximum). Local frame. Empty if no centre is inside.
 std::vector<Sphere> inner_balls(const Solid& solid, const Frame& frame, const Columns& columns,
                                 std::span<const Sphere> centers, std::size_t count, Context& context);
 

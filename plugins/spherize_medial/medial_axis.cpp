@@ -28,7 +28,7 @@ Point point(const Vec3& p) {
     return {p.x, p.y, p.z};
 }
 
-/// The nearest of many points by looking at all of them: at a few thousand that beats any tree.
+/// Finds the nearest of many points by comparing all: with a few thousand points that is faster than any tree.
 class NearestPoint {
 public:
     explicit NearestPoint(const std::vector<Vec3>& points) {
@@ -87,7 +87,7 @@ struct MedialAxis::Diagram {
         insert_spread(first_points);
     }
 
-    /// The points farthest from all before, one by one (Gonzalez 1985).
+    /// Inserts points one by one, each the farthest from all before (Gonzalez 1985).
     void insert_spread(std::size_t count) {
         std::vector<double> reach(surface.size(), std::numeric_limits<double>::infinity());
         std::size_t next = 0;
@@ -103,7 +103,8 @@ struct MedialAxis::Diagram {
         }
     }
 
-    /// Only the cells in conflict with the new point change: their spheres go, those of the new cells come.
+    /// Inserts a point. Only the cells in conflict with it change: their spheres are replaced by those of the new
+    /// cells.
     void insert(std::size_t index) {
         check_cancelled();
         used[index] = true;
@@ -132,7 +133,8 @@ struct MedialAxis::Diagram {
         }
     }
 
-    /// Whether rounding leaves the cell no volume: CGAL divides by it to find the center, and asserts that it can.
+    /// Returns whether the cell has no volume within rounding: CGAL divides by it to find the center, and asserts that
+    /// it can.
     static bool is_flat(const Delaunay::Cell& cell) {
         const auto edge = [&](int i) { return cell.vertex(i)->point() - cell.vertex(0)->point(); };
         return CGAL::determinant(edge(1), edge(2), edge(3)) == 0;
@@ -159,7 +161,7 @@ struct MedialAxis::Diagram {
         ++alive;
     }
 
-    /// Adds the point below the sphere that protrudes most; false if none protrudes.
+    /// Adds the point below the sphere that protrudes most. Returns false if none protrudes.
     bool adapt() {
         while (!queue.empty()) {
             const Entry worst = queue.top();
@@ -186,7 +188,7 @@ struct MedialAxis::Diagram {
         return false;
     }
 
-    /// Adds the surface points next to uncovered points; false if there was none to add.
+    /// Adds the surface points next to uncovered points. Returns false if there was none to add.
     bool cover_more(std::span<const Vec3> cover, std::size_t limit) {
         bool added = false;
         for (const Vec3& p : cover) {
@@ -229,7 +231,7 @@ void MedialAxis::take_all(Context& context) {
 }
 
 void MedialAxis::refine(std::size_t count, std::span<const Vec3> cover, Context& context) {
-    // Three quarters for the spheres that protrude, the rest for what no sphere holds.
+    // Three quarters for the spheres that protrude, the rest for points in no sphere.
     const std::size_t adaptive = count - count / 4;
     while (diagram_->alive < adaptive && diagram_->adapt()) {
         context.check_cancelled();

@@ -17,7 +17,7 @@ struct Cluster {
 struct Pair {
     double cost;
     std::uint32_t a, b;
-    bool operator<(const Pair& other) const { // the cheapest comes first out of a priority queue
+    bool operator<(const Pair& other) const { // the least cost comes first out of a priority queue
         return cost != other.cost ? cost > other.cost : a != other.a ? a > other.a : b > other.b;
     }
 };
@@ -56,7 +56,7 @@ public:
                 return;
             }
         }
-        // No two neighbours are left: the nearest pair.
+        // If no neighbours are left, the nearest pair.
         std::uint32_t first = 0, second = 0;
         double least = std::numeric_limits<double>::infinity();
         for (std::uint32_t a = 0; a < clusters_.size(); ++a) {
@@ -84,7 +84,7 @@ private:
         return static_cast<std::uint32_t>(clusters_.size() - 1);
     }
 
-    /// Enters the pairs of `a` and its neighbours among the clusters before `end`.
+    /// Inserts the pairs of `a` and its neighbours among the clusters before `end`.
     void offer(std::uint32_t a, std::uint32_t end) {
         const Sphere& own = clusters_[a].ball;
         for (std::uint32_t b = 0; b < end; ++b) {

@@ -5,7 +5,7 @@
 using foam::medial::MedialSpherizer;
 using foam::medial::Settings;
 
-/// One class for all: the stages differ in where spheres come from and how they are chosen.
+/// Returns a factory. The stages share one class: they differ in the source of spheres and in their choice.
 static foam::StageFactory maker(Settings (*settings)(const foam::Parameters&)) {
     return [settings](const foam::Parameters& parameters, const foam::StageMaker&) {
         return std::make_unique<MedialSpherizer>(settings(parameters));

@@ -38,7 +38,7 @@ std::vector<std::vector<Vec3>> grouped(std::span<const Vec3> points, std::span<c
 
 namespace {
 
-/// Gives each empty group the half of the group with the greatest ball that lies farthest along its longest direction.
+/// Gives each empty group the half of the group with the largest ball that lies farthest along its longest direction.
 void refill(std::vector<std::vector<Vec3>>& groups, std::vector<Sphere>& balls) {
     for (std::size_t i = 0; i < groups.size(); ++i) {
         check_cancelled();
@@ -51,7 +51,7 @@ void refill(std::vector<std::vector<Vec3>>& groups, std::vector<Sphere>& balls) 
         }
         std::vector<Vec3>& from = groups[widest];
         if (from.size() < 2 || !(balls[widest].radius > 0)) {
-            return; // all points are balls of their own
+            return; // all points are separate balls
         }
         const Vec3 center = balls[widest].center;
         const Vec3 far = *std::max_element(from.begin(), from.end(), [&](const Vec3& a, const Vec3& b) {

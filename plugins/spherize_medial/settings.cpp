@@ -11,8 +11,8 @@ std::size_t count(const Parameters& parameters, const char* name) {
     return static_cast<std::size_t>(parameters.integer(name));
 }
 
-/// Vertices of an icosahedron whose faces were split so often: 12, 42, then about four times as many a level; none at
-/// -1.
+/// Returns the number of vertices of an icosahedron whose faces were split `levels` times: 12, 42, then about four
+/// times as many per level; none at -1.
 std::size_t tester_points(std::int64_t levels) {
     return levels < 0 ? 0 : levels == 0 ? 12 : std::size_t{42} << (2 * static_cast<std::size_t>(levels - 1));
 }
@@ -25,7 +25,7 @@ Settings::Optimiser optimiser(const std::string& name) {
 
 const std::string bradshaw = "Bradshaw and O'Sullivan 2004", field = "field default (Coumar et al. 2025)";
 
-/// What all stages of the plugin have.
+/// Returns the settings that all stages of the plugin have.
 Settings shared(const Parameters& p) {
     Settings settings;
     settings.depth = count(p, "depth");

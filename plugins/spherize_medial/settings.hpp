@@ -10,7 +10,7 @@ namespace foam::medial {
 
 struct Settings {
     enum class Optimiser { variational, simplex, balance };
-    /// Where the spheres come from that the reductions choose among.
+    /// The source of the spheres for the reductions.
     enum class Source {
         adaptive_axis, ///< a medial axis that is refined where it fits worst (Bradshaw and O'Sullivan 2004)
         static_axis,   ///< the medial axis of evenly spread surface points (Hubbard 1996)
@@ -24,7 +24,7 @@ struct Settings {
     std::size_t init_spheres = 500, min_spheres = 200;
     double error_factor = 2;
     bool expand = false, merge = false, burst = false, spawn = false, divide = false;
-    bool compare_with_fewer = false; ///< more spheres are only taken where they claim less than fewer do
+    bool compare_with_fewer = false; ///< more spheres are only used if they have less excess volume than fewer
     bool optimise = false;
     Optimiser optimiser = Optimiser::variational;
     std::size_t tester_points = 42; ///< 0: exact volumes alone

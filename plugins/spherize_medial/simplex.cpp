@@ -14,7 +14,7 @@ Vec3 downhill_simplex(const Vec3& start, double size, int evaluations, const std
         --evaluations;
         return Vertex{place, cost(place)};
     };
-    // A regular tetrahedron about the start, which is a vertex itself.
+    // A regular tetrahedron about the start, which is a vertex.
     std::array<Vertex, 4> v{vertex(start), vertex(start + Vec3{size, 0, 0}), vertex(start + Vec3{0, size, 0}),
                             vertex(start + Vec3{0, 0, size})};
     while (evaluations > 0) {
@@ -54,7 +54,7 @@ double reach(const Vec3& center, std::span<const Vec3> points) {
     return std::sqrt(square);
 }
 
-/// Puts the ball where it is cheapest near its old place, with the others as they are; what that gained.
+/// Moves the ball to the place of least cost near its old one, with the others unchanged. Returns the gain.
 double settle(std::vector<Sphere>& balls, std::size_t index, Uncovered& surface, const Columns& columns,
               int evaluations, double& cost) {
     const Sphere old = balls[index];
@@ -84,7 +84,7 @@ double settle(std::vector<Sphere>& balls, std::size_t index, Uncovered& surface,
 
 std::vector<Sphere> simplex(std::vector<Sphere> balls, Uncovered& surface, const Columns& columns,
                             const SimplexOptions& options, Context& context) {
-    // Few balls are soon settled, and each counts for much.
+    // Few balls settle quickly, and each has much weight.
     const auto count = static_cast<int>(std::min<std::size_t>(balls.size(), 1000));
     const int sweeps = std::max(options.sweeps, options.settlings / std::max(count, 1));
     for (int sweep = 0; sweep < sweeps; ++sweep) {

@@ -21,7 +21,7 @@ std::size_t held(std::span<const Vec3> points, const Sphere& ball) {
         points.begin(), points.end(), [&](const Vec3& p) { return squared_norm(p - ball.center) <= square; }));
 }
 
-/// Nearly cubes, about `count` of them, in a box; one along a side that is shorter than their edge.
+/// Returns the numbers of nearly cubic cells in a box, about `count` in all; one along a side shorter than their edge.
 std::array<int, 3> cubes(const Vec3& size, std::size_t count) {
     std::array<int, 3> counts{1, 1, 1};
     const double longest = std::max({size.x, size.y, size.z});
@@ -92,14 +92,14 @@ Spawn::Spawn(std::span<const Vec3> points, std::span<const Sphere> seeds, const 
     }
 }
 
-/// Distance to the nearest point, negative outside the solid.
+/// Returns the distance to the nearest point, negative outside the solid.
 double Spawn::depth(const Vec3& p) const {
     const double distance = distance_to_nearest(points_, p);
     return columns_.inside(p) ? distance : -distance;
 }
 
-/// Pattern search (Hooke and Jeeves 1961) for the centre whose ball holds most of the open points; of two that hold as
-/// many the one that came first.
+/// Returns the ball with most of the open points, by pattern search for its centre (Hooke and Jeeves 1961); of two with
+/// as many, the first.
 Sphere Spawn::moved(const Sphere& start, double stand_off, std::span<const Vec3> open) const {
     Sphere best = start;
     std::size_t most = held(open, start);
@@ -125,11 +125,12 @@ Sphere Spawn::moved(const Sphere& start, double stand_off, std::span<const Vec3>
     return best;
 }
 
-/// Balls that hold all points; empty if some points are out of reach of all seeds, or it takes too many balls.
+/// Returns balls that contain all points; empty if some points are out of reach of all seeds, or it takes too many
+/// balls.
 std::vector<Sphere> Spawn::placed(double stand_off, Context& context) const {
     std::vector<Vec3> open = points_;
     std::vector<Sphere> balls;
-    // What a seed holds of the open points only falls: an old figure is an upper bound (lazy greedy, Minoux 1978).
+    // The number of open points in a seed only falls: an old value is an upper bound (lazy greedy, Minoux 1978).
     std::vector<std::size_t> bound(seeds_.size(), points_.size());
     while (!open.empty()) {
         context.check_cancelled();

@@ -12,19 +12,21 @@
 
 namespace foam::medial {
 
-/// Points inside the solid on a grid of about `count` points over the box of `points`, each with its distance to the
-/// nearest of them as the radius; and some of the points themselves, of radius 0, for solids too thin for the grid.
+/// Returns points inside the solid on a grid of about `count` points over the box of `points`, each with its distance
+/// to the nearest of them as the radius; and some of the points themselves, of radius 0, for solids too thin for the
+/// grid.
 std::vector<Sphere> grid_seeds(std::span<const Vec3> points, const Columns& columns, std::size_t count);
-/// Those that hold one of the points, or nearly.
+/// Returns the seeds that contain one of the points, or nearly.
 std::vector<Sphere> touching_seeds(std::span<const Sphere> seeds, std::span<const Vec3> points);
 
-/// All spheres hang over the surface by the same stand-off. The next sphere starts from the seed that holds most points
-/// that are not held yet and moves to where it holds still more; the least stand-off that gets by with `count`.
+/// Spawning: all spheres extend beyond the surface by the same stand-off. The next sphere starts from the seed with
+/// most points that are not covered yet, and moves to where it contains more. Finds the least stand-off for which
+/// `count` spheres suffice.
 class Spawn {
 public:
-    /// `most`: the largest count that will be asked for.
+    /// Prepares the search. `most`: the largest count that is requested later.
     Spawn(std::span<const Vec3> points, std::span<const Sphere> seeds, const Columns& columns, std::size_t most);
-    /// At most `count` balls; empty if there is no seed.
+    /// Returns at most `count` balls; empty if there is no seed.
     std::vector<Sphere> cover(std::size_t count, Context& context);
 
 private:
@@ -36,7 +38,7 @@ private:
     std::vector<Sphere> seeds_;
     const Columns& columns_;
     std::size_t most_;
-    double greatest_ = 0; ///< stand-off with which one sphere is enough
+    double greatest_ = 0; ///< stand-off for which one sphere suffices
     std::map<double, std::vector<Sphere>> known_;
 };
 

@@ -15,7 +15,8 @@
 namespace foam::medial {
 namespace {
 
-/// Improves covers of the whole surface, ball by ball: all a little, the cheapest then as far as it goes.
+/// Improves covering balls of the whole surface, ball by ball: all a little, then the one of least cost as far as
+/// possible.
 std::vector<Sphere> best_cover(const Stock& stock, const std::vector<std::vector<Sphere>>& starts, bool optimise,
                                Context& context) {
     Uncovered uncovered(stock.surface(), stock.dense_points());
@@ -37,19 +38,19 @@ std::vector<Sphere> best_cover(const Stock& stock, const std::vector<std::vector
     return simplex(std::move(best), uncovered, stock.columns(), {}, context);
 }
 
-/// The spheres of a level and which of the points each must hold.
+/// The spheres of a level and the points that each must contain.
 struct Level {
     std::vector<Sphere> balls;
     std::vector<std::uint32_t> parents;
-    std::vector<std::vector<Vec3>> points;       ///< to search by; only where there are deeper levels
-    std::vector<std::vector<Vec3>> dense_points; ///< to hold in the end
+    std::vector<std::vector<Vec3>> points;       ///< for the search; only where there are deeper levels
+    std::vector<std::vector<Vec3>> dense_points; ///< to be contained in the end
 };
 
-/// Shares `count` out in proportion to `weights`, at least one each, largest remainders first.
+/// Allocates `count` in proportion to `weights`, at least one each, largest quotients first.
 std::vector<std::size_t> shares(std::size_t count, const std::vector<double>& weights) {
     std::vector<std::size_t> result(weights.size(), 1);
     const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
-    // One by one to whom is owed most (Webster's method): monotone in `count`.
+    // One by one to the largest quotient (Webster's method): monotone in `count`.
     for (std::size_t given = weights.size(); given < count; ++given) {
         std::size_t most = 0;
         for (std::size_t i = 1; i < weights.size(); ++i) {
@@ -63,7 +64,7 @@ std::vector<std::size_t> shares(std::size_t count, const std::vector<double>& we
     return result;
 }
 
-/// How many balls each parent may have: `branch` without a budget, else its share of the level's by cost.
+/// Returns how many balls each parent may have: `branch` without a budget, else its share of the level's by cost.
 std::vector<std::size_t> children(const Level& above, std::size_t level, const Budget& budget, const Settings& settings,
                                   const Columns& columns) {
     if (!budget.max_spheres) {
@@ -82,8 +83,8 @@ std::vector<std::size_t> children(const Level& above, std::size_t level, const B
 
 using Groups = std::vector<std::vector<Vec3>>;
 
-/// Each point goes from its parent to the nearest of the parent's own children, so that whoever walks down the tree
-/// finds it. It grows to hold it where improving has left it to the children of another.
+/// Assigns each point of a parent to the nearest of the parent's own children, so that a descent in the tree finds it.
+/// Grows that child to contain the point, where the optimisation has left it to the children of another parent.
 Groups handed_down(const Groups& above, Level& level) {
     std::vector<std::vector<std::size_t>> children(above.size());
     for (std::size_t i = 0; i < level.balls.size(); ++i) {
@@ -112,7 +113,7 @@ Level next_level(Stock& stock, const Level& above, std::size_t level, const Budg
     Level result;
     for (std::size_t i = 0; i < above.balls.size(); ++i) {
         check_cancelled();
-        if (above.points[i].empty()) { // of no use but to the proof of the level above: stays as it is
+        if (above.points[i].empty()) { // needed only for the proof of the level above: unchanged
             result.balls.push_back(above.balls[i]);
             result.parents.push_back(static_cast<std::uint32_t>(i));
             continue;
@@ -175,7 +176,7 @@ SphereTree tree(const Stock& stock, const Level& first) {
     return result;
 }
 
-/// Two levels whatever the depth: what balls inside the solid stand for are no parts of its surface.
+/// Returns two levels whatever the depth: balls inside the solid do not correspond to parts of its surface.
 SphereTree inner_tree(const Shape& shape, const Stock& stock, std::size_t count, Context& context) {
     Level level;
     level.balls = inner_balls(shape.original(), stock.frame(), stock.columns(), stock.spheres(), count, context);
@@ -187,7 +188,7 @@ SphereTree inner_tree(const Shape& shape, const Stock& stock, std::size_t count,
     return tree(stock, level);
 }
 
-/// Geometry that is a single point.
+/// Returns the tree for geometry that is a single point.
 SphereTree point_tree(const Shape& shape) {
     const Vec3 p = shape.original().bounds().center();
     const double magnitude = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
@@ -207,7 +208,7 @@ std::vector<SphereTree> MedialSpherizer::spherize_each(const Shape& shape, std::
                                                        Context& context) const {
     if (std::any_of(budgets.begin(), budgets.end(),
                     [](const Budget& budget) { return budget.guarantee == Guarantee::inner; })) {
-        return made(shape, budgets, context); // more balls inside never miss more
+        return made(shape, budgets, context); // more balls inside never have more missing volume
     }
     return best_with_at_most(shape.original(), budgets, settings_.compare_with_fewer ? many_fewer : one_or_all,
                              [&](std::span<const Budget> all) { return made(shape, all, context); });
@@ -250,7 +251,7 @@ std::vector<SphereTree> MedialSpherizer::made(const Shape& shape, std::span<cons
             if (settings_.depth == 1) {
                 continue;
             }
-            // Refining for the regions of one tree must not change the next: the axis starts anew.
+            // Refinement for the regions of one tree must not change the next: the axis is built anew.
             Stock own(shape, tier, settings_, context);
             Level level = first[n];
             for (std::size_t depth = 2; depth <= settings_.depth; ++depth) {

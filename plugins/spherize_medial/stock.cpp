@@ -36,7 +36,7 @@ std::size_t detail(std::size_t count, int tier) {
     return count << static_cast<unsigned>(tier);
 }
 
-/// `points`, and about `count` more along the edges, where gaps between balls end and are widest.
+/// Returns `points`, and about `count` more along the edges, where gaps between balls end and are widest.
 std::vector<Vec3> with_edges(const std::vector<Corners>& surface, std::vector<Vec3> points, std::size_t count) {
     double length = 0;
     for (const Corners& t : surface) {
@@ -50,7 +50,7 @@ std::vector<Vec3> with_edges(const std::vector<Corners>& surface, std::vector<Ve
                 return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
             };
             if (!less(a, b)) {
-                continue; // the neighbour's turn
+                continue; // counted by the neighbour
             }
             const double pieces = std::floor(distance(a, b) / spacing);
             for (double i = 1; i < pieces; ++i) {
@@ -61,7 +61,7 @@ std::vector<Vec3> with_edges(const std::vector<Corners>& surface, std::vector<Ve
     return points;
 }
 
-/// About `count` of them, evenly from the list.
+/// Returns about `count` of the points, evenly from the list.
 std::vector<Vec3> every_nth(const std::vector<Vec3>& points, std::size_t count) {
     const std::size_t step = std::max<std::size_t>(1, points.size() / std::max<std::size_t>(count, 1));
     std::vector<Vec3> result;
@@ -71,14 +71,14 @@ std::vector<Vec3> every_nth(const std::vector<Vec3>& points, std::size_t count) 
     return result;
 }
 
-/// Radius of a ball that holds no point: fitted() moves it to where it is of use.
+/// Radius of a ball that contains no point: fitted() moves it to a useful place.
 constexpr double nothing = -1e9;
 
 constexpr std::size_t first_limit = 16; ///< largest count of tier 0; each next tier's is four times as large
 constexpr int last_tier = 5;
 
-/// Balls of the medial axis from which neighbours are merged: enough for good choices, few enough to try them all. By
-/// tier and not by count, so that one sweep of merging is the same for all counts.
+/// Returns the number of balls of the medial axis at which merging starts: enough for good choices, few enough to try
+/// them all. By tier and not by count, so that one sweep of merging serves all counts.
 std::size_t merge_start(std::size_t count) {
     return first_limit << (2 * static_cast<unsigned>(Stock::tier(count)) + 2);
 }
@@ -113,7 +113,7 @@ void Stock::make_axis(const Shape& shape, int tier, Context& context) {
     std::vector<Vec3> sites = cover_points(solid, frame_, options, derive_seed(context.seed(), "medial axis"));
     const double step = columns_.step();
     axis_ = std::make_unique<MedialAxis>(std::move(sites), [&solid, this, step](const Sphere& sphere) {
-        // The surface is a radius away from a vertex of the diagram: next to that, columns are fine enough.
+        // The surface is a radius away from a vertex of the diagram: compared with that, columns are fine enough.
         if (solid.closed() && sphere.radius > 1.5 * step) {
             return columns_.inside(sphere.center);
         }
@@ -180,7 +180,7 @@ Region::Region(std::vector<Vec3> points, std::span<const Sphere> medial, std::sp
             keep(count, burst(points_, start, count, columns, context));
         }
     }
-    if (settings.divide || raw_.empty()) { // what works without a medial axis too
+    if (settings.divide || raw_.empty()) { // methods that need no medial axis
         const auto divided = divide(points_, largest, columns, context);
         for (const std::size_t count : counts) {
             keep(count, divided[std::min(count, divided.size()) - 1]);
@@ -199,8 +199,8 @@ std::vector<std::vector<Sphere>> Region::candidates(std::size_t count) const {
     return result;
 }
 
-/// The cover with one ball less where it is missed least, and the ball that is then widest as two. Descent does not
-/// find such changes.
+/// Returns the balls with the least important one removed, and the ball that is then largest split in two. Descent does
+/// not find such changes.
 static std::vector<Sphere> with_one_moved(std::span<const Vec3> points, const std::vector<Sphere>& balls,
                                           const Columns& columns) {
     constexpr std::size_t tried = 8; // the smallest
@@ -252,7 +252,7 @@ std::vector<std::vector<Sphere>> starts(const Stock& stock, const Region& region
         descend(candidate);
     }
     constexpr int moves = 6;
-    // Not where balls are parents: those that moved would share out their surface worse.
+    // Not where balls are parents: moved balls would divide their surface worse.
     bool better = best.size() > 1 && settings.depth == 1;
     for (int i = 0; i < moves && better; ++i) {
         better = descend(with_one_moved(region.points(), best, stock.coarse_columns()));

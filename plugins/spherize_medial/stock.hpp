@@ -1,5 +1,5 @@
-// What all counts of one shape share: frame, cover points, columns, the spheres to choose among and what reductions
-// make of them.
+// The data that all counts of one shape share: frame, cover points, columns, the spheres to choose among and the
+// results of reductions.
 #pragma once
 
 #include "columns.hpp"
@@ -19,47 +19,48 @@
 
 namespace foam::medial {
 
-/// Part of the surface with the medial spheres that concern it, and what the reductions make of them.
+/// A part of the surface with its medial spheres, and the results of the reductions on them.
 class Region {
 public:
-    /// `counts`: the numbers of balls that will be asked for, all of one tier.
+    /// Runs the reductions. `counts`: the numbers of balls that are requested later, all of one tier.
     Region(std::vector<Vec3> points, std::span<const Sphere> medial, std::span<const std::size_t> counts,
            const Columns& columns, const Settings& settings, Context& context);
 
-    /// Covers of the region's points by at most `count` balls, the cheapest first. Precondition: one of the counts.
+    /// Returns balls that cover the region's points, at most `count` each, in order of cost. Precondition: one of the
+    /// counts.
     std::vector<std::vector<Sphere>> candidates(std::size_t count) const;
     const std::vector<Vec3>& points() const { return points_; }
 
 private:
     std::vector<Vec3> points_;
     const Columns& columns_;
-    std::map<std::size_t, std::vector<std::vector<Sphere>>> raw_; ///< by count, one a reduction
+    std::map<std::size_t, std::vector<std::vector<Sphere>>> raw_; ///< by count, one per reduction
 };
 
 class Stock {
 public:
-    /// `tier` 0 is for the smallest counts; each next has twice the points, columns and medial spheres.
+    /// Prepares a tier. Tier 0 is for the smallest counts; each next has twice the points, columns and medial spheres.
     Stock(const Shape& shape, int tier, const Settings& settings, Context& context);
 
     Stock(const Stock&) = delete; // the medial axis refers to the columns
     Stock& operator=(const Stock&) = delete;
 
-    /// The tier whose detail suits that many balls.
+    /// Returns the tier with suitable detail for that many balls.
     static int tier(std::size_t count);
 
     const Frame& frame() const { return frame_; }
     const std::vector<Vec3>& points() const { return points_; }
-    /// The points and more, for the last steps.
+    /// Returns the points and more, for the last steps.
     const std::vector<Vec3>& dense_points() const { return dense_points_; }
     const std::vector<Corners>& surface() const { return surface_; }
     const Columns& columns() const { return columns_; }
-    /// The same with a quarter of the lines, for choices among many.
+    /// Returns columns with a quarter of the lines, for choices among many.
     const Columns& coarse_columns() const { return coarse_columns_; }
-    /// What the reductions choose among: medial spheres, or points of a grid with their depth as the radius.
+    /// Returns the spheres for the reductions: medial spheres, or points of a grid with their depth as the radius.
     std::vector<Sphere> spheres() const { return axis_ ? axis_->spheres() : grid_; }
-    /// Those that hold one of the points; an adaptive medial axis is refined for them first.
+    /// Returns the spheres that contain one of the points; first refines an adaptive medial axis for them.
     std::vector<Sphere> touching(std::span<const Vec3> points, Context& context);
-    /// Smallest ball around the whole surface.
+    /// Returns the smallest ball around the whole surface.
     Sphere bounding() const { return bounding_; }
 
 private:
@@ -75,9 +76,9 @@ private:
     std::vector<Sphere> grid_;
 };
 
-/// Covers of a region by exactly `count` balls (fewer only where the region has not that many points), to be improved
-/// further: what the reductions found at best and, if `optimise`, what the optimiser made of it. At least one. Shared
-/// objects are only read: safe from several threads.
+/// Returns balls that cover a region, exactly `count` (fewer only if the region has fewer points), as starts for
+/// further improvement: the best result of the reductions and, with `optimise`, that of the optimiser. At least one.
+/// Shared objects are only read: safe from several threads.
 std::vector<std::vector<Sphere>> starts(const Stock& stock, const Region& region, std::size_t count, bool optimise,
                                         const Settings& settings, Context& context);
 

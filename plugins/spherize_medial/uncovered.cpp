@@ -21,7 +21,7 @@ double reach_of(const Vec3& center, const Corners& t) {
     return std::sqrt(std::max({squared_norm(t[0] - center), squared_norm(t[1] - center), squared_norm(t[2] - center)}));
 }
 
-/// A ball but `index` that holds all of the place; the one asked last time first.
+/// Finds a ball other than `index` that contains all of the place; tries the last one first.
 template <class Place>
 std::uint32_t holder(std::span<const Sphere> balls, std::size_t index, const Place& place, std::uint32_t last) {
     if (last != index && last < balls.size() && holds(balls[last], place)) {
@@ -35,7 +35,7 @@ std::uint32_t holder(std::span<const Sphere> balls, std::size_t index, const Pla
     return nobody;
 }
 
-/// Distance to the nearest ball but `index`; negative inside.
+/// Returns the distance to the nearest ball other than `index`; negative inside.
 double gap_to_others(std::span<const Sphere> balls, std::size_t index, const Vec3& p) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t j = 0; j < balls.size(); ++j) {
@@ -55,8 +55,8 @@ struct Candidate {
     Vec3 point;
 };
 
-/// The candidates that can be the farthest from some centre within `shift` of the one their squares are from. k stands
-/// for p where the plane between the two stays clear of these centres: |k − o|² − |p − o|² ≥ 2 shift |k − p|.
+/// Returns the candidates that can be the farthest from some centre within `shift` of the one their squares are from. k
+/// replaces p where the plane between the two does not meet these centres: |k − o|² − |p − o|² ≥ 2 shift |k − p|.
 std::vector<Vec3> decisive(std::vector<Candidate> candidates, double shift, double tolerance) {
     std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
         return a.square != b.square     ? a.square > b.square
@@ -82,21 +82,21 @@ std::vector<Vec3> decisive(std::vector<Candidate> candidates, double shift, doub
     return points;
 }
 
-/// The longest edge of a triangle is from corner k to the next.
+/// Returns the corner k for which the edge to the next corner is the longest.
 std::size_t longest_edge(const Corners& t) {
     const double a = squared_norm(t[1] - t[0]), b = squared_norm(t[2] - t[1]), c = squared_norm(t[0] - t[2]);
     return a >= b && a >= c ? 0 : b >= c ? 1 : 2;
 }
 
-/// What one ball must reach of triangle after triangle: parts that another ball holds, and parts within the reach
-/// already found, are left out; the rest is halved until it is clear whose it is.
+/// The reach that one ball needs, computed triangle after triangle. Leaves out parts in another ball and parts within
+/// the reach found already. Halves the rest until each piece is decided.
 class Reach {
 public:
     Reach(std::span<const Sphere> balls, std::size_t index, double resolution)
         : balls_(balls), own_(balls[index]), index_(index), resolution_(resolution) {}
 
     double value() const { return std::sqrt(square_); }
-    /// The point that far away.
+    /// Returns the point at that distance.
     const Vec3& place() const { return place_; }
 
     void take(const Corners& triangle) {
@@ -117,7 +117,7 @@ public:
                 continue; // another ball is nearer to all of the piece
             }
             if (gap > size || (!halve(t) && !others_duty(t))) {
-                square_ = square; // no other ball reaches the piece, or none has to grow less for it
+                square_ = square; // no other ball reaches the piece, or none needs less growth for it
                 place_ = *std::max_element(t.begin(), t.end(), [&](const Vec3& a, const Vec3& b) {
                     return squared_norm(a - own_.center) < squared_norm(b - own_.center);
                 });
@@ -132,7 +132,7 @@ private:
         if (squared_norm(b - a) <= resolution_ * resolution_) {
             return false;
         }
-        // The farther half comes next: the sooner the reach is known, the less is left to look at.
+        // The farther half comes next: the sooner the reach is known, the fewer pieces remain.
         Corners first{a, middle, c}, second{middle, b, c};
         if (squared_norm(a - own_.center) > squared_norm(b - own_.center)) {
             std::swap(first, second);

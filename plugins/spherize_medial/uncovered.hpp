@@ -1,4 +1,4 @@
-// What of the surface a ball must hold because no other does.
+// The part of the surface that a ball must contain because no other does.
 #pragma once
 
 #include <foam/sphere.hpp>
@@ -13,26 +13,25 @@ namespace foam::medial {
 
 using Corners = std::array<Vec3, 3>;
 
-/// A surface in its triangles, and points close together on it that stand for it while much is tried.
+/// A surface as triangles, and dense points on it that represent it in searches.
 class Uncovered {
 public:
-    /// `surface` must outlive this.
+    /// Keeps the points. `surface` must outlive this object.
     Uncovered(std::span<const Corners> surface, std::span<const Vec3> points)
         : surface_(surface), points_(points.begin(), points.end()), triangle_holder_(surface.size(), 0),
           point_holder_(points.size(), 0) {}
 
-    /// Of the points that `balls[index]` must hold, because no other ball does or is nearer to them, a few: for any
-    /// centre within `shift` of the ball's, the farthest of them is as far as the farthest of all, up to the share
-    /// `tolerance` of the radius. Empty if the others do without the ball.
+    /// Returns a few of the points that `balls[index]` must contain, because no other ball does or is nearer to them.
+    /// For any centre within `shift` of the ball's, the farthest of them is as far as the farthest of all, up to the
+    /// share `tolerance` of the radius. Empty if the ball is redundant.
     std::vector<Vec3> needed(std::span<const Sphere> balls, std::size_t index, double shift, double tolerance);
 
-    /// Looks for what the points miss: of the surface that no other ball holds, the place farthest from each ball joins
-    /// the points. Exact but for pieces of triangles smaller than `resolution`: one of these that no single ball holds
-    /// is the duty of the ball that has to grow least for it. Answers the largest share of its radius by which a ball
-    /// falls short.
+    /// Adds missed points: for each ball the farthest place of the surface that no other ball contains. Exact except
+    /// for pieces of triangles smaller than `resolution`: such a piece in no single ball belongs to the ball that has
+    /// to grow least for it. Returns the largest share of its radius by which a ball falls short.
     double add_missed(std::span<const Sphere> balls, double resolution);
 
-    /// The balls grown until they hold what add_missed() looks for; centres stay.
+    /// Returns the balls grown until they contain what add_missed() finds; centres stay.
     std::vector<Sphere> closed(std::vector<Sphere> balls, double resolution);
 
 private:
@@ -40,7 +39,7 @@ private:
 
     std::span<const Corners> surface_;
     std::vector<Vec3> points_;
-    std::vector<std::uint32_t> triangle_holder_, point_holder_; ///< the ball that held it when it was last asked
+    std::vector<std::uint32_t> triangle_holder_, point_holder_; ///< the last ball that contained it
 };
 
 } // namespace foam::medial

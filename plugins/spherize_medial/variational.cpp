@@ -10,10 +10,11 @@
 namespace foam::medial {
 namespace {
 
-/// Gradient of one ball: by x, y, z of the centre and by the radius.
+/// The gradient of one ball: by x, y, z of the centre and by the radius.
 using Slope = std::array<double, 4>;
 
-/// Steps of even size where the slope keeps its sign, small where it wavers (Kingma and Ba 2015, "Adam").
+/// Steps of constant size where the sign of the gradient is constant, small where it changes (Kingma and Ba 2015,
+/// "Adam").
 class AdaptiveMoments {
 public:
     explicit AdaptiveMoments(std::size_t count) : mean_(count), square_(count) {}
@@ -29,7 +30,7 @@ public:
                 mean_[i][k] = mean_decay * mean_[i][k] + (1 - mean_decay) * slopes[i][k];
                 square += slopes[i][k] * slopes[i][k] / 4;
             }
-            // One scale for the four: the direction of steepest descent of a ball is kept.
+            // One scale for the four components keeps a ball's direction of steepest descent.
             square_[i] = square_decay * square_[i] + (1 - square_decay) * square;
             const double rms = std::sqrt(square_[i] / (1 - square_scale_));
             for (std::size_t k = 0; k < 4; ++k) {
@@ -70,8 +71,8 @@ public:
     }
 
 private:
-    /// ∂ vol(U \ S) / ∂ r_i is the area of sphere i outside the other balls and the solid; by the centre it is the
-    /// integral of the normal over that area.
+    /// Adds the exposed areas. ∂ vol(U \ S) / ∂ r_i is the area of sphere i outside the other balls and the solid; the
+    /// derivative by the centre is the integral of the normal over that area.
     void add_exposed_areas() {
         std::vector<std::size_t> near;
         for (std::size_t i = 0; i < balls_.size(); ++i) {
@@ -100,8 +101,8 @@ private:
         }
     }
 
-    /// Exact penalty: a point outside all balls draws the nearest one with a force that outweighs what exposed area can
-    /// push back, so that the optimum holds the points and not only nearly.
+    /// Adds an exact penalty: a point outside all balls pulls the nearest one with a force above the largest opposite
+    /// force of exposed area, so that the optimum contains the points, not only nearly.
     void add_penalties() {
         for (std::size_t p = 0; p < points_.size(); ++p) {
             const Vec3& point = points_[p];
@@ -141,7 +142,8 @@ private:
     AdaptiveMoments moments_;
 };
 
-/// Radii that hold the points where the centres are: each as large as the points it is nearest to ask for.
+/// Sets radii so that the balls contain the points with the present centres: each contains the points that it is
+/// nearest to.
 void close(std::span<const Vec3> points, std::vector<Sphere>& balls) {
     const auto owner = assign(points, balls);
     std::vector<double> radius(balls.size(), 0);

@@ -26,7 +26,7 @@ Octree::Octree(const Solid& solid, const Axes& axes, Place place, Cell::Content 
     nodes_.push_back({root, root.ball(), 0, {}, {}, {}});
 }
 
-/// The octants that hold something; if that is one only, its octants, and so on.
+/// Returns the octants that are not empty; if there is only one, its octants, and so on.
 std::vector<Octree::Node> Octree::parts_of(const Node& node) {
     std::vector<Cell> cells{node.cell};
     int depth = node.depth;
@@ -93,7 +93,7 @@ void Octree::split_all(int levels, Context& context) {
     }
 }
 
-/// The leaf that saves most volume for each sphere more, among those that add no more than `room`.
+/// Returns the leaf that saves most volume per additional sphere, among those that add at most `room`.
 std::optional<std::size_t> Octree::best_leaf(std::size_t room) {
     const std::vector<std::size_t> all = leaves();
     const std::vector<Sphere> balls = leaf_balls();
@@ -126,7 +126,7 @@ std::optional<std::size_t> Octree::best_leaf(std::size_t room) {
     return best;
 }
 
-/// What splitting saves depends on the balls around.
+/// Forgets the savings near a changed ball: they depend on the neighbouring balls.
 void Octree::forget_around(const Sphere& changed) {
     for (Node& node : nodes_) {
         if (!node.saved) {

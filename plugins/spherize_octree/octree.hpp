@@ -1,4 +1,4 @@
-// An octree of a solid with a ball around what lies in each cell.
+// An octree of a solid with a ball around the content of each cell.
 #pragma once
 
 #include <foam/cell.hpp>
@@ -15,20 +15,20 @@ using Axes = std::array<Vec3, 3>;
 /// Grown by splitting leaves; every set of leaves covers the solid.
 class Octree {
 public:
-    /// Where the solid lies in the cube along its shorter sides.
+    /// Position of the solid in the cube along its shorter sides.
     enum class Place { middle, corner };
-    /// One cell: the smallest cube along the axes that holds the solid.
+    /// Makes one cell: the smallest cube along the axes that contains the solid.
     Octree(const Solid& solid, const Axes& axes, Place place, Cell::Content content);
 
     /// Splits every leaf, `levels` times.
     void split_all(int levels, Context& context);
-    /// Splits leaves, always the one that saves most of the union's volume a sphere, as long as there are no more than
+    /// Splits leaves, always the one that saves most of the union's volume per sphere, as long as there are at most
     /// `most` of them and volume is saved.
     void split_best(std::size_t most, Context& context);
 
     std::vector<Sphere> leaf_balls() const;
     std::vector<const Cell*> leaf_cells() const;
-    /// A level for each depth; leaves that end earlier stay in all levels below.
+    /// Returns a level for each depth; leaves that end earlier stay in all levels below.
     SphereTree tree() const;
 
 private:
@@ -37,8 +37,8 @@ private:
         Sphere ball;
         int depth = 0;                          ///< halvings of the cube
         std::vector<std::size_t> children;      ///< indices into nodes_; empty for a leaf
-        std::optional<std::vector<Node>> parts; ///< what it would split into, once that is known
-        std::optional<double> saved; ///< m³ of the union that splitting saves, as long as its surroundings stay
+        std::optional<std::vector<Node>> parts; ///< the nodes that it would split into, once known
+        std::optional<double> saved; ///< m³ of the union that splitting saves, valid while its surroundings stay
     };
 
     static std::vector<Node> parts_of(const Node& node);

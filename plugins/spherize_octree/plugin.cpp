@@ -10,7 +10,7 @@
 namespace foam::spherize_octree {
 namespace {
 
-/// Balls inside the solid in place of those that cover it.
+/// Returns balls inside the solid in place of the covering ones.
 SphereTree inner_tree(const Octree& octree, const std::string& name) {
     std::vector<Sphere> balls;
     for (const Cell* cell : octree.leaf_cells()) {
@@ -51,7 +51,7 @@ public:
     }
 
 private:
-    /// Cubes to start from. A slender part in the corner of its cube has content in fewer octants.
+    /// Returns the cubes to start from. A slender part in the corner of its cube occupies fewer octants.
     std::vector<std::pair<Axes, Octree::Place>> starts(const Solid& solid) const {
         std::vector<Axes> orientations;
         if (axes_ != "principal") {
@@ -68,7 +68,7 @@ private:
         return starts;
     }
 
-    /// The octree whose balls have the least volume together.
+    /// The octree whose balls have the least union volume.
     struct Best {
         std::optional<Octree> octree;
         double volume = 0;
@@ -83,8 +83,9 @@ private:
         }
     };
 
-    /// The best octree of at most so many leaves: split where it pays most, from one cell and from whole levels. From
-    /// one cell alone the way may end at once: eight balls around a ring claim more than one, sixty-four claim less.
+    /// Returns the best octree of at most `most` leaves: split where it reduces the volume most, from one cell and from
+    /// whole levels. From one cell alone the search may end at once: eight balls around a ring have more excess volume
+    /// than one, sixty-four have less.
     SphereTree best_of(const Shape& shape, Guarantee guarantee, std::size_t most, Context& context) const {
         Best best;
         for (const auto& [axes, place] : starts(shape.original())) {

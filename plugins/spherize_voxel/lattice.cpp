@@ -19,7 +19,7 @@ std::array<double, 3> Lattice::counts(double radius) const {
     std::array<double, 3> counts;
     const Vec3 size = whole_.box().size();
     for (int axis = 0; axis < 3; ++axis) {
-        // A side that is a whole number of voxels long must not take one more for a rounding error.
+        // A side of an integral number of voxels must not get one more because of a rounding error.
         counts[static_cast<std::size_t>(axis)] = std::max(1.0, std::ceil(size[axis] / (spacing_ * radius) - 1e-9));
     }
     return counts;

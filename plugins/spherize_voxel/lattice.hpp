@@ -8,21 +8,23 @@
 
 namespace foam::spherize_voxel {
 
-/// The voxels of a solid at any radius: the lattice lies in the middle of the solid's box.
+/// The voxels of a solid at any radius. The lattice is centred in the solid's box.
 class Lattice {
 public:
-    /// `spacing`: edge of a voxel in radii of the sphere about its centre. Up to 2/√3 the sphere holds its voxel.
+    /// Prepares the lattice. `spacing`: edge of a voxel in radii of the sphere about its centre. Up to 2/√3 the sphere
+    /// contains its voxel.
     Lattice(const Solid& solid, const std::array<Vec3, 3>& axes, Cell::Content content, double spacing);
 
-    /// The solid in one cell.
+    /// Returns the solid in one cell.
     const Cell& whole() const { return whole_; }
-    /// The largest radius at which the box takes more than one voxel.
+    /// Returns the largest radius at which the box has more than one voxel.
     double largest_radius() const;
-    /// Voxels of the box, filled or not: known without looking at the solid.
+    /// Returns the number of voxels of the box, filled or not, without looking at the solid.
     double voxels_of_box(double radius) const;
-    /// Voxels that hold something. Precondition: voxels_of_box(radius) fits into memory.
+    /// Returns the voxels that are not empty. Precondition: voxels_of_box(radius) fits into memory.
     std::vector<Cell> filled(double radius) const;
-    /// A sphere about the centre of each voxel, in the solid's frame; about the whole solid if that is one voxel.
+    /// Returns a sphere about the centre of each voxel, in the solid's frame; about the whole solid if that is one
+    /// voxel.
     std::vector<Sphere> spheres(const std::vector<Cell>& voxels, double radius) const;
 
 private:

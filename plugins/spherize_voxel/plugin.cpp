@@ -9,7 +9,7 @@
 namespace foam::spherize_voxel {
 namespace {
 
-/// The largest balls inside the solid about the voxels, no larger than the spheres in whose place they come.
+/// Returns the largest balls inside the solid about the voxels, no larger than the spheres that they replace.
 std::vector<Sphere> inner_balls(const RadiusSearch::Result& outer, const std::string& name) {
     std::vector<Sphere> balls;
     for (std::size_t i = 0; i < outer.voxels.size(); ++i) {
@@ -73,7 +73,7 @@ public:
     }
 
 private:
-    /// Spheres of the radius that the parameter asks for, if they are not too many.
+    /// Returns spheres of the parameter's radius, if they are not too many.
     RadiusSearch::Result of_radius(const Lattice& lattice, RadiusSearch& search, const std::string& name,
                                    Context& context) const {
         RadiusSearch::Result result;

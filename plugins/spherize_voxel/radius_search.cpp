@@ -24,7 +24,7 @@ RadiusSearch::Rung& RadiusSearch::rung(std::size_t index) {
     return rungs_[index];
 }
 
-/// Fills in an octave of rungs for a search among at most `most` spheres.
+/// Fills in an octave of radii for a search among at most `most` spheres.
 void RadiusSearch::look_at(std::size_t first, std::size_t most, Context& context) {
     rung(first + rungs_per_octave - 1);
     parallel_for(rungs_per_octave, [&](std::size_t i) {

@@ -1,4 +1,4 @@
-// The radius for a number of spheres.
+// The search for the radius for a number of spheres.
 #pragma once
 
 #include "lattice.hpp"
@@ -9,14 +9,14 @@
 
 namespace foam::spherize_voxel {
 
-/// The most voxels of a box, filled or not, that are worth looking at for so many spheres.
+/// Returns the most voxels of a box, filled or not, that are examined for so many spheres.
 constexpr double most_voxels(std::size_t spheres) {
     return 1'000 + 50 * static_cast<double>(spheres);
 }
 
-/// Radii in even steps downwards from the one at which the solid is one voxel. For a number of spheres the radius is
-/// the one whose spheres, no more than that, have the least volume together. As the radii are the same whatever number
-/// is asked for, and more of them are looked at for a larger one, more spheres never claim more.
+/// Radii in even steps downwards from the one at which the solid is one voxel. For a number of spheres the result is
+/// the radius whose spheres, at most that number, have the least union volume. The radii do not depend on the number,
+/// and more of them are examined for a larger one, so more spheres never have more excess volume.
 class RadiusSearch {
 public:
     explicit RadiusSearch(const Lattice& lattice) : lattice_(lattice) {}
@@ -28,7 +28,7 @@ public:
     Result best(std::size_t most, Context& context);
 
 private:
-    /// What is known of a radius.
+    /// The known figures of a radius.
     struct Rung {
         double radius = 0;      ///< m
         bool looked_at = false; ///< the figures below are known

@@ -1,4 +1,4 @@
-// write.csv: one sphere a row, "link,x,y,z,radius". Quoting of RFC 4180; lines end with "\n".
+// write.csv: one sphere per row, "link,x,y,z,radius". Quoting of RFC 4180; lines end with "\n".
 #include <foam/cancellation.hpp>
 #include <foam/error.hpp>
 #include <foam/plugin.hpp>

@@ -1,4 +1,4 @@
-// The ways to lay out a model in JSON.
+// The layouts of a model in JSON.
 #pragma once
 
 #include <foam/model.hpp>
@@ -13,27 +13,28 @@
 
 namespace foam {
 
-using Json = nlohmann::ordered_json; // groups of a link stay in their order
+using Json = nlohmann::ordered_json; // keeps the order of a link's groups
 using SpheresByLink = std::map<std::string, std::vector<Sphere>>;
 
-/// foam's own: schemas/spheres.schema.json.
+/// Returns foam's layout: schemas/spheres.schema.json.
 std::string write_links_layout(const SphereModel& model);
 SpheresByLink read_links_layout(const Json& document);
 
-/// The database of Coumar et al. 2025: {"link::mesh": {"<branch>": {"<depth>": {mean, best, worst, spheres}}}}.
+/// Returns the database layout of Coumar et al. 2025: {"link::mesh": {"<branch>": {"<depth>": {mean, best, worst,
+/// spheres}}}}.
 std::string write_original_layout(const SphereModel& model);
-/// The same of a single mesh: a list of {mean, best, worst, spheres, link}, one for each depth. Throws Error(output) if
-/// the model has more groups than one.
+/// Returns the same for a single mesh: a list of {mean, best, worst, spheres, link}, one for each depth. Throws
+/// Error(output) if the model has more than one group.
 std::string write_original_mesh_layout(const SphereModel& model);
-/// Reads both.
+/// Reads both of these layouts.
 SpheresByLink read_original_layout(const Json& document);
 
-/// A JSON string; bytes that are no UTF-8 become U+FFFD.
+/// Returns a JSON string; bytes that are not UTF-8 become U+FFFD.
 inline std::string json_text(const std::string& text) {
     return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// JSON knows no infinity and no NaN: null stands for what could not be measured.
+/// Returns a JSON number. JSON has no infinity and no NaN: null stands for what could not be measured.
 inline std::string json_number(double value) {
     return std::isfinite(value) ? number_text(value) : "null";
 }

@@ -1,7 +1,7 @@
-// The layout of the first foam's database, for programs that read it. Its figures of a tree level - mean, best and
-// worst distance from a sphere to the mesh - are known here of the finest level alone (mean and largest protrusion);
-// the others are null. A link and mesh that occur several times get "#2", "#3"… behind the mesh, where the first foam
-// lost all but one.
+// The database layout of CoMMALab/foam (Coumar et al. 2025), for programs that read it. It has three figures of a tree
+// level: mean, best and worst distance from a sphere to the mesh. Here only those of the finest level are known (mean
+// and largest protrusion); the others are null. A link and mesh that occur several times get "#2", "#3"… after the
+// mesh, where CoMMALab/foam lost all but one.
 #include "layout.hpp"
 
 #include <foam/cancellation.hpp>
@@ -27,7 +27,7 @@ std::string depth_object(const SphereGroup& group, std::size_t depth, const std:
                        finest ? json_number(group.measures.protrusion_max) : "null", fmt::join(spheres, ",\n"), indent);
 }
 
-/// The largest number of children that a sphere has.
+/// Returns the largest number of children of a sphere.
 std::size_t branch_of(const SphereTree& tree) {
     std::size_t branch = 1;
     for (const SphereTree::Level& level : tree.levels) {

@@ -5,7 +5,7 @@
 
 namespace foam {
 
-/// The icosahedron with every triangle split into four, `subdivisions` times, all vertices on the unit sphere:
+/// Returns the icosahedron with every triangle split into four, `subdivisions` times, all vertices on the unit sphere:
 /// 20 · 4^subdivisions triangles.
 Mesh icosphere(int subdivisions);
 

@@ -106,7 +106,7 @@ std::string as_surface(const std::vector<LinkSpheres>& links, const std::map<std
            vertices + faces + sphere_rows(links);
 }
 
-/// Reads what write() makes: lines and words of an ASCII PLY.
+/// Reads the files of write(): lines and words of an ASCII PLY.
 class PlyReader {
 public:
     explicit PlyReader(std::string_view text) : rest_(text) {}
@@ -157,7 +157,7 @@ private:
         return value;
     }
 
-    /// The spheres are the rows of the last element in both forms.
+    /// Reads the header. The spheres are the rows of the last element in both forms.
     void read_header() {
         if (line() != "ply" || line() != "format ascii 1.0") {
             fail("not an ASCII PLY file");

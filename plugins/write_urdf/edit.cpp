@@ -8,8 +8,8 @@
 namespace foam {
 namespace {
 
-/// What stands before `position` on its line, with the line end before it, if that is nothing but white space: "\r\n ".
-/// Empty if something else is on the line.
+/// Returns the white space before `position` on its line, with the line end before it: "\r\n ". Empty if there is
+/// anything else on the line.
 std::string_view line_start(std::string_view text, std::size_t position) {
     std::size_t begin = position;
     while (begin > 0 && (text[begin - 1] == ' ' || text[begin - 1] == '\t')) {

@@ -1,4 +1,4 @@
-// Changes to a text that leave every other byte as it is.
+// Changes to a text that keep every other byte.
 #pragma once
 
 #include <foam/sphere.hpp>
@@ -10,16 +10,16 @@
 
 namespace foam {
 
-/// Changes parts of a text. Of a <link> it replaces the <collision> elements by spheres: the spheres take the place of
-/// the first one, one a line with its indentation (in the same line if it does not stand on a line of its own).
-/// Comments between the elements stay. A link without <collision> gets the spheres as its last children.
+/// Changes parts of a text. Replaces the <collision> elements of a <link> by spheres: the spheres take the place of the
+/// first one, one per line with its indentation (in the same line if it is not on a separate line). Comments between
+/// the elements stay. A link without <collision> gets the spheres as its last children.
 class UrdfEditor {
 public:
     explicit UrdfEditor(std::string_view text) : text_(text) {}
 
     void replace(const xml::Span& span, std::string replacement) { changes_.push_back({span, std::move(replacement)}); }
     void replace_collisions(const xml::Element& link, const std::vector<Sphere>& spheres);
-    /// The text with all changes. They may be given in any order, but must not overlap; a link only once.
+    /// Returns the text with all changes. They may be added in any order, but must not overlap; each link only once.
     std::string result();
 
 private:

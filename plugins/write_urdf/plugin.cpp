@@ -1,8 +1,8 @@
-// write.urdf: the robot's own URDF text with spheres in place of its collision geometry.
+// write.urdf: the robot's URDF text with spheres in place of its collision geometry.
 //
-// Everything else keeps its bytes: comments, unknown elements, order, line ends, encoding; but relative paths of meshes
-// and textures in what stays (visuals, links without spheres) are written so that they lead to their files from the
-// folder of the new file.
+// Everything else keeps its bytes: comments, unknown elements, order, line ends, encoding. The exception: relative
+// paths of the remaining meshes and textures (visuals, links without spheres) are changed so that they lead to their
+// files from the folder of the new file.
 #include "edit.hpp"
 #include "references.hpp"
 
@@ -34,7 +34,7 @@ LinkElements links_of(const xml::Element& robot) {
     throw Error(ErrorCode::output, fmt::format("URDF:{}: <{}> {}", element.line, element.name, why));
 }
 
-/// The numbers of an attribute; `fallback` if it is absent.
+/// Returns the numbers of an attribute; `fallback` if it is absent.
 std::vector<double> read_numbers(const xml::Element& element, std::string_view attribute, std::size_t count,
                                  std::string_view fallback) {
     const std::string* text = element.attribute(attribute);
@@ -52,7 +52,7 @@ std::vector<double> read_numbers(const xml::Element& element, std::string_view a
     return numbers;
 }
 
-/// The sphere of a <collision>, nothing if its geometry is another one. The rotation of a sphere does not matter.
+/// Returns the sphere of a <collision>; nothing if it has another geometry. The rotation of a sphere does not matter.
 std::optional<Sphere> read_sphere(const xml::Element& collision) {
     const xml::Element* geometry = collision.child("geometry");
     const xml::Element* sphere = geometry ? geometry->child("sphere") : nullptr;
@@ -94,7 +94,7 @@ public:
         return editor.result();
     }
 
-    /// Links whose collision geometry holds no sphere are not in the result.
+    /// Returns the spheres by link, without links whose collision geometry has no sphere.
     std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override {
         const auto root = xml::parse(bytes, "URDF", ErrorCode::output);
         std::map<std::string, std::vector<Sphere>> result;
@@ -109,7 +109,7 @@ public:
     }
 
 private:
-    /// Lets relative paths lead to their files from the folder of the new file.
+    /// Changes relative paths so that they lead to their files from the folder of the new file.
     void move_references(const std::vector<RelativeReference>& references, const SphereModel& model, UrdfEditor& editor,
                          Context& context) const {
         const std::string original = model.robot->file.string();

@@ -25,12 +25,12 @@ void collect(std::string_view text, const xml::Element& element, std::vector<Rel
     }
 }
 
-/// Without symbolic links but for the file itself, so that ".." means what it says.
+/// Returns the path without symbolic links except for the file itself, so that ".." is unambiguous.
 fs::path physical(const fs::path& file) {
     return fs::weakly_canonical(file.parent_path()) / file.filename();
 }
 
-/// The code point that begins at `at`, which then stands behind it.
+/// Returns the code point at `at`, and moves `at` behind it.
 std::uint32_t next_code_point(std::string_view text, std::size_t& at) {
     const auto byte = static_cast<unsigned char>(text[at++]);
     const int more = byte >= 0xF0 ? 3 : byte >= 0xE0 ? 2 : byte >= 0xC0 ? 1 : 0;

@@ -1,4 +1,4 @@
-// References to files in what stays of a URDF.
+// References to files in the rest of a URDF.
 #pragma once
 
 #include <xml/document.hpp>
@@ -17,16 +17,16 @@ struct RelativeReference {
     xml::Span span;   ///< of the attribute's value in the text
 };
 
-/// All of them in the order of the text, but for those in the <collision> elements of the links `replaced`.
+/// Returns all of them in the order of the text, except those in the <collision> elements of the links `replaced`.
 std::vector<RelativeReference> relative_references(std::string_view text, const xml::Element& robot,
                                                    const std::set<std::string>& replaced);
 
-/// What leads from `folder`, which need not exist yet, to where `path` leads from `base`; an absolute path if `folder`
-/// is empty. `path` itself if it leads there as it is; empty if it leads to no file.
+/// Returns the path from `folder`, which need not exist yet, to the file that `path` refers to from `base`; an absolute
+/// path if `folder` is empty. Returns `path` itself if it is right already; empty if there is no such file.
 std::string reference_from(const std::filesystem::path& folder, const std::string& path,
                            const std::filesystem::path& base);
 
-/// As it may stand in an attribute, in whatever quotes and encoding the text has.
+/// Returns the value for an attribute, in any quotes and in the encoding of the text.
 std::string attribute_text(std::string_view value, std::string_view text);
 
 } // namespace foam

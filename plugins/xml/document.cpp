@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::size_t deepest_nesting = 200;
 
-/// Builds the elements while expat walks over the text. Exceptions must not pass through expat's C frames: the first
-/// complaint stops the parser and is thrown afterwards.
+/// Builds the elements while expat reads the text. Exceptions must not pass through expat's C frames: the first error
+/// stops the parser and is thrown afterwards.
 class Builder {
 public:
     explicit Builder(std::string_view text) : text_(text), parser_(XML_ParserCreate(nullptr)) {

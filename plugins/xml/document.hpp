@@ -1,5 +1,5 @@
-// The elements of an XML text, each with the place where it stands, so that messages can name it and editors can
-// replace it without touching a byte of anything else.
+// The elements of an XML text with their places, so that messages can name them and editors can replace them without
+// any change to other bytes.
 #pragma once
 
 #include <foam/error.hpp>
@@ -19,7 +19,7 @@ struct Span {
     std::size_t size() const { return end - begin; }
 };
 
-/// An element. Strings are UTF-8 whatever the encoding of the text; names keep their namespace prefix.
+/// An element. Strings are UTF-8 in any encoding of the text; names keep their namespace prefix.
 struct Element {
     std::string name;
     std::vector<std::pair<std::string, std::string>> attributes;
@@ -30,18 +30,18 @@ struct Element {
     int line = 0;            ///< 1-based
 
     bool self_closing() const { return start_tag.end == span.end; }
-    /// nullptr when there is none.
+    /// Returns the attribute; nullptr if there is none.
     const std::string* attribute(std::string_view key) const;
-    /// The first child element of that name; nullptr when there is none.
+    /// Returns the first child element of that name; nullptr if there is none.
     const Element* child(std::string_view child_name) const;
     std::vector<const Element*> children_named(std::string_view child_name) const;
-    /// Where the value of an attribute that is there stands in the text that the element was parsed from, between its
-    /// quotes.
+    /// Returns the place of an attribute's value, between its quotes, in the text that the element was parsed from.
+    /// Precondition: the attribute exists.
     Span attribute_span(std::string_view key, std::string_view text) const;
 };
 
-/// Throws Error(code) with "label:line:column: reason" for text that is not well-formed, is UTF-16, declares or uses
-/// entities of its own (an edit could not tell what they stand for), or is nested more than 200 deep.
+/// Parses a text. Throws Error(code) with "label:line:column: reason" if it is not well-formed, is UTF-16, declares or
+/// uses its own entities (an edit could not resolve them), or is nested more than 200 deep.
 std::unique_ptr<const Element> parse(std::string_view text, const std::string& label, ErrorCode code);
 
 } // namespace foam::xml

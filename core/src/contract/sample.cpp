@@ -38,7 +38,7 @@ Mesh torus(double large, double small, std::uint32_t around, std::uint32_t acros
     return mesh;
 }
 
-// The side faces: its outline, extruded.
+// An outline in the xz plane, extruded along y.
 Mesh bracket() {
     Mesh mesh;
     const std::array<std::pair<double, double>, 6> outline{

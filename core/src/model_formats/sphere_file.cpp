@@ -36,7 +36,7 @@ bool is_row(std::string_view text) {
            std::count_if(line.begin(), line.end(), [](char c) { return c >= '0' && c <= '9'; }) >= 4;
 }
 
-/// Removes disabled spheres, whose radius is not above 0, with a note. Throws for spheres that are not valid.
+/// Removes disabled spheres, whose radius is not above 0, with a note.
 void drop_disabled(SphereFile& result) {
     std::size_t dropped = 0;
     for (LinkSpheres& link : result.links) {

@@ -1,4 +1,4 @@
-// The view: a parallel projection, so that sizes can be compared over all panels.
+// The view: a parallel projection, so that sizes are comparable over all panels.
 #pragma once
 
 #include <foam/vector.hpp>
@@ -18,7 +18,7 @@ struct Camera {
           towards{std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
                   std::sin(elevation)} {}
 
-    /// Coordinates along right, up and towards.
+    /// Returns the coordinates along right, up and towards.
     Vec3 operator()(const Vec3& v) const { return {dot(right, v), dot(up, v), dot(towards, v)}; }
 };
 

@@ -1,4 +1,4 @@
-// The labelled bar that says which colour means which radius.
+// The labelled colour bar of radii.
 #pragma once
 
 #include "layout.hpp"

@@ -1,4 +1,4 @@
-// The OpenGL 3.3 functions that the painter calls, as pointers: OSMesa hands them out by name.
+// The OpenGL 3.3 functions that the painter calls, as pointers that OSMesa gives by name.
 #pragma once
 
 // Before osmesa.h, whose gl.h would otherwise hide the core profile's declarations.
@@ -55,7 +55,7 @@ namespace foam::snapshot {
     X(VertexAttribPointer, VERTEXATTRIBPOINTER)                                                                        \
     X(Viewport, VIEWPORT)
 
-/// Valid while the context it was loaded in is current.
+/// Function pointers, valid while the context that they were loaded in is current.
 struct Gl {
 #define FOAM_GL_POINTER(name, NAME) PFNGL##NAME##PROC name = nullptr;
     FOAM_GL_FUNCTIONS(FOAM_GL_POINTER)

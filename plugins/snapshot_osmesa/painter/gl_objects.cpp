@@ -33,7 +33,7 @@ GLuint make_program(const Gl& gl, const char* vertex, const char* fragment) {
     const GLuint program = gl.CreateProgram();
     for (const GLuint shader : {compile(gl, GL_VERTEX_SHADER, vertex), compile(gl, GL_FRAGMENT_SHADER, fragment)}) {
         gl.AttachShader(program, shader);
-        gl.DeleteShader(shader); // lives on while attached
+        gl.DeleteShader(shader); // freed when it is no longer attached
     }
     gl.LinkProgram(program);
     GLint linked = 0;

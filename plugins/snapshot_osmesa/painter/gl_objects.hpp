@@ -7,19 +7,19 @@
 
 namespace foam::snapshot {
 
-/// A linked shader program; lives as long as its context.
+/// Returns a linked shader program with the lifetime of its context.
 GLuint make_program(const Gl& gl, const char* vertex, const char* fragment);
 
-/// A colour texture, 8 bits a channel, with an optional depth texture, that can be drawn into.
+/// A colour texture, 8 bits per channel, with an optional depth texture, as a render target.
 class Target {
 public:
-    /// Throws Error(output) if the driver cannot draw into it.
+    /// Makes the textures. Throws Error(output) if the driver cannot draw into them.
     Target(const Gl& gl, int width, int height, bool with_depth);
     ~Target();
     Target(const Target&) = delete;
     Target& operator=(const Target&) = delete;
 
-    /// Makes it what is drawn into, all transparent black and infinitely deep.
+    /// Makes it the current render target, cleared to transparent black and infinite depth.
     void begin() const;
     GLuint colour() const { return colour_; }
     GLuint depth() const { return depth_; }
@@ -30,14 +30,14 @@ private:
     GLuint framebuffer_ = 0, colour_ = 0, depth_ = 0;
 };
 
-/// Vertices of one draw call.
+/// The vertices of one draw call.
 class Vertices {
 public:
     struct Attribute {
         GLint components;
         std::size_t offset; ///< bytes from the start of a vertex
     };
-    /// `per_instance`: each entry is a whole instance's, not a corner's.
+    /// Uploads the vertices. `per_instance`: each entry belongs to a whole instance, not to a corner.
     Vertices(const Gl& gl, const void* data, std::size_t bytes, std::size_t stride,
              std::initializer_list<Attribute> attributes, bool per_instance);
     ~Vertices();

@@ -6,7 +6,7 @@
 namespace foam::snapshot {
 namespace {
 
-/// Bounds of a panel's content along the camera's axes.
+/// Returns the bounds of a panel's content along the camera's axes.
 Box extent(const Panel& panel, const Camera& camera) {
     Box box;
     for (const FigureMesh& item : panel.meshes) {
@@ -41,7 +41,7 @@ std::vector<Box> extents(const Figure& figure, const Camera& camera) {
         const Vec3 size = boxes.back().size();
         largest = {std::max(largest.x, size.x), std::max(largest.y, size.y), std::max(largest.z, size.z)};
     }
-    // Panels of the same thing share one frame, so that details stand at the same place in each of them.
+    // Panels of the same object share one frame, so that details have the same place in each of them.
     const double tolerance = 1.3;
     const Vec3 size = all.size();
     const bool same = size.x <= tolerance * largest.x && size.y <= tolerance * largest.y;
@@ -70,13 +70,13 @@ std::optional<RadiusRange> radius_range(const Figure& figure) {
     return range;
 }
 
-/// How the panels share an area.
+/// The arrangement of panels in an area.
 struct Grid {
     int rows = 1, columns = 1;
-    double scale = 0; ///< pixels a metre
+    double scale = 0; ///< pixels per metre
 };
 
-/// The number of rows that shows the content largest; fewer rows win when they come close.
+/// Returns the number of rows with the largest content; fewer rows if the content is nearly as large.
 Grid best_grid(int panels, const Rectangle& area, double gap, double caption, double wide, double high) {
     Grid best;
     for (int rows = 1; rows <= panels; ++rows) {
@@ -154,7 +154,7 @@ Layout arrange(const Figure& figure, const Camera& camera) {
     for (int i = 0; i < count; ++i) {
         const int row = i / grid.columns;
         const int in_row = std::min(grid.columns, count - row * grid.columns);
-        const double indent = (grid.columns - in_row) * cell_width / 2; // the last row stands in the middle
+        const double indent = (grid.columns - in_row) * cell_width / 2; // the last row is centred
         const double left = area.left + indent + (i % grid.columns) * cell_width;
         const double top = area.top + row * cell_height + (cell_height - view_height - caption) / 2;
         Layout::Cell cell;

@@ -1,4 +1,4 @@
-// Where things go in the picture.
+// The layout of the picture.
 #pragma once
 
 #include "camera.hpp"
@@ -15,7 +15,7 @@ struct Rectangle {
     double left = 0, top = 0, width = 0, height = 0;
 };
 
-/// Smallest and largest radius of all spheres that can be drawn, metres.
+/// The smallest and largest radius of all drawable spheres, metres.
 struct RadiusRange {
     double least = 0, most = 0;
 };
@@ -24,21 +24,21 @@ struct Layout {
     Camera camera;
     int width = 0, height = 0; ///< pixels of the whole picture
     double unit = 1;           ///< pixels; 1 in a picture of 1280 × 960, all texts and margins are multiples of it
-    double scale = 1;          ///< pixels a metre, the same in all panels
+    double scale = 1;          ///< pixels per metre, the same in all panels
     double title_height = 0;   ///< pixels at the top
     struct Cell {
         Rectangle view; ///< the panel's picture
         Vec3 middle;    ///< of the panel's content along the camera's axes, metres
         double caption_top = 0, caption_left = 0, caption_width = 0;
     };
-    std::vector<Cell> cells; ///< one a panel
+    std::vector<Cell> cells; ///< one per panel
     std::optional<Rectangle> colour_bar;
     RadiusRange radii;
 };
 
 Layout arrange(const Figure& figure, const Camera& camera);
 
-/// Whether a point, a sphere can be drawn: finite and not beyond all measure, the radius positive.
+/// Returns whether a point, a sphere can be drawn: finite and within the drawable range, the radius positive.
 bool drawable(const Vec3& point);
 bool drawable(const Sphere& sphere);
 

@@ -11,7 +11,7 @@ namespace foam::snapshot {
 
 struct Offscreen::Data {
     OSMesaContext context = nullptr;
-    std::array<unsigned char, 16 * 16 * 4> buffer{}; // OSMesa wants one; everything is drawn into framebuffer objects
+    std::array<unsigned char, 16 * 16 * 4> buffer{}; // OSMesa needs one; all drawing goes to framebuffer objects
     Gl gl;
 };
 

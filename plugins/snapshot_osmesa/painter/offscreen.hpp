@@ -7,16 +7,16 @@
 
 namespace foam::snapshot {
 
-/// An OpenGL 3.3 core context of OSMesa. One thread at a time may use it, each for the lifetime of a Current.
+/// An OpenGL 3.3 core context of OSMesa. One thread at a time may use it, during the lifetime of a Current.
 class Offscreen {
 public:
-    /// Throws Error(output) if OSMesa cannot make a context.
+    /// Makes a context. Throws Error(output) if OSMesa cannot.
     Offscreen();
     ~Offscreen();
     Offscreen(const Offscreen&) = delete;
     Offscreen& operator=(const Offscreen&) = delete;
 
-    /// Makes the context current on this thread while it lives.
+    /// Makes the context current on this thread during its lifetime.
     class Current {
     public:
         explicit Current(Offscreen& offscreen);

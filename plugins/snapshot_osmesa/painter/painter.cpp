@@ -1,4 +1,4 @@
-// The painter library: a figure becomes geometry in pixels, OpenGL draws it, OpenCV adds words and writes PNG.
+// The painter library: a figure becomes geometry in pixels, OpenGL draws it, OpenCV adds text and writes PNG.
 #include "painter.hpp"
 
 #include "colour_bar.hpp"

@@ -17,7 +17,7 @@ struct Rasterizer::Programs {
 
 namespace {
 
-/// What all programs that draw geometry share.
+/// Sets the uniforms that all programs for geometry have.
 void use(const Gl& gl, GLuint program, const Scene& scene, const View& view, int factor) {
     gl.UseProgram(program);
     const auto samples = static_cast<float>(factor);
@@ -73,7 +73,7 @@ void compose(const Gl& gl, GLuint program, const Target& solid, const Target& gl
     gl.ActiveTexture(GL_TEXTURE0);
 }
 
-/// What was drawn last, upper row first.
+/// Returns the last drawing, upper row first.
 cv::Mat3b read_pixels(const Gl& gl, int width, int height) {
     cv::Mat4b rows(height, width);
     gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
@@ -90,7 +90,7 @@ cv::Mat3b read_pixels(const Gl& gl, int width, int height) {
     return picture;
 }
 
-/// As many samples as asked for, within the driver's limit and 64 million in all.
+/// Returns the supersampling within the driver's limit and 64 million samples in all.
 int affordable(int supersampling, int width, int height, int largest) {
     while (supersampling > 1 && (std::max(width, height) * supersampling > largest ||
                                  1.0 * width * height * supersampling * supersampling > 64e6)) {
@@ -123,7 +123,7 @@ cv::Mat3b Rasterizer::draw(const Scene& scene, int supersampling, double mesh_op
     const Target glass(gl, factor * scene.width, factor * scene.height, true);
     const Target picture(gl, scene.width, scene.height, false);
 
-    const auto end_step = [&] { // the driver draws when it likes to
+    const auto end_step = [&] { // otherwise the driver defers the drawing
         gl.Finish();
         check_cancelled();
     };

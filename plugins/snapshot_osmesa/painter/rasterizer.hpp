@@ -1,4 +1,4 @@
-// Draws a scene by OpenGL.
+// Draws a scene with OpenGL.
 #pragma once
 
 #include "offscreen.hpp"
@@ -10,17 +10,17 @@
 
 namespace foam::snapshot {
 
-/// One OpenGL context, used by one thread after the other: OSMesa runs contexts of one process in turn anyway, and a
-/// picture is drawn by several threads of the driver's own.
+/// One OpenGL context, used by one thread at a time: OSMesa runs the contexts of one process in turn anyway, and the
+/// driver draws a picture with several threads.
 class Rasterizer {
 public:
-    /// Throws Error(output) if there is no OpenGL 3.3.
+    /// Makes the context. Throws Error(output) if there is no OpenGL 3.3.
     Rasterizer();
     ~Rasterizer();
 
-    /// The picture in blue, green, red; `supersampling` is lowered where the driver's limits ask for it.
+    /// Returns the picture in blue, green, red. Reduces `supersampling` where the driver's limits require it.
     cv::Mat3b draw(const Scene& scene, int supersampling, double mesh_opacity) const;
-    /// Largest width and height that can be drawn.
+    /// Returns the largest width and height.
     int largest() const { return largest_; }
 
 private:

@@ -13,7 +13,7 @@ struct Unit {
     double metres;
 };
 
-/// The unit in which `value` is at least one; metres from 1 m on, nanometres below all.
+/// Returns the unit in which `value` is at least one; metres from 1 m on, nanometres for the smallest.
 Unit suitable_unit(double value) {
     constexpr std::array<Unit, 4> units{{{"m", 1}, {"mm", 1e-3}, {"µm", 1e-6}, {"nm", 1e-9}}};
     for (const Unit& unit : units) {
@@ -24,14 +24,15 @@ Unit suitable_unit(double value) {
     return units.back();
 }
 
-/// 1, 2 or 5 times a power of ten, near `step`.
+/// Returns 1, 2 or 5 times a power of ten, near `step`.
 double nice_step(double step) {
     const double power = std::pow(10.0, std::floor(std::log10(step)));
     const double lead = step / power;
     return (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10) * power;
 }
 
-/// Fixed point with `decimals`, or as many digits as tell ticks apart if the number is too large or small for that.
+/// Returns a number with fixed `decimals`, or with as many digits as distinguish ticks if it is too large or small for
+/// that.
 std::string number_text(double value, int decimals) {
     std::array<char, 64> buffer{};
     const bool plain = decimals <= 6 && std::abs(value) < 1e9;

@@ -17,8 +17,8 @@ struct Scale {
     std::vector<Tick> ticks;
 };
 
-/// Round values between `least` and `most` (Heckbert 1990, "Nice numbers for graph labels") in a unit that suits them;
-/// the one value if both are equal. Precondition: 0 < least <= most.
+/// Returns round values between `least` and `most` (Heckbert 1990, "Nice numbers for graph labels") in a suitable unit;
+/// one value if both are equal. Precondition: 0 < least <= most.
 Scale make_scale(double least, double most);
 
 } // namespace foam::snapshot

@@ -10,7 +10,7 @@
 namespace foam::snapshot {
 namespace {
 
-/// From a panel's frame to pixels around the middle of its view.
+/// The map from a panel's frame to pixels around the middle of its view.
 struct Projection {
     const Camera& camera;
     Vec3 middle;
@@ -25,7 +25,7 @@ void store(float (&target)[3], const Vec3& v) {
     target[2] = static_cast<float>(v.z);
 }
 
-/// Appends the triangles of a mesh; returns how many could not be drawn.
+/// Appends the triangles of a mesh. Returns how many could not be drawn.
 std::size_t add_mesh(const FigureMesh& item, const Projection& project, std::vector<Corner>& corners) {
     const Mesh& mesh = *item.mesh;
     std::vector<Vec3> points;
@@ -69,7 +69,7 @@ Ball make_ball(const Sphere& sphere, std::size_t index, const Projection& projec
     return ball;
 }
 
-/// How far the geometry of a view reaches towards the eye or away from it, pixels.
+/// Returns how far the geometry of a view extends towards the eye or away from it, pixels.
 float reach(const View& view) {
     float most = 1;
     for (const auto* corners : {&view.facets, &view.glass}) {

@@ -1,4 +1,4 @@
-// What is to be drawn, in pixels: the figure's geometry after the camera.
+// The figure's geometry in pixels, after the camera's projection.
 #pragma once
 
 #include "layout.hpp"
@@ -10,25 +10,25 @@
 
 namespace foam::snapshot {
 
-/// A corner of a facet, ready for the graphics pipeline.
+/// A corner of a facet, for the graphics pipeline.
 struct Corner {
     float position[3]; ///< pixels from the middle of the view: right, up, towards the eye
     float normal[3];   ///< unit, of the facet; in the same axes
 };
 
-/// A ball, ready for the graphics pipeline.
+/// A ball, for the graphics pipeline.
 struct Ball {
     float center[3]; ///< pixels, as above
     float radius;    ///< pixels
     float colour[3]; ///< red, green, blue, 0 to 1
-    float identity;  ///< 1 to 250: tells neighbours apart for outlines
+    float identity;  ///< 1 to 250: distinguishes neighbours for outlines
 };
 
 /// The geometry of one panel.
 struct View {
     float middle[2];            ///< of the view in the picture, pixels from the lower left corner
-    std::vector<Corner> facets; ///< three a triangle, opaque
-    std::vector<Corner> glass;  ///< three a triangle, translucent
+    std::vector<Corner> facets; ///< three per triangle, opaque
+    std::vector<Corner> glass;  ///< three per triangle, translucent
     std::vector<Ball> balls;
 };
 
@@ -38,7 +38,7 @@ struct Scene {
     std::vector<View> views;
 };
 
-/// Triangles and spheres with values that are not finite are left out, with a warning.
+/// Returns the scene. Leaves out triangles and spheres with values that are not finite, with a warning.
 Scene make_scene(const Figure& figure, const Layout& layout, Context& context);
 
 } // namespace foam::snapshot

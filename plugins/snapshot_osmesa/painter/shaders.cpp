@@ -107,8 +107,8 @@ void main() {
 }
 )";
 
-// The translucent mesh is a layer of its own over the spheres, its nearest surface only, so that no order of drawing
-// shows. Where spheres lie before it, it is fainter, the deeper the more: what sticks out of the spheres stands out.
+// The translucent mesh is a layer over the spheres, with its nearest surface only, so that the order of drawing is not
+// visible. Behind the surface of a sphere it fades with depth, so that parts outside of the spheres are prominent.
 const char* const compose_fragment = R"(
 uniform sampler2D solid_colour;          // alpha: 0 background, 255 mesh, others the identity of a sphere
 uniform sampler2D solid_depth;

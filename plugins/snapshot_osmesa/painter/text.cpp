@@ -13,7 +13,7 @@
 namespace foam::snapshot {
 namespace {
 
-/// Code points of UTF-8 text; bytes that are none become U+FFFD.
+/// Returns the code points of UTF-8 text; invalid bytes become U+FFFD.
 std::vector<std::uint32_t> decode(const std::string& text) {
     std::vector<std::uint32_t> points;
     for (std::size_t i = 0; i < text.size();) {
@@ -66,7 +66,7 @@ public:
     void draw(cv::Mat3b& picture, const std::string& text, double x, double y, double size, cv::Vec3b colour) override {
         set_size(size);
         for (const std::uint32_t point : decode(text)) {
-            // Glyphs keep their places to a 64th of a pixel, unhinted: even spacing at every size.
+            // Glyphs are placed to a 64th of a pixel, unhinted, for even spacing at every size.
             const double whole = std::floor(x);
             FT_Vector shift{std::lround((x - whole) * 64), 0};
             FT_Set_Transform(face_, nullptr, &shift);
@@ -156,7 +156,7 @@ std::string fitted(Lettering& lettering, const std::string& text, double size, d
         do {
             shorter.pop_back();
         } while (!shorter.empty() && (static_cast<unsigned char>(shorter.back()) >> 6) == 2);
-        // A lead byte whose followers are gone goes as well.
+        // A lead byte without its following bytes is removed as well.
         if (!shorter.empty() && (static_cast<unsigned char>(shorter.back()) >> 6) == 3) {
             shorter.pop_back();
         }

@@ -1,4 +1,4 @@
-// Words in pictures.
+// Text in pictures.
 #pragma once
 
 #include <foam/context.hpp>
@@ -10,21 +10,22 @@
 
 namespace foam::snapshot {
 
-/// Draws text (UTF-8). Belongs to one picture, not for several threads.
+/// Draws text (UTF-8). Belongs to one picture; not thread-safe.
 class Lettering {
 public:
     virtual ~Lettering() = default;
-    /// Pixels that `text` is wide at a font size of `size` pixels.
+    /// Returns the width of `text` in pixels at a font size of `size` pixels.
     virtual double width(const std::string& text, double size) = 0;
     /// Draws `text` with the left end of its base line at (x, y).
     virtual void draw(cv::Mat3b& picture, const std::string& text, double x, double y, double size,
                       cv::Vec3b colour) = 0;
 };
 
-/// By FreeType with the TrueType file; if that cannot be read, a warning and OpenCV's Hershey strokes.
+/// Returns lettering with FreeType and the TrueType file; if that cannot be read, warns and uses OpenCV's Hershey
+/// strokes.
 std::unique_ptr<Lettering> make_lettering(const std::string& font, Context& context);
 
-/// `text`, or its beginning and "…", so that it is at most `room` pixels wide.
+/// Returns `text`, or its beginning and "…", at most `room` pixels wide.
 std::string fitted(Lettering& lettering, const std::string& text, double size, double room);
 
 } // namespace foam::snapshot
