@@ -1,4 +1,4 @@
-// The fingerprint of a build: two binaries may exchange C++ objects only if theirs are equal.
+// The fingerprint of a build. Two binaries may exchange C++ objects only if their fingerprints are equal.
 #pragma once
 
 #include <foam/abi_record.hpp> // FOAM_ABI_LAYOUT: made with the build from core/abi
@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string> // defines the library macros
 
-/// Raised whenever the layout or meaning of a public type changes; within an epoch that is not released yet
+/// The ABI epoch. It is raised whenever the layout or meaning of a public type changes. Within an unreleased epoch,
 /// FOAM_ABI_LAYOUT tells its states apart. Reasons:
 ///  1  first release
 #define FOAM_ABI_EPOCH 1
@@ -47,7 +47,8 @@
     "foam-abi=" FOAM_ABI_TEXT(FOAM_ABI_EPOCH) " layout=" FOAM_ABI_LAYOUT " stdlib=" FOAM_ABI_STDLIB FOAM_ABI_DEBUG     \
                                               " cxx11=" FOAM_ABI_CXX11 " sanitizer=" FOAM_ABI_SANITIZER
 
-/// An ELF note (name "foam", type 1) whose description is the fingerprint, readable without loading the library.
+/// Defines an ELF note (name "foam", type 1) whose description is the fingerprint, readable without loading the
+/// library.
 #define FOAM_ABI_NOTE                                                                                                  \
     __attribute__((section(".note.foam"), used, aligned(4))) static const struct {                                     \
         std::uint32_t name_size, description_size, type;                                                               \

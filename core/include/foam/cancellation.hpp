@@ -1,32 +1,32 @@
-// Whether what a thread works on is to end before it is done: asked by loops at any depth, without a parameter.
+// Cancellation of the work of a thread: loops at any depth check for it without a parameter.
 #pragma once
 
 #include <cstdint>
 
 namespace foam {
 
-/// Somebody who may ask for work to end. Asked from any thread, often.
+/// A source of requests to end work. It is queried from any thread, often.
 class StopRequest {
 public:
     virtual ~StopRequest();
-    /// Whether the work is to end.
+    /// Returns whether the work should end.
     virtual bool asked() const = 0;
-    /// Whether there is no time left even to make a result of what was found so far.
+    /// Returns whether there is no time left even to make a result of what was found so far.
     virtual bool overdue() const;
 };
 
-/// Whether the work of the calling thread is to end; false where nobody may ask. Threads of parallel_for() work for the
-/// thread that called it.
+/// Returns whether the work of the calling thread should end; false if no request is installed. Threads of
+/// parallel_for() work for the thread that called it.
 bool cancelled();
 /// Throws Error(cancelled) if cancelled(). Call it in loops that may take more than some milliseconds; parallel_for()
-/// does before each body.
+/// calls it before each body.
 void check_cancelled();
 
-/// Asks at every N-th call: for loops whose bodies take less than a microsecond.
+/// Checks for cancellation at every N-th call, for loops whose bodies take less than a microsecond.
 class CancellationCounter {
 public:
     explicit CancellationCounter(std::uint32_t every) : every_(every), left_(every) {}
-    /// Throws Error(cancelled) if it asks, and cancelled() says so.
+    /// Throws Error(cancelled) if this call checks and cancelled() is true.
     void check() {
         if (--left_ == 0) {
             left_ = every_;
@@ -38,8 +38,8 @@ private:
     std::uint32_t every_, left_;
 };
 
-/// For the life of the object the calling thread works under a request; null: nobody may ask. What it worked under
-/// before comes back then.
+/// Puts the calling thread under a request for the life of the object; null: no request. The destructor restores the
+/// previous request.
 class StopScope {
 public:
     explicit StopScope(const StopRequest* request);
@@ -52,8 +52,8 @@ private:
     bool winds_up_before_;
 };
 
-/// For the life of the object cancelled() is false in the calling thread until its request is overdue: for code that
-/// asks Context::cancelled() itself and then makes a result of what it has.
+/// Makes cancelled() false in the calling thread until its request is overdue, for the life of the object. It is for
+/// code that checks Context::cancelled() itself and then makes a result of what it has.
 class WindUpScope {
 public:
     WindUpScope();

@@ -1,4 +1,4 @@
-// A solid cut into boxes, and balls that hold just what is in them: the ground of grids, octrees and k-d trees whose
+// A solid cut into boxes, and balls that contain the part in each box: the basis of grids, octrees and k-d trees whose
 // spheres cover the solid by construction.
 #pragma once
 
@@ -17,13 +17,13 @@ namespace foam {
 /// An oriented box with the part of a solid that lies in it. The solid must outlive its cells.
 class Cell {
 public:
-    /// What the balls are to hold.
+    /// The part of the solid that the balls contain.
     enum class Content {
         solid,   ///< surface and interior
-        surface, ///< the surface alone; cells without any are left out
+        surface, ///< surface only; cells without surface are left out
     };
 
-    /// The whole solid in its tight box along three orthonormal axes (right-handed). O(triangles).
+    /// Returns the whole solid in its tight box along three orthonormal axes (right-handed). O(triangles).
     static Cell whole(const Solid& solid, const std::array<Vec3, 3>& axes, Content content);
     Cell(const Cell&);
     Cell(Cell&&) noexcept;
@@ -32,33 +32,33 @@ public:
     ~Cell();
 
     const std::array<Vec3, 3>& axes() const { return axes_; }
-    /// Along the axes, around the middle of the solid's bounds.
+    /// The box along the axes, relative to the centre of the solid's bounds.
     const Box& box() const { return box_; }
-    /// Whether a piece of surface lies in it; if not, it is all inside the solid.
+    /// Returns whether a piece of surface lies in the cell. If not, the cell lies inside the solid.
     bool at_surface() const { return !ends_.empty(); }
 
-    /// The box divided evenly into counts[0] × counts[1] × counts[2] cells, those that hold something, the first axis
-    /// fastest. Surface in the face between two cells belongs to the one on the solid's side. Counts at least 1.
+    /// Returns the non-empty cells of the box, divided evenly into counts[0] × counts[1] × counts[2], the first axis
+    /// fastest. Surface in the face between two cells belongs to the one on the solid's side. Counts are at least 1.
     std::vector<Cell> divided(const std::array<int, 3>& counts) const;
-    /// The same content in another box, which must hold it.
+    /// Returns the same content in another box. Precondition: `box` contains the content.
     Cell in_box(const Box& box) const;
-    /// About the same with fewer pieces, for searches: those smaller than `size` become points, one for each cube of
-    /// that edge length. The box stays.
+    /// Returns about the same content with fewer pieces, for searches: pieces smaller than `size` become points, one
+    /// for each cube of that edge length. The box stays the same.
     Cell coarse(double size) const;
-    /// The same along other axes, in its tight box there.
+    /// Returns the same content along other axes, in its tight box there.
     Cell turned(const std::array<Vec3, 3>& axes) const;
-    /// The number of pieces of surface.
+    /// Number of pieces of surface.
     std::size_t pieces() const { return ends_.size(); }
-    /// The tight box around the content.
+    /// Returns the tight box around the content.
     Box extent() const;
 
-    /// A ball that holds the content, in the solid's frame: the smallest around the corners of the surface's pieces,
-    /// clipped to the box, and those corners of the box that are inside the solid (these span the convex hull of the
-    /// content), and a hundred-thousandth more, so that proofs need not cut finely where balls meet. The radius is
-    /// above zero.
+    /// Returns a ball that contains the content, in the solid's frame. It is the smallest ball around the corners of
+    /// the surface's pieces, clipped to the box, and around those corners of the box that lie inside the solid: these
+    /// points span the convex hull of the content. The ball is larger by a factor of 1e-5, so that proofs need not
+    /// subdivide finely where balls meet. The radius is above zero.
     Sphere ball() const;
-    /// A large ball inside the solid with its centre in the box, found by a pattern search on the distance to the
-    /// surface (Hooke and Jeeves 1961); nothing if no point that was looked at is inside.
+    /// Returns a large ball inside the solid with its centre in the box, found by a pattern search on the distance to
+    /// the surface (Hooke and Jeeves 1961); nothing if no evaluated point is inside.
     std::optional<Sphere> inner_ball() const;
 
 private:
@@ -81,16 +81,16 @@ private:
     std::vector<std::uint32_t> ends_; // one past the last point of each piece
 };
 
-/// Axes of the surface's second moments of area, longest extent first, right-handed.
+/// Returns the axes of the surface's second moments of area, longest extent first, right-handed.
 std::array<Vec3, 3> principal_axes(const Solid& solid);
 
-/// The volume that the union of `spheres` loses when the one at `index` gives way to `pieces`, m³; negative if it
-/// grows. Counted on 128 quasi-random points a ball, the same every time.
+/// Returns the volume, m³, that the union of `spheres` loses when `pieces` replace the sphere at `index`; negative if
+/// it grows. It is estimated with 128 quasi-random points per ball, the same every time.
 double volume_saved(std::span<const Sphere> spheres, std::size_t index, std::span<const Sphere> pieces);
 
-/// The tree with the fewest spheres, at most `most`, that protrudes by no more than `limit` metres once grown to cover:
-/// doubling, then bisection, on the assumption that more spheres protrude less. If none does, the one of `most`.
-/// `make` gives a tree of at most so many spheres.
+/// Returns the tree with the fewest spheres, at most `most`, that protrudes by no more than `limit` metres once grown
+/// to cover. It doubles the count, then bisects, on the assumption that more spheres protrude less. If no tree does, it
+/// returns the one of `most`. `make` returns a tree of at most the given number of spheres.
 SphereTree fewest_within(const Solid& solid, double limit, std::size_t most,
                          const std::function<SphereTree(std::size_t)>& make);
 

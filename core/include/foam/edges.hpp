@@ -1,4 +1,4 @@
-// Which sides of triangles share an edge.
+// The sides of triangles that share an edge.
 #pragma once
 
 #include <foam/mesh.hpp>
@@ -13,14 +13,14 @@ namespace foam {
 struct Side {
     std::uint32_t low = 0, high = 0; ///< its ends in ascending order: equal for the sides of one edge
     std::uint32_t number = 0;
-    bool forward = false; ///< passed from low to high
+    bool forward = false; ///< runs from low to high
 
     std::uint32_t triangle() const { return number / 3; }
     bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
 };
 
-/// The sides of the triangles, by edge, then by number; sides whose ends are one vertex are left out. `use`, unless
-/// empty, tells which triangles take part. O(n) as long as few triangles meet at a vertex.
+/// Returns the sides of the triangles, sorted by edge, then by number. Sides whose ends are one vertex are left out.
+/// `use`, unless empty, marks the triangles to include. O(n) as long as few triangles meet at a vertex.
 /// Precondition: corners below `vertex_count`.
 std::vector<Side> sides_by_edge(std::span<const Triangle> triangles, std::size_t vertex_count,
                                 std::span<const char> use = {});

@@ -1,4 +1,4 @@
-// What a renderer draws.
+// The picture that a renderer draws.
 #pragma once
 
 #include <foam/mesh.hpp>
@@ -17,7 +17,7 @@ struct FigureMesh {
     bool translucent = false; ///< drawn over the spheres, which stay visible
 };
 
-/// One view: meshes and spheres in one frame (z up), seen from a fixed direction, fitted to the panel.
+/// One view: meshes and spheres in one frame (z up), seen from a fixed direction, scaled to the panel.
 struct Panel {
     std::string caption; ///< below the view; may be empty
     std::vector<FigureMesh> meshes;

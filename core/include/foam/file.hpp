@@ -1,4 +1,4 @@
-// Reading whole files that may be anything.
+// Reads whole files of unknown size and kind.
 #pragma once
 
 #include <cstdint>
@@ -8,17 +8,18 @@
 
 namespace foam {
 
-/// What a file holds, or why it was not read.
+/// The contents of a file, or why it was not read.
 struct FileContents {
     std::string bytes;
     std::string problem; ///< "there is no such file"; empty if it was read
     std::string remedy;  ///< "check the path"
-    /// "there is no such file; remedy: check the path"; empty if it was read.
+    /// Returns "there is no such file; remedy: check the path"; empty if the file was read.
     std::string why_not() const { return problem.empty() ? "" : problem + "; remedy: " + remedy; }
 };
 
-/// Reads a regular file of at most `most_bytes`: its size is asked before any of it is read. Folders, pipes and devices
-/// are refused, not waited for, and so is a file that changes its size meanwhile. `if_too_large`: the remedy then.
+/// Reads a regular file of at most `most_bytes`; it checks the size before reading. It refuses folders, pipes and
+/// devices without waiting for them, and a file whose size changes while it is read. `if_too_large`: the remedy for a
+/// file above `most_bytes`.
 FileContents read_regular_file(const std::filesystem::path& file, std::uintmax_t most_bytes,
                                std::string_view if_too_large);
 

@@ -1,4 +1,4 @@
-// The names of figures in everything that programs read: JSON of all commands, manifests, files of spheres.
+// The names of figures in all output for programs: JSON of all commands, manifests, sphere files.
 #pragma once
 
 #include <foam/measure.hpp>

@@ -1,4 +1,4 @@
-// Triangle meshes and what can be said of their topology.
+// Triangle meshes and their topology.
 #pragma once
 
 #include <foam/vector.hpp>
@@ -13,8 +13,8 @@ namespace foam {
 /// Corner indices of a triangle, counter-clockwise seen from outside.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// An indexed triangle mesh. Units and frame are those of whoever hands it over (stages: metres, link frame).
-/// Loaders deliver finite vertices and indices in range; nothing else is promised of a raw mesh.
+/// An indexed triangle mesh. Units and frame are those of the caller (stages: metres, link frame). Loaders return
+/// finite vertices and indices in range; a raw mesh has no other guaranteed property.
 struct Mesh {
     std::vector<Vec3> vertices;
     std::vector<Triangle> triangles;
@@ -22,23 +22,23 @@ struct Mesh {
     bool operator==(const Mesh&) const = default;
 };
 
-/// What filters ask of a mesh: all corners are vertices, and finite; vertices of no triangle may be anything. Throws
-/// Error(geometry) naming the first triangle or vertex that is not so.
+/// Checks the precondition of filters: all corners are vertices, and finite. Vertices of no triangle may be anything.
+/// Throws Error(geometry) naming the first triangle or vertex that violates it.
 void check_corners(const Mesh& mesh);
 
 Box bounds(const Mesh& mesh);
-/// Sum of the triangles' areas.
+/// Returns the sum of the triangles' areas.
 double surface_area(const Mesh& mesh);
-/// Signed volume by the divergence theorem; the volume of the solid only if the mesh is closed and does not overlap
-/// itself.
+/// Returns the signed volume by the divergence theorem. It is the volume of the solid only if the mesh is closed and
+/// does not overlap itself.
 double signed_volume(const Mesh& mesh);
-/// `mesh` with p ↦ pose · (scale ∘ p). A scale with an odd number of negative factors mirrors; the triangles are then
-/// flipped, so that the outside stays outside.
+/// Returns `mesh` with p ↦ pose · (scale ∘ p). A scale with an odd number of negative factors mirrors; the triangles
+/// are then flipped, so that the outside stays outside.
 Mesh transformed(const Mesh& mesh, const Pose& pose, const Vec3& scale = {1, 1, 1});
-/// Both meshes in one, nothing welded.
+/// Appends the other mesh, without welding.
 void append(Mesh& mesh, const Mesh& other);
-/// Vertices with identical coordinates become one; triangles that lose a corner that way, and unused vertices, go.
-/// O(n log n), deterministic: vertices keep the order of their first use.
+/// Returns the mesh with vertices of identical coordinates merged. It drops triangles that lose a corner that way, and
+/// unused vertices. O(n log n), deterministic: vertices keep the order of their first use.
 Mesh welded(const Mesh& mesh);
 
 /// Defects of a mesh's connectivity, counted on the mesh as it is indexed.
@@ -57,9 +57,9 @@ struct Topology {
     bool closed_manifold() const { return closed() && manifold() && oriented(); }
 };
 
-/// O(n log n).
+/// Counts the defects. O(n log n).
 Topology topology(const Mesh& mesh);
-/// One line for people: "12 boundary edges, 3 components"; "closed 2-manifold" if there is nothing to say.
+/// Returns one line for people: "12 boundary edges, 3 components"; "closed 2-manifold" if there are no defects.
 std::string describe(const Topology& topology);
 
 } // namespace foam

@@ -1,4 +1,4 @@
-// Work on all cores that gives the same result on any number of them.
+// Parallel loops whose result does not depend on the number of threads.
 #pragma once
 
 #include <cstddef>
@@ -6,12 +6,12 @@
 
 namespace foam {
 
-/// Calls body(i) for every i in [0, count), on as many threads as the run may use. Write results into slots by index:
-/// the order of the calls is not defined. An exception of the smallest index that threw is rethrown after all have
-/// ended.
+/// Calls body(i) for every i in [0, count), on as many threads as the run may use. The order of the calls is not
+/// defined, so write results into slots by index. If bodies throw, the exception with the smallest index is rethrown
+/// after all have ended.
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body);
 
-/// The number of threads that parallel_for uses.
+/// Returns the number of threads that parallel_for uses.
 std::size_t thread_count();
 
 } // namespace foam

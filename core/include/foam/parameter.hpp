@@ -13,7 +13,7 @@ namespace foam {
 
 using ParameterValue = std::variant<bool, std::int64_t, double, std::string>;
 
-/// One parameter. Made by the named constructors, refined by the setters:
+/// One parameter, made by the named constructors and refined by the setters:
 ///     Parameter::number("ratio", 0.2).unit("1").bounds(0, 1).doc("Share of the triangles kept.").source("Coumar 2025")
 struct Parameter {
     enum class Type { boolean, integer, number, text, choice };
@@ -43,15 +43,15 @@ struct Parameter {
 };
 
 const char* to_string(Parameter::Type type);
-/// The shortest text that reads back to the same value; locale-independent.
+/// Returns the shortest text that reads back to the same value; locale-independent.
 std::string to_text(const ParameterValue& value);
-/// What a value must be: "an integer between 1 and 8", "one of fast, exact".
+/// Returns what a value must be: "an integer between 1 and 8", "one of fast, exact".
 std::string expectation(const Parameter& parameter);
-/// Why `value` is not allowed for `parameter` ("expects an integer between 1 and 8, got 9"); empty if it is.
-/// An integer is accepted for a number.
+/// Returns why `value` is not allowed for `parameter` ("expects an integer between 1 and 8, got 9"); empty if it is
+/// allowed. An integer is accepted for a number.
 std::string why_invalid(const Parameter& parameter, const ParameterValue& value);
 
-/// Checked values of all parameters of a stage, defaults filled in.
+/// Checked values of all parameters of a stage, with the defaults filled in.
 class Parameters {
 public:
     Parameters();

@@ -1,4 +1,4 @@
-// What a plugin must say to be loaded. A whole plugin:
+// The interface of a plugin. A whole plugin:
 //
 //     #include <foam/plugin.hpp>
 //     class Mine final : public foam::Spherizer { public: explicit Mine(const foam::Parameters&); … };
@@ -6,9 +6,9 @@
 //         enrol.add<Mine>({.name = "spherize.mine", .summary = "…", .parameters = {…}});
 //     }
 //
-// The boundary: a C envelope with C++ inside, for an exact match of compiler library, ABI epoch and sanitizers. An ELF
-// note holds the fingerprint; it is read before dlopen, since opening a mismatched library can abort the process. Only
-// plain data and core's own classes cross.
+// The binary interface is a C envelope with C++ inside; it requires an exact match of compiler library, ABI epoch and
+// sanitizers. An ELF note holds the fingerprint. It is read before dlopen, since opening a mismatched library can abort
+// the process. Only plain data and core's own classes cross the interface.
 #pragma once
 
 #include <foam/abi.hpp>
@@ -24,12 +24,12 @@
 
 namespace foam {
 
-/// Makes the stages that StageInfo::uses names, for the constructor of a stage that is made of them.
+/// Makes the stages that StageInfo::uses names, for the constructor of a stage that uses them.
 class StageMaker {
 public:
     virtual ~StageMaker();
-    /// Null if no plugin has the stage. Throws Error(plugin) for a stage that `uses` does not name or that is made of
-    /// others itself, Error(usage) for another kind or bad parameters.
+    /// Returns the stage; null if no plugin has it. Throws Error(plugin) for a stage that `uses` does not name or that
+    /// itself uses others, Error(usage) for another kind or bad parameters.
     template <std::derived_from<Stage> T>
     std::unique_ptr<T> make(std::string_view stage,
                             const std::map<std::string, ParameterValue>& parameters = {}) const {
@@ -43,13 +43,13 @@ protected:
 
 using StageFactory = std::function<std::unique_ptr<Stage>(const Parameters&, const StageMaker&)>;
 
-/// Collects the stages of one plugin; they are taken over all or none.
+/// Collects the stages of one plugin. The registry accepts all of them or none.
 class Enrolment {
 public:
     virtual ~Enrolment();
     virtual void add_stage(StageKind kind, StageInfo info, StageFactory factory) = 0;
 
-    /// T is constructible from Parameters and StageMaker, from Parameters, or from nothing.
+    /// Adds a stage T, which is constructible from Parameters and StageMaker, from Parameters, or from nothing.
     template <std::derived_from<Stage> T> void add(StageInfo info) {
         add_stage(T::kind, std::move(info),
                   []([[maybe_unused]] const Parameters& parameters,

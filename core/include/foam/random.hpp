@@ -6,8 +6,8 @@
 
 namespace foam {
 
-/// SplitMix64 (Steele, Lea, Flood 2014): 64 bits of state, passes BigCrush, one multiplication chain a draw.
-/// std distributions differ between libraries, so the mappings to doubles and ranges are ours.
+/// SplitMix64 (Steele, Lea, Flood 2014): 64 bits of state, passes BigCrush, one multiplication chain per draw. The
+/// distributions of std differ between libraries, so this class maps to doubles and ranges itself.
 class Random {
 public:
     explicit constexpr Random(std::uint64_t seed) : state_(seed) {}
@@ -18,10 +18,10 @@ public:
         z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
         return z ^ (z >> 31);
     }
-    /// Uniform in [0, 1), 53 random bits.
+    /// Returns a number uniform in [0, 1), with 53 random bits.
     constexpr double uniform() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
     constexpr double uniform(double low, double high) { return low + (high - low) * uniform(); }
-    /// Uniform in {0, …, count-1}; count > 0. The bias is below 2^-64 · count.
+    /// Returns a number uniform in {0, …, count-1}; count > 0. The bias is below 2^-64 · count.
     constexpr std::uint64_t below(std::uint64_t count) {
         return static_cast<std::uint64_t>((static_cast<Wide>(bits()) * count) >> 64);
     }
@@ -31,7 +31,8 @@ private:
     std::uint64_t state_;
 };
 
-/// A seed for an independent stream: mixes `seed` with a name (FNV-1a), e.g. derive_seed(context.seed(), "cover").
+/// Returns a seed for an independent stream. It mixes `seed` with a name (FNV-1a), e.g. derive_seed(context.seed(),
+/// "cover").
 constexpr std::uint64_t derive_seed(std::uint64_t seed, std::string_view name) {
     std::uint64_t hash = 0xCBF29CE484222325u;
     for (const char c : name) {

@@ -1,4 +1,4 @@
-// The robot as its URDF gives it: links, joints, collision elements, and the source text they came from.
+// The robot as its URDF describes it: links, joints, collision elements, and the source text.
 #pragma once
 
 #include <foam/mesh.hpp>
@@ -67,18 +67,18 @@ struct Robot {
     std::filesystem::path file; ///< where it was read from
     std::string source;         ///< the XML text, unchanged: writers edit it and keep what they do not understand
 
-    /// nullptr when there is none of that name.
+    /// Returns the link; nullptr if no link has that name.
     const Link* find_link(const std::string& link) const;
 };
 
-/// Joint values by name (rad or m); joints that are not named stay at zero, moved into their limits.
+/// Joint values by name (rad or m). Unnamed joints stay at zero, moved into their limits.
 using JointValues = std::map<std::string, double>;
-/// Pose of every link in the root link's frame, by link name. Links that the root does not reach are left out. Values
-/// that are given are used as they are; planar, floating and fixed joints stay at their origin. Throws Error(usage) for
-/// a value of a joint that the robot does not have.
+/// Returns the pose of every link in the root link's frame, by link name. Links that the root does not reach are left
+/// out. Given values are used unchanged; planar, floating and fixed joints stay at their origin. Throws Error(usage)
+/// for a value of a joint that the robot does not have.
 std::map<std::string, Pose> link_poses(const Robot& robot, const JointValues& values = {});
 
-/// A closed, outward oriented mesh that encloses the primitive (round parts circumscribed), in its own frame.
+/// Returns a closed, outward oriented mesh that encloses the primitive (round parts circumscribed), in its own frame.
 /// `segments`: around the circle, at least 3. A box is exact.
 Mesh enclosing_mesh(const Primitive& primitive, int segments = 48);
 

@@ -1,4 +1,4 @@
-// A solid with the queries that spherizers, measures and proofs ask of it.
+// A solid with the queries of spherizers, measures and proofs.
 #pragma once
 
 #include <foam/mesh.hpp>
@@ -20,12 +20,12 @@ struct SurfacePoint {
     std::uint32_t triangle = 0; ///< index into Solid::surface().triangles
 };
 
-/// The union of closed parts (meshes, primitives) in one frame, metres. Immutable; every query is const and
+/// The union of closed parts (meshes, primitives) in one frame, metres. It is immutable; every query is const and
 /// thread-safe. A mesh that is not closed counts as the set of points whose generalised winding number (Jacobson et al.
-/// 2013) is above one half; the surface belongs to the solid. Raw meshes are read as their authors must have meant
-/// them: inside-out meshes and bodies are turned, patches with mixed winding made consistent, doubled and double-sided
-/// faces counted once; a double-sided sheet has no inside. Shells of one winding unite, a shell wound inwards in
-/// another is a cavity.
+/// 2013) is above one half. The surface belongs to the solid. Raw meshes are interpreted as their authors must have
+/// meant them: inside-out meshes and bodies are flipped, patches with mixed winding are made consistent, duplicate and
+/// double-sided faces count once; a double-sided sheet has no inside. Shells of one winding unite; a shell wound
+/// inwards in another is a cavity.
 class Solid {
 public:
     /// A part: a mesh as is, or a primitive at a pose.
@@ -44,45 +44,45 @@ public:
     Solid& operator=(const Solid&) = delete;
 
     const std::vector<Part>& parts() const;
-    /// All triangles of all parts, in order, wound outwards where that can be told; primitives as meshes that enclose
-    /// them. Overlaps are not resolved, defects stay.
+    /// All triangles of all parts, in order, wound outwards where the outside is known; primitives as meshes that
+    /// enclose them. Overlaps and defects stay.
     const Mesh& surface() const;
     /// Index of the first triangle of each part in surface(), and one past the last: parts().size() + 1 values.
     std::span<const std::uint32_t> part_offsets() const;
     const Box& bounds() const;
-    /// Area of surface().
+    /// Area of surface(), m².
     double area() const;
-    /// Volume of the union. Exact for one closed part that does not overlap itself and for one primitive; otherwise
-    /// integrated along lines, with a relative error of about 1e-3.
+    /// Volume of the union, m³. It is exact for one closed part that does not overlap itself and for one primitive;
+    /// otherwise it is integrated along lines, with a relative error of about 1e-3.
     double volume() const;
-    /// Standard error of volume(), m³: 0 where it is exact. It takes in differences between neighbouring lines, so it
-    /// is rather too large than too small.
+    /// Standard error of volume(), m³; 0 where the volume is exact. It includes differences between neighbouring lines,
+    /// so it tends to be too large.
     double volume_error() const;
-    /// False if a part is a mesh with holes, where inside is a matter of the winding number.
+    /// Returns false if a part is a mesh with holes, whose inside depends on the winding number.
     bool closed() const;
 
-    /// The nearest point of surface(), O(log n): for a round primitive it lies on the tessellation.
+    /// Returns the nearest point of surface(). O(log n). For a round primitive it lies on the tessellation.
     SurfacePoint closest(const Vec3& point) const;
-    /// Inside or on the surface.
+    /// Returns whether the point is inside or on the surface.
     bool contains(const Vec3& point) const;
-    /// Distance to the surface, negative inside. Primitives are exact. Inside a union it is the depth in the part that
-    /// holds the point deepest: never more than the distance to the union's surface.
+    /// Returns the distance to the surface, negative inside. Primitives are exact. Inside a union it is the largest
+    /// depth in any one part: never more than the distance to the union's surface.
     double signed_distance(const Vec3& point) const;
-    /// `count` points uniform by area (stratified over the triangles), the same for the same seed.
+    /// Returns `count` points uniform by area (stratified over the triangles), the same for the same seed.
     std::vector<SurfacePoint> sample_surface(std::size_t count, std::uint64_t seed) const;
 
     struct Interval {
         double enter, leave;
     };
-    /// The parts of the line origin + t · direction inside the solid, ascending and disjoint; direction need not be
-    /// unit. Where a mesh is not closed, on short parts near its holes to the accuracy of the winding number.
+    /// Returns the parts of the line origin + t · direction inside the solid, ascending and disjoint; direction need
+    /// not be unit. Where a mesh is not closed, short parts near its holes have the accuracy of the winding number.
     std::vector<Interval> inside_along(const Vec3& origin, const Vec3& direction) const;
-    /// The same within `parts` of the line, which are ascending and disjoint; the rest is not looked at.
+    /// The same within `parts` of the line, which are ascending and disjoint; the rest is not examined.
     std::vector<Interval> inside_along(const Vec3& origin, const Vec3& direction,
                                        std::span<const Interval> parts) const;
-    /// Volume of the solid outside all spheres, vol(S \ U), m³, along a grid of lines that are the same for all
-    /// spheres: good for comparing spheres, with an error of about 1e-3 of the volume; 0 if they leave nothing out.
-    /// Quick: only the first call asks where the lines run inside.
+    /// Returns the volume of the solid outside all spheres, vol(S \ U), m³; 0 if they leave nothing out. It is
+    /// integrated along a grid of lines that is the same for all spheres, so it is good for comparing them; the error
+    /// is about 1e-3 of the volume. It is quick: only the first call computes where the lines run inside.
     double missing_volume(std::span<const Sphere> spheres) const;
 
 private:
@@ -91,11 +91,11 @@ private:
     std::unique_ptr<const Data> data_;
 };
 
-/// What a spherizer gets: the geometry of a link (or of one collision element), in the link's frame.
+/// The input of a spherizer: the geometry of a link (or of one collision element), in the link's frame.
 class Shape {
 public:
-    /// `processed`: what the mesh filters made, closed where they promise so. `original`: the geometry as the URDF
-    /// gives it, which the spheres must cover.
+    /// `processed`: the result of the mesh filters, closed where they promise so. `original`: the original geometry,
+    /// which the spheres must cover.
     Shape(std::string name, std::shared_ptr<const Solid> processed, std::shared_ptr<const Solid> original);
     ~Shape();
     Shape(const Shape&);

@@ -1,4 +1,4 @@
-// Spheres, sphere trees and the guarantee a model gives.
+// Spheres, sphere trees and the guarantee of a model.
 #pragma once
 
 #include <foam/vector.hpp>
@@ -9,7 +9,7 @@
 
 namespace foam {
 
-/// A ball: all points within `radius` of `center`. Metres; the frame is the link's.
+/// A ball: all points within `radius` of `center`. Metres; link frame.
 struct Sphere {
     Vec3 center;
     double radius = 0;
@@ -17,18 +17,18 @@ struct Sphere {
     bool operator==(const Sphere&) const = default;
 };
 
-/// What is promised of the spheres U of a solid S.
+/// What is proved of the spheres U of a solid S.
 enum class Guarantee {
-    outer,  ///< S ⊂ U, proved: nothing of the geometry sticks out
-    inner,  ///< U ⊂ S: no free space is claimed
-    fitted, ///< neither; the measures say how far off
+    outer,  ///< S ⊂ U, proved: the spheres cover the geometry
+    inner,  ///< U ⊂ S, proved: the spheres lie inside the geometry
+    fitted, ///< neither; the figures say how close the spheres are
 };
 
-/// Spheres in levels from coarse to fine. Level 0 is one bounding sphere; every level stands for the whole solid.
+/// Spheres in levels from coarse to fine. Level 0 is one bounding sphere; every level approximates the whole solid.
 struct SphereTree {
     struct Level {
         std::vector<Sphere> spheres;
-        /// For each sphere the index of its parent in the level above; empty at level 0.
+        /// Index of the parent of each sphere in the level above; empty at level 0.
         std::vector<std::uint32_t> parents;
 
         bool operator==(const Level&) const = default;
@@ -40,14 +40,14 @@ struct SphereTree {
     const std::vector<Sphere>& finest() const { return levels.back().spheres; }
 };
 
-/// A tree of two levels: a bounding sphere (of the spheres) over `spheres`.
+/// Returns a tree of two levels: a bounding sphere (of the spheres) over `spheres`.
 SphereTree flat_tree(std::vector<Sphere> spheres);
-/// A small sphere that holds all `points`: exact minimum to rounding (Welzl 1991), grown until every point is inside.
-/// No points: radius 0 at the origin. Expected O(n).
+/// Returns a small sphere that contains all `points`: the exact minimum to rounding (Welzl 1991), grown until every
+/// point is inside. Without points: radius 0 at the origin. Expected O(n).
 Sphere minimum_enclosing_sphere(const std::vector<Vec3>& points);
-/// A small sphere that holds both (exact for two balls).
+/// Returns a small sphere that contains both (exact for two balls).
 Sphere enclosing_sphere(const Sphere& a, const Sphere& b);
-/// A small sphere that holds all spheres.
+/// Returns a small sphere that contains all spheres.
 Sphere enclosing_sphere(const std::vector<Sphere>& spheres);
 
 } // namespace foam

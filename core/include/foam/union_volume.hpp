@@ -7,9 +7,9 @@
 
 namespace foam {
 
-/// Volume of the union, m³, to rounding: fit for telling two sets of spheres apart that claim nearly the same. Spheres
-/// that are not finite or have no radius count as absent. O(n · k²) for k overlapping neighbours a sphere;
-/// union_volume() is quicker where hundreds overlap.
+/// Returns the volume of the union, m³, exact to rounding. It can tell two sets of spheres with nearly equal volumes
+/// apart. Spheres that are not finite or have no radius count as absent. O(n · k²) for k overlapping neighbours per
+/// sphere; union_volume() is quicker where hundreds overlap.
 double exact_union_volume(std::span<const Sphere> spheres);
 
 } // namespace foam

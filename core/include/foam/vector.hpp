@@ -61,7 +61,7 @@ inline double norm(const Vec3& a) {
 inline double distance(const Vec3& a, const Vec3& b) {
     return norm(a - b);
 }
-/// The unit vector along `a`; the zero vector stays zero.
+/// Returns the unit vector along `a`; the zero vector stays zero.
 inline Vec3 normalized(const Vec3& a) {
     const double length = norm(a);
     return length > 0 ? a / length : Vec3{};
@@ -84,9 +84,10 @@ struct Pose {
     Pose operator*(const Pose& other) const;
     Pose inverse() const;
 
-    /// URDF convention: rotation about fixed axes x (roll), y (pitch), z (yaw), in that order; radians.
+    /// Returns the pose by the URDF convention: rotation about fixed axes x (roll), y (pitch), z (yaw), in that order;
+    /// radians.
     static Pose from_xyz_rpy(const Vec3& xyz, const Vec3& rpy);
-    /// Rotation by `angle` radians about the unit vector `axis`.
+    /// Returns the rotation by `angle` radians about the unit vector `axis`.
     static Pose from_axis_angle(const Vec3& axis, double angle);
 };
 

@@ -1,4 +1,4 @@
-// Solid angles of triangles, many of them added with one arc tangent.
+// Sums of solid angles of triangles, with one arc tangent for many of them.
 #pragma once
 
 #include "geometry/triangle.hpp"
@@ -8,7 +8,8 @@
 
 namespace foam::geometry {
 
-/// Half the solid angle of a triangle seen from `p`, as that of re + i·im (van Oosterom and Strackee 1983, equation 8).
+/// Half the solid angle of a triangle seen from `p`, as the angle of re + i·im (van Oosterom and Strackee 1983,
+/// equation 8).
 struct HalfSolidAngle {
     HalfSolidAngle(const Corners& t, const Vec3& p) {
         const Vec3 a = t.a - p, b = t.b - p, c = t.c - p;
@@ -17,14 +18,15 @@ struct HalfSolidAngle {
         re = scale + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
         im = dot(a, cross(b, c)); // 0 in the triangle's plane: by symmetry neither side
     }
-    /// So near that rounding decides on which side: then the solid angle is 2π in the triangle, π on its edges.
+    /// Returns whether `p` is so near that rounding decides its side. The solid angle is then 2π in the triangle, π on
+    /// its edges.
     bool on_triangle() const { return std::abs(im) <= 1e-9 * scale && re <= 1e-9 * scale; }
 
     double re, im, scale;
 };
 
-/// The sum of angles between -π and π, each given as that of a complex number: the angle of their product, and whole
-/// turns counted where the product passes the negative real axis.
+/// The sum of angles between -π and π, each given as that of a complex number. It is the angle of their product, plus
+/// the whole turns counted where the product passes the negative real axis.
 class AngleSum {
 public:
     void add(const HalfSolidAngle& angle) {

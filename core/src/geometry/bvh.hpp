@@ -12,7 +12,8 @@
 
 namespace foam::geometry {
 
-/// Two children lie side by side at `first` and `first + 1`; a leaf holds the items order()[first … first + count).
+/// A node of the hierarchy. Its two children are adjacent at `first` and `first + 1`; a leaf contains the items
+/// order()[first … first + count).
 struct BvhNode {
     Vec3 low, high;
     std::uint32_t first = 0, count = 0;
@@ -20,17 +21,17 @@ struct BvhNode {
     bool leaf() const { return count > 0; }
 };
 
-/// Node 0 is the root. The same for the same boxes.
+/// A bounding-volume hierarchy. Node 0 is the root. Equal boxes give equal hierarchies.
 class Bvh {
 public:
-    /// No path from the root is longer: traversal stacks of this size never overflow.
+    /// Longest path from the root: traversal stacks of this size never overflow.
     static constexpr std::size_t max_depth = 96;
 
     Bvh() = default;
-    /// Top-down by the binned surface-area heuristic (Wald 2007): for many queries.
+    /// Builds top-down by the binned surface-area heuristic (Wald 2007): for many queries.
     explicit Bvh(std::span<const Box> boxes, std::uint32_t leaf_size = 4);
-    /// Along a Morton curve through the boxes' centres (Lauterbach, Garland, Sengupta, Luebke, Manocha: Fast BVH
-    /// Construction on GPUs, 2009, section 4): built several times as fast, for queries that are fewer than the boxes.
+    /// Builds along a Morton curve through the boxes' centres (Lauterbach, Garland, Sengupta, Luebke, Manocha: Fast BVH
+    /// Construction on GPUs, 2009, section 4). It is several times as fast to build, for fewer queries than boxes.
     static Bvh quick(std::span<const Box> boxes, std::uint32_t leaf_size = 4);
 
     const std::vector<BvhNode>& nodes() const { return nodes_; }
@@ -41,7 +42,7 @@ private:
     std::vector<std::uint32_t> order_;
 };
 
-/// Squared distance from a point to a node's box; 0 inside.
+/// Returns the squared distance from a point to a node's box; 0 inside.
 inline double squared_distance(const BvhNode& node, const Vec3& p) {
     const double dx = std::max(std::max(node.low.x - p.x, p.x - node.high.x), 0.0);
     const double dy = std::max(std::max(node.low.y - p.y, p.y - node.high.y), 0.0);

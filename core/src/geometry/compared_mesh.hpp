@@ -1,4 +1,4 @@
-// A mesh with what comparisons ask of it.
+// A mesh with the quantities that comparisons need.
 #pragma once
 
 #include "geometry/bvh.hpp"
@@ -9,23 +9,23 @@
 
 namespace foam::geometry {
 
-/// Computes each thing once, when it is first asked for: in a chain of filters every mesh is compared twice, with what
-/// came before it and with what came after. Not for several threads at once, but for distance().
+/// Computes each quantity once, on first use: in a chain of filters every mesh is compared twice, with its predecessor
+/// and with its successor. Only distance() may be called by several threads at once.
 class ComparedMesh {
 public:
-    /// `mesh` outlives this. Precondition: as of mesh_change().
+    /// `mesh` must outlive this. Precondition: as for mesh_change().
     explicit ComparedMesh(const Mesh& mesh) : mesh_(mesh) {}
 
     const Mesh& mesh() const { return mesh_; }
     const Mesh& welded();
-    /// Of the mesh as it is indexed if that is sound (bodies that touch may have vertices at one place), else after
-    /// welding equal vertices (raw files give every triangle vertices of its own).
+    /// Returns the defects of the mesh as it is indexed if that is sound (bodies that touch may have vertices at one
+    /// place), else of the mesh with equal vertices welded (raw files give every triangle its own vertices).
     const Topology& defects();
-    /// Signed; absent unless closed and oriented.
+    /// Returns the signed volume; absent unless closed and oriented.
     std::optional<double> volume();
-    /// Before the first call of distance().
+    /// Builds the hierarchy. Call it before the first call of distance().
     void prepare_distances();
-    /// From the point to the surface.
+    /// Returns the distance from the point to the surface.
     double distance(const Vec3& point) const;
 
 private:

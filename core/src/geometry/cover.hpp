@@ -1,4 +1,4 @@
-// Pieces of triangles and the balls that may hold them: what proofs of cover and growth share.
+// Pieces of triangles and the balls that may contain them: shared by certificates and growth.
 #pragma once
 
 #include "geometry/bvh.hpp"
@@ -12,8 +12,8 @@
 
 namespace foam::geometry {
 
-/// A triangle, or what is left of it after halvings. Of a polyhedron that stands for a curved primitive: a prism
-/// between the polyhedron and what lies beneath it, within which the true surface runs.
+/// A triangle, or a part of it after halvings. For a polyhedron that approximates a curved primitive, it is a prism
+/// between the polyhedron and the surface beneath it; the true surface lies within it.
 struct Piece {
     Corners corners;
     Corners beneath; ///< curved: straight down from the corners, on or under the true surface; else unused
@@ -22,12 +22,12 @@ struct Piece {
     std::uint32_t level = 0; ///< halvings so far
 };
 
-/// The two halves, cut at the middle of the longest edge (Rivara 1984: the angles stay bounded); a prism that is higher
-/// than that is cut halfway up.
+/// Returns the two halves, cut at the middle of the longest edge (Rivara 1984: the angles stay bounded). A prism that
+/// is higher than that edge is cut at half its height.
 std::pair<Piece, Piece> halves(const Piece& piece);
-/// The longest edge, or the height if that is more.
+/// Returns the longest edge, or the height if that is greater.
 double size_of(const Piece& piece);
-/// No two points of the piece are farther apart.
+/// Returns an upper bound of the distance between two points of the piece.
 double diameter_of(const Piece& piece);
 
 /// The points whose convex hull is the piece.
@@ -39,11 +39,11 @@ struct PiecePoints {
     std::size_t count;
 };
 
-/// Largest distance from a point to any point of the piece.
+/// Returns the largest distance from a point to any point of the piece.
 double reach(const Vec3& center, const Piece& piece);
 
-/// A ball or capsule among the solid's parts: all points within `radius` of the segment between two points. One ball
-/// that holds it is known in closed form, tighter than its tessellation.
+/// A ball or capsule among the solid's parts: all points within `radius` of the segment between two points. The ball
+/// around it is known in closed form, tighter than that around its tessellation.
 struct RoundPart {
     std::uint32_t begin, end; ///< its triangles in the surface
     Vec3 from, to;            ///< relative to the surface's centre
@@ -51,55 +51,57 @@ struct RoundPart {
     double radius;
 };
 
-/// Balls in coordinates relative to the surface's centre o, with radii made smaller by more than all rounding errors.
+/// Balls in coordinates relative to the surface's centre o, with radii reduced by more than all rounding errors.
 ///
-/// Why no uncovered point passes (docs/dev/certificate.md has it step by step). Let u = 2^-53, M the largest distance
-/// of a surface vertex from o, |c| that of a ball's centre, r its radius, L the most halvings. A vertex is off by at
-/// most 8u·(M + |o|) from where the part's pose puts it in exact arithmetic. Subtracting o rounds each coordinate by at
-/// most u·M (u·|c|). Every halving rounds the middle by at most u·M and averages the errors of its ends, so a corner of
-/// a piece is within (L + 1)·u·M of where exact arithmetic puts it, in each coordinate; the exact pieces tile the
-/// triangle. A cut at other shares, which add up to exactly 1, rounds by at most 2 u·M and counts as two halvings. The
-/// difference of a coordinate to the ball's centre is then off by less than (L + 2)·u·M + 2u·|c|, the
-/// distance by √3 times that, and the rounding of the squares, their sum and the comparison adds less than 4u times the
-/// distance, which is at most r when the test passes. All that is below 2u·(L + 8)·(M + |c| + r) + 16u·|o| = slack. So
-/// if the test against r - slack passes, the exact corners lie in the exact ball, and the exact piece does by
-/// convexity. All of it needs squares that neither overflow nor underflow: balls too large or too small for that hold
-/// nothing.
+/// Why no uncovered point passes (docs/dev/certificate.md has the argument step by step). Let u = 2^-53, M the largest
+/// distance of a surface vertex from o, |c| that of a ball's centre, r its radius, L the most halvings. A vertex is off
+/// by at most 8u·(M + |o|) from its place by the part's pose in exact arithmetic. Subtracting o rounds each coordinate
+/// by at most u·M (u·|c|). Every halving rounds the middle by at most u·M and averages the errors of its ends, so a
+/// corner of a piece is within (L + 1)·u·M of its exact place, in each coordinate; the exact pieces tile the triangle.
+/// A cut at other shares, which add up to exactly 1, rounds by at most 2 u·M and counts as two halvings. The difference
+/// of a coordinate to the ball's centre is then off by less than (L + 2)·u·M + 2u·|c|, the distance by √3 times that.
+/// The rounding of the squares, their sum and the comparison adds less than 4u times the distance, which is at most r
+/// when the test passes. The total is below 2u·(L + 8)·(M + |c| + r) + 16u·|o| = slack. So if the test against r -
+/// slack passes, the exact corners lie in the exact ball, and by convexity so does the exact piece. The argument
+/// requires squares that neither overflow nor underflow: balls too large or too small for that contain nothing.
 class Balls {
 public:
-    /// `caution`: multiplies the slack. Balls that are not finite, or not larger than the slack, hold nothing.
-    /// Holds references into `solid`, which must stay alive.
+    /// `caution`: multiplies the slack. Balls that are not finite, or not larger than the slack, contain nothing. Keeps
+    /// references into `solid`, which must outlive this.
     Balls(const Solid& solid, std::span<const Sphere> spheres, std::uint32_t most_halvings, double caution = 1);
 
     std::size_t size() const { return centers_.size(); }
     const Vec3& center(std::uint32_t i) const { return centers_[i]; }
-    /// Radius less slack; a ball whose radius is not above zero then holds nothing; -infinity if it is not finite.
+    /// Returns the radius minus slack; a ball for which it is not above zero contains nothing; -infinity if the radius
+    /// is not finite.
     double radius(std::uint32_t i) const { return radii_[i]; }
-    /// Radius and slack of a ball that just holds what is within `reach` of its centre: the inverse of radius().
+    /// Returns the radius with slack of a ball that just contains all points within `reach` of its centre: the inverse
+    /// of radius().
     double full_radius(std::uint32_t i, double reach) const;
-    /// Takes a new full radius; not finite: the ball holds nothing.
+    /// Sets a new full radius. If it is not finite, the ball contains nothing.
     void set_radius(std::uint32_t i, double full_radius);
 
     bool holds(std::uint32_t i, const Piece& piece) const;
     bool holds(std::uint32_t i, const Vec3& p) const { return squared_norm(p - centers_[i]) <= limit(i); }
-    /// Squared distance from the centre less the squared radius: negative inside.
+    /// Returns the squared distance from the centre minus the squared radius: negative inside.
     double power(std::uint32_t i, const Vec3& p) const { return squared_norm(p - centers_[i]) - radii_[i] * radii_[i]; }
     const std::vector<RoundPart>& round_parts() const { return round_parts_; }
-    /// The full radius with which ball `i` holds the part: rounded up, but exact for a ball about the same centre.
+    /// Returns the full radius with which ball `i` contains the part: rounded up, but exact for a ball about the same
+    /// centre.
     double radius_around(std::uint32_t i, const RoundPart& part) const;
-    /// Whether one ball holds the part.
+    /// Returns whether one ball contains the part.
     bool held(const RoundPart& part) const;
-    /// How far `p` is outside ball `i`; negative inside.
+    /// Returns how far `p` is outside ball `i`; negative inside.
     double gap(std::uint32_t i, const Vec3& p) const { return distance(p, centers_[i]) - radii_[i]; }
 
-    /// The balls that may be the nearest to some point of the piece, or may hold it: ball i is left out only if another
-    /// ball j is so much nearer (|p - c_j| - r_j < |p - c_i| - r_i for every p of the piece) that it holds whatever i
-    /// holds. The one that is nearest to the piece's middle comes first. Appends to `result`.
+    /// Appends to `result` the balls that may be nearest to some point of the piece, or may contain it. Ball i is left
+    /// out only if another ball j is so much nearer (|p - c_j| - r_j < |p - c_i| - r_i for every p of the piece) that j
+    /// contains everything that i contains. The ball nearest to the piece's middle comes first.
     void candidates(const Piece& piece, std::vector<std::uint32_t>& result) const;
-    /// The same, choosing from result[begin, end).
+    /// Appends the same, choosing from result[begin, end).
     void candidates(const Piece& piece, std::size_t begin, std::size_t end, std::vector<std::uint32_t>& result) const;
 
-    /// Triangle `i` of the surface, relative to the centre.
+    /// Returns triangle `i` of the surface, relative to the centre.
     Piece piece(std::uint32_t i) const;
     std::size_t piece_count() const { return triangles_->size(); }
     Vec3 to_solid(const Vec3& p) const { return p + origin_; }
@@ -112,7 +114,7 @@ private:
     void find_round_parts(const Solid& solid);
     void find_beneath(const Solid& solid, std::size_t part);
     bool holds(std::uint32_t i, const Corners& corners) const;
-    /// Square of a radius that holds; negative if the ball holds nothing.
+    /// Returns the squared radius within which the ball contains a point; negative if the ball contains nothing.
     double limit(std::uint32_t i) const;
 
     Vec3 origin_;

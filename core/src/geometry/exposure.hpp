@@ -1,4 +1,4 @@
-// What growing a ball costs: the volume it adds outside the solid and outside the other balls.
+// The excess volume of growing a ball: the volume it adds outside the solid and outside the other balls.
 #pragma once
 
 #include <foam/solid.hpp>
@@ -9,13 +9,14 @@
 
 namespace foam::geometry {
 
-/// The derivative of vol(U \ S) by a radius is the area of that ball's surface outside all other balls and outside S.
+/// The exposed area of balls. The derivative of vol(U \ S) by a radius is the area of that ball's surface outside all
+/// other balls and outside S.
 class Exposure {
 public:
-    /// `directions`: Fibonacci points a ball.
+    /// `directions`: number of Fibonacci points per ball.
     Exposure(const Solid& solid, std::size_t directions);
 
-    /// Area of ball `i` with radius `radius` outside the other balls and outside the solid, m².
+    /// Returns the area of ball `i` with radius `radius` outside the other balls and outside the solid, m².
     double area(std::span<const Sphere> balls, std::size_t i, double radius) const;
 
 private:
@@ -23,13 +24,13 @@ private:
     std::vector<Vec3> directions_;
 };
 
-/// What growth adds outside, with areas remembered: an area is looked up again only when its own ball has changed by a
-/// noticeable share. Neighbours that grow meanwhile make it an estimate, good enough to choose by.
+/// The excess volume that growth adds, with cached areas: an area is recomputed only when its own ball has changed by a
+/// noticeable share. Neighbours that grow meanwhile make it an estimate, good enough for comparisons.
 class GrowthCost {
 public:
     GrowthCost(const Solid& solid, std::size_t count);
 
-    /// Volume that ball `i` adds outside when it grows to `radius`, m³, by the trapezoidal rule.
+    /// Returns the excess volume that ball `i` adds when it grows to `radius`, m³, by the trapezoidal rule.
     double of(std::span<const Sphere> balls, std::size_t i, double radius);
 
 private:

@@ -1,4 +1,4 @@
-// Radii that cover a surface.
+// Growing and shrinking radii so that the balls cover a surface.
 #pragma once
 
 #include "geometry/cover.hpp"
@@ -9,33 +9,33 @@
 
 namespace foam::geometry {
 
-/// Halvings to which growth and shrinking look at pieces. certify() looks further.
+/// Most halvings of pieces in growth and shrinking. certify() goes further.
 inline constexpr std::uint32_t growth_halvings = 120;
-/// Growth keeps twice the distance from rounding that proofs ask for.
+/// Factor on the slack that growth keeps, relative to proofs.
 inline constexpr double growth_caution = 2;
 
-/// Radii that are multiples of `quantum`, rounded up; as they are if quantum is 0.
+/// Returns the radius rounded up to a multiple of `quantum`; unchanged if quantum is 0.
 double rounded_up(double radius, double quantum);
 
-/// Pieces that growth and shrinking look at before they do with a rougher answer: usual covers take a tenth at most,
-/// needles in wide gaps any number.
+/// Returns the number of pieces that growth and shrinking examine before they settle for a coarser result. Usual sphere
+/// models need a tenth at most, needles in wide gaps any number.
 std::size_t most_looks(const Solid& solid);
 
-/// Grows balls until every triangle is held, the worst gaps first, each by the ball that adds the least volume outside;
-/// by the balls' power cells where that takes more than `looks`.
+/// Grows balls until they cover every triangle, the worst gaps first, each by the ball that adds the least excess
+/// volume; by the balls' power cells if that takes more than `looks` pieces.
 void grow(const Solid& solid, std::vector<Sphere>& spheres, double quantum, std::size_t looks);
 
-/// The least radius with which ball `i` holds what the others leave uncovered; 0 if they leave nothing. `limit`: a
-/// radius with which it does, and the answer where `looks`, which this counts down, come to their end.
+/// Returns the least radius with which ball `i` contains the part that the other balls do not cover; 0 if they cover
+/// everything. `limit`: a radius that suffices, and the result when `looks`, which this function decrements, reaches 0.
 double needed_radius(Balls& balls, std::uint32_t i, double limit, std::size_t& looks);
 
-/// How shrinking goes about it.
+/// Parameters of shrinking.
 struct ShrinkPlan {
-    bool drop_first = false; ///< begin with the spheres that nothing needs: to the floor at once
-    int rounds = 1;          ///< in all but the last only a part of the way, so that neighbours share what they give up
+    bool drop_first = false; ///< begin with the spheres that cover nothing alone: to the floor at once
+    int rounds = 1;          ///< all but the last go only part of the way, so that neighbours share the reduction
 };
 
-/// Shrinks each sphere, the one that adds most outside first, to its needed radius, but not below `floor[i]`.
+/// Shrinks each sphere, the one that adds most excess volume first, to its needed radius, but not below `floor[i]`.
 void shrink(const Solid& solid, std::vector<Sphere>& spheres, const std::vector<double>& floor, double quantum,
             const ShrinkPlan& plan);
 

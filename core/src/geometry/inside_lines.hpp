@@ -1,4 +1,4 @@
-// A solid along a fixed grid of lines.
+// The parts of a fixed grid of lines inside a solid.
 #pragma once
 
 #include "geometry/estimate.hpp"
@@ -8,27 +8,27 @@ namespace foam::geometry {
 
 struct SolidData;
 
-/// Where lines run inside a solid: parallel to each axis one through each cell of a grid over the solid's box, at a
-/// place in the cell that is the same every time.
+/// The parts of lines inside a solid: parallel to each axis, one line through each cell of a grid over the solid's box,
+/// at a fixed place in the cell.
 class InsideLines {
 public:
     explicit InsideLines(const SolidData& data);
 
-    /// Of the solid, m³.
+    /// Volume of the solid, m³.
     Estimate volume() const { return volume_; }
-    /// Volume of the solid outside the spheres, m³.
+    /// Returns the volume of the solid outside the spheres, m³.
     double outside(std::span<const Sphere> spheres) const;
 
 private:
     struct Row {
         std::vector<Vec3> origins;
-        std::vector<std::size_t> ends; ///< of each line in `inside`
+        std::vector<std::size_t> ends; ///< end of each line's intervals in `inside`
         Intervals inside;              ///< relative to the line's origin
     };
 
     Box box_;
-    std::size_t across_;    ///< lines a side of a grid
-    std::vector<Row> rows_; ///< of the first axis, of the second, of the third
+    std::size_t across_;    ///< lines per side of a grid
+    std::vector<Row> rows_; ///< those of the first axis, of the second, of the third
     Estimate volume_;
 };
 

@@ -1,4 +1,4 @@
-// Lists of intervals of a line: ascending and disjoint, but for what unite() is given.
+// Lists of intervals of a line: ascending and disjoint, except the input of unite().
 #pragma once
 
 #include <foam/solid.hpp>
@@ -10,26 +10,26 @@ namespace foam::geometry {
 
 using Intervals = std::vector<Solid::Interval>;
 
-/// The union of intervals: sorted, disjoint; those that touch become one.
+/// Replaces the intervals with their union: sorted, disjoint; those that touch become one.
 void unite(Intervals& intervals);
-/// What is in both.
+/// Returns the intersection of both.
 Intervals common(std::span<const Solid::Interval> a, std::span<const Solid::Interval> b);
-/// What of `a` is not in `b`, but for pieces that are no longer than `noise`.
+/// Returns in `result` the part of `a` that is not in `b`, without pieces of at most the length `noise`.
 void without(std::span<const Solid::Interval> a, std::span<const Solid::Interval> b, double noise, Intervals& result);
 double length(std::span<const Solid::Interval> intervals);
 
-/// The balls that reach between `from` and `to` of a coordinate.
+/// Returns in `result` the balls that reach between `from` and `to` of a coordinate.
 void balls_between(std::span<const Sphere> balls, int axis, double from, double to, std::vector<Sphere>& result);
-/// The direction of an axis.
+/// Returns the unit vector of an axis.
 inline Vec3 along(int axis) {
     Vec3 direction{};
     direction[axis] = 1;
     return direction;
 }
-/// Whether one of the balls holds all of the line through `origin` along an axis between `from` and `to`, relative to
-/// `origin`.
+/// Returns whether one of the balls contains the whole line through `origin` along an axis between `from` and `to`,
+/// relative to `origin`.
 bool one_holds(std::span<const Sphere> balls, const Vec3& origin, int axis, double from, double to);
-/// Where the line through `origin` along an axis is in the balls, relative to `origin`.
+/// Returns in `result` the part of the line through `origin` along an axis inside the balls, relative to `origin`.
 void balls_along(std::span<const Sphere> balls, const Vec3& origin, int axis, Intervals& result);
 
 } // namespace foam::geometry

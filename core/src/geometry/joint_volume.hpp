@@ -1,4 +1,4 @@
-// The volume that spheres and a solid take together.
+// The volume of the union of spheres and a solid.
 #pragma once
 
 #include <foam/solid.hpp>
@@ -6,8 +6,9 @@
 
 namespace foam::geometry {
 
-/// vol(S ∪ U), m³: what spheres U claim of their own is that less vol(S). A hollow that they leave in the solid is no
-/// gain. vol(U) is exact, what is missing is found along the solid's lines: the same for all spheres.
+/// Returns vol(S ∪ U), m³: the excess volume of U is that minus vol(S). A cavity that the spheres leave in the solid
+/// brings no advantage. vol(U) is exact; the missing volume is integrated along the solid's lines, which are the same
+/// for all spheres.
 inline double joint_volume(const Solid& solid, std::span<const Sphere> spheres) {
     return exact_union_volume(spheres) + solid.missing_volume(spheres);
 }

@@ -1,4 +1,4 @@
-// Where a line passes through triangles: watertight (Woop, Benthin, Wald 2013) and consistent at edges and vertices.
+// Intersections of a line with triangles: watertight (Woop, Benthin, Wald 2013) and consistent at edges and vertices.
 #pragma once
 
 #include "geometry/triangle.hpp"
@@ -7,17 +7,18 @@
 
 namespace foam::geometry {
 
-/// Where a line meets a surface, and what that does to the winding number.
+/// An intersection of a line with a surface, and the change of the winding number there.
 struct Crossing {
     double t;
     int change; ///< +1 entering, -1 leaving
 
-    /// Along the line. Entering first: parts that touch become one.
+    /// Orders along the line. Entering comes first: parts that touch become one.
     bool operator<(const Crossing& other) const { return t != other.t ? t < other.t : change > other.change; }
 };
 
 /// The line origin + t · direction, prepared: axes permuted so that the direction's largest component comes last, and
-/// sheared so that the line is the last axis. A vertex is mapped by itself alone, hence the same in all its triangles.
+/// sheared so that the line is the last axis. A vertex is mapped independently of its triangle, so it is the same in
+/// all of them.
 class Line {
 public:
     /// Precondition: direction is finite and not zero.
@@ -34,7 +35,8 @@ public:
         sy_ = direction[ky_] * sz_;
     }
 
-    /// +1 where the line enters through the triangle's front, -1 where it leaves, 0 if it misses it. `t` where it does.
+    /// Returns +1 where the line enters through the triangle's front, -1 where it leaves, 0 if it misses it. Sets `t`
+    /// if it hits.
     int cross(const Corners& triangle, double& t) const {
         const Flat a = flat(triangle.a), b = flat(triangle.b), c = flat(triangle.c);
         const Edge bc(b, c), ca(c, a), ab(a, b);
@@ -52,7 +54,7 @@ public:
     const Vec3& origin() const { return origin_; }
     const Vec3& direction() const { return direction_; }
     int axis() const { return kz_; }
-    /// The line is parallel to an axis.
+    /// Returns whether the line is parallel to an axis.
     bool axis_aligned() const { return sx_ == 0 && sy_ == 0; }
 
 private:
@@ -64,9 +66,9 @@ private:
         return {v[kx_] - origin_[kx_] - sx_ * z, v[ky_] - origin_[ky_] - sy_ * z, z};
     }
 
-    /// On which side of the edge the line passes. On the edge itself as if the line were moved by (ε, ε²), an
-    /// infinitesimal shift (Edelsbrunner and Mücke 1990), so that of the triangles around an edge or vertex just the
-    /// right ones are hit. Exactly antisymmetric in p and q: both triangles at an edge agree.
+    /// The side of an edge on which the line passes. If the line meets the edge, the side is that of the line moved by
+    /// (ε, ε²), an infinitesimal shift (Edelsbrunner and Mücke 1990), so that exactly the right triangles around an
+    /// edge or vertex are hit. It is exactly antisymmetric in p and q: both triangles at an edge agree.
     struct Edge {
         Edge(const Flat& p, const Flat& q) : value(p.x * q.y - p.y * q.x) {
             sign = value > 0 ? 1 : value < 0 ? -1 : 0;

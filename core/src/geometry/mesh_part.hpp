@@ -24,32 +24,34 @@ struct Nearest {
     std::uint32_t triangle = 0;
 };
 
-/// Queries keep no state: safe from any number of threads, without allocation (but for crossings()).
+/// A mesh with its hierarchy. Queries keep no state: they are safe from any number of threads, without allocation
+/// (except crossings()).
 class MeshPart {
 public:
-    /// `reading` of the mesh as read_as_solid() gives it.
+    /// `reading`: of the mesh, from read_as_solid().
     MeshPart(const Mesh& mesh, const Reading& reading);
 
-    /// The triangles that count bound a solid without holes.
+    /// Returns whether the triangles that count bound a solid without holes.
     bool closed() const { return closed_; }
     const Box& bounds() const { return box_; }
-    /// By the divergence theorem, of the surface and what closes it; the volume if no point is wound around
-    /// twice.
+    /// Signed volume by the divergence theorem, of the surface and its closing surface; the volume if no point is wound
+    /// around twice.
     double signed_volume() const { return signed_volume_; }
 
     /// Improves `nearest` if a triangle is nearer than nearest.squared_distance.
     void closest(const Vec3& p, Nearest& nearest) const;
-    /// Whether a triangle comes within `distance` of `p`.
+    /// Returns whether a triangle comes within `distance` of `p`.
     bool touches(const Vec3& p, double distance) const;
-    /// Inside (winding number above one half) or on the surface.
+    /// Returns whether `p` is inside (winding number above one half) or on the surface.
     bool contains(const Vec3& p) const;
-    /// Generalised winding number: a whole number, exact, if closed; else to about 1e-3, exact near the surface.
+    /// Returns the generalised winding number: a whole number, exact, if closed; else to about 1e-3, exact near the
+    /// surface.
     double winding(const Vec3& p) const;
-    /// Crossings of a whole line with the surface and what closes it, ascending by t; their changes sum to
-    /// zero.
+    /// Returns in `result` the crossings of a whole line with the surface and its closing surface, ascending by t;
+    /// their changes sum to zero.
     void crossings(const Vec3& origin, const Vec3& direction, std::vector<Crossing>& result) const;
 
-    /// Calls visit(corners) for each triangle of the surface that counts, and of what closes it.
+    /// Calls visit(corners) for each triangle of the surface that counts, and of its closing surface.
     template <class Visit> void for_each_closed(Visit visit) const {
         for (const Item& item : items_) {
             if (item.counts) {
@@ -61,9 +63,9 @@ public:
         }
     }
 
-    /// Appends where the winding number is above one half on the `parts` of a line, ascending; some may touch.
-    /// `crossings`: those of the line. Whole stretches are decided at once where what closes holes cannot matter, the
-    /// rest to the accuracy of the winding number. Precondition: not closed().
+    /// Appends where the winding number is above one half on the `parts` of a line, ascending; some intervals may
+    /// touch. `crossings`: those of the line. Whole stretches are decided at once where the closing surface cannot
+    /// matter, the rest to the accuracy of the winding number. Precondition: not closed().
     void inside_along(const Vec3& origin, const Vec3& direction, std::span<const Crossing> crossings,
                       std::span<const Solid::Interval> parts, std::vector<Solid::Interval>& result) const;
 
@@ -75,9 +77,9 @@ private:
     };
     /// Far-field expansion of a node (winding.cpp).
     struct Moments {
-        Vec3 center{};                  ///< about which the moments are taken
-        double radius = -1;             ///< of the node's triangles about it; negative: none that counts
-        double area = 0;                ///< of the node's triangles that count
+        Vec3 center{};                  ///< centre of the moments
+        double radius = -1;             ///< radius of the node's triangles about it; negative: none counts
+        double area = 0;                ///< area of the node's triangles that count
         Vec3 normal{};                  ///< ∫ n
         std::array<double, 6> second{}; ///< of the form ∫ (n·r)(y·r): xx, yy, zz, xy, yz, zx
         double trace = 0;               ///< ∫ n·y
@@ -97,21 +99,21 @@ private:
     MeshPart(const Mesh& mesh, const Reading& reading, Unclosed);
 
     template <class Visit> void visit_line(const Line& line, Visit visit) const;
-    /// Of the surface and what closes it.
+    /// Computes the winding number of the surface and its closing surface.
     bool winding_by_line(const Vec3& p, int axis, int& winding) const;
     Winding winding_by_expansion(const Vec3& p) const;
     template <class Far, class Near> void visit_clusters(const Vec3& p, Far far, Near near) const;
     struct Variation {
         double value;     ///< the winding number at the middle, to about 1e-3
-        double variation; ///< no point of the ball is off by more; `most` and no value if that may be `most` or more
+        double variation; ///< bound on the deviation within the ball; `most` and no value if it may be `most` or more
     };
     Variation winding_around(const Vec3& center, double radius, double most) const;
-    /// No less than the absolute winding number in the box; infinity if it may be `enough` or more.
+    /// Returns an upper bound of the absolute winding number in the box; infinity if it may be `enough` or more.
     double winding_at_most(const Box& region, double enough) const;
     void inside_part(const Vec3& origin, const Vec3& direction, double from, double to,
                      std::span<const Crossing> crossings, std::vector<Solid::Interval>& result) const;
-    /// Of the line's stretch between `enter` and `leave`, without crossings; `winding`: there, of the surface and what
-    /// closes it.
+    /// Appends the inside part of the line's stretch between `enter` and `leave`, which has no crossings; `winding`:
+    /// there, of the surface and its closing surface.
     void inside_stretch(const Vec3& origin, const Vec3& direction, double enter, double leave, int winding,
                         std::vector<Solid::Interval>& result) const;
     void compute_moments();
@@ -119,10 +121,10 @@ private:
 
     Bvh bvh_;
     std::vector<Item> items_;
-    std::optional<NeedleIndex> needles_;      // of meshes of which bvh_ tells too little
+    std::optional<NeedleIndex> needles_;      // of meshes for which bvh_ separates too little
     std::vector<Moments> moments_;            // of open meshes only
     std::unique_ptr<const MeshPart> closing_; // of open meshes only: the closing surface
-    bool quick_closing_ = false;              // asking that costs less than asking the surface
+    bool quick_closing_ = false;              // the closing surface is quicker to query than the surface
     Box box_;
     double signed_volume_ = 0;
     double tolerance_ = 0; // rounding of coordinates: a point this near is on the surface

@@ -1,4 +1,4 @@
-// A hierarchy for meshes of long needles that run at an angle to the axes.
+// A hierarchy for meshes of long needles at an angle to the axes.
 #pragma once
 
 #include "geometry/part_index.hpp"
@@ -8,11 +8,12 @@
 
 namespace foam::geometry {
 
-/// Finds triangles by boxes in a frame along the longest edge. A needle from corner to corner of a mesh has the mesh's
-/// own box: with boxes along the axes each query would look at all such needles.
+/// Finds triangles by boxes in a frame along the longest edge. The axis-aligned box of a needle from corner to corner
+/// of a mesh is that of the mesh: with such boxes each query would visit all needles.
 class NeedleIndex {
 public:
-    /// Returns whether triangles' boxes along the axes overlap so much that this index pays. `all`: the box around them.
+    /// Returns whether the triangles' axis-aligned boxes overlap so much that this index is faster. `all`: the box
+    /// around them.
     static bool pays(std::span<const Box> boxes, const Box& all);
 
     /// `center`: of the triangles' box. O(n log n).

@@ -1,4 +1,4 @@
-// Which of the many parts of a solid a query is about.
+// A hierarchy over the parts of a solid, for queries.
 #pragma once
 
 #include "geometry/bvh.hpp"
@@ -8,10 +8,10 @@
 
 namespace foam::geometry {
 
-/// A hierarchy over the boxes of parts. Boxes count as a little larger than they are: rounding hides no part.
+/// A hierarchy over the boxes of parts. Boxes count as slightly larger than they are, so that rounding hides no part.
 class PartIndex {
 public:
-    /// Solids of fewer parts look at each.
+    /// The number of parts from which a solid uses the index; with fewer it visits each.
     static constexpr std::size_t many = 32;
 
     PartIndex() = default;
@@ -21,7 +21,8 @@ public:
     bool empty() const { return bvh_.nodes().empty(); }
     double margin() const { return margin_; }
 
-    /// Calls visit(part) for the parts whose boxes hold the point, until one is true. Returns whether one was.
+    /// Calls visit(part) for the parts whose boxes contain the point, until one call returns true. Returns whether one
+    /// did.
     template <class Visit> bool any_at(const Vec3& p, Visit visit) const {
         bool found = false;
         traverse([&](const BvhNode& node) { return !found && squared_distance(node, p) <= margin_ * margin_; },

@@ -13,10 +13,10 @@ class PrimitivePart {
 public:
     PrimitivePart(const Primitive& primitive, const Pose& pose);
 
-    /// Distance to the surface, negative inside: exact.
+    /// Returns the distance to the surface, negative inside: exact.
     double signed_distance(const Vec3& p) const;
     double volume() const;
-    /// The part of the line origin + t · direction inside; a primitive is convex, so there is at most one.
+    /// Returns the part of the line origin + t · direction inside; a primitive is convex, so there is at most one.
     std::optional<Solid::Interval> inside_along(const Vec3& origin, const Vec3& direction) const;
 
 private:

@@ -1,4 +1,4 @@
-// The proof of cover, and what it took.
+// The proof that spheres cover a solid, with statistics.
 #pragma once
 
 #include <foam/measure.hpp>
@@ -10,11 +10,11 @@ namespace foam::geometry {
 
 struct CoverProof {
     Certificate certificate;
-    std::size_t triangles = 0;  ///< of the surface that is proved; round primitives by the polyhedron around them
-    std::uint32_t halvings = 0; ///< of the piece that was cut most often, cuts at creases among them
+    std::size_t triangles = 0;  ///< of the proved surface; round primitives by the polyhedron around them
+    std::uint32_t halvings = 0; ///< most halvings and cuts at creases of a piece
 };
 
-/// What certify() does.
+/// Runs the proof of certify().
 CoverProof prove_cover(const Solid& solid, std::span<const Sphere> spheres, int depth = 40);
 
 } // namespace foam::geometry

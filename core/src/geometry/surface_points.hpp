@@ -5,8 +5,8 @@
 
 namespace foam::geometry {
 
-/// One point in each of `count` equal shares of the area, in the order of the triangles, placed in its triangle by the
-/// map of Osada, Funkhouser, Chazelle, Dobkin 2002, equation 1. Precondition: at least one triangle.
+/// Returns one point in each of `count` equal shares of the area, in the order of the triangles, placed in its triangle
+/// by the map of Osada, Funkhouser, Chazelle, Dobkin 2002, equation 1. Precondition: at least one triangle.
 std::vector<SurfacePoint> sampled_surface(const Mesh& mesh, std::size_t count, std::uint64_t seed);
 
 } // namespace foam::geometry

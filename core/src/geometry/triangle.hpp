@@ -5,17 +5,17 @@
 
 namespace foam::geometry {
 
-/// The corners, copied out of the mesh so that queries read memory in order.
+/// The corners, copied from the mesh so that queries read memory in order.
 struct Corners {
     Vec3 a, b, c;
 };
 
-/// The point of the triangle nearest to `p` (Ericson, Real-Time Collision Detection 2005, section 5.1.5). Degenerate
-/// triangles are segments or points.
+/// Returns the point of the triangle nearest to `p` (Ericson, Real-Time Collision Detection 2005, section 5.1.5).
+/// Degenerate triangles are segments or points.
 Vec3 closest_on_triangle(const Corners& t, const Vec3& p);
 
-/// Solid angle of the triangle seen from `p`, in steradians divided by 4π: its share of the winding number. Positive if
-/// `p` is behind the triangle. Van Oosterom and Strackee 1983, equation 8.
+/// Returns the solid angle of the triangle seen from `p`, in steradians divided by 4π: its share of the winding number.
+/// Positive if `p` is behind the triangle. Van Oosterom and Strackee 1983, equation 8.
 double winding_of_triangle(const Corners& t, const Vec3& p);
 
 } // namespace foam::geometry

@@ -1,4 +1,4 @@
-// Identical corners of a raw mesh, and what hangs together, in linear time.
+// Identical corners of a raw mesh, and its connected components, in linear time.
 #pragma once
 
 #include <foam/mesh.hpp>
@@ -7,16 +7,16 @@
 
 namespace foam::geometry {
 
-/// For every vertex the smallest index of a vertex at the same position (-0 equals 0).
+/// Returns, for every vertex, the smallest index of a vertex at the same position (-0 equals 0).
 std::vector<std::uint32_t> welded_indices(const Mesh& mesh);
 
-/// Disjoint sets of the numbers below `count`, with path halving; the smallest member stands for its set.
+/// Disjoint sets of the numbers below `count`, with path halving. The smallest member represents its set.
 class DisjointSets {
 public:
     explicit DisjointSets(std::size_t count);
     std::uint32_t find(std::uint32_t i);
     void unite(std::uint32_t a, std::uint32_t b);
-    /// The number of sets.
+    /// Returns the number of sets.
     std::size_t count() const;
 
 private:

@@ -6,20 +6,20 @@
 
 namespace foam {
 
-/// Linear from 0; unless that is asked for, logarithmic, from a power of ten below the least of them, where the numbers
-/// span more than thirtyfold.
+/// A scale of bars. It is linear from 0 if requested, or if the numbers span at most a factor of thirty; otherwise it
+/// is logarithmic and begins at a power of ten below the smallest number.
 class BarScale {
 public:
-    /// Numbers below `least_shown` and those that are not finite do not count.
+    /// Ignores numbers below `least_shown` and numbers that are not finite.
     explicit BarScale(const std::vector<double>& numbers, double least_shown = 0, bool always_linear = false);
 
     bool empty() const { return greatest_ <= 0; } ///< nothing to compare
     bool logarithmic() const { return lowest_ > 0; }
     double lowest() const { return lowest_; } ///< where bars begin
     double greatest() const { return greatest_; }
-    /// Length of a number's bar, at most 1; 0 below where bars begin.
+    /// Returns the length of a number's bar, at most 1; 0 below where bars begin.
     double share(double number) const;
-    /// The bar as an element of HTML pages; "" if it has no length.
+    /// Returns the bar as an element of HTML pages; "" if it has no length.
     std::string svg(double number) const;
 
 private:

@@ -1,4 +1,4 @@
-// Planes that the spheres of a link keep off: a mount, a table.
+// Half-space constraints: planes beyond which the spheres of a link may extend only so far, such as a mount or a table.
 #pragma once
 
 #include <foam/sphere.hpp>
@@ -8,8 +8,8 @@
 
 namespace foam {
 
-/// The plane of all points p with n · p = offset, n the unit vector along `normal`, in a link's frame. Spheres keep off
-/// the side that the normal points to: there none reaches farther than `reach` from the plane.
+/// A half-space constraint: the plane of all points p with n · p = offset, n the unit vector along `normal`, in a
+/// link's frame. Beyond it, on the side to which the normal points, spheres extend by at most `reach`.
 struct ClipPlane {
     Vec3 normal{0, 0, -1}; ///< of any length but zero
     double offset = 0;     ///< m
@@ -18,23 +18,23 @@ struct ClipPlane {
     bool operator==(const ClipPlane&) const = default;
 };
 
-/// What came of a plane.
+/// The result of a half-space constraint.
 struct PlaneReach {
     ClipPlane plane;
-    double reached = 0; ///< m; by how much spheres reach beyond the plane; negative: they end before it
+    double reached = 0; ///< m; how far spheres extend beyond the plane; negative: they end before it
 
     bool kept() const { return reached <= plane.reach; }
 };
 
-/// By how much a sphere reaches beyond the plane, m; negative: it ends before it.
+/// Returns how far a sphere extends beyond the plane, m; negative: it ends before it.
 double reach_beyond(const ClipPlane& plane, const Sphere& sphere);
-/// The largest of several; minus infinity of none.
+/// Returns the maximum over several spheres; minus infinity for none.
 double reach_beyond(const ClipPlane& plane, std::span<const Sphere> spheres);
 
-/// "normal [0, 0, -1], offset 0.01 m".
+/// Returns "normal [0, 0, -1], offset 0.01 m".
 std::string text_of(const ClipPlane& plane);
 
-/// The same plane as it is seen from another frame; `pose`: of that frame in this one.
+/// Returns the same plane in another frame; `pose`: of that frame in this one.
 ClipPlane seen_from(const ClipPlane& plane, const Pose& pose);
 
 } // namespace foam

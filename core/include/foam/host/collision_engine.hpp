@@ -1,5 +1,5 @@
-// What a collision library is asked about a robot among obstacles. Each library has a program of its own, so that this
-// foam needs none of them and survives when one aborts.
+// The interface to collision libraries: queries about a robot among obstacles. Each library has a program of its own,
+// so that foam depends on none of them and survives when one aborts.
 #pragma once
 
 #include <foam/mesh.hpp>
@@ -44,14 +44,14 @@ public:
     CollisionEngine(const CollisionEngine&) = delete;
     CollisionEngine& operator=(const CollisionEngine&) = delete;
 
-    /// As many as before and of the same kinds, one by one.
+    /// Replaces the obstacles one by one. Precondition: as many as before, of the same kinds.
     virtual void set_obstacles(const std::vector<Obstacle>& obstacles) = 0;
-    /// The poses of the bodies in the frame of the robot's root.
+    /// Sets the poses of the bodies in the frame of the robot's root.
     virtual void move(std::span<const Pose> poses) = 0;
-    /// May stop at the first collision.
+    /// Returns whether the robot hits an obstacle. May stop at the first collision.
     virtual bool hits_obstacle() = 0;
     virtual bool hits_itself() = 0;
-    /// m; 0 or below in collision; infinity if there is no pair.
+    /// Returns the distance, m; 0 or below in collision; infinity if there is no pair.
     virtual double distance_to_obstacles() = 0;
     virtual double distance_to_itself() = 0;
 
@@ -59,12 +59,12 @@ protected:
     CollisionEngine();
 };
 
-/// `name`: of the engine, where a program has several.
+/// Makes an engine. `name`: of the engine, where a program has several.
 using EngineMaker = std::function<std::unique_ptr<CollisionEngine>(const std::string& name, const EngineRobot& robot,
                                                                    const std::vector<Obstacle>& obstacles)>;
 
-/// The whole main() of an engine's program: reads a problem from standard input, asks, answers to who started it.
-/// `version`: of the library.
+/// Implements the whole main() of an engine's program: reads a problem from standard input, runs the queries and
+/// answers to the process that started it. `version`: of the library.
 int serve_engine(const std::string& version, const EngineMaker& make);
 
 } // namespace foam

@@ -1,5 +1,5 @@
-// Holds stages to what their kinds promise in stage.hpp: the same checks for foam's own plugins and for those of
-// others.
+// Checks that stages keep the contract of their kinds in stage.hpp. The checks are the same for foam's own plugins and
+// for others.
 #pragma once
 
 #include <foam/host/registry.hpp>
@@ -22,28 +22,28 @@ struct ContractFinding {
 };
 
 struct ContractOptions {
-    /// Files that a loader under test reads; without them only its refusals are looked at.
+    /// Files that a loader under test reads; without them only its rejections are checked.
     std::vector<std::filesystem::path> samples;
-    /// Told of every promise before it is looked at, so that a crash has a name.
+    /// Called before each promise is checked, so that a crash can be attributed.
     std::function<void(const std::string& stage, const std::string& promise)> on_promise;
 };
 
-/// Runs a stage with its default parameters on built-in geometry. Never throws for what the stage does; the first
-/// breach of each promise is reported.
+/// Runs a stage with its default parameters on built-in geometry. Never throws for what the stage does; returns the
+/// first violation of each promise.
 std::vector<ContractFinding> check_contract(const RegisteredStage& stage, const Registry& registry,
                                             const ContractOptions& options = {});
 
 } // namespace foam
 
-/// Geometry to try stages on.
+/// Geometry for testing stages.
 namespace foam::sample {
 
-/// 12 triangles, outward.
+/// Returns a box of 12 triangles, wound outwards.
 Mesh box(const Vec3& size, const Vec3& center = {});
 Mesh torus(double large, double small, std::uint32_t around = 24, std::uint32_t across = 12);
-/// An L of 0.2 × 0.1 × 0.15 m, 0.05 m thick.
+/// Returns an L of 0.2 × 0.1 × 0.15 m, 0.05 m thick.
 Mesh bracket();
-/// Makers of solids of many kinds by name, the awkward ones among them.
+/// Returns makers of solids of many kinds by name, difficult ones included.
 const std::map<std::string, std::function<std::shared_ptr<const Solid>()>>& solids();
 
 } // namespace foam::sample

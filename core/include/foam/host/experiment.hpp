@@ -1,4 +1,4 @@
-// Experiments: measurements over meshes, robots and stages, described by a YAML file, told as tables and plots.
+// Experiments: measurements over meshes, robots and stages, described by a YAML file, reported as tables and plots.
 #pragma once
 
 #include <foam/host/recipe.hpp>
@@ -29,23 +29,23 @@ public:
     std::string source;         ///< its text
     std::string kind, name, title;
 
-    /// The names of all stages that it measures.
+    /// Returns the names of all stages that it measures.
     virtual std::set<std::string> stages() const = 0;
-    /// Does the work. Throws Error naming stage and input.
+    /// Runs the measurements. Throws Error naming stage and input.
     virtual experiment::Outcome run(experiment::Bench& bench) const = 0;
 
 protected:
     Experiment();
 };
 
-/// What came of reading: the experiment is only there if there is no error among the findings.
+/// The result of reading; the experiment is present only if the findings contain no error.
 struct ExperimentReading {
     std::unique_ptr<const Experiment> experiment;
     std::vector<Diagnostic> diagnostics;
     bool ok() const { return experiment != nullptr; }
 };
 
-/// Reads and checks an experiment. Never throws for what is wrong with the text: all findings come back at once.
+/// Reads and checks an experiment. Never throws for errors in the text: all findings are returned at once.
 ExperimentReading read_experiment(const std::filesystem::path& file, const Registry& registry);
 ExperimentReading parse_experiment(const std::string& text, const std::filesystem::path& file,
                                    const Registry& registry);
@@ -54,17 +54,17 @@ struct ExperimentOptions {
     std::filesystem::path out; ///< folder for the results; empty: nothing is written
     std::size_t threads = 1;   ///< for the stages; 0: all cores
     const std::atomic<bool>* cancel = nullptr;
-    /// Told a line before and after each measurement.
+    /// Called with a line before and after each measurement.
     std::function<void(const std::string& line)> tell;
 };
 
 struct ExperimentResult {
-    std::string csv;                          ///< results.csv: a line for each measurement
-    std::string markdown;                     ///< results.md: tables, figures, and what they were made on
+    std::string csv;                          ///< results.csv: one line per measurement
+    std::string markdown;                     ///< results.md: tables, figures, and the machine and versions behind them
     std::vector<std::filesystem::path> files; ///< written, relative to the folder
 };
 
-/// Runs it. On an exception or cancellation the folder is as it was before.
+/// Runs the experiment. On an exception or cancellation the folder is as it was before.
 ExperimentResult run_experiment(const Experiment& experiment, const Registry& registry,
                                 const ExperimentOptions& options = {});
 

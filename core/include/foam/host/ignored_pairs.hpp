@@ -1,4 +1,4 @@
-// Pairs of links that files of others leave out of self-collision checks.
+// Pairs of links that other tools' files leave out of self-collision checks.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,8 @@ struct IgnoredPair {
     std::string reason;        ///< as the file has it; may be empty
 };
 
-/// The <disable_collisions> of an SRDF, or the `self_collision_ignore` of a cuRobo file or `self_collision: {ignore:
-/// …}` of an XRDF; each pair once, in alphabetical order. Throws Error(input) naming file, line and remedy.
+/// Returns the <disable_collisions> of an SRDF, the `self_collision_ignore` of a cuRobo file or the `self_collision:
+/// {ignore: …}` of an XRDF; each pair once, in alphabetical order. Throws Error(input) naming file, line and remedy.
 std::vector<IgnoredPair> read_ignored_pairs(const std::filesystem::path& file);
 
 } // namespace foam

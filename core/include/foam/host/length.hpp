@@ -1,4 +1,4 @@
-// Lengths as people write them, and the units that meshes without one may be in.
+// Lengths in text for people, and the units of meshes whose files state none.
 #pragma once
 
 #include <foam/vector.hpp>
@@ -10,21 +10,23 @@
 
 namespace foam {
 
-/// The units that lengths may be written in: mm, cm, m, in.
+/// Returns the units of lengths: mm, cm, m, in.
 const std::vector<std::string>& length_units();
-/// Metres in one `unit`; nothing for another word.
+/// Returns the metres in one `unit`; nothing for another word.
 std::optional<double> metres_in(std::string_view unit);
 
-/// m: of "10mm", "1 cm", "0.4in" or a plain number, which is in metres; nothing if it is none, or not finite.
+/// Returns the length in m of "10mm", "1 cm", "0.4in" or a plain number, which is in metres; nothing if the text is not
+/// a length, or not finite.
 std::optional<double> parse_length(std::string_view text);
-/// What a length may be, for messages: "a number in m, or one with mm, cm, m or in behind it, such as 10mm".
+/// Returns the accepted forms of a length, for messages: "a number in m, or one with mm, cm, m or in behind it, such as
+/// 10mm".
 std::string length_forms();
 
-/// A length for people, to three digits: "120 mm", "1.25 m".
+/// Returns a length for people, to three digits: "120 mm", "1.25 m".
 std::string length_text(double metres);
-/// The edges of a box for people, in one unit: "80 x 80 x 120 mm".
+/// Returns the edges of a box for people, in one unit: "80 x 80 x 120 mm".
 std::string size_text(const Box& box);
-/// A count for people: "5,120".
+/// Returns a count for people: "5,120".
 std::string count_text(std::size_t count);
 
 } // namespace foam

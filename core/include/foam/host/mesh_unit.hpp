@@ -1,4 +1,4 @@
-// What a mesh file does not say of itself: the unit of its numbers.
+// The unit of a mesh file's numbers where the file does not state it.
 #pragma once
 
 #include <foam/host/registry.hpp>
@@ -10,20 +10,20 @@
 
 namespace foam {
 
-/// How large a single mesh is read; a robot's meshes have their scale in the URDF.
+/// Unit and scale of a single mesh; a robot's meshes have their scale in the URDF.
 struct MeshUnit {
     std::optional<std::string> unit; ///< one of length_units(); absent: the file's own, or m
-    double scale = 1;                ///< besides the unit
+    double scale = 1;                ///< in addition to the unit
 
     bool given() const { return unit.has_value() || scale != 1; }
-    /// What the numbers of the mesh, as its loader gives them, are multiplied by. Throws Error(usage) for a word that
-    /// is no unit and a scale that is not above 0.
+    /// Returns the factor for the mesh's numbers as its loader returns them. Throws Error(usage) for an unknown unit
+    /// and for a scale that is not above 0.
     double factor() const;
 };
 
 enum class InputKind { robot, mesh };
-/// Why `file` cannot be read so, with the remedy; empty if it can: a robot is in metres, and some formats of meshes say
-/// their unit themselves. `preferred`: the loader that goes first where several read the file's ending.
+/// Returns why `file` cannot be read with this unit, with the remedy; empty if it can. A robot is in metres, and some
+/// mesh formats state their unit. `preferred`: the loader with precedence where several read the file's ending.
 std::string why_refused(const MeshUnit& unit, const std::filesystem::path& file, InputKind kind,
                         const Registry& registry, std::string_view preferred = {});
 

@@ -1,4 +1,4 @@
-// What a proof is of: the links of a robot that it speaks of, and those that it does not.
+// The scope of a proof: the links of a robot that are proved, and those that are not.
 #pragma once
 
 #include <foam/robot.hpp>
@@ -10,7 +10,7 @@
 namespace foam {
 
 struct ProvedLinks {
-    /// With collision geometry, and not proved.
+    /// A link with collision geometry that is not proved.
     struct LeftOut {
         std::string link, reason;
     };
@@ -18,19 +18,19 @@ struct ProvedLinks {
     std::size_t with_collision = 0;
     std::size_t proved = 0;
     std::vector<LeftOut> left_out;        ///< in the robot's order
-    std::vector<std::string> visual_only; ///< links without collision geometry that are seen: they have no spheres
+    std::vector<std::string> visual_only; ///< links with visual geometry only: they have no spheres
 
-    /// Whether every link with collision geometry is proved.
+    /// Returns whether every link with collision geometry is proved.
     bool all() const { return proved > 0 && proved == with_collision; }
 };
 
-/// Names of the links that have visual geometry and no collision geometry.
+/// Returns the names of the links that have visual geometry and no collision geometry.
 std::vector<std::string> visual_only_links(const Robot& robot);
 
-/// Returns the sentence about the proof, and a line end; empty for Guarantee::fitted, of which there is none.
+/// Returns the sentence about the proof, and a line end; empty for Guarantee::fitted, for which there is no proof.
 std::string verdict_of(const ProvedLinks& links);
 /// Returns sentences about the links that are left out or have visual geometry only, each on a line. Names are fit for
-/// a terminal; of many only the first are named.
+/// a terminal; if there are many, only the first are named.
 std::string omissions_of(const ProvedLinks& links);
 
 /// Returns a JSON object, of a class such as nlohmann's.

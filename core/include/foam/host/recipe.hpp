@@ -1,5 +1,5 @@
-// Recipes: what to run on what, read from YAML, every value with the place it came from, checked whole before any data
-// is touched.
+// Recipes: the input and the stages of a run, read from YAML. Every value has the place it came from. A recipe is
+// checked completely before any data is touched.
 #pragma once
 
 #include <foam/host/clip_plane.hpp>
@@ -38,12 +38,12 @@ struct Diagnostic {
 /// One stage of a recipe with checked parameters.
 struct StageCall {
     std::string stage;
-    std::map<std::string, ParameterValue> given; ///< as in the recipe; the defaults are the stage's own
+    std::map<std::string, ParameterValue> given; ///< as in the recipe; the stage adds the defaults
     Location where;
     Isolation isolation{}; ///< mesh loaders, mesh filters and spherizers
 };
 
-/// Overrides for the links that a glob names ("*finger"): parameters of stages of the chain, or skip.
+/// Overrides for the links that match a glob ("*finger"): parameters of stages of the chain, or skip.
 struct LinkOverride {
     std::string glob;
     std::optional<bool> skip;
@@ -59,43 +59,43 @@ struct OutputCall {
     std::string file; ///< relative to the run directory
 };
 
-/// As recipes write it: outer, inner or fitted.
+/// Returns the word in recipes: outer, inner or fitted.
 const char* to_string(Guarantee guarantee);
 
 enum class OnError { stop, skip, fallback };
 
-/// A file that a recipe was read from, as it was then.
+/// A file that a recipe was read from, with its text at that time.
 struct RecipeFile {
     std::filesystem::path file;
     std::string text;
 };
 
-/// A checked recipe. What is optional and absent has the value that the documentation states.
+/// A checked recipe. Absent optional values have the default that the documentation states.
 struct Recipe {
     std::filesystem::path file;       ///< empty for a recipe made in memory
     std::string source;               ///< its text
     std::vector<RecipeFile> extended; ///< the files that it extends, nearest first
-    std::string variant;              ///< the one that was chosen; empty: the recipe itself
+    std::string variant;              ///< the chosen one; empty: the recipe itself
     std::string name;
     std::uint64_t seed = 0;
-    /// Candidates, the first that resolves is taken. Either robots (URDF) or single meshes.
+    /// Candidates; the first that resolves is used. Either robots (URDF) or single meshes.
     std::vector<std::string> urdf;
     std::vector<std::string> mesh;
     MeshUnit mesh_unit; ///< of single meshes
     Location input_where;
     std::vector<std::string> package_path; ///< searched before the environment; relative to the recipe
     std::vector<std::string> plugins;      ///< files to load; relative to the recipe
-    std::vector<StageCall> loaders;        ///< parameters of loaders; the input's ending says which one reads it
-    std::string preferred_loader;          ///< the one that goes first where several read an ending; may be empty
+    std::vector<StageCall> loaders;        ///< parameters of loaders; the input's ending selects the loader
+    std::string preferred_loader;          ///< the one with precedence where several read an ending; may be empty
     std::vector<StageCall> filters;        ///< mesh filters in order
     StageCall spherizer;
-    bool per_link = true;                        ///< false: spherize every collision element on its own
+    bool per_link = true;                        ///< false: spherize every collision element separately
     std::optional<std::size_t> budget_spheres;   ///< over the whole robot, at most
-    std::optional<double> budget_excess;         ///< of the whole robot; no more spheres than that takes
-    std::optional<double> budget_max_protrusion; ///< m; of each link that does not say otherwise
+    std::optional<double> budget_excess;         ///< of the whole robot; at most as many spheres as that needs
+    std::optional<double> budget_max_protrusion; ///< m; of each link without its own value
     std::optional<double> budget_time_limit;     ///< s; the search for better spheres ends then
     Guarantee guarantee = Guarantee::outer;
-    bool self_collision = false;     ///< keep the spheres of links apart whose geometry is, in this pose
+    bool self_collision = false;     ///< keep links apart whose geometry is apart in this pose
     Location self_collision_where;   ///< of the pose
     JointValues self_collision_pose; ///< rad or m; of joints that are not named: zero, or the limit nearest to it
     std::vector<LinkOverride> links;
@@ -108,52 +108,52 @@ struct Recipe {
     bool debug_meshes = false, debug_snapshots = false;
     OnError on_error = OnError::stop;
     bool strict = false; ///< a glob that names no link is an error, not a warning
-    Isolation isolation; ///< of the stages that do not say otherwise
+    Isolation isolation; ///< of the stages without their own setting
 
-    /// What applies to one link: the chain with the overrides and the recipe's isolation merged in.
+    /// The settings for one link: the chain with the overrides and the recipe's isolation merged in.
     struct LinkRecipe {
         bool skip = false;
         std::vector<StageCall> filters;
         StageCall spherizer;
         std::size_t min_spheres = 1;
         std::optional<std::size_t> max_spheres;
-        double weight = 1;                    ///< of its wrong volume in the sharing of spheres
+        double weight = 1;                    ///< of its symmetric difference in the allocation
         std::optional<double> max_protrusion; ///< m
         std::vector<ClipPlane> clip;          ///< in the link's frame
     };
     LinkRecipe for_link(const std::string& link) const;
-    /// What the recipe says of a loader, the recipe's isolation merged in.
+    /// Returns the recipe's call of a loader, the recipe's isolation merged in.
     StageCall loader_call(const std::string& stage) const;
 };
 
-/// What came of reading a recipe: `recipes` holds one entry for each variant asked for, times the points of its sweep,
-/// and is only to be used if there is no error among the findings.
+/// The result of reading a recipe. `recipes` has one entry per requested variant and point of its sweep; use it only if
+/// the findings contain no error.
 struct RecipeResult {
     std::vector<Recipe> recipes;
-    std::vector<std::string> variants; ///< all that the recipe has, chosen or not
+    std::vector<std::string> variants; ///< all variants of the recipe, chosen or not
     std::vector<Diagnostic> diagnostics;
     bool ok() const;
 };
 
-/// `--set key.path=value`.
+/// One `--set key.path=value`.
 using Setting = std::pair<std::string, std::string>;
 
-/// Reads and checks a recipe with the files that it extends. Never throws for what is wrong with the text: all findings
-/// come back at once. Plugins that the recipe names are loaded into the registry first. `variants`: names or globs of
+/// Reads and checks a recipe with the files that it extends. Never throws for errors in the text: all findings are
+/// returned at once. Plugins that the recipe names are loaded into the registry first. `variants`: names or globs of
 /// those to run; none: the recipe itself. The others are checked too.
 RecipeResult read_recipe(const std::filesystem::path& file, Registry& registry,
                          const std::vector<Setting>& settings = {}, const std::vector<std::string>& variants = {});
 RecipeResult parse_recipe(const std::string& text, const std::filesystem::path& file, Registry& registry,
                           const std::vector<Setting>& settings = {}, const std::vector<std::string>& variants = {});
 
-/// The recipe as YAML with every default written out; parse_recipe() of it gives an equal recipe. References to files
-/// are kept as they are, those relative to the recipe's folder are made absolute if `absolute_paths`.
+/// Returns the recipe as YAML with every default written out; parse_recipe() of it gives an equal recipe. References to
+/// files stay as they are; with `absolute_paths`, those relative to the recipe's folder become absolute.
 std::string to_yaml(const Recipe& recipe, const Registry& registry, bool absolute_paths = false);
 
-/// JSON Schema (draft 2020-12) of recipes, with the parameters of all registered stages.
+/// Returns the JSON Schema (draft 2020-12) of recipes, with the parameters of all registered stages.
 std::string recipe_schema(const Registry& registry);
 
-/// `*` any run of characters, `?` one character, `[a-z]` a set; the whole name must match.
+/// Returns whether the whole name matches: `*` any run of characters, `?` one character, `[a-z]` a set.
 bool glob_matches(std::string_view glob, std::string_view name);
 
 } // namespace foam

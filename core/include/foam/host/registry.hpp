@@ -1,4 +1,4 @@
-// The stages a program knows, and the plugins they came from. An object that the application owns: no globals.
+// The stages that a program knows, and their plugins. The application owns this object: no globals.
 #pragma once
 
 #include <foam/plugin.hpp>
@@ -13,10 +13,10 @@
 
 namespace foam {
 
-/// A plugin file that was looked at, loaded or not.
+/// A plugin file that was examined, loaded or not.
 struct PluginRecord {
     std::filesystem::path file;
-    std::string name, version, license; ///< empty if it never came to that
+    std::string name, version, license; ///< empty if loading failed before they were known
     std::vector<std::string> stages;
     std::string rejection; ///< empty if loaded; else why not, and what to do
     bool loaded() const { return rejection.empty(); }
@@ -37,29 +37,29 @@ public:
     Registry(const Registry&) = delete;
     Registry& operator=(const Registry&) = delete;
 
-    /// Loads one plugin: all its stages or none. Never throws for a bad plugin: the record says why. A file loaded
-    /// already is not loaded twice. The record stays valid until the next load.
+    /// Loads one plugin: all its stages or none. Never throws for a bad plugin: the record has the reason. A loaded
+    /// file is not loaded again. The record stays valid until the next load.
     const PluginRecord& load(const std::filesystem::path& file);
-    /// Asked before a plugin's code runs for the first time: why it must not; empty if it may.
+    /// Called before a plugin's code runs for the first time. Returns why it must not run; empty if it may.
     using Guard = std::function<std::string(const std::filesystem::path& file)>;
     void set_guard(Guard guard) { guard_ = std::move(guard); }
 
-    /// Loads every *.so of a folder, in the order of their names; a folder that does not exist is skipped.
+    /// Loads every *.so of a folder, in the order of their names; skips a folder that does not exist.
     void load_directory(const std::filesystem::path& directory);
     const std::vector<PluginRecord>& plugins() const { return plugins_; }
 
-    /// nullptr when there is none of that name.
+    /// Returns the stage; nullptr if no stage has that name.
     const RegisteredStage* find(std::string_view stage) const;
-    /// All stages by name.
+    /// Returns all stages by name.
     const std::map<std::string, RegisteredStage, std::less<>>& stages() const { return stages_; }
-    /// The stage of that kind which handles a file name ending ("stl"; any case); nullptr if none does. Of several
-    /// `preferred` goes first, then the others by name, those of last resort at the end.
+    /// Returns the stage of that kind which handles a file name ending ("stl"; any case); nullptr if none does. Among
+    /// several, `preferred` comes first, then the others by name, with those of last resort at the end.
     const RegisteredStage* find_for_extension(StageKind kind, std::string_view extension,
                                               std::string_view preferred = {}) const;
-    /// The nearest known stage name, for "did you mean"; empty if nothing is near.
+    /// Returns the nearest known stage name, for "did you mean"; empty if none is near.
     std::string nearest(std::string_view stage) const;
 
-    /// A stage object of type T. Throws Error(usage) for an unknown name, another kind or bad parameters.
+    /// Returns a stage object of type T. Throws Error(usage) for an unknown name, another kind or bad parameters.
     template <std::derived_from<Stage> T>
     std::unique_ptr<T> make(std::string_view stage,
                             const std::map<std::string, ParameterValue>& parameters = {}) const {
@@ -77,13 +77,13 @@ private:
     std::map<std::string, RegisteredStage, std::less<>> stages_;
 };
 
-/// Where plugins are looked for, in order: `extra`, FOAM_PLUGIN_PATH, the folder that belongs to this installation.
-/// Never the current directory.
+/// Returns the folders that are searched for plugins, in order: `extra`, FOAM_PLUGIN_PATH, the folder that belongs to
+/// this installation. Never the current directory.
 std::vector<std::filesystem::path> plugin_directories(const std::vector<std::filesystem::path>& extra = {});
 
-/// The smallest number of insertions, deletions, substitutions and swaps of neighbours between two words.
+/// Returns the smallest number of insertions, deletions, substitutions and swaps of neighbours between two words.
 std::size_t edit_distance(std::string_view a, std::string_view b);
-/// The candidate nearest to `word` if it is near enough to be a slip of the hand; else empty.
+/// Returns the candidate nearest to `word` if it is near enough to be a typing error; else empty.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates);
 
 } // namespace foam

@@ -1,4 +1,4 @@
-// Folders for a moment.
+// Temporary folders.
 #pragma once
 
 #include <filesystem>
@@ -8,12 +8,12 @@ namespace foam {
 
 class UnfinishedFolder;
 
-/// Made on construction; removed with all that is in it on destruction, and by a crash.
+/// A temporary folder. It is made on construction, and removed with its contents on destruction or by a crash.
 class ScratchFolder {
 public:
-    /// Where the system keeps temporary files: TMPDIR.
+    /// Makes the folder where the system keeps temporary files: TMPDIR.
     ScratchFolder();
-    /// A hidden one in `folder`, so that what is made there is moved into `folder` in one step.
+    /// Makes a hidden folder in `folder`, so that its contents can move into `folder` in one step.
     explicit ScratchFolder(const std::filesystem::path& folder);
     ~ScratchFolder();
     ScratchFolder(const ScratchFolder&) = delete;

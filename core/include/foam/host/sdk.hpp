@@ -1,15 +1,15 @@
-// The SDK that belongs to this foam: what plugins are built with.
+// The SDK of this foam, for building plugins.
 #pragma once
 
 #include <filesystem>
 
 namespace foam {
 
-/// The prefix to give to CMake (CMAKE_PREFIX_PATH) so that find_package(foam) finds this foam: the installation's, or
+/// Returns the prefix for CMake (CMAKE_PREFIX_PATH) so that find_package(foam) finds this foam: the installation's, or
 /// the build folder for a program run from there. Throws Error(usage) if the SDK is not installed.
 std::filesystem::path sdk_prefix();
 
-/// The folder of libfoam-core.so, links resolved.
+/// Returns the folder of libfoam-core.so, symbolic links resolved.
 std::filesystem::path library_folder();
 
 } // namespace foam

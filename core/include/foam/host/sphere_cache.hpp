@@ -1,4 +1,4 @@
-// Covers of objects that come again: found once, then looked up.
+// A cache of covering spheres for objects that recur.
 #pragma once
 
 #include <foam/host/spherize.hpp>
@@ -8,22 +8,23 @@
 
 namespace foam {
 
-/// Remembers covers by what was asked: the bytes of the mesh (a digest of 128 bits stands for them), the count, the
-/// effort and the seed. In memory, for as long as it lives. For any number of threads at once; two that ask for the
-/// same unknown cover at the same time both look for it.
+/// A cache of covering spheres. The key is the mesh (a digest of 128 bits of its bytes), the count, the effort and the
+/// seed. It lives in memory. Any number of threads may use it at once; two that request the same unknown cover at the
+/// same time both compute it.
 class SphereCache {
 public:
-    /// Keeps at most `capacity` covers, those used last; 0 keeps none.
+    /// Keeps at most `capacity` covers, the most recently used; 0 keeps none.
     explicit SphereCache(std::size_t capacity = 1000);
     ~SphereCache();
     SphereCache(const SphereCache&) = delete;
     SphereCache& operator=(const SphereCache&) = delete;
 
-    /// What foam::spherize() gives, and throws. A cover whose search `options.stop` has ended is not kept.
+    /// Returns the result of foam::spherize(), and throws as it does. A cover whose search `options.stop` ended is not
+    /// kept.
     std::shared_ptr<const Cover> spherize(const Mesh& mesh, std::size_t count, const SpherizeOptions& options = {});
 
     struct Use {
-        std::size_t covers = 0; ///< kept now
+        std::size_t covers = 0; ///< in the cache now
         std::size_t hits = 0, misses = 0;
     };
     Use use() const;

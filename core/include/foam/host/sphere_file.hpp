@@ -1,4 +1,4 @@
-// Sphere models as files of many programs hold them.
+// Sphere models in the file formats of many programs.
 #pragma once
 
 #include <foam/host/registry.hpp>
@@ -11,27 +11,27 @@
 
 namespace foam {
 
-/// Spheres by link, as a file has them. Metres; the frame is that of the link.
+/// The spheres of a file, by link. Metres; link frame.
 struct SphereFile {
     std::filesystem::path file;
     std::string format;             ///< "URDF", "cuRobo YAML", "GPMP2 rows", …
-    std::vector<LinkSpheres> links; ///< in the order of the file; a format that names no link has one called ""
+    std::vector<LinkSpheres> links; ///< in the order of the file; a format without link names has one called ""
     /// URDF: joints that do not move, by the name of the child link. A link that only carries spheres of its parent
-    /// (MorphIt) can be folded into it with them.
+    /// (MorphIt) can be merged into the parent with them.
     struct FixedJoint {
         std::string parent;
         Pose origin; ///< from the child's frame to the parent's
     };
     std::map<std::string, FixedJoint> fixed_joints;
-    std::vector<std::string> notes; ///< what was left out, and what is not said by the spheres alone
+    std::vector<std::string> notes; ///< what was left out, and what the spheres alone do not state
 };
 
-/// Reads a sphere model; its content says the format. Spheres whose radius is not above 0 are switched off (cuMotion):
-/// they are left out, with a note. `registry`: for URDF, and for the formats of foam's writers. Throws Error(input)
-/// naming file, line and remedy.
+/// Reads a sphere model; its content determines the format. Spheres whose radius is not above 0 are switched off
+/// (cuMotion): they are left out, with a note. `registry`: for URDF, and for the formats of foam's writers. Throws
+/// Error(input) naming file, line and remedy.
 SphereFile read_sphere_file(const std::filesystem::path& file, const Registry& registry);
 
-/// The same of a text in memory; `file`: what messages call it, and where a URDF's references begin.
+/// Reads a sphere model from memory; `file`: its name in messages, and the base of a URDF's references.
 SphereFile parse_sphere_file(const std::string& text, const std::filesystem::path& file, const Registry& registry);
 
 } // namespace foam

@@ -1,4 +1,4 @@
-// Spheres in the loop: geometry in memory to spheres in memory, without recipe, files or plugins.
+// Geometry in memory to spheres in memory, without recipe, files or plugins.
 #pragma once
 
 #include <foam/measure.hpp>
@@ -16,48 +16,48 @@
 
 namespace foam {
 
-/// How long spherize() looks for better spheres. What each costs: docs/guide/spherizers.md.
+/// How long spherize() searches for better spheres. docs/guide/spherizers.md has the time of each.
 enum class Effort { fast, normal, best };
 
-/// What spheres that hold a solid are to be besides; in covers by more spheres it never becomes worse.
+/// The objective of a search for covering spheres; over increasing counts it never becomes worse.
 enum class Objective {
-    excess,     ///< the least volume outside the solid
-    protrusion, ///< the least distance to which any sphere sticks out of the solid: the same clearance lost everywhere
-    radius,     ///< the least largest radius: equal spheres at best (the k-centre problem), for planners that want one
+    excess,     ///< least excess volume
+    protrusion, ///< least maximum protrusion: the same loss of clearance everywhere
+    radius,     ///< smallest largest radius: equal spheres at best (the k-centre problem), for planners that want it
 };
 
-/// By its name above; nothing for any other word.
+/// Returns the objective with the name above; nothing for any other word.
 std::optional<Objective> objective_named(std::string_view name);
 
 struct SpherizeOptions {
     Effort effort = Effort::normal;
     Objective objective = Objective::excess;
     std::uint64_t seed = 0;
-    /// Asked now and then in the calling thread; true ends the search with what has been found so far, covered and
-    /// certified all the same.
-    /// Results are the same from run to run only if it never says true.
+    /// Called now and then in the calling thread; true ends the search with the best spheres so far, which still cover
+    /// and are certified.
+    /// Results are the same from run to run only if it never returns true.
     std::function<bool()> stop{};
 };
 
-/// Spheres that hold a solid, with the proof.
+/// Spheres that cover a solid, with the proof.
 struct Cover {
     std::vector<Sphere> spheres; ///< m, in the solid's frame; at least one
-    Certificate certificate;     ///< that solid.surface() lies in their union; it always holds
+    Certificate certificate;     ///< proof that solid.surface() lies in their union; it always holds
     double volume = 0;           ///< of their union, m³
 };
 
-/// The covers of one solid by one sphere, two, three…: each builds on those with fewer, and all that were made are kept
-/// for later questions. Not for several threads at once; it uses all cores itself.
+/// The search for covering spheres of one solid, with one sphere, two, three…. Each result builds on those with fewer
+/// spheres, and all results are kept for later calls. Not for several threads at once; it uses all cores itself.
 class CoverSearch {
 public:
-    /// The solid must outlive this.
+    /// Starts a search. The solid must outlive it.
     CoverSearch(const Solid& solid, const SpherizeOptions& options);
     ~CoverSearch();
     CoverSearch(const CoverSearch&) = delete;
     CoverSearch& operator=(const CoverSearch&) = delete;
 
-    /// What spherize_each() gives, whatever was asked before. Throws Error(usage) for a count of 0. What `stop` throws
-    /// comes out here; the search can be asked again.
+    /// Returns the same as spherize_each(), whatever was requested before. Throws Error(usage) for a count of 0.
+    /// Exceptions of `stop` pass through; the search remains usable.
     Cover cover(std::size_t count);
 
 private:
@@ -65,22 +65,24 @@ private:
     std::unique_ptr<Data> data_;
 };
 
-/// At most `count` spheres (at least 1) that hold the whole surface of the solid and are good by the objective, by
-/// which they are never worse than those that Objective::excess gives. With Effort::fast the count is looked for on its
-/// own, for those who need one cover now; otherwise it is what spherize_each() gives. The same result on any number of
-/// threads. Throws Error(geometry) where Solid::make does, Error(usage) for a count of 0.
+/// Returns at most `count` spheres (at least 1) that cover the whole surface of the solid and are good by the
+/// objective. By that objective they are never worse than those for Objective::excess. With Effort::fast the search
+/// covers only this count, for callers that need one result now; otherwise the result is that of spherize_each(). The
+/// result is the same on any number of threads. Throws Error(geometry) where Solid::make does, Error(usage) for a count
+/// of 0.
 Cover spherize(const Solid& solid, std::size_t count, const SpherizeOptions& options = {});
-/// The same of a mesh: metres, any frame.
+/// Returns the same for a mesh: metres, any frame.
 Cover spherize(const Mesh& mesh, std::size_t count, const SpherizeOptions& options = {});
-/// One cover for each count, the same whatever the other counts are. Along the counts 1 to 12, 14, 16, 20, 24, 28, 32,
-/// 40… more spheres are never worse by the objective (never claim more, protrude farther or have a larger one among
-/// them); any other count is no worse than the one of these below it.
+/// Returns the covering spheres for each count, which do not depend on the other counts. Along the counts 1 to 12, 14,
+/// 16, 20, 24, 28, 32, 40… more spheres are never worse by the objective (never have more excess volume, protrude
+/// farther or have a larger largest radius). Any other count is no worse than the nearest of these below it.
 std::vector<Cover> spherize_each(const Solid& solid, std::span<const std::size_t> counts,
                                  const SpherizeOptions& options = {});
 
-/// At most `count` spheres inside the solid, proved (certify_inner() holds), that hold as much of its volume as is
-/// found: balls chosen one after another, then moved. Twice as many never hold less. None where no ball has room.
-/// `stop` as in SpherizeOptions. Deterministic, on one thread. Throws Error(geometry) where inner_radii() does.
+/// Returns at most `count` spheres inside the solid, proved (certify_inner() holds), that contain as much of its volume
+/// as the search finds: balls are chosen one after another, then moved. Twice as many never contain less. None if no
+/// ball fits. `stop` as in SpherizeOptions. Deterministic, on one thread. Throws Error(geometry) where inner_radii()
+/// does.
 std::vector<Sphere> spheres_inside(const Solid& solid, std::size_t count, const std::function<bool()>& stop = {});
 
 } // namespace foam

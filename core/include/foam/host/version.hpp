@@ -1,4 +1,4 @@
-// What this foam is, and what it is made of.
+// The version of this foam and of its libraries.
 #pragma once
 
 #include <map>
@@ -6,9 +6,9 @@
 
 namespace foam {
 
-/// "0.1.0"
+/// Returns the version, such as "0.1.0".
 std::string version();
-/// Versions of the libraries that core computes with, by name; those of the plugins are the plugins' own.
+/// Returns the versions of the libraries that core computes with, by name; plugins report their own.
 std::map<std::string, std::string> library_versions();
 
 } // namespace foam
