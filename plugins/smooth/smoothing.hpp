@@ -60,7 +60,7 @@ private:
 
 struct Limits {
     int iterations = 0;
-    double move = 0; ///< largest displacement of a vertex, as a share of the diagonal of the box
+    double move = 0;          ///< largest displacement of a vertex, as a share of the diagonal of the box
     double volume_change = 0; ///< largest |V - V₀| / |V₀| of a closed mesh
 };
 

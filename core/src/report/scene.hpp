@@ -35,7 +35,7 @@ struct GridMesh {
 /// Removes degenerate and duplicate triangles (vertex clustering: Rossignac and Borrel, 1993).
 GridMesh on_grid(const Mesh& mesh, int bits);
 
-/// Returns the scene. `max_triangles`: over all distinct meshes. If there are more, those of most triangles are reduced.
+/// Returns the scene. `max_triangles`: over all distinct meshes. If there are more, those with most are reduced.
 ///
 /// {"links": [{"name", "pose": 3 rows of 4 numbers, "meshes": [index, …], "levels": [float32 x, y, z, radius, …]}, …],
 ///  "meshes": [{"low", "step", "wide", "corners": uint16 × 3, "triangles": uint16 × 3, or uint32 × 3 if wide}, …],

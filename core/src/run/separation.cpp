@@ -147,7 +147,7 @@ private:
     ReferencePose& pose_;
     std::vector<std::size_t> takers_;
     std::map<std::pair<std::size_t, std::size_t>, std::vector<Sphere>> covering_; ///< by shape and count
-    std::map<std::pair<std::size_t, std::size_t>, int> parted_; ///< restrictions by pair of groups
+    std::map<std::pair<std::size_t, std::size_t>, int> parted_;                   ///< restrictions by pair of groups
 };
 
 double total_depth(const std::vector<Overlap>& overlaps) {

@@ -121,7 +121,7 @@ std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::ve
             hasher.add("frame").add(frame.origin).add(frame.scale()).add(frame.dust);
         }
         const Digest digest =
-            hasher.finish(); // the result of a spherizer does not depend on the bounds of the count
+            hasher.finish(); // the result of a spherizer does not depend on the bounds of the number of spheres
         hasher.add(static_cast<std::uint64_t>(link.recipe.min_spheres));
         hasher.add(static_cast<std::uint64_t>(link.recipe.max_spheres.value_or(0)));
         add_isolation(hasher, link.recipe.spherizer.isolation);

@@ -32,7 +32,7 @@ struct ShapeWork {
     StageCall spherizer;
     std::unique_ptr<Spherizer> stage; ///< of that call, once it was made; null if it is isolated
     std::optional<Objective>
-        objective;           ///< for covering spheres; nothing: another objective of the spherizer
+        objective;           ///< for covering spheres; nothing: the spherizer has an objective that foam does not know
     Digest digest;           ///< of everything that a tree depends on, except seed, count and limits of the count
     Digest content;          ///< of the geometry that the spherizer gets
     std::string link, input; ///< of the first group, for messages
