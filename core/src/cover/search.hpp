@@ -63,7 +63,8 @@ private:
     std::vector<Balls> moved(const Balls& cover);
     /// Returns balls split in two one after another, those where it helps, until there are `count`.
     Balls grown(const Model& cover, std::size_t count);
-    /// Returns balls that cover, or nearly cover, more than `before`; `more`, if not empty, is a set to be improved.
+    /// Returns sets of balls, larger than `before`, that cover the surface or nearly do; `more`, if not empty, is a set
+    /// to be improved.
     std::vector<Balls> found(std::size_t count, const Balls& before, const Balls& more);
     /// Adds candidates from many random starts.
     void add_restarts(std::size_t count, std::vector<Rated>& rated);
