@@ -77,7 +77,7 @@ public:
     /// Returns the parts of the line origin + t · direction inside the solid, ascending and disjoint; direction need
     /// not be unit. Where a mesh is not closed, short parts near its holes have the accuracy of the winding number.
     std::vector<Interval> inside_along(const Vec3& origin, const Vec3& direction) const;
-    /// The same within `parts` of the line, which are ascending and disjoint; the rest is not examined.
+    /// Returns the same within `parts` of the line, which are ascending and disjoint; the rest is not examined.
     std::vector<Interval> inside_along(const Vec3& origin, const Vec3& direction,
                                        std::span<const Interval> parts) const;
     /// Returns the volume of the solid outside all spheres, vol(S \ U), m³; 0 if they leave nothing out. It is

@@ -33,7 +33,7 @@ Balls between(const Balls& from, const Balls& to, double share) {
 
 ConditionalGradient::ConditionalGradient(const FineSkin& skin, const Occupancy& occupancy)
     : occupancy_(occupancy), cells_(skin) {
-    constexpr std::size_t most = 4000; // tell of a hollow well enough
+    constexpr std::size_t most = 4000; // enough to detect a cavity
     const Points& all = occupancy.inside();
     const std::size_t stride = 1 + all.size() / most;
     for (std::size_t k = 0; k < all.size(); k += stride) {

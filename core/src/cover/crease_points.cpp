@@ -17,13 +17,14 @@ namespace {
 
 using geometry::Corners;
 
-/// Walks the pieces of triangles that no ball holds down to small ones, with the balls that may matter to each.
+/// Subdivides the triangles that no single ball contains into small pieces, with the balls that may matter to each.
 class Walk {
 public:
     Walk(const std::vector<Sphere>& spheres, double finest) : spheres_(spheres), finest_(finest) {}
 
-    /// leaf(corners) for every small piece that is not held. Triangles that follow each other often lie close by: the
-    /// balls are sifted for some at a time, and the one that held the last is asked first.
+    /// Calls leaf(corners) for every small piece that no ball contains. Consecutive triangles are often close together:
+    /// the candidate balls are selected for several at a time, and the ball that contained the last triangle is tested
+    /// first.
     template <class Leaf>
     void run(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, Leaf leaf) {
         constexpr std::size_t at_a_time = 32;
@@ -41,12 +42,12 @@ public:
             }
         }
     }
-    /// For leaf(): no more pieces.
+    /// Ends the walk from within leaf().
     void stop() { stopped_ = true; }
 
 private:
-    /// So many candidates are not sifted: it takes longer than to ask them, all of them or those of which it is known
-    /// what corners they hold.
+    /// Numbers of candidates up to which selection is slower than testing all of them: in general, and if it is known
+    /// which corners they contain.
     static constexpr std::size_t few = 4, few_known = 8;
     static constexpr int deepest = 120;
 
@@ -107,7 +108,7 @@ private:
         candidates_.resize(first);
     }
 
-    /// Of few candidates those that hold a point, a bit for each.
+    /// Returns which of a few candidates contain a point, one bit for each.
     unsigned holders(const Vec3& p, std::size_t begin, std::size_t end) const {
         unsigned result = 0;
         for (std::size_t k = begin; k < end; ++k) {
@@ -116,7 +117,7 @@ private:
         return result;
     }
 
-    /// The same where it is known which candidates hold the corners: only the middle is asked for.
+    /// Visits a piece if it is known which candidates contain the corners: only the middle is tested.
     template <class Leaf>
     void visit_known(const Corners& t, const std::array<unsigned, 3>& held, int level, std::size_t begin,
                      std::size_t end, Leaf& leaf) {
@@ -170,7 +171,7 @@ private:
 
 } // namespace
 
-/// Middles of all pieces that no ball holds; nothing if there are too many.
+/// Returns the middles of all pieces that no ball contains; nothing if there are too many.
 static std::optional<Points> open_points(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
                                          const std::vector<Sphere>& spheres, double finest) {
     constexpr std::size_t too_many = 1'000'000;
@@ -199,7 +200,7 @@ Points crease_points(const Solid& solid, const Frame& frame, const Balls& balls,
     std::optional<Points> open;
     while (!(open = open_points(vertices, surface.triangles, spheres, finest))) {
         check_cancelled();
-        finest *= 2; // tiny balls leave nearly all of the surface open: no need to see it so finely
+        finest *= 2; // tiny balls leave nearly all of the surface open: a coarse result is enough
     }
     const Points& points = *open;
     if (points.size() <= most) {

@@ -56,7 +56,7 @@ void Descent::find_doubtful(const Points& points, const Balls& balls, float slac
         }
     }
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    // Counting sort from behind: what ends a ball's points becomes their beginning.
+    // Counting sort from the end: the end of a ball's points becomes their beginning.
     sorted_.resize(doubtful_index_.size());
     doubtful_.resize(doubtful_index_.size());
     for (std::size_t k = doubtful_index_.size(); k-- > 0;) {
@@ -97,7 +97,7 @@ void Descent::hold(const Points& points, Balls& balls, float slack) {
             held_.push_back({doubtful_.x[k], doubtful_.y[k], doubtful_.z[k], 0, deepest_.ball[k], doubtful_index_[k]});
         }
     }
-    // Those that pressed in the last step come first: most of the others then find themselves held.
+    // Points active in the last step come first: most of the others are then already contained.
     std::stable_partition(held_.begin(), held_.end(), [&](const Held& h) { return pressed_[h.point] != 0; });
     take_in(held_, balls, pressed_);
 }
@@ -106,8 +106,8 @@ void Descent::step(Balls& balls, float length) {
     constexpr float mean_decay = 0.8f, square_decay = 0.95f, longest = 4;
     mean_scale_ *= mean_decay;
     square_scale_ *= square_decay;
-    // One scale for all: what two balls could hold goes to the one that loses least by it only if both gain at the
-    // same rate. With a scale for each a descent drifts away from the least volume.
+    // One scale for all: a point that two balls could contain goes to the one that loses least by it only if both gain
+    // at the same rate. With a scale for each ball, a descent drifts away from the least volume.
     float square = 0;
     for (const Slope& s : slopes_) {
         square += (s.x * s.x + s.y * s.y + s.z * s.z + s.r * s.r) / (4 * static_cast<float>(balls.size()));

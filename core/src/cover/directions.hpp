@@ -5,8 +5,8 @@
 
 namespace foam::cover {
 
-/// `count` unit vectors on the Fibonacci lattice, turned by a rotation that `turn` names, so that what one set of
-/// directions overlooks the next one sees.
+/// Returns `count` unit vectors on the Fibonacci lattice, rotated by `turn`, so that different sets see different
+/// directions.
 Points spread_directions(std::size_t count, std::uint64_t turn);
 
 } // namespace foam::cover

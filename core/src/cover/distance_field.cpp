@@ -9,8 +9,8 @@ namespace foam::cover {
 
 DistanceField::DistanceField(const Solid& solid, const Frame& frame, int resolution)
     : half_(solid.bounds().size() / frame.unit / 2) {
-    constexpr double margin = 0.2; // units; balls about large parts reach farther, where little depends on it
-    const double cell = std::max({2 * half_.x, 2 * half_.y, 2 * half_.z, 1.0}) / resolution; // of a point, too
+    constexpr double margin = 0.2; // units; balls about large parts reach farther, where accuracy matters little
+    const double cell = std::max({2 * half_.x, 2 * half_.y, 2 * half_.z, 1.0}) / resolution; // for a single point, too
     cell_ = static_cast<float>(cell);
     for (int k = 0; k < 3; ++k) {
         const int beyond = static_cast<int>(std::ceil((half_[k] + margin) / cell));

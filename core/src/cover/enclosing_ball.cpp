@@ -12,7 +12,7 @@ namespace foam::cover {
 
 FOAM_FOR_WIDE_VECTORS
 Farthest farthest(const Points& points, std::size_t count, const Vec3& from) {
-    // The hot loop of the search: eight at a time in so many words, for each lane the first one that is farthest.
+    // Hot loop of the search, vectorised by hand: eight points at a time, with the first farthest point of each lane.
     using Lanes = float __attribute__((vector_size(32)));
     using Places = std::int32_t __attribute__((vector_size(32)));
     constexpr std::size_t lanes = 8;
@@ -80,7 +80,7 @@ Ball EnclosingBall::of(const Points& points, std::size_t count, const Vec3& tilt
     return ball_of({best_.center, best_.radius});
 }
 
-/// The basis of the points of the last one and a new one, which is part of it as it lies outside.
+/// Computes the basis of the last basis' points and a new one, which belongs to it as it lies outside.
 void EnclosingBall::enter(const Vec3& point, const Vec3& tilt) {
     pivot_ = point;
     tilt_ = tilt;
@@ -100,14 +100,14 @@ void EnclosingBall::enter(const Vec3& point, const Vec3& tilt) {
     size_ = kept + 1;
 }
 
-/// Tries the pivot with the chosen points and with each further one: of the balls through some of them that hold the
-/// rest the cheapest is the one. `offset`: from the pivot to the centre of their circle in the points' affine hull, of
-/// which there are so many axes; `tilt`: across it.
+/// Tries the pivot with the chosen points and with each further one: of the balls through some of them that contain the
+/// rest, the cheapest is the solution. `offset`: from the pivot to the centre of their circle in the points' affine
+/// hull, which has `axes` dimensions; `tilt`: across it.
 template <int axes>
 void EnclosingBall::descend(const Vec3& offset, const Vec3& tilt, std::uint32_t chosen, std::size_t first) {
     constexpr double flat = 1e-6;
     const double squared = squared_norm(offset), steepness = squared_norm(tilt);
-    // Across the points' affine hull the centre gives way to the tilt.
+    // Across the points' affine hull the centre follows the tilt.
     const double across = std::sqrt(squared / (1 - steepness));
     Solution s;
     s.center = pivot_ + offset - tilt * across;

@@ -40,8 +40,8 @@ bool Exchange::holds(const Ball& ball, const Skin::Face& face) const {
     });
 }
 
-/// Faces that follow each other often lie close by: the balls near some of them are found at once. A face whose ball
-/// has not moved stays, and one that had none may have found one among those that did.
+/// Finds the home of each face. Consecutive faces are often close together: the balls near several of them are found at
+/// once. A face whose ball has not moved keeps it, and one without a ball may get one that moved.
 void Exchange::find_homes() {
     constexpr std::size_t at_once = 32;
     for (std::size_t begin = 0; begin < home_.size(); begin += at_once) {
@@ -63,7 +63,7 @@ void Exchange::find_homes() {
     moved_.assign(balls_.size(), 0);
 }
 
-/// The balls that may hold one of the faces, in order.
+/// Finds the balls that may contain one of the faces, in order.
 void Exchange::find_near(std::span<const Skin::Face> faces) {
     constexpr float rounding = 1.001f;
     Box box;
@@ -95,7 +95,7 @@ void Exchange::look_at(std::size_t i, std::size_t j, const Ball& region) {
             faces_.push_back(f);
         }
     }
-    // A face that reaches far beyond the two may be held there by balls that meet neither.
+    // Balls that meet neither of the two may contain parts of a face that reaches far beyond both.
     others_ = balls_;
     others_.erase(others_.begin() + static_cast<std::ptrdiff_t>(std::max(i, j)));
     if (i != j) {
@@ -140,7 +140,7 @@ bool Exchange::split(const std::vector<std::size_t>& candidates) {
 }
 
 bool Exchange::exchange(std::size_t i, std::size_t j) {
-    constexpr double least_gain = 2e-4; // of the larger ball's cube
+    constexpr double least_gain = 2e-4; // share of the larger ball's cube
     const Ball a = balls_[i], b = balls_[j];
     look_at(i, j, ball_of(enclosing_sphere(sphere_of(a), sphere_of(b))));
     const double before = outside_.of(std::array{a, b});

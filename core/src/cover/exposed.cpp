@@ -19,12 +19,12 @@ bool Exposed::look(const Balls& balls, std::size_t i, const Points& directions) 
         }
         const float margin = other.r - ball.r;
         if (squared <= margin * margin && (margin > 0 || (margin == 0 && j < i))) {
-            return false; // all of it lies in the other one; of equal balls the first counts
+            return false; // the other contains the whole ball; of equal balls the first counts
         }
         if (squared <= margin * margin) {
-            continue; // the other lies in this one
+            continue; // the ball contains the other
         }
-        // |c + r n - c'|² - r'² is linear in the direction n.
+        // c + r n - c'|² - r'² is linear in the direction n.
         const float dx = ball.x - other.x, dy = ball.y - other.y, dz = ball.z - other.z;
         const float constant = squared + ball.r * ball.r - other.r * other.r;
         const float ax = 2 * ball.r * dx, ay = 2 * ball.r * dy, az = 2 * ball.r * dz;

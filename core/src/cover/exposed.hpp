@@ -1,4 +1,4 @@
-// Which directions of a ball's surface lie outside all other balls.
+// The directions of a ball's surface that lie outside all other balls.
 #pragma once
 
 #include "cover/points.hpp"
@@ -9,23 +9,23 @@ namespace foam::cover {
 
 class Exposed {
 public:
-    /// False if the ball has no surface outside the others.
+    /// Computes the exposed directions. Returns false if the ball has no surface outside the others.
     bool look(const Balls& balls, std::size_t i, const Points& directions);
-    /// For each direction of the last look: positive outside all other balls. In units of length², it falls to zero
-    /// linearly with the distance from the nearest other ball.
+    /// Returns a value for each direction of the last look(): positive outside all other balls. In units of length², it
+    /// falls to zero linearly with the distance from the nearest other ball.
     const std::vector<float>& depth() const { return depth_; }
 
 private:
     std::vector<float> depth_;
 };
 
-/// A derivative by the centre and the radius of a ball.
+/// The derivative by the centre and the radius of a ball.
 struct Slope {
     float x = 0, y = 0, z = 0, r = 0;
 };
 
-/// The integral of weight(x, y, z), and of the normal times it, over the surface of the ball that was looked at last,
-/// as far as it lies outside all others: the shape derivative of the weight's integral over the union.
+/// Returns the integral of weight(x, y, z), and of the normal times it, over the part of the surface of the last ball
+/// looked at that lies outside all others. It is the shape derivative of the weight's integral over the union.
 template <class Weight>
 Slope slope_of(const Exposed& exposed, const Ball& ball, const Points& directions, Weight weight) {
     Slope sum;

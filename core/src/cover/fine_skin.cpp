@@ -19,12 +19,12 @@ FineSkin::FineSkin(const Mesh& surface, const Frame& frame, std::size_t pieces) 
     for (const auto& [a, b, c] : faces) {
         area += norm(cross(points.at(b) - points.at(a), points.at(c) - points.at(a))) / 2;
     }
-    // Halved at their longest edges down to a length of h, triangles have some h² / 5.
-    // A needle without area is cut along its length.
+    // Triangles halved at their longest edges down to a length of h have an area of some h² / 5. A needle without area
+    // is cut along its length.
     const auto number = static_cast<double>(pieces);
     double longest = std::max(std::sqrt(5 * area / number), 4 / number);
-    // Needles ask for any number of pieces. Then their edges stay longer: some pieces more are enough to begin with, and
-    // power cells cut what is long.
+    // Needles could require any number of pieces. Then their edges stay longer: some more pieces are enough to begin
+    // with, and power cells cut the long ones.
     std::size_t most_faces = faces.size() + 100'000;
     while (!halve_long_edges(longest, most_faces)) {
         faces.clear();
@@ -37,7 +37,7 @@ FineSkin::FineSkin(const Mesh& surface, const Frame& frame, std::size_t pieces) 
 }
 
 void FineSkin::add_faces(const Mesh& surface, const Frame& frame) {
-    // A closed surface has half as many points as triangles; one that has more names corners once for each triangle.
+    // A closed surface has half as many points as triangles; one with more repeats its corners for each triangle.
     const bool soup = surface.vertices.size() > surface.triangles.size();
     const std::vector<std::uint32_t> welded = soup ? geometry::welded_indices(surface) : std::vector<std::uint32_t>{};
     std::vector<std::uint32_t> name(surface.vertices.size(), unnamed);
@@ -73,7 +73,7 @@ bool FineSkin::halve_long_edges(double longest, std::size_t most_faces) {
         if (faces.size() >= most_faces) {
             return false;
         }
-        // Turned so that the longest edge goes from a to b.
+        // Rotated so that the longest edge goes from a to b.
         if (ab != far) {
             std::tie(a, b, c) = bc == far ? std::tuple(b, c, a) : std::tuple(c, a, b);
         }

@@ -25,7 +25,7 @@ static inline void press(Held& h, Ball& ball) {
 }
 
 void take_in(std::vector<Held>& held, Balls& balls, std::vector<char>& pressed) {
-    constexpr int sweeps = 8; // after the first
+    constexpr int sweeps = 8; // after the first one
     for (Held& h : held) {
         press(h, balls[h.owner]);
     }

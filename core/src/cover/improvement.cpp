@@ -11,9 +11,9 @@
 namespace foam::cover {
 namespace {
 
-/// Pieces at creases have edges of so many steps' lengths, for creases move by about that between two looks…
+/// Edge length of pieces at creases, in step lengths: about as far as creases move between two updates…
 constexpr float crease_steps = 4;
-/// … but of no less than this share of the balls' mean radius.
+/// … but at least this share of the balls' mean radius.
 constexpr float finest_crease = 0.02f;
 
 Points prefix(const Points& points, std::size_t count) {
@@ -73,7 +73,7 @@ void Improvement::put_idle_to_use(Balls& balls, const Points& points) const {
         }
         needed[last] |= static_cast<char>(holders == 1);
     }
-    // Of many balls one that is put elsewhere changes little of what the others waste.
+    // Among many balls, moving one hardly changes the excess volume of the others.
     const std::size_t often = 1 + balls.size() / 64;
     std::size_t moved = 0;
     std::vector<std::size_t> order;

@@ -1,4 +1,4 @@
-// A set of balls made better by descents with the points that matter.
+// Refinement of a set of balls by descents on the points that matter.
 #pragma once
 
 #include "cover/descent.hpp"
@@ -7,18 +7,18 @@ namespace foam::cover {
 
 class Improvement {
 public:
-    /// `directions`: a ball. The problem must outlive this.
+    /// `directions`: per ball. The problem must outlive this.
     Improvement(const Problem& problem, std::size_t directions, std::size_t first_points);
 
-    /// `creases`: points between balls are minded, too. The balls hold the points that were minded last, not yet the
-    /// surface.
+    /// Returns the refined balls. `creases`: include points between balls. The balls contain the points of the last
+    /// update, not yet the whole surface.
     Balls improved(Balls balls, const DescentPlan& plan, bool creases) const;
-    /// Indices of the balls, the one that claims most outside first.
+    /// Returns the indices of the balls, the one with most excess volume first.
     std::vector<std::size_t> by_waste(const Balls& balls) const;
     std::vector<Sphere> spheres_of(const Balls& balls) const;
 
 private:
-    /// Puts balls that hold no point alone where one ball wastes most.
+    /// Moves balls that contain no point alone to where a ball has most excess volume.
     void put_idle_to_use(Balls& balls, const Points& points) const;
 
     const Problem& problem_;

@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t most_candidates = 3000;
 
-/// Cells along the longest extent so that the solid's box has about as many, whatever its shape.
+/// Returns the cells along the longest extent so that the solid's box has about the same number of cells, whatever its
+/// shape.
 int resolution(const Vec3& size, std::size_t count) {
     const double of_a_cube = std::min(12 * std::cbrt(static_cast<double>(std::max<std::size_t>(count, 8))), 48.0);
     const double longest = std::max({size.x, size.y, size.z}), volume = size.x * size.y * size.z;
@@ -45,7 +46,7 @@ Ball InnerSearch::ball_about(float x, float y, float z) const {
 }
 
 std::pair<std::size_t, std::size_t> InnerSearch::slices(const Ball& ball) const {
-    const std::vector<float>& z = occupancy_.inside().z; // rising
+    const std::vector<float>& z = occupancy_.inside().z; // ascending
     const auto from = std::lower_bound(z.begin(), z.end(), ball.z - ball.r);
     const auto to = std::upper_bound(from, z.end(), ball.z + std::max(ball.r, 0.0f));
     return {static_cast<std::size_t>(from - z.begin()), static_cast<std::size_t>(to - z.begin())};
@@ -69,7 +70,7 @@ std::size_t InnerSearch::gain(const Ball& ball, const Holders& holders) const {
     const float *x = occupancy_.inside().x.data(), *y = occupancy_.inside().y.data(), *z = occupancy_.inside().z.data();
     const auto [first, last] = slices(ball);
     std::uint32_t count = 0;
-    for (std::size_t p = first; p < last; ++p) { // without branches: vector code
+    for (std::size_t p = first; p < last; ++p) { // without branches, for vectorisation
         const std::uint32_t within = ball.squared_distance(x[p], y[p], z[p]) <= ball.r * ball.r ? 1 : 0;
         count += within & (holders[p] == 0 ? 1u : 0u);
     }
@@ -80,7 +81,8 @@ std::size_t InnerSearch::held(const Holders& holders) const {
     return holders.size() - static_cast<std::size_t>(std::count(holders.begin(), holders.end(), 0));
 }
 
-/// Lazily (Minoux 1978): what a ball adds only falls as others come, so most need no second look.
+/// Adds balls greedily, with lazy evaluation (Minoux 1978): the gain of a ball only falls as others are added, so most
+/// need no second evaluation.
 void InnerSearch::fill(Balls& balls, Holders& holders) const {
     struct Bound {
         std::size_t gain, candidate;
@@ -118,7 +120,7 @@ void InnerSearch::fill(Balls& balls, Holders& holders) const {
 }
 
 Ball InnerSearch::moved(Ball ball, const Holders& others) const {
-    // A little for its size, so that balls grow where cells do not tell.
+    // A small reward for size, so that balls grow where the number of cells is equal.
     const auto worth = [&](const Ball& b) {
         const double across = b.r / occupancy_.cell();
         return b.r > 0 ? static_cast<double>(gain(b, others)) + 0.1 * across * across * across : 0;

@@ -21,7 +21,7 @@ std::size_t pieces_for(std::size_t count) {
 }
 
 double cost_of(const Balls& balls, const Limits& limits) {
-    constexpr double dear = 10; // times the volume of what sticks out, and more
+    constexpr double dear = 10; // times the volume of the protrusion, or more
     double over = 0;
     for (const Ball& b : balls) {
         over += 4 * std::numbers::pi * b.r * b.r * beyond(b, limits);
@@ -75,14 +75,14 @@ LimitedSearch::Found LimitedSearch::fitted(const Balls& balls) {
     return found;
 }
 
-/// The best on the way. Lengths of steps are in units of the balls' mean radius, falling geometrically.
+/// Returns the best on the way. Lengths of steps are in units of the balls' mean radius, falling geometrically.
 LimitedSearch::Found LimitedSearch::descended(Found start, int steps, double first_step) {
     constexpr double last_step = 0.001;
     Found best = start;
     Balls balls = std::move(start.balls);
     for (int i = 0; i < steps; ++i) {
         check_cancelled();
-        if (balls.size() < count_) { // some had no part left
+        if (balls.size() < count_) { // some have no part
             balls = divided(some_, std::move(balls), count_, limits_);
         }
         const double length = first_step * std::pow(last_step / first_step, static_cast<double>(i) / steps);
@@ -96,8 +96,8 @@ LimitedSearch::Found LimitedSearch::descended(Found start, int steps, double fir
     return best;
 }
 
-/// Along the shape derivative of the union's volume: by a radius the area of the ball that shows, by a centre the
-/// integral of the normal over it. One scale for all balls.
+/// Returns the balls after a step along the shape derivative of the union's volume: by a radius the exposed area of the
+/// ball, by a centre the integral of the normal over it. One scale for all balls.
 Balls LimitedSearch::stepped(const Balls& balls, double length, const Points& directions) {
     struct Gradient {
         Vec3 center{};
@@ -122,7 +122,7 @@ Balls LimitedSearch::stepped(const Balls& balls, double length, const Points& di
     const double scale = square > 0 ? length / std::sqrt(square / static_cast<double>(4 * balls.size())) : 0;
     Balls moved = balls;
     for (std::size_t i = 0; i < balls.size(); ++i) {
-        constexpr double longest = 4; // lengths
+        constexpr double longest = 4; // step lengths
         const double size = std::sqrt((squared_norm(slopes[i].center) + slopes[i].radius * slopes[i].radius) / 4);
         const double share = size * scale > longest * length ? longest * length / size : scale;
         const Vec3 center = Vec3{balls[i].x, balls[i].y, balls[i].z} - slopes[i].center * share;

@@ -1,4 +1,4 @@
-// Covers that keep to limits.
+// Searches for covering balls under half-space constraints.
 #pragma once
 
 #include "cover/power_cells.hpp"
@@ -10,24 +10,25 @@
 
 namespace foam::cover {
 
-/// Covers of a solid by balls that keep to limits: the union becomes smaller step by step, and after every step each
-/// ball is made anew about its part of the surface, within the limits. So there is a cover all the time, and steps need
-/// mind neither points nor limits: a ball that has grown dear falls back, and its neighbours' parts, and so they
-/// themselves, grow into what it leaves. (Lloyd's method 1982 with enclosing balls for means, in the power diagram.)
+/// Searches for covering balls of a solid that satisfy limits. The union shrinks step by step, and after every step
+/// each ball is fitted again to its part of the surface, within the limits. So the balls always cover, and steps can
+/// ignore points and limits: a ball that has become expensive shrinks, and the parts of its neighbours, and so the
+/// neighbours, grow into its former part. (Lloyd's method 1982 with enclosing balls instead of means, in the power
+/// diagram.)
 class LimitedSearch {
 public:
     /// `count`: the most balls. The solid must outlive this.
     LimitedSearch(const Solid& solid, const Frame& frame, Limits limits, std::size_t count, std::uint64_t seed);
 
-    /// From these balls, which need neither hold the solid nor keep to the limits, and from other starts: the one that
-    /// looks best is gone on with. What no ball can keep to, as between two planes where balls are too few, some do
-    /// not keep to.
+    /// Returns the best balls from these, which need neither cover the solid nor satisfy the limits, and from other
+    /// starts: the one that looks best is refined. Where no ball can satisfy a limit, as between two planes with too
+    /// few balls, some violate it.
     Balls cover(const Balls& start);
 
 private:
     struct Found {
         Balls balls;
-        double cost = 0; ///< volume of the union, and a price for what reaches beyond limits; units³
+        double cost = 0; ///< volume of the union, and a penalty for the protrusion beyond limits; units³
     };
     Found fitted(const Balls& balls);
     Found descended(Found start, int steps, double first_step);
@@ -37,7 +38,7 @@ private:
     std::size_t count_;
     std::uint64_t seed_;
     FineSkin skin_;
-    Points some_; ///< of its points
+    Points some_; ///< a subset of its points
     PowerCells cells_;
     std::vector<Points> directions_;
     Points fine_directions_;

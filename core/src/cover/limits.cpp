@@ -9,14 +9,14 @@
 namespace foam::cover {
 namespace {
 
-/// Limits are kept to this, units.
+/// Tolerance of limits, units.
 constexpr double tolerance = 1e-5;
 
 Vec3 center_of(const Ball& ball) {
     return {ball.x, ball.y, ball.z};
 }
 
-/// By how much a ball reaches beyond a limit; negative: what is left.
+/// Returns by how much a ball exceeds a limit; negative: the remaining distance.
 double over(const Ball& ball, const Limit& limit) {
     return dot(limit.normal, center_of(ball)) + ball.r - limit.offset;
 }
@@ -29,8 +29,8 @@ double highest(const Points& points, std::size_t count, const Vec3& normal) {
     return most;
 }
 
-/// A ball that holds the points and keeps to the limit, farther from it than one that reaches beyond by a little. Its
-/// radius grows by less than it moves.
+/// Returns a ball that contains the points and satisfies the limit. It is moved away from the limit more than the ball
+/// exceeds it, as its radius grows, by less than it moves.
 Ball backed_off(const Ball& ball, const Limit& limit, const Points& points, std::size_t count) {
     constexpr int doublings = 20;
     Ball best = ball;
@@ -54,7 +54,7 @@ double beyond(const Ball& ball, const Limits& limits) {
 
 Ball LimitedBall::of(const Points& points, std::size_t count, const Vec3& tilt, const Vec3& near) {
     constexpr int rounds = 16;
-    constexpr double gain = 0.9; // less from one round to the next, and there hardly is such a ball
+    constexpr double gain = 0.9; // if the violation falls less per round, such a ball hardly exists
     Ball best = enclosing_ball_.of(points, count, tilt, near);
     if (count == 0) {
         return best;
@@ -83,7 +83,7 @@ Ball LimitedBall::of(const Points& points, std::size_t count, const Vec3& tilt, 
 Ball LimitedBall::kept_to(std::size_t limit, const Points& points, std::size_t count, const Vec3& tilt,
                           const Ball& now) {
     constexpr int evaluations = 10;
-    constexpr double least_q = 1e-3; // the ball is some thousand times as large as what it holds then
+    constexpr double least_q = 1e-3; // the ball is then some thousand times as large as its content
     const Vec3 normal = limits_[limit].normal;
     double rest = 1;
     Vec3 pull = tilt;
@@ -94,8 +94,8 @@ Ball LimitedBall::kept_to(std::size_t limit, const Points& points, std::size_t c
         }
     }
     pull = pull / rest;
-    // With the share t = (1 - q²) / (1 + q²) of the price in the cost, a ball about a disc of radius a that lies
-    // across the normal reaches a q beyond the disc: a secant in q finds its way at once.
+    // With the share t = (1 - q²) / (1 + q²) of the price in the cost, a ball about a disc of radius a across the
+    // normal reaches a q beyond the disc, so a secant in q converges at once.
     const auto share = [](double q) { return (1 - q * q) / (1 + q * q); };
     Ball ball = now;
     const auto excess = [&](double q) {
@@ -107,9 +107,9 @@ Ball LimitedBall::kept_to(std::size_t limit, const Points& points, std::size_t c
     double low = 0, below = highest(points, count, normal) - limits_[limit].offset + tolerance / 2;
     double high = 1, above = prices_[limit] == 0 ? over(now, limits_[limit]) + tolerance / 2 : excess(1);
     if (above <= 0 || below >= 0) {
-        return ball; // the price is 0; or no ball could keep to it
+        return ball; // the price is 0, or no ball satisfies the limit
     }
-    // Regula falsi with the ends' weights halved where they stay (the Illinois rule).
+    // Regula falsi that halves the weight of an end that stays (the Illinois rule).
     int last = 0;
     for (int i = 0; i < evaluations; ++i) {
         check_cancelled();

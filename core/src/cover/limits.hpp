@@ -1,32 +1,33 @@
-// Balls that keep to half-spaces.
+// Balls within half-spaces.
 #pragma once
 
 #include "cover/enclosing_ball.hpp"
 
 namespace foam::cover {
 
-/// A ball keeps to it if normal · centre + radius <= offset. Of a half-space the normal is a unit vector that points
-/// out of it; a shorter one and an offset in proportion leave room for the ball to grow by a share of its radius.
+/// A ball satisfies the limit if normal · centre + radius <= offset. For a half-space the normal is a unit vector that
+/// points out of it; a shorter normal with a proportional offset leaves room for the ball to grow by a share of its
+/// radius.
 struct Limit {
     Vec3 normal;
     double offset = 0; ///< units
 };
 using Limits = std::vector<Limit>;
 
-/// By how much a ball reaches beyond the limit that it keeps to least; 0 if it keeps to all.
+/// Returns by how much a ball exceeds its most violated limit; 0 if it satisfies all.
 double beyond(const Ball& ball, const Limits& limits);
 
-/// The ball that holds some points, keeps to the limits and has the least radius + tilt · centre. Limits are part of
-/// the cost at prices λ (Lagrange multipliers): radius + tilt · centre + Σ λ (normal · centre + radius), which is
-/// that of a ball without limits and the tilt (tilt + Σ λ normal) / (1 + Σ λ), but for a factor. The prices are found
-/// one after another until the limits are kept. A half-space is a ball's limit for rising radius, so below one limit
-/// there always is such a ball if the points are below it; between several there may be none.
+/// The ball that contains some points, satisfies the limits and has the least radius + tilt · centre. Limits enter the
+/// cost at prices λ (Lagrange multipliers): radius + tilt · centre + Σ λ (normal · centre + radius). Up to a factor,
+/// this is the cost of a ball without limits with the tilt (tilt + Σ λ normal) / (1 + Σ λ). The prices are found one
+/// after another until the limits are satisfied. A half-space is the limit of balls of rising radius, so such a ball
+/// always exists for one limit if the points satisfy it; between several limits there may be none.
 class LimitedBall {
 public:
     explicit LimitedBall(Limits limits = {}) : limits_(std::move(limits)), prices_(limits_.size(), 0) {}
 
-    /// Of the first `count` points; of none: a ball without radius. `near`: about where it is. If there is no such
-    /// ball, one that holds the points all the same.
+    /// Returns the ball of the first `count` points; without points, a ball without radius. `near`: an estimate of the
+    /// result. If there is no such ball, it returns one that contains the points.
     Ball of(const Points& points, std::size_t count, const Vec3& tilt, const Vec3& near);
 
 private:

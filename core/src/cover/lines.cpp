@@ -10,8 +10,8 @@ struct Flat {
     double u, v, along;
 };
 
-/// Which side of the edge a–b a place is on, and how far: twice the area of the triangle. The edge is seen from its
-/// smaller end, so that a place on it is on one side for both triangles there.
+/// The side of the edge a–b on which a place lies, and twice the area of their triangle. The edge is taken from its
+/// smaller end, so that both triangles at the edge see a place on it on the same side.
 struct Side {
     bool left;
     double area;
@@ -75,7 +75,7 @@ LinePieces pieces_along(const Mesh& surface, const Frame& frame, const LineLatti
     for (const auto& [a, b, c] : surface.triangles) {
         draw(flat[a], flat[b], flat[c], lattice, crossings);
     }
-    // Entering before leaving where both are at one place: doubled sheets leave nothing between them.
+    // Entering sorts before leaving at the same place: doubled sheets leave nothing between them.
     std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
         return a.line != b.line ? a.line < b.line : a.at != b.at ? a.at < b.at : a.change > b.change;
     });

@@ -19,7 +19,7 @@ Minimax rated(Balls balls, const BallCost& cost) {
     return result;
 }
 
-/// Those that own a part of the surface, in order.
+/// Returns the balls that own a part of the surface, in order.
 Balls owners_of(const Balls& balls, const Owners& owners) {
     std::vector<char> owns(balls.size(), 0);
     for (const std::uint32_t owner : owners.owner) {
@@ -61,7 +61,7 @@ Balls MinimaxSearch::with_split(const Minimax& cover) {
     const Balls balls = grown(cover);
     cells_.fitted(balls, {});
     const Balls owners = owners_of(balls, cells_.owners());
-    const Ball dearest = cover.balls[cover.dearest()]; // which has not grown
+    const Ball dearest = cover.balls[cover.dearest()]; // it has not grown
     Balls result = balls;
     for (std::size_t k = 0; k < owners.size(); ++k) {
         if (owners[k] == dearest) {

@@ -1,4 +1,4 @@
-// Covers of which the dearest ball is as cheap as can be.
+// Covering balls with the least largest cost.
 #pragma once
 
 #include "cover/ball_cost.hpp"
@@ -6,7 +6,7 @@
 
 namespace foam::cover {
 
-/// A cover, what each ball of it costs, and the most that one does.
+/// Covering balls, the cost of each, and the largest cost.
 struct Minimax {
     Balls balls;
     std::vector<double> costs;
@@ -15,26 +15,27 @@ struct Minimax {
     std::size_t dearest() const;
 };
 
-/// Lloyd's iteration (1982) for the worst instead of the mean: all balls grow until they cost what the dearest does,
-/// the surface is shared among them by power, and each gives way to the cheapest ball that holds its part. As the grown
-/// balls hold their parts, the worst cost never rises. By the radius these are the alternate steps of the k-centre
-/// problem, with smallest enclosing balls of Voronoi cells.
+/// Lloyd's iteration (1982) for the maximum instead of the mean. All balls grow until they cost as much as the most
+/// expensive one, the surface is divided among them by power, and the cheapest ball that contains its part replaces
+/// each. As the grown balls contain their parts, the largest cost never rises. With the radius as cost, these are the
+/// alternating steps of the k-centre problem, with smallest enclosing balls of Voronoi cells.
 class MinimaxSearch {
 public:
     /// Both must outlive this.
     MinimaxSearch(const FineSkin& skin, const BallCost& cost) : cells_(skin), cost_(cost) {}
 
-    /// A cover by at most `count` balls; where they own nothing they are put where the dearest is.
+    /// Returns covering balls, at most `count`. Balls without a part move to the most expensive ball.
     Minimax improved(const Balls& start, std::size_t count, int rounds);
-    /// The same from a cover with ball `i` taken away and the dearest one split in two.
+    /// Returns the result with ball `i` removed and the most expensive ball split in two.
     Minimax moved(const Minimax& cover, std::size_t i, int rounds);
-    /// The same cost with less volume: balls lean to where it pays, as far as none comes to cost more than the dearest.
+    /// Returns balls of the same cost and less volume: they tilt where that reduces it, as long as none costs more than
+    /// the most expensive ball.
     Minimax leaner(const Minimax& cover, const Points& directions, int rounds);
 
 private:
     Minimax fitted(const Balls& balls);
     Balls grown(const Minimax& cover) const;
-    /// With the ball of most cost split in two.
+    /// Returns the balls with the most expensive one split in two.
     Balls with_split(const Minimax& cover);
 
     PowerCells cells_;

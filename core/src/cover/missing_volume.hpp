@@ -1,4 +1,4 @@
-// What balls leave out of a solid.
+// The volume of a solid outside balls.
 #pragma once
 
 #include "cover/occupancy.hpp"
@@ -6,10 +6,10 @@
 
 namespace foam::cover {
 
-/// How many of the points no ball holds; `owners` is overwritten.
+/// Returns how many of the points no ball contains; overwrites `owners`.
 std::size_t count_missing(const Points& inside, const Balls& balls, Owners& owners);
 
-/// Of the solid's volume what no ball holds, units³, in whole cells. Solid::missing_volume() tells it more finely.
+/// Returns the missing volume, units³, in whole cells. Solid::missing_volume() is finer.
 double missing_volume(const Occupancy& occupancy, const Balls& balls);
 
 } // namespace foam::cover

@@ -195,7 +195,7 @@ std::vector<Balls> ObjectiveSearch::starts(const Surface& surface, const Distanc
     return result;
 }
 
-/// A ball that costs little is taken away, and the dearest becomes two, as long as that helps.
+/// Removes a ball of low cost and splits the most expensive one, as long as that helps.
 Minimax ObjectiveSearch::with_moves(const Surface& surface, const BallCost& cost, Minimax best, std::size_t count) {
     constexpr std::size_t candidates = 4;
     constexpr double least_gain = 1e-3;

@@ -1,4 +1,4 @@
-// Covers by other objectives than the least excess.
+// Searches for covering spheres by objectives other than excess.
 #pragma once
 
 #include "cover/distance_field.hpp"
@@ -11,21 +11,21 @@
 
 namespace foam::cover {
 
-/// What each effort is.
+/// The parameters of an effort.
 struct ObjectivePlan {
     int field;                 ///< cells of the distance field along the longest extent; twice as many for many balls
-    std::size_t directions;    ///< in which a ball's protrusion is looked at
-    int evaluations;           ///< of it, for the best centre of a ball
-    std::size_t random_starts; ///< beside those by rule
-    std::size_t kept;          ///< starts that are gone on with
+    std::size_t directions;    ///< directions in which a ball's protrusion is evaluated
+    int evaluations;           ///< evaluations of the cost, for the best centre of a ball
+    std::size_t random_starts; ///< in addition to the rule-based starts
+    std::size_t kept;          ///< starts that are refined
     int first_rounds, last_rounds;
-    int moves; ///< of balls from where they cost least to where they cost most, at most
+    int moves; ///< most moves of balls from the lowest cost to the highest
 };
 ObjectivePlan plan_of(Effort effort);
 
-/// The cover of least excess and others start from many places and are improved until their dearest ball is as cheap as
-/// it gets: by its radius, or by how far it protrudes. The best is taken, so that none is worse by the objective than
-/// that of least excess.
+/// Refines the covering balls of least excess, and others, from many starts until their most expensive ball is as cheap
+/// as possible: by its radius, or by its protrusion. It takes the best, so the result is never worse by the objective
+/// than that of least excess.
 class ObjectiveSearch {
 public:
     /// The solid must outlive this.
@@ -33,14 +33,14 @@ public:
     ObjectiveSearch(const ObjectiveSearch&) = delete; ///< its parts refer to each other
     ObjectiveSearch& operator=(const ObjectiveSearch&) = delete;
 
-    /// By at most so many balls, found without those by fewer.
+    /// Returns at most `count` covering spheres, found without those of smaller counts.
     Cover alone(std::size_t count);
-    /// Along the counts of the ladder more balls are never worse by the objective, and no other count is worse than the
-    /// rung below it. A search that was stopped is not kept.
+    /// Returns the covering spheres. Along the candidate counts, more balls are never worse by the objective; no other
+    /// count is worse than the candidate count below it. The result of a stopped search is not kept.
     Cover cover(std::size_t count);
-    /// What the objective makes of a cover, m.
+    /// Returns the value of the objective for covering spheres, m.
     double figure(const Cover& cover) const;
-    /// Whether the last search was.
+    /// Returns whether the last search was stopped.
     bool was_stopped() const { return stopped_; }
 
 private:
@@ -52,14 +52,14 @@ private:
     struct Surface {
         Surface(const Solid& solid, const Frame& frame, std::size_t pieces, std::size_t some);
         FineSkin skin;
-        Points some; ///< of its points
+        Points some; ///< a subset of its points
     };
     Model rung(std::size_t count);
     Model model_of(Cover cover) const;
     const Surface& surface_for(std::size_t count);
-    /// Null where it is not asked.
+    /// Returns null where it is not needed.
     const DistanceField* field_for(std::size_t count);
-    /// The best of many starts, the given covers among them.
+    /// Returns the best from many starts, the given covers among them.
     Model found(std::size_t count, const std::vector<Balls>& covers);
     std::vector<Balls> starts(const Surface& surface, const DistanceField* field, std::size_t count) const;
     Minimax with_moves(const Surface& surface, const BallCost& cost, Minimax best, std::size_t count);
@@ -70,9 +70,9 @@ private:
     ObjectivePlan plan_;
     Frame frame_;
     CoverSearch least_excess_;
-    std::size_t pieces_ = 0; ///< of the surface that is there
+    std::size_t pieces_ = 0; ///< of the current surface
     std::unique_ptr<Surface> surface_;
-    int resolution_ = 0; ///< of the field that is there
+    int resolution_ = 0; ///< of the current field
     std::unique_ptr<DistanceField> field_;
     std::map<std::size_t, Model> rungs_;
     bool stopped_ = false;

@@ -10,11 +10,11 @@
 namespace foam::cover {
 namespace {
 
-/// Lines a cell, along each of the two directions across.
+/// Lines per cell, along each of the two directions across.
 constexpr int lines_per_cell = 2;
 
-/// Squared distances to the nearest seed along one line of the lattice, given those of the passes before: the lower
-/// envelope of parabolas (Felzenszwalb and Huttenlocher 2012), in O(n).
+/// Computes squared distances to the nearest seed along one line of the lattice from those of the passes before: the
+/// lower envelope of parabolas (Felzenszwalb and Huttenlocher 2012), in O(n).
 void lower_envelope(std::vector<float>& f, std::vector<float>& result, std::vector<int>& apex,
                     std::vector<float>& border) {
     const int n = static_cast<int>(f.size());
@@ -50,7 +50,7 @@ void lower_envelope(std::vector<float>& f, std::vector<float>& result, std::vect
     }
 }
 
-/// One pass over all lines of the lattice that start at start(i) and go on by `stride`.
+/// Runs one pass over all lines of the lattice that start at start(i) and continue by `stride`.
 template <class Start>
 void distance_pass(std::vector<float>& squared, std::size_t lines, std::size_t length, std::size_t stride,
                    Start start) {
@@ -72,7 +72,7 @@ void distance_pass(std::vector<float>& squared, std::size_t lines, std::size_t l
 struct Cells {
     double size = 0;         ///< of a cell
     int count[3]{};          ///< along each axis
-    double low[3]{};         ///< corner of the first
+    double low[3]{};         ///< corner of the first cell
     std::size_t stride[3]{}; ///< from a cell to the next along each axis
 
     std::size_t total() const { return stride[2] * static_cast<std::size_t>(count[2]); }
@@ -83,7 +83,7 @@ struct Cells {
     }
 };
 
-/// Those of this size over the bounds, about the middle; a cell is left free all around.
+/// Returns the cells of this size over the bounds, about the middle, with a margin of one cell all around.
 Cells cells_over(const Vec3& bounds, double size) {
     Cells cells;
     cells.size = size;
@@ -95,12 +95,12 @@ Cells cells_over(const Vec3& bounds, double size) {
     return cells;
 }
 
-/// What lines say of cells: how much of them is inside, and how many spoke.
+/// The sums over lines for each cell: how much of it is inside, and the number of lines with a result.
 struct Tally {
     std::vector<float> filled, spoke;
 };
 
-/// The lines along an axis; whether all of them know inside from outside.
+/// Adds the lines along an axis. Returns whether all of them separate inside and outside.
 bool add_lines(const Solid& solid, const Frame& frame, const Cells& cells, int axis, Tally& tally) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     LineLattice lattice;
@@ -136,7 +136,7 @@ bool add_lines(const Solid& solid, const Frame& frame, const Cells& cells, int a
     return std::all_of(lines.sound.begin(), lines.sound.end(), [](char sound) { return sound != 0; });
 }
 
-/// What is outside of each cell, as a share. Cells that no line speaks of: by the winding number in their middle.
+/// Returns the outside share of each cell. Cells without lines use the winding number at their centre.
 std::vector<float> shares_outside(const Solid& solid, const Frame& frame, const Cells& cells, const Tally& tally) {
     std::vector<float> outside(cells.total());
     std::vector<std::size_t> unknown;
@@ -169,7 +169,7 @@ Occupancy::Occupancy(const Solid& solid, const Frame& frame, int resolution) {
     Tally tally{std::vector<float>(cells.total(), 0), std::vector<float>(cells.total(), 0)};
     for (int axis = 0; axis < 3; ++axis) {
         const bool sound = add_lines(solid, frame, cells, axis, tally);
-        if (sound && solid.closed()) { // one direction says it all
+        if (sound && solid.closed()) { // one direction is enough
             break;
         }
     }

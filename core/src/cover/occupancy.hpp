@@ -1,4 +1,4 @@
-// How much of each cell of a lattice the solid fills.
+// The share of each lattice cell inside the solid.
 #pragma once
 
 #include "cover/points.hpp"
@@ -6,13 +6,15 @@
 namespace foam::cover {
 
 /// Shares of cells inside the solid on a cubic lattice over its bounds, in the unit frame. Where lines along an axis
-/// cross a closed surface they tell inside from outside exactly; where they run through holes the winding number does.
+/// cross a closed surface, they separate inside and outside exactly; where they run through holes, the winding number
+/// decides.
 class Occupancy {
 public:
     /// `resolution`: cells along the longest extent. O(area / cell²) for closed solids, plus the triangles.
     Occupancy(const Solid& solid, const Frame& frame, int resolution);
 
-    /// Share outside at a point of the unit frame: 0 inside, 1 outside, between them within a cell of the surface.
+    /// Returns the outside share at a point of the unit frame: 0 inside, 1 outside, between them within a cell of the
+    /// surface.
     float outside(float x, float y, float z) const {
         const float fx = (x - low_[0]) * inverse_, fy = (y - low_[1]) * inverse_, fz = (z - low_[2]) * inverse_;
         if (!(fx > 0 && fy > 0 && fz > 0 && fx < last_[0] && fy < last_[1] && fz < last_[2])) {
@@ -28,11 +30,11 @@ public:
         return mix(a, b, tz);
     }
     float cell() const { return 1 / inverse_; }
-    /// Volume of the solid as the cells have it, in units³.
+    /// Volume of the solid by the cells, units³.
     double volume() const { return volume_; }
-    /// Middles of the cells that are at least half inside.
+    /// Centres of the cells that are at least half inside.
     const Points& inside() const { return inside_; }
-    /// For each of them the distance to the nearest cell that is not, less half a cell.
+    /// Distance from each of them to the nearest cell that is not, minus half a cell.
     const std::vector<float>& depth() const { return depth_; }
 
 private:
@@ -43,7 +45,7 @@ private:
     }
     void find_depths();
 
-    float low_[3]{}, last_[3]{}; // middle of the first cell; index of the last one
+    float low_[3]{}, last_[3]{}; // centre of the first cell; index of the last one
     float inverse_ = 1;
     std::size_t row_ = 0, rows_ = 0, slices_ = 0;
     std::vector<float> outside_;

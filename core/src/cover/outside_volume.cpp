@@ -12,7 +12,7 @@
 namespace foam::cover {
 namespace {
 
-/// Half a step over a cell's width at the surface of the ball: |x - c|² - r² is about 2 r times the distance.
+/// Returns half a step over a cell's width at the surface of the ball: |x - c|² - r² is about 2 r times the distance.
 float steepness(const Ball& ball, float cell) {
     return ball.r > 0 ? 0.5f / (ball.r * cell) : 0;
 }
@@ -53,7 +53,7 @@ void OutsideVolume::look(const Balls& others, const Ball& region) {
     }
 }
 
-/// The shares of a row of places that the others leave.
+/// Computes the shares of a row of places outside the others.
 void OutsideVolume::look_along_row(float x, float y, float z, const Balls& others) {
     row_.assign(static_cast<std::size_t>(cells_), 1.0f);
     for (const Ball& ball : others) {

@@ -13,7 +13,7 @@
 namespace foam::cover {
 namespace {
 
-/// Of the union of two balls, less what they share: two caps (units³).
+/// Returns the volume of the union of two balls: their volumes minus the two caps of their intersection (units³).
 double union_of_two(const Ball& a, const Ball& b) {
     constexpr double third = std::numbers::pi / 3;
     const double apart = std::sqrt(squared_distance(a, b)), ra = a.r, rb = b.r;
@@ -38,8 +38,8 @@ class PlaneSplits {
 public:
     explicit PlaneSplits(const Limits& limits) : enclosing_ball_(limits) {}
 
-    /// The best split of a ball by one of a few planes across the points' principal axes; saves nothing at all if the
-    /// points are too few.
+    /// Returns the best split of a ball by one of a few planes across the points' principal axes; it saves nothing if
+    /// there are too few points.
     Split best(const Ball& ball, const Points& points) {
         Split best;
         height_.resize(points.size());
@@ -85,7 +85,7 @@ private:
     LimitedBall enclosing_ball_;
 };
 
-/// The points of which a ball is the owner.
+/// Returns the points that a ball owns.
 Points owned_by(std::size_t ball, const Points& points, const Owners& owners) {
     Points owned;
     for (std::size_t p = 0; p < points.size(); ++p) {
@@ -121,7 +121,7 @@ Balls divided(const Points& points, Balls balls, std::size_t count, const Limits
         balls[i] = most->first;
         balls.push_back(most->second);
         best.emplace_back();
-        // What the others gain by a split changes little.
+        // A split hardly changes the gain of other splits.
         owners.find(points, balls);
         look(i);
         look(balls.size() - 1);

@@ -5,9 +5,9 @@
 
 namespace foam::cover {
 
-/// Balls about the points, `count` of them if there are enough points: until then the ball whose split saves most
-/// volume gives way to the smallest balls of the two parts that a plane makes of its points. `balls`: to begin with; if
-/// none, the smallest ball of all. Those that are made keep to the limits where they can.
+/// Returns balls about the points, `count` of them if there are enough points. Repeatedly, the ball whose split saves
+/// most volume is replaced by the smallest balls of the two parts into which a plane cuts its points. `balls`: the
+/// start; if empty, the smallest ball around all points. New balls satisfy the limits where they can.
 Balls divided(const Points& points, Balls balls, std::size_t count, const Limits& limits = {});
 
 } // namespace foam::cover

@@ -1,5 +1,5 @@
-// Points and balls as the descent reads them: coordinates apart and in single precision, so that compilers make vector
-// code of plain loops.
+// Points and balls in the layout of the descent: coordinates apart and in single precision, so that compilers vectorise
+// plain loops.
 #pragma once
 
 #include <foam/solid.hpp>
@@ -10,8 +10,8 @@
 
 namespace foam::cover {
 
-/// Lengths in units of half the diagonal of the solid's bounds, about their middle: parts of a tenth of a micrometre
-/// and parts a kilometre from the origin are the same to single precision.
+/// The unit frame. Lengths are in units of half the diagonal of the solid's bounds, about their middle, so that single
+/// precision suffices for parts of a tenth of a micrometre and for parts a kilometre from the origin.
 struct Frame {
     Vec3 origin{};
     double unit = 1; ///< m
@@ -66,7 +66,7 @@ inline Ball ball_of(const Sphere& s) {
     return {static_cast<float>(s.center.x), static_cast<float>(s.center.y), static_cast<float>(s.center.z),
             static_cast<float>(s.radius)};
 }
-/// From metres to the unit frame.
+/// Converts from metres to the unit frame.
 inline Ball unit_ball(const Sphere& s, const Frame& frame) {
     return ball_of({frame.to_unit(s.center), s.radius / frame.unit});
 }
@@ -77,7 +77,7 @@ inline Balls unit_balls(std::span<const Sphere> spheres, const Frame& frame) {
     }
     return balls;
 }
-/// Still in the unit frame.
+/// Converts to spheres, still in the unit frame.
 inline std::vector<Sphere> unit_spheres(const Balls& balls) {
     std::vector<Sphere> spheres;
     for (const Ball& b : balls) {

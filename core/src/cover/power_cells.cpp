@@ -16,8 +16,8 @@ double power(const Ball& ball, const Vec3& p) {
     return squared_norm(to) - static_cast<double>(ball.r) * ball.r;
 }
 
-/// Of the surface of ball i that the others leave: the integral of the normal over its area, no longer than a half.
-/// With the ball's area that shows, it is the direction in which the union grows least; see EnclosingBall.
+/// Returns the integral of the normal over the area of the exposed surface of ball i; at most a half long. Together
+/// with the ball's exposed area it is the direction in which the union grows least; see EnclosingBall.
 Vec3 exposed_tilt(const Balls& balls, std::size_t i, const Points& directions, Exposed& exposed) {
     constexpr double longest = 0.5;
     if (!exposed.look(balls, i, directions)) {
@@ -38,7 +38,7 @@ Vec3 exposed_tilt(const Balls& balls, std::size_t i, const Points& directions, E
 
 FOAM_FOR_WIDE_VECTORS
 void Owners::find(const Points& points, const Balls& balls) {
-    // The hot loop of the search: eight points at a time in so many words.
+    // Hot loop of the search, vectorised by hand: eight points at a time.
     using Lanes = float __attribute__((vector_size(32)));
     using Names = std::int32_t __attribute__((vector_size(32)));
     constexpr std::size_t lanes = 8;
@@ -88,7 +88,7 @@ void PowerCells::find(const Balls& balls) {
                 cut(face, balls);
                 continue;
             }
-            // The cells are convex: one that no edge of a needle meets has no part of it worth the name.
+            // The cells are convex: a cell that no edge of a needle meets has no relevant part of it.
             for (std::size_t k = 0; k < 3; ++k) {
                 cut_edge(face[k], face[(k + 1) % 3], balls);
             }
@@ -101,15 +101,16 @@ void PowerCells::add_border(const Vec3& point, std::uint32_t a, std::uint32_t b)
     neighbours_.push_back({a, b});
 }
 
-/// Differences of powers are linear: where they vanish follows from the ends.
+/// Differences of powers are linear, so their zero follows from the ends.
 Vec3 PowerCells::crossing(const Vec3& from, const Vec3& to, const Ball& a, const Ball& b) {
     const double first = power(a, from) - power(b, from), last = power(a, to) - power(b, to);
     const double t = first < last ? std::clamp(-first / (last - first), 0.0, 1.0) : 0.5;
     return from + (to - from) * t;
 }
 
-/// An edge that is long beside the balls may run through any number of cells. Along it powers differ by what is linear in
-/// its length: the lower envelope of such lines is walked, each of which is steeper downwards than the one before.
+/// Cuts an edge that is long beside the balls and may run through any number of cells. Along it, powers differ by a
+/// term linear in its length. The function walks the lower envelope of such lines, each steeper downwards than the one
+/// before.
 void PowerCells::cut_edge(std::uint32_t from, std::uint32_t to, const Balls& balls) {
     const std::uint32_t last = owners_.owner[to];
     if (owners_.owner[from] == last) {
@@ -134,7 +135,7 @@ void PowerCells::cut_edge(std::uint32_t from, std::uint32_t to, const Balls& bal
         }
         add_border(begin + along * soonest, cell, next);
         if (!(lines_[next][1] < lines_[cell][1])) {
-            return; // rounding: both are the same there
+            return; // rounding: both powers are equal there
         }
         cell = next;
         t = soonest;
@@ -162,7 +163,8 @@ void PowerCells::cut(const std::array<std::uint32_t, 3>& face, const Balls& ball
     if (cell[0] == cell[1] || cell[1] == cell[2] || cell[2] == cell[0]) {
         return;
     }
-    // Three cells: any point inside will do for a corner of all pieces; where all three meet they are smallest.
+    // Three cells meet. Any interior point can be a corner of all pieces; they are smallest with the point where all
+    // three meet.
     std::array<double, 3> first, second;
     for (std::size_t k = 0; k < 3; ++k) {
         const double own = power(balls[cell[0]], corner[k]);
@@ -179,7 +181,7 @@ void PowerCells::cut(const std::array<std::uint32_t, 3>& face, const Balls& ball
     add_border(middle, cell[2], cell[2]);
 }
 
-/// Counted first, so that points are written where they belong and nothing grows.
+/// Counts first, so that points are written to their final place without reallocation.
 void PowerCells::hand_out(std::size_t balls) {
     std::vector<std::size_t> counts(balls);
     for (const std::uint32_t owner : owners_.owner) {

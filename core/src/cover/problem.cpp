@@ -5,8 +5,8 @@
 namespace foam::cover {
 namespace {
 
-/// At most `most` of the vertices in use: of each cell of a grid those that reach farthest along the eight diagonals
-/// would do; every n-th in order of their place does as well beside the even points.
+/// Adds at most `most` of the vertices in use. The farthest along the eight diagonals in each grid cell would be
+/// sufficient; every n-th vertex in order of position serves as well together with the even points.
 void add_vertices(const Solid& solid, const Frame& frame, std::size_t most, Points& points) {
     std::vector<char> used(solid.surface().vertices.size(), 0);
     for (const Triangle& t : solid.surface().triangles) {
@@ -18,7 +18,7 @@ void add_vertices(const Solid& solid, const Frame& frame, std::size_t most, Poin
             vertices.push_back(solid.surface().vertices[i]);
         }
     }
-    // Raw meshes name a corner once for each of its triangles.
+    // Raw meshes repeat a corner for each of its triangles.
     const auto before = [](const Vec3& a, const Vec3& b) {
         return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
     };

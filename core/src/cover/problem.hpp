@@ -1,4 +1,4 @@
-// What the search knows of a solid.
+// The data about a solid that searches use.
 #pragma once
 
 #include "cover/occupancy.hpp"
@@ -11,10 +11,10 @@ struct Problem {
     const Solid* solid;
     Frame frame;
     Occupancy occupancy;
-    Points surface; ///< places that must be held: vertices and points spread evenly over the area
+    Points surface; ///< places to cover: vertices and points spread evenly over the area
     double volume;  ///< units³
 
-    /// `resolution`: of the occupancy; `points`: about as many places on the surface.
+    /// `resolution`: of the occupancy; `points`: the approximate number of places on the surface.
     Problem(const Solid& solid, int resolution, std::size_t points, std::uint64_t seed);
 };
 

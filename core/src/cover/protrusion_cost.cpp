@@ -30,7 +30,7 @@ double ProtrusionCost::of(const Ball& ball) const {
             best = k;
         }
     }
-    // Where it is largest the distance grows along the ball's normal: steps that way from the best direction.
+    // At its maximum the distance grows along the ball's normal: steps in that direction from the best one.
     constexpr int steps = 3;
     constexpr float ahead = 0.02f;
     Vec3 n = directions_.at(best);
@@ -51,7 +51,7 @@ double ProtrusionCost::of(const Ball& ball) const {
     return most;
 }
 
-/// Steps in all ways, halved when none leads on: the cost has kinks, where slopes would mislead.
+/// Steps in all directions; the step length is halved when none improves. The cost has kinks, where gradients mislead.
 Ball ProtrusionCost::holding(const Points& points, const Ball& enclosing, const Ball& before) const {
     const auto at = [&](const Vec3& center) {
         return ball_of({center, std::sqrt(static_cast<double>(farthest(points, points.size(), center).squared))});

@@ -1,4 +1,4 @@
-// How far a ball protrudes from a solid.
+// The protrusion of a ball from a solid as cost.
 #pragma once
 
 #include "cover/ball_cost.hpp"
@@ -6,12 +6,12 @@
 
 namespace foam::cover {
 
-/// The largest distance to the solid over a ball's surface; negative for a ball inside. Of a union of balls it is the
-/// largest of its balls': what one ball hides of another lies in a ball that protrudes there at least as far.
+/// The largest distance to the solid over a ball's surface; negative for a ball inside. For a union it is the maximum
+/// over its balls: the part of one ball that another hides lies in a ball that protrudes there at least as far.
 class ProtrusionCost final : public BallCost {
 public:
-    /// `directions`: in which a ball's surface is looked at. `evaluations`: of which a search for the best centre is
-    /// made. The field must outlive this.
+    /// `directions`: at which a ball's surface is evaluated. `evaluations`: number of these in a search for the best
+    /// centre. The field must outlive this.
     ProtrusionCost(const DistanceField& field, std::size_t directions, int evaluations);
 
     double of(const Ball& ball) const override;
@@ -20,7 +20,7 @@ public:
 private:
     const DistanceField& field_;
     Points directions_;
-    std::vector<Points> ways_; ///< in which the search goes
+    std::vector<Points> ways_; ///< directions of the search
     int evaluations_;
 };
 

@@ -8,10 +8,11 @@ Ball smallest_ball(const Solid& solid, const Frame& frame) {
     return unit_ball(minimum_enclosing_sphere(solid.surface().vertices), frame);
 }
 
-/// Balls of a search hold their parts to some parts in a million: a hair more, and no growth is needed for the proof.
+/// Enlarges balls slightly. Balls of a search contain their parts to some millionths; with the overlap the proof needs
+/// no growth.
 static std::vector<Sphere> with_a_hair_of_overlap(const Frame& frame, const Balls& balls) {
-    constexpr double overlap = 2e-5;         // of the radius
-    const double margin = 2e-6 * frame.unit; // centres are rounded by less when they are written
+    constexpr double overlap = 2e-5;         // share of the radius
+    const double margin = 2e-6 * frame.unit; // rounding of centres when they are written is less
     std::vector<Sphere> spheres;
     for (const Ball& b : balls) {
         if (b.r > 0 || (&b == &balls.back() && spheres.empty())) {

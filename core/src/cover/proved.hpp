@@ -1,4 +1,4 @@
-// What every search of covers begins and ends with.
+// The first and the last step of every search for covering balls.
 #pragma once
 
 #include "cover/points.hpp"
@@ -7,11 +7,11 @@
 
 namespace foam::cover {
 
-/// The smallest ball around the surface, in the unit frame.
+/// Returns the smallest ball around the surface, in the unit frame.
 Ball smallest_ball(const Solid& solid, const Frame& frame);
 
-/// Balls of the unit frame as spheres, a hair larger, with the proof that they hold the surface; grown where they do
-/// not.
+/// Returns balls of the unit frame as slightly larger spheres, with the proof that they cover the surface. They are
+/// grown if they do not.
 Cover proved(const Solid& solid, const Frame& frame, const Balls& balls);
 
 } // namespace foam::cover

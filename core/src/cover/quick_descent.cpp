@@ -11,7 +11,7 @@
 namespace foam::cover {
 
 void QuickDescent::run(Balls& balls, const QuickDescentPlan& plan, const Refresh& refresh) {
-    constexpr float reach_of_steps = 0.2f; // steps turn back and forth
+    constexpr float reach_of_steps = 0.2f; // steps go back and forth
     Points points;
     mean_.assign(balls.size(), {});
     square_ = 0;
@@ -31,7 +31,7 @@ void QuickDescent::run(Balls& balls, const QuickDescentPlan& plan, const Refresh
 }
 
 void QuickDescent::find_slopes(const Balls& balls, const Points& directions) {
-    // Sums in so many lanes: compilers make vector code of them, and the order is the same everywhere.
+    // Sums in several lanes, which compilers vectorise; the order is the same everywhere.
     constexpr std::size_t lanes = 4;
     slopes_.assign(balls.size(), {});
     const std::size_t count = directions.size() / lanes * lanes;
@@ -109,7 +109,7 @@ void QuickDescent::hold(const Points& points, Balls& balls, float slack) {
                 {points.x[p], points.y[p], points.z[p], 0, owners_.owner[p], static_cast<std::uint32_t>(p)});
         }
     }
-    // Those that pressed in the last step come first: most of the others then find themselves held.
+    // Points active in the last step come first: most of the others are then already contained.
     std::size_t first = 0;
     for (std::size_t k = 0; k < held_.size(); ++k) {
         if (pressed_[held_[k].point]) {

@@ -20,12 +20,12 @@
 namespace foam::cover {
 namespace {
 
-/// More than these may leave a hollow in a solid.
+/// Number of balls above which they may leave a cavity in a solid.
 constexpr std::size_t few_balls = 16;
-constexpr int cells = 32; ///< along the longest extent of a solid, to tell inside from outside
+constexpr int cells = 32; ///< along the longest extent of a solid, to separate inside and outside
 constexpr QuickDescentPlan first_plan{.steps = 40, .first_step = 0.04f, .last_step = 0.003f, .refresh = 1000};
-/// What comes after the first looks: the fewer the balls, the nearer starts are to what is best, and the more of them
-/// are worth going on with.
+/// The refinement after the first estimates. With fewer balls, starts are nearer to the optimum, and it helps to refine
+/// more of them.
 struct SecondPlan {
     std::size_t most_balls, kept_starts;
     QuickDescentPlan descent;
@@ -46,7 +46,7 @@ const Points& directions_of_fits() {
     return directions;
 }
 
-/// Places that stand for a solid: of its surface and as many of its inside.
+/// Returns points that represent a solid: on its surface and as many inside it.
 Points body_of(const Points& surface, const Occupancy& occupancy) {
     const Points& inside = occupancy.inside();
     const std::size_t stride = 1 + inside.size() / surface.size();
@@ -57,7 +57,7 @@ Points body_of(const Points& surface, const Occupancy& occupancy) {
     return body;
 }
 
-/// vol(U \ S) + vol(S), units³; without occupancy nothing is taken to be missing.
+/// Returns vol(U \ S) + vol(S), units³; without occupancy the missing volume is taken as zero.
 double claim(const Balls& balls, const Occupancy* occupancy) {
     return exact_union_volume(unit_spheres(balls)) + (occupancy ? missing_volume(*occupancy, balls) : 0);
 }

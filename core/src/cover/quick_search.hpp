@@ -1,4 +1,4 @@
-// Covers in milliseconds.
+// Searches for covering balls in milliseconds.
 #pragma once
 
 #include "cover/power_cells.hpp"
@@ -12,28 +12,27 @@
 
 namespace foam::cover {
 
-/// A few starts, a descent of each on some points of the surface, the best gone on with on more of them. In the end
-/// balls are fitted to their parts of the surface, which makes a cover of whatever they are.
+/// Descends from a few starts on some points of the surface, and refines the best on more points. Finally it fits the
+/// balls to their parts of the surface, which makes any balls cover.
 class QuickSearch {
 public:
     /// The solid must outlive this.
     QuickSearch(const Solid& solid, const SpherizeOptions& options);
 
-    /// By at most so many balls, found without those by fewer.
+    /// Returns at most `count` covering spheres, found without those of smaller counts.
     Cover alone(std::size_t count);
-    /// Along the counts of the ladder more balls never claim more, and no other count claims more than the rung below
-    /// it.
-    /// A search that was stopped is not kept.
+    /// Returns the covering spheres. Along the candidate counts, more balls never have more excess volume; no other
+    /// count has more than the candidate count below it. The result of a stopped search is not kept.
     Cover cover(std::size_t count) {
         stopped_ = false;
         return rung(count).cover;
     }
-    /// Whether the last search was.
+    /// Returns whether the last search was stopped.
     bool was_stopped() const { return stopped_; }
 
-    /// For another search to go on with: balls that hold the surface, begun with a cover by fewer and otherwise; the
-    /// best few, best first. At least two balls. The volume is that of their union, and of many balls with what they
-    /// miss of the solid.
+    /// Returns balls for another search to refine: they cover the surface and start from the balls for a smaller count
+    /// and from others; the best few, best first. At least two balls. The volume is that of their union, plus for many
+    /// balls the missing volume of the solid.
     std::vector<Rated> candidates(std::size_t count, const Balls& before);
     const DescentSurface& surface_for(std::size_t count);
 
@@ -43,9 +42,10 @@ private:
         Cover cover;
     };
     Rung rung(std::size_t count);
-    /// Of the solid, if balls are so many that they may leave a hollow in it.
+    /// Returns the occupancy of the solid if there are so many balls that they may leave a cavity in it.
     const Occupancy* occupancy_for(std::size_t count);
-    /// `before`: a cover by fewer to begin with, if there is one. The best first; at least one.
+    /// Returns the results, the best first, at least one. `before`: covering balls of a smaller count to start with, if
+    /// any.
     std::vector<Rated> found(std::size_t count, const Balls* before);
     std::vector<Balls> starts(const DescentSurface& surface, const Occupancy* occupancy, std::size_t count,
                               const Balls* before) const;
@@ -57,7 +57,7 @@ private:
     const Solid& solid_;
     SpherizeOptions options_;
     Frame frame_;
-    std::size_t pieces_ = 0; ///< of the surface that is there
+    std::size_t pieces_ = 0; ///< of the current surface
     std::unique_ptr<DescentSurface> surface_;
     std::unique_ptr<Occupancy> occupancy_;
     bool stopped_ = false;

@@ -1,11 +1,11 @@
-// Covers to choose from.
+// Covering balls with their volume.
 #pragma once
 
 #include "cover/points.hpp"
 
 namespace foam::cover {
 
-/// Balls with the volume that they claim when they hold the surface, units³.
+/// Balls with the volume that they have when they cover the surface, units³.
 struct Rated {
     double volume = 0;
     Balls balls;

@@ -5,8 +5,8 @@
 namespace foam::cover {
 namespace {
 
-/// Points this share of a radius outside a ball count as held: coordinates are in single precision. What this lets
-/// slip is closed at the end.
+/// Share of a radius outside a ball within which points count as contained: coordinates are in single precision. The
+/// final growth closes the resulting gaps.
 constexpr float slack = 2e-6f;
 
 Vec3 center_of(const Ball& ball) {
@@ -133,7 +133,7 @@ void Remainder::cross_edge(const Vec3& from, const Vec3& to, Content& content) {
     }
 }
 
-/// Where the circles in which two balls cut the face's plane meet inside the face.
+/// Finds where the circles in which two balls cut the face's plane meet inside the face.
 void Remainder::cross_balls(const Vec3& a, const Vec3& b, const Vec3& c, Content& content) {
     constexpr double least_area = 1e-12;
     const Vec3 ab = b - a, ac = c - a, across = cross(ab, ac);

@@ -1,12 +1,12 @@
-// What some balls leave of a surface.
+// The part of a surface outside some balls.
 #pragma once
 
 #include "cover/skin.hpp"
 
 namespace foam::cover {
 
-/// Points whose convex hulls, face by face, hold pieces of a surface; the lines between them are where a plane may cut
-/// the hulls.
+/// Points whose convex hulls, face by face, contain pieces of a surface; the lines between them are where a plane may
+/// cut the hulls.
 struct Content {
     Points points;
     std::vector<Line> lines;
@@ -17,9 +17,9 @@ struct Content {
     }
 };
 
-/// What balls leave of faces: of each face the extreme points of what lies outside all the balls. A ball is convex, so
-/// these are corners, crossings of edges with balls, and places where two balls cross in the face: a ball that holds
-/// them holds all that is left. Pieces thinner than rounding are left out.
+/// The part of faces outside balls: for each face the extreme points of the part outside all the balls. A ball is
+/// convex, so these are corners, crossings of edges with balls, and places where two balls cross in the face. A ball
+/// that contains them contains the whole remainder. Pieces thinner than rounding are left out.
 class Remainder {
 public:
     /// The skin must outlive this.
@@ -28,7 +28,8 @@ public:
     void find(const std::vector<std::uint32_t>& faces, const Balls& balls, Content& content);
 
 private:
-    /// False if one of the balls holds the whole face. Those that may hold a part are near_ then.
+    /// Returns false if one of the balls contains the whole face. Otherwise near_ are the balls that may contain a
+    /// part.
     bool find_near(const Skin::Face& face, const Balls& balls);
     bool held(const Vec3& point, std::size_t but = SIZE_MAX, std::size_t and_but = SIZE_MAX) const;
     std::uint32_t corner(std::uint32_t point, Content& content);
@@ -39,7 +40,7 @@ private:
     void add_found(const Vec3& point, Content& content);
 
     const Skin& skin_;
-    // What is in the content already: marked with the turn it came in.
+    // Marks of the points in the content: the turn in which they were added.
     std::vector<std::uint32_t> place_, corner_turn_, edge_turn_;
     std::uint32_t turn_ = 0;
     Balls near_;

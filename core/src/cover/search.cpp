@@ -15,7 +15,7 @@
 namespace foam::cover {
 namespace {
 
-/// Surfaces with more points are coarsened for the search.
+/// Number of points above which surfaces are coarsened for the search.
 constexpr std::size_t few_points = 500;
 
 } // namespace
@@ -98,7 +98,7 @@ Search::Model Search::model(std::size_t count) {
         }
     }
     if (!quick_.surface_for(count).skin.fine) {
-        // The occupancy sees nothing of needles, so what follows may lose what the quick search has found.
+        // The occupancy misses needles, so the following steps may lose the result of the quick search.
         take(quick_.candidates(count, before.balls).front().balls);
     }
     if (count > 2) {
@@ -116,7 +116,7 @@ Search::Model Search::model(std::size_t count) {
     for (int round = 0; round < plan_.most_moves && count <= plan_.most_split && !stopped(); ++round) {
         const double joint = best.joint;
         if (best.balls.size() < 3) {
-            break; // two come from all planes anyway
+            break; // two balls come from all planes anyway
         }
         for (const Balls& balls : moved(Balls(best.balls))) {
             take(balls);
@@ -169,8 +169,8 @@ Balls Search::one_more(const Balls& cover) const {
     return exchange.balls();
 }
 
-/// Of few balls the quick search finds what others would, and exchanges make the most of it. Of many it falls behind:
-/// those begin with clusters, and long steps that put balls that get lost to use elsewhere.
+/// Returns the candidates. For few balls the quick search is sufficient, and exchanges refine its results. For many
+/// balls it is not: those start with clusters, and with long steps that move lost balls to better places.
 std::vector<Balls> Search::found(std::size_t count, const Balls& before, const Balls& more) {
     const DescentSurface& surface = quick_.surface_for(count);
     std::vector<Rated> rated;
@@ -236,7 +236,7 @@ void Search::add_restarts(std::size_t count, std::vector<Rated>& rated) {
 
 void Search::add_starts_of_many(std::size_t count, std::vector<Rated>& rated) {
     Random random(derive_seed(options_.seed, "starts") + count);
-    constexpr std::size_t points_a_ball = 6; // fewer make clusters of one point, balls of no size
+    constexpr std::size_t points_a_ball = 6; // fewer would make clusters of one point, balls without size
     const Points more = points_a_ball * count > body_.size() ? body_points(problem_, points_a_ball * count) : Points{};
     rated.resize(plan_.starts);
     for (Rated& start : rated) {
@@ -245,7 +245,7 @@ void Search::add_starts_of_many(std::size_t count, std::vector<Rated>& rated) {
     const DescentSurface& surface = quick_.surface_for(count);
     const DescentPlan far{.steps = plan_.coarse_steps, .first_step = 0.2f, .last_step = 0.01f};
     parallel_for(rated.size(), [&](std::size_t i) {
-        constexpr int gradient_steps = 2; // tell which is best
+        constexpr int gradient_steps = 2; // enough to find the best
         rated[i] = settled(surface, improvement_.improved(rated[i].balls, far, false), gradient_steps);
     });
 }
@@ -260,7 +260,7 @@ Balls Search::exchanged(const Balls& balls) const {
     return exchange.balls();
 }
 
-/// On the surface itself after exchanges on a coarse one.
+/// Exchanges on the surface itself after exchanges on a coarse one.
 Balls Search::exchanged_finely(const Balls& balls) const {
     ExchangePlan plan = plan_.exchange;
     plan.evaluations = 12;

@@ -27,10 +27,10 @@ public:
         left_.resize(columns);
     }
 
-    /// With which one ball holds all.
+    /// Returns the length with which one ball contains all points.
     float longest() const { return longest_; }
 
-    /// The greedy cover by balls dilated by `length`; empty if it takes more than `count`.
+    /// Returns the greedy covering balls dilated by `length`; empty if more than `count` are needed.
     Balls greedy(float length, std::size_t count) {
         std::fill(left_.begin(), left_.end(), char{1});
         std::size_t rest = left_.size();
@@ -73,9 +73,9 @@ private:
     }
 
     DistanceField::Nodes nodes_;
-    std::vector<float> needed_; ///< node by node: by how much it has to be dilated to hold each point
+    std::vector<float> needed_; ///< node by node: the dilation needed to contain each point
     float longest_ = 0;
-    std::vector<char> left_; ///< 1: the point is in no ball yet
+    std::vector<char> left_; ///< 1: no ball contains the point yet
 };
 
 } // namespace

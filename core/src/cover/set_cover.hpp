@@ -5,11 +5,11 @@
 
 namespace foam::cover {
 
-/// At most `count` balls about nodes of the field, each reaching out of the solid by the same length, the least by
-/// which they hold the points: about a node of depth d the ball has the radius d + length. Whether a length is enough
-/// is asked of a greedy cover, always the ball that holds most of what is left (Stolpner, Kry and Siddiqi 2011 dilate
-/// medial balls; Wang et al. 2024, "Coverage Axis++", choose among inner balls greedily), and the length is bisected.
-/// Empty if one ball about the points is all that is found.
+/// Returns at most `count` balls about nodes of the field, each dilated by the same length, the least by which they
+/// contain the points: about a node of depth d the ball has the radius d + length. A greedy cover tests whether a
+/// length is sufficient, always with the ball that contains most of the remaining points (Stolpner, Kry and Siddiqi
+/// 2011 dilate medial balls; Wang et al. 2024, "Coverage Axis++", choose among inner balls greedily), and the length is
+/// bisected. Empty if only one ball about the points is found.
 Balls dilated_inner_balls(const DistanceField& field, const Points& points, std::size_t count);
 
 } // namespace foam::cover

@@ -107,7 +107,7 @@ Skin Skin::coarse(int resolution) const {
     std::sort(corners.begin(), corners.end());
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
     for (const auto& c : corners) {
-        // What has become an edge is part of others, as a rule; what has become a point is.
+        // A face collapsed to an edge is usually part of others; one collapsed to a point always is.
         if (c[0] != c[1] && c[1] != c[2]) {
             result.faces.push_back({c, {}, {}});
         }

@@ -1,4 +1,4 @@
-// The surface as the exchange of pieces between balls reads it.
+// The surface as Exchange uses it.
 #pragma once
 
 #include "cover/points.hpp"
@@ -13,7 +13,7 @@ namespace foam::cover {
 
 using Line = std::pair<std::uint32_t, std::uint32_t>; ///< indices of its ends
 
-/// Triangles in the unit frame; corners at one place and edges between them are named once, whatever the mesh does.
+/// Triangles in the unit frame. Corners at one place, and edges between them, have one index, regardless of the mesh.
 struct Skin {
     struct Face {
         std::array<std::uint32_t, 3> corners, edges; ///< edge k goes from corner k to the next one
@@ -24,15 +24,15 @@ struct Skin {
     std::vector<Face> faces;
 
     Skin(const Mesh& surface, const Frame& frame);
-    /// The same for a first look: of the points in each cell of a lattice, cells of about 1/`resolution` of the longest
-    /// extent, one stands for all (Rossignac and Borrel 1993). It lies on the surface, but the surface may bulge out
-    /// between points.
+    /// Returns a coarse skin: of the points in each cell of a lattice, cells of about 1/`resolution` of the longest
+    /// extent, one represents all (Rossignac and Borrel 1993). It lies on the surface, but the surface may extend
+    /// beyond it between points.
     Skin coarse(int resolution) const;
 
 private:
     Skin() = default;
     void add_edges();
-    /// For each vertex in use the point at its place.
+    /// Returns the point at the place of each vertex in use.
     std::vector<std::uint32_t> name_places(const Mesh& surface, const Frame& frame);
 };
 

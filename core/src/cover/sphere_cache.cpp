@@ -31,7 +31,7 @@ struct SphereCache::Data {
     };
     const std::size_t capacity;
     std::mutex mutex;
-    std::list<Entry> entries; ///< the one used last first
+    std::list<Entry> entries; ///< the most recently used first
     std::unordered_map<Digest, std::list<Entry>::iterator> places;
     std::size_t hits = 0, misses = 0;
 

@@ -19,11 +19,11 @@ std::optional<Objective> objective_named(std::string_view name) {
     return it == std::end(objectives) ? std::nullopt : std::optional(it->second);
 }
 
-/// The solid in a frame in which it is worked on: its own where its size or place is out of the ordinary.
+/// The solid in the frame of the computation: its own frame if its size or place is out of the ordinary.
 class WorkedOn {
 public:
     explicit WorkedOn(const Solid& solid) : given_(solid), frame_(geometry::own_frame(solid)) {
-        const bool is_point = geometry::size_of(solid.bounds()) == 0; // then a tiny sphere does
+        const bool is_point = geometry::size_of(solid.bounds()) == 0; // then a tiny sphere is enough
         if (const std::string why = geometry::why_out_of_bounds(solid.bounds()); !is_point && !why.empty()) {
             throw Error(ErrorCode::geometry, "spherize: the solid cannot be covered: " + why);
         }
@@ -32,7 +32,7 @@ public:
         }
     }
     const Solid& solid() const { return own_ ? *own_ : given_; }
-    /// A cover of solid() as one of the given solid, proved there.
+    /// Returns a cover of solid() as a cover of the given solid, proved there.
     Cover in_given_frame(Cover cover) const {
         if (own_) {
             cover.spheres = grown_to_cover(given_, frame_.from_own(std::move(cover.spheres)));
@@ -48,7 +48,7 @@ private:
     std::shared_ptr<const Solid> own_;
 };
 
-/// The search that objective and effort ask for, of a solid as it is.
+/// The search for the given objective and effort, on a solid in its frame.
 class SearchAsIs {
 public:
     SearchAsIs(const Solid& solid, const SpherizeOptions& options) {
@@ -108,7 +108,8 @@ std::vector<Cover> spherize_each(const Solid& solid, std::span<const std::size_t
     return covers;
 }
 
-/// A search that may be cut short has what `quick` finds to fall back on; one that is not gives what it always gives.
+/// Returns the better result of two searches if the second was stopped early: `quick` is the fallback. A search that is
+/// not stopped gives its usual result.
 template <class Search, class Quick, class Figure>
 static Cover quick_or_better(Quick quick, const Solid& solid, std::size_t count, const SpherizeOptions& options,
                              Figure figure) {

@@ -6,11 +6,11 @@
 namespace foam::cover {
 namespace {
 
-// Which ball to split and where is all that is chosen by these: the result is held to exact volumes.
+// These only choose which ball to split and where: the result is compared by exact volumes.
 constexpr int resolution = 24;
 constexpr std::size_t points = 500, directions = 64, first_points = 300;
 constexpr ExchangePlan plan{.split = {12, 5, 2, 30}, .evaluations = 0, .rounds = 0, .cells = 12};
-/// Surfaces of more are looked at coarsely, and what bulges out is closed in the end.
+/// Number of points above which surfaces are coarsened; the final growth covers the parts beyond the coarse skin.
 constexpr std::size_t most_points = 4000;
 constexpr int coarse_resolution = 32;
 
@@ -27,7 +27,7 @@ Splitting::Splitting(const Solid& solid)
 
 Claim Splitting::one_more(const std::vector<Sphere>& cover, double volume) {
     constexpr std::size_t at_once = 3;
-    constexpr double rounding = 3e-6; // more: else slivers that no ball quite holds would be asked of any
+    constexpr double rounding = 3e-6; // larger: else slivers that no ball quite contains would be left over
     Balls before;
     for (const Sphere& s : cover) {
         before.push_back(
@@ -56,10 +56,10 @@ Claim Splitting::one_more(const std::vector<Sphere>& cover, double volume) {
     return best ? std::move(*best) : Claim{cover, volume};
 }
 
-/// Those that have not moved keep all their digits.
+/// Returns the spheres of the balls. Spheres that have not moved keep all their digits.
 std::vector<Sphere> Splitting::spheres_of(const Balls& balls, const Balls& before,
                                           const std::vector<Sphere>& cover) const {
-    // Where balls only just meet, a proof by halving would have to cut very finely: a hair of overlap helps.
+    // Where balls only just meet, a proof by halving would cut very finely. A small overlap prevents that.
     constexpr double overlap = 1e-4, least_overlap = 1e-5; // of the radius, of the solid's size
     std::vector<Sphere> spheres = improvement_.spheres_of(balls);
     for (std::size_t i = 0; i < spheres.size(); ++i) {

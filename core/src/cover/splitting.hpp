@@ -1,4 +1,4 @@
-// One sphere more, and never more claimed.
+// One sphere more, without more excess volume.
 #pragma once
 
 #include "cover/exchange.hpp"
@@ -15,17 +15,17 @@ struct Claim {
     double volume;
 };
 
-/// Covers of a solid that grow by a sphere at a time, whoever made them.
+/// Covering spheres of a solid that grow by one sphere at a time, whatever their source.
 class Splitting {
 public:
     /// The solid must outlive this.
     explicit Splitting(const Solid& solid);
 
-    /// `cover`, of that joint volume, holds the solid's surface, and so does what comes out but for rounding, as single
-    /// precision leaves it: grown_to_cover() closes that. One of the spheres becomes two that hold what the others
-    /// leave, parted by a plane: the best of those that claim most outside, if that claims less than before, else of
-    /// the next ones. If none does (around a ring two spheres claim more than one), the best of all. `cover` itself if
-    /// none can be split.
+    /// Returns one sphere more. `cover` has the joint volume `volume` and covers the solid's surface. The result covers
+    /// it too, up to rounding in single precision, which grown_to_cover() closes. One of the spheres becomes two that
+    /// contain the part that the others do not cover, separated by a plane. It is the best of those with most excess
+    /// volume if that reduces the volume, else of the next ones. If none does (around a ring two spheres have more
+    /// volume than one), it is the best of all. Returns `cover` itself if no sphere can be split.
     Claim one_more(const std::vector<Sphere>& cover, double volume);
 
 private:
@@ -34,7 +34,7 @@ private:
     Problem problem_;
     Improvement improvement_;
     Skin skin_;
-    geometry::UnionParts union_{{}}; ///< of the last cover
+    geometry::UnionParts union_{{}}; ///< of the last spheres
 };
 
 } // namespace foam::cover

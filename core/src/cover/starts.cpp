@@ -18,7 +18,7 @@ float squared_distance(const Points& p, std::size_t i, std::size_t j) {
     return dx * dx + dy * dy + dz * dz;
 }
 
-/// Seeds drawn with a probability that grows with the squared distance from those before.
+/// Returns seeds drawn with a probability that grows with the squared distance from those before.
 std::vector<std::size_t> far_seeds(const Points& points, std::size_t count, Random& random) {
     std::vector<std::size_t> seeds{random.below(points.size())};
     std::vector<float> nearest(points.size(), std::numeric_limits<float>::infinity());
@@ -39,7 +39,8 @@ std::vector<std::size_t> far_seeds(const Points& points, std::size_t count, Rand
     return seeds;
 }
 
-/// Centres at the middles of what is nearest to them; radii: root mean square distance, which weighs sizes right.
+/// Moves centres to the centroids of their nearest points. Radii are root mean square distances, which weight sizes
+/// correctly.
 void lloyd(const Points& points, Balls& balls, int rounds) {
     Deepest owners;
     for (int round = 0; round < rounds; ++round) {

@@ -1,4 +1,4 @@
-// How far a descent goes from step to step.
+// The lengths of a descent's steps.
 #pragma once
 
 #include "cover/points.hpp"
@@ -7,7 +7,7 @@
 
 namespace foam::cover {
 
-/// In units of the balls' mean radius at the start, falling from first to last geometrically.
+/// Step lengths in units of the balls' mean radius at the start, falling geometrically from first to last.
 class StepLengths {
 public:
     StepLengths(const Balls& balls, int steps, float first, float last)

@@ -8,9 +8,9 @@
 namespace foam::cover {
 namespace {
 
-constexpr std::size_t most_border_points = 25; ///< for a ball
+constexpr std::size_t most_border_points = 25; ///< per ball
 
-/// About `count` of some more, at equal distances in their order; all if they are fewer.
+/// Adds about `count` of some more points, at equal distances in their order; all if they are fewer.
 void add_some(Points& points, const Points& more, std::size_t count) {
     const std::size_t stride = 1 + more.size() / count;
     for (std::size_t k = 0; k < more.size(); k += stride) {

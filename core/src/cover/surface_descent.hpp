@@ -6,21 +6,22 @@
 
 namespace foam::cover {
 
-/// A surface in small triangles, and points that stand for it.
+/// A surface in small triangles, and points that represent it.
 struct DescentSurface {
     FineSkin skin;
-    Points some, most; ///< of its points: for a first look, for a descent
+    Points some, most; ///< subsets of its points: for the first estimate, for a descent
 
-    /// Fine enough for so many balls.
+    /// Makes a surface fine enough for `balls` balls.
     DescentSurface(const Solid& solid, const Frame& frame, std::size_t balls);
     static std::size_t pieces_for(std::size_t balls);
 };
 
-/// Directions of a ball in which descents ask what shows; turned from step to step, so that none is preferred.
+/// Directions in which descents compute the exposed surface of a ball; they are turned from step to step, so that none
+/// is preferred.
 const std::vector<Points>& directions_of_steps();
 
-/// The balls after a descent that minds the points that may come to lie outside, and where balls meet. Those that are
-/// missing up to `count` are made by splits first. They hold those points, not yet the surface.
+/// Returns the balls after a descent that uses the points that may come to lie outside, and those where balls meet.
+/// Splits first add missing balls up to `count`. The result contains those points, not yet the surface.
 Balls descended(const DescentSurface& surface, const Occupancy* occupancy, Balls balls, std::size_t count,
                 const QuickDescentPlan& plan);
 

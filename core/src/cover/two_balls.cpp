@@ -27,8 +27,8 @@ Place between(const Place& a, const Place& b, double t) {
     return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
 }
 
-/// Downhill simplex from the corner of the unit cube at the origin: reflection 1, expansion 2, contraction and
-/// shrinking by half. Given up after `patience` evaluations if none was below `enough`.
+/// Minimises by a downhill simplex from the corner of the unit cube at the origin: reflection 1, expansion 2,
+/// contraction and shrinking by half. It stops after `patience` evaluations if no value was below `enough`.
 template <class Value> void downhill(const Value& value, int evaluations, int patience, double enough) {
     std::array<std::pair<double, Place>, 4> simplex;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -80,7 +80,7 @@ template <class Value> void downhill(const Value& value, int evaluations, int pa
 
 TwoBallSearch::TwoBallSearch(const Content& content, const OutsideVolume& outside)
     : content_(content), outside_(outside), height_(content.points.size()) {
-    // All may be on one side, and what is written last counts for neither.
+    // All points may be on one side, and the last slot is written without being counted on either.
     for (Points& half : half_) {
         half.resize(content.points.size() + content.lines.size() + 1);
     }
@@ -93,7 +93,7 @@ TwoBalls TwoBallSearch::at(const Plane& plane) {
     for (std::size_t i = 0; i < p.size(); ++i) {
         height_[i] = nx * p.x[i] + ny * p.y[i] + nz * p.z[i] - offset;
     }
-    // All is written, and counted where it belongs: no branches.
+    // All points are written, and counted on their side only: no branches.
     std::array<std::size_t, 2> counts{};
     const auto put = [&](float x, float y, float z, std::size_t side, bool counts_there) {
         Points& half = half_[side];
@@ -204,7 +204,7 @@ TwoBalls TwoBallSearch::near(const std::array<Ball, 2>& balls, int evaluations) 
         return now;
     }
     set_tilts(balls);
-    // From the plane of the circle in which they meet.
+    // Starts at the plane of the circle in which they meet.
     const Vec3 n = (a - b) / apart;
     const Plane plane{n, dot(n, a) - (apart * apart + ra * ra - rb * rb) / (2 * apart)};
     const TwoBalls found = descend(plane, 0.15, 0.1 * std::min(ra, rb), evaluations, patience, now.volume);

@@ -8,18 +8,19 @@
 
 namespace foam::cover {
 
-/// Few of many points ever matter to a descent: the others are looked at now and then (active sets).
+/// Points outside the active set of a descent. Only few of many points ever matter to a descent; the others are checked
+/// now and then (active sets).
 class Watch {
 public:
     /// `begin`: the first of `all` that is not among the descent's points from the start. `all` must outlive this.
     Watch(const Points& all, std::size_t begin);
 
-    /// Moves those outside all balls to `active`.
+    /// Moves the points outside all balls to `active`.
     void add_outside(const Balls& balls, Points& active);
 
 private:
     struct Waiting {
-        std::uint32_t point, owner; ///< the ball that held it last
+        std::uint32_t point, owner; ///< the last ball that contained it
     };
     std::optional<std::uint32_t> owner_of(const Waiting& waiting, const Balls& balls) const;
 

@@ -14,18 +14,18 @@ namespace {
 using cover::Ball;
 using cover::Balls;
 
-/// Steps in units of the balls' mean radius, falling from first to last geometrically.
+/// Steps in units of the balls' mean radius, falling geometrically from first to last.
 struct Steps {
     std::size_t count;
     float first, last;
 };
 constexpr Steps look{60, 0.08f, 0.01f}, settle{120, 0.04f, 0.001f};
 
-/// Enough of the solid's cells to find clusters by.
+/// Number of the solid's cells that suffices to find clusters.
 constexpr std::size_t some_points = 1500;
 
-/// Descent along the shape derivative, in steps of even length by adaptive moments (Kingma and Ba 2015, "Adam"). At the
-/// optimum half of every ball's exposed surface lies inside the solid.
+/// Descends along the shape derivative, in steps of even length by adaptive moments (Kingma and Ba 2015, "Adam"). At
+/// the optimum half of every ball's exposed surface lies inside the solid.
 Balls descend(const Misfit& misfit, Balls balls, const Steps& steps) {
     constexpr float mean_decay = 0.8f, square_decay = 0.95f;
     float size = 0;
@@ -47,7 +47,7 @@ Balls descend(const Misfit& misfit, Balls balls, const Steps& steps) {
             blend(mean[i].y, s.y);
             blend(mean[i].z, s.z);
             blend(mean[i].r, s.r);
-            // One scale for the four: a ball keeps its direction of steepest descent.
+            // One scale for all four: a ball keeps its direction of steepest descent.
             square[i] =
                 square_decay * square[i] + (1 - square_decay) * (s.x * s.x + s.y * s.y + s.z * s.z + s.r * s.r) / 4;
             const float rms = std::sqrt(square[i] / (1 - square_scale));
@@ -61,7 +61,7 @@ Balls descend(const Misfit& misfit, Balls balls, const Steps& steps) {
     return balls;
 }
 
-/// Balls and what they cost.
+/// Balls and their symmetric difference.
 struct Candidate {
     Balls balls;
     double cost = 0;
@@ -76,8 +76,8 @@ public:
         return {std::move(balls), cost};
     }
 
-    /// The best of the start, balls packed into the solid and a few clusterings of it, each taken downhill a little
-    /// way.
+    /// Returns the best of the start, balls packed into the solid and a few clusterings of it, each after a short
+    /// descent.
     Candidate best_start(const Balls& start, std::size_t most) const {
         Random random(1);
         std::vector<Balls> starts{start, misfit_.filled({}, most)};
@@ -86,7 +86,7 @@ public:
         for (int i = 0; i < clusterings && inside.size() > most; ++i) {
             starts.push_back(cover::clusters(inside, most, random));
             for (Ball& ball : starts.back()) {
-                ball.r *= 0.75f; // they hold their clusters: about the volume of these
+                ball.r *= 0.75f; // they contain their clusters: this is about the volume of the clusters
             }
         }
         Candidate best;
@@ -103,7 +103,7 @@ public:
         return best;
     }
 
-    /// The balls with the one that is of least use moved to where most is missing.
+    /// Returns the balls with the one that contributes least moved to where the missing volume is greatest.
     Balls moved(const Candidate& now) const {
         const std::vector<double> uses = misfit_.uses(now.balls);
         Balls balls = now.balls;
@@ -128,8 +128,8 @@ private:
     const Misfit& misfit_;
 };
 
-/// Cells along the longest extent so that the box has about as many, whatever its shape: in proportion to the balls, a
-/// ball of many is small.
+/// Returns the cells along the longest extent so that the box has about the same number of cells, whatever its shape.
+/// It grows with the number of balls, as one of many balls is small.
 int resolution(const Vec3& size, std::size_t count) {
     const double of_a_cube = 12 * std::cbrt(static_cast<double>(std::max<std::size_t>(count, 16)));
     const double longest = std::max({size.x, size.y, size.z}), volume = size.x * size.y * size.z;

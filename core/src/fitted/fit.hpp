@@ -1,4 +1,4 @@
-// Spheres that claim little outside a solid and leave little of it out: guarantee fitted.
+// Spheres with a small symmetric difference to a solid: guarantee fitted.
 #pragma once
 
 #include <foam/solid.hpp>
@@ -9,17 +9,18 @@
 
 namespace foam::fitted {
 
-/// Raise it when the same input gives other spheres: old cache entries are then left.
+/// Revision of the method. Raise it when the same input gives other spheres: old cache entries are then ignored.
 constexpr int revision = 3;
 
-/// How far the search goes from where it starts.
+/// How far the search goes from its start.
 enum class Reach {
-    near, ///< downhill alone: every sphere stays what it was one of
-    far,  ///< other starts of as many spheres too, and spheres that are of little use put where much is missing
+    near, ///< descent only: every sphere stays near its start
+    far,  ///< also other starts of as many spheres, and moves of spheres that contribute little to where much is
+          ///< missing
 };
 
-/// Spheres moved and sized so that vol(U \ S) + vol(S \ U) is small; `start` itself if nothing better is found, or if
-/// the solid bounds no volume. As many as at the start or, with Reach::far, up to `most`. Deterministic.
+/// Returns spheres moved and sized so that vol(U \ S) + vol(S \ U) is small; `start` itself if nothing better is found,
+/// or if the solid encloses no volume. As many as at the start or, with Reach::far, up to `most`. Deterministic.
 std::vector<Sphere> fit(const Solid& solid, std::span<const Sphere> start, std::size_t most, Reach reach);
 
 } // namespace foam::fitted

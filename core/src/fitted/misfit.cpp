@@ -12,7 +12,7 @@ namespace foam::fitted {
 using cover::Ball;
 using cover::Balls;
 
-/// Sets of directions that steps take in turn: what one overlooks the next one sees.
+/// Sets of directions that steps use in turn: one set sees what another misses.
 static constexpr std::size_t turns = 4;
 
 Misfit::Misfit(const Solid& solid, const cover::Frame& frame, int resolution, std::size_t directions)
@@ -44,7 +44,7 @@ double Misfit::of(const Balls& balls) const {
 
 double Misfit::shared_with(const Balls& balls) const {
     double volume = 0;
-    std::size_t last = 0; // neighbouring cells often lie in the same ball
+    std::size_t last = 0; // adjacent cells often lie in the same ball
     const auto holds = [&](std::size_t i, std::size_t p) {
         return balls[i].squared_distance(cells_.x[p], cells_.y[p], cells_.z[p]) <= balls[i].r * balls[i].r;
     };

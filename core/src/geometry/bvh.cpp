@@ -9,10 +9,10 @@ namespace foam::geometry {
 namespace {
 
 constexpr std::size_t bin_count = 16;
-/// Deeper than this the heuristic gives way to the median, which halves: 2^32 items end within 32 more levels.
+/// Depth at which the heuristic gives way to the median, which halves: 2^32 items end within 32 more levels.
 constexpr std::size_t heuristic_depth = 56;
 
-/// A box as its low corner and its negated high one: growing is six times the lesser of two, without a branch.
+/// A box as its low corner and its negated high corner: growing takes six minima, without a branch.
 struct Extent {
     std::array<double, 6> least;
 
@@ -42,19 +42,19 @@ struct Item {
     double center(std::size_t axis) const { return (extent.least[axis] - extent.least[axis + 3]) * 0.5; }
 };
 
-/// Where to cut a range of items: along `axis`, behind bin `bin`.
+/// A cut of a range of items: along `axis`, behind bin `bin`.
 struct Cut {
     std::size_t axis = 0, bin = 0;
     bool found = false;
 };
 
-/// The items of a range by the place of their centres along an axis.
+/// The items of a range, binned by the position of their centres along an axis.
 class Bins {
 public:
     void clear() { occupied_ = 0; }
     void add(std::size_t bin, const Extent& extent) {
         const std::uint32_t bit = 1u << bin;
-        if ((occupied_ & bit) == 0) { // the first one overwrites what a former range left
+        if ((occupied_ & bit) == 0) { // the first item overwrites the values of a former range
             occupied_ |= bit;
             bins_[bin] = {extent, 1};
             return;
@@ -65,7 +65,7 @@ public:
 
     /// Calls visit(bin, cost) for the cuts behind every occupied bin but the last, ascending.
     template <class Visit> void for_each_cut(Visit visit) {
-        std::array<double, bin_count> right_cost; // of what lies behind a bin, but for the last one
+        std::array<double, bin_count> right_cost; // of the items behind a bin, except the last
         Bin sum{Extent::empty(), 0};
         for (std::uint32_t left = occupied_; left != 0;) {
             const auto bin = static_cast<std::size_t>(std::bit_width(left)) - 1;
@@ -92,7 +92,7 @@ private:
         }
     };
     static_assert(bin_count <= 32);
-    std::uint32_t occupied_ = 0; // a bit for each bin
+    std::uint32_t occupied_ = 0; // one bit for each bin
     std::array<Bin, bin_count> bins_;
 };
 
@@ -119,12 +119,12 @@ public:
     }
 
 private:
-    /// Bins per unit; not a number that counts where all centres are at one place: they are in one bin then.
+    /// Returns the bins per unit. If all centres coincide, the value does not matter: they share one bin.
     static double scale_of(const Extent& centers, std::size_t axis) {
         return bin_count / (-centers.least[axis + 3] - centers.least[axis]);
     }
     static std::size_t bin_of(double value, double low, double scale) {
-        const double place = (value - low) * scale; // not negative: `low` is the least value
+        const double place = (value - low) * scale; // not negative: `low` is the minimum
         return place < bin_count ? static_cast<std::size_t>(static_cast<int>(place)) : bin_count - 1;
     }
 

@@ -8,8 +8,8 @@
 namespace foam::geometry {
 namespace {
 
-/// Places along each axis: 3 · 21 bits fill a word. With them a path takes at most 63 cuts, and 32 more where codes are
-/// equal.
+/// Positions along each axis: 3 · 21 bits fill a word. With them a path takes at most 63 cuts, and 32 more where codes
+/// are equal.
 constexpr double places = 1u << 21;
 static_assert(Bvh::max_depth > 63 + 32);
 
@@ -20,7 +20,7 @@ struct Coded {
     bool operator<(const Coded& other) const { return code != other.code ? code < other.code : index < other.index; }
 };
 
-/// Every third bit from the 21 lowest ones.
+/// Spreads the 21 lowest bits to every third bit.
 std::uint64_t spread(std::uint64_t x) {
     x = (x | x << 32) & 0x001F00000000FFFFu;
     x = (x | x << 16) & 0x001F0000FF0000FFu;
@@ -51,7 +51,7 @@ std::vector<Coded> along_curve(std::span<const Box> boxes) {
     return result;
 }
 
-/// Where the highest bit that differs changes; the middle if none does.
+/// Returns where the highest differing bit changes; the middle if none does.
 std::uint32_t cut(const std::vector<Coded>& items, std::uint32_t begin, std::uint32_t end) {
     const std::uint64_t differing = items[begin].code ^ items[end - 1].code;
     if (differing == 0) {
@@ -75,7 +75,7 @@ Bvh Bvh::quick(std::span<const Box> boxes, std::uint32_t leaf_size) {
     nodes.reserve(2 * boxes.size() / leaf_size + 2);
     nodes.push_back({{}, {}, 0, static_cast<std::uint32_t>(items.size())});
     CancellationCounter asking(4096);
-    for (std::size_t n = 0; n < nodes.size(); ++n) { // a node waits as a leaf until it is cut
+    for (std::size_t n = 0; n < nodes.size(); ++n) { // a node is a leaf until it is cut
         asking.check();
         const std::uint32_t begin = nodes[n].first, end = begin + nodes[n].count;
         if (end - begin > leaf_size) {
@@ -90,7 +90,7 @@ Bvh Bvh::quick(std::span<const Box> boxes, std::uint32_t leaf_size) {
     for (const Coded& item : items) {
         result.order_.push_back(item.index);
     }
-    for (std::size_t n = nodes.size(); n-- > 0;) { // children come behind their parents
+    for (std::size_t n = nodes.size(); n-- > 0;) { // children come after their parents
         BvhNode& node = nodes[n];
         Box box;
         if (node.leaf()) {

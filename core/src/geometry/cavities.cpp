@@ -5,7 +5,7 @@
 namespace foam::geometry {
 namespace {
 
-/// What hangs together.
+/// A connected component of the surface.
 struct Shell {
     double volume = 0, area = 0;
     Vec3 facing; ///< ∫ n: zero for a closed shell
@@ -43,7 +43,7 @@ double cavity_volume(const Solid& solid) {
     for (const Shell& shell : shells) {
         (shell.volume < 0 ? cavities : bodies) += shell.nearly_closed() ? std::abs(shell.volume) : 0;
     }
-    constexpr double rounding = 1e-6; // all that is left of a sheet, which has no inside
+    constexpr double rounding = 1e-6; // all that remains of a sheet, which has no inside
     return cavities > rounding * bodies ? std::min(cavities, bodies) : 0;
 }
 

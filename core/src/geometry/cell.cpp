@@ -9,8 +9,8 @@ namespace {
 
 constexpr double on_plane = 1e-9; // of the solid's diagonal: nearer points count as lying in a cutting plane
 
-/// Adds the farthest point outside the smallest ball of `active` to them until there is none among every `stride`-th
-/// point.
+/// Returns the smallest ball of `active` after adding the farthest outside point to them, until every `stride`-th point
+/// is inside.
 Sphere grow_active(const std::vector<Vec3>& points, std::size_t stride, std::vector<Vec3>& active) {
     constexpr int rounds = 100;
     for (int round = 0;; ++round) {
@@ -34,8 +34,9 @@ Sphere grow_active(const std::vector<Vec3>& points, std::size_t stride, std::vec
     }
 }
 
-/// The smallest ball around many points, to a part in 10⁹: exact on a few of them, to which the farthest point outside
-/// is added until there is none (the pivot rule of Gärtner 1999), first in a sample. Holds all points.
+/// Returns the smallest ball around many points, to a factor of 1e-9. It contains all points. It is exact on a few of
+/// them, to which the farthest outside point is added until there is none (the pivot rule of Gärtner 1999), first in a
+/// sample.
 Sphere smallest_ball(const std::vector<Vec3>& points) {
     std::vector<Vec3> active{points.front()};
     constexpr std::size_t sample = 256;
@@ -45,7 +46,7 @@ Sphere smallest_ball(const std::vector<Vec3>& points) {
     return grow_active(points, 1, active);
 }
 
-/// Twice the area of a polygon as seen along an axis, positive if its normal points along it.
+/// Returns twice the area of a polygon as seen along an axis, positive if its normal points along it.
 double facing(const Vec3* points, std::size_t count, int axis) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     double sum = 0;
@@ -114,7 +115,7 @@ Cell Cell::turned(const std::array<Vec3, 3>& axes) const {
 
 Cell Cell::coarse(double size) const {
     using Cube = std::array<std::int64_t, 3>;
-    std::vector<std::pair<Cube, std::size_t>> small; // cubes, each with a point in it
+    std::vector<std::pair<Cube, std::size_t>> small; // cubes, each with one of its points
     Cell cell = empty_copy(box_);
     std::size_t begin = 0;
     for (const std::size_t end : ends_) {
@@ -167,7 +168,7 @@ void Cell::cut_polygon(const Vec3* points, std::size_t count, int axis, double v
         (most <= 0 ? low : high).add_polygon(points, count);
         return;
     }
-    // Both halves of Sutherland and Hodgman 1974; the new points lie in the plane exactly and are shared.
+    // Computes both halves as Sutherland and Hodgman 1974; the new points lie exactly in the plane and are shared.
     std::vector<Vec3> below, above;
     for (std::size_t i = 0; i < count; ++i) {
         const Vec3 &p = points[i], &q = points[(i + 1) % count];
@@ -202,7 +203,7 @@ std::pair<Cell, Cell> Cell::cut(int axis, double value) const {
     return halves;
 }
 
-/// Appends `count` slices of `cell` across `axis`, halving the number again and again: O(polygons · log count).
+/// Appends `count` slices of `cell` across `axis`, halving the number recursively: O(polygons · log count).
 void Cell::divide(Cell&& cell, int axis, int count, std::vector<Cell>& slices) {
     if (count == 1) {
         slices.push_back(std::move(cell));
@@ -216,7 +217,7 @@ void Cell::divide(Cell&& cell, int axis, int count, std::vector<Cell>& slices) {
 }
 
 bool Cell::holds_something() const {
-    // Without surface in it, a cell is inside or outside as a whole.
+    // Without surface, a cell is inside or outside as a whole.
     return at_surface() || (content_ == Content::solid && solid_->contains(to_solid(box_.center())));
 }
 
@@ -233,8 +234,8 @@ std::vector<Cell> Cell::divided(const std::array<int, 3>& counts) const {
     return cells;
 }
 
-/// The box's corners that are inside the solid and not in the ball `known`. Just inside the box, that is: a corner that
-/// only touches a neighbour's part does not count.
+/// Returns the box's corners that are inside the solid and not in the ball `known`. It tests points just inside the
+/// box: a corner that only touches a neighbour's part does not count.
 std::vector<Vec3> Cell::inside_corners(const Sphere& known) const {
     std::vector<Vec3> corners;
     if (content_ == Content::surface) {
@@ -260,7 +261,7 @@ Box Cell::extent() const {
     for (const Vec3& corner : inside_corners({extent.center(), -1})) {
         extent.add(corner);
     }
-    // A sliver beside the surface, thinner than rounding: inside by its middle, but not by its corners.
+    // A sliver beside the surface, thinner than rounding: its middle is inside, but not its corners.
     return extent.empty() ? box_ : extent;
 }
 
@@ -275,8 +276,8 @@ Sphere Cell::ball() const {
         all.insert(all.end(), corners.begin(), corners.end());
         ball = smallest_ball(all);
     }
-    // Where two balls only just meet on a cut, a proof by subdivision would have to cut very finely: a hair of overlap
-    // helps.
+    // Where two balls only just meet on a cut, a proof by subdivision would cut very finely. A small overlap prevents
+    // that.
     constexpr double overlap = 1e-5;
     const double least = std::max(1e-9 * solid_->bounds().diagonal(), 1e-300);
     return {to_solid(ball.center), std::max(ball.radius * (1 + overlap), least)};

@@ -11,14 +11,15 @@ namespace {
 using geometry::Balls;
 using geometry::Piece;
 
-/// Pieces with edges below this share of the extent are not split again: the gap they may hide, and the growth that
-/// closes them, is of that size.
+/// Share of the extent below which edges of pieces are not split. The gap that such a piece may hide, and the growth
+/// that closes it, are of that size.
 constexpr double smallest_piece = 1e-9;
-/// The gap is found to this relative accuracy, from above.
+/// Relative accuracy of the gap, which is an upper bound.
 constexpr double gap_accuracy = 1e-3;
 
-/// Proofs of usual covers take some pieces a triangle. Where balls end along a whole edge or face of a needle any
-/// number would be asked for: what is open when so many were looked at counts as uncovered.
+/// Limits on the number of pieces of a proof. Proofs of usual sphere models need some pieces per triangle. Where balls
+/// end along a whole edge or face of a needle, the number would be unlimited; pieces that are open at the limit count
+/// as uncovered.
 constexpr std::size_t least_pieces = 1'000'000, pieces_a_triangle = 100;
 
 class Proof {
@@ -50,7 +51,7 @@ public:
 private:
     struct Waiting {
         Piece piece;
-        std::size_t begin, end; // candidates among indices_
+        std::size_t begin, end; // range of the candidates in indices_
     };
 
     void examine_triangle(std::uint32_t i) {
@@ -73,7 +74,7 @@ private:
         }
     }
 
-    /// What halving alone finds out does not depend on what cuts could not prove.
+    /// Proves by halving alone, independent of what cuts could not prove.
     void halve(const Piece& whole) {
         smallest_ = std::max(smallest_piece * balls_.extent(), shrink_ * geometry::size_of(whole));
         waiting_.assign(1, {whole, 0, indices_.size()});
@@ -93,9 +94,9 @@ private:
         }
     }
 
-    /// Covered, or too small to split, or not the worst anyway; otherwise its halves wait.
+    /// Discards the piece if it is covered, too small to split, or not the worst; otherwise queues its halves.
     void examine(const Waiting& item) {
-        double upper = std::numeric_limits<double>::infinity(); // one ball must grow so much to hold the piece
+        double upper = std::numeric_limits<double>::infinity(); // growth of one ball that contains the piece
         const geometry::PiecePoints corners(item.piece);
         std::array<double, 6> corner_gap;
         corner_gap.fill(upper);
@@ -145,9 +146,9 @@ private:
     Balls balls_;
     geometry::CreaseCuts cuts_;
     std::size_t most_pieces_;
-    std::uint32_t last_ = 0; // ball that held a triangle
+    std::uint32_t last_ = 0; // ball that contained the previous triangle
     double smallest_ = 0;
-    double proved_gap_ = 0; // of a corner that no ball holds
+    double proved_gap_ = 0; // of a corner that no ball contains
     std::uint32_t halvings_ = 0;
     Certificate certificate_;
     std::vector<Waiting> waiting_;

@@ -11,8 +11,7 @@
 namespace foam::geometry {
 namespace {
 
-/// Corners of the rim nearer to each other than this share of the extent, and of the mean length of its edges, are
-/// drawn together.
+/// Limits below which two corners of the rim are joined: shares of the extent, and of the mean length of its edges.
 constexpr double crack_of_extent = 1.0 / 100, crack_of_edge = 1.0 / 2;
 
 /// An edge that the triangles pass `times` more often from `from` to `to` than back.
@@ -75,12 +74,12 @@ public:
 private:
     using Cell = std::array<std::int64_t, 3>;
 
-    /// Every corner of the rim goes to the first one that is near enough.
+    /// Moves every corner of the rim to the first one that is near enough.
     void draw_together() {
         Box box;
         double length = 0;
         for (const RimEdge& edge : rim_) {
-            drawn_[edge.from] = edge.from; // the rim is of closed curves: every corner begins an edge
+            drawn_[edge.from] = edge.from; // the rim consists of closed curves: every corner begins an edge
             box.add(mesh_.vertices[edge.from]);
             length += distance(mesh_.vertices[edge.from], mesh_.vertices[edge.to]);
         }
@@ -113,8 +112,8 @@ private:
         }
     }
 
-    /// What is left passes every corner as often in as out. A way along its edges that comes back to a corner has gone
-    /// around a closed curve, which is cut off.
+    /// Closes the remaining edges, which enter every corner as often as they leave it. A path along them that returns
+    /// to a corner has gone around a closed curve, which is cut off.
     void fill_curves() {
         std::map<std::uint32_t, std::vector<std::uint32_t>> next;
         for (const auto& [ends, times] : left_) {
@@ -146,7 +145,7 @@ private:
         }
     }
 
-    /// A fan over a closed curve of at least three corners.
+    /// Adds a fan over a closed curve of at least three corners.
     void fill(std::span<const std::uint32_t> curve) {
         if (curve.size() == 3) {
             add(curve[0], curve[2], curve[1]);
@@ -178,7 +177,7 @@ private:
 
     const Mesh& mesh_;
     std::vector<RimEdge> rim_;
-    std::map<std::uint32_t, std::uint32_t> drawn_; // a corner of the rim, where it goes
+    std::map<std::uint32_t, std::uint32_t> drawn_; // a corner of the rim, and its target
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::ptrdiff_t> left_;
     Mesh result_;
 };

@@ -7,8 +7,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// m. Squares of distances within balls of these sizes neither overflow nor lose more than 1e-40 of themselves to
-/// underflow. Other balls hold nothing.
+/// Bounds on the radius, m. Squares of distances within balls of these sizes neither overflow nor lose more than 1e-40
+/// of themselves to underflow. Other balls contain nothing.
 constexpr double smallest_ball = 1e-140, largest_ball = 1e150;
 
 struct Middle {
@@ -37,7 +37,7 @@ double squared_height(const Piece& piece) {
                : 0;
 }
 
-/// Both halves of a triangle; `cut` is the edge: 0 ab, 1 bc, 2 ca.
+/// Sets both halves of a triangle; `cut` is the edge: 0 ab, 1 bc, 2 ca.
 void halve(Corners& first, Corners& second, int cut) {
     if (cut == 0) {
         first.b = second.a = (first.a + first.b) * 0.5;
@@ -127,11 +127,11 @@ void Balls::find_round_parts(const Solid& solid) {
     }
 }
 
-/// The true surface runs beneath the polyhedron: every point of it lies straight below some point of a facet, since
-/// each facet touches the ball, or the cylinder's side, in a point of its own. How deep, is a convex function over the
-/// facet (the primitive is convex), so nowhere deeper than between the depths below the corners. Below a corner the
-/// depth is measured to the ball about the nearest point of the axis, which is in the primitive and so no higher than
-/// its surface. The flat ends of a cylinder lie in those of the polyhedron.
+/// Computes the surface beneath the polyhedron. Every point of the true surface lies straight below some point of a
+/// facet, since each facet touches the ball, or the cylinder's side, in one point. Its depth is a convex function over
+/// the facet (the primitive is convex), so it is nowhere greater than the interpolated depths below the corners. Below
+/// a corner the depth is measured to the ball about the nearest point of the axis, which is in the primitive and so no
+/// higher than its surface. The flat ends of a cylinder lie in those of the polyhedron.
 void Balls::find_beneath(const Solid& solid, std::size_t index) {
     const Solid::Part& part = solid.parts()[index];
     const double radius = part.primitive->radius;

@@ -19,7 +19,7 @@ bool CreaseCuts::Polygon::add(const Polygon& from, std::size_t corner, double sh
         return false;
     }
     const std::size_t next = (corner + 1) % from.corners;
-    const double rest = 1 - share, taken = 1 - rest; // they add up to 1 exactly (Sterbenz 1974)
+    const double rest = 1 - share, taken = 1 - rest; // they add up to exactly 1 (Sterbenz 1974)
     top[corners] = from.top[corner] * rest + from.top[next] * taken;
     beneath[corners] = from.beneath[corner] * rest + from.beneath[next] * taken;
     ++corners;
@@ -70,7 +70,7 @@ bool CreaseCuts::cover(const Piece& piece, std::span<const std::uint32_t> candid
 
 void CreaseCuts::raise(const Piece& piece, std::span<const std::uint32_t> candidates, std::vector<double>& reach) {
     walk(piece, candidates, [&](const Polygon& open, const Pair& pair) {
-        double& farthest = reach[pair.first]; // where rounding sees no two parts, one ball takes both
+        double& farthest = reach[pair.first]; // where rounding separates no two parts, one ball contains both
         for (std::size_t k = 0; k < open.corners; ++k) {
             farthest = std::max(farthest, distance(balls_.center(pair.first), open.top[k]));
             if (open.curved) {
@@ -81,7 +81,7 @@ void CreaseCuts::raise(const Piece& piece, std::span<const std::uint32_t> candid
     });
 }
 
-/// Open: the ball whose power is least at all corners, and so everywhere, does not hold one of them.
+/// Returns open if the ball whose power is least at all corners, and so everywhere, does not contain one of them.
 CreaseCuts::Answer CreaseCuts::look(const Polygon& polygon, Pair& pair) const {
     std::array<std::uint32_t, Polygon::most_corners> owner{};
     std::array<double, Polygon::most_corners> least;
@@ -111,9 +111,10 @@ CreaseCuts::Answer CreaseCuts::look(const Polygon& polygon, Pair& pair) const {
     return Answer::open;
 }
 
-/// Along the plane where the powers of two balls are equal. False where rounding sees no two parts, or too often.
+/// Cuts along the plane where the powers of two balls are equal. Returns false if rounding separates no two parts, or
+/// after too many cuts.
 bool CreaseCuts::cut(const Polygon& polygon, const Pair& pair) {
-    constexpr std::uint32_t roundings = 2; // of a cut, in halvings
+    constexpr std::uint32_t roundings = 2; // roundings of a cut, in halvings
     if (roundings * (polygon.cuts + 1) > most_halvings_) {
         return false;
     }
@@ -143,7 +144,8 @@ bool CreaseCuts::cut(const Polygon& polygon, const Pair& pair) {
     return true;
 }
 
-/// On its side of the cut a ball need not be compared with the other, nor with those whose power is nowhere less.
+/// Queues the part of `owner`. There, `owner` need not be compared with `other`, nor with balls whose power is nowhere
+/// less.
 void CreaseCuts::push(Polygon& polygon, const Polygon& whole, std::uint32_t owner, std::uint32_t other) {
     polygon.curved = whole.curved;
     polygon.cuts = whole.cuts + 1;

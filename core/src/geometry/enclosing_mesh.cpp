@@ -27,8 +27,8 @@ Mesh box_mesh(const Vec3& size) {
     return mesh;
 }
 
-/// The profile from bottom to top, turned about z; flat discs close it. Every cross-section is a regular polygon around
-/// the circle that the profile stands for.
+/// Returns the profile from bottom to top, turned about z and closed by flat discs. Every cross-section is a regular
+/// polygon around the circle of the primitive.
 Mesh turned(const std::vector<ProfilePoint>& profile, int segments) {
     const auto n = static_cast<std::uint32_t>(segments);
     const auto rings = static_cast<std::uint32_t>(profile.size());
@@ -57,7 +57,7 @@ Mesh turned(const std::vector<ProfilePoint>& profile, int segments) {
     return mesh;
 }
 
-/// Tangents at the poles, at the equator and between them; `half`: half the length of the cylindrical part.
+/// Returns the tangents at the poles, at the equator and between them; `half`: half the length of the cylindrical part.
 std::vector<ProfilePoint> capsule_profile(double radius, double half, int segments) {
     const int steps = std::max(1, segments / 4);
     const double step = pi / 2 / steps;

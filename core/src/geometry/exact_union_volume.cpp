@@ -1,7 +1,7 @@
 // Volume of a union of balls in closed form: Gauss's theorem over the exposed parts of the spheres, Stokes's theorem
-// over each part. All that is left are integrals along arcs of circles; no vertex of the arrangement has to be found,
-// so no degenerate arrangement can break it (cf. Buša et al. 2005, "ARVO: a Fortran package for computing the solvent
-// accessible surface area and the excluded volume of overlapping spheres via analytic equations").
+// over each part. Only integrals along arcs of circles remain. No vertex of the arrangement has to be computed, so
+// degenerate arrangements are safe (cf. Buša et al. 2005, "ARVO: a Fortran package for computing the solvent accessible
+// surface area and the excluded volume of overlapping spheres via analytic equations").
 #include "geometry/union_parts.hpp"
 
 #include <foam/cancellation.hpp>
@@ -43,11 +43,11 @@ struct Circle {
     Vec3 u, v;
 };
 
-/// A boundary that two caps share belongs to the first: below this difference they are the same.
+/// Difference below which two caps are the same. A boundary that two caps share belongs to the first.
 constexpr double same = 1e-13;
 
-/// Adds the angles at which a cap hides the circle; false if it hides all of it. `first`: of two equal caps, the cap is
-/// the one that counts.
+/// Adds the angles at which a cap hides the circle. Returns false if it hides the whole circle. `first`: of two equal
+/// caps, this one counts.
 bool add_hidden(const Circle& circle, const Cap& cap, bool first, std::vector<Interval>& hidden) {
     // p · cap.axis − cap.height = depth + amplitude · cos(t − middle)
     const double depth = circle.height * dot(circle.axis, cap.axis) - cap.height;
@@ -77,7 +77,7 @@ bool add_hidden(const Circle& circle, const Cap& cap, bool first, std::vector<In
 }
 
 struct Exposed : ExposedPart {
-    /// Adds an arc of the boundary, passed so that the exposed part is on its right: on the left is the cap.
+    /// Subtracts an arc of the boundary, traversed with the exposed part on its right and the cap on its left.
     void subtract(const Circle& c, const Interval& arc) {
         const double angle = arc.end - arc.begin;
         // ∫ n dA = ½ ∮ p × dp
@@ -95,7 +95,7 @@ struct Exposed : ExposedPart {
     }
 };
 
-/// Turns the axes so that no ball of a symmetrical arrangement has its neighbours on the poles, where the integrand of
+/// Turns the axes so that no ball of a symmetrical arrangement has its neighbours at the poles, where the integrand of
 /// the area is singular.
 Vec3 askew(const Vec3& v) {
     static const Vec3 x = normalized(Vec3{0.8131, 0.4377, -0.3849});
@@ -109,7 +109,7 @@ bool meet(const Sphere& a, const Sphere& b) {
     return squared_norm(b.center - a.center) < sum * sum;
 }
 
-/// The caps of ball `i` that others hide; nothing if one holds all of it.
+/// Returns the caps of ball `i` that others hide; nothing if one contains the whole ball.
 std::optional<std::vector<Cap>> caps_of(std::span<const Sphere> balls, std::size_t i) {
     const Sphere& ball = balls[i];
     std::vector<Cap> caps;
@@ -183,7 +183,7 @@ UnionParts::UnionParts(std::vector<Sphere> balls) : balls_(std::move(balls)) {
 UnionParts UnionParts::with(std::vector<Sphere> balls) const {
     UnionParts result;
     result.balls_ = std::move(balls);
-    std::vector<Sphere> changed; // as they were and as they are
+    std::vector<Sphere> changed; // before and after the change
     for (std::size_t i = 0; i < std::max(balls_.size(), result.balls_.size()); ++i) {
         const bool was = i < balls_.size(), is = i < result.balls_.size();
         if (was && is && balls_[i] == result.balls_[i]) {

@@ -7,7 +7,7 @@
 namespace foam::geometry {
 namespace {
 
-/// Areas of radii that differ by less than this share count as the same.
+/// Share below which a change of a radius does not change its area.
 constexpr double noticeable = 0.01;
 
 } // namespace
@@ -47,7 +47,7 @@ double GrowthCost::area(std::span<const Sphere> balls, std::size_t i, double rad
 double GrowthCost::of(std::span<const Sphere> balls, std::size_t i, double radius) {
     const double from = balls[i].radius;
     if (after_[i].radius == from) {
-        before_[i] = after_[i]; // it has grown to what was tried last
+        before_[i] = after_[i]; // the ball has grown to the last radius tried
     }
     const double area_before = area(balls, i, from, before_[i]);
     const bool little = radius - from <= noticeable * from;

@@ -1,4 +1,4 @@
-// Growth after which nothing is left uncovered: by the worst gap first, or by power cells.
+// Growth until everything is covered: by the worst gap first, or by power cells.
 #include "geometry/growth.hpp"
 
 #include "geometry/crease_cuts.hpp"
@@ -14,21 +14,21 @@ namespace foam {
 namespace geometry {
 namespace {
 
-/// A piece is given to one ball when some corner of it is uncovered by this share of what would close the whole piece.
+/// Share of the growth for the whole piece that an uncovered corner needs at least, so that one ball gets the piece.
 constexpr double fine_enough = 0.8;
-/// Pieces smaller than this share of the extent are not split: growing by their size costs nothing.
+/// Share of the extent below which pieces are not split: growing by their size adds next to nothing.
 constexpr double smallest_piece = 1e-8;
-/// As many of the nearest balls are compared by the volume they would add.
+/// Number of nearest balls that are compared by the excess volume they would add.
 constexpr std::size_t compared = 4;
 
-/// Best-first search: the queue's keys are upper bounds of the pieces' gaps, as balls only grow.
+/// Growth by best-first search. The queue's keys are upper bounds of the pieces' gaps, as balls only grow.
 class Growth {
 public:
     Growth(const Solid& solid, std::vector<Sphere>& spheres, double quantum)
         : spheres_(spheres), quantum_(quantum), balls_(solid, spheres, growth_halvings, growth_caution),
           cost_(solid, spheres.size()) {}
 
-    /// False once it has looked at more than `most_looks` pieces: some may be left uncovered.
+    /// Returns false once it has examined more than `most_looks` pieces: some may then be uncovered.
     bool run(std::size_t most_looks) {
         std::vector<char> held(balls_.piece_count(), 0);
         for (const RoundPart& part : balls_.round_parts()) {
@@ -53,7 +53,7 @@ public:
                 continue;
             }
             if (now.upper < entry.gap && !queue_.empty() && now.upper < queue_.top().gap) {
-                push(entry.piece, now.upper); // others are worse by now
+                push(entry.piece, now.upper); // other pieces are worse by now
                 continue;
             }
             const bool small =
@@ -72,13 +72,13 @@ public:
 private:
     struct Entry {
         double gap;
-        std::uint64_t number; // of its making: equal gaps are taken in order
+        std::uint64_t number; // creation number: equal gaps are processed in order
         Piece piece;
         bool operator<(const Entry& other) const { return gap != other.gap ? gap < other.gap : number > other.number; }
     };
     struct Bounds {
         bool held = false;
-        double lower = 0, upper = 0; // of the gap
+        double lower = 0, upper = 0; // bounds of the gap
     };
 
     void push(const Piece& piece, double gap) { queue_.push({gap, made_++, piece}); }
@@ -90,8 +90,7 @@ private:
         }
     }
 
-    /// Where a ball needs less to hold the part whole than the part's tessellation stands out from it, it grows by
-    /// that.
+    /// Grows a ball to contain the part if that takes less than the protrusion of the part's tessellation.
     void close_round_part(const RoundPart& part) {
         constexpr double tessellation = 0.005;
         double least = tessellation * part.radius;
@@ -135,7 +134,7 @@ private:
         return result;
     }
 
-    /// Lets the ball grow that adds the least.
+    /// Grows the ball that adds the least excess volume.
     void give(const Piece& piece) {
         std::vector<std::pair<double, std::uint32_t>> growths;
         for (std::uint32_t i = 0; i < balls_.size(); ++i) {
@@ -151,7 +150,7 @@ private:
         for (std::size_t k = 0; k < count; ++k) {
             const std::uint32_t i = growths[k].second;
             const double radius = radius_to_hold(i, piece);
-            // A share of the plain growth settles ties between balls that add nothing yet.
+            // A share of the plain growth breaks ties between balls that add no excess volume yet.
             const double whole =
                 radius * radius * radius - spheres_[i].radius * spheres_[i].radius * spheres_[i].radius;
             const double cost = count == 1 ? 0 : cost_.of(spheres_, i, radius) + 0.02 * whole;
@@ -193,9 +192,9 @@ double rounded_up(double radius, double quantum) {
     return steps * quantum;
 }
 
-/// Gives each ball what is left open of its power cell (Aurenhammer 1987), in one look at each triangle: the cells tile
-/// the surface, so balls that reach as far as their cells hold it. Where gaps are wide, neighbours share them, which
-/// growth by the worst gap first does not: there the ball that took a piece takes the next one, too.
+/// Grows each ball to contain the uncovered part of its power cell (Aurenhammer 1987), visiting each triangle once. The
+/// cells tile the surface, so balls that contain their cells cover it. Where gaps are wide, neighbours share them.
+/// Growth by the worst gap first does not: there the ball that got a piece gets the next one, too.
 static void grow_by_cells(const Solid& solid, std::vector<Sphere>& spheres, double quantum) {
     const Balls balls(solid, spheres, growth_halvings, growth_caution);
     CreaseCuts cuts(balls, growth_halvings);
@@ -242,7 +241,7 @@ void check_growable(const std::vector<Sphere>& spheres) {
                 "there is no sphere with finite centre and radius that could grow to cover the solid");
 }
 
-/// Rounding is all that can still be in the way.
+/// Closes gaps due to rounding, the only possible reason for a remaining gap.
 void close_what_is_left(const Solid& solid, std::vector<Sphere>& spheres, double quantum) {
     for (int round = 0; round < 3; ++round) {
         if (certify(solid, spheres).holds) {
@@ -250,7 +249,8 @@ void close_what_is_left(const Solid& solid, std::vector<Sphere>& spheres, double
         }
         geometry::grow(solid, spheres, quantum, geometry::most_looks(solid));
     }
-    // Balls that meet just at the surface can ask for more pieces than a proof may take. A hair more lets it succeed.
+    // Balls that meet just at the surface can require more pieces than a proof may take. A slightly larger radius lets
+    // it succeed.
     for (const double share : {1e-9, 1e-6, 1e-3}) {
         if (certify(solid, spheres).holds) {
             return;
@@ -294,7 +294,8 @@ std::vector<Sphere> tightened_to_cover(const Solid& solid, std::vector<Sphere> s
         const double fits = is_finite(s.center) ? -solid.signed_distance(s.center) : 0;
         floor.push_back(std::min(s.radius, std::max(0.0, fits)));
     }
-    // Whether to give up whole spheres or to share among all depends on the case: the smaller union is kept.
+    // Dropping whole spheres or sharing the reduction among all: which is better depends on the case, and the smaller
+    // union is kept.
     std::vector<Sphere> best;
     for (const bool drop_first : {false, true}) {
         std::vector<Sphere> tight = spheres;

@@ -1,4 +1,4 @@
-// Proof that balls lie in a solid, and spheres that pass it.
+// Proof that balls lie in a solid, and shrinking of spheres until it succeeds.
 #include <foam/cancellation.hpp>
 #include <foam/inner.hpp>
 
@@ -18,20 +18,20 @@ namespace geometry {
 namespace {
 
 constexpr double unit = std::numeric_limits<double>::epsilon();
-/// Balls smaller than this share of the solid's extent are not proved: nearer to the surface the solid angles that add
-/// up to the winding number lose their digits.
+/// Share of the solid's extent below which balls are not proved: nearer to the surface the solid angles that add up to
+/// the winding number lose their digits.
 constexpr double smallest_ball = 1e-9;
-/// More than the rounding errors of a sum of a hundred million solid angles.
+/// Margin above the rounding errors of a sum of a hundred million solid angles.
 constexpr double winding_margin = 1e-6;
 
-/// A lower bound of the distance from `p` to the triangle, sharp where the nearest point is known well: for any unit
-/// vector the triangle lies beyond its corner that comes first along it.
+/// Returns a lower bound of the distance from `p` to the triangle, sharp where the nearest point is known well. For any
+/// unit vector the triangle lies beyond its corner that comes first along the vector.
 double distance_at_least(const Corners& t, const Vec3& p) {
     const Vec3 towards = normalized(closest_on_triangle(t, p) - p);
     return std::min({dot(towards, t.a - p), dot(towards, t.b - p), dot(towards, t.c - p)});
 }
 
-/// One mesh, read as a solid.
+/// The free space within one mesh, read as a solid.
 class MeshRoom {
 public:
     explicit MeshRoom(const Mesh& mesh) {
@@ -59,7 +59,7 @@ public:
         }
     }
 
-    /// The largest radius up to `most` that is proved; 0 if that is below `least`.
+    /// Returns the largest radius up to `most` that is proved; 0 if it is below `least`.
     double radius(const Vec3& p, double least, double most) const {
         const double free = std::min(distance(p, most), most);
         if (!(free > least)) {
@@ -75,7 +75,7 @@ public:
     }
 
 private:
-    /// Lower bound of the distance to the surface where it is below `most`.
+    /// Returns a lower bound of the distance to the surface where it is below `most`.
     double distance(const Vec3& p, double most) const {
         double nearest = most;
         const auto is_nearer = [&](const BvhNode& node) {
@@ -88,11 +88,11 @@ private:
 
     Bvh bvh_;
     std::vector<Corners> triangles_; ///< in the hierarchy's order
-    std::vector<Corners> counting_;  ///< those that the winding number counts
+    std::vector<Corners> counting_;  ///< those that count for the winding number
     Rim rim_;
 };
 
-/// All parts of a solid. Built from the solid's input, not from its queries: a second opinion.
+/// The free space within all parts of a solid. It is built from the solid's input, independent of its queries.
 class Room {
 public:
     explicit Room(const Solid& solid) {
@@ -113,7 +113,7 @@ public:
         if (!is_finite(sphere.center) || !std::isfinite(sphere.radius)) {
             return 0;
         }
-        // Differences of coordinates, products and sums of three, poses: all below a few dozen units.
+        // Differences of coordinates, products and sums of three, poses: in total below a few dozen units.
         const double slack = 64 * unit * (extent_ + norm(sphere.center));
         const double most = sphere.radius + slack;
         double radius = 0;
@@ -125,7 +125,7 @@ public:
                 radius = std::max(radius, mesh.radius(sphere.center, std::max(least_, radius), most));
             }
         }
-        // A ball with room for the slack is proved as it is: most - slack may be rounded below it.
+        // A ball with room for the slack is proved with its radius: most - slack may be rounded below it.
         radius = radius >= most ? sphere.radius : std::min(radius - slack, sphere.radius);
         return radius > least_ ? radius : 0;
     }
@@ -136,7 +136,7 @@ private:
     std::vector<MeshRoom> meshes_;
 };
 
-/// A deep point of the solid within the ball: pattern search on the signed distance (Hooke and Jeeves 1961).
+/// Returns a deep point of the solid within the ball, by pattern search on the signed distance (Hooke and Jeeves 1961).
 Vec3 deep_point(const Solid& solid, const Sphere& sphere) {
     Vec3 best = sphere.center;
     double depth = -solid.signed_distance(best);
@@ -159,7 +159,7 @@ Vec3 deep_point(const Solid& solid, const Sphere& sphere) {
     return best;
 }
 
-/// Leaves out the balls that lie in another; of equal ones the first stays.
+/// Removes the balls that lie in another; of equal ones the first stays.
 void drop_contained(std::vector<Sphere>& spheres) {
     for (std::size_t i = 0; i < spheres.size(); ++i) {
         check_cancelled();

@@ -1,4 +1,4 @@
-// Where a line is inside a surface, open ones too.
+// The parts of a line inside a surface, open or closed.
 #include "geometry/mesh_part.hpp"
 
 #include <numbers>
@@ -6,11 +6,11 @@
 namespace foam::geometry {
 namespace {
 
-/// On parts of a line shorter than this share of the extent the winding number is taken as linear.
+/// Share of the extent below which the winding number is linear over a part of a line.
 constexpr double resolution = 1.0 / 16;
-/// So far from one half at its middle, a short part is on one side of it.
+/// Distance from one half at the middle of a short part beyond which the whole part is on one side of it.
 constexpr double clear = 0.25;
-/// Of winding numbers by expansion.
+/// Accuracy of winding numbers by expansion.
 constexpr double accuracy = 2e-3;
 
 double squared_distance(const BvhNode& node, const Box& region) {
@@ -22,7 +22,7 @@ double squared_distance(const BvhNode& node, const Box& region) {
     return sum;
 }
 
-/// Where the line is in the box.
+/// Clips the line to the box.
 bool clip(const Box& box, const Vec3& origin, const Vec3& direction, double& from, double& to) {
     from = -std::numeric_limits<double>::infinity();
     to = -from;
@@ -43,10 +43,10 @@ bool clip(const Box& box, const Vec3& origin, const Vec3& direction, double& fro
 
 } // namespace
 
-/// Seen from distance d, a surface of area A has a solid angle of at most A/d², and a single triangle one of at most
-/// 2π.
+/// Returns a bound: from distance d, a surface of area A has a solid angle of at most A/d², and a single triangle one
+/// of at most 2π.
 double MeshPart::winding_at_most(const Box& region, double enough) const {
-    constexpr double near_share = 1.0 / 64; // nodes that may contribute more are looked into
+    constexpr double near_share = 1.0 / 64; // nodes that may contribute more are opened
     const std::vector<BvhNode>& nodes = bvh_.nodes();
     double sum = 0;
     std::array<std::uint32_t, Bvh::max_depth> stack;
@@ -72,7 +72,7 @@ double MeshPart::winding_at_most(const Box& region, double enough) const {
 
 void MeshPart::inside_along(const Vec3& origin, const Vec3& direction, std::span<const Crossing> crossings,
                             std::span<const Solid::Interval> parts, std::vector<Solid::Interval>& result) const {
-    // The surface lies within its box, and so does the closing surface: outside nothing is inside.
+    // The surface and its closing surface lie within the box: nothing outside it is inside.
     double from = 0, to = 0;
     if (!clip(box_, origin, direction, from, to)) {
         return;
@@ -91,7 +91,7 @@ void MeshPart::inside_part(const Vec3& origin, const Vec3& direction, double fro
     line.add(origin + from * direction);
     line.add(origin + to * direction);
     const bool holes_matter = !(closing_->winding_at_most(line, 0.5) < 0.5);
-    int winding = 0; // of the surface and what closes it
+    int winding = 0; // of the surface and its closing surface
     const auto stretch = [&](double enter, double leave) {
         if (enter < leave && holes_matter) {
             inside_stretch(origin, direction, enter, leave, winding, result);
@@ -108,7 +108,7 @@ void MeshPart::inside_part(const Vec3& origin, const Vec3& direction, double fro
     stretch(from, to);
 }
 
-/// Cut into halves until holes cannot matter or it is short.
+/// Halves the stretch until holes cannot matter or it is short.
 void MeshPart::inside_stretch(const Vec3& origin, const Vec3& direction, double enter, double leave, int winding,
                               std::vector<Solid::Interval>& result) const {
     const double unit = norm(direction), shortest = resolution * box_.diagonal() / unit;
@@ -121,7 +121,7 @@ void MeshPart::inside_stretch(const Vec3& origin, const Vec3& direction, double 
             }
             return;
         }
-        // Linear through the values at the quarters: the ends may lie on the closing surface.
+        // Linear through the values at the quarters, as the ends may lie on the closing surface.
         const double near = above_half(p - half / 2 * direction), far = above_half(p + half / 2 * direction);
         const double slope = (far - near) / half, middle = (s.enter + s.leave) / 2;
         const double zero = slope == 0 ? middle : std::clamp(middle - (near + far) / 2 / slope, s.enter, s.leave);
@@ -130,7 +130,7 @@ void MeshPart::inside_stretch(const Vec3& origin, const Vec3& direction, double 
             result.push_back(inside);
         }
     };
-    std::array<Solid::Interval, 64> waiting; // halvings are few
+    std::array<Solid::Interval, 64> waiting; // there are few halvings
     std::size_t size = 0;
     waiting[size++] = {enter, leave};
     while (size > 0) {

@@ -9,17 +9,17 @@
 namespace foam::geometry {
 namespace {
 
-// Sides of the grids of lines along each axis: where a line is inside is known at once but near holes.
+// Lines per side of the grid for each axis. Inside is known exactly except near holes.
 constexpr std::size_t across_closed = 48, across_open = 24, across_overlaps = 96;
-constexpr double noise = 1e-9; // of the box: no length is known better
+constexpr double noise = 1e-9; // share of the box: the accuracy of every length
 
-/// Lines along an axis, and where they cross each part of a solid that is a mesh.
+/// Lines along an axis, and their crossings with each mesh part of a solid.
 struct TracedGrid {
     LineGrid grid;
     std::vector<GridCrossings> crossings{};
-    std::vector<std::vector<std::uint32_t>> parts{}; ///< that each line may meet, ascending
+    std::vector<std::vector<std::uint32_t>> parts{}; ///< those that each line may meet, ascending
 };
-using TracedGrids = std::vector<TracedGrid>; // of each axis
+using TracedGrids = std::vector<TracedGrid>; // one for each axis
 
 TracedGrids traced(const SolidData& data, std::size_t across, std::string_view stream) {
     TracedGrids grids;
@@ -44,8 +44,8 @@ TracedGrids traced(const SolidData& data, std::size_t across, std::string_view s
     return grids;
 }
 
-/// The integral over the box of a quantity that is known along lines: `of_line(row, grid, line)`, m, rows being counted
-/// over all axes. The variance is that of collapsed strata (Cochran 1977, Sampling Techniques, 5A.12): two neighbouring
+/// Integrates over the box a quantity that is known along lines: `of_line(row, grid, line)`, m, with rows counted over
+/// all axes. The variance is that of collapsed strata (Cochran 1977, Sampling Techniques, 5A.12): two neighbouring
 /// cells count as one with two lines.
 template <class OfLine> Estimate integral(const TracedGrids& grids, OfLine of_line) {
     const std::size_t across = grids.front().grid.across;
@@ -84,8 +84,8 @@ struct Tracer {
         return data.queries[part].primitive ? std::span<const Crossing>{} : grid.crossings[part].of(line);
     }
 
-    /// Where the line is inside the parts and what closes them; returns how much longer it is with the winding number
-    /// counted in.
+    /// Computes where the line is inside the parts and their closing surfaces. Returns how much longer that is when
+    /// weighted by the winding number.
     double closed_along() {
         pieces.clear();
         intervals.clear();
@@ -103,7 +103,7 @@ struct Tracer {
         return surplus(wound, length(intervals));
     }
 
-    /// Where the line is inside the solid.
+    /// Returns where the line is inside the solid.
     Intervals inside_along() {
         Intervals result;
         for (const std::uint32_t part : grid.parts[line]) {
@@ -120,9 +120,9 @@ struct Tracer {
 
 } // namespace
 
-/// The parts' own volumes are exact, with what closes their holes. Lines tell how much of that is wound around more
-/// than once: zero for parts that do not overlap, and then no error comes in. How much more what closes holes takes in
-/// than the winding number does is the costly question and the smaller amount: few lines are asked that (Giles 2015,
+/// Computes the volume. The parts' own volumes with their closing surfaces are exact. Lines give the share of it that
+/// is wound around more than once: zero for parts that do not overlap, which then adds no error. The difference between
+/// the closing surfaces and the winding number is costly to compute but small, so it uses few lines (Giles 2015,
 /// "Multilevel Monte Carlo methods").
 InsideLines::InsideLines(const SolidData& data)
     : box_(data.box), across_(data.closed ? across_closed : across_open), rows_(3 * across_) {
@@ -162,7 +162,7 @@ double InsideLines::outside(std::span<const Sphere> spheres) const {
     std::copy_if(spheres.begin(), spheres.end(), std::back_inserter(balls),
                  [](const Sphere& s) { return is_finite(s.center) && std::isfinite(s.radius) && s.radius > 0; });
     const double shortest = noise * box_.diagonal();
-    constexpr std::size_t at_once = 8; // lines that follow each other in a row
+    constexpr std::size_t at_once = 8; // consecutive lines of a row
     const Vec3 size = box_.size();
     double sum = 0;
     std::vector<Sphere> near, nearer;

@@ -12,7 +12,7 @@ namespace {
 
 using geometry::Corners;
 
-/// A piece of a triangle that is yet to be proved.
+/// A piece of a triangle that is not proved yet.
 struct Piece {
     Corners corners;
     int depth;

@@ -28,8 +28,8 @@ struct Range {
     }
 };
 
-/// Of a triangle's edge a -> b, seen along the lines: where it is between `from` and `to` of the first coordinate. All
-/// of an edge that hardly moves there.
+/// Adds the part of a triangle's edge a -> b, seen along the lines, between `from` and `to` of the first coordinate. If
+/// the edge hardly moves there, it adds the whole edge.
 void add_edge(double au, double av, double bu, double bv, double from, double to, double steep, Range& range) {
     if (au > bu) {
         std::swap(au, bu);
@@ -57,8 +57,8 @@ public:
 
     double size() const { return cell_; }
     double begin(std::size_t i) const { return low_ + cell_ * static_cast<double>(i); }
-    /// Those that the range reaches: first and one past the last. A little wider than it is, as coordinates are
-    /// rounded.
+    /// Returns the cells that the range reaches: first and one past the last. It widens the range slightly, as
+    /// coordinates are rounded.
     std::pair<std::size_t, std::size_t> of(const Range& range) const {
         if (!(range.low <= range.high)) {
             return {0, 0};
@@ -68,7 +68,7 @@ public:
         }
         return {place((range.low - low_) * per_cell_ - margin), place((range.high - low_) * per_cell_ + margin + 1)};
     }
-    /// Of a cell.
+    /// Share of a cell.
     static constexpr double margin = 0.01;
 
 private:
@@ -80,7 +80,7 @@ private:
     std::size_t across_;
 };
 
-/// Scan conversion (Wylie, Romney, Evans, Erdahl 1967): row by row the lines that may meet the triangle.
+/// The lines that may meet the triangle, row by row, by scan conversion (Wylie, Romney, Evans, Erdahl 1967).
 class Rows {
 public:
     explicit Rows(const LineGrid& grid)
@@ -88,7 +88,7 @@ public:
           margin_(Cells::margin * rows_.size()) {}
 
     template <class Visit> void for_each_line_near(const Corners& triangle, Visit visit) const {
-        constexpr std::size_t few = 2; // rows: no need to look closer
+        constexpr std::size_t few = 2; // rows: a closer look is not needed
         Range across, along;
         for (const Vec3* corner : {&triangle.a, &triangle.b, &triangle.c}) {
             across.add((*corner)[u_]);
@@ -104,7 +104,7 @@ public:
     }
 
 private:
-    /// Where the triangle reaches in a row.
+    /// Returns the extent of the triangle in a row.
     Range within(const Corners& triangle, std::size_t row) const {
         const auto& [a, b, c] = triangle;
         const double from = rows_.begin(row) - margin_, to = rows_.begin(row + 1) + margin_;
@@ -121,8 +121,8 @@ private:
     double margin_;
 };
 
-/// Where rounding hit several edges at once the changes of a line do not sum to zero: it takes one beside it.
-/// `first`: the line of the first sum and of the first hits.
+/// Replaces a line by one beside it where rounding at several edges at once leaves a nonzero sum of changes. `first`:
+/// the line of the first sum and of the first hits.
 void take_beside(const MeshPart& part, const LineGrid& grid, std::size_t first, const std::vector<int>& sums,
                  std::vector<Hit>& hits) {
     if (std::all_of(sums.begin(), sums.end(), [](int sum) { return sum == 0; })) {
@@ -174,7 +174,7 @@ LineGrid::Near LineGrid::near(const Box& of) const {
 }
 
 GridCrossings::GridCrossings(const MeshPart& part, const LineGrid& grid) {
-    const LineGrid::Near near = grid.near(part.bounds()); // what closes the mesh lies in its box, too
+    const LineGrid::Near near = grid.near(part.bounds()); // the closing surface lies in its box, too
     if (near.first_row >= near.last_row || near.begin >= near.end) {
         return;
     }
@@ -189,7 +189,7 @@ GridCrossings::GridCrossings(const MeshPart& part, const LineGrid& grid) {
         rows.for_each_line_near(triangle, [&](std::size_t line) {
             double t = 0;
             if (line < first_ || line - first_ >= count) {
-                return; // a hair beside the box
+                return; // just outside the box
             }
             if (const int change = grid.lines[line].cross(triangle, t); change != 0) {
                 hits.push_back({line - first_, {t, change}});

@@ -7,14 +7,15 @@ double ratio(double volume, double of, double if_none) {
     return of > 0 ? volume / of : volume > 0 ? if_none : 0;
 }
 
-/// Ratios from the volumes.
+/// Sets the ratios from the volumes.
 void set_ratios(Measures& m) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     m.excess = ratio(m.excess_volume, m.volume, infinity);
     m.missing = ratio(m.missing_volume, m.volume, 0);
-    // What vol(S) is off by is in both volumes of the ratio. For excess, vol(U) / vol(S) - 1 + missing, that adds up.
+    // The error of vol(S) is in both volumes of the ratio. For excess, vol(U) / vol(S) - 1 + missing, the errors add
+    // up.
     const auto error = [&](double of_volume, double factor) {
-        // Of a volume next to nothing the factor is infinite, and no number times an error of 0.
+        // For a volume near zero the factor is infinite, and no number times an error of 0.
         const double of_solid = m.volume_error > 0 ? factor * m.volume_error * m.volume_error : 0;
         return ratio(std::sqrt(of_volume * of_volume + of_solid), m.volume, 0);
     };

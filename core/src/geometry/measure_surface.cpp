@@ -1,4 +1,4 @@
-// Cover and protrusion.
+// Coverage and protrusion.
 #include "geometry/fibonacci.hpp"
 #include "geometry/measure_parts.hpp"
 
@@ -17,8 +17,9 @@ struct Sums {
     double area = 0, weighted = 0, farthest = 0;
 };
 
-/// The distance to the solid is largest on a ball where the way from the nearest point on runs along the ball's normal.
-/// Steps along such ways, kept while they lead to exposed points farther off.
+/// Returns the largest distance found by steps. The distance to the solid is largest where the direction from the
+/// nearest point continues along the ball's normal. Steps follow such directions, and are kept while they lead to
+/// exposed points farther away.
 double refined(const Solid& solid, const Sphere& ball, std::span<const Sphere> near, Vec3 direction, double distance) {
     for (int k = 0; k < refinements; ++k) {
         const Vec3 p = ball.center + ball.radius * direction;

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t line_replicates = 4; // for each of the three axes
 constexpr std::size_t estimates = 3 * line_replicates;
 
-/// Mean and standard error of independent estimates.
+/// Returns mean and standard error of independent estimates.
 Estimate combined(std::span<const double> values) {
     const auto n = static_cast<double>(values.size());
     double sum = 0, squares = 0;
@@ -29,8 +29,8 @@ Estimate combined(std::span<const double> values) {
     return {sum / n, std::sqrt(squares / (n - 1) / n)};
 }
 
-/// Parallel to each axis one line in each cell of a square grid over the box. `length_along(origin, axis, in_balls)`:
-/// of what is looked for, m, on a line that is in the balls on `in_balls`.
+/// Integrates along one line parallel to each axis in each cell of a square grid over the box. `length_along(origin,
+/// axis, in_balls)`: the length to sum, m, on a line that is inside the balls on `in_balls`.
 template <class LengthAlong>
 Estimate along_lines(const Box& box, std::span<const Sphere> balls, std::size_t lines, std::uint64_t seed,
                      LengthAlong length_along) {
@@ -62,9 +62,9 @@ Estimate along_lines(const Box& box, std::span<const Sphere> balls, std::size_t 
     return combined(sums);
 }
 
-/// vol(S \ U). Only pieces outside the balls are looked at; where the balls hold all of a closed surface, only those
-/// between balls: the others are outside the solid. Of an open solid whose surface the balls hold little can be left,
-/// and it is costly to ask: nothing where the solid's own lines, which are known, find nothing.
+/// Estimates vol(S \ U). Only pieces outside the balls are examined. If the balls cover the whole closed surface, only
+/// pieces between balls are: the others are outside the solid. An open solid whose surface the balls cover can have
+/// little missing volume, and the queries are costly: it is zero if the solid's own lines, which are known, find none.
 Estimate left_out(const Solid& solid, std::span<const Sphere> balls, bool covered, std::size_t lines,
                   std::uint64_t seed) {
     const Box& box = solid.bounds();
@@ -86,7 +86,7 @@ Estimate left_out(const Solid& solid, std::span<const Sphere> balls, bool covere
     });
 }
 
-/// vol(U \ S).
+/// Estimates vol(U \ S).
 Estimate claimed_wrongly(const Solid& solid, std::span<const Sphere> balls, std::size_t lines, std::uint64_t seed) {
     Box box;
     for (const Sphere& s : balls) {

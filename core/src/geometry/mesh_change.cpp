@@ -12,7 +12,7 @@ namespace {
 
 using geometry::ComparedMesh;
 
-/// Points spread over the area, and vertices spread over their numbers.
+/// Returns points spread over the area, and vertices spread over their indices.
 std::vector<Vec3> probes(const Mesh& mesh, std::size_t count, std::uint64_t seed) {
     std::vector<Vec3> result;
     for (const SurfacePoint& point : geometry::sampled_surface(mesh, count, seed)) {

@@ -7,7 +7,7 @@
 namespace foam::geometry {
 namespace {
 
-/// Of the closing triangles to those that count. With more the surface itself is asked for winding numbers.
+/// Largest ratio of closing triangles to those that count. Above it the surface itself is queried for winding numbers.
 constexpr double most_closing = 0.5;
 
 } // namespace
@@ -114,7 +114,7 @@ double MeshPart::winding(const Vec3& p) const {
             return whole;
         }
         if (found) {
-            // On the closing surface the line and its winding number may disagree on which side the point is.
+            // On the closing surface, the line and its winding number may disagree on the side of the point.
             const Winding closing = closing_->winding_by_expansion(p);
             if (!closing.on_triangle) {
                 return whole - closing.value;
@@ -137,7 +137,7 @@ template <class Visit> void MeshPart::visit_line(const Line& line, Visit visit) 
         needles_->for_each_along(line, cross_triangle);
         return;
     }
-    // Boxes are tested a little larger than they are, so that rounding never hides a triangle.
+    // Boxes are slightly enlarged in tests, so that rounding never hides a triangle.
     const double margin = tolerance_ + 1e-12 * (box_.diagonal() + norm(line.origin() - box_.center()));
     const Vec3 o = line.origin(), d = line.direction();
     const int u = (line.axis() + 1) % 3, v = (line.axis() + 2) % 3;
@@ -175,8 +175,8 @@ bool MeshPart::winding_by_line(const Vec3& p, int axis, int& winding) const {
 }
 
 void MeshPart::crossings(const Vec3& origin, const Vec3& direction, std::vector<Crossing>& result) const {
-    // Ties are broken consistently, so the changes sum to zero; only where rounding hits several edges at once they may
-    // not. A line a hair's breadth beside it then tells the same within rounding.
+    // Ties are broken consistently, so the changes sum to zero; they may not if rounding hits several edges at once. A
+    // slightly shifted line then gives the same within rounding.
     const double step = 1e-11 * box_.diagonal() + tolerance_;
     Vec3 shifted = origin;
     for (int attempt = 0; attempt < 8; ++attempt) {

@@ -3,7 +3,8 @@
 namespace foam::geometry {
 namespace {
 
-/// Of the boxes of all triangles to that of the mesh. In usual meshes the sum is a few times the box's own area.
+/// Ratio of the area of all triangles' boxes to that of the mesh's box. In usual meshes the sum is a few times the
+/// box's area.
 constexpr double most_area = 100;
 
 double half_area(const Box& box) {
@@ -19,7 +20,7 @@ Box box_of(const Corners& t) {
     return box;
 }
 
-/// The longest edge of all, and a corner beside it.
+/// Returns the longest edge of all, and a corner beside it.
 std::array<Vec3, 2> longest_edge(std::span<const Corners> triangles) {
     double longest = -1;
     std::array<Vec3, 2> sides{};
@@ -34,7 +35,7 @@ std::array<Vec3, 2> longest_edge(std::span<const Corners> triangles) {
     return sides;
 }
 
-/// Orthonormal: along the first side, across it in the triangle's plane, along the normal.
+/// Returns an orthonormal frame: along the first side, across it in the triangle's plane, along the normal.
 std::array<Vec3, 3> frame_of(const std::array<Vec3, 2>& sides) {
     const Vec3 along = normalized(sides[0]);
     Vec3 normal = normalized(cross(along, sides[1]));

@@ -48,7 +48,7 @@ private:
         }
     }
 
-    /// Of the triangles that count, as they face.
+    /// Returns the sides of the triangles that count, as they face.
     std::vector<Side> sides(bool with_flat = true) const {
         std::vector<Side> result;
         result.reserve(all_sides_.size());
@@ -80,8 +80,8 @@ private:
         }
     }
 
-    /// The common case, where nothing needs to be resolved. Finds the patches on the way. Precondition: as after
-    /// reset().
+    /// Handles the common case in which nothing needs to be resolved, and finds the patches on the way. Precondition:
+    /// as after reset().
     bool every_edge_joins_two() {
         bool clean = true;
         DisjointSets sets(triangles_.size());
@@ -109,7 +109,7 @@ private:
         return result;
     }
 
-    /// Equal faces: once, cancelled, or (double-sided components) one of each pair.
+    /// Resolves equal faces: once, cancelled, or (double-sided components) one of each pair.
     void resolve_copies() {
         const std::vector<std::uint32_t> component = components();
         const std::vector<std::vector<std::uint32_t>> copies = groups_of_copies();
@@ -121,7 +121,7 @@ private:
                 drop_copies(group, keep_one[component[group[0]]]);
             }
             orient_patches();
-            // A double-sided component that does not become closed that way is given up as a solid.
+            // A double-sided component that does not become closed that way is not a solid.
             std::vector<char> open(triangles_.size(), 0);
             for_each_edge(sides(), [&](std::span<const Side> edge) {
                 if (edge.size() != 2 || edge[0].forward == edge[1].forward) {
@@ -155,7 +155,7 @@ private:
         return result;
     }
 
-    /// Triangles with the same three corners, groups of two and more.
+    /// Returns the groups of two or more triangles with the same three corners.
     std::vector<std::vector<std::uint32_t>> groups_of_copies() const {
         std::vector<std::pair<Triangle, std::uint32_t>> by_corners;
         for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
@@ -179,13 +179,13 @@ private:
         return result;
     }
 
-    /// True if the corners are passed in ascending order, up to rotation.
+    /// Returns true if the corners are passed in ascending order, up to rotation.
     bool ascending(std::uint32_t i) const {
         const auto& [a, b, c] = triangles_[i];
         return (a < b && b < c) || (b < c && c < a) || (c < a && a < b);
     }
 
-    /// Copies one way minus copies the other way.
+    /// Returns the copies one way minus the copies the other way.
     std::ptrdiff_t surplus(const std::vector<std::uint32_t>& group) const {
         std::ptrdiff_t sum = 0;
         for (const std::uint32_t i : group) {
@@ -212,7 +212,7 @@ private:
 
     void drop_copies(const std::vector<std::uint32_t>& group, bool keep_one) {
         const std::ptrdiff_t sum = surplus(group);
-        bool kept = sum == 0 && !keep_one; // then nothing is to be kept
+        bool kept = sum == 0 && !keep_one; // then nothing is kept
         for (const std::uint32_t i : group) {
             if (!kept && (sum == 0 || ascending(i) == (sum > 0))) {
                 kept = true;
@@ -222,7 +222,7 @@ private:
         }
     }
 
-    /// The triangles over a triangle's sides, and whether they are wound against it.
+    /// The triangles adjacent to a triangle's sides, and whether they are wound against it.
     struct Neighbours {
         std::size_t count = 0;
         std::array<std::pair<std::uint32_t, bool>, 3> list;
@@ -242,7 +242,7 @@ private:
         return result;
     }
 
-    /// Makes patches (triangles joined over edges of exactly two) consistent, the way most of their area is wound.
+    /// Makes patches (triangles joined over edges of exactly two) consistent, wound as most of their area.
     void orient_patches() {
         const std::vector<Neighbours> neighbours = neighbours_in_patches();
         std::vector<signed char> turned(triangles_.size(), -1);
@@ -309,7 +309,7 @@ private:
         }
     }
 
-    /// In the order of their first triangles.
+    /// Returns the shells in the order of their first triangles.
     std::vector<Shell> shells() const {
         constexpr std::uint32_t none = 0xFFFFFFFFu;
         std::vector<std::uint32_t> shell_of(triangles_.size(), none); // of a patch, by its number
@@ -338,7 +338,7 @@ private:
         return result;
     }
 
-    /// Whether the other shells with positive volume wind around a corner of shell `s`.
+    /// Returns whether the other shells with positive volume wind around a corner of shell `s`.
     bool in_another(const std::vector<Shell>& all, std::size_t s) const {
         const Vec3 p = mesh_.vertices[triangles_[all[s].triangles[0]][0]];
         double winding = 0;
@@ -360,7 +360,7 @@ private:
 
     const Mesh& mesh_;
     Vec3 center_;
-    std::vector<Triangle> triangles_; // corners welded
+    std::vector<Triangle> triangles_; // triangles with welded corners
     std::vector<Side> all_sides_;     // of all triangles with three different corners, as given
     std::vector<Facing> facing_;
     std::vector<std::uint32_t> patch_of_;

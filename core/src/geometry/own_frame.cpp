@@ -5,18 +5,18 @@
 namespace foam::geometry {
 namespace {
 
-/// Powers of two: sizes in m, and how many sizes away.
+/// Bounds of ordinary geometry as powers of two: sizes in m, and the distance in sizes.
 constexpr int least_ordinary_size = -20, largest_ordinary_size = 20, ordinary_place = 10;
-/// Of the size. In-sphere predicates are of degree five: above this their products do not underflow.
+/// Exponent relative to the size. In-sphere predicates are of degree five: above this their products do not underflow.
 constexpr int dust_exponent = -200;
-/// Of a part's size; parts are up to 2^70 times smaller than the whole.
+/// Exponent relative to a part's size; parts are up to 2^70 times smaller than the whole.
 constexpr int possible_dust_exponent = dust_exponent + 70;
 
 Vec3 middle_of(const Box& box) {
     return box.low * 0.5 + box.high * 0.5;
 }
 
-/// Without overflow on the way.
+/// Returns the length without intermediate overflow.
 double length_of(const Vec3& v) {
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     return largest > 0 && std::isfinite(largest) ? norm(v / largest) * largest : largest;
@@ -149,7 +149,7 @@ OwnFrame own_frame(const Box& box, bool dusty) {
     OwnFrame frame;
     const double size = size_of(box);
     if (!(size > 0) || !std::isfinite(size)) {
-        return frame; // nothing that another frame would help
+        return frame; // another frame would not help
     }
     const int magnitude = std::ilogb(size);
     if (magnitude < least_ordinary_size || magnitude >= largest_ordinary_size) {

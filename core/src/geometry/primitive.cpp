@@ -19,7 +19,8 @@ MaybeInterval intersection(const MaybeInterval& a, const MaybeInterval& b) {
     return both.enter < both.leave ? MaybeInterval(both) : MaybeInterval();
 }
 
-/// Smallest interval that holds both; exact here, as the pieces of a convex solid overlap or touch along a line.
+/// Returns the smallest interval that contains both; exact here, as the pieces of a convex solid overlap or touch along
+/// a line.
 MaybeInterval hull(const MaybeInterval& a, const MaybeInterval& b) {
     if (!a || !b) {
         return a ? a : b;
@@ -27,7 +28,7 @@ MaybeInterval hull(const MaybeInterval& a, const MaybeInterval& b) {
     return Interval{std::min(a->enter, b->enter), std::max(a->leave, b->leave)};
 }
 
-/// Where |o + t d| <= half.
+/// Returns where |o + t d| <= half.
 MaybeInterval in_slab(double o, double d, double half) {
     if (d == 0) {
         constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -37,7 +38,7 @@ MaybeInterval in_slab(double o, double d, double half) {
     return Interval{std::min(t1, t2), std::max(t1, t2)};
 }
 
-/// Where a t² + 2 b t + c <= 0, a >= 0.
+/// Returns where a t² + 2 b t + c <= 0, a >= 0.
 MaybeInterval in_quadric(double a, double b, double c) {
     if (a == 0) {
         constexpr double infinity = std::numeric_limits<double>::infinity();

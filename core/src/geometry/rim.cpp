@@ -9,7 +9,7 @@
 namespace foam::geometry {
 namespace {
 
-/// Edges longer than this share of the surface's extent are cut: the bound takes a whole piece at its nearest point.
+/// Share of the surface's extent above which edges are cut: the bound uses the nearest point for the whole piece.
 constexpr double longest_piece = 1.0 / 64;
 
 using Key = std::array<double, 3>;

@@ -5,7 +5,8 @@
 namespace foam::geometry {
 namespace {
 
-/// Distance of the farthest vertex of the surface from the primitive's axis, or from the segment within a capsule.
+/// Returns the distance of the farthest vertex of the surface from the primitive's axis, or from the segment within a
+/// capsule.
 double outermost(const Solid& solid, const Primitive& primitive, const Pose& to_local) {
     double farthest = 0;
     for (const Vec3& vertex : solid.surface().vertices) {
@@ -54,7 +55,7 @@ std::optional<std::vector<Sphere>> row_cover(const Solid& solid, std::size_t mos
     if (!capsule && primitive.kind != Primitive::Kind::cylinder) {
         return {};
     }
-    // Proofs then need not cut finely where balls meet.
+    // Proofs then need not subdivide finely where balls meet.
     constexpr double aside = 1 + 1e-4;
     const double radius = outermost(solid, primitive, part.pose.inverse()) * aside;
     const double length = primitive.length * aside;

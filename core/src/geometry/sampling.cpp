@@ -8,7 +8,7 @@ namespace foam {
 namespace geometry {
 
 std::vector<SurfacePoint> sampled_surface(const Mesh& mesh, std::size_t count, std::uint64_t seed) {
-    std::vector<double> up_to; // area of the triangles up to and with this one
+    std::vector<double> up_to; // area of the triangles up to and including this one
     up_to.reserve(mesh.triangles.size());
     double sum = 0;
     for (const auto& [a, b, c] : mesh.triangles) {

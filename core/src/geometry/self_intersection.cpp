@@ -21,8 +21,8 @@ double sum_of_components(const Vec3& v) {
     return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
 }
 
-/// Sign of the volume of a b c d, positive if d is below the counter-clockwise triangle a b c; 0 where rounding could
-/// decide it: of this computation, or of the coordinates themselves by a unit in the last place.
+/// Returns the sign of the volume of a b c d, positive if d is below the counter-clockwise triangle a b c; 0 where
+/// rounding could change it: of this computation, or of the coordinates themselves by a unit in the last place.
 int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     const Vec3 u = a - d, v = b - d, w = c - d;
     const double determinant =
@@ -33,12 +33,12 @@ int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     const double coordinate =
         std::max({largest_coordinate(a), largest_coordinate(b), largest_coordinate(c), largest_coordinate(d)});
     const auto sign_beyond = [&](double lu, double lv, double lw) {
-        // Shewchuk's 7 ε/2 and room to spare; 2 ε of a coordinate in each of the three differences.
+        // Shewchuk's 7 ε/2 with margin; 2 ε of a coordinate in each of the three differences.
         const double bound =
             8 * std::numeric_limits<double>::epsilon() * (permanent + coordinate * (lu * lv + lv * lw + lw * lu));
         return determinant > bound ? 1 : determinant < -bound ? -1 : 0;
     };
-    // Lengths estimated from above, without roots, decide nearly always.
+    // Upper estimates of lengths, without roots, decide nearly always.
     const int sign = sign_beyond(sum_of_components(u), sum_of_components(v), sum_of_components(w));
     return sign != 0 ? sign : sign_beyond(norm(u), norm(v), norm(w));
 }
@@ -52,14 +52,16 @@ Corners corners_of(const Mesh& mesh, std::uint32_t i) {
     return {{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]}};
 }
 
-/// The segment, which ends on both sides of the triangle's plane, passes through the inside of the triangle.
+/// Returns whether the segment, which ends on both sides of the triangle's plane, passes through the interior of the
+/// triangle.
 bool passes_through(const Vec3& from, const Vec3& to, const Corners& t) {
     const int first = orientation(from, to, t.p[0], t.p[1]);
     return first != 0 && first == orientation(from, to, t.p[1], t.p[2]) &&
            first == orientation(from, to, t.p[2], t.p[0]);
 }
 
-/// A side of triangle i passes through triangle k. Sides that start at a corner of k only touch it there.
+/// Returns whether a side of triangle i passes through triangle k. Sides that start at a corner of k only touch it
+/// there.
 bool side_passes_through(const Mesh& mesh, std::uint32_t i, std::uint32_t k) {
     const Triangle &sides = mesh.triangles[i], &other = mesh.triangles[k];
     std::array<bool, 3> shared{};
@@ -70,7 +72,7 @@ bool side_passes_through(const Mesh& mesh, std::uint32_t i, std::uint32_t k) {
         return false;
     }
     const Corners target = corners_of(mesh, k);
-    std::array<int, 3> above{}; // which side of the plane
+    std::array<int, 3> above{}; // side of the plane
     for (std::size_t s = 0; s < 3; ++s) {
         above[s] = shared[s] ? 0 : orientation(target.p[0], target.p[1], target.p[2], mesh.vertices[sides[s]]);
     }

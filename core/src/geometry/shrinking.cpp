@@ -9,19 +9,19 @@
 namespace foam::geometry {
 namespace {
 
-/// Pieces smaller than this share of the extent are not split: they count as needed whole.
+/// Share of the extent below which pieces are not split: they count as needed entirely.
 constexpr double smallest_piece = 1e-8;
 
-/// Branch and bound over the pieces that no other ball holds, the farthest first: only those are split that reach
-/// farther than the need.
+/// Branch and bound over the pieces that no other ball contains, the farthest first. Only pieces that reach farther
+/// than the needed radius are split.
 ///
-/// What lies farther away than `limit` is held by other balls, as ball and others together hold everything.
+/// Other balls contain everything farther away than `limit`, as this ball and the others together cover everything.
 class Need {
 public:
     Need(const Balls& balls, std::uint32_t ball, double limit, std::size_t& looks)
         : balls_(balls), ball_(ball), limit_(limit), looks_(looks) {}
 
-    /// Leaves out the triangles with skip[i] != 0. Once there are no looks left, the limit is what it needs.
+    /// Returns the needed radius, ignoring the triangles with skip[i] != 0. When no looks remain, it is the limit.
     double run(const std::vector<char>& skip) {
         CancellationCounter asking(256);
         for (std::uint32_t i = 0; i < balls_.piece_count(); ++i) {
@@ -52,17 +52,17 @@ private:
     };
     struct Part {
         Piece piece;
-        Range candidates; ///< of the piece it was cut from
+        Range candidates; ///< those of the piece it was cut from
     };
     struct Entry {
-        double far;         ///< the most that a point of it is away from the ball's centre
-        std::uint32_t name; ///< a whole triangle, or piece_count() + the number of a part
+        double far;         ///< largest distance of a point of it from the ball's centre
+        std::uint32_t name; ///< id: a whole triangle, or piece_count() + the number of a part
         bool operator<(const Entry& other) const { return far != other.far ? far < other.far : name > other.name; }
     };
 
     Vec3 center() const { return balls_.center(ball_); }
 
-    /// No more than the distance of the piece from the ball's centre.
+    /// Returns a lower bound of the distance of the piece from the ball's centre.
     double nearest(const Piece& piece) const {
         return piece.curved ? reach(center(), piece) - diameter_of(piece)
                             : distance(center(), closest_on_triangle(piece.corners, center()));
@@ -123,10 +123,10 @@ private:
     const Balls& balls_;
     std::uint32_t ball_;
     double limit_;
-    std::size_t& looks_; ///< at pieces, that are left
+    std::size_t& looks_; ///< remaining pieces to examine
     double need_ = 0;
     std::vector<Part> parts_;
-    std::vector<Entry> queue_; ///< a heap
+    std::vector<Entry> queue_; ///< heap
     std::vector<std::uint32_t> candidates_;
 };
 
@@ -138,7 +138,8 @@ double needed_radius(Balls& balls, std::uint32_t i, double limit, std::size_t& l
         const double need = Need(balls, i, limit, looks).run(skip);
         return need > 0 ? balls.full_radius(i, need) : 0;
     };
-    // Round parts that another ball holds need nothing. Those that this one can hold may be held whole or by pieces.
+    // Round parts that another ball contains need nothing. Those that this one can contain may be contained whole or by
+    // pieces.
     std::vector<char> held(balls.piece_count(), 0), whole(balls.piece_count(), 0);
     double around = 0;
     for (const RoundPart& part : balls.round_parts()) {

@@ -30,7 +30,7 @@ void check_mesh(const Mesh& mesh, std::size_t part) {
     }
 }
 
-/// The part as a mesh in the solid's frame.
+/// Returns the part as a mesh in the solid's frame.
 std::pair<std::shared_ptr<const Mesh>, geometry::Reading> part_mesh(const Solid::Part& part, std::size_t index) {
     if (part.primitive) {
         geometry::check_primitive(*part.primitive);
@@ -61,7 +61,7 @@ void add_part(geometry::SolidData& data, std::size_t index) {
         for (const std::uint32_t corner : t) {
             box.add(mesh.vertices[corner]);
         }
-        if (reading.facing[i] == geometry::Facing::flipped) { // wound outwards where that can be told
+        if (reading.facing[i] == geometry::Facing::flipped) { // wound outwards where the outside is known
             std::swap(t[1], t[2]);
         }
     }
@@ -89,7 +89,7 @@ void index_parts(geometry::SolidData& data) {
     data.index = geometry::PartIndex(boxes, data.box);
 }
 
-/// The nearest of many parts; of equal ones the first.
+/// Returns the nearest of many parts; of equal ones the first.
 std::pair<Nearest, std::size_t> nearest_of_many(const geometry::SolidData& data, const Vec3& point) {
     Nearest best{std::numeric_limits<double>::infinity()};
     std::size_t of = data.queries.size();
@@ -108,7 +108,7 @@ std::pair<Nearest, std::size_t> nearest_of_many(const geometry::SolidData& data,
     return {best, of};
 }
 
-/// The least of many parts.
+/// Returns the least signed distance over many parts.
 double least_signed_distance(const geometry::SolidData& data, const Vec3& point) {
     double least = std::numeric_limits<double>::infinity();
     data.index.for_each_nearer(
@@ -128,7 +128,7 @@ double least_signed_distance(const geometry::SolidData& data, const Vec3& point)
 }
 
 const geometry::InsideLines& lines_of(const geometry::SolidData& data) {
-    // Isolated: a thread that waits inside must not take up another task that asks for the same lines.
+    // Isolated: a thread that waits inside must not start another task that requests the same lines.
     std::call_once(data.lines_once, [&] {
         tbb::this_task_arena::isolate([&] { data.lines = std::make_unique<const geometry::InsideLines>(data); });
     });
@@ -248,7 +248,7 @@ double Solid::signed_distance(const Vec3& point) const {
         Nearest nearest{std::numeric_limits<double>::infinity()};
         part.mesh().closest(point, nearest);
         const double distance = std::sqrt(nearest.squared_distance);
-        // A part that is farther off than another may have the point deep inside.
+        // A part that is farther off than another may contain the point deep inside.
         least = std::min(least, part.mesh().contains(point) ? -distance : distance);
     }
     return least;

@@ -1,4 +1,4 @@
-// Solids along lines.
+// Inside queries of solids along lines.
 #include "geometry/solid_data.hpp"
 
 namespace foam {

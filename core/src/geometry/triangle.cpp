@@ -14,7 +14,7 @@ Vec3 closest_on_segment(const Vec3& a, const Vec3& b, const Vec3& p) {
     return a + ab * std::clamp(dot(p - a, ab) / length2, 0.0, 1.0);
 }
 
-/// For triangles without area: the nearest of the three sides.
+/// Returns the nearest point on the three sides, for triangles without area.
 Vec3 closest_on_sides(const Corners& t, const Vec3& p) {
     Vec3 best = closest_on_segment(t.a, t.b, p);
     for (const Vec3& q : {closest_on_segment(t.b, t.c, p), closest_on_segment(t.c, t.a, p)}) {
@@ -57,7 +57,7 @@ Vec3 closest_on_triangle(const Corners& t, const Vec3& p) {
         return t.b + (t.c - t.b) * (towards_c / (towards_c + towards_b));
     }
     const double sum = va + vb + vc;
-    // A needle's barycentric coordinates are noise: their sum is below the rounding of the products they come from.
+    // A needle's barycentric coordinates are noise: their sum is below the rounding of the products behind them.
     if (!(sum > 1e-14 * squared_norm(ab) * squared_norm(ac))) {
         return closest_on_sides(t, p);
     }

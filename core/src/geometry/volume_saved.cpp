@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::size_t point_count = 128;
 
-/// Points in the unit ball with low discrepancy: the R3 sequence (Roberts 2018, "The unreasonable effectiveness of
-/// quasirandom sequences") in the cube, those within the ball.
+/// Returns points in the unit ball with low discrepancy: those of the R3 sequence (Roberts 2018, "The unreasonable
+/// effectiveness of quasirandom sequences") in the cube that lie within the ball.
 std::array<Vec3, point_count> ball_points() {
     constexpr double g = 1.22074408460575947536; // the root of x⁴ = x + 1
     std::array<Vec3, point_count> points;

@@ -1,5 +1,5 @@
-// Fast winding numbers (Barill, Dickson, Schmidt, Levin, Jacobson 2018): far clusters of triangles act through the
-// Taylor expansion of the dipole field about their centre, to the third order (their equations 7 to 9).
+// Fast winding numbers (Barill, Dickson, Schmidt, Levin, Jacobson 2018): distant clusters of triangles contribute
+// through the Taylor expansion of the dipole field about their centre, to the third order (their equations 7 to 9).
 #include "geometry/angle_sum.hpp"
 #include "geometry/mesh_part.hpp"
 
@@ -10,11 +10,12 @@
 namespace foam::geometry {
 namespace {
 
-/// A cluster counts as far beyond this many of its radii. What the expansion leaves out is of the order of
-/// far_factor^-3 of the cluster's share: the winding number is then right to about 1e-3.
+/// Number of its radii beyond which a cluster counts as distant. The truncation error is of the order of far_factor^-3
+/// of the cluster's share: the winding number is then right to about 1e-3.
 constexpr double far_factor = 2.5;
 
-/// The cubic form (a·r) q(r) of a linear form and a quadratic one (xx, yy, zz, xy, yz, zx), as Moments::third has it.
+/// Returns the cubic form (a·r) q(r) of a linear form and a quadratic one (xx, yy, zz, xy, yz, zx), laid out as
+/// Moments::third.
 std::array<double, 10> product(const Vec3& a, const std::array<double, 6>& q) {
     return {a.x * q[0],
             a.y * q[1],
@@ -62,7 +63,8 @@ void MeshPart::Moments::add(const Corners& corners) {
     }
 }
 
-/// With the other centre at s from this one, y becomes y + s in every integral; the products are multiplied out.
+/// Adds the moments of `other`. With the other centre at s from this one, y becomes y + s in every integral; the
+/// products are multiplied out.
 void MeshPart::Moments::add(const Moments& other) {
     const Vec3 s = other.center - center;
     const Vec3& n = other.normal;
@@ -85,7 +87,7 @@ void MeshPart::Moments::add(const Moments& other) {
     }
 }
 
-/// 4π times the winding number. r: from the point to the centre. With f(x) = x/|x|³:
+/// Returns 4π times the winding number. r: from the point to the centre. With f(x) = x/|x|³:
 /// ∫ n·f(r + y) = n·f + ∂f : ∫ n y + 1/2 ∂²f : ∫ n y y.
 double MeshPart::Moments::winding(const Vec3& r, double r2) const {
     const double quadratic = second[0] * r.x * r.x + second[1] * r.y * r.y + second[2] * r.z * r.z +
@@ -99,7 +101,7 @@ double MeshPart::Moments::winding(const Vec3& r, double r2) const {
            inverse2 * std::sqrt(inverse2);
 }
 
-/// Of the triangles that count among the items; negative if there is none.
+/// Returns the radius about `center` of the items that count; negative if there is none.
 double MeshPart::radius_about(const Vec3& center, std::uint32_t begin, std::uint32_t end) const {
     double squared = -1;
     for (std::uint32_t i = begin; i < end; ++i) {
@@ -111,17 +113,17 @@ double MeshPart::radius_about(const Vec3& center, std::uint32_t begin, std::uint
     return squared < 0 ? -1 : std::sqrt(squared);
 }
 
-/// Leaves from their triangles, other nodes from their children.
+/// Computes the moments of leaves from their triangles, of other nodes from their children.
 void MeshPart::compute_moments() {
     struct Below {
         std::uint32_t begin, end; // items
-        double area = 0;          // twice that of those that count
+        double area = 0;          // twice that of the items that count
     };
     const std::vector<BvhNode>& nodes = bvh_.nodes();
     moments_.assign(nodes.size(), {});
     std::vector<Below> below(nodes.size());
     CancellationCounter asking(1024);
-    for (std::size_t n = nodes.size(); n-- > 0;) { // children come behind their parents
+    for (std::size_t n = nodes.size(); n-- > 0;) { // children come after their parents
         asking.check();
         const BvhNode& node = nodes[n];
         Moments& moments = moments_[n];
@@ -158,8 +160,8 @@ void MeshPart::compute_moments() {
     }
 }
 
-/// Calls far(node, r, r²) for the clusters that are far from `p`, r being the way to their centre, and near(node) for
-/// the leaves that are not, until one of them is false.
+/// Calls far(node, r, r²) for the distant clusters, r being the vector to their centre, and near(node) for the leaves
+/// that are not distant, until one call returns false.
 template <class Far, class Near> void MeshPart::visit_clusters(const Vec3& p, Far far, Near near) const {
     const std::vector<BvhNode>& nodes = bvh_.nodes();
     std::array<std::uint32_t, Bvh::max_depth> stack;
@@ -214,7 +216,7 @@ MeshPart::Winding MeshPart::winding_by_expansion(const Vec3& p) const {
     return {near.value() / (2 * std::numbers::pi) + far / (4 * std::numbers::pi), on_triangle};
 }
 
-/// A dipole's field changes by no more than 2/d³ a unit of length, d being the distance.
+/// Returns a bound: a dipole's field changes by at most 2/d³ per unit of length, d being the distance.
 MeshPart::Variation MeshPart::winding_around(const Vec3& center, double radius, double most) const {
     AngleSum near;
     double far = 0, variation = 0;
