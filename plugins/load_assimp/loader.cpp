@@ -6,6 +6,7 @@
 #include "scene.hpp"
 
 #include <foam/error.hpp>
+#include <foam/file.hpp>
 #include <foam/text.hpp>
 
 #include <assimp/Importer.hpp>
@@ -19,13 +20,6 @@
 
 namespace foam::load_assimp {
 namespace {
-
-std::string ending_of(const std::filesystem::path& file) {
-    std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return ending.empty() ? "" : ending.substr(1);
-}
 
 /// Configures the importer to read only geometry, with the axes of the file.
 void configure(Assimp::Importer& importer) {
@@ -76,7 +70,7 @@ Loader::Loader(const Parameters& parameters)
       max_bytes_(static_cast<std::uintmax_t>(parameters.integer("max_bytes"))) {}
 
 Mesh Loader::load(const std::filesystem::path& file, Context& context) const {
-    const std::string ending = ending_of(file);
+    const std::string ending = extension_of(file);
     const auto error = [&](const std::string& what) {
         return Error(ErrorCode::input, fmt::format("{}: {}", file.string(), what));
     };

@@ -22,8 +22,16 @@ protected:
     }
     /// Runs two.yaml of these stages.
     Outcome run(const std::string& stages, const std::string& more = "") const {
-        write("two.yaml", "foam: 1\nrobot: {urdf: two.urdf}\nplugins: ['" FOAM_TEST_ILL_BEHAVED "']\n" + stages);
+        write_recipe(stages);
         return foam("run two.yaml --fresh " + more);
+    }
+    void write_recipe(const std::string& stages) const {
+        write("two.yaml", "foam: 1\nrobot: {urdf: two.urdf}\nplugins: ['" FOAM_TEST_ILL_BEHAVED "']\n" + stages);
+    }
+    /// A spherizer that never ends, and writes its process to the file "process".
+    std::string looping(const std::string& isolation = "") const {
+        return "stages: [spherize.ill: {" + isolation + "how: loop, process_file: '" + (path() / "process").string() +
+               "'}]\n";
     }
     void expect_nothing_left() const {
         EXPECT_FALSE(fs::exists(path() / "runs/two"));
@@ -148,9 +156,7 @@ TEST_F(IsolationCli, AProgramThatAStageHasStartedEndsWithIt) {
 
 /// Killed without a chance to clean up, foam takes its children with it.
 TEST_F(IsolationCli, NoOrphanStaysBehind) {
-    write("two.yaml", "foam: 1\nrobot: {urdf: two.urdf}\nplugins: ['" FOAM_TEST_ILL_BEHAVED "']\n"
-                      "stages: [spherize.ill: {isolate: process, how: loop, process_file: '" +
-                          (path() / "process").string() + "'}]\n");
+    write_recipe(looping("isolate: process, "));
     const Outcome outcome = shell("'" FOAM_TEST_BINARY "' run two.yaml --fresh -j 1 & pid=$!; while [ ! -e process ]; "
                                   "do sleep 0.02; done; kill -KILL $pid; wait $pid");
     EXPECT_EQ(outcome.code, 128 + SIGKILL);
@@ -159,9 +165,7 @@ TEST_F(IsolationCli, NoOrphanStaysBehind) {
 
 /// Ctrl-C in a terminal reaches the children, too: it is for foam alone to end them.
 TEST_F(IsolationCli, AnInterruptOfTheWholeGroupIsNoCrash) {
-    write("two.yaml", "foam: 1\nrobot: {urdf: two.urdf}\nplugins: ['" FOAM_TEST_ILL_BEHAVED "']\n"
-                      "stages: [spherize.ill: {isolate: process, how: loop, process_file: '" +
-                          (path() / "process").string() + "'}]\n");
+    write_recipe(looping("isolate: process, "));
     const Outcome outcome = shell("'" FOAM_TEST_BINARY "' run two.yaml --fresh -j 1 & pid=$!; while [ ! -s process ]; "
                                   "do sleep 0.02; done; kill -INT $(cat process); kill -INT $pid; wait $pid");
     EXPECT_EQ(outcome.code, 130) << outcome.err;
@@ -171,9 +175,7 @@ TEST_F(IsolationCli, AnInterruptOfTheWholeGroupIsNoCrash) {
 
 /// A stage that never asks whether to stop is named; once more ends it.
 TEST_F(IsolationCli, ASecondInterruptEndsWhatNeverAsks) {
-    write("two.yaml", "foam: 1\nrobot: {urdf: two.urdf}\nplugins: ['" FOAM_TEST_ILL_BEHAVED "']\n"
-                      "stages: [spherize.ill: {how: loop, process_file: '" +
-                          (path() / "process").string() + "'}]\n");
+    write_recipe(looping());
     const Outcome outcome = shell("'" FOAM_TEST_BINARY "' run two.yaml --fresh -j 1 & pid=$!; while [ ! -e process ]; "
                                   "do sleep 0.02; done; kill -INT $pid; while ! grep -q 'spherize.ill.*link' .err; do "
                                   "sleep 0.02; done; kill -INT $pid; wait $pid");
@@ -185,9 +187,7 @@ TEST_F(IsolationCli, ASecondInterruptEndsWhatNeverAsks) {
 
 /// So does the first after a while.
 TEST_F(IsolationCli, OneInterruptEndsWhatNeverAsks) {
-    write("two.yaml", "foam: 1\nrobot: {urdf: two.urdf}\nplugins: ['" FOAM_TEST_ILL_BEHAVED "']\n"
-                      "stages: [spherize.ill: {how: loop, process_file: '" +
-                          (path() / "process").string() + "'}]\n");
+    write_recipe(looping());
     const Outcome outcome = shell("'" FOAM_TEST_BINARY "' run two.yaml --fresh & pid=$!; while [ ! -e process ]; "
                                   "do sleep 0.02; done; kill -TERM $pid; wait $pid");
     EXPECT_EQ(outcome.code, 130) << outcome.err;
@@ -211,9 +211,7 @@ TEST_F(IsolationCli, ATimeLimitEndsWhatNeverAsks) {
 
 /// In a process of its own it is ended with that: a ball stands in for what it would have made.
 TEST_F(IsolationCli, ATimeLimitEndsAnIsolatedStage) {
-    const Outcome outcome = run("stages: [spherize.ill: {isolate: process, how: loop, process_file: '" +
-                                    (path() / "process").string() + "'}]\n",
-                                "--time-limit 1");
+    const Outcome outcome = run(looping("isolate: process, "), "--time-limit 1");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_THAT(outcome.err,
                 HasSubstr("it found no spheres within the time limit of 1 s; one enclosing sphere replaces them"));

@@ -10,14 +10,22 @@ public:
     std::vector<Event> events;
 };
 
-TEST_F(Run, NothingIsWholeBeforeTheEnd) {
+class Progress : public Run {
+protected:
+    void watch_a_run_with_pictures() {
+        RunOptions o = options();
+        o.observer = &shares;
+        run(recipe("stages: [spherize.grid]\nbudget: {spheres: 60}\nsnapshots: true\n"), registry, o);
+    }
+
+    Shares shares;
+};
+
+TEST_F(Progress, NothingIsWholeBeforeTheEnd) {
     if (!registry.find("snapshot.osmesa")) {
         GTEST_SKIP() << "no renderer is built";
     }
-    Shares shares;
-    RunOptions o = options();
-    o.observer = &shares;
-    run(recipe("stages: [spherize.grid]\nbudget: {spheres: 60}\nsnapshots: true\n"), registry, o);
+    watch_a_run_with_pictures();
     ASSERT_FALSE(shares.events.empty());
     double before = 0;
     for (const Event& event : shares.events) {
@@ -32,14 +40,11 @@ TEST_F(Run, NothingIsWholeBeforeTheEnd) {
 }
 
 /// The search has no known end, and pictures are a good part of the whole.
-TEST_F(Run, PhasesHaveTheirShares) {
+TEST_F(Progress, PhasesHaveTheirShares) {
     if (!registry.find("snapshot.osmesa")) {
         GTEST_SKIP() << "no renderer is built";
     }
-    Shares shares;
-    RunOptions o = options();
-    o.observer = &shares;
-    run(recipe("stages: [spherize.grid]\nbudget: {spheres: 60}\nsnapshots: true\n"), registry, o);
+    watch_a_run_with_pictures();
     double searched = 0, measured = 0, pictured = 2;
     for (const Event& event : shares.events) {
         if (event.kind == Event::Kind::task_finished && event.stage == "spherize.grid") {

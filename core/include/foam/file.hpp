@@ -23,4 +23,7 @@ struct FileContents {
 FileContents read_regular_file(const std::filesystem::path& file, std::uintmax_t most_bytes,
                                std::string_view if_too_large);
 
+/// Returns a file's extension without its dot, in lower case (ASCII); empty if there is none. Stages declare theirs so.
+std::string extension_of(const std::filesystem::path& file);
+
 } // namespace foam

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -98,6 +99,13 @@ FileContents read_regular_file(const std::filesystem::path& file, std::uintmax_t
         return problem("it changed while it was read", "wait until it is written");
     }
     return result;
+}
+
+std::string extension_of(const std::filesystem::path& file) {
+    std::string extension = file.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    return extension.empty() ? "" : extension.substr(1);
 }
 
 } // namespace foam

@@ -1,6 +1,7 @@
 #include <foam/host/mesh_unit.hpp>
 
 #include <foam/error.hpp>
+#include <foam/file.hpp>
 #include <foam/host/length.hpp>
 
 #include <fmt/format.h>
@@ -9,17 +10,6 @@
 #include <cmath>
 
 namespace foam {
-namespace {
-
-std::string ending_of(const std::filesystem::path& file) {
-    std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return ending.empty() ? "" : ending.substr(1);
-}
-
-} // namespace
-
 double MeshUnit::factor() const {
     const std::optional<double> metres = metres_in(unit.value_or("m"));
     if (!metres) {
@@ -42,7 +32,7 @@ std::string why_refused(const MeshUnit& unit, const std::filesystem::path& file,
                            "<mesh scale=\"0.001 0.001 0.001\"/>; remedy: give no unit and no scale",
                            file.string());
     }
-    const std::string ending = ending_of(file);
+    const std::string ending = extension_of(file);
     const RegisteredStage* loader = registry.find_for_extension(StageKind::mesh_loader, ending, preferred);
     const std::vector<std::string> own = loader ? loader->info.extensions_with_unit : std::vector<std::string>();
     if (unit.unit && std::find(own.begin(), own.end(), ending) != own.end()) {

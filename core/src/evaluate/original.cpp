@@ -3,6 +3,7 @@
 #include "run/links.hpp"
 #include "run/prepare.hpp"
 
+#include <foam/file.hpp>
 #include <foam/host/evaluate.hpp>
 
 #include <fmt/format.h>
@@ -11,11 +12,6 @@
 
 namespace foam {
 namespace {
-
-std::string ending_of(const std::filesystem::path& file) {
-    const std::string extension = file.extension().string();
-    return extension.empty() ? "" : extension.substr(1);
-}
 
 /// Leaves out the links that no glob matches.
 void choose(Recipe& recipe, const Robot& robot, const std::vector<std::string>& globs) {
@@ -44,7 +40,7 @@ Original load_original(const std::filesystem::path& file, const Registry& regist
     Recipe recipe;
     recipe.mesh_unit = unit;
     const std::string reference = std::filesystem::absolute(file).string();
-    (registry.find_for_extension(StageKind::mesh_loader, ending_of(file)) ? recipe.mesh : recipe.urdf) = {reference};
+    (registry.find_for_extension(StageKind::mesh_loader, extension_of(file)) ? recipe.mesh : recipe.urdf) = {reference};
     const RunOptions options;
     Journal journal(nullptr);
     const Cache cache({});

@@ -20,7 +20,7 @@ Box box_of(const Corners& t) {
     return box;
 }
 
-/// Returns the longest edge of all, and a corner beside it.
+/// Returns the longest edge of all, and the edge of that triangle that begins at the same corner.
 std::array<Vec3, 2> longest_edge(std::span<const Corners> triangles) {
     double longest = -1;
     std::array<Vec3, 2> sides{};

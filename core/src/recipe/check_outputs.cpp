@@ -2,6 +2,8 @@
 #include "check.hpp"
 #include "format.hpp"
 
+#include <foam/file.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -41,11 +43,9 @@ bool collide(const std::string& a, const std::string& b) {
 }
 
 void warn_of_ending(const RegisteredStage& writer, const std::string& file, const Place& where, Findings& findings) {
-    std::string ending = fs::path(file).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    const std::string ending = extension_of(file);
     const auto& usual = writer.info.extensions;
-    if (!usual.empty() && (ending.empty() || std::find(usual.begin(), usual.end(), ending.substr(1)) == usual.end())) {
+    if (!usual.empty() && std::find(usual.begin(), usual.end(), ending) == usual.end()) {
         findings.warning(where, "unusual-ending",
                          fmt::format("{} writes .{}, regardless of the extension of {}", writer.info.name,
                                      fmt::join(usual, " or ."), in_quotes(file)));

@@ -2,6 +2,7 @@
 
 #include "files.hpp"
 
+#include <foam/file.hpp>
 #include <foam/host/markup.hpp>
 #include <foam/text.hpp>
 
@@ -62,11 +63,6 @@ Robot robot_of_mesh(const fs::path& file, const std::string& reference, double s
 /// recipe gives the same bytes in every folder.
 std::string portable_reference(const Input& input) {
     return input.chosen.find("://") != std::string::npos ? input.chosen : input.file.filename().string();
-}
-
-std::string extension_of(const fs::path& file) {
-    const std::string extension = file.extension().string();
-    return extension.empty() ? "" : extension.substr(1);
 }
 
 /// Returns the value of a loader's parameter max_bytes; nothing if it has none.

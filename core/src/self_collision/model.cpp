@@ -3,6 +3,7 @@
 
 #include <foam/context.hpp>
 #include <foam/error.hpp>
+#include <foam/file.hpp>
 #include <foam/host/self_collision.hpp>
 #include <foam/host/spherize.hpp>
 #include <foam/parallel.hpp>
@@ -32,8 +33,7 @@ public:
 };
 
 CollisionModel load_robot(const std::filesystem::path& urdf, const Registry& registry) {
-    const std::string ending = urdf.extension().string();
-    if (!ending.empty() && registry.find_for_extension(StageKind::mesh_loader, ending.substr(1))) {
+    if (registry.find_for_extension(StageKind::mesh_loader, extension_of(urdf))) {
         throw Error(ErrorCode::input, fmt::format("{}: a mesh has no joints; remedy: give a URDF", urdf.string()));
     }
     const RegisteredStage* stage = registry.find_for_extension(StageKind::robot_loader, "urdf");
