@@ -244,11 +244,15 @@ void MedialAxis::refine(std::size_t count, std::span<const Vec3> cover, Context&
 void MedialAxis::refine_region(std::size_t count, double error_factor, std::span<const Vec3> cover, Context& context) {
     Diagram& d = *diagram_;
     double first_error = -1;
+    std::vector<bool> touching; // by medial sphere: one never moves, and new ones are appended
     for (;;) {
         context.check_cancelled();
+        for (std::size_t i = touching.size(); i < d.medials.size(); ++i) {
+            touching.push_back(d.medials[i].alive && touches(d.medials[i].sphere, cover));
+        }
         std::size_t found = 0, worst = Diagram::none;
         for (std::size_t i = 0; i < d.medials.size(); ++i) {
-            if (d.medials[i].alive && touches(d.medials[i].sphere, cover)) {
+            if (d.medials[i].alive && touching[i]) {
                 ++found;
                 if (!d.used[d.medials[i].nearest] &&
                     (worst == Diagram::none || d.medials[i].protrusion > d.medials[worst].protrusion)) {
