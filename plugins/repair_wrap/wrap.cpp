@@ -13,8 +13,24 @@
 namespace foam::repair {
 namespace {
 
-struct AskingVisitor : CGAL::Alpha_wraps_3::internal::Wrapping_default_visitor {
+/// Ends the wrapping on request, and where it makes no progress. CGAL 5.5 inserts one point again and again where needles
+/// meet and rounding puts the next point on one that is there.
+struct WatchingVisitor : CGAL::Alpha_wraps_3::internal::Wrapping_default_visitor {
+    static constexpr int most_repeated = 1000;
+
     template <class Wrapper, class Gate> void before_facet_treatment(const Wrapper&, const Gate&) { check_cancelled(); }
+    template <class Wrapper, class Vertex> void after_Steiner_point_insertion(const Wrapper& wrapper, Vertex) {
+        const std::size_t now = wrapper.triangulation().number_of_vertices();
+        repeated = now == vertices ? repeated + 1 : 0;
+        vertices = now;
+        if (repeated > most_repeated) {
+            throw Error(ErrorCode::geometry, "the wrap cannot go on: rounding stops it where triangles meet at sharp "
+                                             "angles; remedy: another offset, or another alpha");
+        }
+    }
+
+    std::size_t vertices = 0;
+    int repeated = 0;
 };
 
 } // namespace
@@ -38,8 +54,9 @@ Mesh alpha_wrap(const Mesh& mesh, double alpha, double offset) {
         throw Error(ErrorCode::geometry, "the mesh has no triangle with an area: there is nothing to wrap");
     }
     CGAL::Surface_mesh<Kernel::Point_3> wrapped;
+    WatchingVisitor visitor;
     CGAL::alpha_wrap_3(points, faces, alpha, offset, wrapped, CGAL::parameters::default_values(),
-                       CGAL::parameters::visitor(AskingVisitor{}));
+                       CGAL::parameters::visitor(visitor));
     Mesh result;
     result.vertices.reserve(wrapped.number_of_vertices());
     for (const auto vertex : wrapped.vertices()) { // no vertex is removed: their numbers have no gaps
