@@ -1,7 +1,7 @@
 // Mesh in memory to certified spheres in memory: median and 99th percentile of single calls.
-#include <foam/host/contract.hpp>
-#include <foam/host/sphere_cache.hpp>
-#include <foam/parallel.hpp>
+#include <foam/base/parallel.hpp>
+#include <foam/runtime/contract.hpp>
+#include <foam/search/sphere_cache.hpp>
 
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>

@@ -1,9 +1,9 @@
 #include "promises.hpp"
 #include "targets.hpp"
 
-#include <load_mesh/readers.hpp>
+#include <foam/geometry/vector.hpp>
 
-#include <foam/vector.hpp>
+#include <load_mesh/readers.hpp>
 
 namespace foam::fuzz {
 namespace {

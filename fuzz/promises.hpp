@@ -1,7 +1,7 @@
 // What a reader must keep whatever the file holds.
 #pragma once
 
-#include <foam/error.hpp>
+#include <foam/base/error.hpp>
 
 #include <stdexcept>
 #include <string>

@@ -1,7 +1,7 @@
 #include "promises.hpp"
 #include "targets.hpp"
 
-#include <foam/host/recipe.hpp>
+#include <foam/recipe/recipe.hpp>
 
 namespace foam::fuzz {
 namespace {

@@ -1,7 +1,7 @@
 #include "promises.hpp"
 #include "targets.hpp"
 
-#include <foam/host/registry.hpp>
+#include <foam/sdk/registry.hpp>
 
 namespace foam::fuzz {
 namespace {

@@ -1,76 +1,40 @@
-#include "execute.hpp"
-#include "interrupt.hpp"
-#include "overwriting.hpp"
-#include "program.hpp"
+#include "commands.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/experiment.hpp>
+#include <foam/base/error.hpp>
 
 #include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <unistd.h>
 
 namespace foam::cli {
 namespace {
 
-namespace fs = std::filesystem;
+constexpr const char* bench_program = "foam-bench";
 
-struct Arguments {
-    std::string experiment, out;
-    std::size_t threads = 1;
-    bool check = false, force = false;
-};
-
-int bench(Program& program, const Arguments& arguments) {
-    Registry& registry = program.registry();
-    const ExperimentReading read = read_experiment(arguments.experiment, registry);
-    tell_findings(read.diagnostics);
-    if (!read.ok()) {
-        throw Error(ErrorCode::recipe, fmt::format("{}: nothing was measured", arguments.experiment));
+/// Replaces this program by foam-bench of the same folder, with the same command line.
+int start_bench(const Program& program) {
+    const auto file = std::filesystem::canonical(own_program).parent_path() / bench_program;
+    ::execv(file.c_str(), program.arguments);
+    if (errno != ENOENT) {
+        throw Error(ErrorCode::usage, fmt::format("{}: cannot be started: {}", file.string(), std::strerror(errno)));
     }
-    if (arguments.check) {
-        tell(fmt::format("{}: good", arguments.experiment));
-        return 0;
-    }
-    ExperimentOptions options;
-    options.out = arguments.out.empty() ? fs::path("benchmarks") / read.experiment->name : fs::path(arguments.out);
-    refuse_replacing(options.out, {arguments.experiment}, arguments.force);
-    options.threads = arguments.threads;
-    options.cancel = &stop_on_interrupt();
-    options.tell = [](const std::string& line) { tell(line); };
-    const ExperimentResult result = run_experiment(*read.experiment, registry, options);
-    std::vector<std::string> files;
-    for (const fs::path& file : result.files) {
-        files.push_back(file.string());
-    }
-    print_data(result.markdown);
-    tell(fmt::format("written to {}: {}", options.out.string(), fmt::join(files, " ")));
-    return 0;
+    throw Error(ErrorCode::usage,
+                fmt::format("{} is not there: the experiments are a program of their own; remedy: in a clone, run "
+                            "`./foam bench` once, which builds it, or `ninja -C BUILD_FOLDER bench`; for an "
+                            "installed foam, install the package foam-bench",
+                            file.string()));
 }
 
 } // namespace
 
 void add_bench(Program& program) {
-    CLI::App* command = add_command(program, "bench", "Measure stages, write tables and plots",
-                                    "  foam bench configs/experiments/filters.yaml\n"
-                                    "  foam bench configs/experiments/methods.yaml -o methods -j 4\n"
-                                    "  foam bench my_experiment.yaml --check");
-    auto arguments = std::make_shared<Arguments>();
-    command->add_option("experiment", arguments->experiment, "The experiment, a YAML file")
-        ->type_name("EXPERIMENT")
-        ->required();
-    command
-        ->add_option("-o,--out", arguments->out,
-                     "Folder of the results; default: benchmarks/NAME with the name of the experiment")
-        ->type_name("DIR");
-    command
-        ->add_option("-j,--threads", arguments->threads,
-                     "Threads that a stage may use, at most 1024; 0: one per core; several threads distort CPU times")
-        ->type_name("N")
-        ->check(CLI::Range(std::size_t{0}, std::size_t{1024}).description(""))
-        ->capture_default_str();
-    add_force(*command, arguments->force);
-    command->add_flag("--check", arguments->check, "List all errors of the experiment, and measure nothing");
-    command->callback(
-        [&program, arguments] { program.action = [&program, arguments] { return bench(program, *arguments); }; });
+    CLI::App* command = program.app.add_subcommand("bench", "Measure stages, write tables and plots");
+    command->set_help_flag(); // all that follows is for foam-bench
+    command->fallthrough(false);
+    command->prefix_command();
+    command->callback([&program] { program.action = [&program] { return start_bench(program); }; });
 }
 
 } // namespace foam::cli

@@ -1,8 +1,9 @@
 // foam cache: how much it holds; making it smaller.
-#include "program.hpp"
+#include "cli/program.hpp"
+#include "commands.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/cache.hpp>
+#include <foam/base/error.hpp>
+#include <foam/runtime/cache.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

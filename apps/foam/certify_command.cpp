@@ -1,4 +1,5 @@
 // foam certify: the proof alone.
+#include "commands.hpp"
 #include "judge.hpp"
 #include "table.hpp"
 

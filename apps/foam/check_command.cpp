@@ -1,7 +1,8 @@
-#include "program.hpp"
+#include "cli/program.hpp"
+#include "commands.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/plan.hpp>
+#include <foam/base/error.hpp>
+#include <foam/runtime/plan.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

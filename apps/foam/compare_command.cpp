@@ -1,8 +1,9 @@
 // foam compare: several sphere models of one robot.
+#include "cli/overwriting.hpp"
+#include "commands.hpp"
 #include "comparison.hpp"
-#include "overwriting.hpp"
 
-#include <foam/stage.hpp>
+#include <foam/sdk/stage.hpp>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,8 @@
 #include "comparison.hpp"
+
 #include "table.hpp"
 
-#include <foam/robot.hpp>
+#include <foam/robot/robot.hpp>
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include "judge.hpp"
 
-#include <foam/figure.hpp>
+#include <foam/geometry/figure.hpp>
 
 #include <string>
 #include <vector>

@@ -1,9 +1,10 @@
 // A comparison as one HTML file: no other file, no network.
 #include "comparison.hpp"
 
-#include <foam/host/bar_scale.hpp>
-#include <foam/host/markup.hpp>
-#include <foam/host/version.hpp>
+#include <foam/base/markup.hpp>
+#include <foam/report/bar_scale.hpp>
+#include <foam/report/html_page.hpp>
+#include <foam/runtime/version.hpp>
 
 #include <fmt/format.h>
 

@@ -1,11 +1,12 @@
 // foam evaluate: every figure of a sphere model, anybody's.
+#include "commands.hpp"
 #include "judge.hpp"
 #include "table.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/clip_plane.hpp>
-#include <foam/host/length.hpp>
-#include <foam/text.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
+#include <foam/geometry/clip_plane.hpp>
+#include <foam/geometry/length.hpp>
 
 #include <fmt/format.h>
 

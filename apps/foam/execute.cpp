@@ -1,10 +1,10 @@
 #include "execute.hpp"
 
-#include "interrupt.hpp"
-#include "overwriting.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/overwriting.hpp"
 #include "progress.hpp"
 
-#include <foam/error.hpp>
+#include <foam/base/error.hpp>
 
 #include <fmt/format.h>
 
@@ -36,12 +36,6 @@ void add_execute_options(CLI::App& command, ExecuteOptions& options) {
         ->check(CLI::Validator(CLI::PositiveNumber).description(""));
     add_force(command, options.force);
     command.add_flag("-v,--verbose", options.verbose, "Also print notes, not only warnings and errors");
-}
-
-void tell_findings(const std::vector<Diagnostic>& findings) {
-    for (const Diagnostic& finding : findings) {
-        tell_text(finding.text() + "\n");
-    }
 }
 
 void require_ok(const RecipeResult& read, const std::string& what) {

@@ -1,9 +1,9 @@
 // From a checked recipe to a finished run, with all that a person is told about it.
 #pragma once
 
-#include "program.hpp"
+#include "cli/program.hpp"
 
-#include <foam/host/run.hpp>
+#include <foam/runtime/run.hpp>
 
 #include <filesystem>
 #include <functional>
@@ -26,8 +26,6 @@ struct ExecuteOptions {
 
 /// `-j`, `--fresh`, `--time-limit` and `-v`.
 void add_execute_options(CLI::App& command, ExecuteOptions& options);
-/// Each on a line of its own.
-void tell_findings(const std::vector<Diagnostic>& findings);
 /// Tells the findings; throws Error(recipe) if there is an error among them.
 void require_ok(const RecipeResult& read, const std::string& what);
 /// Says which input is taken, runs, and shows the progress.

@@ -1,6 +1,6 @@
 #include "ignored_elsewhere.hpp"
 
-#include <foam/robot.hpp>
+#include <foam/robot/robot.hpp>
 
 #include <fmt/format.h>
 

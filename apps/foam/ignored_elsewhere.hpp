@@ -1,8 +1,8 @@
 // A self-collision matrix held against the pairs that a file of others leaves out.
 #pragma once
 
-#include <foam/host/ignored_pairs.hpp>
-#include <foam/host/self_collision.hpp>
+#include <foam/judge/ignored_pairs.hpp>
+#include <foam/judge/self_collision.hpp>
 
 #include <nlohmann/json.hpp>
 

@@ -1,9 +1,10 @@
 #include "judge.hpp"
+
 #include "table.hpp"
 
-#include <foam/error.hpp>
-#include <foam/measure_names.hpp>
-#include <foam/text.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
+#include <foam/geometry/measure_names.hpp>
 
 #include <fmt/format.h>
 

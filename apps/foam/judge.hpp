@@ -1,10 +1,10 @@
 // What evaluate, certify and compare share: options, input, and the figures as table and JSON.
 #pragma once
 
-#include "program.hpp"
+#include "cli/program.hpp"
 
-#include <foam/host/evaluate.hpp>
-#include <foam/host/proved_links.hpp>
+#include <foam/judge/evaluate.hpp>
+#include <foam/robot/proved_links.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -13,10 +13,6 @@
 #include <vector>
 
 namespace foam::cli {
-
-void add_evaluate(Program& program);
-void add_certify(Program& program);
-void add_compare(Program& program);
 
 struct JudgeOptions {
     std::string original;

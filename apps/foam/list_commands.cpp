@@ -1,7 +1,8 @@
 // What can stand in a recipe, and where it comes from: stages, describe, plugins.
-#include "program.hpp"
+#include "cli/program.hpp"
+#include "commands.hpp"
 
-#include <foam/error.hpp>
+#include <foam/base/error.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,131 +1,27 @@
-#include "interrupt.hpp"
-#include "judge.hpp"
-#include "program.hpp"
-
-#include <cstdio>
-#include <foam/error.hpp>
-#include <foam/host/crash.hpp>
-#include <foam/host/isolation.hpp>
-
-#include <fmt/format.h>
-
-namespace {
-
-using namespace foam::cli;
-
-/// The subcommand that was named; the program itself before one is.
-const CLI::App& current(const CLI::App& app) {
-    const auto chosen = app.get_subcommands();
-    return chosen.empty() ? app : *chosen.front();
-}
-
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
-    const std::string near = foam::nearest_word(word, known);
-    return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
-}
-
-std::vector<std::string> option_names(const CLI::App& app) {
-    std::vector<std::string> names;
-    for (const CLI::App* level : {&current(app), &app}) {
-        for (const CLI::Option* option : level->get_options()) {
-            for (const std::string& name : option->get_lnames()) {
-                names.push_back("--" + name);
-            }
-        }
-    }
-    return names;
-}
-
-/// CLI11's own message, or a better one for a word that is not known.
-std::string explain(const CLI::App& app, const CLI::ParseError& error) {
-    const std::vector<std::string> rest = app.remaining(true);
-    const bool no_command = app.get_subcommands().empty();
-    for (const std::string& word : rest) {
-        if (word.starts_with("-")) {
-            const std::string name = word.substr(0, word.find('='));
-            return fmt::format("unknown option '{}'{}", name, did_you_mean(name, option_names(app)));
-        }
-        if (no_command) {
-            std::vector<std::string> commands;
-            for (const CLI::App* command : app.get_subcommands(nullptr)) {
-                commands.push_back(command->get_name());
-            }
-            return fmt::format("unknown command '{}'{}", word, did_you_mean(word, commands));
-        }
-        return fmt::format("'{}' is one argument too many", word);
-    }
-    return error.what();
-}
-
-int usage_error(const CLI::App& app, const CLI::ParseError& error) {
-    const CLI::App& command = current(app);
-    tell(explain(app, error));
-    tell(fmt::format("`foam {}--help` explains its use", &command == &app ? "" : command.get_name() + " "));
-    return foam::exit_code(foam::ErrorCode::usage);
-}
-
-int run_program(int count, char** arguments) {
-    Program program;
-    add_run(program);
-    add_spherize(program);
-    add_verify(program);
-    add_bench(program);
-    add_evaluate(program);
-    add_certify(program);
-    add_compare(program);
-    add_self_collision(program);
-    add_check(program);
-    add_plan(program);
-    add_stages(program);
-    add_describe(program);
-    add_plugins(program);
-    add_cache(program);
-    add_schema(program);
-    add_sdk(program);
-    add_new_plugin(program);
-    add_test_plugin(program);
-    add_version(program);
-    if (count <= 1) {
-        fmt::print(stderr, "{}", program.app.help());
-        return foam::exit_code(foam::ErrorCode::usage);
-    }
-    try {
-        program.app.parse(count, arguments);
-        const InterruptRequest request;
-        const foam::StopScope scope(&request);
-        return program.action();
-    } catch (const CLI::CallForHelp&) {
-        const CLI::App& command = current(program.app);
-        print(&command == &program.app ? command.help() : command.help(program.app.get_name()));
-        return 0;
-    } catch (const CLI::CallForVersion& call) {
-        print(fmt::format("{}\n", call.what()));
-        return 0;
-    } catch (const CLI::ParseError& error) {
-        return usage_error(program.app, error);
-    }
-}
-
-/// Whatever is thrown is told.
-int guarded(int count, char** arguments) {
-    try {
-        return run_program(count, arguments);
-    } catch (const foam::Error& error) {
-        tell(fmt::format("{}: {}", error.code() == foam::ErrorCode::cancelled ? "stopped" : "error", error.what()));
-        return foam::exit_code(error.code());
-    } catch (const std::exception& error) {
-        tell(fmt::format("error: {} (a bug in foam; please report it)", error.what()));
-        return foam::exit_code(foam::ErrorCode::internal);
-    }
-}
-
-} // namespace
+#include "cli/entry.hpp"
+#include "commands.hpp"
 
 int main(int count, char** arguments) {
-    foam::serve_isolated_call(count, arguments);
-    foam::report_crashes();
-    stop_on_interrupt();
-    const int code = guarded(count, arguments);
-    std::fflush(nullptr); // a signal would leave what is buffered
-    return exit_code_after(code);
+    using namespace foam::cli;
+    return run_main(count, arguments, [](Program& program) {
+        add_run(program);
+        add_spherize(program);
+        add_verify(program);
+        add_bench(program);
+        add_evaluate(program);
+        add_certify(program);
+        add_compare(program);
+        add_self_collision(program);
+        add_check(program);
+        add_plan(program);
+        add_stages(program);
+        add_describe(program);
+        add_plugins(program);
+        add_cache(program);
+        add_schema(program);
+        add_sdk(program);
+        add_new_plugin(program);
+        add_test_plugin(program);
+        add_version(program);
+    });
 }

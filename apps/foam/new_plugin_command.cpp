@@ -1,9 +1,10 @@
 // For authors of plugins: a little project to start from.
-#include "program.hpp"
+#include "cli/program.hpp"
+#include "commands.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/scratch_folder.hpp>
-#include <foam/host/sdk.hpp>
+#include <foam/base/error.hpp>
+#include <foam/runtime/scratch_folder.hpp>
+#include <foam/sdk/sdk.hpp>
 
 #include <fmt/format.h>
 

@@ -1,10 +1,11 @@
 // foam plan: what would run.
+#include "commands.hpp"
 #include "execute.hpp"
 #include "table.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/plan.hpp>
-#include <foam/text.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
+#include <foam/runtime/plan.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
 #include "progress.hpp"
 
-#include "program.hpp"
+#include "cli/program.hpp"
 
-#include <foam/text.hpp>
+#include <foam/base/text.hpp>
 
 #include <fmt/format.h>
 

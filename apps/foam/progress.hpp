@@ -1,7 +1,7 @@
 // What a person at a terminal sees of a run: a bar, and findings as they come.
 #pragma once
 
-#include <foam/host/run.hpp>
+#include <foam/runtime/run.hpp>
 
 #include <string>
 

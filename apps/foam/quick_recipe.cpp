@@ -1,6 +1,6 @@
 #include "quick_recipe.hpp"
 
-#include <foam/error.hpp>
+#include <foam/base/error.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

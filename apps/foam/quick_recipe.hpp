@@ -1,8 +1,8 @@
 // The recipe that `foam spherize` stands for.
 #pragma once
 
-#include <foam/host/mesh_unit.hpp>
-#include <foam/host/registry.hpp>
+#include <foam/recipe/mesh_unit.hpp>
+#include <foam/sdk/registry.hpp>
 
 #include <filesystem>
 #include <optional>

@@ -1,8 +1,9 @@
+#include "commands.hpp"
 #include "execute.hpp"
 #include "summary.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/verify.hpp>
+#include <foam/base/error.hpp>
+#include <foam/runtime/verify.hpp>
 
 #include <fmt/format.h>
 

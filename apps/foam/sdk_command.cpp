@@ -1,7 +1,8 @@
 // For authors of plugins: where the SDK is.
-#include "program.hpp"
+#include "cli/program.hpp"
+#include "commands.hpp"
 
-#include <foam/host/sdk.hpp>
+#include <foam/sdk/sdk.hpp>
 
 namespace foam::cli {
 

@@ -1,14 +1,15 @@
 // foam self-collision: which pairs of links never need a check.
+#include "cli/interrupt.hpp"
+#include "cli/overwriting.hpp"
+#include "cli/program.hpp"
+#include "commands.hpp"
 #include "ignored_elsewhere.hpp"
-#include "interrupt.hpp"
 #include "judge.hpp"
-#include "overwriting.hpp"
-#include "program.hpp"
 #include "table.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/self_collision.hpp>
-#include <foam/text.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
+#include <foam/judge/self_collision.hpp>
 
 #include <fmt/format.h>
 

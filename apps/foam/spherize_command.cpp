@@ -1,10 +1,11 @@
+#include "commands.hpp"
 #include "execute.hpp"
 #include "quick_recipe.hpp"
 #include "summary.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/scratch_folder.hpp>
-#include <foam/stage.hpp>
+#include <foam/base/error.hpp>
+#include <foam/runtime/scratch_folder.hpp>
+#include <foam/sdk/stage.hpp>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,9 @@
 #include "summary.hpp"
+
 #include "table.hpp"
 
-#include <foam/measure_names.hpp>
-#include <foam/text.hpp>
+#include <foam/base/text.hpp>
+#include <foam/geometry/measure_names.hpp>
 
 #include <fmt/format.h>
 

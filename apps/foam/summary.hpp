@@ -1,7 +1,7 @@
 // The result of a run for people and for programs.
 #pragma once
 
-#include <foam/host/run.hpp>
+#include <foam/runtime/run.hpp>
 
 #include <nlohmann/json.hpp>
 

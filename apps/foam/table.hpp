@@ -1,7 +1,7 @@
 // Tables on the terminal.
 #pragma once
 
-#include <foam/text.hpp>
+#include <foam/base/text.hpp>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,9 @@
 // For authors of plugins: does a plugin keep to its contract?
-#include "program.hpp"
+#include "cli/program.hpp"
+#include "commands.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/contract.hpp>
+#include <foam/base/error.hpp>
+#include <foam/runtime/contract.hpp>
 
 #include <fmt/format.h>
 

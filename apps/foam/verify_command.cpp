@@ -1,10 +1,10 @@
 // foam verify: is a run directory what its recipe makes?
+#include "cli/interrupt.hpp"
+#include "commands.hpp"
 #include "execute.hpp"
-
-#include "interrupt.hpp"
 #include "progress.hpp"
 
-#include <foam/host/verify.hpp>
+#include <foam/runtime/verify.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

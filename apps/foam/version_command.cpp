@@ -1,9 +1,10 @@
 // What foam is and what its recipes may hold: version, schema.
-#include "program.hpp"
+#include "cli/program.hpp"
+#include "commands.hpp"
 
-#include <foam/abi.hpp>
-#include <foam/host/schemas.hpp>
-#include <foam/host/version.hpp>
+#include <foam/runtime/schemas.hpp>
+#include <foam/runtime/version.hpp>
+#include <foam/sdk/abi.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

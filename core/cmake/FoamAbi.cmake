@@ -16,7 +16,7 @@ endfunction()
 
 # foam_read_abi_record(RESULT): the record of the epoch that abi.hpp names; a change of either configures anew.
 function(foam_read_abi_record RESULT)
-  set(HEADER "${PROJECT_SOURCE_DIR}/core/include/foam/abi.hpp")
+  set(HEADER "${PROJECT_SOURCE_DIR}/core/sdk/include/foam/sdk/abi.hpp")
   file(STRINGS "${HEADER}" EPOCH REGEX "^#define FOAM_ABI_EPOCH [0-9]+$")
   string(REGEX REPLACE "[^0-9]" "" EPOCH "${EPOCH}")
   set(RECORD "${PROJECT_SOURCE_DIR}/core/abi/epoch_${EPOCH}.txt")

@@ -26,7 +26,8 @@ function(foam_add_plugin NAME)
       "got ${NAME} ${ARGN}")
   endif()
   add_library(${NAME} MODULE ${ARG_SOURCES})
-  target_link_libraries(${NAME} PRIVATE foam::core ${ARG_LIBRARIES})
+  target_link_libraries(${NAME} PRIVATE foam::sdk foam::search ${ARG_LIBRARIES})
+  target_link_options(${NAME} PRIVATE -Wl,--build-id=sha1) # part of the keys of the cache
   if(TARGET foam_compiler) # in tree
     target_link_libraries(${NAME} PRIVATE foam_compiler)
   else()
@@ -37,7 +38,7 @@ function(foam_add_plugin NAME)
     CXX_EXTENSIONS OFF
     CXX_VISIBILITY_PRESET hidden
     VISIBILITY_INLINES_HIDDEN ON
-    INSTALL_RPATH "\$ORIGIN/../..") # libfoam-core lies two folders up
+    INSTALL_RPATH "\$ORIGIN/../..") # foam's libraries lie two folders up
   if(ARG_DIRECTORY)
     set_target_properties(${NAME} PROPERTIES LIBRARY_OUTPUT_DIRECTORY "${ARG_DIRECTORY}")
     return()
@@ -78,7 +79,7 @@ function(foam_add_plugin_tests NAME)
   set(TESTS ${NAME}.contract)
   if(ARG_SOURCES)
     add_executable(${NAME}_test ${ARG_SOURCES})
-    target_link_libraries(${NAME}_test PRIVATE foam::core)
+    target_link_libraries(${NAME}_test PRIVATE foam::runtime)
     target_compile_definitions(${NAME}_test PRIVATE FOAM_TEST_PLUGIN="$<TARGET_FILE:${NAME}>")
     add_dependencies(${NAME}_test ${NAME})
     add_test(NAME ${NAME}.test COMMAND ${NAME}_test)

@@ -4,7 +4,7 @@
 #include "recipes.hpp"
 #include "robots.hpp"
 
-#include <foam/text.hpp>
+#include <foam/base/text.hpp>
 
 #include <fstream>
 #include <stdexcept>

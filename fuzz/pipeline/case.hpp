@@ -1,7 +1,7 @@
 // A case: everything that a run is given, made from a seed.
 #pragma once
 
-#include <foam/host/recipe.hpp>
+#include <foam/recipe/recipe.hpp>
 
 #include <cstdint>
 #include <filesystem>

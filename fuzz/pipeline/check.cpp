@@ -2,9 +2,10 @@
 
 #include "figures.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/evaluate.hpp>
-#include <foam/host/run.hpp>
+#include <foam/base/error.hpp>
+#include <foam/judge/evaluate.hpp>
+#include <foam/runtime/run.hpp>
+
 #include <judge/judge.hpp>
 
 #include <sys/resource.h>
@@ -243,8 +244,8 @@ private:
             return;
         }
         const std::set<std::string> without = left_out();
-        const auto spheres = judge::read_spheres(file, without);
-        for (const judge::Link& link : judge::read_original(input)) {
+        const auto spheres = ::judge::read_spheres(file, without);
+        for (const ::judge::Link& link : ::judge::read_original(input)) {
             if (without.contains(link.name)) {
                 continue;
             }
@@ -254,8 +255,8 @@ private:
                 continue;
             }
             const bool inner = recipe_->guarantee == Guarantee::inner;
-            const auto objection = !inner               ? judge::outside_of_balls(link, found->second)
-                                   : judge::plain(link) ? judge::outside_of_solid(link, found->second)
+            const auto objection = !inner               ? ::judge::outside_of_balls(link, found->second)
+                                   : ::judge::plain(link) ? ::judge::outside_of_solid(link, found->second)
                                                         : std::nullopt;
             if (objection) {
                 find("FALSE PROOF: link '" + link.name + "', off by " +

@@ -1,7 +1,7 @@
 // Random choices, the same for the same seed.
 #pragma once
 
-#include <foam/random.hpp>
+#include <foam/base/random.hpp>
 
 #include <cmath>
 #include <cstddef>

@@ -1,8 +1,8 @@
 // What the figures of a run must keep.
 #pragma once
 
-#include <foam/host/evaluate.hpp>
-#include <foam/host/run.hpp>
+#include <foam/judge/evaluate.hpp>
+#include <foam/runtime/run.hpp>
 
 #include <string>
 #include <vector>

@@ -6,7 +6,7 @@
 // Exit codes: 0 all passed, 1 findings, 2 usage.
 #include "workers.hpp"
 
-#include <foam/host/isolation.hpp>
+#include <foam/runtime/isolation.hpp>
 
 #include <unistd.h>
 

@@ -3,7 +3,7 @@
 
 #include "dice.hpp"
 
-#include <foam/mesh.hpp>
+#include <foam/geometry/mesh.hpp>
 
 namespace foam::fuzz {
 

@@ -3,7 +3,7 @@
 
 #include "dice.hpp"
 
-#include <foam/host/recipe.hpp>
+#include <foam/recipe/recipe.hpp>
 
 namespace foam::fuzz {
 

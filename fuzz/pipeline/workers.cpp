@@ -1,6 +1,6 @@
 #include "workers.hpp"
 
-#include <foam/host/crash.hpp>
+#include <foam/runtime/crash.hpp>
 
 #include <fcntl.h>
 #include <poll.h>

@@ -1,7 +1,7 @@
 // Affine maps in double precision; those of assimp are in single precision.
 #pragma once
 
-#include <foam/vector.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <assimp/matrix4x4.h>
 

@@ -1,7 +1,7 @@
 #include "files.hpp"
 
-#include <foam/error.hpp>
-#include <foam/file.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/file.hpp>
 
 #include <assimp/MemoryIOWrapper.h>
 #include <fmt/format.h>

@@ -5,9 +5,9 @@
 #include "locale.hpp"
 #include "scene.hpp"
 
-#include <foam/error.hpp>
-#include <foam/file.hpp>
-#include <foam/text.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/file.hpp>
+#include <foam/base/text.hpp>
 
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>

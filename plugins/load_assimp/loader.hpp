@@ -4,7 +4,7 @@
 // only through Files, and its result is checked before any other use.
 #pragma once
 
-#include <foam/stage.hpp>
+#include <foam/sdk/stage.hpp>
 
 namespace foam::load_assimp {
 

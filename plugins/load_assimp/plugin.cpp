@@ -1,7 +1,7 @@
 #include "frame.hpp"
 #include "loader.hpp"
 
-#include <foam/plugin.hpp>
+#include <foam/sdk/plugin.hpp>
 
 namespace {
 

@@ -3,8 +3,8 @@
 
 #include "affine.hpp"
 
-#include <foam/context.hpp>
-#include <foam/mesh.hpp>
+#include <foam/geometry/mesh.hpp>
+#include <foam/sdk/context.hpp>
 
 #include <assimp/scene.h>
 

@@ -1,7 +1,7 @@
 // Affine maps of scene nodes.
 #pragma once
 
-#include <foam/vector.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <array>
 #include <cmath>

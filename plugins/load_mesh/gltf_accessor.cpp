@@ -3,9 +3,8 @@
 #include "base64.hpp"
 #include "builder.hpp"
 
-#include <foam/file.hpp>
-
-#include <foam/cancellation.hpp>
+#include <foam/base/cancellation.hpp>
+#include <foam/base/file.hpp>
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include "readers.hpp"
 
-#include <foam/file.hpp>
+#include <foam/base/file.hpp>
 
 #include <fmt/format.h>
 

@@ -9,7 +9,7 @@
 
 #include "builder.hpp"
 
-#include <foam/stage.hpp>
+#include <foam/sdk/stage.hpp>
 
 namespace foam::load_mesh {
 

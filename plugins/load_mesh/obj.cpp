@@ -1,7 +1,7 @@
 // Wavefront OBJ, after the Advanced Visualizer manual, appendix B1.
 #include "readers.hpp"
 
-#include <foam/cancellation.hpp>
+#include <foam/base/cancellation.hpp>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Geomview's Object File Format: http://www.geomview.org/docs/html/OFF.html
 #include "readers.hpp"
 
-#include <foam/cancellation.hpp>
+#include <foam/base/cancellation.hpp>
 
 #include <fmt/format.h>
 

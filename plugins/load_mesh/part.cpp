@@ -1,6 +1,6 @@
 #include "part.hpp"
 
-#include <foam/cancellation.hpp>
+#include <foam/base/cancellation.hpp>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "loader.hpp"
 
-#include <foam/plugin.hpp>
+#include <foam/sdk/plugin.hpp>
 
 FOAM_PLUGIN("load_mesh", "1.0", "Apache-2.0") {
     using foam::Parameter;

@@ -1,7 +1,7 @@
 // The Polygon File Format, version 1.0 (Turk 1994).
 #include "readers.hpp"
 
-#include <foam/cancellation.hpp>
+#include <foam/base/cancellation.hpp>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "readers.hpp"
 
-#include <foam/cancellation.hpp>
+#include <foam/base/cancellation.hpp>
 
 #include <fmt/format.h>
 

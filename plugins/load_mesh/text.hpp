@@ -1,8 +1,8 @@
 // A file in memory, errors with their place, and the reading of words and numbers from text.
 #pragma once
 
-#include <foam/error.hpp>
-#include <foam/vector.hpp>
+#include <foam/base/error.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <cstdint>
 #include <filesystem>

@@ -3,7 +3,7 @@
 
 #include "reader.hpp"
 
-#include <foam/robot.hpp>
+#include <foam/robot/robot.hpp>
 
 namespace foam::urdf {
 

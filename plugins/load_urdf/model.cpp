@@ -2,7 +2,7 @@
 
 #include "geometry.hpp"
 
-#include <foam/cancellation.hpp>
+#include <foam/base/cancellation.hpp>
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 
 #include "reader.hpp"
 
-#include <foam/context.hpp>
-#include <foam/robot.hpp>
+#include <foam/robot/robot.hpp>
+#include <foam/sdk/context.hpp>
 
 namespace foam::urdf {
 

@@ -3,8 +3,8 @@
 #include "model.hpp"
 #include "second_opinion.hpp"
 
-#include <foam/cancellation.hpp>
-#include <foam/plugin.hpp>
+#include <foam/base/cancellation.hpp>
+#include <foam/sdk/plugin.hpp>
 
 #include <fmt/format.h>
 

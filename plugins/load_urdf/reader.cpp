@@ -1,6 +1,6 @@
 #include "reader.hpp"
 
-#include <foam/text.hpp>
+#include <foam/base/text.hpp>
 
 #include <fmt/format.h>
 

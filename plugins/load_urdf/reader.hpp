@@ -1,7 +1,8 @@
 // Typed access to the attributes of URDF elements. Every error has file and line.
 #pragma once
 
-#include <foam/vector.hpp>
+#include <foam/geometry/vector.hpp>
+
 #include <xml/document.hpp>
 
 #include <optional>

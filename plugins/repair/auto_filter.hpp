@@ -3,8 +3,8 @@
 
 #include "watertight_filter.hpp"
 
-#include <foam/plugin.hpp>
-#include <foam/self_intersection.hpp>
+#include <foam/geometry/self_intersection.hpp>
+#include <foam/sdk/plugin.hpp>
 
 #include <memory>
 

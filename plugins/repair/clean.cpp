@@ -4,7 +4,7 @@
 #include "nesting.hpp"
 #include "triangle.hpp"
 
-#include <foam/error.hpp>
+#include <foam/base/error.hpp>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // Repairs without rebuilding the surface.
 #pragma once
 
-#include <foam/context.hpp>
-#include <foam/mesh.hpp>
+#include <foam/geometry/mesh.hpp>
+#include <foam/sdk/context.hpp>
 
 #include <optional>
 

@@ -2,9 +2,9 @@
 
 #include "triangle.hpp"
 
-#include <foam/cancellation.hpp>
-#include <foam/edges.hpp>
-#include <foam/solid.hpp>
+#include <foam/base/cancellation.hpp>
+#include <foam/geometry/edges.hpp>
+#include <foam/geometry/solid.hpp>
 
 #include <algorithm>
 #include <numeric>

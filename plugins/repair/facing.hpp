@@ -1,8 +1,8 @@
 // The orientation of patches of an open or branching mesh.
 #pragma once
 
-#include <foam/context.hpp>
-#include <foam/mesh.hpp>
+#include <foam/geometry/mesh.hpp>
+#include <foam/sdk/context.hpp>
 
 #include <cstddef>
 

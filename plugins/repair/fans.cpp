@@ -1,7 +1,7 @@
 #include "fans.hpp"
 
-#include <foam/cancellation.hpp>
-#include <foam/edges.hpp>
+#include <foam/base/cancellation.hpp>
+#include <foam/geometry/edges.hpp>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // Connectivity: the triangles at an edge, with equal or opposite directions; fans; components.
 #pragma once
 
-#include <foam/mesh.hpp>
+#include <foam/geometry/mesh.hpp>
 
 #include <optional>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "octree.hpp"
 
-#include <foam/cancellation.hpp>
+#include <foam/base/cancellation.hpp>
 
 namespace foam::repair {
 namespace {

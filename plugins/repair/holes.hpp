@@ -1,8 +1,8 @@
 // Holes: closed loops of open edges.
 #pragma once
 
-#include <foam/context.hpp>
-#include <foam/mesh.hpp>
+#include <foam/geometry/mesh.hpp>
+#include <foam/sdk/context.hpp>
 
 #include <cstddef>
 

@@ -2,7 +2,7 @@
 
 #include "open_sides.hpp"
 
-#include <foam/cancellation.hpp>
+#include <foam/base/cancellation.hpp>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // T-junctions: vertices on an edge of another triangle.
 #pragma once
 
-#include <foam/mesh.hpp>
+#include <foam/geometry/mesh.hpp>
 
 #include <cstddef>
 

@@ -1,6 +1,6 @@
 #include "nearby.hpp"
 
-#include <foam/parallel.hpp>
+#include <foam/base/parallel.hpp>
 
 namespace foam::repair {
 

@@ -2,7 +2,7 @@
 
 #include "triangle.hpp"
 
-#include <foam/cancellation.hpp>
+#include <foam/base/cancellation.hpp>
 
 #include <numbers>
 #include <numeric>

@@ -2,9 +2,9 @@
 
 #include "triangle.hpp"
 
-#include <foam/cancellation.hpp>
-#include <foam/error.hpp>
-#include <foam/parallel.hpp>
+#include <foam/base/cancellation.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/parallel.hpp>
 
 namespace foam::repair {
 namespace {

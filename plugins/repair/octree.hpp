@@ -2,9 +2,9 @@
 // split, all to the same depth. Cells without surface keep their size.
 #pragma once
 
-#include <foam/context.hpp>
-#include <foam/mesh.hpp>
-#include <foam/solid.hpp>
+#include <foam/geometry/mesh.hpp>
+#include <foam/geometry/solid.hpp>
+#include <foam/sdk/context.hpp>
 
 #include <array>
 #include <cstdint>

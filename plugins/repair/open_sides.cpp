@@ -1,6 +1,6 @@
 #include "open_sides.hpp"
 
-#include <foam/edges.hpp>
+#include <foam/geometry/edges.hpp>
 
 #include <algorithm>
 

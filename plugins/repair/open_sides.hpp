@@ -1,7 +1,7 @@
 // Sides of triangles without partner.
 #pragma once
 
-#include <foam/mesh.hpp>
+#include <foam/geometry/mesh.hpp>
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "octree.hpp"
 
-#include <foam/parallel.hpp>
+#include <foam/base/parallel.hpp>
 
 namespace foam::repair {
 namespace {

@@ -3,7 +3,7 @@
 #include "soup_filter.hpp"
 #include "watertight_filter.hpp"
 
-#include <foam/plugin.hpp>
+#include <foam/sdk/plugin.hpp>
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include "triangle.hpp"
 
-#include <foam/parallel.hpp>
+#include <foam/base/parallel.hpp>
 
 namespace foam::repair {
 namespace {

@@ -4,8 +4,8 @@
 #include "nearby.hpp"
 #include "voxel_surface.hpp"
 
-#include <foam/context.hpp>
-#include <foam/solid.hpp>
+#include <foam/geometry/solid.hpp>
+#include <foam/sdk/context.hpp>
 
 namespace foam::repair {
 

@@ -6,8 +6,8 @@
 #include "untangle.hpp"
 #include "voxel_surface.hpp"
 
-#include <foam/cancellation.hpp>
-#include <foam/error.hpp>
+#include <foam/base/cancellation.hpp>
+#include <foam/base/error.hpp>
 
 #include <fmt/format.h>
 

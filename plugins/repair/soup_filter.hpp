@@ -3,8 +3,8 @@
 
 #include "soup.hpp"
 
-#include <foam/error.hpp>
-#include <foam/stage.hpp>
+#include <foam/base/error.hpp>
+#include <foam/sdk/stage.hpp>
 
 #include <fmt/format.h>
 

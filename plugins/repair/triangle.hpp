@@ -1,7 +1,7 @@
 // Queries on one triangle.
 #pragma once
 
-#include <foam/mesh.hpp>
+#include <foam/geometry/mesh.hpp>
 
 #include <array>
 

@@ -1,6 +1,6 @@
 #include "untangle.hpp"
 
-#include <foam/self_intersection.hpp>
+#include <foam/geometry/self_intersection.hpp>
 
 #include <algorithm>
 

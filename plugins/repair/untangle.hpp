@@ -1,8 +1,8 @@
 // Removes intersections between triangles of a rebuilt surface.
 #pragma once
 
-#include <foam/context.hpp>
-#include <foam/mesh.hpp>
+#include <foam/geometry/mesh.hpp>
+#include <foam/sdk/context.hpp>
 
 namespace foam::repair {
 

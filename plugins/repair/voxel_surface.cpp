@@ -1,6 +1,6 @@
 #include "voxel_surface.hpp"
 
-#include <foam/cancellation.hpp>
+#include <foam/base/cancellation.hpp>
 
 #include <numeric>
 #include <unordered_map>

@@ -3,7 +3,7 @@
 
 #include "octree.hpp"
 
-#include <foam/mesh.hpp>
+#include <foam/geometry/mesh.hpp>
 
 #include <array>
 #include <vector>

@@ -4,8 +4,8 @@
 #include "rebuild.hpp"
 #include "soup.hpp"
 
-#include <foam/error.hpp>
-#include <foam/stage.hpp>
+#include <foam/base/error.hpp>
+#include <foam/sdk/stage.hpp>
 
 #include <fmt/format.h>
 

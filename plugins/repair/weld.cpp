@@ -1,6 +1,6 @@
 #include "weld.hpp"
 
-#include <foam/cancellation.hpp>
+#include <foam/base/cancellation.hpp>
 
 #include <bit>
 

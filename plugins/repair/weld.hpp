@@ -1,7 +1,7 @@
 // Welding of nearly equal vertices.
 #pragma once
 
-#include <foam/mesh.hpp>
+#include <foam/geometry/mesh.hpp>
 
 namespace foam::repair {
 

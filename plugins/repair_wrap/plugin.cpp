@@ -1,8 +1,8 @@
 // repair.wrap: a closed surface around any triangles.
 #include "wrap.hpp"
 
-#include <foam/error.hpp>
-#include <foam/plugin.hpp>
+#include <foam/base/error.hpp>
+#include <foam/sdk/plugin.hpp>
 
 #include <fmt/format.h>
 

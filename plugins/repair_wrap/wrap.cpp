@@ -1,8 +1,8 @@
 // Only CGAL: this file takes long to compile.
 #include "wrap.hpp"
 
-#include <foam/cancellation.hpp>
-#include <foam/error.hpp>
+#include <foam/base/cancellation.hpp>
+#include <foam/base/error.hpp>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

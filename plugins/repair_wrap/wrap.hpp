@@ -1,7 +1,7 @@
 // The alpha wrap of a triangle soup.
 #pragma once
 
-#include <foam/mesh.hpp>
+#include <foam/geometry/mesh.hpp>
 
 namespace foam::repair {
 

@@ -1,6 +1,6 @@
 // simplify.meshoptimizer: simplification by the library meshoptimizer, common in game engines.
-#include <foam/error.hpp>
-#include <foam/plugin.hpp>
+#include <foam/base/error.hpp>
+#include <foam/sdk/plugin.hpp>
 
 #include <fmt/format.h>
 #include <meshoptimizer.h>

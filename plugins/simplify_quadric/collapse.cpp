@@ -1,6 +1,6 @@
 #include "collapse.hpp"
 
-#include <foam/edges.hpp>
+#include <foam/geometry/edges.hpp>
 
 namespace foam::simplify {
 namespace {

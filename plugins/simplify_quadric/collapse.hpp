@@ -4,8 +4,8 @@
 #include "candidates.hpp"
 #include "quadric.hpp"
 
-#include <foam/context.hpp>
-#include <foam/mesh.hpp>
+#include <foam/geometry/mesh.hpp>
+#include <foam/sdk/context.hpp>
 
 #include <limits>
 #include <vector>

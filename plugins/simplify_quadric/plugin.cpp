@@ -1,9 +1,9 @@
 // simplify.quadric: fewer triangles with nearly the same shape.
 #include "collapse.hpp"
 
-#include <foam/error.hpp>
-#include <foam/mesh_change.hpp>
-#include <foam/plugin.hpp>
+#include <foam/base/error.hpp>
+#include <foam/geometry/mesh_change.hpp>
+#include <foam/sdk/plugin.hpp>
 
 #include <fmt/format.h>
 

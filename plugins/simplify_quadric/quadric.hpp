@@ -1,7 +1,7 @@
 // The quadric error of Garland, Heckbert: Surface Simplification Using Quadric Error Metrics, SIGGRAPH 1997, section 3.
 #pragma once
 
-#include <foam/vector.hpp>
+#include <foam/geometry/vector.hpp>
 
 namespace foam::simplify {
 

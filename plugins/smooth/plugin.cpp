@@ -1,8 +1,8 @@
 // smooth.laplacian, smooth.taubin and smooth.humphrey.
 #include "smoothing.hpp"
 
-#include <foam/error.hpp>
-#include <foam/plugin.hpp>
+#include <foam/base/error.hpp>
+#include <foam/sdk/plugin.hpp>
 
 #include <fmt/format.h>
 

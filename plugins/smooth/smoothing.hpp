@@ -3,7 +3,7 @@
 
 #include "weights.hpp"
 
-#include <foam/context.hpp>
+#include <foam/sdk/context.hpp>
 
 namespace foam::smooth {
 

@@ -1,6 +1,6 @@
 #include "weights.hpp"
 
-#include <foam/cancellation.hpp>
+#include <foam/base/cancellation.hpp>
 
 #include <tuple>
 

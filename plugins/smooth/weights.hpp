@@ -1,7 +1,7 @@
 // The neighbours of every vertex and their weights.
 #pragma once
 
-#include <foam/mesh.hpp>
+#include <foam/geometry/mesh.hpp>
 
 #include <cstdint>
 #include <vector>

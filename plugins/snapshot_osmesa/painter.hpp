@@ -1,8 +1,8 @@
 // The interface between the light plugin and the heavy painter library, which is opened for the first picture.
 #pragma once
 
-#include <foam/context.hpp>
-#include <foam/figure.hpp>
+#include <foam/geometry/figure.hpp>
+#include <foam/sdk/context.hpp>
 
 #include <string>
 

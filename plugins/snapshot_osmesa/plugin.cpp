@@ -2,8 +2,8 @@
 // dependencies would slow down every start of the program tenfold.
 #include "painter.hpp"
 
-#include <foam/error.hpp>
-#include <foam/plugin.hpp>
+#include <foam/base/error.hpp>
+#include <foam/sdk/plugin.hpp>
 
 #include <dlfcn.h>
 

@@ -1,7 +1,7 @@
-// spherize.cover: the covering spheres of foam/host/spherize.hpp as a stage.
-#include <foam/host/spherize.hpp>
-#include <foam/cancellation.hpp>
-#include <foam/plugin.hpp>
+// spherize.cover: the covering spheres of foam/search/spherize.hpp as a stage.
+#include <foam/base/cancellation.hpp>
+#include <foam/sdk/plugin.hpp>
+#include <foam/search/spherize.hpp>
 
 #include <algorithm>
 #include <memory>

@@ -1,8 +1,8 @@
 #include "grid_search.hpp"
 
-#include <foam/cancellation.hpp>
-#include <foam/measure.hpp>
-#include <foam/parallel.hpp>
+#include <foam/base/cancellation.hpp>
+#include <foam/base/parallel.hpp>
+#include <foam/geometry/measure.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // The best oriented grid of cells for a number of spheres.
 #pragma once
 
-#include <foam/cell.hpp>
-#include <foam/context.hpp>
+#include <foam/geometry/cell.hpp>
+#include <foam/sdk/context.hpp>
 
 #include <array>
 #include <map>

@@ -3,9 +3,9 @@
 #include "refinement.hpp"
 #include "search.hpp"
 
-#include <foam/cancellation.hpp>
-#include <foam/error.hpp>
-#include <foam/plugin.hpp>
+#include <foam/base/cancellation.hpp>
+#include <foam/base/error.hpp>
+#include <foam/sdk/plugin.hpp>
 
 #include <algorithm>
 #include <numeric>

@@ -1,7 +1,7 @@
 #include "refinement.hpp"
 
-#include <foam/measure.hpp>
-#include <foam/parallel.hpp>
+#include <foam/base/parallel.hpp>
+#include <foam/geometry/measure.hpp>
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #include "best_with_at_most.hpp"
 
-#include <foam/measure.hpp>
-#include <foam/parallel.hpp>
-#include <foam/union_volume.hpp>
+#include <foam/base/parallel.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/geometry/union_volume.hpp>
 
 #include <map>
 #include <set>

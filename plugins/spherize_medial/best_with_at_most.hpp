@@ -1,8 +1,8 @@
 // For methods whose result may be worse with more spheres.
 #pragma once
 
-#include <foam/solid.hpp>
-#include <foam/stage.hpp>
+#include <foam/geometry/solid.hpp>
+#include <foam/sdk/stage.hpp>
 
 #include <functional>
 #include <span>

@@ -1,6 +1,6 @@
 #include "columns.hpp"
 
-#include <foam/cancellation.hpp>
+#include <foam/base/cancellation.hpp>
 
 #include <algorithm>
 #include <numbers>

@@ -5,7 +5,7 @@
 
 #include "frame.hpp"
 
-#include <foam/solid.hpp>
+#include <foam/geometry/solid.hpp>
 
 #include <cstdint>
 #include <span>

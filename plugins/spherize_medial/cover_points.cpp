@@ -2,7 +2,7 @@
 
 #include "directions.hpp"
 
-#include <foam/cancellation.hpp>
+#include <foam/base/cancellation.hpp>
 
 #include <algorithm>
 #include <array>

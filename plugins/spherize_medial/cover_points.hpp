@@ -3,7 +3,7 @@
 
 #include "frame.hpp"
 
-#include <foam/solid.hpp>
+#include <foam/geometry/solid.hpp>
 
 #include <vector>
 

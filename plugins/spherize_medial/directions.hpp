@@ -1,7 +1,7 @@
 // Evenly spread unit vectors.
 #pragma once
 
-#include <foam/vector.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <numbers>
 #include <vector>

@@ -1,7 +1,7 @@
 // The smallest enclosing ball of many points, for the inner loops.
 #pragma once
 
-#include <foam/sphere.hpp>
+#include <foam/geometry/sphere.hpp>
 
 #include <span>
 

@@ -1,6 +1,6 @@
 #include "reduction.hpp"
 
-#include <foam/cancellation.hpp>
+#include <foam/base/cancellation.hpp>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "frame.hpp"
 
-#include <foam/error.hpp>
-#include <foam/parameter.hpp>
+#include <foam/base/error.hpp>
+#include <foam/sdk/parameter.hpp>
 
 #include <Eigen/Eigenvalues>
 

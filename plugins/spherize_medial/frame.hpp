@@ -3,8 +3,8 @@
 // same.
 #pragma once
 
-#include <foam/mesh.hpp>
-#include <foam/sphere.hpp>
+#include <foam/geometry/mesh.hpp>
+#include <foam/geometry/sphere.hpp>
 
 #include <array>
 

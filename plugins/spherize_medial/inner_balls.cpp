@@ -1,6 +1,6 @@
 #include "inner_balls.hpp"
 
-#include <foam/parallel.hpp>
+#include <foam/base/parallel.hpp>
 
 #include <algorithm>
 #include <cstdint>

@@ -3,8 +3,8 @@
 
 #include "columns.hpp"
 
-#include <foam/context.hpp>
-#include <foam/solid.hpp>
+#include <foam/geometry/solid.hpp>
+#include <foam/sdk/context.hpp>
 
 #include <span>
 #include <vector>

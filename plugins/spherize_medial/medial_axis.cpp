@@ -1,6 +1,6 @@
 #include "medial_axis.hpp"
 
-#include <foam/cancellation.hpp>
+#include <foam/base/cancellation.hpp>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Delaunay_triangulation_cell_base_3.h>

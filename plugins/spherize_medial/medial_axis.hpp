@@ -2,8 +2,8 @@
 // sphere-tree construction", ACM TOG 23(1), section 4).
 #pragma once
 
-#include <foam/context.hpp>
-#include <foam/sphere.hpp>
+#include <foam/geometry/sphere.hpp>
+#include <foam/sdk/context.hpp>
 
 #include <functional>
 #include <memory>

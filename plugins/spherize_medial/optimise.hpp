@@ -4,8 +4,8 @@
 #include "columns.hpp"
 #include "uncovered.hpp"
 
-#include <foam/context.hpp>
-#include <foam/sphere.hpp>
+#include <foam/geometry/sphere.hpp>
+#include <foam/sdk/context.hpp>
 
 #include <functional>
 #include <span>

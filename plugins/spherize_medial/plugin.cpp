@@ -1,6 +1,6 @@
 #include "spherizer.hpp"
 
-#include <foam/plugin.hpp>
+#include <foam/sdk/plugin.hpp>
 
 using foam::medial::MedialSpherizer;
 using foam::medial::Settings;

@@ -2,7 +2,7 @@
 
 #include "enclosing_ball.hpp"
 
-#include <foam/cancellation.hpp>
+#include <foam/base/cancellation.hpp>
 
 #include <algorithm>
 

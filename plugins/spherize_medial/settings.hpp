@@ -1,7 +1,7 @@
 // The parameters of the plugin's stages, read once.
 #pragma once
 
-#include <foam/parameter.hpp>
+#include <foam/sdk/parameter.hpp>
 
 #include <cstddef>
 #include <vector>

@@ -4,9 +4,9 @@
 #include "inner_balls.hpp"
 #include "stock.hpp"
 
-#include <foam/cancellation.hpp>
-#include <foam/error.hpp>
-#include <foam/parallel.hpp>
+#include <foam/base/cancellation.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/parallel.hpp>
 
 #include <algorithm>
 #include <map>

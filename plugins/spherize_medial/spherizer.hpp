@@ -3,7 +3,7 @@
 
 #include "settings.hpp"
 
-#include <foam/stage.hpp>
+#include <foam/sdk/stage.hpp>
 
 namespace foam::medial {
 

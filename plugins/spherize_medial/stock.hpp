@@ -9,8 +9,8 @@
 #include "reduction.hpp"
 #include "settings.hpp"
 
-#include <foam/context.hpp>
-#include <foam/solid.hpp>
+#include <foam/geometry/solid.hpp>
+#include <foam/sdk/context.hpp>
 
 #include <memory>
 #include <optional>

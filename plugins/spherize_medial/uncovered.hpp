@@ -1,7 +1,7 @@
 // The part of the surface that a ball must contain because no other does.
 #pragma once
 
-#include <foam/sphere.hpp>
+#include <foam/geometry/sphere.hpp>
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "octree.hpp"
 
-#include <foam/cancellation.hpp>
-#include <foam/parallel.hpp>
+#include <foam/base/cancellation.hpp>
+#include <foam/base/parallel.hpp>
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // An octree of a solid with a ball around the content of each cell.
 #pragma once
 
-#include <foam/cell.hpp>
-#include <foam/context.hpp>
+#include <foam/geometry/cell.hpp>
+#include <foam/sdk/context.hpp>
 
 #include <array>
 #include <optional>

@@ -1,9 +1,9 @@
 // spherize.octree: balls around the cells of an octree.
 #include "octree.hpp"
 
-#include <foam/error.hpp>
-#include <foam/measure.hpp>
-#include <foam/plugin.hpp>
+#include <foam/base/error.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/sdk/plugin.hpp>
 
 #include <optional>
 

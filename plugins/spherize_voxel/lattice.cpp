@@ -1,6 +1,6 @@
 #include "lattice.hpp"
 
-#include <foam/cancellation.hpp>
+#include <foam/base/cancellation.hpp>
 
 #include <algorithm>
 #include <cmath>

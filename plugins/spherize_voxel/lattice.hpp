@@ -1,7 +1,7 @@
 // Equal spheres on a cubic lattice.
 #pragma once
 
-#include <foam/cell.hpp>
+#include <foam/geometry/cell.hpp>
 
 #include <array>
 #include <vector>

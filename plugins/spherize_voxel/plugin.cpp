@@ -1,8 +1,8 @@
 // spherize.voxel: equal spheres on a voxel grid.
 #include "radius_search.hpp"
 
-#include <foam/error.hpp>
-#include <foam/plugin.hpp>
+#include <foam/base/error.hpp>
+#include <foam/sdk/plugin.hpp>
 
 #include <algorithm>
 

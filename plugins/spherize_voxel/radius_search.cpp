@@ -1,8 +1,8 @@
 #include "radius_search.hpp"
 
-#include <foam/cancellation.hpp>
-#include <foam/measure.hpp>
-#include <foam/parallel.hpp>
+#include <foam/base/cancellation.hpp>
+#include <foam/base/parallel.hpp>
+#include <foam/geometry/measure.hpp>
 
 #include <cmath>
 #include <limits>

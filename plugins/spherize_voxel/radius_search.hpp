@@ -3,7 +3,7 @@
 
 #include "lattice.hpp"
 
-#include <foam/context.hpp>
+#include <foam/sdk/context.hpp>
 
 #include <vector>
 

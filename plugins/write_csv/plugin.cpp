@@ -1,8 +1,8 @@
 // write.csv: one sphere per row, "link,x,y,z,radius". Quoting of RFC 4180; lines end with "\n".
-#include <foam/cancellation.hpp>
-#include <foam/error.hpp>
-#include <foam/plugin.hpp>
-#include <foam/text.hpp>
+#include <foam/base/cancellation.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
+#include <foam/sdk/plugin.hpp>
 
 #include <fmt/format.h>
 

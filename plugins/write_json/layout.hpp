@@ -1,8 +1,8 @@
 // The layouts of a model in JSON.
 #pragma once
 
-#include <foam/model.hpp>
-#include <foam/text.hpp>
+#include <foam/base/text.hpp>
+#include <foam/sdk/model.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

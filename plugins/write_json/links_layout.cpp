@@ -1,8 +1,8 @@
 #include "layout.hpp"
 
-#include <foam/cancellation.hpp>
-#include <foam/error.hpp>
-#include <foam/measure_names.hpp>
+#include <foam/base/cancellation.hpp>
+#include <foam/base/error.hpp>
+#include <foam/geometry/measure_names.hpp>
 
 #include <algorithm>
 

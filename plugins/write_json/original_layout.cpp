@@ -4,8 +4,8 @@
 // mesh, where CoMMALab/foam lost all but one.
 #include "layout.hpp"
 
-#include <foam/cancellation.hpp>
-#include <foam/error.hpp>
+#include <foam/base/cancellation.hpp>
+#include <foam/base/error.hpp>
 
 #include <algorithm>
 

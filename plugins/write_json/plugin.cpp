@@ -1,8 +1,8 @@
 // write.json: sphere models as JSON.
 #include "layout.hpp"
 
-#include <foam/error.hpp>
-#include <foam/plugin.hpp>
+#include <foam/base/error.hpp>
+#include <foam/sdk/plugin.hpp>
 
 namespace foam {
 namespace {

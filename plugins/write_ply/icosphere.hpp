@@ -1,7 +1,7 @@
 // Triangulated unit spheres.
 #pragma once
 
-#include <foam/mesh.hpp>
+#include <foam/geometry/mesh.hpp>
 
 namespace foam {
 

@@ -8,9 +8,9 @@
 // there.
 #include "icosphere.hpp"
 
-#include <foam/error.hpp>
-#include <foam/plugin.hpp>
-#include <foam/text.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
+#include <foam/sdk/plugin.hpp>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "edit.hpp"
 
-#include <foam/cancellation.hpp>
-#include <foam/text.hpp>
+#include <foam/base/cancellation.hpp>
+#include <foam/base/text.hpp>
 
 #include <algorithm>
 

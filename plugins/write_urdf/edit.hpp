@@ -1,7 +1,8 @@
 // Changes to a text that keep every other byte.
 #pragma once
 
-#include <foam/sphere.hpp>
+#include <foam/geometry/sphere.hpp>
+
 #include <xml/document.hpp>
 
 #include <string>

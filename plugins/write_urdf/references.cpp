@@ -1,6 +1,6 @@
 #include "references.hpp"
 
-#include <foam/resource.hpp>
+#include <foam/sdk/resource.hpp>
 
 #include <fmt/format.h>
 

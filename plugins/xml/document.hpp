@@ -2,7 +2,7 @@
 // any change to other bytes.
 #pragma once
 
-#include <foam/error.hpp>
+#include <foam/base/error.hpp>
 
 #include <cstddef>
 #include <memory>

@@ -1,11 +1,10 @@
 """The layout of every public type, against the committed record of the ABI epoch.
 
-abi_layout.py check COMPILER INCLUDE RECORDS PLUGINS   0: as recorded, 1: not, 77: skipped (no readelf or x86-64)
-abi_layout.py test  COMPILER INCLUDE RECORDS PLUGINS   whether `check` would notice: changes a copy of the headers
+abi_layout.py check COMPILER CORE   0: as recorded, 1: not, 77: skipped (no readelf or x86-64)
+abi_layout.py test  COMPILER CORE   whether `check` would notice: changes a copy of the headers
 
-All headers of INCLUDE/foam, and those of INCLUDE/foam/host that a file of PLUGINS includes, are compiled into one object
-file with debug information, and sizes, offsets, enumerators and virtual functions are read from that: no list that
-somebody could forget to extend.
+All public headers of the libraries that plugins may use are compiled into one object file with debug information, and
+sizes, offsets, enumerators and virtual functions are read from that: no list that somebody could forget to extend.
 """
 import difflib
 import os
@@ -22,13 +21,18 @@ TYPES = {"structure_type": "struct", "class_type": "struct", "union_type": "unio
 
 
 class Headers:
-    """The headers that plugins may include."""
+    """The headers that plugins may include: "geometry/mesh.hpp"."""
 
-    def __init__(self, include, plugins):
-        self.include = include
-        used = {name for path in pathlib.Path(plugins).rglob("*.[ch]pp")
-                for name in re.findall(r"#include <foam/(host/\w+\.hpp)>", path.read_text())}
-        self.names = sorted(path.name for path in pathlib.Path(include, "foam").glob("*.hpp")) + sorted(used)
+    LIBRARIES = ["base", "geometry", "robot", "search", "sdk"]
+
+    def __init__(self, core):
+        self.core = pathlib.Path(core)
+        self.folders = [self.core / library / "include" for library in self.LIBRARIES]
+        self.names = [f"{library}/{path.name}" for library, folder in zip(self.LIBRARIES, self.folders)
+                      for path in sorted((folder / "foam" / library).glob("*.hpp"))]
+
+    def file(self, name):
+        return self.core / name.split("/")[0] / "include" / "foam" / name
 
 
 def debug_information(compiler, headers):
@@ -36,11 +40,11 @@ def debug_information(compiler, headers):
     with tempfile.TemporaryDirectory() as folder:
         source, binary = pathlib.Path(folder, "types.cpp"), pathlib.Path(folder, "types.o")
         source.write_text("".join(f"#include <foam/{name}>\n" for name in headers.names))
-        record = pathlib.Path(folder, "foam", "abi_record.hpp")  # made with the build; it has no types
-        record.parent.mkdir()
+        record = pathlib.Path(folder, "foam", "sdk", "abi_record.hpp")  # made with the build; it has no types
+        record.parent.mkdir(parents=True)
         record.write_text('#define FOAM_ABI_LAYOUT ""\n')
         subprocess.run([compiler, "-std=c++20", "-O0", "-g", "-fno-eliminate-unused-debug-types",
-                        "-femit-class-debug-always", f"-I{headers.include}", f"-I{folder}", "-c", str(source), "-o", str(binary)], check=True)
+                        "-femit-class-debug-always", *(f"-I{include}" for include in headers.folders), f"-I{folder}", "-c", str(source), "-o", str(binary)], check=True)
         return subprocess.run(["readelf", "-W", "--debug-dump=info", str(binary)], check=True, capture_output=True,
                               text=True, env={**os.environ, "LC_ALL": "C"}).stdout
 
@@ -178,9 +182,9 @@ class Layout:
         return "\n\n".join(parts) + "\n"
 
 
-def epochs(include):
+def epochs(headers):
     """The current epoch, and the epochs that abi.hpp gives a reason for."""
-    text = pathlib.Path(include, "foam", "abi.hpp").read_text()
+    text = headers.file("sdk/abi.hpp").read_text()
     current = int(re.search(r"#define FOAM_ABI_EPOCH (\d+)", text).group(1))
     reasons = re.findall(r"^/// +(\d+)  (\S.*)$", text, re.M)
     return current, [int(number) for number, reason in reasons if len(reason.split()) >= 2]
@@ -201,18 +205,18 @@ def differences(old, new):
 
 
 def head(epoch, state):
-    return (f"ABI epoch {epoch}, {state}: the public types of core/include/foam, x86-64, g++.\n"
+    return (f"ABI epoch {epoch}, {state}: the public types of the libraries for plugins, x86-64, g++.\n"
             "Written by tests/abi/abi_layout.py; docs/dev/abi.md says when and how it may change.\n\n")
 
 
-def check(compiler, headers, records):
+def check(compiler, headers):
     """What is wrong; empty if nothing."""
-    epoch, reasons = epochs(headers.include)
+    epoch, reasons = epochs(headers)
     for number in range(1, epoch + 1):
         if number not in reasons:
             return (f"abi.hpp gives no reason for ABI epoch {number}\nremedy: add a line '///  {number}  what changed "
                     "and why' to the reasons above FOAM_ABI_EPOCH")
-    record = pathlib.Path(records, f"epoch_{epoch}.txt")
+    record = headers.core / "abi" / f"epoch_{epoch}.txt"
     found = Layout(debug_information(compiler, headers)).text(headers)
     if not record.exists():
         if os.environ.get("FOAM_TEST_UPDATE"):
@@ -238,48 +242,48 @@ def check(compiler, headers, records):
 
 # What the record must notice: file, text, replacement, and what the message says then.
 CHANGES = [
-    ("sphere.hpp", "double radius = 0;", "float weight = 0;\n    double radius = 0;", "+       24 weight: float"),
-    ("sphere.hpp", "    outer,  ///<", "    none,\n    outer,  ///<", "+     outer = 1"),
-    ("context.hpp", "    virtual bool cancelled() const = 0;\n", "", "-     virtual 3: bool cancelled() const"),
-    ("text.hpp", "namespace foam {", "namespace foam {\nstruct Novelty {\n    int x;\n};",
+    ("geometry/sphere.hpp", "double radius = 0;", "float weight = 0;\n    double radius = 0;", "+       24 weight: float"),
+    ("geometry/sphere.hpp", "    outer,  ///<", "    none,\n    outer,  ///<", "+     outer = 1"),
+    ("sdk/context.hpp", "    virtual bool cancelled() const = 0;\n", "", "-     virtual 3: bool cancelled() const"),
+    ("base/text.hpp", "namespace foam {\n", "namespace foam {\nstruct Novelty {\n    int x;\n};",
      "+ struct foam::Novelty, 4 bytes"),
-    ("host/spherize.hpp", "std::uint64_t seed = 0;", "std::uint32_t seed = 0;", "+        8 seed: uint32_t"),
+    ("search/spherize.hpp", "std::uint64_t seed = 0;", "std::uint32_t seed = 0;", "+        8 seed: uint32_t"),
 ]
 
 
-def test(compiler, include, records, plugins):
+def test(compiler, core):
     failures = []
     with tempfile.TemporaryDirectory() as folder:
-        copy, kept = pathlib.Path(folder, "include"), pathlib.Path(folder, "records")
-        shutil.copytree(include, copy)
-        shutil.copytree(records, kept)
+        copy = pathlib.Path(folder, "core")
+        shutil.copytree(core, copy)
+        headers = Headers(copy)
         for name, old, new, _ in CHANGES:
-            file = copy / "foam" / name
+            file = headers.file(name)
             text = file.read_text()
             if old not in text:
                 failures.append(f"{name} no longer holds '{old}': choose another change")
             file.write_text(text.replace(old, new, 1))
         # QuietContext overrides what is no longer there.
-        context = copy / "foam" / "context.hpp"
+        context = headers.file("sdk/context.hpp")
         context.write_text(context.read_text().replace("bool cancelled() const override;", "bool cancelled() const;"))
-        (copy / "foam" / "unknown.hpp").write_text("#pragma once\n")
+        headers.file("sdk/unknown.hpp").write_text("#pragma once\n")
         os.environ.pop("FOAM_TEST_UPDATE", None)
-        message = check(compiler, Headers(copy, plugins), kept)
-        for *_, wanted in CHANGES + [("unknown vector host/spherize",)]:
+        message = check(compiler, Headers(copy))
+        for *_, wanted in CHANGES + [("unknown",)]:
             if wanted not in message:
                 failures.append(f"the message does not say '{wanted}'")
         if "remedy: epoch" not in message:
             failures.append("an open epoch may be written anew, but the message does not say so")
-        epoch, _ = epochs(include)
-        record = kept / f"epoch_{epoch}.txt"
+        epoch, _ = epochs(headers)
+        record = copy / "abi" / f"epoch_{epoch}.txt"
         record.write_text(record.read_text().replace(", open:", ", released:", 1))
         os.environ["FOAM_TEST_UPDATE"] = "1"
-        if f"raise FOAM_ABI_EPOCH to {epoch + 1}" not in check(compiler, Headers(copy, plugins), kept):
+        if f"raise FOAM_ABI_EPOCH to {epoch + 1}" not in check(compiler, Headers(copy)):
             failures.append("a released epoch was written anew")
-        abi = copy / "foam" / "abi.hpp"
+        abi = headers.file("sdk/abi.hpp")
         line = "#define FOAM_ABI_EPOCH {}"
         abi.write_text(abi.read_text().replace(line.format(epoch), line.format(epoch + 1)))
-        if f"abi.hpp gives no reason for ABI epoch {epoch + 1}" not in check(compiler, Headers(copy, plugins), kept):
+        if f"abi.hpp gives no reason for ABI epoch {epoch + 1}" not in check(compiler, Headers(copy)):
             failures.append("an epoch without a reason was accepted")
         if failures:
             failures.append(message)
@@ -287,12 +291,12 @@ def test(compiler, include, records, plugins):
 
 
 def main():
-    what, compiler, include, records, plugins = sys.argv[1:]
+    what, compiler, core = sys.argv[1:]
     if platform.machine() != "x86_64" or not shutil.which("readelf"):
         print("skipped: the record is of x86-64, and is compared by readelf (package binutils)")
         return SKIPPED
-    problem = test(compiler, include, records, plugins) if what == "test" else \
-        check(compiler, Headers(include, plugins), records)
+    problem = test(compiler, core) if what == "test" else \
+        check(compiler, Headers(core))
     print(problem or "as recorded")
     return 1 if problem else 0
 

@@ -1,7 +1,7 @@
 // What foam takes for the input: its size, its unit, files that are no ordinary ones.
 #include "program.hpp"
 
-#include <foam/abi.hpp>
+#include <foam/sdk/abi.hpp>
 
 #include <nlohmann/json.hpp>
 

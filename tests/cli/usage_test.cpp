@@ -75,6 +75,18 @@ TEST_F(Cli, EveryCommandHasHelpWithExamples) {
     EXPECT_THAT(all.out, HasSubstr("Exit codes: 0 done"));
 }
 
+/// The experiments are a program of their own, which the first build does not make.
+TEST_F(Cli, BenchThatIsNotBuilt) {
+    fs::create_directory(path() / "bin");
+    fs::copy_file(FOAM_TEST_BINARY, path() / "bin/foam");
+    const Outcome outcome = shell("bin/foam bench x.yaml --check");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.err, "foam: error: " + (path() / "bin/foam-bench").string() +
+                               " is not there: the experiments are a program of their own; remedy: in a clone, run "
+                               "`./foam bench` once, which builds it, or `ninja -C BUILD_FOLDER bench`; for an "
+                               "installed foam, install the package foam-bench\n");
+}
+
 TEST_F(Cli, HelpFitsATerminalOf80Columns) {
     const std::string all = foam("--help").out;
     const std::size_t start = all.find("Subcommands:\n") + 13;

@@ -1,7 +1,7 @@
 // What is said of plugins that break a promise, in the library and by `foam test-plugin`.
 #include "cli/program.hpp"
 
-#include <foam/host/contract.hpp>
+#include <foam/runtime/contract.hpp>
 
 namespace foam::test {
 namespace {

@@ -3,11 +3,11 @@
 #include "corpus/mesh_files.hpp"
 #include "support/shared_folder.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/registry.hpp>
-#include <foam/measure.hpp>
-#include <foam/mesh_change.hpp>
-#include <foam/self_intersection.hpp>
+#include <foam/base/error.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/geometry/mesh_change.hpp>
+#include <foam/geometry/self_intersection.hpp>
+#include <foam/sdk/registry.hpp>
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "support/shared_folder.hpp"
 #include "support/temporary_folder.hpp"
 
-#include <foam/error.hpp>
+#include <foam/base/error.hpp>
 
 #include <gtest/gtest.h>
 

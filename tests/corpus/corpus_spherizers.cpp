@@ -1,10 +1,9 @@
 // Every spherizer on every link of the shared robots as they are, without repair: tiny, flat, open and broken ones too.
 #include "corpus/mesh_files.hpp"
 #include "corpus/whole_run.hpp"
+#include "spherize/all_spherizers.hpp"
 #include "support/shared_folder.hpp"
 #include "support/temporary_folder.hpp"
-
-#include "spherize/all_spherizers.hpp"
 
 #include <gtest/gtest.h>
 

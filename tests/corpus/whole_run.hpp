@@ -1,8 +1,8 @@
 // The whole pipeline on a file, as `foam spherize` runs it.
 #pragma once
 
-#include <foam/error.hpp>
-#include <foam/host/run.hpp>
+#include <foam/base/error.hpp>
+#include <foam/runtime/run.hpp>
 
 #include <filesystem>
 #include <string>

@@ -1,9 +1,9 @@
 // foam::spherize(): known covers, monotony, what it refuses.
 #include "geometry/shapes.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/contract.hpp>
-#include <foam/host/spherize.hpp>
+#include <foam/base/error.hpp>
+#include <foam/runtime/contract.hpp>
+#include <foam/search/spherize.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

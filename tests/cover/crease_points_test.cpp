@@ -1,6 +1,6 @@
-#include "cover/crease_points.hpp"
+#include "search/src/cover/crease_points.hpp"
 
-#include <foam/host/contract.hpp>
+#include <foam/runtime/contract.hpp>
 
 #include <gtest/gtest.h>
 

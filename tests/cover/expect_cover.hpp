@@ -1,8 +1,8 @@
 // What every cover promises.
 #pragma once
 
-#include <foam/host/spherize.hpp>
-#include <foam/measure.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/search/spherize.hpp>
 
 #include <gtest/gtest.h>
 

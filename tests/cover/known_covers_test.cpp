@@ -1,7 +1,7 @@
 // Covers of which the best is known, by the objectives radius and protrusion: from meshes and from primitives.
 #include "geometry/shapes.hpp"
 
-#include <foam/host/spherize.hpp>
+#include <foam/search/spherize.hpp>
 
 #include <gtest/gtest.h>
 

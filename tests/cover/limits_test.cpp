@@ -1,7 +1,7 @@
 // The smallest ball about points that keeps to half-spaces.
-#include "cover/limits.hpp"
+#include "search/src/cover/limits.hpp"
 
-#include <foam/random.hpp>
+#include <foam/base/random.hpp>
 
 #include <gtest/gtest.h>
 

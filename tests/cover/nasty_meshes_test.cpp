@@ -1,8 +1,8 @@
 // foam::spherize() on geometry that no tool likes: the cover is proved, whatever the mesh.
 #include "geometry/shapes.hpp"
 
-#include <foam/host/contract.hpp>
-#include <foam/host/spherize.hpp>
+#include <foam/runtime/contract.hpp>
+#include <foam/search/spherize.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Long thin solids of needles, far from the origin: covers as good as a row of equal balls, and growth that ends.
 #include "geometry/shapes.hpp"
 
-#include <foam/host/spherize.hpp>
-#include <foam/measure.hpp>
-#include <foam/union_volume.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/geometry/union_volume.hpp>
+#include <foam/search/spherize.hpp>
 
 #include <gtest/gtest.h>
 

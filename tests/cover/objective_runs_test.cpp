@@ -1,10 +1,10 @@
 // Objectives of spherize.cover through whole runs: what is written is proved, and what a run does to the spheres of a
 // link does not undo them.
-#include "geometry/measure_parts.hpp"
 #include "support/runs.hpp"
 
-#include <foam/host/spherize.hpp>
-#include <foam/measure.hpp>
+#include <foam/geometry/internal/measure_parts.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/search/spherize.hpp>
 
 #include <numeric>
 

@@ -1,11 +1,11 @@
 // Objectives of foam::spherize() other than excess: proved, never worse than excess by their own measure, never worse
 // with more spheres.
 #include "cover/expect_cover.hpp"
-#include "geometry/measure_parts.hpp"
 #include "geometry/shapes.hpp"
 
-#include <foam/host/contract.hpp>
-#include <foam/host/sphere_cache.hpp>
+#include <foam/geometry/internal/measure_parts.hpp>
+#include <foam/runtime/contract.hpp>
+#include <foam/search/sphere_cache.hpp>
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -2,9 +2,9 @@
 #include "cover/expect_cover.hpp"
 #include "geometry/shapes.hpp"
 
-#include <foam/host/contract.hpp>
-#include <foam/host/sphere_cache.hpp>
-#include <foam/parallel.hpp>
+#include <foam/base/parallel.hpp>
+#include <foam/runtime/contract.hpp>
+#include <foam/search/sphere_cache.hpp>
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -1,11 +1,9 @@
 // Covers that grow by a sphere at a time.
-#include "cover/splitting.hpp"
-
-#include "geometry/joint_volume.hpp"
-
-#include <foam/host/contract.hpp>
-#include <foam/measure.hpp>
-#include <foam/union_volume.hpp>
+#include <foam/geometry/internal/joint_volume.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/geometry/union_volume.hpp>
+#include <foam/runtime/contract.hpp>
+#include <foam/search/internal/splitting.hpp>
 
 #include <gtest/gtest.h>
 

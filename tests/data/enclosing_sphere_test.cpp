@@ -1,6 +1,6 @@
 // The smallest sphere around points, where many of them lie on it.
-#include <foam/random.hpp>
-#include <foam/sphere.hpp>
+#include <foam/base/random.hpp>
+#include <foam/geometry/sphere.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Whole files, of whatever kind and size.
 #include "support/temporary_folder.hpp"
 
-#include <foam/file.hpp>
+#include <foam/base/file.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Lengths with units, read and told.
-#include <foam/error.hpp>
-#include <foam/host/length.hpp>
-#include <foam/host/mesh_unit.hpp>
+#include <foam/base/error.hpp>
+#include <foam/geometry/length.hpp>
+#include <foam/recipe/mesh_unit.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Meshes as plain data: what is checked, welded and counted.
-#include <foam/edges.hpp>
-#include <foam/error.hpp>
-#include <foam/mesh.hpp>
+#include <foam/base/error.hpp>
+#include <foam/geometry/edges.hpp>
+#include <foam/geometry/mesh.hpp>
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // Work on all cores. Built with the thread sanitizer, these say that it sees how work is handed over.
-#include <foam/parallel.hpp>
+#include <foam/base/parallel.hpp>
 
 #include <gtest/gtest.h>
 

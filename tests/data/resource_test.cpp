@@ -1,5 +1,6 @@
 // Where references lead.
-#include <foam/resource.hpp>
+#include <foam/sdk/resource.hpp>
+
 #include <support/temporary_folder.hpp>
 
 #include <gmock/gmock.h>

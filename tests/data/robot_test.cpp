@@ -1,6 +1,6 @@
 // Poses of links, and what writers are given of a model.
-#include <foam/error.hpp>
-#include <foam/model.hpp>
+#include <foam/base/error.hpp>
+#include <foam/sdk/model.hpp>
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
 // Numbers and words.
-#include <foam/random.hpp>
-#include <foam/text.hpp>
+#include <foam/base/random.hpp>
+#include <foam/base/text.hpp>
 
 #include <gmock/gmock.h>
 

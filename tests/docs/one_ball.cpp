@@ -1,4 +1,4 @@
-#include <foam/plugin.hpp>
+#include <foam/sdk/plugin.hpp>
 
 class OneBall final : public foam::Spherizer {
 public:

@@ -1,6 +1,6 @@
 // The mesh filters of configs/panda_*.yaml on the embedded robot: flaws go in, closed surfaces of nearly the same solid
 // come out.
-#include <foam/host/registry.hpp>
+#include <foam/sdk/registry.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The robot that a fresh clone runs on: its kinematics are the published ones, its meshes have the overall sizes and
 // the flaws that its README states.
-#include <foam/host/registry.hpp>
+#include <foam/sdk/registry.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // The committed recipes: every one is valid, names the embedded model as its last source, and gives what it promises.
 #include "support/shared_folder.hpp"
 
-#include <foam/host/recipe.hpp>
-#include <foam/host/run.hpp>
+#include <foam/recipe/recipe.hpp>
+#include <foam/runtime/run.hpp>
 
 #include <gtest/gtest.h>
 

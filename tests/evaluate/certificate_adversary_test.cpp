@@ -1,8 +1,8 @@
 // Attempts to make the proof of cover pass where a point is uncovered: what is true is computed here in exact or
 // quadruple arithmetic, and by other code.
-#include <foam/error.hpp>
-#include <foam/measure.hpp>
-#include <foam/random.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/random.hpp>
+#include <foam/geometry/measure.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 
 #include "support/temporary_folder.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/evaluate.hpp>
+#include <foam/base/error.hpp>
+#include <foam/judge/evaluate.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // The figures of measure() against a second estimate by another method that shares no code with it: plain Monte Carlo
 // with generalised winding numbers summed over all triangles, primitives by their equations, distances to every
 // triangle by brute force. They agree within three standard errors.
-#include <foam/host/contract.hpp>
-#include <foam/measure.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/runtime/contract.hpp>
 
 #include <gtest/gtest.h>
 

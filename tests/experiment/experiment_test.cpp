@@ -1,10 +1,10 @@
 // Tiny experiments, run as `foam bench` does.
-#include "experiment/table.hpp"
-#include "queries/engine.hpp"
+#include "bench/src/queries/engine.hpp"
+#include "bench/src/table.hpp"
 #include "support/temporary_folder.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/experiment.hpp>
+#include <foam/base/error.hpp>
+#include <foam/bench/experiment.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // Scales, and the text of a picture: well-formed, the same every time, and with what was handed in.
-#include "plot/plot.hpp"
-#include "plot/scale.hpp"
+#include "report/src/plot/scale.hpp"
+
+#include <foam/report/internal/plot.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

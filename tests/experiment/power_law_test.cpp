@@ -1,4 +1,4 @@
-#include "experiment/power_law.hpp"
+#include "bench/src/power_law.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What is wrong with an experiment is told exactly, all at once.
-#include <foam/host/experiment.hpp>
+#include <foam/bench/experiment.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // configs/experiments: all are right, and every filter and spherizer is measured.
-#include <foam/host/experiment.hpp>
+#include <foam/bench/experiment.hpp>
 
 #include <gtest/gtest.h>
 

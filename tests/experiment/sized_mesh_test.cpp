@@ -1,8 +1,8 @@
 // Refinement keeps the surface; both ways end at the count.
-#include "experiment/sized_mesh.hpp"
+#include "bench/src/sized_mesh.hpp"
 
-#include <foam/context.hpp>
-#include <foam/robot.hpp>
+#include <foam/robot/robot.hpp>
+#include <foam/sdk/context.hpp>
 
 #include <gtest/gtest.h>
 

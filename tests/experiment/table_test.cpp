@@ -1,7 +1,7 @@
 // CSV there and back, Markdown.
-#include "experiment/table.hpp"
+#include "bench/src/table.hpp"
 
-#include <foam/error.hpp>
+#include <foam/base/error.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // kind: throughput. The scene, what is refused, and a gripper that lifts a box where MuJoCo is there.
-#include "experiment/grasp_scene.hpp"
-#include "experiment/table.hpp"
+#include "bench/src/grasp_scene.hpp"
+#include "bench/src/table.hpp"
 #include "support/temporary_folder.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/experiment.hpp>
-#include <foam/host/sdk.hpp>
+#include <foam/base/error.hpp>
+#include <foam/bench/experiment.hpp>
+#include <foam/sdk/sdk.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,9 +1,8 @@
 // Meshes of others through the filters of the paper: repair, simplify, smooth.
 #include "filters.hpp"
 
-#include <foam/parallel.hpp>
-
-#include <foam/self_intersection.hpp>
+#include <foam/base/parallel.hpp>
+#include <foam/geometry/self_intersection.hpp>
 
 #include <nlohmann/json.hpp>
 

@@ -3,9 +3,9 @@
 
 #include "shapes.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/registry.hpp>
-#include <foam/stage.hpp>
+#include <foam/base/error.hpp>
+#include <foam/sdk/registry.hpp>
+#include <foam/sdk/stage.hpp>
 
 #include <gtest/gtest.h>
 

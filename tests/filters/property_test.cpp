@@ -2,10 +2,10 @@
 // vertices come; and the guards of simplification and smoothing hold for all of them. Every filter of the registry.
 #include "filters.hpp"
 
-#include <foam/mesh_change.hpp>
-#include <foam/random.hpp>
-#include <foam/self_intersection.hpp>
-#include <foam/solid.hpp>
+#include <foam/base/random.hpp>
+#include <foam/geometry/mesh_change.hpp>
+#include <foam/geometry/self_intersection.hpp>
+#include <foam/geometry/solid.hpp>
 
 #include <numeric>
 

@@ -1,8 +1,8 @@
 // repair.watertight: a closed solid from anything, close to what was given.
 #include "filters.hpp"
 
-#include <foam/self_intersection.hpp>
-#include <foam/solid.hpp>
+#include <foam/geometry/self_intersection.hpp>
+#include <foam/geometry/solid.hpp>
 
 #include <numbers>
 

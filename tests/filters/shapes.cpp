@@ -1,6 +1,6 @@
 #include "shapes.hpp"
 
-#include <foam/random.hpp>
+#include <foam/base/random.hpp>
 
 #include <numbers>
 

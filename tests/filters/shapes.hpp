@@ -1,7 +1,7 @@
 // Meshes made on the spot, sound and defective.
 #pragma once
 
-#include <foam/mesh.hpp>
+#include <foam/geometry/mesh.hpp>
 
 #include <string>
 #include <vector>

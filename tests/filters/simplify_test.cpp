@@ -1,9 +1,8 @@
 // simplify.quadric: fewer triangles, the same solid.
 #include "filters.hpp"
 
-#include <foam/mesh_change.hpp>
-
-#include <foam/solid.hpp>
+#include <foam/geometry/mesh_change.hpp>
+#include <foam/geometry/solid.hpp>
 
 namespace foam::test {
 namespace {

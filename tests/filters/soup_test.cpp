@@ -1,8 +1,8 @@
 // repair.soup and repair.auto: mended in place where that is enough, rebuilt where it is not.
 #include "filters.hpp"
 
-#include <foam/mesh_change.hpp>
-#include <foam/self_intersection.hpp>
+#include <foam/geometry/mesh_change.hpp>
+#include <foam/geometry/self_intersection.hpp>
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,8 @@
 // repair.wrap encloses anything.
 #include "filters.hpp"
 
-#include <foam/self_intersection.hpp>
-#include <foam/solid.hpp>
+#include <foam/geometry/self_intersection.hpp>
+#include <foam/geometry/solid.hpp>
 
 namespace foam::test {
 namespace {

@@ -1,8 +1,8 @@
 // The proof of cover: it must hold where it can, and never where a point is uncovered.
-#include "geometry/proof.hpp"
 #include "geometry/shapes.hpp"
 
-#include <foam/measure.hpp>
+#include <foam/geometry/internal/proof.hpp>
+#include <foam/geometry/measure.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Triangles and prisms cut where balls meet: nothing of them may be left out, and no more rounding than was allowed
 // for.
-#include "geometry/crease_cuts.hpp"
 #include "geometry/shapes.hpp"
+#include "geometry/src/crease_cuts.hpp"
 
-#include <foam/measure.hpp>
+#include <foam/geometry/measure.hpp>
 
 #include <gtest/gtest.h>
 

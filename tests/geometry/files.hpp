@@ -3,7 +3,7 @@
 
 #include "support/shared_folder.hpp"
 
-#include <foam/mesh.hpp>
+#include <foam/geometry/mesh.hpp>
 
 #include <cstdlib>
 #include <cstring>

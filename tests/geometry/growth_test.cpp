@@ -1,9 +1,9 @@
 // Growth until the proof holds: never less than that, and not much more.
-#include "geometry/growth.hpp"
 #include "geometry/shapes.hpp"
+#include "geometry/src/growth.hpp"
 
-#include <foam/error.hpp>
-#include <foam/measure.hpp>
+#include <foam/base/error.hpp>
+#include <foam/geometry/measure.hpp>
 
 #include <gtest/gtest.h>
 

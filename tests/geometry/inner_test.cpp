@@ -1,7 +1,7 @@
 // The proof that spheres lie in a solid: it must hold where it can, and never where a point of a sphere is outside.
 #include "geometry/shapes.hpp"
 
-#include <foam/inner.hpp>
+#include <foam/geometry/inner.hpp>
 
 #include <gtest/gtest.h>
 

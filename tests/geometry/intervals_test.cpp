@@ -1,7 +1,7 @@
 // Intervals of lines against looking at every point of a grid of whole numbers.
-#include "geometry/intervals.hpp"
+#include "geometry/src/intervals.hpp"
 
-#include <foam/random.hpp>
+#include <foam/base/random.hpp>
 
 #include <gtest/gtest.h>
 

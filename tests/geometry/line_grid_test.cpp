@@ -1,8 +1,7 @@
 // Where a grid's lines cross meshes: triangle by triangle as line by line.
-#include "geometry/line_grid.hpp"
-
-#include "geometry/mesh_part.hpp"
 #include "geometry/shapes.hpp"
+#include "geometry/src/line_grid.hpp"
+#include "geometry/src/mesh_part.hpp"
 
 #include <gtest/gtest.h>
 

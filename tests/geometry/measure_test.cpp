@@ -1,10 +1,10 @@
 // The figures of a model on cases whose answers are known.
-#include "geometry/joint_volume.hpp"
-#include "geometry/measure_parts.hpp"
 #include "geometry/shapes.hpp"
 
-#include <foam/measure.hpp>
-#include <foam/parallel.hpp>
+#include <foam/base/parallel.hpp>
+#include <foam/geometry/internal/joint_volume.hpp>
+#include <foam/geometry/internal/measure_parts.hpp>
+#include <foam/geometry/measure.hpp>
 
 #include <gtest/gtest.h>
 

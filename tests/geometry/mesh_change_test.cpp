@@ -1,7 +1,7 @@
 // What a filter did: distances in both directions, volumes, defects.
 #include "shapes.hpp"
 
-#include <foam/mesh_change.hpp>
+#include <foam/geometry/mesh_change.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Queries on a rod of needles at an angle to the axes.
-#include "geometry/needle_index.hpp"
+#include "geometry/src/needle_index.hpp"
 
-#include <foam/random.hpp>
-#include <foam/solid.hpp>
+#include <foam/base/random.hpp>
+#include <foam/geometry/solid.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // Meshes for the tests of geometry: exact shapes, tessellated shapes and broken ones.
 #pragma once
 
-#include <foam/host/contract.hpp>
-#include <foam/random.hpp>
-#include <foam/robot.hpp>
-#include <foam/solid.hpp>
+#include <foam/base/random.hpp>
+#include <foam/geometry/solid.hpp>
+#include <foam/robot/robot.hpp>
+#include <foam/runtime/contract.hpp>
 
 #include <numbers>
 

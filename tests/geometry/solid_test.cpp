@@ -1,7 +1,7 @@
 // Nearest points, distances, samples and what Solid::make refuses.
 #include "geometry/shapes.hpp"
 
-#include <foam/error.hpp>
+#include <foam/base/error.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // Volumes of unions of parts and of balls.
 #include "geometry/shapes.hpp"
-#include "geometry/union_parts.hpp"
 
-#include <foam/measure.hpp>
-#include <foam/random.hpp>
-#include <foam/union_volume.hpp>
+#include <foam/base/random.hpp>
+#include <foam/geometry/internal/union_parts.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/geometry/union_volume.hpp>
 
 #include <gtest/gtest.h>
 

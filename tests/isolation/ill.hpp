@@ -1,7 +1,7 @@
 // Two links with a mesh each, and recipes for them.
 #pragma once
 
-#include <foam/abi.hpp>
+#include <foam/sdk/abi.hpp>
 
 #include <string_view>
 

@@ -4,7 +4,7 @@
 #include "ill.hpp"
 #include "support/runs.hpp"
 
-#include <foam/error.hpp>
+#include <foam/base/error.hpp>
 
 #include <atomic>
 #include <cctype>

@@ -1,10 +1,10 @@
 // Joint positions to link poses: closed forms, limits, mimic joints, random configurations, and what is refused.
 #include "support/shared_folder.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/kinematics.hpp>
-#include <foam/host/registry.hpp>
-#include <foam/stage.hpp>
+#include <foam/base/error.hpp>
+#include <foam/robot/kinematics.hpp>
+#include <foam/sdk/registry.hpp>
+#include <foam/sdk/stage.hpp>
 
 #include <gmock/gmock.h>
 

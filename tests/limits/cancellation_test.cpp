@@ -1,13 +1,13 @@
 // Work that is to end: whoever asks the thread is told, and everything that takes long asks.
-#include <foam/cancellation.hpp>
-#include <foam/cell.hpp>
-#include <foam/error.hpp>
-#include <foam/host/spherize.hpp>
-#include <foam/inner.hpp>
-#include <foam/measure.hpp>
-#include <foam/mesh_change.hpp>
-#include <foam/parallel.hpp>
-#include <foam/union_volume.hpp>
+#include <foam/base/cancellation.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/parallel.hpp>
+#include <foam/geometry/cell.hpp>
+#include <foam/geometry/inner.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/geometry/mesh_change.hpp>
+#include <foam/geometry/union_volume.hpp>
+#include <foam/search/spherize.hpp>
 
 #include <gmock/gmock.h>
 

@@ -1,10 +1,10 @@
 // A solid of very many parts answers as its parts do, and a link of ten thousand elements is a matter of a second.
-#include "geometry/cavities.hpp"
-#include "geometry/part_index.hpp"
+#include "geometry/src/part_index.hpp"
 #include "support/runs.hpp"
 
-#include <foam/random.hpp>
-#include <foam/solid.hpp>
+#include <foam/base/random.hpp>
+#include <foam/geometry/internal/cavities.hpp>
+#include <foam/geometry/solid.hpp>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -3,9 +3,9 @@
 #include "isolation/ill.hpp"
 #include "support/runs.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/contract.hpp>
-#include <foam/host/plan.hpp>
+#include <foam/base/error.hpp>
+#include <foam/runtime/contract.hpp>
+#include <foam/runtime/plan.hpp>
 
 #include <gmock/gmock.h>
 

@@ -3,8 +3,8 @@
 #include "fixture.hpp"
 #include "isolation/ill.hpp"
 
-#include <foam/host/plan.hpp>
-#include <foam/host/recipe.hpp>
+#include <foam/recipe/recipe.hpp>
+#include <foam/runtime/plan.hpp>
 
 namespace foam::test {
 namespace {

@@ -1,7 +1,7 @@
 // Meshes as files of assimp's own exporters.
 #pragma once
 
-#include <foam/mesh.hpp>
+#include <foam/geometry/mesh.hpp>
 
 #include <assimp/scene.h>
 

@@ -4,9 +4,9 @@
 #include "exported.hpp"
 #include "support/temporary_folder.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/contract.hpp>
-#include <foam/host/registry.hpp>
+#include <foam/base/error.hpp>
+#include <foam/runtime/contract.hpp>
+#include <foam/sdk/registry.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
 // What assimp's exporters write is read as it was: axes, units, every triangle.
 #include "fixture.hpp"
-
 #include "support/shared_folder.hpp"
 
 #include <clocale>

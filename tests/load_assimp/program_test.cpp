@@ -2,7 +2,7 @@
 #include "cli/program.hpp"
 #include "exported.hpp"
 
-#include <foam/host/contract.hpp>
+#include <foam/runtime/contract.hpp>
 
 namespace foam::test {
 namespace {

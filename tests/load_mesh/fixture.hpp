@@ -3,8 +3,8 @@
 
 #include "support/shared_folder.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/registry.hpp>
+#include <foam/base/error.hpp>
+#include <foam/sdk/registry.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

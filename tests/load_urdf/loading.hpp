@@ -1,8 +1,8 @@
 // What the tests of load.urdf share.
 #pragma once
 
-#include <foam/error.hpp>
-#include <foam/host/registry.hpp>
+#include <foam/base/error.hpp>
+#include <foam/sdk/registry.hpp>
 
 #include <gtest/gtest.h>
 

@@ -20,7 +20,7 @@ from mutations import mutants_of  # noqa: E402
 ROOT = Path(__file__).resolve().parents[2]
 HERE = Path(__file__).resolve().parent
 BUILD = Path(os.environ.get("FOAM_MUTATION_BUILD", ROOT / "build" / "mutation"))
-CORE, TESTS = ROOT / "core" / "src", ROOT / "tests"
+CORE, TESTS = ROOT / "core", ROOT / "tests"
 
 SURFACE = ["geometry/balls_test", "geometry/crease_cuts_test", "geometry/certificate_test", "evaluate/certificate_adversary_test"]
 GROWN = ["geometry/growth_test"]
@@ -29,26 +29,28 @@ INNER = ["geometry/inner_test"]
 
 # Which tests belong to which file, the ones that are likely to notice first. `core` names the files of core that tests link besides.
 BELONG = {
-    "geometry/certificate.cpp": SURFACE + GROWN,
-    "geometry/cover.cpp": SURFACE + GROWN,
-    "geometry/crease_cuts.cpp": SURFACE + GROWN,
-    "geometry/growth.cpp": GROWN + SURFACE,
-    "geometry/shrinking.cpp": GROWN,
-    "geometry/inner.cpp": INNER,
-    "geometry/rim.cpp": INNER,
-    "geometry/measure.cpp": MEASURED,
-    "geometry/measure_surface.cpp": MEASURED,
-    "geometry/measure_volume.cpp": MEASURED,
-    "geometry/exact_union_volume.cpp": MEASURED,
-    "geometry/intervals.cpp": ["geometry/intervals_test"],
-    "run/cover.cpp": ["run/finished_tree_test"],
-    "run/written_proof.cpp": ["run/written_proof_test"],
-    "data/text.cpp": ["data/text_test", "run/finished_tree_test"],
+    "geometry/src/certificate.cpp": SURFACE + GROWN,
+    "geometry/src/cover.cpp": SURFACE + GROWN,
+    "geometry/src/crease_cuts.cpp": SURFACE + GROWN,
+    "geometry/src/growth.cpp": GROWN + SURFACE,
+    "geometry/src/shrinking.cpp": GROWN,
+    "geometry/src/inner.cpp": INNER,
+    "geometry/src/rim.cpp": INNER,
+    "geometry/src/measure.cpp": MEASURED,
+    "geometry/src/measure_surface.cpp": MEASURED,
+    "geometry/src/measure_volume.cpp": MEASURED,
+    "geometry/src/exact_union_volume.cpp": MEASURED,
+    "geometry/src/intervals.cpp": ["geometry/intervals_test"],
+    "runtime/src/cover.cpp": ["run/finished_tree_test"],
+    "runtime/src/written_proof.cpp": ["run/written_proof_test"],
+    "base/src/text.cpp": ["data/text_test", "run/finished_tree_test"],
 }
-LINKED = {"contract/sample.cpp", "run/cover.cpp", "run/written_proof.cpp"}  # besides data and geometry
+WHOLE = {"base", "geometry", "robot", "sdk"}  # libraries that tests link
+LINKED = {"runtime/src/contract/sample.cpp", "runtime/src/cover.cpp", "runtime/src/written_proof.cpp"}  # and these files of others
 FLAGS = ("-std=c++20 -O1 -fPIC -DNDEBUG -D_GLIBCXX_ASSERTIONS -ffp-contract=off -w -DFMT_SHARED -DFOAM_VERSION=\"mutation\" "
          "-DFOAM_YAML_CPP_VERSION=\"\" -DFOAM_PLUGIN_SUBDIRECTORY=\"foam/plugins\" -isystem /usr/include/eigen3").split()
-INCLUDES = [f"-I{ROOT}/core/include", f"-I{BUILD}/include", f"-I{CORE}", f"-I{TESTS}"]
+LIBRARIES_OF_CORE = ["base", "geometry", "robot", "search", "sdk", "recipe", "report", "runtime", "judge"]
+INCLUDES = [f"-I{BUILD}/include", f"-I{CORE}", f"-I{TESTS}"] + [f"-I{CORE}/{name}/include" for name in LIBRARIES_OF_CORE]
 LIBRARIES = "-lgmock -lgtest -lgtest_main -ltbb -lfmt -lyaml-cpp -lexpat -lxxhash -lpthread -ldl".split()
 HEADERS = {"core": "algorithm array cmath cstdint filesystem functional map memory optional set span string string_view variant vector "
                    "fmt/format.h".split(),
@@ -107,15 +109,15 @@ def tests_of(file):
 
 def build(jobs):
     """Compiles core's files and the tests where they changed; core becomes an archive, of which tests link what they need."""
-    record = BUILD / "include" / "foam" / "abi_record.hpp"  # no plugin is loaded
+    record = BUILD / "include" / "foam" / "sdk" / "abi_record.hpp"  # no plugin is loaded
     if not record.exists():
         record.parent.mkdir(parents=True, exist_ok=True)
         record.write_text('#pragma once\n#define FOAM_ABI_LAYOUT "mutation"\n')
     for name in HEADERS:
         precompiled(name)
-    written = {f"{CORE}/geometry", f"{CORE}/data"}
-    sources = [(p, BUILD / "core" / p.parent.name / f"{p.stem}.o", "core")
-               for p in sorted(CORE.glob("*/*.cpp")) if str(p.parent) in written or f"{p.parent.name}/{p.name}" in LINKED]
+    names = [p.relative_to(CORE) for p in sorted(CORE.glob("*/src/**/*.cpp"))]
+    sources = [(CORE / name, BUILD / "core" / name.with_suffix(".o"), "core") for name in names
+               if name.parts[0] in WHOLE or str(name) in LINKED]
     sources += [(TESTS / f"{t}.cpp", BUILD / "tests" / f"{t}.o", "tests") for t in sorted({t for f in BELONG for t in tests_of(f)})]
     stale = [s for s in sources if not is_new(s[1], s[1].with_suffix(".d"))]
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
@@ -244,7 +246,7 @@ def summary(results, known):
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--list", action="store_true", help="print the mutants and end")
-    parser.add_argument("--only", action="append", metavar="FILE", help="files of core/src whose name contains this; may be repeated")
+    parser.add_argument("--only", action="append", metavar="FILE", help="files of core whose name contains this; may be repeated")
     parser.add_argument("--sample", type=int, metavar="N", help="as many of them, chosen at random")
     parser.add_argument("--seed", type=int, default=1, help="of the choice")
     parser.add_argument("--number", type=int, action="append", metavar="N", help="this mutant; may be repeated")

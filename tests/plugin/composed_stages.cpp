@@ -1,6 +1,6 @@
 // Stages that are made of stages of other plugins.
-#include <foam/error.hpp>
-#include <foam/host/registry.hpp>
+#include <foam/base/error.hpp>
+#include <foam/sdk/registry.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Files that must not be loaded: each is refused with its reason before any of it runs, none of its stages is known
 // afterwards, and the program goes on. Plugins that are bad from within: refused_plugins.
-#include <foam/error.hpp>
-#include <foam/host/registry.hpp>
+#include <foam/base/error.hpp>
+#include <foam/sdk/registry.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

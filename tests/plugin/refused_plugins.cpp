@@ -2,8 +2,8 @@
 // same.
 #include "cli/program.hpp"
 
-#include <foam/host/isolation.hpp>
-#include <foam/host/registry.hpp>
+#include <foam/runtime/isolation.hpp>
+#include <foam/sdk/registry.hpp>
 
 #include <algorithm>
 #include <csignal>

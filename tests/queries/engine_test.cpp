@@ -1,9 +1,9 @@
 // Verdicts and distances that have closed forms, in every collision library that is here; and what becomes of one that
 // aborts.
-#include "queries/engine.hpp"
+#include "bench/src/queries/engine.hpp"
 
-#include <foam/error.hpp>
-#include <foam/random.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/random.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

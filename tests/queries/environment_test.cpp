@@ -1,7 +1,7 @@
 // Random environments: the same every time, within their bounds, clear of what does not move.
-#include "queries/environment.hpp"
+#include "bench/src/queries/environment.hpp"
 
-#include <foam/error.hpp>
+#include <foam/base/error.hpp>
 
 #include <gtest/gtest.h>
 

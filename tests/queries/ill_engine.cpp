@@ -1,6 +1,6 @@
 // An engine that aborts, ends or fails where the first body is far enough from the origin. The robot named by the
 // problem's engine "unmakeable" cannot be made.
-#include <foam/host/collision_engine.hpp>
+#include <foam/bench/collision_engine.hpp>
 
 #include <cstdlib>
 #include <stdexcept>

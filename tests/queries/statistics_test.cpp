@@ -1,4 +1,4 @@
-#include "queries/statistics.hpp"
+#include "bench/src/queries/statistics.hpp"
 
 #include <gtest/gtest.h>
 

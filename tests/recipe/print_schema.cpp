@@ -1,5 +1,5 @@
 // Prints the JSON Schema of recipes with the stages of the plugins given.
-#include <foam/host/recipe.hpp>
+#include <foam/recipe/recipe.hpp>
 
 #include <cstdio>
 

@@ -2,7 +2,7 @@
 #include "support.hpp"
 #include "support/temporary_folder.hpp"
 
-#include <foam/text.hpp>
+#include <foam/base/text.hpp>
 
 #include <gmock/gmock.h>
 

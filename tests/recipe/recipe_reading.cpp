@@ -1,7 +1,7 @@
 // Files that are no files, and texts that are no recipes: findings, never a crash or a hang.
 #include "support.hpp"
 
-#include <foam/random.hpp>
+#include <foam/base/random.hpp>
 
 #include <unistd.h>
 

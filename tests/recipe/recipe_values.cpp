@@ -1,8 +1,8 @@
 // Scalars, `--set`, sweeps, overrides and globs.
 #include "support.hpp"
 
-#include <foam/error.hpp>
-#include <foam/text.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
 
 #include <gmock/gmock.h>
 

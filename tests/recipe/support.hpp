@@ -1,7 +1,7 @@
 // A registry with the fixture stages, and recipes in short form.
 #pragma once
 
-#include <foam/host/recipe.hpp>
+#include <foam/recipe/recipe.hpp>
 
 #include <gtest/gtest.h>
 

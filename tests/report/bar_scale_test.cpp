@@ -1,4 +1,4 @@
-#include <foam/host/bar_scale.hpp>
+#include <foam/report/bar_scale.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,9 @@
 // A run whose names try to break out of a page, and its report.
 #pragma once
 
-#include "run/files.hpp"
 #include "support/runs.hpp"
+
+#include <foam/base/internal/files.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

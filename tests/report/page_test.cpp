@@ -1,8 +1,10 @@
 // Pages that need no other file.
 #include "fixture.hpp"
-#include "report/page.hpp"
+#include "report/src/embedded_resources.hpp"
+#include "report/src/page.hpp"
 
-#include <foam/host/markup.hpp>
+#include <foam/base/markup.hpp>
+#include <foam/report/html_page.hpp>
 
 namespace foam::test {
 namespace {
@@ -24,8 +26,8 @@ TEST(Page, ItsTitleIsText) {
 
 TEST(Page, OnlyItsOwnScriptsRunAndNothingIsLoaded) {
     // SHA-256 of "1" and "2", as `printf 1 | openssl sha256 -binary | base64` says.
-    const embedded::Text one{"1", "6b86b273ff34fce19d6b804eff5a3f5747ada4eaa22f1d49c01e52ddb7875b4b"};
-    const embedded::Text two{"2", "d4735e3a265e16eee03f59718b9b5d03019c07d8b6c51f90da3a666eec13ab35"};
+    const EmbeddedText one{"1", "6b86b273ff34fce19d6b804eff5a3f5747ada4eaa22f1d49c01e52ddb7875b4b"};
+    const EmbeddedText two{"2", "d4735e3a265e16eee03f59718b9b5d03019c07d8b6c51f90da3a666eec13ab35"};
     const std::string page = report::page("t", "<p>body</p>", {one, two});
     EXPECT_THAT(page, HasSubstr("content=\"default-src 'none'; img-src data:; style-src 'sha256-"));
     EXPECT_THAT(page, HasSubstr("script-src 'sha256-a4ayc/80/OGda4BO/1o/V0etpOqiLx1JwB5S3beHW0s=' "
@@ -34,11 +36,11 @@ TEST(Page, OnlyItsOwnScriptsRunAndNothingIsLoaded) {
 }
 
 TEST(Page, ResourcesEndNoElement) {
-    for (const auto* resource : {&embedded::page_js, &embedded::renderer_js, &embedded::viewer_js}) {
+    for (const auto* resource : {&resources::page_js, &resources::renderer_js, &resources::viewer_js}) {
         EXPECT_EQ(resource->text.find("</script"), std::string_view::npos);
         EXPECT_EQ(resource->sha256.size(), 64u);
     }
-    EXPECT_EQ(embedded::page_css.text.find("</style"), std::string_view::npos);
+    EXPECT_EQ(resources::page_css.text.find("</style"), std::string_view::npos);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // What the viewer draws: meshes on a grid, spheres as floats.
 #include "fixture.hpp"
-#include "report/scene.hpp"
+
+#include <foam/report/internal/scene.hpp>
 
 namespace foam::test {
 namespace {

@@ -1,9 +1,9 @@
 // Plugins of another compiler make the same bytes; those of careless compiler options are found.
 #include "fixture.hpp"
 
-#include <foam/host/registry.hpp>
-#include <foam/solid.hpp>
-#include <foam/stage.hpp>
+#include <foam/geometry/solid.hpp>
+#include <foam/sdk/registry.hpp>
+#include <foam/sdk/stage.hpp>
 
 #include <cfenv>
 #include <limits>

@@ -1,7 +1,7 @@
 // The same recipe gives the same bytes, whatever the circumstances.
 #include "fixture.hpp"
 
-#include <foam/host/run.hpp>
+#include <foam/runtime/run.hpp>
 
 #include <clocale>
 #include <locale>

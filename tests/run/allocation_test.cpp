@@ -1,6 +1,6 @@
-#include "run/allocation.hpp"
+#include "runtime/src/allocation.hpp"
 
-#include <foam/random.hpp>
+#include <foam/base/random.hpp>
 
 #include <gtest/gtest.h>
 

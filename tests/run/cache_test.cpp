@@ -1,10 +1,10 @@
-#include "run/cache.hpp"
-#include "run/digest.hpp"
-#include "run/files.hpp"
 #include "support/temporary_folder.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/cache.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/internal/files.hpp>
+#include <foam/runtime/cache.hpp>
+#include <foam/runtime/internal/cache.hpp>
+#include <foam/runtime/internal/digest.hpp>
 
 #include <gtest/gtest.h>
 

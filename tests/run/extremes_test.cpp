@@ -1,10 +1,10 @@
 // Geometry of extreme size, place and form through whole runs: a proof or a clear error, in bounded time.
-#include "run/own_frame.hpp"
+#include "runtime/src/own_frame.hpp"
 #include "support/runs.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/contract.hpp>
-#include <foam/host/spherize.hpp>
+#include <foam/base/error.hpp>
+#include <foam/runtime/contract.hpp>
+#include <foam/search/spherize.hpp>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

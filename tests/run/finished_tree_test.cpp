@@ -1,14 +1,13 @@
 // The numbers that go into files: rounded so that they print short and the proof still holds, at sizes of every
 // exponent.
-#include "run/cover.hpp"
-
-#include "geometry/joint_volume.hpp"
 #include "geometry/shapes.hpp"
 
-#include <foam/error.hpp>
-#include <foam/inner.hpp>
-#include <foam/measure.hpp>
-#include <foam/text.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
+#include <foam/geometry/inner.hpp>
+#include <foam/geometry/internal/joint_volume.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/runtime/internal/cover.hpp>
 
 #include <gtest/gtest.h>
 

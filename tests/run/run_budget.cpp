@@ -1,7 +1,7 @@
 // How the spheres of a robot are shared out by runs: numbers, excess, protrusion, weights.
 #include "small_robot.hpp"
 
-#include <foam/union_volume.hpp>
+#include <foam/geometry/union_volume.hpp>
 
 namespace foam {
 namespace {

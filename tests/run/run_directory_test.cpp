@@ -1,9 +1,9 @@
-#include "run/debug.hpp"
-#include "run/files.hpp"
-#include "run/run_directory.hpp"
 #include "support/temporary_folder.hpp"
 
-#include <foam/error.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/internal/files.hpp>
+#include <foam/runtime/internal/debug.hpp>
+#include <foam/runtime/internal/run_directory.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Runs that are cancelled, stopped, or at the end of their time.
 #include "small_robot.hpp"
 
-#include <foam/host/verify.hpp>
+#include <foam/runtime/verify.hpp>
 
 #include <thread>
 

@@ -1,10 +1,10 @@
-#include "run/files.hpp"
 #include "support/environment_variable.hpp"
 #include "support/temporary_folder.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/crash.hpp>
-#include <foam/host/scratch_folder.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/internal/files.hpp>
+#include <foam/runtime/crash.hpp>
+#include <foam/runtime/scratch_folder.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

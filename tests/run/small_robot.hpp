@@ -1,10 +1,10 @@
 // Runs on a robot of two links, a box and a cylinder, and what they say.
 #pragma once
 
-#include "run/files.hpp"
 #include "support/runs.hpp"
 
-#include <foam/error.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/internal/files.hpp>
 
 #include <gmock/gmock.h>
 

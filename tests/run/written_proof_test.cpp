@@ -1,11 +1,10 @@
 // The proof on what is read back from a file: the last thing between a wrong number and its reader.
-#include "run/written_proof.hpp"
-
 #include "geometry/shapes.hpp"
 
-#include <foam/inner.hpp>
-#include <foam/measure.hpp>
-#include <foam/text.hpp>
+#include <foam/base/text.hpp>
+#include <foam/geometry/inner.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/runtime/internal/written_proof.hpp>
 
 #include <gmock/gmock.h>
 

@@ -15,7 +15,7 @@ message=$("$foam" sdk 2>&1) || code=$?
     fail "exit code $code: $message"
 
 install_foam "$room/sdk" sdk
-[[ -f $room/sdk/include/foam/plugin.hpp && ! -e $room/sdk/bin ]] || fail "the sdk is not just headers and CMake files"
+[[ -f $room/sdk/include/foam/sdk/plugin.hpp && ! -e $room/sdk/bin ]] || fail "the sdk is not just headers and CMake files"
 
 # All of the GPL component is under the GPL.
 install_foam "$room/gpl" gpl

@@ -12,7 +12,7 @@ package() { printf '%s\n' "$room"/packages/"$1"_*.deb; }
 expect "libyaml-cpp" dpkg-deb -f "$(package foam)" Depends
 expect "fonts-dejavu-core" dpkg-deb -f "$(package foam)" Depends
 expect "foam (= " dpkg-deb -f "$(package foam-dev)" Depends
-expect "./usr/include/foam/plugin.hpp" dpkg-deb -c "$(package foam-dev)"
+expect "./usr/include/foam/sdk/plugin.hpp" dpkg-deb -c "$(package foam-dev)"
 dpkg-deb -x "$(package foam)" "$room/root"
 expect "spherize_octree" "$room/root/usr/bin/foam" plugins
 if [[ -f $(package foam-plugins-gpl) ]]; then
@@ -20,4 +20,9 @@ if [[ -f $(package foam-plugins-gpl) ]]; then
     expect "spherize_medial.so" dpkg-deb -c "$(package foam-plugins-gpl)"
     dpkg-deb -x "$(package foam-plugins-gpl)" "$room/root"
     expect "GPL-3.0-or-later" "$room/root/usr/bin/foam" plugins
+fi
+if [[ -x $FOAM_TEST_BUILD/bin/foam-bench ]]; then
+    expect "foam (= " dpkg-deb -f "$(package foam-bench)" Depends
+    dpkg-deb -x "$(package foam-bench)" "$room/root"
+    expect "Measure stages" "$room/root/usr/bin/foam" bench --help
 fi

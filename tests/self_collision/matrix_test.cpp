@@ -1,6 +1,6 @@
 // The self-collision matrix of robots whose answer is known, and what it promises of any robot.
-#include <foam/error.hpp>
-#include <foam/host/self_collision.hpp>
+#include <foam/base/error.hpp>
+#include <foam/judge/self_collision.hpp>
 
 #include <gmock/gmock.h>
 

@@ -6,7 +6,7 @@ source "$(dirname "$0")/fixture.sh"
 printf '%s\n' pack-a pack-b >"$installed"
 run_foam version
 expect_call "ninja -C $clone/build/release"
-expect_call "core/all plugins/all apps/all"
+expect_call "core/all plugins/all apps/foam/all"
 expect_no_call "^apt-get"
 run_foam test -R mesh
 expect_code 0

@@ -1,7 +1,7 @@
 // snapshot.osmesa as a caller sees it: figures in, pictures out.
-#include <foam/error.hpp>
-#include <foam/host/registry.hpp>
-#include <foam/random.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/random.hpp>
+#include <foam/sdk/registry.hpp>
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>

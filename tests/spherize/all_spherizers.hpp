@@ -1,7 +1,7 @@
 // Every spherizer that was built, for tests of what they all promise.
 #pragma once
 
-#include <foam/host/registry.hpp>
+#include <foam/sdk/registry.hpp>
 
 #include <algorithm>
 #include <string>

@@ -1,10 +1,10 @@
 // What every spherizer does with a budget that grows.
 #include "all_spherizers.hpp"
 
-#include <foam/host/contract.hpp>
-#include <foam/inner.hpp>
-#include <foam/measure.hpp>
-#include <foam/union_volume.hpp>
+#include <foam/geometry/inner.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/geometry/union_volume.hpp>
+#include <foam/runtime/contract.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Cells: pieces of a solid in boxes, and the balls around them.
-#include <foam/cell.hpp>
-#include <foam/host/contract.hpp>
-#include <foam/measure.hpp>
-#include <foam/random.hpp>
+#include <foam/base/random.hpp>
+#include <foam/geometry/cell.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/runtime/contract.hpp>
 
 #include <gtest/gtest.h>
 

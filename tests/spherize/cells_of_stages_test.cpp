@@ -1,8 +1,8 @@
 // What spherize.grid, spherize.octree and spherize.voxel promise beyond the contract of all spherizers.
-#include <foam/error.hpp>
-#include <foam/host/contract.hpp>
-#include <foam/host/registry.hpp>
-#include <foam/measure.hpp>
+#include <foam/base/error.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/runtime/contract.hpp>
+#include <foam/sdk/registry.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

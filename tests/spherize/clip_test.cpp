@@ -1,13 +1,12 @@
 // Planes that the spheres of a link keep off, whatever the spherizer: none reaches farther beyond them than the recipe
 // says, and there are no gaps. Judged on the file that was written.
 #include "all_spherizers.hpp"
-
-#include "run/clip.hpp"
 #include "support/runs.hpp"
 
-#include <foam/error.hpp>
-#include <foam/host/contract.hpp>
-#include <foam/measure.hpp>
+#include <foam/base/error.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/runtime/contract.hpp>
+#include <foam/search/internal/clip.hpp>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>

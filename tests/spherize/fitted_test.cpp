@@ -1,10 +1,10 @@
 // Guarantee fitted: what is claimed wrongly and what is left out, together.
 #include "all_spherizers.hpp"
-#include "fitted/fit.hpp"
-#include "fitted/misfit.hpp"
+#include "search/src/fitted/misfit.hpp"
 
-#include <foam/host/contract.hpp>
-#include <foam/measure.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/runtime/contract.hpp>
+#include <foam/search/internal/fit.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,9 @@
 // A number of spheres for one link, whatever the spherizer: with one more the link never claims more, and never are
 // there gaps. Measured on the file that was written.
 #include "all_spherizers.hpp"
-
 #include "support/runs.hpp"
 
-#include <foam/union_volume.hpp>
+#include <foam/geometry/union_volume.hpp>
 
 namespace {
 

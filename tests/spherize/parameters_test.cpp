@@ -1,7 +1,7 @@
 // Every parameter of every spherizer does something: a value other than the default gives other spheres, somewhere.
 #include "all_spherizers.hpp"
 
-#include <foam/host/contract.hpp>
+#include <foam/runtime/contract.hpp>
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // does not reach must miss nothing.
 #include "all_spherizers.hpp"
 
-#include <foam/host/contract.hpp>
-#include <foam/measure.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/runtime/contract.hpp>
 
 #include <gtest/gtest.h>
 

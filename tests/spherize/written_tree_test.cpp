@@ -1,11 +1,10 @@
 // Trees of depth 2 and more through a whole run: write.urdf takes any level, write.json has all with their parents, and
 // each level on its own keeps the guarantee on the numbers that were written.
 #include "all_spherizers.hpp"
-
 #include "support/runs.hpp"
 
-#include <foam/inner.hpp>
-#include <foam/measure.hpp>
+#include <foam/geometry/inner.hpp>
+#include <foam/geometry/measure.hpp>
 
 #include <nlohmann/json.hpp>
 

@@ -1,11 +1,11 @@
 // Meshes of known shape, and the stage under test.
 #pragma once
 
-#include <foam/host/contract.hpp>
-#include <foam/host/registry.hpp>
-#include <foam/measure.hpp>
-#include <foam/solid.hpp>
-#include <foam/stage.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/geometry/solid.hpp>
+#include <foam/runtime/contract.hpp>
+#include <foam/sdk/registry.hpp>
+#include <foam/sdk/stage.hpp>
 
 #include <cmath>
 #include <functional>

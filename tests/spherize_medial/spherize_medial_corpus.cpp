@@ -2,7 +2,7 @@
 #include "fixture.hpp"
 #include "support/shared_folder.hpp"
 
-#include <foam/error.hpp>
+#include <foam/base/error.hpp>
 
 #include <gtest/gtest.h>
 

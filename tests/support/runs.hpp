@@ -3,7 +3,7 @@
 
 #include "support/temporary_folder.hpp"
 
-#include <foam/host/run.hpp>
+#include <foam/runtime/run.hpp>
 
 #include <gtest/gtest.h>
 

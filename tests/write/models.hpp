@@ -1,9 +1,9 @@
 // Models for the tests of writers.
 #pragma once
 
-#include <foam/error.hpp>
-#include <foam/host/registry.hpp>
-#include <foam/model.hpp>
+#include <foam/base/error.hpp>
+#include <foam/sdk/model.hpp>
+#include <foam/sdk/registry.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A robot has grasped a box. Its planner needs spheres at once.
-#include <foam/host/sphere_cache.hpp>
+#include <foam/search/sphere_cache.hpp>
 
 #include <chrono>
 #include <iostream>

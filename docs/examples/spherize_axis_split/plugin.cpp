@@ -1,7 +1,7 @@
 // plugin.cpp
 // The cell with the largest ball is halved across its longest axis until there are as many balls as wanted.
-#include <foam/cell.hpp>
-#include <foam/plugin.hpp>
+#include <foam/geometry/cell.hpp>
+#include <foam/sdk/plugin.hpp>
 
 namespace {
 

@@ -1,7 +1,7 @@
 // The view: a parallel projection, so that sizes are comparable over all panels.
 #pragma once
 
-#include <foam/vector.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <cmath>
 

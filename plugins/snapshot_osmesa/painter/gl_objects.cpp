@@ -2,7 +2,7 @@
 
 #include "shaders.hpp"
 
-#include <foam/error.hpp>
+#include <foam/base/error.hpp>
 
 #include <string>
 

@@ -3,7 +3,7 @@
 
 #include "camera.hpp"
 
-#include <foam/figure.hpp>
+#include <foam/geometry/figure.hpp>
 
 #include <optional>
 #include <vector>

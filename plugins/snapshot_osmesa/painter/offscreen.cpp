@@ -1,8 +1,8 @@
 #include "offscreen.hpp"
 
-#include <GL/osmesa.h>
+#include <foam/base/error.hpp>
 
-#include <foam/error.hpp>
+#include <GL/osmesa.h>
 
 #include <array>
 #include <string>

@@ -4,7 +4,7 @@
 #include "colour_bar.hpp"
 #include "rasterizer.hpp"
 
-#include <foam/error.hpp>
+#include <foam/base/error.hpp>
 
 #include <opencv2/imgcodecs.hpp>
 

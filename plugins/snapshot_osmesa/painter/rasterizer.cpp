@@ -3,8 +3,8 @@
 #include "gl_objects.hpp"
 #include "shaders.hpp"
 
-#include <foam/cancellation.hpp>
-#include <foam/error.hpp>
+#include <foam/base/cancellation.hpp>
+#include <foam/base/error.hpp>
 
 #include <algorithm>
 #include <cstddef>

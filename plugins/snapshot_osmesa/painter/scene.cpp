@@ -2,7 +2,7 @@
 
 #include "colour_map.hpp"
 
-#include <foam/cancellation.hpp>
+#include <foam/base/cancellation.hpp>
 
 #include <algorithm>
 #include <string>

@@ -3,8 +3,8 @@
 
 #include "layout.hpp"
 
-#include <foam/context.hpp>
-#include <foam/figure.hpp>
+#include <foam/geometry/figure.hpp>
+#include <foam/sdk/context.hpp>
 
 #include <vector>
 

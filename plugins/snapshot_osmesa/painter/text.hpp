@@ -1,7 +1,7 @@
 // Text in pictures.
 #pragma once
 
-#include <foam/context.hpp>
+#include <foam/sdk/context.hpp>
 
 #include <opencv2/core.hpp>
 

@@ -1,6 +1,6 @@
 // A filter, a loader and a writer that break what they promise.
-#include <foam/error.hpp>
-#include <foam/plugin.hpp>
+#include <foam/base/error.hpp>
+#include <foam/sdk/plugin.hpp>
 
 namespace {
 

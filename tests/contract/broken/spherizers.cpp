@@ -1,5 +1,5 @@
 // Spherizers that are good but for one thing each.
-#include <foam/plugin.hpp>
+#include <foam/sdk/plugin.hpp>
 
 #include <atomic>
 #include <stdexcept>

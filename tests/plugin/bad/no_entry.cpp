@@ -1,4 +1,4 @@
 // The note of a plugin, but no entry point.
-#include <foam/abi.hpp>
+#include <foam/sdk/abi.hpp>
 
 FOAM_ABI_NOTE

@@ -1,5 +1,5 @@
 // A writer whose parameter has the name of the key that says where to write.
-#include <foam/plugin.hpp>
+#include <foam/sdk/plugin.hpp>
 
 namespace {
 

@@ -1,7 +1,7 @@
 // A stage for plugins that do something else wrong.
 #pragma once
 
-#include <foam/plugin.hpp>
+#include <foam/sdk/plugin.hpp>
 
 namespace {
 

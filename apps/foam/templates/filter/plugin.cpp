@@ -1,5 +1,5 @@
 // @stage@: every vertex moves towards the mean of its neighbours. A start: the method is to be yours.
-#include <foam/plugin.hpp>
+#include <foam/sdk/plugin.hpp>
 
 namespace {
 

@@ -1,8 +1,8 @@
 // @stage@: triangles as text, nine numbers a line: the three corners, counter-clockwise seen from outside, in metres. A start:
 // the format is to be yours.
-#include <foam/error.hpp>
-#include <foam/plugin.hpp>
-#include <foam/text.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
+#include <foam/sdk/plugin.hpp>
 
 #include <fstream>
 

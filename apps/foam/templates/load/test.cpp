@@ -1,6 +1,6 @@
 // What @stage@ is to do beyond the contract of all mesh loaders. Exit code 0: good.
-#include <foam/error.hpp>
-#include <foam/host/registry.hpp>
+#include <foam/base/error.hpp>
+#include <foam/sdk/registry.hpp>
 
 #include <cstdio>
 #include <cstring>

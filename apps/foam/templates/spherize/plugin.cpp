@@ -1,6 +1,6 @@
 // @stage@: balls around equal slices of the shape along its longest axis. A start: the method is to be yours.
-#include <foam/cell.hpp>
-#include <foam/plugin.hpp>
+#include <foam/geometry/cell.hpp>
+#include <foam/sdk/plugin.hpp>
 
 namespace {
 

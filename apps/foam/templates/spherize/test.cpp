@@ -1,6 +1,6 @@
 // What @stage@ is to do beyond the contract of all spherizers. Exit code 0: good.
-#include <foam/host/contract.hpp>
-#include <foam/host/registry.hpp>
+#include <foam/runtime/contract.hpp>
+#include <foam/sdk/registry.hpp>
 
 #include <cstdio>
 

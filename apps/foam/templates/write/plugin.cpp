@@ -1,7 +1,7 @@
 // @stage@: one sphere a line: x y z radius link; metres, frames of the links. A start: the format is to be yours.
-#include <foam/error.hpp>
-#include <foam/plugin.hpp>
-#include <foam/text.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
+#include <foam/sdk/plugin.hpp>
 
 #include <sstream>
 

@@ -1,5 +1,5 @@
 // What @stage@ is to do beyond the contract of all writers. Exit code 0: good.
-#include <foam/host/registry.hpp>
+#include <foam/sdk/registry.hpp>
 
 #include <cstdio>
 

@@ -1,0 +1,116 @@
+#include "entry.hpp"
+
+#include "interrupt.hpp"
+
+#include <foam/base/error.hpp>
+#include <foam/runtime/crash.hpp>
+#include <foam/runtime/isolation.hpp>
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace foam::cli {
+namespace {
+
+/// The subcommand that was named; the program itself before one is.
+const CLI::App& current(const CLI::App& app) {
+    const auto chosen = app.get_subcommands();
+    return chosen.empty() ? app : *chosen.front();
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
+    const std::string near = nearest_word(word, known);
+    return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* level : {&current(app), &app}) {
+        for (const CLI::Option* option : level->get_options()) {
+            for (const std::string& name : option->get_lnames()) {
+                names.push_back("--" + name);
+            }
+        }
+    }
+    return names;
+}
+
+/// CLI11's own message, or a better one for a word that is not known.
+std::string explain(const CLI::App& app, const CLI::ParseError& error) {
+    const std::vector<std::string> rest = app.remaining(true);
+    const bool no_command = app.get_subcommands().empty();
+    for (const std::string& word : rest) {
+        if (word.starts_with("-")) {
+            const std::string name = word.substr(0, word.find('='));
+            return fmt::format("unknown option '{}'{}", name, did_you_mean(name, option_names(app)));
+        }
+        if (no_command) {
+            std::vector<std::string> commands;
+            for (const CLI::App* command : app.get_subcommands(nullptr)) {
+                commands.push_back(command->get_name());
+            }
+            return fmt::format("unknown command '{}'{}", word, did_you_mean(word, commands));
+        }
+        return fmt::format("'{}' is one argument too many", word);
+    }
+    return error.what();
+}
+
+int usage_error(const CLI::App& app, const CLI::ParseError& error) {
+    const CLI::App& command = current(app);
+    tell(explain(app, error));
+    tell(fmt::format("`foam {}--help` explains its use", &command == &app ? "" : command.get_name() + " "));
+    return exit_code(ErrorCode::usage);
+}
+
+int run_program(int count, char** arguments, const std::function<void(Program&)>& add_commands) {
+    Program program;
+    program.arguments = arguments;
+    add_commands(program);
+    if (count <= 1) {
+        fmt::print(stderr, "{}", program.app.help());
+        return exit_code(ErrorCode::usage);
+    }
+    try {
+        program.app.parse(count, arguments);
+        const InterruptRequest request;
+        const StopScope scope(&request);
+        return program.action();
+    } catch (const CLI::CallForHelp&) {
+        const CLI::App& command = current(program.app);
+        print(&command == &program.app ? command.help() : command.help(program.app.get_name()));
+        return 0;
+    } catch (const CLI::CallForVersion& call) {
+        print(fmt::format("{}\n", call.what()));
+        return 0;
+    } catch (const CLI::ParseError& error) {
+        return usage_error(program.app, error);
+    }
+}
+
+/// Whatever is thrown is told.
+int guarded(int count, char** arguments, const std::function<void(Program&)>& add_commands) {
+    try {
+        return run_program(count, arguments, add_commands);
+    } catch (const Error& error) {
+        tell(fmt::format("{}: {}", error.code() == ErrorCode::cancelled ? "stopped" : "error", error.what()));
+        return exit_code(error.code());
+    } catch (const std::exception& error) {
+        tell(fmt::format("error: {} (a bug in foam; please report it)", error.what()));
+        return exit_code(ErrorCode::internal);
+    }
+}
+
+} // namespace
+
+int run_main(int count, char** arguments, const std::function<void(Program&)>& add_commands) {
+    serve_isolated_call(count, arguments);
+    report_crashes();
+    stop_on_interrupt();
+    const int code = guarded(count, arguments, add_commands);
+    std::fflush(nullptr); // a signal would leave what is buffered
+    return exit_code_after(code);
+}
+
+} // namespace foam::cli

@@ -1,0 +1,25 @@
+// Reading and writing of whole files, with errors that name the file.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace foam {
+inline namespace [[gnu::visibility("default")]] base {
+
+/// The largest size in bytes of a robot's text (URDF, SRDF), and of a sphere model.
+inline constexpr std::uintmax_t most_robot_bytes = 64'000'000, most_model_bytes = 256'000'000;
+/// The largest size in bytes of any other file that is read whole.
+inline constexpr std::uintmax_t most_bytes = std::uintmax_t{1} << 34;
+
+/// Returns the content of a regular file of at most `most` bytes; a larger file is not read. Throws Error(input).
+std::string read_file(const std::filesystem::path& file, std::uintmax_t most = most_bytes,
+                      std::string_view if_too_large = "check that this is the file you mean");
+/// Writes to a temporary name in the same folder, then renames: never half a file. Makes missing folders. Throws
+/// Error(output).
+void write_file(const std::filesystem::path& file, std::string_view bytes);
+
+} // namespace base
+} // namespace foam

@@ -1,0 +1,19 @@
+// Candidate counts of spheres: all small ones, then with growing steps.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+
+namespace foam {
+inline namespace [[gnu::visibility("default")]] base {
+
+/// Returns the least candidate count above `count`: 1, 2, 3, 4, 5, 6, 7, 8, then four per octave: 10, 12, 14, 16, 20,
+/// 24, 28, 32, 40…
+constexpr std::size_t rung_above(std::size_t count) {
+    const std::size_t octave = std::bit_floor(std::max<std::size_t>(count, 4)), step = octave / 4;
+    return count - count % step + step;
+}
+
+} // namespace base
+} // namespace foam

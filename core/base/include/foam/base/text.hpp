@@ -1,0 +1,29 @@
+// Numbers and words in texts, the same in every locale.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace foam {
+inline namespace [[gnu::visibility("default")]] base {
+
+/// Returns the shortest decimal text that reads back to exactly `value`.
+std::string number_text(double value);
+/// Returns the value of a text that is one decimal number ("0.1", "+2", "-1e-3") and nothing else; nothing if it is
+/// not, or if the number is not finite ("nan", "inf", "1e999").
+std::optional<double> parse_number(std::string_view text);
+/// Returns the parts of a text between spaces, tabs and line ends, as views into `text`.
+std::vector<std::string_view> words(std::string_view text);
+
+/// Returns the text fit for one line of a terminal, so that it can neither steer nor mislead it: control characters,
+/// line ends, marks that change the direction of writing, and bytes that are not UTF-8 appear as \xNN or \u{NNNN}.
+std::string shown(std::string_view text);
+/// Returns the same for a text of several lines: line ends stay.
+std::string shown_lines(std::string_view text);
+/// Returns the number of columns that a text occupies on a terminal.
+std::size_t shown_width(std::string_view text);
+
+} // namespace base
+} // namespace foam

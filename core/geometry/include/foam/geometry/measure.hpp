@@ -1,0 +1,87 @@
+// The figures of a sphere model. Symbols: S the original geometry, U the union of the spheres.
+#pragma once
+
+#include <foam/geometry/solid.hpp>
+#include <foam/geometry/sphere.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace foam {
+inline namespace [[gnu::visibility("default")]] geometry {
+
+/// The figures of one link.
+struct Measures {
+    std::size_t spheres = 0;  ///< spheres with a radius above 0
+    double area = 0;          ///< of ∂S, m²
+    double volume = 0;        ///< vol(S), m³
+    double covered = 0;       ///< area of ∂S inside U / area of ∂S
+    double gap = 0;           ///< max over ∂S of the distance to U, m: from above, to 0.1 %; infinite without spheres
+    double excess = 0;        ///< vol(U \ S) / vol(S); infinite if vol(S) = 0 (open surfaces without an inside)
+    double excess_error = 0;  ///< standard error of excess
+    double missing = 0;       ///< vol(S \ U) / vol(S); 0 if vol(S) = 0
+    double missing_error = 0; ///< standard error of missing
+    double exposed_area = 0;  ///< of ∂U outside S, m²
+    double protrusion_max = 0;                                ///< distance from the exposed surface of U to S, m
+    double protrusion_mean = 0;                               ///< area-weighted mean of it, m
+    bool certified = false;                                   ///< gap = 0 is proved
+    double excess_volume = 0;                                 ///< vol(U \ S), m³
+    double missing_volume = 0;                                ///< vol(S \ U), m³
+    double excess_volume_error = 0, missing_volume_error = 0; ///< standard errors, m³
+    double volume_error = 0;                                  ///< standard error of volume, m³; 0 where it is exact
+};
+
+struct MeasureOptions {
+    std::uint64_t seed = 0;
+    std::size_t surface_points = 100'000;
+    /// Number of lines along which the smaller of vol(U \ S) and vol(S \ U) is integrated, exactly along each line. The
+    /// other volume follows from vol(U) and vol(S).
+    std::size_t volume_rays = 30'000;
+    /// The same where S is not closed, with one line for every dozen points: holes cut a line into about as many
+    /// pieces.
+    std::size_t volume_points = 200'000;
+    std::size_t directions_per_sphere = 1'000;
+};
+
+/// Measures the figures. Equal seeds give equal numbers on any number of threads. `certified` and `gap` come from
+/// certify(). Spheres that are not finite or have no radius count as absent.
+Measures measure(const Solid& solid, std::span<const Sphere> spheres, const MeasureOptions& options = {});
+/// Returns the figures over a robot: counts and volumes are sums, gap and protrusion_max are maxima, covered and
+/// protrusion_mean are weighted by area, certified is true if all links are certified.
+Measures total(std::span<const Measures> links);
+
+/// Returns the volume, m³, of the union of balls by the divergence theorem over their exposed surfaces, with
+/// `directions` Fibonacci points per ball. Relative error about 1/directions. O(n² · directions) at worst.
+double union_volume(std::span<const Sphere> spheres, std::size_t directions = 1'000);
+
+/// The result of the proof that the spheres cover a surface.
+struct Certificate {
+    bool holds = false;
+    std::size_t pieces = 0; ///< triangles, and pieces of them, that were examined
+    double growth = 0;      ///< m; if it does not hold: growth of the nearest sphere that would close the worst piece
+    Vec3 witness{};         ///< if it does not hold: a corner of that piece
+    std::uint32_t triangle = 0; ///< if it does not hold: the triangle of Solid::surface() it lies on
+};
+
+/// Proves that every triangle of solid.surface() lies in the union of the spheres. A ball that contains the three
+/// corners contains the triangle; otherwise the triangle is split and its halves are tested, to `depth` halvings of its
+/// longest edge. Rounding is on the safe side: an uncovered point never passes.
+Certificate certify(const Solid& solid, std::span<const Sphere> spheres, int depth = 40);
+
+/// Returns the spheres grown by about the least that makes certify() hold. Centres stay, and no sphere becomes smaller.
+/// Of the spheres that could close a gap, the one grows that adds least excess volume. Then grown spheres shrink as far
+/// as the others allow. `quantum` > 0: radii are rounded up to multiples of it. Spheres that cover already stay as they
+/// are. Throws Error(geometry) if no sphere is finite.
+std::vector<Sphere> grown_to_cover(const Solid& solid, std::vector<Sphere> spheres, double quantum = 0);
+
+/// Returns the spheres tightened: they first grow to cover if necessary. Then every sphere, the one that adds most
+/// excess volume first, shrinks to the least radius that keeps certify() true given the others, but not below the
+/// radius that fits into the solid at its centre, which adds no excess volume. Afterwards no single radius can be
+/// reduced. A sphere outside the solid that covers nothing alone ends with radius 0. `quantum` and errors as in
+/// grown_to_cover().
+std::vector<Sphere> tightened_to_cover(const Solid& solid, std::vector<Sphere> spheres, double quantum = 0);
+
+} // namespace geometry
+} // namespace foam

@@ -1,0 +1,231 @@
+// Volume of a union of balls in closed form: Gauss's theorem over the exposed parts of the spheres, Stokes's theorem
+// over each part. Only integrals along arcs of circles remain. No vertex of the arrangement has to be computed, so
+// degenerate arrangements are safe (cf. Buša et al. 2005, "ARVO: a Fortran package for computing the solvent accessible
+// surface area and the excluded volume of overlapping spheres via analytic equations").
+#include <foam/base/cancellation.hpp>
+#include <foam/geometry/internal/union_parts.hpp>
+#include <foam/geometry/union_volume.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+namespace foam::inline geometry {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// The part of a unit sphere that another ball hides: the points p with p · axis > height.
+struct Cap {
+    Vec3 axis;
+    double height = 0;
+};
+
+/// Angles from `begin` to `end`, within [−π, π].
+struct Interval {
+    double begin = 0, end = 0;
+};
+
+/// The circle around a cap: axis · height + width · (u cos t + v sin t), t from −π to π. The third component of v is 0.
+struct Circle {
+    explicit Circle(const Cap& cap)
+        : axis(cap.axis), height(cap.height), width(std::sqrt(std::max(0.0, (1 - height) * (1 + height)))) {
+        const double level = std::hypot(axis.x, axis.y);
+        v = level > 0 ? Vec3{-axis.y / level, axis.x / level, 0} : Vec3{0, 1, 0};
+        u = cross(v, axis);
+    }
+
+    Vec3 axis;
+    double height, width;
+    Vec3 u, v;
+};
+
+/// Difference below which two caps are the same. A boundary that two caps share belongs to the first.
+constexpr double same = 1e-13;
+
+/// Adds the angles at which a cap hides the circle. Returns false if it hides the whole circle. `first`: of two equal
+/// caps, this one counts.
+bool add_hidden(const Circle& circle, const Cap& cap, bool first, std::vector<Interval>& hidden) {
+    // p · cap.axis − cap.height = depth + amplitude · cos(t − middle)
+    const double depth = circle.height * dot(circle.axis, cap.axis) - cap.height;
+    const double a = circle.width * dot(circle.u, cap.axis), b = circle.width * dot(circle.v, cap.axis);
+    const double amplitude = std::hypot(a, b);
+    if (amplitude <= same && std::abs(depth) <= same) {
+        return !(first && dot(circle.axis, cap.axis) > 0);
+    }
+    if (depth >= amplitude) {
+        return false;
+    }
+    if (depth <= -amplitude) {
+        return true;
+    }
+    const double middle = std::atan2(b, a), half = std::acos(std::clamp(-depth / amplitude, -1.0, 1.0));
+    const double begin = middle - half, end = middle + half;
+    if (begin < -pi) {
+        hidden.push_back({-pi, end});
+        hidden.push_back({begin + 2 * pi, pi});
+    } else if (end > pi) {
+        hidden.push_back({begin, pi});
+        hidden.push_back({-pi, end - 2 * pi});
+    } else {
+        hidden.push_back({begin, end});
+    }
+    return true;
+}
+
+struct Exposed : ExposedPart {
+    /// Subtracts an arc of the boundary, traversed with the exposed part on its right and the cap on its left.
+    void subtract(const Circle& c, const Interval& arc) {
+        const double angle = arc.end - arc.begin;
+        // ∫ n dA = ½ ∮ p × dp
+        const Vec3 swept = c.width * c.width * angle * c.axis - c.height * c.width *
+                                                                    ((std::sin(arc.end) - std::sin(arc.begin)) * c.u -
+                                                                     (std::cos(arc.end) - std::cos(arc.begin)) * c.v);
+        normal += -0.5 * swept;
+        // A = ∮ (x dy − y dx) / (1 + z), z = p · (0, 0, 1), is −height ∫ dt + (axis.z + height) ∫ dt / (1 + z), where
+        // 1 + z = C + D cos t.
+        const double constant = 1 + c.axis.z * c.height, slope = c.width * c.u.z;
+        const double sign = c.axis.z + c.height > 0 ? 1 : c.axis.z + c.height < 0 ? -1 : 0;
+        const double ratio = std::sqrt(std::max(0.0, constant - slope) / std::max(constant + slope, 1e-300));
+        const auto primitive = [&](double t) { return 2 * std::atan2(ratio * std::sin(t / 2), std::cos(t / 2)); };
+        area -= -c.height * angle + sign * (primitive(arc.end) - primitive(arc.begin));
+    }
+};
+
+/// Turns the axes so that no ball of a symmetrical arrangement has its neighbours at the poles, where the integrand of
+/// the area is singular.
+Vec3 askew(const Vec3& v) {
+    static const Vec3 x = normalized(Vec3{0.8131, 0.4377, -0.3849});
+    static const Vec3 y = normalized(cross(Vec3{0.2917, -0.7193, 0.6307}, x));
+    static const Vec3 z = cross(x, y);
+    return {dot(x, v), dot(y, v), dot(z, v)};
+}
+
+bool meet(const Sphere& a, const Sphere& b) {
+    const double sum = a.radius + b.radius;
+    return squared_norm(b.center - a.center) < sum * sum;
+}
+
+/// Returns the caps of ball `i` that others hide; nothing if one contains the whole ball.
+std::optional<std::vector<Cap>> caps_of(std::span<const Sphere> balls, std::size_t i) {
+    const Sphere& ball = balls[i];
+    std::vector<Cap> caps;
+    for (std::size_t j = 0; j < balls.size(); ++j) {
+        const Sphere& other = balls[j];
+        if (j == i || !meet(ball, other)) {
+            continue;
+        }
+        const Vec3 way = other.center - ball.center;
+        const double square = squared_norm(way), length = std::sqrt(square);
+        if (length + ball.radius <= other.radius) {
+            // Of two equal balls the first counts.
+            if (!(length + other.radius <= ball.radius) || j < i) {
+                return {};
+            }
+        } else if (length + other.radius > ball.radius) {
+            const double sum = ball.radius + other.radius;
+            const double height = (square + (ball.radius - other.radius) * sum) / (2 * length * ball.radius);
+            caps.push_back({askew(way / length), std::clamp(height, -1.0, 1.0)});
+        }
+    }
+    return caps;
+}
+
+Exposed exposed_part(const std::vector<Cap>& caps) {
+    Exposed part;
+    const Vec3 south{0, 0, -1};
+    const bool south_hidden =
+        std::any_of(caps.begin(), caps.end(), [&](const Cap& cap) { return dot(south, cap.axis) > cap.height; });
+    part.area = south_hidden ? 0 : 4 * pi;
+    std::vector<Interval> hidden;
+    for (std::size_t k = 0; k < caps.size(); ++k) {
+        const Circle circle(caps[k]);
+        hidden.clear();
+        bool seen = true;
+        for (std::size_t j = 0; j < caps.size() && seen; ++j) {
+            seen = j == k || add_hidden(circle, caps[j], j < k, hidden);
+        }
+        if (!seen) {
+            continue;
+        }
+        std::sort(hidden.begin(), hidden.end(), [](const Interval& a, const Interval& b) { return a.begin < b.begin; });
+        double from = -pi;
+        for (const Interval& interval : hidden) {
+            if (interval.begin > from) {
+                part.subtract(circle, {from, interval.begin});
+            }
+            from = std::max(from, interval.end);
+        }
+        if (from < pi) {
+            part.subtract(circle, {from, pi});
+        }
+    }
+    return part;
+}
+
+std::optional<ExposedPart> part_of(std::span<const Sphere> balls, std::size_t i) {
+    const std::optional<std::vector<Cap>> caps = caps_of(balls, i);
+    return caps ? std::optional<ExposedPart>(exposed_part(*caps)) : std::nullopt;
+}
+
+} // namespace
+
+UnionParts::UnionParts(std::vector<Sphere> balls) : balls_(std::move(balls)) {
+    for (std::size_t i = 0; i < balls_.size(); ++i) {
+        check_cancelled();
+        parts_.push_back(part_of(balls_, i));
+    }
+}
+
+UnionParts UnionParts::with(std::vector<Sphere> balls) const {
+    UnionParts result;
+    result.balls_ = std::move(balls);
+    std::vector<Sphere> changed; // before and after the change
+    for (std::size_t i = 0; i < std::max(balls_.size(), result.balls_.size()); ++i) {
+        const bool was = i < balls_.size(), is = i < result.balls_.size();
+        if (was && is && balls_[i] == result.balls_[i]) {
+            continue;
+        }
+        if (was) {
+            changed.push_back(balls_[i]);
+        }
+        if (is) {
+            changed.push_back(result.balls_[i]);
+        }
+    }
+    for (std::size_t i = 0; i < result.balls_.size(); ++i) {
+        check_cancelled();
+        const Sphere& ball = result.balls_[i];
+        const bool kept = i < balls_.size() && balls_[i] == ball &&
+                          std::none_of(changed.begin(), changed.end(), [&](const Sphere& s) { return meet(ball, s); });
+        result.parts_.push_back(kept ? parts_[i] : part_of(result.balls_, i));
+    }
+    return result;
+}
+
+double UnionParts::volume() const {
+    Vec3 middle{};
+    for (const Sphere& ball : balls_) {
+        middle += ball.center;
+    }
+    middle = middle / static_cast<double>(std::max<std::size_t>(balls_.size(), 1));
+    double volume = 0;
+    for (std::size_t i = 0; i < balls_.size(); ++i) {
+        if (parts_[i]) {
+            // V = ⅓ ∮ x · n dA with x = c + r n
+            const double r = balls_[i].radius;
+            volume += r * r * (dot(askew(balls_[i].center - middle), parts_[i]->normal) + r * parts_[i]->area) / 3;
+        }
+    }
+    return volume;
+}
+
+double exact_union_volume(std::span<const Sphere> spheres) {
+    std::vector<Sphere> balls;
+    std::copy_if(spheres.begin(), spheres.end(), std::back_inserter(balls),
+                 [](const Sphere& s) { return is_finite(s.center) && std::isfinite(s.radius) && s.radius > 0; });
+    return geometry::UnionParts(std::move(balls)).volume();
+}
+
+} // namespace foam::geometry

@@ -1,0 +1,36 @@
+// The orientation of a raw mesh's triangles, and which of them count for the inside.
+#pragma once
+
+#include <foam/geometry/mesh.hpp>
+
+#include <vector>
+
+namespace foam::inline geometry {
+
+/// The role of a raw triangle in inside tests. Its shape always stays part of the surface.
+enum class Facing : signed char {
+    as_given, ///< counts as it is wound
+    flipped,  ///< counts with two corners swapped
+    ignored,  ///< does not count: degenerate, a copy, or one of two that cancel
+};
+
+/// The interpretation of a raw mesh as a solid.
+struct Reading {
+    std::vector<Facing> facing; ///< one per triangle
+    /// Whether the triangles that count bound a solid without holes: every edge is passed as often one way as the
+    /// other, so the winding number is a whole number everywhere off the surface.
+    bool closed = false;
+};
+
+/// Interprets a mesh as its author must have meant it:
+/// - corners at identical positions are one vertex;
+/// - equal faces of one winding count once; two of opposite winding cancel (a face between two bodies). Where that
+///   would cancel most of a component (double-sided faces), one of each pair is kept if that gives a closed, orientable
+///   surface; otherwise the component is surface only: it has no inside;
+/// - adjacent triangles of opposite winding get the winding of the larger area of their patch; one-sided surfaces
+///   (Möbius) stay as given;
+/// - a mesh with negative signed volume is inside out and is flipped. Then a closed shell with negative volume is a
+///   cavity if it lies in another shell, and is flipped if it does not. Nested shells of one winding are a union.
+Reading read_as_solid(const Mesh& mesh);
+
+} // namespace foam::geometry

@@ -1,0 +1,259 @@
+#include "solid_data.hpp"
+
+#include <foam/base/cancellation.hpp>
+#include <foam/base/error.hpp>
+
+#include <tbb/task_arena.h>
+
+#include <string>
+#include <tuple>
+
+namespace foam::inline geometry {
+namespace {
+
+
+void check_mesh(const Mesh& mesh, std::size_t part) {
+    const std::string where = "part " + std::to_string(part) + " of the solid";
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        if (!is_finite(mesh.vertices[i])) {
+            throw Error(ErrorCode::geometry, "vertex " + std::to_string(i) + " in " + where +
+                                                 " is not finite; repair the mesh or leave its triangles out");
+        }
+    }
+    for (const Triangle& t : mesh.triangles) {
+        if (std::max({t[0], t[1], t[2]}) >= mesh.vertices.size()) {
+            throw Error(ErrorCode::geometry, "a triangle in " + where + " refers to a vertex that does not exist");
+        }
+    }
+}
+
+/// Returns the part as a mesh in the solid's frame.
+std::pair<std::shared_ptr<const Mesh>, geometry::Reading> part_mesh(const Solid::Part& part, std::size_t index) {
+    if (part.primitive) {
+        geometry::check_primitive(*part.primitive);
+        Mesh mesh = transformed(enclosing_mesh(*part.primitive), part.pose);
+        check_mesh(mesh, index);
+        geometry::Reading reading{std::vector(mesh.triangles.size(), geometry::Facing::as_given), true};
+        return {std::make_shared<const Mesh>(std::move(mesh)), std::move(reading)};
+    }
+    if (!part.mesh) {
+        throw Error(ErrorCode::geometry, "part " + std::to_string(index) +
+                                             " of the solid is neither a mesh nor a primitive; give it one of them");
+    }
+    check_mesh(*part.mesh, index);
+    return {part.mesh, geometry::read_as_solid(*part.mesh)};
+}
+
+void add_part(geometry::SolidData& data, std::size_t index) {
+    const Solid::Part& part = data.parts[index];
+    auto [given, reading] = part_mesh(part, index);
+    if (given->triangles.empty()) {
+        data.offsets.push_back(data.offsets.back());
+        return;
+    }
+    Mesh mesh = *given;
+    Box box;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        Triangle& t = mesh.triangles[i];
+        for (const std::uint32_t corner : t) {
+            box.add(mesh.vertices[corner]);
+        }
+        if (reading.facing[i] == geometry::Facing::flipped) { // wound outwards where the outside is known
+            std::swap(t[1], t[2]);
+        }
+    }
+    data.first_triangles.push_back(data.surface.triangles.size());
+    append(data.surface, mesh);
+    data.offsets.push_back(static_cast<std::uint32_t>(data.surface.triangles.size()));
+    data.box.add(box);
+    std::optional<PrimitivePart> primitive;
+    if (part.primitive) {
+        primitive.emplace(*part.primitive, part.pose);
+    }
+    data.queries.push_back({std::make_unique<const geometry::QueriedMesh>(std::move(given), std::move(reading)),
+                            std::move(primitive), box});
+    data.closed = data.closed && data.queries.back().closed();
+}
+
+void index_parts(geometry::SolidData& data) {
+    if (data.queries.size() < geometry::PartIndex::many) {
+        return;
+    }
+    std::vector<Box> boxes;
+    for (const PartQueries& part : data.queries) {
+        boxes.push_back(part.box);
+    }
+    data.index = geometry::PartIndex(boxes, data.box);
+}
+
+/// Returns the nearest of many parts; of equal ones the first.
+std::pair<Nearest, std::size_t> nearest_of_many(const geometry::SolidData& data, const Vec3& point) {
+    Nearest best{std::numeric_limits<double>::infinity()};
+    std::size_t of = data.queries.size();
+    data.index.for_each_nearer(
+        point, [&] { return std::sqrt(best.squared_distance); },
+        [&](std::uint32_t part) {
+            constexpr double infinity = std::numeric_limits<double>::infinity();
+            const double most = part < of ? std::nextafter(best.squared_distance, infinity) : best.squared_distance;
+            Nearest nearest{most};
+            data.queries[part].mesh().closest(point, nearest);
+            if (nearest.squared_distance < most) {
+                best = nearest;
+                of = part;
+            }
+        });
+    return {best, of};
+}
+
+/// Returns the least signed distance over many parts.
+double least_signed_distance(const geometry::SolidData& data, const Vec3& point) {
+    double least = std::numeric_limits<double>::infinity();
+    data.index.for_each_nearer(
+        point, [&] { return std::max(least, 0.0); },
+        [&](std::uint32_t i) {
+            const PartQueries& part = data.queries[i];
+            if (part.primitive) {
+                least = std::min(least, part.primitive->signed_distance(point));
+                return;
+            }
+            Nearest nearest{std::numeric_limits<double>::infinity()};
+            part.mesh().closest(point, nearest);
+            const double distance = std::sqrt(nearest.squared_distance);
+            least = std::min(least, part.mesh().contains(point) ? -distance : distance);
+        });
+    return least;
+}
+
+const geometry::InsideLines& lines_of(const geometry::SolidData& data) {
+    // Isolated: a thread that waits inside must not start another task that requests the same lines.
+    std::call_once(data.lines_once, [&] {
+        tbb::this_task_arena::isolate([&] { data.lines = std::make_unique<const geometry::InsideLines>(data); });
+    });
+    return *data.lines;
+}
+
+} // namespace
+
+const geometry::MeshPart& geometry::QueriedMesh::made() const {
+    const std::lock_guard lock(making_);
+    if (!part_) {
+        part_.emplace(*mesh_, reading_);
+        ready_.store(&*part_, std::memory_order_release);
+    }
+    return *part_;
+}
+
+Solid::Solid(std::unique_ptr<const Data> data) : data_(std::move(data)) {}
+Solid::~Solid() = default;
+
+std::shared_ptr<const Solid> Solid::make(std::vector<Part> parts) {
+    auto data = std::make_unique<Data>();
+    data->parts = std::move(parts);
+    data->offsets.push_back(0);
+    for (std::size_t i = 0; i < data->parts.size(); ++i) {
+        check_cancelled();
+        add_part(*data, i);
+    }
+    if (data->surface.triangles.empty()) {
+        throw Error(ErrorCode::geometry, "there is no triangle: a solid needs a mesh with triangles or a primitive");
+    }
+    data->area = surface_area(data->surface);
+    index_parts(*data);
+    return std::shared_ptr<const Solid>(new Solid(std::move(data)));
+}
+
+std::shared_ptr<const Solid> Solid::make(Mesh mesh) {
+    return make(std::vector<Part>{{std::make_shared<const Mesh>(std::move(mesh)), std::nullopt, Pose{}}});
+}
+
+const std::vector<Solid::Part>& Solid::parts() const {
+    return data_->parts;
+}
+const Mesh& Solid::surface() const {
+    return data_->surface;
+}
+std::span<const std::uint32_t> Solid::part_offsets() const {
+    return data_->offsets;
+}
+const Box& Solid::bounds() const {
+    return data_->box;
+}
+double Solid::area() const {
+    return data_->area;
+}
+bool Solid::closed() const {
+    return data_->closed;
+}
+
+double Solid::volume() const {
+    return data_->is_primitive() ? data_->queries[0].volume() : lines_of(*data_).volume().value;
+}
+
+double Solid::volume_error() const {
+    return data_->is_primitive() ? 0 : lines_of(*data_).volume().error;
+}
+
+double Solid::missing_volume(std::span<const Sphere> spheres) const {
+    return lines_of(*data_).outside(spheres);
+}
+
+SurfacePoint Solid::closest(const Vec3& point) const {
+    Nearest nearest{std::numeric_limits<double>::infinity()};
+    std::uint32_t triangle = 0;
+    std::size_t query = 0;
+    if (!data_->index.empty()) {
+        std::tie(nearest, query) = nearest_of_many(*data_, point);
+        triangle = static_cast<std::uint32_t>(data_->first_triangles.at(query)) + nearest.triangle;
+    }
+    for (std::size_t part = 0; data_->index.empty() && part + 1 < data_->offsets.size(); ++part) {
+        if (data_->offsets[part] == data_->offsets[part + 1]) {
+            continue;
+        }
+        const double before = nearest.squared_distance;
+        data_->queries[query++].mesh().closest(point, nearest);
+        if (nearest.squared_distance < before) {
+            triangle = data_->offsets[part] + nearest.triangle;
+        }
+    }
+    const auto& [a, b, c] = data_->surface.triangles[triangle];
+    const std::vector<Vec3>& v = data_->surface.vertices;
+    return {nearest.point, normalized(cross(v[b] - v[a], v[c] - v[a])), triangle};
+}
+
+bool Solid::contains(const Vec3& point) const {
+    if (!data_->index.empty()) {
+        return data_->index.any_at(point, [&](std::uint32_t part) { return data_->queries[part].contains(point); });
+    }
+    for (const PartQueries& part : data_->queries) {
+        if (part.contains(point)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+double Solid::signed_distance(const Vec3& point) const {
+    if (!data_->index.empty()) {
+        return least_signed_distance(*data_, point);
+    }
+    double least = std::numeric_limits<double>::infinity();
+    for (const PartQueries& part : data_->queries) {
+        if (part.primitive) {
+            least = std::min(least, part.primitive->signed_distance(point));
+            continue;
+        }
+        Nearest nearest{std::numeric_limits<double>::infinity()};
+        part.mesh().closest(point, nearest);
+        const double distance = std::sqrt(nearest.squared_distance);
+        // A part that is farther off than another may contain the point deep inside.
+        least = std::min(least, part.mesh().contains(point) ? -distance : distance);
+    }
+    return least;
+}
+
+Shape::Shape(std::string name, std::shared_ptr<const Solid> processed, std::shared_ptr<const Solid> original)
+    : name_(std::move(name)), processed_(std::move(processed)), original_(std::move(original)) {}
+Shape::~Shape() = default;
+Shape::Shape(const Shape&) = default;
+
+} // namespace foam::geometry

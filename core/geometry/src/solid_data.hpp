@@ -1,0 +1,93 @@
+// The data of a Solid.
+#pragma once
+
+#include "inside_lines.hpp"
+#include "mesh_part.hpp"
+#include "part_index.hpp"
+#include "primitive.hpp"
+
+#include <foam/geometry/solid.hpp>
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+namespace foam::inline geometry {
+
+/// A mesh that prepares its queries on first use: covering needs none.
+class QueriedMesh {
+public:
+    QueriedMesh(std::shared_ptr<const Mesh> mesh, Reading reading)
+        : mesh_(std::move(mesh)), reading_(std::move(reading)) {}
+
+    bool closed() const { return reading_.closed; }
+    /// Returns the mesh part. Safe from any number of threads.
+    const MeshPart& part() const {
+        const MeshPart* const ready = ready_.load(std::memory_order_acquire);
+        return ready ? *ready : made();
+    }
+
+private:
+    const MeshPart& made() const;
+
+    std::shared_ptr<const Mesh> mesh_;
+    Reading reading_;
+    mutable std::mutex making_;
+    mutable std::optional<MeshPart> part_;
+    mutable std::atomic<const MeshPart*> ready_{nullptr};
+};
+
+/// One part of the union.
+struct PartQueries {
+    std::unique_ptr<const QueriedMesh> queried; ///< of a primitive: of its tessellation
+    std::optional<PrimitivePart> primitive;
+    Box box; ///< of the tessellation
+
+    const MeshPart& mesh() const { return queried->part(); }
+    bool closed() const { return primitive.has_value() || queried->closed(); }
+    bool contains(const Vec3& p) const { return primitive ? primitive->signed_distance(p) <= 0 : mesh().contains(p); }
+    /// Returns the volume of this part alone; of a mesh that is not closed: with its closing surface.
+    double volume() const { return primitive ? primitive->volume() : mesh().signed_volume(); }
+};
+
+struct SolidData {
+    std::vector<Solid::Part> parts;
+    Mesh surface;
+    std::vector<std::uint32_t> offsets;
+    Box box;
+    double area = 0;
+    bool closed = true;
+    std::vector<PartQueries> queries;
+    std::vector<std::size_t> first_triangles; ///< first triangle of each of the queries, in `surface`
+    PartIndex index;                          ///< over the queries, if there are many
+
+    mutable std::once_flag lines_once;
+    mutable std::unique_ptr<const InsideLines> lines;
+
+    bool is_primitive() const { return queries.size() == 1 && queries[0].primitive; }
+    /// Returns the same as Solid::inside_along().
+    Intervals inside_along(const Line& line, std::span<const Solid::Interval> within) const;
+};
+
+/// A piece of a piece-wise constant function along a line: the winding number of a mesh and its closing surface, or the
+/// inside of a primitive. winding_along() appends such pieces; its `crossings` are those of the line with a part that
+/// is a mesh.
+struct WindingPiece {
+    double enter, leave;
+    int winding;
+};
+void winding_along(const PartQueries& part, const Line& line, std::span<const Crossing> crossings,
+                   std::vector<WindingPiece>& pieces);
+/// Appends where a line is inside a part, at least on `within`; not united. `pieces` is scratch.
+void add_inside_along(const PartQueries& part, const Line& line, std::span<const Crossing> crossings,
+                      std::span<const Solid::Interval> within, std::vector<WindingPiece>& pieces, Intervals& result);
+/// The whole line.
+inline constexpr std::array<Solid::Interval, 1> whole_line{
+    {{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}}};
+
+} // namespace foam::geometry
+
+namespace foam::inline geometry {
+struct Solid::Data : geometry::SolidData {};
+} // namespace foam::geometry

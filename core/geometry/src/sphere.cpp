@@ -1,0 +1,207 @@
+#include <foam/base/random.hpp>
+#include <foam/geometry/sphere.hpp>
+
+#include <array>
+#include <list>
+
+namespace foam::inline geometry {
+namespace {
+
+/// Smallest enclosing ball after Welzl 1991 with the move-to-front and pivoting of Gärtner 1999 ("Fast and robust
+/// smallest enclosing balls"): the ball through up to four support points is built up one point at a time.
+class EnclosingBall {
+public:
+    explicit EnclosingBall(const std::vector<Vec3>& points) : points_(points.begin(), points.end()) {}
+
+    Sphere solve() {
+        auto examined = std::next(points_.begin());
+        move_to_front_pass(examined);
+        double previous = -1;
+        double excess = 0;
+        do {
+            Iterator pivot;
+            excess = largest_excess(examined, pivot);
+            if (excess > 0) {
+                examined = support_end_;
+                if (examined == pivot) {
+                    ++examined;
+                }
+                previous = squared_radius_;
+                if (push(*pivot)) {
+                    move_to_front_pass(support_end_);
+                    --count_;
+                }
+                move_to_front(pivot);
+            }
+        } while (excess > 0 && squared_radius_ > previous);
+        return {center_, std::sqrt(std::max(0.0, squared_radius_))};
+    }
+
+private:
+    using Iterator = std::list<Vec3>::iterator;
+
+    double largest_excess(Iterator begin, Iterator& pivot) {
+        double largest = 0;
+        for (auto it = begin; it != points_.end(); ++it) {
+            const double excess = squared_norm(*it - center_) - squared_radius_;
+            if (excess > largest) {
+                largest = excess;
+                pivot = it;
+            }
+        }
+        return largest;
+    }
+
+    void move_to_front(Iterator it) {
+        if (support_end_ == it) {
+            ++support_end_;
+        }
+        points_.splice(points_.begin(), points_, it);
+    }
+
+    void move_to_front_pass(Iterator end) {
+        support_end_ = points_.begin();
+        if (count_ == 4) {
+            return;
+        }
+        for (auto it = points_.begin(); it != end;) {
+            const auto current = it++;
+            if (squared_norm(*current - center_) > squared_radius_ && push(*current)) {
+                move_to_front_pass(current);
+                --count_;
+                move_to_front(current);
+            }
+        }
+    }
+
+    /// Adds a point to the boundary. Returns false if it depends affinely on the present ones.
+    bool push(const Vec3& point) {
+        const std::size_t m = count_;
+        if (m == 0) {
+            first_ = point;
+            ball_center_[0] = point;
+            ball_squared_radius_[0] = 0;
+        } else {
+            offset_[m] = point - first_;
+            for (std::size_t i = 1; i < m; ++i) {
+                coefficient_[m][i] = 2 * dot(offset_[i], point - first_) / z_[i];
+            }
+            for (std::size_t i = 1; i < m; ++i) {
+                offset_[m] -= coefficient_[m][i] * offset_[i];
+            }
+            z_[m] = 2 * squared_norm(offset_[m]);
+            if (z_[m] <= 1e-20 * squared_radius_) {
+                return false;
+            }
+            const double e = squared_norm(point - ball_center_[m - 1]) - ball_squared_radius_[m - 1];
+            const double f = e / z_[m];
+            ball_center_[m] = ball_center_[m - 1] + f * offset_[m];
+            ball_squared_radius_[m] = ball_squared_radius_[m - 1] + e * f / 2;
+        }
+        center_ = ball_center_[m];
+        squared_radius_ = ball_squared_radius_[m];
+        ++count_;
+        return true;
+    }
+
+    std::list<Vec3> points_;
+    Iterator support_end_{};
+    std::size_t count_ = 0;
+    Vec3 first_{}, center_{};
+    double squared_radius_ = -1;
+    std::array<Vec3, 4> offset_{}, ball_center_{};
+    std::array<double, 4> z_{}, ball_squared_radius_{};
+    std::array<std::array<double, 4>, 4> coefficient_{};
+};
+
+Sphere grown_to_hold(Sphere sphere, const std::vector<Vec3>& points) {
+    for (const Vec3& point : points) {
+        sphere.radius = std::max(sphere.radius, distance(point, sphere.center));
+    }
+    return sphere;
+}
+
+void shuffle(std::vector<Vec3>& points, Random& random) {
+    for (std::size_t i = points.size(); i > 1; --i) {
+        std::swap(points[i - 1], points[static_cast<std::size_t>(random.below(i))]);
+    }
+}
+
+} // namespace
+
+Sphere minimum_enclosing_sphere(const std::vector<Vec3>& points) {
+    if (points.empty()) {
+        return {};
+    }
+    // Where many points lie on the ball, rounding can end the search before the ball contains them all; another order
+    // may succeed. A ball that needs no growth is the smallest.
+    constexpr double rounding = 1e-6;
+    constexpr int orders = 32;
+    std::vector<Vec3> ordered = points;
+    Random random(points.size());
+    Sphere best;
+    for (int order = 0; order < orders; ++order) {
+        const Sphere found = EnclosingBall(ordered).solve();
+        const Sphere grown = grown_to_hold(found, points);
+        if (order == 0 || grown.radius < best.radius) {
+            best = grown;
+        }
+        if (!(grown.radius > (1 + rounding) * found.radius)) {
+            break;
+        }
+        shuffle(ordered, random);
+    }
+    return best;
+}
+
+Sphere enclosing_sphere(const Sphere& a, const Sphere& b) {
+    const double d = distance(a.center, b.center);
+    if (d + b.radius <= a.radius) {
+        return a;
+    }
+    if (d + a.radius <= b.radius) {
+        return b;
+    }
+    const double radius = (d + a.radius + b.radius) / 2;
+    return {a.center + (b.center - a.center) * ((radius - a.radius) / d), radius};
+}
+
+Sphere enclosing_sphere(const std::vector<Sphere>& spheres) {
+    if (spheres.empty()) {
+        return {};
+    }
+    // Badoiu and Clarkson 2003: steps of 1/(i+1) towards the farthest ball converge to within 1/i of the optimum.
+    std::vector<Vec3> centers;
+    for (const Sphere& s : spheres) {
+        centers.push_back(s.center);
+    }
+    Vec3 center = minimum_enclosing_sphere(centers).center;
+    Sphere best{center, std::numeric_limits<double>::infinity()};
+    for (int i = 1; i <= 500; ++i) {
+        double reach = 0;
+        Vec3 target = center;
+        for (const Sphere& s : spheres) {
+            const double d = distance(center, s.center);
+            if (d + s.radius > reach) {
+                reach = d + s.radius;
+                target = d > 0 ? center + (s.center - center) * (reach / d) : center;
+            }
+        }
+        if (reach < best.radius) {
+            best = {center, reach};
+        }
+        center += (target - center) / (i + 1.0);
+    }
+    return best;
+}
+
+SphereTree flat_tree(std::vector<Sphere> spheres) {
+    SphereTree tree;
+    tree.levels.resize(2);
+    tree.levels[0].spheres = {enclosing_sphere(spheres)};
+    tree.levels[1].parents.assign(spheres.size(), 0);
+    tree.levels[1].spheres = std::move(spheres);
+    return tree;
+}
+
+} // namespace foam::geometry

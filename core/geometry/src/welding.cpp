@@ -1,0 +1,63 @@
+#include <foam/geometry/internal/welding.hpp>
+
+#include <bit>
+#include <numeric>
+
+namespace foam::inline geometry {
+namespace {
+
+std::uint64_t hash_of(const Vec3& v) {
+    std::uint64_t hash = 0;
+    for (const double value : {v.x, v.y, v.z}) {
+        hash = (hash ^ std::bit_cast<std::uint64_t>(value + 0.0)) * 0x9E3779B97F4A7C15u; // -0 becomes 0
+        hash ^= hash >> 32;
+    }
+    return hash;
+}
+
+} // namespace
+
+std::vector<std::uint32_t> welded_indices(const Mesh& mesh) {
+    constexpr std::uint32_t free = 0xFFFFFFFFu;
+    const std::size_t mask = std::bit_ceil(2 * mesh.vertices.size() + 1) - 1;
+    std::vector<std::uint32_t> table(mask + 1, free); // open addressing, at most half full
+    std::vector<std::uint32_t> result(mesh.vertices.size());
+    for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) {
+        std::size_t slot = hash_of(mesh.vertices[i]) & mask;
+        while (table[slot] != free && mesh.vertices[table[slot]] != mesh.vertices[i]) {
+            slot = (slot + 1) & mask;
+        }
+        if (table[slot] == free) {
+            table[slot] = i;
+        }
+        result[i] = table[slot];
+    }
+    return result;
+}
+
+DisjointSets::DisjointSets(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+}
+
+std::uint32_t DisjointSets::find(std::uint32_t i) {
+    while (parent_[i] != i) {
+        i = parent_[i] = parent_[parent_[i]];
+    }
+    return i;
+}
+
+void DisjointSets::unite(std::uint32_t a, std::uint32_t b) {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+}
+
+std::size_t DisjointSets::count() const {
+    std::size_t roots = 0;
+    for (std::uint32_t i = 0; i < parent_.size(); ++i) {
+        roots += parent_[i] == i;
+    }
+    return roots;
+}
+
+} // namespace foam::geometry

@@ -1,0 +1,102 @@
+// Evaluation of sphere models against their original geometry: any program's model of a robot or a mesh.
+#pragma once
+
+#include <foam/geometry/measure.hpp>
+#include <foam/geometry/solid.hpp>
+#include <foam/judge/sphere_file.hpp>
+#include <foam/recipe/mesh_unit.hpp>
+#include <foam/robot/robot.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace foam {
+inline namespace [[gnu::visibility("default")]] judge {
+
+/// The original collision geometry of one link.
+struct OriginalLink {
+    std::string link;
+    std::shared_ptr<const Solid> solid; ///< in the link's frame, metres
+};
+
+/// A robot, or a single mesh as a robot of one link.
+struct Original {
+    std::filesystem::path file;
+    std::shared_ptr<const Robot> robot;
+    std::vector<OriginalLink> links; ///< those with collision geometry, in the robot's order
+    std::vector<std::string> notes;  ///< warnings of its loaders
+};
+
+/// Limits parallel work to the given number of threads for the life of the object; 0: one per core.
+class ThreadLimit {
+public:
+    explicit ThreadLimit(std::size_t threads);
+    ~ThreadLimit();
+    ThreadLimit(const ThreadLimit&) = delete;
+    ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// Reads a URDF, or a mesh if a mesh loader reads the file's ending. `links`: globs of the links to read; none: all.
+/// Throws Error(input) if the file or a mesh of it cannot be read, if no link remains to evaluate, or if a glob matches
+/// no link; Error(usage) for a unit of a file that states its own.
+Original load_original(const std::filesystem::path& file, const Registry& registry,
+                       const std::vector<std::string>& links = {}, const MeshUnit& unit = {});
+
+/// Old and new beginning of link names: a link called `first` is renamed to `second`; of the others, those that begin
+/// with `first` begin with `second` instead. "" is the link of a format without link names.
+using Renames = std::vector<std::pair<std::string, std::string>>;
+
+/// A sphere model matched to the links of an original.
+struct MatchedModel {
+    SphereFile file;
+    std::vector<std::vector<Sphere>> spheres; ///< of each link of the original; empty: none
+    std::vector<std::string> notes;           ///< notes of the file, and what is not evaluated
+};
+
+/// Matches links by name. A link that the robot lacks is matched to the link that it is fixed to, if the file names
+/// one. Spheres of a format without link names belong to the only link. Throws Error(input) if no link is in both, and
+/// for spheres without a link if the robot has several.
+MatchedModel match(const Original& original, SphereFile file, const Renames& renames = {});
+
+/// The figures of a link or of the whole robot.
+struct Figures {
+    Measures measures;
+    double covered_error = 0; ///< standard error of covered
+};
+
+struct Evaluation {
+    std::vector<Figures> links; ///< of each link of the original
+    Figures total;              ///< over all of them
+    Figures with_spheres;       ///< over those that have spheres
+};
+
+/// Computes the figures. Equal seeds give equal figures on any number of threads. The seed of each link depends on its
+/// name.
+Evaluation evaluate(const Original& original, const MatchedModel& model, std::uint64_t seed = 0);
+
+/// The result of the proof for one link.
+struct LinkProof {
+    bool holds = false;
+    double growth = 0; ///< m; outer: of the nearest sphere, to close the worst piece; inner: how far one protrudes
+    Vec3 witness{};    ///< outer: a corner of that piece, inner: the centre of that sphere; link frame
+    std::uint32_t triangle = 0; ///< outer: of Solid::surface()
+    std::size_t sphere = 0;     ///< inner: its index among the link's spheres
+    std::size_t triangles = 0;  ///< outer: of the surface; round primitives by the polyhedron around them
+    std::size_t pieces = 0;     ///< outer: triangles, and parts of them, that were examined
+    std::uint32_t halvings = 0; ///< outer: of the smallest of these
+};
+
+/// Returns one result per link of the original. For `outer` a link without spheres is not covered; for `inner` it
+/// passes. Throws Error(usage) for Guarantee::fitted, for which there is no proof.
+std::vector<LinkProof> prove(const Original& original, const MatchedModel& model, Guarantee guarantee);
+
+} // namespace judge
+} // namespace foam

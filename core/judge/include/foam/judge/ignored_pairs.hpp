@@ -1,0 +1,21 @@
+// Pairs of links that other tools' files leave out of self-collision checks.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace foam {
+inline namespace [[gnu::visibility("default")]] judge {
+
+struct IgnoredPair {
+    std::string first, second; ///< links, in alphabetical order
+    std::string reason;        ///< as the file has it; may be empty
+};
+
+/// Returns the <disable_collisions> of an SRDF, the `self_collision_ignore` of a cuRobo file or the `self_collision:
+/// {ignore: …}` of an XRDF; each pair once, in alphabetical order. Throws Error(input) naming file, line and remedy.
+std::vector<IgnoredPair> read_ignored_pairs(const std::filesystem::path& file);
+
+} // namespace judge
+} // namespace foam

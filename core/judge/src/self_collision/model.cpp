@@ -1,0 +1,126 @@
+// The spheres of each link, from the files that contain them.
+#include <foam/base/error.hpp>
+#include <foam/base/file.hpp>
+#include <foam/base/internal/files.hpp>
+#include <foam/base/parallel.hpp>
+#include <foam/judge/self_collision.hpp>
+#include <foam/sdk/context.hpp>
+#include <foam/sdk/stage.hpp>
+#include <foam/search/spherize.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foam::inline judge {
+namespace {
+
+/// Keeps the warnings.
+class Listener final : public Context {
+public:
+    std::uint64_t seed() const override { return 0; }
+    bool cancelled() const override { return false; }
+    void progress(double) override {}
+    void log(Severity severity, std::string_view message) override {
+        if (severity >= Severity::warning) {
+            warnings.emplace_back(message);
+        }
+    }
+    void metric(std::string_view, double, std::string_view) override {}
+
+    std::vector<std::string> warnings;
+};
+
+CollisionModel load_robot(const std::filesystem::path& urdf, const Registry& registry) {
+    if (registry.find_for_extension(StageKind::mesh_loader, extension_of(urdf))) {
+        throw Error(ErrorCode::input, fmt::format("{}: a mesh has no joints; remedy: give a URDF", urdf.string()));
+    }
+    const RegisteredStage* stage = registry.find_for_extension(StageKind::robot_loader, "urdf");
+    if (!stage) {
+        throw Error(ErrorCode::plugin, "no plugin can read URDF files; `foam plugins --why` shows which plugins were "
+                                       "loaded, and why others were not");
+    }
+    Listener listener;
+    CollisionModel model;
+    model.robot = std::make_shared<const Robot>(
+        registry.make<RobotLoader>(stage->info.name)
+            ->load(read_file(urdf, most_robot_bytes), urdf, ResourceResolver::from_environment(), listener));
+    model.notes = std::move(listener.warnings);
+    model.spheres.resize(model.robot->links.size());
+    model.sources.resize(model.robot->links.size(), CollisionModel::Source::none);
+    return model;
+}
+
+/// Takes the spheres of a link without other geometry. Returns false if it has other geometry.
+bool take_spheres(const Link& link, std::vector<Sphere>& spheres) {
+    for (const GeometryElement& element : link.collisions) {
+        const auto* primitive = std::get_if<Primitive>(&element.geometry);
+        if (!primitive || primitive->kind != Primitive::Kind::sphere) {
+            spheres.clear();
+            return false;
+        }
+        spheres.push_back({element.origin.translation, primitive->radius});
+    }
+    return true;
+}
+
+std::size_t index_of(const Robot& robot, const std::string& link) {
+    return static_cast<std::size_t>(robot.find_link(link) - robot.links.data());
+}
+
+void require_pairs(const CollisionModel& model) {
+    const auto with_spheres =
+        std::count_if(model.spheres.begin(), model.spheres.end(), [](const auto& spheres) { return !spheres.empty(); });
+    if (with_spheres < 2) {
+        throw Error(ErrorCode::input, fmt::format("{}: {} {} collision geometry: there is no pair of links to check",
+                                                  model.robot->file.string(), with_spheres == 0 ? "no" : "only one",
+                                                  with_spheres == 0 ? "link has" : "link has"));
+    }
+}
+
+} // namespace
+
+CollisionModel load_collision_model(const std::filesystem::path& urdf, const Registry& registry,
+                                    std::size_t spheres_per_link) {
+    CollisionModel model = load_robot(urdf, registry);
+    std::vector<std::string> others;
+    for (std::size_t i = 0; i < model.spheres.size(); ++i) {
+        const Link& link = model.robot->links[i];
+        if (!take_spheres(link, model.spheres[i])) {
+            others.push_back(link.name);
+        } else if (!link.collisions.empty()) {
+            model.sources[i] = CollisionModel::Source::given;
+        }
+    }
+    if (!others.empty()) {
+        const Original original = load_original(urdf, registry, others);
+        model.notes = original.notes;
+        for (const OriginalLink& link : original.links) {
+            const std::size_t i = index_of(*model.robot, link.link);
+            model.spheres[i] = spherize(*link.solid, spheres_per_link, {.effort = Effort::fast}).spheres;
+            model.sources[i] = CollisionModel::Source::cover;
+        }
+    }
+    require_pairs(model);
+    return model;
+}
+
+CollisionModel load_collision_model(const std::filesystem::path& urdf, const std::filesystem::path& spheres,
+                                    const Registry& registry, const Renames& renames) {
+    CollisionModel model = load_robot(urdf, registry);
+    const Original original = load_original(urdf, registry);
+    MatchedModel matched = match(original, read_sphere_file(spheres, registry), renames);
+    model.notes = original.notes;
+    model.notes.insert(model.notes.end(), matched.notes.begin(), matched.notes.end());
+    for (std::size_t i = 0; i < original.links.size(); ++i) {
+        const std::size_t link = index_of(*model.robot, original.links[i].link);
+        model.spheres[link] = std::move(matched.spheres[i]);
+        if (!model.spheres[link].empty()) {
+            model.sources[link] = CollisionModel::Source::given;
+        }
+    }
+    require_pairs(model);
+    return model;
+}
+
+} // namespace foam::judge

@@ -1,0 +1,31 @@
+// The proof that two links touch in all configurations, in none, or in some.
+#pragma once
+
+#include "ball_group.hpp"
+
+#include <foam/robot/internal/chain.hpp>
+
+#include <atomic>
+#include <cstddef>
+
+namespace foam::inline judge::self_collision {
+
+using namespace joint_chain;
+
+enum class Verdict {
+    never,   ///< proved
+    always,  ///< proved
+    some,    ///< observed both touching and apart
+    unknown, ///< not decided within the allowed number of boxes
+};
+
+/// Decides by branch and bound over boxes of the values of the joints between the links. In the middle of a box it
+/// computes the distance between the links' spheres. Within the box no centre moves farther than a bound from the
+/// joints' half ranges and the centre's distances from their axes (displacement bound as in Schwarzer, Saha, Latombe:
+/// Adaptive dynamic collision checking for single and multiple articulated robots, IEEE T-RO 2005). If the distance
+/// exceeds the displacements of both, the links are apart in the whole box. If an overlap is deeper than that, they
+/// touch in the whole box. Any other box is halved.
+Verdict touching_verdict(const Kinematics& kinematics, const Chain& chain, const BallGroup& first,
+                         const BallGroup& second, std::size_t boxes, const std::atomic<bool>* cancel);
+
+} // namespace foam::judge::self_collision

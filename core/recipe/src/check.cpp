@@ -1,0 +1,322 @@
+#include <foam/recipe/internal/check.hpp>
+
+#include "format.hpp"
+
+#include <foam/recipe/internal/extend.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace foam::inline recipe::reading {
+namespace {
+
+bool is_safe(char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '-' ||
+           c == '.' || c == '+' || c == '=';
+}
+
+/// Returns the recipe's file name without its extension, with the characters of a folder name only.
+std::string default_name(const std::filesystem::path& file) {
+    std::string name = file.stem().string().substr(0, 100);
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return !is_safe(c); }, '_');
+    name.erase(0, std::min(name.find_first_not_of(".-"), name.size()));
+    return name.empty() ? "recipe" : name;
+}
+
+/// Explains keys that are one level deeper than people often write them.
+void refuse_unknown_top_level_keys(const Value& root, const Checking& checking) {
+    static constexpr std::pair<std::string_view, std::string_view> homes[] = {
+        {"spheres", "budget: {spheres: …}"},  {"max_protrusion", "budget: {max_protrusion: …}"},
+        {"excess", "budget: {excess: …}"},    {"weight", "links: {…: {weight: …}}"},
+        {"urdf", "robot: {urdf: …}"},         {"pose", "snapshots: {pose: …}"},
+        {"size", "snapshots: {size: …}"},     {"renderer", "snapshots: {renderer: …}"},
+        {"skip", "links: {…: {skip: true}}"}, {"min_spheres", "links: {…: {min_spheres: …}}"},
+        {"meshes", "debug: {meshes: true}"},  {"max_spheres", "links: {…: {max_spheres: …}}"},
+    };
+    std::vector<std::string> known = top_level_structures();
+    for (const Parameter& p : top_level_values()) {
+        known.push_back(p.name);
+    }
+    for (const Parameter& p : isolation_values()) {
+        known.push_back(p.name);
+    }
+    Value rest;
+    rest.kind = Value::Kind::map;
+    for (const Key& key : root.keys) {
+        const auto home =
+            std::find_if(std::begin(homes), std::end(homes), [&](const auto& h) { return h.first == key.text; });
+        if (home != std::end(homes)) {
+            checking.findings.error(key.where, "unknown-key",
+                                    fmt::format("{} does not belong at the top level; remedy: write {}",
+                                                in_quotes(key.text), home->second));
+        } else if (checking.registry.find(key.text)) {
+            checking.findings.error(key.where, "unknown-key",
+                                    fmt::format("stage {} does not belong at the top level; remedy: write it as an "
+                                                "item of 'stages' (or of 'outputs', if it writes)",
+                                                in_quotes(key.text)));
+        } else {
+            rest.keys.push_back(key);
+        }
+    }
+    refuse_unknown_keys(rest, "", known, checking.findings);
+}
+
+void check_name(const Value& root, const std::filesystem::path& file, const std::string& suffix, const Value* given,
+                Recipe& recipe, Findings& findings) {
+    if (!given) {
+        recipe.name = default_name(file);
+    } else if (const std::string why = why_no_folder_name(recipe.name); given->is(Value::Kind::text) && !why.empty()) {
+        findings.error(given->where, "bad-name",
+                       fmt::format("'name' is the name of the run's folder; {} {}", in_quotes(recipe.name), why));
+    }
+    recipe.name += suffix;
+    if (const std::string why = why_no_folder_name(recipe.name);
+        !suffix.empty() && !why.empty() && !findings.any_error()) {
+        findings.error(root.where, "bad-name",
+                       fmt::format("variant and sweep make the name {}, which {}", in_quotes(recipe.name), why));
+    }
+}
+
+/// Reads a seed above the largest integer of a stage: the seed is any 64-bit number.
+bool read_large_seed(const Value& value, std::uint64_t& seed) {
+    const char* end = value.text.data() + value.text.size();
+    const auto [stop, error] = std::from_chars(value.text.data(), end, seed);
+    return value.is(Value::Kind::number) && error == std::errc() && stop == end;
+}
+
+void check_plain_values(const Value& root, Recipe& recipe, Findings& findings) {
+    std::map<std::string, std::string> words;
+    for (const Parameter& p : top_level_values()) {
+        const Value* value = root.find(p.name);
+        if (!value || (p.name == "seed" && read_large_seed(*value, recipe.seed))) {
+            continue;
+        }
+        if (const auto read = read_value(*value, p, "", findings)) {
+            if (p.name == "seed") {
+                recipe.seed = static_cast<std::uint64_t>(std::get<std::int64_t>(*read));
+            } else if (p.name == "unit") {
+                recipe.mesh_unit.unit = std::get<std::string>(*read);
+            } else if (p.name == "scale") {
+                recipe.mesh_unit.scale = std::get<double>(*read);
+            } else if (p.name == "strict") {
+                recipe.strict = std::get<bool>(*read);
+            } else {
+                words[p.name] = std::get<std::string>(*read);
+            }
+        }
+    }
+    recipe.name = words["name"];
+    recipe.per_link = words["per"] != "collision";
+    recipe.guarantee = words["guarantee"] == "fitted"  ? Guarantee::fitted
+                       : words["guarantee"] == "inner" ? Guarantee::inner
+                                                       : Guarantee::outer;
+    recipe.on_error = words["on_error"] == "skip"       ? OnError::skip
+                      : words["on_error"] == "fallback" ? OnError::fallback
+                                                        : OnError::stop;
+}
+
+void check_input(const Value& root, Recipe& recipe, Findings& findings) {
+    const Value* robot = root.find("robot");
+    const Value* mesh = root.find("mesh");
+    if (!robot && !mesh) {
+        findings.error({root.where.source, 1, 1}, "missing-key",
+                       "there is no input; remedy: write 'robot: {urdf: FILE}' or 'mesh: FILE'");
+        return;
+    }
+    const Key& key = *root.find_key(robot ? "robot" : "mesh");
+    recipe.input_where = findings.locate(key.where);
+    if (robot && mesh) {
+        const Key& other = *root.find_key("mesh");
+        const char* inherited = other.where.source != key.where.source ? ", by null if it is of an extended file" : "";
+        findings.error(other.where, "conflict",
+                       fmt::format("both 'robot' and 'mesh' are given; remedy: delete one{}", inherited));
+    }
+    if (mesh) {
+        recipe.mesh = read_references(*mesh, "mesh", findings);
+    }
+    if (robot && expect_map(*robot, "robot", "robot: {urdf: FILE}", findings)) {
+        refuse_unknown_keys(*robot, "robot", {"urdf"}, findings);
+        if (const Value* urdf = robot->find("urdf")) {
+            recipe.urdf = read_references(*urdf, "urdf", findings);
+        } else {
+            findings.error(robot->where, "missing-key", "'robot' needs 'urdf'; remedy: write robot: {urdf: FILE}");
+        }
+    }
+}
+
+/// Checks that unit and scale are used for a single mesh whose file has no unit.
+void check_unit(const Value& root, const Recipe& recipe, const Checking& checking) {
+    const Key* key = root.find_key("unit") ? root.find_key("unit") : root.find_key("scale");
+    const bool robot = !recipe.urdf.empty();
+    for (const std::string& input : robot ? recipe.urdf : recipe.mesh) {
+        const InputKind kind = robot ? InputKind::robot : InputKind::mesh;
+        if (const std::string why = why_refused(recipe.mesh_unit, input, kind, checking.registry, recipe.preferred_loader);
+            key && !why.empty()) {
+            checking.findings.error(key->where, "conflict", why);
+            return;
+        }
+    }
+}
+
+void check_budget(const Value& budget, Recipe& recipe, Findings& findings) {
+    if (!expect_map(budget, "budget", "budget: {spheres: 22}", findings)) {
+        return;
+    }
+    const auto values = read_values(budget, budget_values(), "budget", {}, findings);
+    if (const auto it = values.find("spheres"); it != values.end()) {
+        recipe.budget_spheres = static_cast<std::size_t>(std::get<std::int64_t>(it->second));
+    }
+    if (const auto it = values.find("excess"); it != values.end()) {
+        recipe.budget_excess = std::get<double>(it->second);
+    }
+    if (const auto it = values.find("time_limit"); it != values.end()) {
+        recipe.budget_time_limit = std::get<double>(it->second);
+    }
+    if (const auto it = values.find("max_protrusion"); it != values.end()) {
+        recipe.budget_max_protrusion = std::get<double>(it->second);
+    }
+}
+
+void check_self_collision(const Value& value, const Value& root, Recipe& recipe, Findings& findings) {
+    if (value.is(Value::Kind::boolean)) {
+        recipe.self_collision = value.flag;
+    } else if (value.is(Value::Kind::map)) {
+        recipe.self_collision = true;
+        refuse_unknown_keys(value, "self_collision", {"pose"}, findings);
+        if (const Value* pose = value.find("pose")) {
+            recipe.self_collision_pose = read_pose(*pose, findings);
+            recipe.self_collision_where = findings.locate(pose->where);
+        }
+    } else {
+        findings.error(value.where, "wrong-type",
+                       fmt::format("'self_collision' expects true, false or a map, got {}; remedy: write "
+                                   "self_collision: true, or {{pose: {{joint: 0.5}}}}",
+                                   value.description()));
+    }
+    if (recipe.self_collision && root.find("mesh")) {
+        findings.error(root.find_key("self_collision")->where, "conflict",
+                       "'self_collision' concerns the links of a robot: it has no effect on a mesh; remedy: delete it");
+    }
+}
+
+/// Refuses keys that need spheres outside the geometry.
+void refuse_outer_keys(const Value& root, const Recipe& recipe, Findings& findings) {
+    if (recipe.guarantee != Guarantee::inner) {
+        return;
+    }
+    if (recipe.budget_max_protrusion) {
+        findings.error(root.find("budget")->find_key("max_protrusion")->where, "conflict",
+                       "spheres inside the geometry do not protrude: 'max_protrusion' has no effect with guarantee: "
+                       "inner; remedy: give 'spheres' instead");
+    }
+    if (recipe.budget_excess) {
+        findings.error(root.find("budget")->find_key("excess")->where, "conflict",
+                       "spheres inside the geometry have no excess: 'excess' has no effect with guarantee: inner; "
+                       "remedy: give 'spheres' instead");
+    }
+    if (recipe.on_error == OnError::fallback) {
+        findings.error(root.find_key("on_error")->where, "conflict",
+                       "a bounding sphere cannot replace a link with guarantee: inner; remedy: on_error: stop or skip");
+    }
+}
+
+void check_debug(const Value& debug, Recipe& recipe, Findings& findings) {
+    if (!expect_map(debug, "debug", "debug: {meshes: true, snapshots: true}", findings)) {
+        return;
+    }
+    for (const auto& [key, value] : read_values(debug, debug_values(), "debug", {}, findings)) {
+        (key == "meshes" ? recipe.debug_meshes : recipe.debug_snapshots) = std::get<bool>(value);
+    }
+}
+
+} // namespace
+
+bool expect_recipe(const Value& root, Findings& findings) {
+    if (!root.is(Value::Kind::map)) {
+        const bool empty = root.is(Value::Kind::null);
+        findings.error({root.where.source, std::max(root.where.line, 1), std::max(root.where.column, 1)},
+                       empty ? "empty" : "wrong-type",
+                       fmt::format("{}; remedy: begin with 'foam: 1', then 'robot' and 'stages'",
+                                   empty ? "the recipe is empty" : "a recipe is a map, got " + root.description()));
+    }
+    if (const Key* experiment = root.find_key("foam_experiment")) {
+        findings.error(experiment->where, "wrong-format",
+                       "this is an experiment, not a recipe; remedy: run it by `foam bench`");
+        return false;
+    }
+    return root.is(Value::Kind::map);
+}
+
+void check_version(const Value& root, Findings& findings) {
+    const Value* version = root.find("foam");
+    if (!version) {
+        findings.error(
+            {root.where.source, 1, 1}, "missing-key",
+            fmt::format("the version of the recipe format is missing; remedy: begin with 'foam: {}'", format_version));
+    } else if (!version->is(Value::Kind::integer) || version->whole != format_version) {
+        findings.error(
+            version->where, "version",
+            fmt::format("this foam reads recipe format {}, the recipe says {}; remedy: write 'foam: {}' and run "
+                        "`foam check`",
+                        format_version, version->description(), format_version));
+    }
+}
+
+std::string why_no_folder_name(std::string_view name) {
+    if (name.empty()) {
+        return "is empty";
+    }
+    if (name.front() == '.' || name.front() == '-') {
+        return fmt::format("begins with '{}'", name.front());
+    }
+    if (!std::all_of(name.begin(), name.end(), is_safe)) {
+        return "holds other characters than letters, digits, _ - + = and .";
+    }
+    return name.size() > 200 ? "is longer than 200 characters" : "";
+}
+
+Recipe check_recipe(const Value& root, const std::filesystem::path& file, const std::string& suffix,
+                    const Checking& checking) {
+    Recipe recipe;
+    Findings& findings = checking.findings;
+    recipe.file = file;
+    check_version(root, findings);
+    refuse_unknown_top_level_keys(root, checking);
+    check_plain_values(root, recipe, findings);
+    check_name(root, file, suffix, root.find("name"), recipe, findings);
+    check_input(root, recipe, findings);
+    if (const Value* path = root.find("package_path")) {
+        recipe.package_path = read_references(*path, "package_path", findings);
+    }
+    if (const Value* plugins = root.find("plugins")) {
+        recipe.plugins = read_references(*plugins, "plugins", findings);
+    }
+    if (const Value* budget = root.find("budget")) {
+        check_budget(*budget, recipe, findings);
+    }
+    if (const Value* self_collision = root.find("self_collision")) {
+        check_self_collision(*self_collision, root, recipe, findings);
+    }
+    refuse_outer_keys(root, recipe, findings);
+    if (const Value* debug = root.find("debug")) {
+        check_debug(*debug, recipe, findings);
+    }
+    recipe.isolation = read_isolation(root, "", findings);
+    refuse_idle_limits(root, recipe.isolation, "", findings);
+    if (const Value* loaders = root.find("loaders")) {
+        check_loaders(*loaders, recipe, checking);
+    }
+    check_unit(root, recipe, checking);
+    check_stages(root.find("stages"), root, recipe, checking);
+    if (const Value* links = root.find("links")) {
+        check_links(*links, recipe, checking);
+    }
+    check_outputs(root.find("outputs"), root, recipe, checking);
+    check_snapshots(root.find("snapshots"), root, recipe, checking);
+    return recipe;
+}
+
+} // namespace foam::recipe::reading

@@ -1,0 +1,209 @@
+// links: overrides for some links.
+#include "format.hpp"
+
+#include <foam/base/error.hpp>
+#include <foam/recipe/internal/check.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foam::inline recipe::reading {
+namespace {
+
+std::vector<std::string> chain_of(const Recipe& recipe) {
+    std::vector<std::string> names;
+    for (const StageCall& filter : recipe.filters) {
+        names.push_back(filter.stage);
+    }
+    if (!recipe.spherizer.stage.empty()) {
+        names.push_back(recipe.spherizer.stage);
+    }
+    return names;
+}
+
+/// Returns the isolation of the stage without overrides.
+Isolation isolation_in_chain(std::string_view stage, const Recipe& recipe) {
+    for (const StageCall& filter : recipe.filters) {
+        if (filter.stage == stage) {
+            return filter.isolation.over(recipe.isolation);
+        }
+    }
+    return recipe.spherizer.isolation.over(recipe.isolation);
+}
+
+/// Returns whether all sets of a glob are closed. One that is not matches nothing, which is never intended.
+bool is_whole_glob(std::string_view glob) {
+    for (std::size_t open = glob.find('['); open != std::string_view::npos; open = glob.find('[', open + 1)) {
+        const std::size_t close = glob.find(']', open + 2);
+        if (close == std::string_view::npos) {
+            return false;
+        }
+        open = close;
+    }
+    return true;
+}
+
+void read_stage_override(const Key& key, const Value& value, const Recipe& recipe, LinkOverride& link,
+                         const Checking& checking) {
+    const std::vector<std::string> chain = chain_of(recipe);
+    StageItem item;
+    item.name = key;
+    item.call = {key.text, {}, checking.findings.locate(key.where)};
+    item.parameters = value.is(Value::Kind::null) ? nullptr : &value;
+    item.stage = checking.registry.find(key.text);
+    if (item.stage && std::find(chain.begin(), chain.end(), key.text) == chain.end()) {
+        checking.findings.error(
+            key.where, "unknown-stage",
+            fmt::format("stage {} is not in the chain of 'stages', so it cannot be changed for a link{}",
+                        in_quotes(key.text), suggestion(key.text, chain)));
+        return;
+    }
+    if (!item.stage) {
+        std::vector<std::string> known = chain;
+        for (const Parameter& p : link_values()) {
+            known.push_back(p.name);
+        }
+        known.emplace_back("clip");
+        checking.findings.error(
+            key.where, "unknown-key",
+            fmt::format("unknown key {} in link {}{}", in_quotes(key.text), link.glob, suggestion(key.text, known)));
+        return;
+    }
+    read_stage_parameters(item, {}, checking);
+    refuse_idle_limits(item, isolation_in_chain(key.text, recipe), checking.findings);
+    link.stages.push_back(std::move(item.call));
+}
+
+/// Refuses a key that has no effect with the rest of the recipe.
+void refuse_idle_key(const Key& key, const Recipe& recipe, Findings& findings) {
+    if (key.text == "max_protrusion" && recipe.guarantee == Guarantee::inner) {
+        findings.error(key.where, "conflict",
+                       "spheres inside the geometry do not protrude: 'max_protrusion' has no effect with guarantee: "
+                       "inner; remedy: delete it");
+    } else if (key.text == "clip" && recipe.guarantee == Guarantee::inner) {
+        findings.error(key.where, "conflict",
+                       "spheres inside the geometry do not extend beyond it: 'clip' has no effect with guarantee: "
+                       "inner; remedy: delete it");
+    } else if (key.text == "weight" && !recipe.budget_spheres && !recipe.budget_excess && !findings.any_error()) {
+        findings.error(key.where, "conflict",
+                       "'weight' is a factor in the allocation of spheres: it has no effect without budget: {spheres: "
+                       "…} or {excess: …}; remedy: give a budget, or delete it");
+    }
+}
+
+std::optional<Vec3> read_normal(const Value& plane, Findings& findings) {
+    const Value* value = plane.find("normal");
+    if (!value) {
+        findings.error(plane.where, "missing-key",
+                       "'normal' of 'clip' is missing; remedy: give the direction into the restricted half-space, "
+                       "normal: [0, 0, -1]");
+        return std::nullopt;
+    }
+    std::vector<double> numbers;
+    for (const Value& item : value->items) {
+        if (value->is(Value::Kind::list) && (item.is(Value::Kind::integer) || item.is(Value::Kind::number))) {
+            numbers.push_back(item.is(Value::Kind::integer) ? static_cast<double>(item.whole) : item.real);
+        }
+    }
+    const Vec3 normal = numbers.size() == 3 ? Vec3{numbers[0], numbers[1], numbers[2]} : Vec3{};
+    if (numbers.size() != value->items.size() || !is_finite(normalized(normal)) || !(norm(normalized(normal)) > 0.5)) {
+        findings.error(value->where, "wrong-type",
+                       "'normal' of 'clip' expects three numbers, not all zero; remedy: give the direction into the "
+                       "restricted half-space, normal: [0, 0, -1]");
+        return std::nullopt;
+    }
+    return normal;
+}
+
+std::vector<ClipPlane> read_clip(const Value& planes, Findings& findings) {
+    constexpr const char* example = "{normal: [0, 0, -1], reach: 0.005}";
+    std::vector<ClipPlane> result;
+    if (!expect_list(planes, "clip", fmt::format("clip: [{}]", example), findings)) {
+        return result;
+    }
+    for (const Value& item : planes.items) {
+        if (!expect_map(item, "clip", example, findings)) {
+            continue;
+        }
+        const std::optional<Vec3> normal = read_normal(item, findings);
+        const auto values = read_values(item, clip_values(), "clip", {"normal"}, findings);
+        if (!item.find("reach")) {
+            findings.error(item.where, "missing-key",
+                           "'reach' of 'clip' is missing; remedy: give how far spheres may extend beyond the plane, in "
+                           "m, reach: 0.005");
+        }
+        const auto number = [&](const char* name) {
+            const auto it = values.find(name);
+            return it == values.end() ? 0 : std::get<double>(it->second);
+        };
+        result.push_back({normal.value_or(Vec3{0, 0, -1}), number("offset"), number("reach")});
+    }
+    return result;
+}
+
+LinkOverride read_override(const Key& glob, const Value& map, const Recipe& recipe, const Checking& checking) {
+    LinkOverride link;
+    link.glob = glob.text;
+    link.where = checking.findings.locate(glob.where);
+    if (glob.text.empty() || !is_whole_glob(glob.text)) {
+        checking.findings.error(
+            glob.where, "bad-glob",
+            fmt::format("{} names no link; remedy: give a name, * and ? stand for any characters, [a-z] "
+                        "for one of a set",
+                        in_quotes(glob.text)));
+    }
+    const std::vector<Parameter> declared = link_values();
+    for (std::size_t i = 0; i < map.keys.size(); ++i) {
+        const Key& key = map.keys[i];
+        const auto p =
+            std::find_if(declared.begin(), declared.end(), [&](const Parameter& d) { return d.name == key.text; });
+        if (key.text == "clip") {
+            refuse_idle_key(key, recipe, checking.findings);
+            link.clip = read_clip(map.items[i], checking.findings);
+            continue;
+        }
+        if (p == declared.end()) {
+            read_stage_override(key, map.items[i], recipe, link, checking);
+            continue;
+        }
+        refuse_idle_key(key, recipe, checking.findings);
+        const auto read = read_value(map.items[i], *p, "link " + glob.text, checking.findings);
+        if (read && key.text == "skip") {
+            link.skip = std::get<bool>(*read);
+        } else if (read && p->type == Parameter::Type::number) {
+            (key.text == "weight" ? link.weight : link.max_protrusion) = std::get<double>(*read);
+        } else if (read) {
+            (key.text == "min_spheres" ? link.min_spheres : link.max_spheres) =
+                static_cast<std::size_t>(std::get<std::int64_t>(*read));
+        }
+    }
+    return link;
+}
+
+} // namespace
+
+void check_links(const Value& links, Recipe& recipe, const Checking& checking) {
+    if (!expect_map(links, "links", "links: {\"*finger\": {skip: true}}", checking.findings)) {
+        return;
+    }
+    for (std::size_t i = 0; i < links.keys.size(); ++i) {
+        if (expect_map(links.items[i], links.keys[i].text, "{skip: true} or {stage.name: {parameter: value}}",
+                       checking.findings)) {
+            recipe.links.push_back(read_override(links.keys[i], links.items[i], recipe, checking));
+        }
+    }
+    // Finds limits that contradict each other, where names without wildcards show it; for_link() finds the rest.
+    for (const LinkOverride& link : recipe.links) {
+        try {
+            if (link.glob.find_first_of("*?[") == std::string::npos || (link.min_spheres && link.max_spheres)) {
+                recipe.for_link(link.glob);
+            }
+        } catch (const Error& error) {
+            const Key& key = *links.find_key(link.glob);
+            checking.findings.error(key.where, "conflict", error.what());
+        }
+    }
+}
+
+} // namespace foam::recipe::reading

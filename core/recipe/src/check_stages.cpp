@@ -1,0 +1,134 @@
+// stages: the chain of mesh filters and the spherizer.
+#include "format.hpp"
+
+#include <foam/recipe/internal/check.hpp>
+#include <foam/sdk/internal/declaration.hpp>
+
+#include <fmt/format.h>
+
+namespace foam::inline recipe::reading {
+namespace {
+
+/// Returns the key for a stage that is not part of the chain.
+std::string home_of(StageKind kind) {
+    switch (kind) {
+    case StageKind::mesh_filter:
+        return "it belongs in 'stages', before the spherizer";
+    case StageKind::spherizer:
+        return "it belongs in 'stages', as the last item";
+    case StageKind::writer:
+        return "it belongs in 'outputs'";
+    case StageKind::renderer:
+        return "it belongs in 'snapshots: {renderer: …}'";
+    case StageKind::mesh_loader:
+    case StageKind::robot_loader:
+        return "the file extension of the input selects it; its parameters belong in 'loaders'";
+    }
+    return "";
+}
+
+} // namespace
+
+void report_unknown_stage(const Key& name, const Checking& checking) {
+    const std::string near = name.text.size() < 200 ? checking.registry.nearest(name.text) : "";
+    checking.findings.error(name.where, "unknown-stage",
+                            fmt::format("unknown stage {}{}", in_quotes(name.text),
+                                        near.empty()
+                                            ? "; remedy: `foam stages` lists all, `foam plugins --why` says which "
+                                              "plugins were not loaded"
+                                            : fmt::format("; did you mean {}?", in_quotes(near))));
+}
+
+StageItem read_stage_item(const Value& item, std::string_view list, const Checking& checking) {
+    StageItem result;
+    if (item.is(Value::Kind::text)) {
+        result.name = {item.text, item.where};
+    } else if (item.is(Value::Kind::map) && item.keys.size() == 1) {
+        result.name = item.keys[0];
+        result.parameters = item.items[0].is(Value::Kind::null) ? nullptr : &item.items[0];
+    } else {
+        const bool flat = item.is(Value::Kind::map) && item.keys.size() > 1 && item.items[0].is(Value::Kind::null);
+        std::string remedy = "write one '- stage: {parameter: value}' an item";
+        if (flat) {
+            remedy = fmt::format("indent the parameters deeper than {}", in_quotes(item.keys[0].text));
+        }
+        checking.findings.error(item.where, "wrong-type",
+                                fmt::format("an item of '{}' is one stage, got {}; remedy: {}", list,
+                                            item.is(Value::Kind::map)
+                                                ? fmt::format("a map of {} keys", item.keys.size())
+                                                : item.description(),
+                                            remedy));
+        return result;
+    }
+    result.call.stage = result.name.text;
+    result.call.where = checking.findings.locate(result.name.where);
+    result.stage = checking.registry.find(result.name.text);
+    if (!result.stage) {
+        report_unknown_stage(result.name, checking);
+    }
+    return result;
+}
+
+void read_stage_parameters(StageItem& item, const std::vector<std::string>& other_keys, const Checking& checking) {
+    if (!item.parameters || !item.stage) {
+        return;
+    }
+    const std::string& stage = item.call.stage;
+    if (expect_map(*item.parameters, stage, fmt::format("{}: {{parameter: value}}", stage), checking.findings)) {
+        std::vector<std::string> others = other_keys;
+        if (can_be_isolated(item.stage->kind)) {
+            for (const Parameter& p : isolation_values()) {
+                others.push_back(p.name);
+            }
+            item.call.isolation = read_isolation(*item.parameters, stage, checking.findings);
+        }
+        item.call.given = read_values(*item.parameters, item.stage->info.parameters, stage, others, checking.findings);
+    }
+}
+
+void check_stages(const Value* stages, const Value& root, Recipe& recipe, const Checking& checking) {
+    constexpr const char* example = "stages: [spherize.cover]";
+    if (!stages) {
+        checking.findings.error({root.where.source, 1, 1}, "missing-key",
+                                fmt::format("'stages' is missing; remedy: write {}", example));
+        return;
+    }
+    if (!expect_list(*stages, "stages", example, checking.findings)) {
+        return;
+    }
+    bool unknown = false;
+    for (const Value& value : stages->items) {
+        StageItem item = read_stage_item(value, "stages", checking);
+        read_stage_parameters(item, {}, checking);
+        refuse_idle_limits(item, recipe.isolation, checking.findings);
+        if (!item.stage) {
+            unknown = true;
+            continue;
+        }
+        const bool filter = item.stage->kind == StageKind::mesh_filter;
+        const bool after_spherizer = !recipe.spherizer.stage.empty();
+        const auto misplaced = [&](const std::string& why) {
+            checking.findings.error(item.name.where, "wrong-kind",
+                                    fmt::format("{} {}", in_quotes(item.call.stage), why));
+        };
+        if (!filter && item.stage->kind != StageKind::spherizer) {
+            misplaced(fmt::format("is a {}; {}", to_string(item.stage->kind), home_of(item.stage->kind)));
+        } else if (after_spherizer) {
+            misplaced(
+                filter ? fmt::format("is a mesh filter after the spherizer '{}'; remedy: move it before the spherizer",
+                                     recipe.spherizer.stage)
+                       : fmt::format("is a second spherizer in addition to '{}'; remedy: delete one",
+                                     recipe.spherizer.stage));
+        } else if (filter) {
+            recipe.filters.push_back(std::move(item.call));
+        } else {
+            recipe.spherizer = std::move(item.call);
+        }
+    }
+    if (recipe.spherizer.stage.empty() && !unknown) {
+        checking.findings.error(stages->where, "missing-stage",
+                                "the chain has no spherizer; remedy: add one as the last item, e.g. spherize.cover");
+    }
+}
+
+} // namespace foam::recipe::reading

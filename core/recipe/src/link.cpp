@@ -1,0 +1,109 @@
+#include <foam/base/error.hpp>
+#include <foam/recipe/recipe.hpp>
+
+#include <fmt/format.h>
+
+namespace foam::inline recipe {
+namespace {
+
+/// Returns the length of the set "[a-z]" at the front of `glob`, 0 if it is not closed. `found`: whether it contains
+/// `c`.
+std::size_t match_set(std::string_view glob, char c, bool& found) {
+    const std::size_t close = glob.find(']', 2); // a ']' right behind '[' is a member
+    if (close == std::string_view::npos) {
+        return 0;
+    }
+    const bool negated = glob[1] == '!' || glob[1] == '^';
+    found = false;
+    for (std::size_t i = negated ? 2 : 1; i < close; ++i) {
+        if (i + 2 < close && glob[i + 1] == '-') {
+            found = found || (glob[i] <= c && c <= glob[i + 2]);
+            i += 2;
+        } else {
+            found = found || glob[i] == c;
+        }
+    }
+    found = found != negated;
+    return close + 1;
+}
+
+/// Returns the length of the pattern element at the front of `glob` if it matches the character `c`, else 0.
+std::size_t match_one(std::string_view glob, char c) {
+    if (glob.empty() || glob.front() == '*') {
+        return 0;
+    }
+    if (glob.front() == '[') {
+        bool found = false;
+        const std::size_t length = match_set(glob, c, found);
+        return found ? length : 0;
+    }
+    return glob.front() == '?' || glob.front() == c ? 1 : 0;
+}
+
+void merge(StageCall& call, const LinkOverride& link) {
+    for (const StageCall& change : link.stages) {
+        if (change.stage == call.stage) {
+            for (const auto& [name, value] : change.given) {
+                call.given[name] = value;
+            }
+            call.isolation = change.isolation.over(call.isolation);
+        }
+    }
+}
+
+} // namespace
+
+bool glob_matches(std::string_view glob, std::string_view name) {
+    // One '*' is kept: if the rest fails, it matches one more character. Quadratic at worst.
+    std::size_t g = 0, n = 0, star = std::string_view::npos, star_n = 0;
+    while (n < name.size()) {
+        if (const std::size_t length = match_one(glob.substr(g), name[n])) {
+            g += length;
+            ++n;
+        } else if (g < glob.size() && glob[g] == '*') {
+            star = g++;
+            star_n = n;
+        } else if (star != std::string_view::npos) {
+            g = star + 1;
+            n = ++star_n;
+        } else {
+            return false;
+        }
+    }
+    return glob.find_first_not_of('*', g) == std::string_view::npos;
+}
+
+Recipe::LinkRecipe Recipe::for_link(const std::string& link) const {
+    LinkRecipe result;
+    result.filters = filters;
+    result.spherizer = spherizer;
+    for (StageCall& filter : result.filters) {
+        filter.isolation = filter.isolation.over(isolation);
+    }
+    result.spherizer.isolation = spherizer.isolation.over(isolation);
+    result.max_protrusion = budget_max_protrusion;
+    for (const LinkOverride& change : links) {
+        // A glob also matches its own text: "[" cannot be written otherwise.
+        if (change.glob != link && !glob_matches(change.glob, link)) {
+            continue;
+        }
+        result.skip = change.skip.value_or(result.skip);
+        result.min_spheres = change.min_spheres.value_or(result.min_spheres);
+        result.max_spheres = change.max_spheres ? change.max_spheres : result.max_spheres;
+        result.weight = change.weight.value_or(result.weight);
+        result.max_protrusion = change.max_protrusion ? change.max_protrusion : result.max_protrusion;
+        result.clip = change.clip ? *change.clip : result.clip;
+        for (StageCall& filter : result.filters) {
+            merge(filter, change);
+        }
+        merge(result.spherizer, change);
+    }
+    if (result.max_spheres && *result.max_spheres < result.min_spheres) {
+        throw Error(ErrorCode::recipe,
+                    fmt::format("link '{}' is to have at least {} and at most {} spheres; remedy: correct 'links'",
+                                link, result.min_spheres, *result.max_spheres));
+    }
+    return result;
+}
+
+} // namespace foam::recipe

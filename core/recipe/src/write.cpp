@@ -1,0 +1,277 @@
+// Recipe -> YAML.
+#include "format.hpp"
+
+#include <foam/recipe/internal/value.hpp>
+#include <foam/recipe/recipe.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foam::inline recipe {
+namespace {
+
+namespace fs = std::filesystem;
+using reading::Value;
+
+/// Returns a text for flow context: plain where that is safe, else as a JSON string, which is valid YAML.
+std::string yaml_text(const std::string& text) {
+    const auto plain = [](char c) {
+        return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '.' ||
+               c == '/' || c == '-' || c == '+' || c == '=';
+    };
+    const bool first_is_plain = !text.empty() && plain(text[0]) && text[0] != '-' && text[0] != '=';
+    if (first_is_plain && std::all_of(text.begin(), text.end(), plain) &&
+        reading::plain_scalar(text, {}).is(Value::Kind::text)) {
+        return text;
+    }
+    std::string result = "\"";
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (c == '"' || c == '\\') {
+            result += '\\';
+            result += c;
+        } else if (byte < 0x20 || byte == 0x7F) {
+            result += fmt::format("\\x{:02x}", byte);
+        } else {
+            result += c;
+        }
+    }
+    return result + "\"";
+}
+
+std::string yaml_value(const ParameterValue& value) {
+    const std::string* text = std::get_if<std::string>(&value);
+    return text ? yaml_text(*text) : to_text(value);
+}
+
+std::string yaml_list(const std::vector<std::string>& texts) {
+    std::vector<std::string> items;
+    std::transform(texts.begin(), texts.end(), std::back_inserter(items), yaml_text);
+    return fmt::format("[{}]", fmt::join(items, ", "));
+}
+
+class Emitter {
+public:
+    Emitter(const Recipe& recipe, const Registry& registry, bool absolute_paths)
+        : recipe_(recipe), registry_(registry), absolute_paths_(absolute_paths) {}
+
+    std::string text() {
+        line("foam: {}", reading::format_version);
+        line("name: {}", yaml_text(recipe_.name));
+        line("seed: {}", recipe_.seed);
+        write_input();
+        write_loaders();
+        line("stages:");
+        for (const StageCall& filter : recipe_.filters) {
+            line("  - {}", stage(filter, "", true));
+        }
+        line("  - {}", stage(recipe_.spherizer, "", true));
+        for (const std::string& part : isolation_parts(recipe_.isolation)) {
+            line("{}", part);
+        }
+        line("per: {}", recipe_.per_link ? "link" : "collision");
+        write_budget();
+        line("guarantee: {}", to_string(recipe_.guarantee));
+        write_self_collision();
+        write_links();
+        write_outputs();
+        write_snapshots();
+        line("debug: {{meshes: {}, snapshots: {}}}", recipe_.debug_meshes, recipe_.debug_snapshots);
+        line("on_error: {}", recipe_.on_error == OnError::stop   ? "stop"
+                             : recipe_.on_error == OnError::skip ? "skip"
+                                                                 : "fallback");
+        line("strict: {}", recipe_.strict);
+        return std::move(text_);
+    }
+
+private:
+    template <class... Args> void line(fmt::format_string<Args...> format, Args&&... args) {
+        text_ += fmt::format(format, std::forward<Args>(args)...) + "\n";
+    }
+
+    /// Returns "stage: {file: …, parameter: value}", with the defaults or only with the given parameters.
+    std::string stage(const StageCall& call, const std::string& file, bool defaults) const {
+        std::vector<std::string> parts;
+        if (!file.empty()) {
+            parts.push_back("file: " + yaml_text(file));
+        }
+        std::map<std::string, ParameterValue> values = call.given;
+        if (const RegisteredStage* known = registry_.find(call.stage); known && defaults) {
+            for (const Parameter& p : known->info.parameters) {
+                values.emplace(p.name, p.default_value);
+            }
+        }
+        for (const auto& [name, value] : values) {
+            parts.push_back(fmt::format("{}: {}", yaml_text(name), yaml_value(value)));
+        }
+        const std::vector<std::string> isolation = isolation_parts(call.isolation);
+        parts.insert(parts.end(), isolation.begin(), isolation.end());
+        return fmt::format("{}: {{{}}}", yaml_text(call.stage), fmt::join(parts, ", "));
+    }
+
+    void write_loaders() {
+        std::vector<std::string> loaders;
+        if (!recipe_.preferred_loader.empty()) {
+            loaders.push_back("prefer: " + yaml_text(recipe_.preferred_loader));
+        }
+        for (const StageCall& loader : recipe_.loaders) {
+            loaders.push_back(stage(loader, "", true));
+        }
+        if (!loaders.empty()) {
+            line("loaders: {{{}}}", fmt::join(loaders, ", "));
+        }
+    }
+
+    static std::vector<std::string> isolation_parts(const Isolation& isolation) {
+        std::vector<std::string> parts;
+        if (isolation.process) {
+            parts.push_back(fmt::format("isolate: {}", *isolation.process ? "process" : "none"));
+        }
+        if (isolation.time_limit) {
+            parts.push_back("time_limit: " + to_text(*isolation.time_limit));
+        }
+        if (isolation.memory_limit) {
+            parts.push_back(fmt::format("memory_limit: {}", *isolation.memory_limit));
+        }
+        return parts;
+    }
+
+    std::vector<std::string> references(std::vector<std::string> references) const {
+        if (absolute_paths_) {
+            for (std::string& reference : references) {
+                const bool uri = reference.find("://") != std::string::npos;
+                if (!uri && !fs::path(reference).is_absolute()) {
+                    reference = fs::absolute(recipe_.file.parent_path() / reference).string();
+                }
+            }
+        }
+        return references;
+    }
+
+    void write_input() {
+        if (!recipe_.mesh.empty()) {
+            line("mesh: {}", yaml_list(references(recipe_.mesh)));
+            if (recipe_.mesh_unit.unit) {
+                line("unit: {}", *recipe_.mesh_unit.unit);
+            }
+            if (recipe_.mesh_unit.scale != 1) {
+                line("scale: {}", to_text(recipe_.mesh_unit.scale));
+            }
+        } else {
+            line("robot: {{urdf: {}}}", yaml_list(references(recipe_.urdf)));
+        }
+        if (!recipe_.package_path.empty()) {
+            line("package_path: {}", yaml_list(references(recipe_.package_path)));
+        }
+        if (!recipe_.plugins.empty()) {
+            line("plugins: {}", yaml_list(references(recipe_.plugins)));
+        }
+    }
+
+    void write_budget() {
+        std::vector<std::string> parts;
+        if (recipe_.budget_spheres) {
+            parts.push_back(fmt::format("spheres: {}", *recipe_.budget_spheres));
+        }
+        if (recipe_.budget_excess) {
+            parts.push_back("excess: " + to_text(*recipe_.budget_excess));
+        }
+        if (recipe_.budget_max_protrusion) {
+            parts.push_back("max_protrusion: " + to_text(*recipe_.budget_max_protrusion));
+        }
+        if (recipe_.budget_time_limit) {
+            parts.push_back("time_limit: " + to_text(*recipe_.budget_time_limit));
+        }
+        if (!parts.empty()) {
+            line("budget: {{{}}}", fmt::join(parts, ", "));
+        }
+    }
+
+    static std::string pose_text(const JointValues& values) {
+        std::vector<std::string> joints;
+        for (const auto& [joint, value] : values) {
+            joints.push_back(fmt::format("{}: {}", yaml_text(joint), to_text(value)));
+        }
+        return fmt::format("{{{}}}", fmt::join(joints, ", "));
+    }
+
+    void write_self_collision() {
+        if (recipe_.self_collision) {
+            line("self_collision: {{pose: {}}}", pose_text(recipe_.self_collision_pose));
+        }
+    }
+
+    static std::string clip_text(const std::vector<ClipPlane>& planes) {
+        std::vector<std::string> parts;
+        for (const ClipPlane& p : planes) {
+            parts.push_back(fmt::format("{{normal: [{}, {}, {}], offset: {}, reach: {}}}", to_text(p.normal.x),
+                                        to_text(p.normal.y), to_text(p.normal.z), to_text(p.offset), to_text(p.reach)));
+        }
+        return fmt::format("[{}]", fmt::join(parts, ", "));
+    }
+
+    void write_links() {
+        if (!recipe_.links.empty()) {
+            line("links:");
+        }
+        for (const LinkOverride& link : recipe_.links) {
+            std::vector<std::string> parts;
+            if (link.skip) {
+                parts.push_back(fmt::format("skip: {}", *link.skip));
+            }
+            if (link.min_spheres) {
+                parts.push_back(fmt::format("min_spheres: {}", *link.min_spheres));
+            }
+            if (link.max_spheres) {
+                parts.push_back(fmt::format("max_spheres: {}", *link.max_spheres));
+            }
+            if (link.weight) {
+                parts.push_back("weight: " + to_text(*link.weight));
+            }
+            if (link.max_protrusion) {
+                parts.push_back("max_protrusion: " + to_text(*link.max_protrusion));
+            }
+            if (link.clip) {
+                parts.push_back("clip: " + clip_text(*link.clip));
+            }
+            for (const StageCall& call : link.stages) {
+                parts.push_back(stage(call, "", false));
+            }
+            line("  {}: {{{}}}", yaml_text(link.glob), fmt::join(parts, ", "));
+        }
+    }
+
+    void write_outputs() {
+        line("outputs:{}", recipe_.outputs.empty() ? " []" : "");
+        for (const OutputCall& output : recipe_.outputs) {
+            line("  - {}", stage(output.writer, output.file, true));
+        }
+    }
+
+    void write_snapshots() {
+        if (!recipe_.snapshots) {
+            line("snapshots: false");
+            return;
+        }
+        StageCall renderer = recipe_.renderer;
+        renderer.stage = renderer.stage.empty() ? reading::default_renderer : renderer.stage;
+        line("snapshots:");
+        line("  size: [{}, {}]", recipe_.snapshot_size[0], recipe_.snapshot_size[1]);
+        line("  pose: {}", pose_text(recipe_.pose));
+        line("  renderer: {{{}}}", stage(renderer, "", true));
+    }
+
+    const Recipe& recipe_;
+    const Registry& registry_;
+    bool absolute_paths_;
+    std::string text_;
+};
+
+} // namespace
+
+std::string to_yaml(const Recipe& recipe, const Registry& registry, bool absolute_paths) {
+    return Emitter(recipe, registry, absolute_paths).text();
+}
+
+} // namespace foam::recipe

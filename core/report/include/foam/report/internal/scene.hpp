@@ -1,0 +1,47 @@
+// The scene for the viewer of a report, as JSON with typed arrays in base64.
+#pragma once
+
+#include <foam/geometry/mesh.hpp>
+#include <foam/geometry/sphere.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace foam {
+inline namespace [[gnu::visibility("default")]] report {
+
+/// The mesh of a link after a stage; link frame.
+struct StageMesh {
+    std::string stage; ///< "original", "repair.auto", …
+    std::shared_ptr<const Mesh> mesh;
+};
+
+struct SceneLink {
+    std::string name;
+    Pose pose;                               ///< from its frame to the robot's
+    std::vector<StageMesh> meshes;           ///< the original first
+    std::vector<std::vector<Sphere>> levels; ///< coarse to fine; link frame
+};
+
+/// A mesh with corners on a grid, for a 16-bit vertex buffer.
+struct GridMesh {
+    Vec3 low;        ///< corner (0, 0, 0)
+    double step = 0; ///< m, from one corner to the next
+    std::vector<std::array<std::uint16_t, 3>> corners;
+    std::vector<Triangle> triangles;
+};
+
+/// Moves the corners to the nearest point of a grid with 2^bits points per side around the mesh and merges them.
+/// Removes degenerate and duplicate triangles (vertex clustering: Rossignac and Borrel, 1993).
+GridMesh on_grid(const Mesh& mesh, int bits);
+
+/// Returns the scene. `max_triangles`: over all distinct meshes. If there are more, those with most are reduced.
+///
+/// {"links": [{"name", "pose": 3 rows of 4 numbers, "meshes": [index, …], "levels": [float32 x, y, z, radius, …]}, …],
+///  "meshes": [{"low", "step", "wide", "corners": uint16 × 3, "triangles": uint16 × 3, or uint32 × 3 if wide}, …],
+///  "drawn": share of the triangles}. Little-endian. No '<' in it: it may stand in a script element.
+std::string scene_json(const std::vector<SceneLink>& links, std::size_t max_triangles);
+
+} // namespace report
+} // namespace foam

@@ -1,0 +1,27 @@
+// Figures of a manifest as text and table cells.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+
+namespace foam::inline report {
+
+using Json = nlohmann::ordered_json;
+
+/// Returns the value of a number. JSON has no infinity: the manifest has null instead.
+double value_of(const Json& number);
+/// Returns "12.3" or "∞".
+std::string number(double value, int digits);
+std::string escaped(const Json& text);
+/// Returns a cell that sorts by its value. `html`: its content.
+std::string cell(double value, const std::string& html);
+std::string yes_no_cell(bool yes);
+/// Returns "1 link" or "3 links".
+std::string counted(std::size_t count, const std::string& noun);
+/// Marks what may differ between two runs of a recipe.
+std::string execution_only(const std::string& html);
+std::string section(const std::string& id, const std::string& title, const std::string& html);
+
+} // namespace foam::report

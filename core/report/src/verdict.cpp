@@ -1,0 +1,58 @@
+#include "verdict.hpp"
+
+#include "text.hpp"
+
+#include <foam/base/markup.hpp>
+#include <foam/robot/proved_links.hpp>
+
+#include <fmt/format.h>
+
+namespace foam::inline report {
+
+std::string guarantee_of(const Report& report) {
+    return report.manifest["settings"]["guarantee"].get<std::string>();
+}
+
+bool certified(const Report& report) {
+    return report.manifest["certified"].get<bool>();
+}
+
+/// Returns the proved links of the manifest.
+static ProvedLinks proved_links(const Report& report) {
+    const Json& proof = report.manifest["proof"];
+    ProvedLinks links;
+    links.guarantee = guarantee_of(report) == "outer"   ? Guarantee::outer
+                      : guarantee_of(report) == "inner" ? Guarantee::inner
+                                                        : Guarantee::fitted;
+    links.with_collision = proof["links_with_collision"].get<std::size_t>();
+    links.proved = proof["links_proved"].get<std::size_t>();
+    proof["visual_only"].get_to(links.visual_only);
+    for (const Json& link : proof["left_out"]) {
+        links.left_out.push_back({link["link"].get<std::string>(), link["reason"].get<std::string>()});
+    }
+    return links;
+}
+
+std::string verdict(const Report& report) {
+    const std::string guarantee = guarantee_of(report);
+    if (guarantee == "fitted") {
+        return "No guarantee was asked for: the figures say how well the spheres fit.";
+    }
+    std::string text = verdict_of(proved_links(report));
+    text.erase(text.find_last_not_of('\n') + 1);
+    return markup_escaped(text);
+}
+
+std::string omissions(const Report& report) {
+    const std::string text = omissions_of(proved_links(report));
+    return text.empty() ? "" : fmt::format("<p class=\"note\">{}</p>\n", markup_escaped(text));
+}
+
+std::string verdict_class(const Report& report) {
+    if (guarantee_of(report) == "fitted") {
+        return "plain";
+    }
+    return certified(report) ? "yes" : proved_links(report).proved > 0 ? "plain" : "no";
+}
+
+} // namespace foam::report

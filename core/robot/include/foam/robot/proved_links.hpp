@@ -1,0 +1,50 @@
+// The scope of a proof: the links of a robot that are proved, and those that are not.
+#pragma once
+
+#include <foam/geometry/sphere.hpp>
+#include <foam/robot/robot.hpp>
+
+#include <string>
+#include <vector>
+
+namespace foam {
+inline namespace [[gnu::visibility("default")]] robot {
+
+struct ProvedLinks {
+    /// A link with collision geometry that is not proved.
+    struct LeftOut {
+        std::string link, reason;
+    };
+    Guarantee guarantee = Guarantee::outer;
+    std::size_t with_collision = 0;
+    std::size_t proved = 0;
+    std::vector<LeftOut> left_out;        ///< in the robot's order
+    std::vector<std::string> visual_only; ///< links with visual geometry only: they have no spheres
+
+    /// Returns whether every link with collision geometry is proved.
+    bool all() const { return proved > 0 && proved == with_collision; }
+};
+
+/// Returns the names of the links that have visual geometry and no collision geometry.
+std::vector<std::string> visual_only_links(const Robot& robot);
+
+/// Returns the sentence about the proof, and a line end; empty for Guarantee::fitted, for which there is no proof.
+std::string verdict_of(const ProvedLinks& links);
+/// Returns sentences about the links that are left out or have visual geometry only, each on a line. Names are fit for
+/// a terminal; if there are many, only the first are named.
+std::string omissions_of(const ProvedLinks& links);
+
+/// Returns a JSON object, of a class such as nlohmann's.
+template <class Json> Json json_of_proof(const ProvedLinks& links) {
+    Json json{{"links_with_collision", links.with_collision},
+              {"links_proved", links.proved},
+              {"left_out", Json::array()},
+              {"visual_only", Json(links.visual_only)}};
+    for (const ProvedLinks::LeftOut& link : links.left_out) {
+        json["left_out"].push_back({{"link", link.link}, {"reason", link.reason}});
+    }
+    return json;
+}
+
+} // namespace robot
+} // namespace foam

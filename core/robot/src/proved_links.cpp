@@ -1,0 +1,74 @@
+#include <foam/robot/proved_links.hpp>
+
+#include <foam/base/text.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foam::inline robot {
+namespace {
+
+constexpr std::size_t most_named = 3;
+
+/// Returns the first names, and how many more there are.
+std::string named(const std::vector<std::string>& names) {
+    const std::size_t shown = std::min(names.size(), most_named);
+    std::string text =
+        fmt::format("{}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
+    return shown < names.size() ? fmt::format("{} and {} more", text, names.size() - shown) : text;
+}
+
+std::string links_text(std::size_t proved, std::size_t all) {
+    return fmt::format("{} of {} link{}", proved, all, all == 1 ? "" : "s");
+}
+
+} // namespace
+
+std::vector<std::string> visual_only_links(const Robot& robot) {
+    std::vector<std::string> names;
+    for (const Link& link : robot.links) {
+        if (link.collisions.empty() && !link.visuals.empty()) {
+            names.push_back(link.name);
+        }
+    }
+    return names;
+}
+
+std::string verdict_of(const ProvedLinks& links) {
+    const bool outer = links.guarantee == Guarantee::outer;
+    if (links.guarantee == Guarantee::fitted) {
+        return "";
+    }
+    if (links.proved == 0) {
+        return outer ? "Not proved: the geometry may extend beyond the spheres.\n"
+                     : "Not proved: the spheres may extend beyond the geometry.\n";
+    }
+    const std::string count = links_text(links.proved, links.with_collision);
+    const char* whose = links.with_collision == 1 ? "its" : "their";
+    return outer ? fmt::format("Proved: the collision geometry of {} lies inside {} spheres.\n", count, whose)
+                 : fmt::format("Proved: the spheres of {} lie inside {} collision geometry.\n", count, whose);
+}
+
+std::string omissions_of(const ProvedLinks& links) {
+    std::string text;
+    if (!links.left_out.empty()) {
+        std::vector<std::string> names;
+        for (const ProvedLinks::LeftOut& link : links.left_out) {
+            names.push_back(fmt::format("{} ({})", shown(link.link), shown(link.reason)));
+        }
+        text += fmt::format("{}: {}.\n", links.guarantee == Guarantee::fitted ? "Left out" : "Not part of the proof",
+                            named(names));
+    }
+    if (!links.visual_only.empty()) {
+        std::vector<std::string> names;
+        for (const std::string& name : links.visual_only) {
+            names.push_back(shown(name));
+        }
+        text += fmt::format("{} link{} visual geometry only and no spheres: {}.\n", names.size(),
+                            names.size() == 1 ? " has" : "s have", named(names));
+    }
+    return text;
+}
+
+} // namespace foam::robot

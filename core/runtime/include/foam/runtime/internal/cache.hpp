@@ -1,0 +1,48 @@
+// Results of stages on disk, found by the digest of their inputs. The files may be deleted at any time.
+#pragma once
+
+#include <foam/geometry/mesh.hpp>
+#include <foam/geometry/sphere.hpp>
+#include <foam/runtime/internal/digest.hpp>
+#include <foam/runtime/internal/journal.hpp>
+
+#include <atomic>
+#include <filesystem>
+#include <optional>
+
+namespace foam {
+inline namespace [[gnu::visibility("default")]] runtime {
+
+template <class T> struct Cached {
+    T result;
+    StageLog said; ///< the log of the call that made it; of findings severity and message
+};
+
+class Cache {
+public:
+    /// Opens the cache in `folder`. An empty name disables the cache.
+    explicit Cache(std::filesystem::path folder);
+
+    /// Returns the mesh, or nothing if the entry does not exist or is damaged.
+    std::optional<Cached<Mesh>> mesh(const Digest& key) const;
+    std::optional<Cached<SphereTree>> tree(const Digest& key) const;
+    /// Stores the mesh. Failures to write are not errors: the entry is then missing next time.
+    void put(const Digest& key, const Mesh& mesh, const StageLog& said) const;
+    void put(const Digest& key, const SphereTree& tree, const StageLog& said) const;
+
+    /// Calls trim_cache() if something was stored. `bytes` 0: no limit.
+    void keep_within(std::uintmax_t bytes) const;
+
+    /// Returns $XDG_CACHE_HOME/foam or ~/.cache/foam; empty if neither is known.
+    static std::filesystem::path default_folder();
+
+private:
+    std::filesystem::path file(const Digest& key) const;
+    std::optional<std::string> load(const Digest& key) const;
+    void store(const Digest& key, std::string payload) const;
+    std::filesystem::path folder_;
+    mutable std::atomic<bool> grew_{false};
+};
+
+} // namespace runtime
+} // namespace foam

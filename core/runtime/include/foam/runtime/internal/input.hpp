@@ -1,0 +1,33 @@
+// The input: from the recipe's candidates to a robot.
+#pragma once
+
+#include <foam/robot/robot.hpp>
+#include <foam/runtime/internal/workspace.hpp>
+
+#include <memory>
+#include <string>
+
+namespace foam {
+inline namespace [[gnu::visibility("default")]] runtime {
+
+struct Input {
+    std::string chosen; ///< the candidate, as written in the recipe
+    std::filesystem::path file;
+    std::shared_ptr<const Robot> robot; ///< for a single mesh a robot with one link
+    Digest digest;                      ///< of the file
+    std::size_t bytes = 0;              ///< of the file
+    StageReport report;                 ///< of the loader; its stage is empty for a single mesh
+};
+
+/// Returns the loader for a mesh file by its extension; null if there is none.
+const RegisteredStage* mesh_loader_of(const Workspace& workspace, const std::filesystem::path& file);
+/// Returns the bytes of a mesh file, at most as many as its loader's parameter max_bytes allows. Throws Error(input).
+std::string read_mesh_file(const Workspace& workspace, const std::filesystem::path& file);
+
+/// Loads the first candidate that resolves. Throws Error(input) with every place tried, or with the error in the file.
+Input load_input(const Workspace& workspace);
+/// Returns whether a candidate resolves.
+bool input_resolves(const Recipe& recipe);
+
+} // namespace runtime
+} // namespace foam

@@ -1,0 +1,94 @@
+// The end of the work of a run: who requests it, and what that means in each phase.
+#pragma once
+
+#include <foam/base/cancellation.hpp>
+#include <foam/base/error.hpp>
+#include <foam/runtime/internal/journal.hpp>
+#include <foam/runtime/run.hpp>
+
+#include <array>
+#include <atomic>
+#include <mutex>
+#include <optional>
+#include <string>
+
+namespace foam {
+inline namespace [[gnu::visibility("default")]] runtime {
+
+/// The phase of a run. It determines the effect of a request to stop.
+enum class Phase {
+    preparing,  ///< there is no result yet: a stop cancels the run
+    searching,  ///< a stop ends the search for better spheres; a time limit ends it early enough for finishing
+    beginning,  ///< first spheres of a shape, and their cost: as long as there is time to finish with them
+    covering,   ///< growing and measuring the result: as long as there is time to write another one instead
+    finishing,  ///< writing the result
+    decorating, ///< pictures and meshes for people: only while there is time for nothing else to do
+};
+
+/// The limits of one run. Safe to call from any thread.
+///
+/// A run ends at most a tenth and 0.3 s after its time limit, or 1.5 s after a request to stop: with its result so far,
+/// or with an error.
+class Limits {
+public:
+    Limits(const RunOptions& options, std::optional<double> time_limit, const Journal& journal);
+
+    /// Returns the time limit, s since the start of the run.
+    std::optional<double> time_limit() const { return time_limit_; }
+    /// Returns what ends the work of a phase early, except a cancellation and the hard end of the run.
+    Cut cut(Phase phase) const;
+    /// Returns whether the work of a phase is to end.
+    bool ended(Phase phase) const;
+    /// Returns whether there is no time even for a result from what is known.
+    bool overdue(Phase phase) const;
+    /// Returns the same as a request that loops on a thread can poll.
+    const StopRequest& request(Phase phase) const { return requests_[static_cast<std::size_t>(phase)]; }
+    bool owns(const StopRequest* request) const;
+
+    /// Adds the measured time for finishing a shape to the reserve.
+    void add_to_reserve(double seconds, std::size_t times, std::size_t threads);
+    /// Keeps the place of the run at its time limit, for explained().
+    void interrupted_at(const std::string& place);
+    /// Returns the error for a cancellation that ends the run.
+    Error explained() const;
+    /// The request to the run, and the time in s since its start after which it counts as unresponsive.
+    struct Due {
+        Cut asked;
+        double seconds;
+    };
+    std::optional<Due> due() const;
+
+private:
+    class Request final : public StopRequest {
+    public:
+        void bind(const Limits& limits, Phase phase) {
+            limits_ = &limits;
+            phase_ = phase;
+        }
+        bool asked() const override { return limits_->ended(phase_); }
+        bool overdue() const override { return limits_->overdue(phase_); }
+
+    private:
+        const Limits* limits_ = nullptr;
+        Phase phase_ = Phase::preparing;
+    };
+
+    std::optional<double> stopped() const;
+    std::optional<double> hard_end() const;
+    bool is_over() const;
+    double reserve() const;
+    bool too_late_to_begin() const;
+    bool too_late_to_cover() const;
+
+    const RunOptions& options_;
+    const std::optional<double> time_limit_;
+    const Journal& journal_;
+    std::array<Request, 6> requests_;
+    mutable std::atomic<double> stopped_{-1}; ///< s; when a request to stop was first seen
+    std::atomic<double> all_{0}, longest_{0}; ///< s; for finishing shapes
+    mutable std::mutex mutex_;
+    std::string place_;
+};
+
+} // namespace runtime
+} // namespace foam

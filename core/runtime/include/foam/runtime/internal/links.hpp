@@ -1,0 +1,41 @@
+// The last stages of each link: growth, proof, measures.
+#pragma once
+
+#include <foam/runtime/internal/spherize.hpp>
+#include <foam/sdk/model.hpp>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace foam {
+inline namespace [[gnu::visibility("default")]] runtime {
+
+/// A finished link: its original geometry, in the link's frame, and its spheres.
+struct FinishedLink {
+    const LinkWork* work = nullptr;
+    std::shared_ptr<const Solid> solid;
+    std::vector<Sphere> spheres; ///< of all its groups, finest level
+};
+
+struct FinishedModel {
+    SphereModel model;
+    std::vector<FinishedLink> links;
+};
+
+/// Returns the original geometry of some elements of a link, in the link's frame.
+std::shared_ptr<const Solid> solid_of(const LinkWork& link, const std::vector<std::size_t>& elements);
+/// Returns the original geometry of all elements. Precondition: its meshes are loaded.
+std::shared_ptr<const Solid> solid_of(const LinkWork& link);
+
+/// Grows the spheres as the guarantee requires, proves it, measures them. Fills in the link reports.
+FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Robot> robot, std::vector<LinkWork>& links,
+                           std::vector<Group> groups);
+
+/// Handles links that failed: `stop` throws the first error; `skip` keeps their geometry; `fallback` gives them one
+/// enclosing sphere of their vertices, if they could be loaded. Returns true if a link has no spheres as a result.
+bool handle_errors(const Workspace& workspace, std::vector<LinkWork>& links, std::vector<Group>& groups);
+
+} // namespace runtime
+} // namespace foam

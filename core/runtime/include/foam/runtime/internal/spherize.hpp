@@ -1,0 +1,41 @@
+// From prepared links to spheres: once for every distinct shape, with the budget allocated over the robot.
+#pragma once
+
+#include <foam/geometry/solid.hpp>
+#include <foam/runtime/internal/prepare.hpp>
+#include <foam/sdk/model.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace foam {
+inline namespace [[gnu::visibility("default")]] runtime {
+
+class ReferencePose;
+
+/// A unit of spherization: a link, or one collision element of it.
+struct Group {
+    std::size_t link = 0;              ///< index into the links
+    std::vector<std::size_t> elements; ///< of the link
+    /// Pose of the first element's frame, in which the shape is spherized, in the link's frame. So equal geometry at
+    /// different places (a pair of fingers) is one shape.
+    Pose frame;
+    double weight = 1;     ///< factor on its volume in the allocation
+    std::size_t shape = 0; ///< index of the distinct shape
+    SphereTree tree;       ///< link frame; the spherizer's tree, transformed
+    /// The original geometry, in the link's frame; null if it is not built yet.
+    std::shared_ptr<const Solid> solid;
+};
+
+struct SpherizedLinks {
+    std::vector<Group> groups;
+    Cut cut = Cut::none; ///< why the search for better spheres ended early
+};
+
+/// Spherizes all links without an error, within the recipe's budget. Errors go to the links. Throws for a budget that
+/// cannot be met (fewer spheres than groups), for cancellation, and for a stop before there is a model. `pose`: the
+/// reference pose in which spheres of links are to stay apart; null: they need not.
+SpherizedLinks spherize_links(const Workspace& workspace, std::vector<LinkWork>& links, ReferencePose* pose = nullptr);
+
+} // namespace runtime
+} // namespace foam

@@ -1,0 +1,87 @@
+// What the parts of a run share, and how they call stages.
+#pragma once
+
+#include <foam/base/error.hpp>
+#include <foam/base/internal/activity.hpp>
+#include <foam/base/parallel.hpp>
+#include <foam/runtime/internal/cache.hpp>
+#include <foam/runtime/internal/digest.hpp>
+#include <foam/runtime/internal/journal.hpp>
+#include <foam/runtime/internal/limits.hpp>
+#include <foam/runtime/run.hpp>
+#include <foam/sdk/stage.hpp>
+
+#include <exception>
+#include <memory>
+#include <string>
+
+namespace foam {
+inline namespace [[gnu::visibility("default")]] runtime {
+
+/// The shared state of one run.
+struct Workspace {
+    Workspace(const Recipe& recipe, const Registry& registry, const RunOptions& options, Journal& journal,
+              const Cache& cache);
+
+    const Recipe& recipe;
+    const Registry& registry;
+    const RunOptions& options;
+    Journal& journal;
+    const Cache& cache;
+    std::shared_ptr<Limits> limits;
+    Phase phase = Phase::preparing;
+
+    /// Returns the same workspace in another phase of the run.
+    Workspace in(Phase other) const;
+    /// Returns what ends the work of this phase early, except a cancellation.
+    Cut cut() const { return limits->cut(phase); }
+    /// Returns the time limit in s since the start of the run; nothing: no limit.
+    std::optional<double> time_limit() const { return limits->time_limit(); }
+    /// Returns whether stages are to end.
+    bool ended() const { return limits->ended(phase); }
+    /// Returns the stop request that loops of this phase poll.
+    const StopRequest* request() const { return &limits->request(phase); }
+    /// Throws Error(cancelled) if ended().
+    void check_cancelled() const;
+};
+
+/// Returns "stage 'spherize.medial', link 'hand', input 'hand.stl'", without what is empty.
+std::string place_of(const std::string& stage, const std::string& link, const std::string& input);
+/// Returns the folder for cached results of stages; empty: no cache.
+std::filesystem::path cache_folder(const RunOptions& options);
+
+/// Returns an Error that names stage, link and input, whatever was thrown. Cancellation stays cancellation.
+Error described(std::exception_ptr thrown, const std::string& stage, const std::string& link, const std::string& input);
+
+/// Runs `body(context)` with a StageContext as a task of the journal: measures its time, keeps its metrics, and
+/// describes what it throws. `seed` should depend on the content, not on its place, so that equal geometry gives equal
+/// results.
+template <class Body>
+auto run_stage(const Workspace& workspace, const std::string& stage, const std::string& link, const std::string& input,
+               const Digest& content, StageReport& report, Body&& body) {
+    workspace.check_cancelled();
+    workspace.journal.started(link, stage);
+    StageContext context(workspace.journal, link, stage, derive_seed(workspace.recipe.seed, stage + content),
+                         [&workspace] { return workspace.ended(); });
+    const StopScope scope(workspace.request());
+    const ActivityScope activity(place_of(stage, link, input), CrashRemedy::isolate_stage);
+    const double begin = workspace.journal.seconds();
+    const auto close = [&] {
+        report.stage = stage;
+        report.seconds += workspace.journal.seconds() - begin;
+        report.metrics = context.said().metrics;
+        workspace.journal.finished(link, report);
+    };
+    try {
+        auto result = body(context);
+        close();
+        return result;
+    } catch (...) {
+        close();
+        workspace.limits->interrupted_at(place_of(stage, link, input));
+        throw described(std::current_exception(), stage, link, input);
+    }
+}
+
+} // namespace runtime
+} // namespace foam

@@ -1,0 +1,27 @@
+// The proof on the numbers of a written file.
+#pragma once
+
+#include <foam/runtime/internal/links.hpp>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace foam {
+inline namespace [[gnu::visibility("default")]] runtime {
+
+/// The work of the proof on a written file for one link. Guarantee::inner: `pieces` and `halvings` are 0, because
+/// nothing is split.
+struct WrittenProof {
+    std::string link;
+    std::size_t spheres = 0, triangles = 0, pieces = 0;
+    std::uint32_t halvings = 0; ///< of the smallest piece
+};
+
+/// Proves on the spheres read back from a file, by link, what was proved in memory: the guarantee of each link whose
+/// report is certified. Throws Error(internal) for a link without spheres and where a proof does not hold.
+std::vector<WrittenProof> prove_written(const std::map<std::string, std::vector<Sphere>>& read,
+                                        const FinishedModel& finished, Guarantee guarantee, const std::string& file);
+
+} // namespace runtime
+} // namespace foam

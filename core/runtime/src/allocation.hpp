@@ -1,0 +1,79 @@
+// Allocation: the distribution of a number of spheres over the links.
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace foam::inline runtime {
+
+/// Cost of the spheres of a shape. Costs compare by `over` first: no volume makes up for a violated limit.
+struct Cost {
+    double over = 0;   ///< m; by how much the spheres exceed the limits on protrusion and at half-space constraints
+    double volume = 0; ///< m³; excess or missing volume or both, by the guarantee: see wrong_volume()
+
+    auto operator<=>(const Cost&) const = default;
+    Cost operator+(const Cost& other) const { return {over + other.over, volume + other.volume}; }
+};
+
+/// The known costs of a shape by number of spheres.
+class CostCurve {
+public:
+    void set(std::size_t count, Cost cost) { known_[count] = cost; }
+    bool knows(std::size_t count) const { return known_.contains(count); }
+    const std::map<std::size_t, Cost>& known() const { return known_; }
+    /// Returns the least known cost. Precondition: at least one cost is known.
+    Cost least() const;
+    /// Returns the known count that minimises weight · volume + price · count, the largest of equals. `price`: m³ per
+    /// sphere. Precondition: at least one cost is known.
+    std::size_t demand(double price, double weight = 1) const;
+
+private:
+    std::map<std::size_t, Cost> known_;
+};
+
+/// A participant of the allocation: the known costs of one group and its weight.
+struct Claimant {
+    const CostCurve* curve = nullptr;
+    double weight = 1; ///< factor on the volume of its costs
+};
+
+/// The optimal allocation for every number of spheres: a dynamic programme over the curves, O(curves · most · known
+/// counts). It is exact: a larger `most` or more known counts never raise the sum of costs.
+class Sharing {
+public:
+    /// Precomputes the allocations of up to `most` spheres. A `most` above the largest sum of known counts takes no
+    /// longer than that sum.
+    Sharing(std::vector<Claimant> claimants, std::size_t most);
+    /// Returns one known count per curve: sum at most `most`, least sum of weighted costs, and of equal sums the fewest
+    /// spheres. Empty if no counts fit.
+    std::vector<std::size_t> best() const;
+    /// Returns the counts with the fewest spheres whose unweighted volume is at most `volume` and which keep the limits
+    /// as well as `most` spheres can. Empty if no counts fit.
+    std::vector<std::size_t> fewest(double volume) const;
+    /// Returns the unweighted sum of the costs of these counts.
+    Cost cost(const std::vector<std::size_t>& counts) const;
+
+private:
+    std::vector<std::size_t> counts_of(std::size_t sum) const;
+
+    std::vector<Claimant> claimants_;
+    std::size_t columns_;
+    std::vector<Cost> best_; ///< the least cost of counts that add up to exactly the index
+    std::vector<std::uint32_t> choice_;
+};
+
+/// Returns the counts to explore next if all up to `explored` are known: two candidate counts, four at first. Candidate
+/// counts increase by one up to eight, and by four steps an octave after that. The bounds `least` and `most` are
+/// candidate counts too. Empty if `explored` has reached `most`. The counts do not depend on the number of spheres to
+/// allocate.
+std::vector<std::size_t> next_rungs(std::size_t explored, std::size_t least, std::size_t most);
+
+/// Returns the counts that are requested for a shape with the fixed count `most`: 1, 2, 3, 4, 5, 6, 7, 8, 16, 32… from
+/// `least`, which is the first, up to `most`. Precondition: 1 <= least <= most.
+std::vector<std::size_t> counts_alone(std::size_t least, std::size_t most);
+
+} // namespace foam::runtime

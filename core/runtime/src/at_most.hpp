@@ -1,0 +1,15 @@
+// The spheres of one shape with a fixed count, such that a larger count never increases the excess volume.
+#pragma once
+
+#include "shapes.hpp"
+
+namespace foam::inline runtime {
+
+/// Finds the best tree with at most `most` spheres and returns its count, under which ShapeWork::trees has it. The
+/// spherizer is called with counts_alone(). With guarantee outer the excess volume never rises with `most`, whatever
+/// the spherizer: the best tree of a count is refined by splitting spheres one by one up to the next count. Trees with
+/// levels between root and finest level are not split. With such trees, with the other guarantees and with half-space
+/// constraints the spherizer is also called with `most` itself, and the best tree of all is taken.
+std::size_t best_of_at_most(const Workspace& workspace, ShapeWork& work, std::size_t most);
+
+} // namespace foam::runtime

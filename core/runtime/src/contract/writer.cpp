@@ -1,0 +1,91 @@
+#include "promises.hpp"
+
+#include <foam/base/error.hpp>
+
+namespace foam::inline runtime {
+namespace {
+
+/// Returns a model of two joined links with a box each; the numbers of the second link's spheres need all digits.
+SphereModel model() {
+    auto robot = std::make_shared<Robot>();
+    robot->name = "pair";
+    robot->root = "base";
+    robot->source = "<robot name=\"pair\">\n";
+    for (const char* name : {"base", "tool"}) {
+        GeometryElement box;
+        box.geometry = Primitive{.kind = Primitive::Kind::box, .size = {1, 1, 1}};
+        robot->links.push_back({.name = name, .collisions = {box}, .visuals = {}});
+        robot->source += fmt::format(
+            "  <link name=\"{}\"><collision><geometry><box size=\"1 1 1\"/></geometry></collision></link>\n", name);
+    }
+    Joint joint;
+    joint.name = "wrist";
+    joint.parent = "base";
+    joint.child = "tool";
+    robot->joints.push_back(joint);
+    robot->source +=
+        "  <joint name=\"wrist\" type=\"fixed\"><parent link=\"base\"/><child link=\"tool\"/></joint>\n</robot>\n";
+
+    SphereModel model;
+    model.name = "contract";
+    model.groups.push_back({"base", {"box"}, flat_tree({{{0, 0, 0}, 0.9}}), {}});
+    model.groups.push_back(
+        {"tool", {"box"}, flat_tree({{{0.1, -0.2, 1.0 / 3}, 0.05}, {{1e-17, 1234.5, -0.0}, 0.1 + 0.7}}), {}});
+    model.robot = std::move(robot);
+    return model;
+}
+
+void require_equal_up_to_growth(const std::string& link, const std::vector<Sphere>& read,
+                                const std::vector<Sphere>& written) {
+    require(read.size() == written.size(),
+            fmt::format("link {}: {} spheres are read back, {} were written", link, read.size(), written.size()));
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        const double moved = distance(read[i].center, written[i].center);
+        require(
+            read[i].radius >= written[i].radius + moved || (moved == 0 && read[i].radius == written[i].radius),
+            fmt::format("link {}: sphere {} comes back smaller or elsewhere (radius {} for {}, moved by {} m); remedy: "
+                        "write all digits (number_text), or round radii up",
+                        link, i, read[i].radius, written[i].radius, moved));
+    }
+}
+
+} // namespace
+
+void check_writer(const Writer& writer, Promises& promises) {
+    promises.check("gives back what it wrote, the same bytes every time", [&] {
+        QuietContext context;
+        const SphereModel spheres = model();
+        const std::string bytes = writer.write(spheres, context);
+        require(bytes == writer.write(spheres, context), "the second time it writes other bytes");
+        const auto read = writer.read(bytes);
+        for (const SphereGroup& group : spheres.groups) {
+            const auto found = read.find(group.link);
+            require(found != read.end(), fmt::format("link {} is not read back", group.link));
+            require_equal_up_to_growth(group.link, found->second, group.tree.finest());
+        }
+        require(read.size() == spheres.groups.size(),
+                fmt::format("{} links are read back, {} were written", read.size(), spheres.groups.size()));
+    });
+    const auto require_refusal = [&](const std::string& what, const std::function<void()>& call) {
+        try {
+            call();
+        } catch (const Error& error) {
+            require(
+                error.code() == ErrorCode::output,
+                fmt::format("{}: it refuses with the wrong code: {}; remedy: ErrorCode::output", what, error.what()));
+            return;
+        }
+        throw Breach(fmt::format("{} is not refused; remedy: throw Error(output)", what));
+    };
+    promises.check("refuses what nobody could read", [&] {
+        require_refusal("a radius of nan", [&] {
+            SphereModel spheres = model();
+            spheres.groups[1].tree.levels.back().spheres[0].radius = std::numeric_limits<double>::quiet_NaN();
+            QuietContext context;
+            writer.write(spheres, context);
+        });
+        require_refusal("reading bytes that are no such file", [&] { writer.read("\x7f nothing \x01"); });
+    });
+}
+
+} // namespace foam::runtime

@@ -1,0 +1,213 @@
+#include <foam/runtime/internal/cover.hpp>
+
+#include <foam/base/error.hpp>
+#include <foam/geometry/inner.hpp>
+#include <foam/geometry/internal/joint_volume.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/geometry/union_volume.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace foam::inline runtime {
+namespace {
+
+/// A grid of decimal fractions with step 10^-digits. Its points have a short text and read back to the same bits.
+class DecimalGrid {
+public:
+    /// Chooses a step of about a millionth of `size`.
+    explicit DecimalGrid(double size) {
+        const int exponent = size > 0 ? static_cast<int>(std::floor(std::log10(size))) - 6 : -9;
+        // Powers of ten up to 10^22 are exact doubles; a part smaller than 10^-15 m keeps its digits.
+        scale_ = exponent < -22 || exponent > 0 ? 0 : std::pow(10.0, -exponent);
+    }
+    double nearest(double value) const { return scale_ == 0 ? value : std::round(value * scale_) / scale_ + 0.0; }
+    Vec3 nearest(const Vec3& v) const { return {nearest(v.x), nearest(v.y), nearest(v.z)}; }
+    double up(double value) const {
+        if (scale_ == 0) {
+            return value;
+        }
+        double rounded = std::ceil(value * scale_) / scale_;
+        while (rounded < value) {
+            rounded = (std::round(rounded * scale_) + 1) / scale_;
+        }
+        return rounded;
+    }
+    /// Returns for a nonnegative value a grid value that is not above it; 0 below the grid's step.
+    double down(double value) const {
+        if (scale_ == 0) {
+            return value;
+        }
+        const double steps = std::floor(value * scale_);
+        return steps / scale_ <= value ? steps / scale_ : (steps - 1) / scale_;
+    }
+
+private:
+    double scale_ = 0;
+};
+
+/// Returns for each sphere the largest concentric sphere in the solid. Fast, for comparisons only.
+std::vector<Sphere> inside_of(const Solid& solid, std::vector<Sphere> spheres) {
+    for (Sphere& sphere : spheres) {
+        sphere.radius = std::clamp(-solid.signed_distance(sphere.center), 0.0, sphere.radius);
+    }
+    std::erase_if(spheres, [](const Sphere& sphere) { return sphere.radius == 0; });
+    return spheres;
+}
+
+Error no_room() {
+    return Error(ErrorCode::geometry, "no sphere of this link lies inside its geometry; remedy: more spheres, another "
+                                      "spherizer, or guarantee: outer or fitted; a surface without inside has no room");
+}
+
+/// Returns the spheres of a level that fit into the solid, with numbers on the grid. `left[i]`: the new index of sphere
+/// i.
+SphereTree::Level fitted_level(const Solid& solid, const SphereTree::Level& level, const DecimalGrid& grid,
+                               std::vector<std::optional<std::uint32_t>>& left) {
+    std::vector<Sphere> spheres = shrunk_to_fit(solid, level.spheres);
+    for (Sphere& sphere : spheres) {
+        sphere.center = grid.nearest(sphere.center);
+    }
+    const std::vector<double> radii = inner_radii(solid, spheres);
+    SphereTree::Level result;
+    left.assign(spheres.size(), {});
+    for (std::size_t i = 0; i < spheres.size(); ++i) {
+        if (const double radius = grid.down(radii[i]); radius > 0) {
+            left[i] = static_cast<std::uint32_t>(result.spheres.size());
+            result.spheres.push_back({spheres[i].center, radius});
+            if (!level.parents.empty()) {
+                result.parents.push_back(level.parents[i]);
+            }
+        }
+    }
+    return result;
+}
+
+/// Moves every level into the solid, from the finest. An empty level becomes the largest sphere of the level below it.
+/// Spheres whose parent is gone get the nearest sphere of that level as parent.
+SphereTree inner_tree(const Solid& solid, const SphereTree& tree, const DecimalGrid& grid) {
+    SphereTree result;
+    result.levels.resize(tree.levels.size());
+    for (std::size_t l = tree.levels.size(); l-- > 0;) {
+        std::vector<std::optional<std::uint32_t>> left;
+        SphereTree::Level& level = result.levels[l];
+        level = fitted_level(solid, tree.levels[l], grid, left);
+        if (l + 1 == tree.levels.size()) {
+            if (level.spheres.empty()) {
+                throw no_room();
+            }
+            continue;
+        }
+        SphereTree::Level& below = result.levels[l + 1];
+        if (level.spheres.empty()) {
+            level.spheres = {*std::max_element(below.spheres.begin(), below.spheres.end(),
+                                               [](const Sphere& a, const Sphere& b) { return a.radius < b.radius; })};
+            level.parents.assign(l > 0 ? 1 : 0, tree.levels[l].parents.empty() ? 0 : tree.levels[l].parents[0]);
+        }
+        for (std::size_t i = 0; i < below.spheres.size(); ++i) {
+            const std::optional<std::uint32_t> parent = left[below.parents[i]];
+            const auto nearer = [&](const Sphere& a, const Sphere& b) {
+                return distance(a.center, below.spheres[i].center) < distance(b.center, below.spheres[i].center);
+            };
+            below.parents[i] =
+                parent
+                    ? *parent
+                    : static_cast<std::uint32_t>(std::min_element(level.spheres.begin(), level.spheres.end(), nearer) -
+                                                 level.spheres.begin());
+        }
+    }
+    return result;
+}
+
+double volume_of(const Sphere& sphere) {
+    return 4 * std::numbers::pi / 3 * sphere.radius * sphere.radius * sphere.radius;
+}
+
+/// Returns one sphere around the solid if it has less excess volume than these spheres.
+std::optional<Sphere> better_one(const Solid& solid, const std::vector<Sphere>& spheres) {
+    const Sphere one = minimum_enclosing_sphere(solid.surface().vertices);
+    double sum = 0;
+    for (const Sphere& sphere : spheres) {
+        sum += volume_of(sphere);
+    }
+    // The exact volume is expensive, and seldom needed for this decision.
+    constexpr double clearly = 1 + 1e-4;
+    if (sum <= clearly * volume_of(one) || geometry::joint_volume(solid, spheres) <= clearly * volume_of(one)) {
+        return {};
+    }
+    return one;
+}
+
+SphereTree on_grid(SphereTree tree, const DecimalGrid& grid) {
+    for (SphereTree::Level& level : tree.levels) {
+        for (Sphere& sphere : level.spheres) {
+            sphere.center = grid.nearest(sphere.center);
+        }
+    }
+    return tree;
+}
+
+} // namespace
+
+double wrong_volume(const Solid& solid, std::vector<Sphere> spheres, Guarantee guarantee) {
+    if (guarantee == Guarantee::outer) {
+        spheres = grown_to_cover(solid, std::move(spheres));
+        const auto one = better_one(solid, spheres);
+        return std::max(0.0, (one ? volume_of(*one) : geometry::joint_volume(solid, spheres)) - solid.volume());
+    }
+    if (guarantee == Guarantee::inner) {
+        return std::max(0.0, solid.volume() - exact_union_volume(inside_of(solid, std::move(spheres))));
+    }
+    // vol(U \ S) is vol(U ∪ S) - vol(S), and vol(S \ U) is vol(U ∪ S) - vol(U).
+    return std::max(0.0, 2 * geometry::joint_volume(solid, spheres) - solid.volume() - exact_union_volume(spheres));
+}
+
+double covered_protrusion(const Solid& solid, std::vector<Sphere> spheres, Guarantee guarantee) {
+    if (guarantee == Guarantee::outer) {
+        spheres = grown_to_cover(solid, std::move(spheres));
+    }
+    MeasureOptions options;
+    options.surface_points = 1'000;
+    options.volume_rays = 300;
+    options.volume_points = 1'000;
+    return measure(solid, spheres, options).protrusion_max;
+}
+
+void require_room(const Solid& solid, const SphereTree& tree) {
+    const std::vector<Sphere> inside = shrunk_to_fit(solid, tree.finest());
+    if (std::none_of(inside.begin(), inside.end(), [](const Sphere& sphere) { return sphere.radius > 0; })) {
+        throw no_room();
+    }
+}
+
+FinishedTree finished_tree(const Solid& solid, SphereTree tree, Guarantee guarantee, bool one_may_do) {
+    const DecimalGrid grid(solid.bounds().diagonal());
+    FinishedTree result;
+    if (guarantee == Guarantee::inner) {
+        result.tree = inner_tree(solid, tree, grid);
+        return result;
+    }
+    const bool outer = guarantee == Guarantee::outer;
+    result.tree = on_grid(std::move(tree), grid);
+    for (SphereTree::Level& level : result.tree.levels) {
+        const std::vector<Sphere> before = level.spheres;
+        if (outer) {
+            level.spheres = grown_to_cover(solid, std::move(level.spheres));
+        }
+        result.growth = 0;
+        for (std::size_t i = 0; i < level.spheres.size(); ++i) {
+            level.spheres[i].radius = grid.up(level.spheres[i].radius);
+            result.growth = std::max(result.growth, level.spheres[i].radius - before[i].radius);
+        }
+    }
+    const auto one = outer && one_may_do ? better_one(solid, result.tree.finest()) : std::nullopt;
+    if (one) {
+        result = finished_tree(solid, flat_tree({*one}), guarantee, false);
+        result.one_instead = true;
+    }
+    return result;
+}
+
+} // namespace foam::runtime

@@ -1,0 +1,344 @@
+#include "exploration.hpp"
+
+#include "trees.hpp"
+
+#include <foam/geometry/inner.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/runtime/internal/cover.hpp>
+#include <foam/search/internal/clip.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace foam::inline runtime {
+
+/// Returns the groups whose shape has no error.
+std::vector<std::size_t> takers(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups) {
+    std::vector<std::size_t> takers;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        if (!shapes[groups[g].shape].error) {
+            takers.push_back(g);
+        }
+    }
+    return takers;
+}
+
+std::size_t most_of(const Recipe& recipe, const ShapeWork& work) {
+    constexpr std::size_t most_unasked = 256;
+    return work.most == SIZE_MAX && !recipe.budget_spheres ? std::max(work.least, most_unasked) : work.most;
+}
+
+bool has_number_of_its_own(const Recipe& recipe, const ShapeWork& shape, std::size_t groups) {
+    return !recipe.budget_excess && !shape.max_protrusion && (groups == 1 || !recipe.budget_spheres);
+}
+
+std::size_t number_of_its_own(const Recipe& recipe, const ShapeWork& shape) {
+    return std::min(shape.most, recipe.budget_spheres.value_or(SIZE_MAX));
+}
+
+std::vector<std::size_t> first_counts(const Recipe& recipe, const ShapeWork& shape, std::size_t groups) {
+    if (has_number_of_its_own(recipe, shape, groups)) {
+        const std::size_t most = number_of_its_own(recipe, shape);
+        if (most == SIZE_MAX || !wants_least_excess(recipe, shape)) {
+            return {most == SIZE_MAX ? 0 : std::max(shape.least, most)};
+        }
+        return counts_alone(shape.least, std::max(shape.least, most));
+    }
+    if (!recipe.budget_spheres && !recipe.budget_excess) {
+        return {shape.least};
+    }
+    std::vector<std::size_t> counts = next_rungs(0, shape.least, most_of(recipe, shape));
+    if (groups == 1 && recipe.budget_spheres) {
+        std::erase_if(counts, [&](std::size_t count) { return count > *recipe.budget_spheres; });
+    }
+    return counts;
+}
+
+CostCurve within(const CostCurve& curve, const Bounds& bounds) {
+    CostCurve result;
+    for (const auto& [count, cost] : curve.known()) {
+        if (count >= bounds.least && count <= bounds.most) {
+            result.set(count, cost);
+        }
+    }
+    return result;
+}
+
+Shared share(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups, const Goal& goal,
+             const std::vector<Bounds>& bounds) {
+    std::vector<CostCurve> curves;
+    for (const std::size_t g : takers(shapes, groups)) {
+        curves.push_back(
+            within(shapes[groups[g].shape].known.curve, bounds.empty() ? Bounds{} : bounds[curves.size()]));
+    }
+    std::vector<Claimant> claimants;
+    for (const std::size_t g : takers(shapes, groups)) {
+        claimants.push_back({&curves[claimants.size()], groups[g].weight});
+    }
+    const Sharing sharing(claimants, goal.most);
+    if (goal.enough) {
+        if (std::vector<std::size_t> counts = sharing.fewest(*goal.enough); !counts.empty()) {
+            return {std::move(counts), true};
+        }
+    }
+    return {sharing.best(), false};
+}
+
+/// Calls compute_trees(), until the phase ends.
+static void compute_in_time(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts) {
+    try {
+        compute_trees(workspace, work, counts);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::cancelled || !workspace.ended()) {
+            throw;
+        }
+    }
+}
+
+/// Uses one enclosing sphere where there is no time for the spherizer to make any.
+static void take_enclosing_ball(const Workspace& workspace, ShapeWork& work) {
+    workspace.in(Phase::preparing).check_cancelled();
+    if (workspace.recipe.guarantee == Guarantee::inner) {
+        throw Error(ErrorCode::geometry, fmt::format("stage '{}', link '{}': no sphere was found within the time limit "
+                                                     "of {} s; remedy: more time",
+                                                     work.spherizer.stage, work.link, *workspace.time_limit()));
+    }
+    const Sphere ball = minimum_enclosing_sphere(work.shape->original().surface().vertices);
+    work.known.asked[work.least] = 1;
+    work.known.trees[1] = flat_tree({ball});
+    workspace.journal.finding(
+        {Severity::warning, work.link, work.spherizer.stage,
+         fmt::format("it found no spheres within the time limit of {} s; one enclosing sphere replaces them",
+                     *workspace.time_limit())});
+}
+
+/// Finishes spheres of a shape as if they were the result, to measure the time that takes.
+static void try_to_finish(const Workspace& workspace, ShapeWork& work) {
+    const double begin = workspace.journal.seconds();
+    try {
+        const Solid& solid = work.shape->original();
+        const StopScope scope(workspace.in(Phase::beginning).request());
+        const FinishedTree tree = finished_tree(solid, work.known.trees.begin()->second, workspace.recipe.guarantee);
+        measure(solid, tree.tree.finest());
+    } catch (const Error&) {
+        // Errors are reported where the result is finished. The time was spent all the same.
+    }
+    workspace.limits->add_to_reserve(workspace.journal.seconds() - begin, work.groups.size(), thread_count());
+    work.tried_to_finish = true;
+}
+
+void compute_until_cut(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts) {
+    compute_in_time(workspace, work, counts);
+    if (work.known.trees.empty() && workspace.cut() == Cut::time_limit) {
+        workspace.journal.expect(1);
+        compute_in_time(workspace.in(Phase::beginning), work, {work.least});
+        if (work.known.trees.empty()) {
+            take_enclosing_ball(workspace, work);
+        }
+    }
+    if (work.known.trees.empty()) {
+        throw Error(ErrorCode::cancelled, "cancelled; nothing was written");
+    }
+    if (workspace.time_limit() && !work.tried_to_finish && !workspace.ended()) {
+        try_to_finish(workspace, work);
+    }
+}
+
+/// Returns the cost of a tree once the guarantee is kept.
+static Cost cost_of(const Workspace& workspace, const ShapeWork& work, const SphereTree& tree) {
+    const Solid& solid = work.shape->original();
+    const Guarantee guarantee = workspace.recipe.guarantee;
+    Cost cost;
+    cost.volume = wrong_volume(solid, tree.finest(), guarantee);
+    if (work.max_protrusion) {
+        cost.over = std::max(0.0, covered_protrusion(solid, tree.finest(), guarantee) - *work.max_protrusion);
+    }
+    cost.over += std::max(0.0, over_planes(work.clip, tree.finest()));
+    return cost;
+}
+
+Cut explore(const Workspace& workspace, std::vector<ShapeWork>& shapes,
+            const std::vector<std::vector<std::size_t>>& counts) {
+    for (std::size_t s = 0; s < shapes.size(); ++s) {
+        workspace.journal.expect(counts[s].empty() ? 0 : 1);
+    }
+    for_each_shape(shapes, [&](std::size_t s) { compute_until_cut(workspace, shapes[s], counts[s]); });
+    const Cut cut = workspace.cut();
+    const bool all = measure_trees(
+        workspace, shapes, [&](std::size_t s, std::size_t count) { return shapes[s].known.curve.knows(count); },
+        [&](std::size_t s) { return shapes[s].known.curve.known().empty(); },
+        [&](const ShapeWork& work, const SphereTree& tree) { return cost_of(workspace, work, tree); },
+        [&](std::size_t s, std::size_t count, const Cost& cost) { shapes[s].known.curve.set(count, cost); });
+    return all ? cut : workspace.cut();
+}
+
+namespace {
+
+/// Returns the expected reduction of excess volume by one more sphere, m³. On links of robots, costs were observed to
+/// fall as count^-0.4. Excess volume in a cavity hardly falls: only spheres much smaller than the cavity leave it free.
+double expected_gain(const Recipe& recipe, const ShapeWork& work) {
+    constexpr double least_share = 0.05;
+    const double wrong = work.known.curve.least().volume;
+    const double may_fall = std::max(wrong - work.cavities, least_share * wrong);
+    return work.known.asked.rbegin()->first < most_of(recipe, work)
+               ? 0.4 * may_fall / static_cast<double>(work.known.asked.rbegin()->first)
+               : 0;
+}
+
+class Exploration {
+public:
+    Exploration(const Workspace& workspace, std::vector<ShapeWork>& shapes, const std::vector<Group>& groups,
+                const Goal& goal)
+        : workspace_(workspace), shapes_(shapes), groups_(groups), goal_(goal), weights_(shapes.size(), 0) {
+        for (const Group& group : groups) {
+            weights_[group.shape] = std::max(weights_[group.shape], group.weight);
+            least_ += shapes[group.shape].least;
+        }
+    }
+
+    /// Explores the curves. Shapes that do not keep their limit come first. After that, always the shape where one more
+    /// sphere is expected to save most. The exploration ends when, at the price of that saving, the shapes would take
+    /// all available spheres, or as many as are enough for the goal. The goal decides only when the exploration ends,
+    /// not its order: with more spheres the same counts are known and perhaps more, and the best allocation is never
+    /// worse.
+    Cut run() {
+        std::vector<std::vector<std::size_t>> wanted(shapes_.size());
+        for (std::size_t s = 0; s < shapes_.size(); ++s) {
+            wanted[s] = first_counts(workspace_.recipe, shapes_[s], groups_.size());
+        }
+        Cut cut = Cut::none;
+        do {
+            cut = explore(workspace_, shapes_, wanted);
+            workspace_.journal.round(explored_share());
+            wanted = rungs_over_limit();
+            if (wanted.empty()) {
+                wanted = rungs_that_save();
+            }
+        } while (!wanted.empty() && cut == Cut::none);
+        return cut;
+    }
+
+private:
+    /// Returns the progress: the share of the available spheres that the shapes were explored with.
+    double explored_share() const {
+        double explored = 0;
+        for (const std::size_t g : takers(shapes_, groups_)) {
+            const auto& asked = shapes_[groups_[g].shape].known.asked;
+            explored += asked.empty() ? 0 : static_cast<double>(asked.rbegin()->first);
+        }
+        return std::min(0.95, explored / static_cast<double>(goal_.most));
+    }
+
+    double gain(std::size_t s) const { return weights_[s] * expected_gain(workspace_.recipe, shapes_[s]); }
+
+    std::vector<std::size_t> rungs(std::size_t s) const {
+        return next_rungs(shapes_[s].known.asked.rbegin()->first, shapes_[s].least,
+                          most_of(workspace_.recipe, shapes_[s]));
+    }
+
+    /// Returns the next candidate counts of shapes that keep their limit with no known count. Empty: none of them could
+    /// have more spheres.
+    std::vector<std::vector<std::size_t>> rungs_over_limit() const {
+        std::vector<std::vector<std::size_t>> wanted(shapes_.size());
+        bool any = false;
+        for (std::size_t s = 0; s < shapes_.size(); ++s) {
+            const ShapeWork& work = shapes_[s];
+            // The other shapes take their least count.
+            if (!work.error && work.known.curve.least().over > 0 &&
+                least_ - work.least + work.known.asked.rbegin()->first < goal_.most) {
+                wanted[s] = rungs(s);
+                any = any || !wanted[s].empty();
+            }
+        }
+        return any ? wanted : std::vector<std::vector<std::size_t>>{};
+    }
+
+    /// Returns the next candidate counts of the shapes where one more sphere is expected to save most, or nearly as
+    /// much, to use all cores. Empty: the exploration is complete.
+    std::vector<std::vector<std::size_t>> rungs_that_save() const {
+        const std::vector<std::size_t> takers = foam::takers(shapes_, groups_);
+        double price = 0;
+        std::size_t explored = 0; // of the shape that may save most
+        for (const std::size_t g : takers) {
+            if (const double saved = gain(groups_[g].shape); saved > price) {
+                price = saved;
+                explored = shapes_[groups_[g].shape].known.asked.rbegin()->first;
+            }
+        }
+        std::size_t demand = 0;
+        for (const std::size_t g : takers) {
+            demand += shapes_[groups_[g].shape].known.curve.demand(price, groups_[g].weight);
+        }
+        const std::size_t total = total_wanted();
+        if (price == 0 || demand >= total || explored >= total) {
+            return {};
+        }
+        constexpr double nearly = 0.5;
+        std::vector<std::vector<std::size_t>> wanted(shapes_.size());
+        for (std::size_t s = 0; s < shapes_.size(); ++s) {
+            if (!shapes_[s].error && gain(s) >= nearly * price) {
+                wanted[s] = rungs(s);
+            }
+        }
+        return wanted;
+    }
+
+    std::size_t total_wanted() const {
+        const Shared shared = goal_.enough ? share(shapes_, groups_, goal_) : Shared{};
+        return shared.enough ? std::accumulate(shared.counts.begin(), shared.counts.end(), std::size_t{0}) : goal_.most;
+    }
+
+    const Workspace& workspace_;
+    std::vector<ShapeWork>& shapes_;
+    const std::vector<Group>& groups_;
+    const Goal& goal_;
+    std::vector<double> weights_; ///< of each shape, the largest of its groups
+    std::size_t least_ = 0;       ///< number of spheres that all groups need
+};
+
+/// Bisects between two candidate counts for the fewest spheres that are enough, for a single group.
+Cut narrow_down(const Workspace& workspace, std::vector<ShapeWork>& shapes, const Goal& goal) {
+    const ShapeWork& work = shapes.front();
+    if (!goal.enough) {
+        return Cut::none;
+    }
+    const auto enough = [&](const Cost& cost) {
+        return cost.over <= work.known.curve.least().over && cost.volume <= *goal.enough;
+    };
+    Cut cut = Cut::none;
+    while (cut == Cut::none && !work.error) {
+        std::size_t low = 0, high = 0; // the largest requested count that is not enough, and the smallest that is
+        for (const auto& [asked, got] : work.known.asked) {
+            if (enough(work.known.curve.known().at(got))) {
+                high = asked;
+                break;
+            }
+            low = asked;
+        }
+        if (high <= low + 1 || high <= work.least) {
+            break;
+        }
+        cut = explore(workspace, shapes, {{(low + high) / 2}});
+    }
+    return cut;
+}
+
+} // namespace
+
+Cut explore_for(const Workspace& workspace, std::vector<ShapeWork>& shapes, const std::vector<Group>& groups,
+                const Goal& goal) {
+    const bool alone = groups.size() == 1;
+    if (alone) {
+        shapes.front().most = std::min(shapes.front().most, goal.most);
+    }
+    Cut cut = Exploration(workspace, shapes, groups, goal).run();
+    if (alone && cut == Cut::none) {
+        cut = narrow_down(workspace, shapes, goal);
+    }
+    return cut;
+}
+
+} // namespace foam::runtime

@@ -1,0 +1,153 @@
+#include <foam/runtime/internal/limits.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foam::inline runtime {
+namespace {
+
+constexpr double time_to_stop = 1.5; // s
+constexpr double late = 1.1, and_late = 0.3;
+constexpr double least_share_to_finish = 0.15;
+
+bool is_set(const std::atomic<bool>* flag) {
+    return flag && flag->load(std::memory_order_relaxed);
+}
+
+void raise_to(std::atomic<double>& value, double least) {
+    for (double known = value.load(); known < least && !value.compare_exchange_weak(known, least);) {
+    }
+}
+
+} // namespace
+
+Limits::Limits(const RunOptions& options, std::optional<double> time_limit, const Journal& journal)
+    : options_(options), time_limit_(time_limit), journal_(journal) {
+    for (std::size_t i = 0; i < requests_.size(); ++i) {
+        requests_[i].bind(*this, static_cast<Phase>(i));
+    }
+}
+
+std::optional<double> Limits::stopped() const {
+    if (!is_set(options_.stop) && !is_set(options_.cancel)) {
+        return {};
+    }
+    double seen = stopped_.load();
+    if (seen < 0) {
+        const double now = journal_.seconds();
+        if (stopped_.compare_exchange_strong(seen, now)) {
+            return now;
+        }
+    }
+    return seen;
+}
+
+std::optional<double> Limits::hard_end() const {
+    std::optional<double> end;
+    if (time_limit_) {
+        end = late * *time_limit_ + and_late;
+    }
+    if (const auto stop = stopped()) {
+        end = std::min(end.value_or(*stop + time_to_stop), *stop + time_to_stop);
+    }
+    return end;
+}
+
+bool Limits::is_over() const {
+    const auto end = hard_end();
+    return end && journal_.seconds() >= *end;
+}
+
+/// Returns the time to reserve for finishing: 1.5 times the measured time, because results have more spheres than the
+/// first trees.
+double Limits::reserve() const {
+    return std::max(1.5 * std::max(all_.load(), longest_.load()),
+                    time_limit_ ? least_share_to_finish * *time_limit_ : 0.0);
+}
+
+/// Returns whether it is too late for first spheres. Without a time limit the time for finishing has not been measured.
+bool Limits::too_late_to_begin() const {
+    const double now = journal_.seconds();
+    if (const auto stop = stopped(); stop && now >= *stop + time_to_stop / 2) {
+        return true;
+    }
+    return time_limit_ && now >= late * *time_limit_ + and_late - std::max(reserve(), least_share_to_finish * and_late);
+}
+
+/// Returns whether it is too late to grow and measure. Only a time limit replaces the result by a simpler one.
+bool Limits::too_late_to_cover() const {
+    const double end = time_limit_ ? late * *time_limit_ + and_late : 0;
+    return time_limit_ && journal_.seconds() >= end - std::max(0.4 * reserve(), least_share_to_finish * end);
+}
+
+Cut Limits::cut(Phase phase) const {
+    if (phase == Phase::finishing || phase == Phase::covering) {
+        return Cut::none;
+    }
+    if (is_set(options_.stop)) {
+        return Cut::stop;
+    }
+    if (!time_limit_ || phase == Phase::preparing) {
+        return Cut::none;
+    }
+    const bool over = phase == Phase::searching ? journal_.seconds() >= *time_limit_ - reserve()
+                      : phase == Phase::beginning ? too_late_to_begin()
+                                                  : journal_.seconds() >= *time_limit_;
+    return over ? Cut::time_limit : Cut::none;
+}
+
+bool Limits::ended(Phase phase) const {
+    if (is_set(options_.cancel) || is_over()) {
+        return true;
+    }
+    return phase == Phase::beginning  ? too_late_to_begin()
+           : phase == Phase::covering ? too_late_to_cover()
+                                      : cut(phase) != Cut::none;
+}
+
+bool Limits::overdue(Phase phase) const {
+    return is_set(options_.cancel) || (phase == Phase::searching ? too_late_to_begin() : ended(phase)) || is_over();
+}
+
+bool Limits::owns(const StopRequest* request) const {
+    return std::any_of(requests_.begin(), requests_.end(), [&](const Request& own) { return &own == request; });
+}
+
+void Limits::add_to_reserve(double seconds, std::size_t times, std::size_t threads) {
+    all_.fetch_add(seconds * static_cast<double>(times) / static_cast<double>(std::max<std::size_t>(1, threads)));
+    raise_to(longest_, seconds);
+}
+
+void Limits::interrupted_at(const std::string& place) {
+    if (is_over()) {
+        const std::lock_guard lock(mutex_);
+        if (place_.empty()) {
+            place_ = place;
+        }
+    }
+}
+
+Error Limits::explained() const {
+    if (!time_limit_ || stopped()) {
+        return {ErrorCode::cancelled, "cancelled; nothing was written"};
+    }
+    const std::lock_guard lock(mutex_);
+    return {ErrorCode::geometry,
+            fmt::format("the time limit of {} s ended{}; nothing was written; remedy: a longer limit or a simpler mesh",
+                        *time_limit_, place_.empty() ? "" : " while working on " + place_)};
+}
+
+std::optional<Limits::Due> Limits::due() const {
+    constexpr double slow_to_stop = 1.9, slow_after_limit = 0.5; // s
+    std::optional<Due> due;
+    if (time_limit_) {
+        due = Due{Cut::time_limit, late * *time_limit_ + slow_after_limit};
+    }
+    if (const auto stop = stopped(); stop && (!due || *stop + slow_to_stop < due->seconds)) {
+        due = Due{Cut::stop, *stop + slow_to_stop};
+    }
+    return due;
+}
+
+} // namespace foam::runtime

@@ -1,0 +1,275 @@
+#include <foam/runtime/internal/links.hpp>
+
+#include "objective.hpp"
+#include "own_frame.hpp"
+
+#include <foam/base/text.hpp>
+#include <foam/geometry/inner.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/runtime/internal/cover.hpp>
+#include <foam/search/internal/clip.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace foam::inline runtime {
+
+std::shared_ptr<const Solid> solid_of(const LinkWork& link, const std::vector<std::size_t>& elements) {
+    std::vector<Solid::Part> parts;
+    for (const std::size_t e : elements) {
+        const Element& element = link.elements[e];
+        Solid::Part part;
+        if (const Primitive* primitive = element.primitive()) {
+            part.primitive = *primitive;
+            part.pose = element.source->origin;
+        } else {
+            part.mesh = std::make_shared<const Mesh>(transformed(*element.raw, element.source->origin));
+        }
+        parts.push_back(std::move(part));
+    }
+    return Solid::make(std::move(parts));
+}
+
+namespace {
+
+std::vector<std::size_t> all_elements(const LinkWork& link) {
+    std::vector<std::size_t> elements(link.elements.size());
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+        elements[e] = e;
+    }
+    return elements;
+}
+
+Measures measured(const Workspace& workspace, const Solid& solid, const std::vector<Sphere>& spheres) {
+    MeasureOptions options;
+    options.seed = workspace.recipe.seed;
+    Measures measures = measure(solid, spheres, options);
+    switch (workspace.recipe.guarantee) {
+    case Guarantee::outer: // as measured
+        break;
+    case Guarantee::inner:
+        measures.certified = certify_inner(solid, spheres).holds;
+        break;
+    case Guarantee::fitted:
+        measures.certified = false;
+    }
+    return measures;
+}
+
+/// Reports the half-space constraints on the numbers that are written.
+void report_planes(const Workspace& workspace, LinkWork& link, const std::vector<Sphere>& spheres) {
+    link.report.clip = reached(link.recipe.clip, spheres);
+    for (const std::string& sentence : not_kept(link.report.clip)) {
+        workspace.journal.finding({Severity::warning, link.link->name, "", sentence});
+    }
+}
+
+/// Returns whether `body` ended within the time for growing and measuring. Where nothing else can be written, it lets
+/// Error(cancelled) pass.
+template <class Body> bool done_in_time(const Workspace& workspace, Body body) {
+    try {
+        body();
+        return true;
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::cancelled || workspace.ended() ||
+            workspace.recipe.guarantee == Guarantee::inner) {
+            throw;
+        }
+        return false;
+    }
+}
+
+/// Returns the vertices of a loaded link in its frame; empty if it was not loaded or was refused.
+std::vector<Vec3> vertices_of(const LinkWork& link) {
+    std::vector<Vec3> points;
+    if (!is_workable(link)) {
+        return points;
+    }
+    for (const Element& element : link.elements) {
+        const Primitive* primitive = element.primitive();
+        if (!primitive && !element.raw) {
+            return {};
+        }
+        const Mesh mesh = primitive ? enclosing_mesh(*primitive) : *element.raw;
+        for (const Vec3& vertex : mesh.vertices) {
+            points.push_back(element.source->origin * vertex);
+        }
+    }
+    return points;
+}
+
+/// Returns whether one enclosing sphere may replace the spherizer's spheres if those have more excess volume: not with
+/// another objective than excess, nor with half-space constraints.
+bool one_may_stand_in(const Workspace& workspace, const LinkWork& link) {
+    return link.recipe.clip.empty() && objective_of(link.recipe.spherizer, workspace.registry) == Objective::excess;
+}
+
+/// Throws Error(geometry) if the proof does not hold for a whole link. Proofs allow for rounding in proportion to the
+/// distances in the frame, which may be larger in the link's frame than in those of its elements.
+void require_proof(const Workspace& workspace, const LinkWork& link) {
+    if (workspace.recipe.guarantee != Guarantee::fitted && !link.report.measures.certified) {
+        throw Error(ErrorCode::geometry,
+                    fmt::format("link '{}': its collision elements are too small for the distance between them: the "
+                                "proof of each in its own frame does not hold in the link's frame; remedy: per: link",
+                                shown(link.link->name)));
+    }
+}
+
+/// Finishes groups of spheres for the model: grows them to cover, then measures them.
+class Finishing {
+public:
+    Finishing(const Workspace& workspace, const std::vector<LinkWork>& links, std::vector<Group>& groups,
+              std::vector<SphereGroup>& out)
+        : growth(groups.size()), reports(groups.size()), workspace_(workspace), links_(links), groups_(groups),
+          out_(out) {
+        out.resize(groups.size());
+    }
+
+    void cover(std::size_t g) {
+        Group& group = groups_[g];
+        const LinkWork& link = links_[group.link];
+        out_[g].link = link.link->name;
+        for (const std::size_t e : group.elements) {
+            out_[g].geometries.push_back(link.elements[e].geometry);
+        }
+        if (!group.solid) {
+            group.solid = solid_of(link, group.elements);
+        }
+        reports[g][0].input = reports[g][1].input = out_[g].geometries.front();
+        if (!done_in_time(workspace_, [&] { cover_by(g, group.tree, workspace_.in(Phase::covering)); })) {
+            cover_by_one(g);
+        }
+    }
+
+    void measure(std::size_t g) {
+        if (!done_in_time(workspace_, [&] { measure(g, workspace_.in(Phase::covering)); })) {
+            cover_by_one(g);
+            measure(g, workspace_);
+        }
+        reports[g][0].output = digest_of_content(out_[g].tree);
+        reports[g][1].output = digest_of_content(out_[g].measures);
+    }
+
+    std::vector<double> growth;                      ///< m
+    std::vector<std::array<StageReport, 2>> reports; ///< of growth and measures
+
+private:
+    void cover_by(std::size_t g, const SphereTree& tree, const Workspace& in_time) {
+        SphereGroup& out = out_[g];
+        const bool one_may_do = one_may_stand_in(workspace_, links_[groups_[g].link]);
+        FinishedTree finished =
+            run_stage(in_time, "cover", out.link, out.geometries.front(), "", reports[g][0], [&](Context&) {
+                return finished_tree(*groups_[g].solid, tree, workspace_.recipe.guarantee, one_may_do);
+            });
+        if (finished.one_instead) {
+            workspace_.journal.finding({Severity::warning, out.link, "cover",
+                                        "one enclosing sphere is written, because the spheres of the spherizer have "
+                                        "more excess volume; remedy: more spheres, or another spherizer"});
+        }
+        out.tree = std::move(finished.tree);
+        growth[g] = finished.growth;
+    }
+
+    void cover_by_one(std::size_t g) {
+        workspace_.journal.finding({Severity::warning, out_[g].link, "",
+                                    fmt::format("the time limit of {} s is too short to make its {} spheres cover the "
+                                                "link and to measure them; one enclosing sphere replaces them",
+                                                *workspace_.time_limit(), groups_[g].tree.finest().size())});
+        cover_by(g, flat_tree({minimum_enclosing_sphere(groups_[g].solid->surface().vertices)}), workspace_);
+    }
+
+    void measure(std::size_t g, const Workspace& in_time) {
+        SphereGroup& out = out_[g];
+        out.measures = run_stage(in_time, "measure", out.link, out.geometries.front(), "", reports[g][1],
+                                 [&](Context&) { return measured(workspace_, *groups_[g].solid, out.tree.finest()); });
+    }
+
+    const Workspace& workspace_;
+    const std::vector<LinkWork>& links_;
+    std::vector<Group>& groups_;
+    std::vector<SphereGroup>& out_;
+};
+
+} // namespace
+
+std::shared_ptr<const Solid> solid_of(const LinkWork& link) {
+    return solid_of(link, all_elements(link));
+}
+
+FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Robot> robot, std::vector<LinkWork>& links,
+                           std::vector<Group> groups) {
+    FinishedModel result;
+    result.model.name = workspace.recipe.name;
+    result.model.guarantee = workspace.recipe.guarantee;
+    result.model.robot = std::move(robot);
+    Finishing finishing(workspace, links, groups, result.model.groups);
+    workspace.journal.begin("growth");
+    workspace.journal.expect(groups.size());
+    parallel_for(groups.size(), [&](std::size_t g) { finishing.cover(g); });
+    workspace.journal.begin("measures");
+    workspace.journal.expect(groups.size());
+    parallel_for(groups.size(), [&](std::size_t g) { finishing.measure(g); });
+    for (std::size_t l = 0; l < links.size(); ++l) {
+        FinishedLink link;
+        link.work = &links[l];
+        std::size_t parts = 0;
+        for (std::size_t g = 0; g < groups.size(); ++g) {
+            if (groups[g].link == l) {
+                const auto& spheres = result.model.groups[g].tree.finest();
+                link.spheres.insert(link.spheres.end(), spheres.begin(), spheres.end());
+                links[l].report.growth = std::max(links[l].report.growth, finishing.growth[g]);
+                links[l].report.measures = result.model.groups[g].measures;
+                links[l].report.stages.insert(links[l].report.stages.end(), finishing.reports[g].begin(),
+                                              finishing.reports[g].end());
+                link.solid = groups[g].solid;
+                ++parts;
+            }
+        }
+        if (parts > 0) {
+            if (parts > 1) {
+                link.solid = solid_of(links[l]);
+                links[l].report.measures = measured(workspace, *link.solid, link.spheres);
+                require_proof(workspace, links[l]);
+            }
+            report_planes(workspace, links[l], link.spheres);
+            result.links.push_back(std::move(link));
+        }
+    }
+    return result;
+}
+
+bool handle_errors(const Workspace& workspace, std::vector<LinkWork>& links, std::vector<Group>& groups) {
+    bool lost = false;
+    for (std::size_t l = 0; l < links.size(); ++l) {
+        if (!links[l].error) {
+            continue;
+        }
+        const std::string message = links[l].error->what();
+        if (workspace.recipe.on_error == OnError::stop) {
+            throw *links[l].error;
+        }
+        const std::vector<Vec3> points =
+            workspace.recipe.on_error == OnError::fallback ? vertices_of(links[l]) : std::vector<Vec3>{};
+        if (points.empty()) {
+            links[l].report.error = message;
+            workspace.journal.finding(
+                {Severity::error, links[l].link->name, "", "the link keeps its collision geometry: " + message});
+            lost = true;
+            continue;
+        }
+        workspace.journal.finding(
+            {Severity::warning, links[l].link->name, "", "one enclosing sphere replaces the link: " + message});
+        Group group;
+        group.link = l;
+        group.elements = all_elements(links[l]);
+        group.tree.levels.resize(1);
+        group.tree.levels[0].spheres = {minimum_enclosing_sphere(points)};
+        groups.push_back(std::move(group));
+    }
+    std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.link < b.link; });
+    return lost;
+}
+
+} // namespace foam::runtime

@@ -1,0 +1,34 @@
+// Calls of stages: in this process, or in a child process where the recipe requests it. The results are the same, byte
+// for byte.
+#pragma once
+
+#include <foam/geometry/internal/own_frame.hpp>
+#include <foam/geometry/solid.hpp>
+#include <foam/runtime/internal/workspace.hpp>
+#include <foam/sdk/stage.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace foam::inline runtime {
+
+/// These functions throw what the stage throws. For an isolated stage they also throw Error for a crash, a limit or an
+/// early end of its process.
+Mesh call_loader(const Workspace& workspace, const std::string& stage, const std::filesystem::path& file,
+                 Context& context);
+/// Calls a filter with the mesh in a normalised frame.
+Mesh call_filter(const Workspace& workspace, const StageCall& call, const Mesh& mesh, Context& context);
+/// Calls a spherizer. `stage`: made at the first call, and reused for further calls with the same shape: a stage may
+/// continue where it was. `shape`: in `frame`, from which the trees are transformed back. The call and the budgets are
+/// in metres.
+std::vector<SphereTree> call_spherizer(const Workspace& workspace, const StageCall& call,
+                                       std::unique_ptr<Spherizer>& stage, const Shape& shape,
+                                       const geometry::OwnFrame& frame, std::span<const Budget> budgets,
+                                       Context& context);
+
+/// Adds a stage's isolation to a hash, for tasks that are shared only if they run alike. Not part of a cache key.
+void add_isolation(Hasher& hasher, const Isolation& isolation);
+
+} // namespace foam::runtime

@@ -1,0 +1,124 @@
+#include "reference_pose.hpp"
+
+#include <foam/geometry/self_intersection.hpp>
+#include <foam/robot/internal/chain.hpp>
+#include <foam/robot/kinematics.hpp>
+#include <foam/runtime/internal/links.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace foam::inline runtime {
+namespace {
+
+std::vector<double> configuration_of(const Kinematics& kinematics, const JointValues& values) {
+    try {
+        return kinematics.configuration(values);
+    } catch (const Error& error) {
+        throw Error(ErrorCode::recipe, fmt::format("self_collision.pose: {}", error.what()));
+    }
+}
+
+/// Returns whether a corner of `a` lies in or on `b`. `pose`: of a in the frame of b.
+bool reaches_into(const Solid& a, const Solid& b, const Pose& pose) {
+    const Box& box = b.bounds();
+    const double nothing = 1e-6 * box.diagonal();
+    const auto near = [&](const Vec3& p) {
+        return p.x >= box.low.x - nothing && p.x <= box.high.x + nothing && p.y >= box.low.y - nothing &&
+               p.y <= box.high.y + nothing && p.z >= box.low.z - nothing && p.z <= box.high.z + nothing;
+    };
+    const std::vector<Vec3>& corners = a.surface().vertices;
+    return std::any_of(corners.begin(), corners.end(), [&](const Vec3& corner) {
+        const Vec3 point = pose * corner;
+        return near(point) && b.signed_distance(point) <= nothing;
+    });
+}
+
+/// Returns whether the surfaces intersect, or one solid reaches into the other. `pose`: of a in the frame of b.
+bool touch(const Solid& a, const Solid& b, const Pose& pose) {
+    if (reaches_into(a, b, pose) || reaches_into(b, a, pose.inverse())) {
+        return true;
+    }
+    Mesh both = transformed(a.surface(), pose);
+    append(both, b.surface());
+    const std::size_t border = a.surface().triangles.size();
+    const auto crossings = self_intersections(both);
+    return std::any_of(crossings.begin(), crossings.end(),
+                       [&](const auto& pair) { return pair.first < border && pair.second >= border; });
+}
+
+/// Returns the depth of the two spheres that overlap most, m. Negative: their distance, less the possible rounding.
+double depth(const std::vector<Sphere>& a, const std::vector<Sphere>& b) {
+    constexpr double rounding = 1e-5;
+    double deepest = -std::numeric_limits<double>::infinity();
+    for (const Sphere& s : a) {
+        for (const Sphere& t : b) {
+            const double reach = (1 + rounding) * (s.radius + t.radius);
+            deepest = std::max(deepest, reach - distance(s.center, t.center));
+        }
+    }
+    return deepest;
+}
+
+} // namespace
+
+ReferencePose::ReferencePose(std::shared_ptr<const Robot> robot, const JointValues& values,
+                             const std::vector<LinkWork>& links)
+    : links_(links) {
+    const Kinematics kinematics(robot);
+    const std::vector<Pose> poses = kinematics.link_poses(configuration_of(kinematics, values));
+    std::vector<bool> has_geometry(robot->links.size(), false);
+    std::vector<std::size_t> index; // of each of our links in the robot
+    for (const LinkWork& link : links) {
+        index.push_back(static_cast<std::size_t>(link.link - robot->links.data()));
+        has_geometry[index.back()] = true;
+        poses_.push_back(poses[index.back()]);
+    }
+    neighbours_.assign(links.size(), std::vector<bool>(links.size(), true));
+    for (std::size_t a = 0; a < links.size(); ++a) {
+        for (std::size_t b = a + 1; b < links.size(); ++b) {
+            const bool adjacent = joint_chain::adjacent(kinematics, has_geometry, index[a], index[b]);
+            neighbours_[a][b] = neighbours_[b][a] = adjacent;
+        }
+    }
+}
+
+bool ReferencePose::geometry_touches(std::size_t a, std::size_t b) {
+    const auto known = touching_.find({a, b});
+    if (known != touching_.end()) {
+        return known->second;
+    }
+    for (const std::size_t link : {a, b}) {
+        if (!solids_.contains(link)) {
+            solids_[link] = solid_of(links_[link]);
+        }
+    }
+    return touching_[{a, b}] = touch(*solids_[a], *solids_[b], poses_[b].inverse() * poses_[a]);
+}
+
+std::vector<Overlap> ReferencePose::overlaps(const std::vector<SpheresOfLink>& all) {
+    std::vector<std::vector<Sphere>> placed;
+    for (const SpheresOfLink& link : all) {
+        placed.push_back(link.spheres);
+        for (Sphere& sphere : placed.back()) {
+            sphere.center = poses_[link.link] * sphere.center;
+        }
+    }
+    std::vector<Overlap> overlaps;
+    for (std::size_t a = 0; a < all.size(); ++a) {
+        for (std::size_t b = a + 1; b < all.size(); ++b) {
+            if (neighbours_[all[a].link][all[b].link]) {
+                continue;
+            }
+            const double deepest = depth(placed[a], placed[b]);
+            if (deepest > 0 && !geometry_touches(all[a].link, all[b].link)) {
+                overlaps.push_back({a, b, deepest});
+            }
+        }
+    }
+    return overlaps;
+}
+
+} // namespace foam::runtime

@@ -1,0 +1,49 @@
+// Links in the reference pose: which of them must not touch, and where their spheres overlap.
+#pragma once
+
+#include <foam/geometry/solid.hpp>
+#include <foam/geometry/sphere.hpp>
+#include <foam/runtime/internal/prepare.hpp>
+
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace foam::inline runtime {
+
+/// The spheres of a link, in its frame.
+struct SpheresOfLink {
+    std::size_t link = 0; ///< index into the links
+    std::vector<Sphere> spheres;
+};
+
+/// Two entries of a list of SpheresOfLink that overlap.
+struct Overlap {
+    std::size_t first = 0, second = 0;
+    double depth = 0; ///< m; of the two spheres that overlap most
+};
+
+/// A reference pose of one run. Not thread-safe.
+class ReferencePose {
+public:
+    /// Sets all joints to zero, moved into their limits, except the joints that `values` names: rad or m. Throws
+    /// Error(recipe) for a joint that the robot does not have or that does not move independently.
+    ReferencePose(std::shared_ptr<const Robot> robot, const JointValues& values, const std::vector<LinkWork>& links);
+
+    /// Returns the overlaps of spheres of links that are to stay apart: links that are not neighbours and whose
+    /// geometry does not touch in this pose. Spheres also count if their distance is below the rounding of written
+    /// numbers.
+    std::vector<Overlap> overlaps(const std::vector<SpheresOfLink>& all);
+
+private:
+    bool geometry_touches(std::size_t a, std::size_t b);
+
+    const std::vector<LinkWork>& links_;
+    std::vector<Pose> poses_; ///< of the links in the root link's frame
+    std::vector<std::vector<bool>> neighbours_;
+    std::map<std::size_t, std::shared_ptr<const Solid>> solids_; ///< in the link's frame
+    std::map<std::pair<std::size_t, std::size_t>, bool> touching_;
+};
+
+} // namespace foam::runtime

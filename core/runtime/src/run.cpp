@@ -1,0 +1,241 @@
+#include "input_size.hpp"
+#include "manifest.hpp"
+#include "names.hpp"
+#include "report.hpp"
+#include "separation.hpp"
+#include "watchdog.hpp"
+
+#include <foam/runtime/cache.hpp>
+#include <foam/runtime/internal/debug.hpp>
+#include <foam/runtime/internal/input.hpp>
+#include <foam/runtime/run.hpp>
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <optional>
+
+namespace foam::inline runtime {
+namespace {
+
+/// Returns the links for which the guarantee is proved. A link without spheres is left out.
+ProvedLinks proved_links(const Workspace& workspace, const Robot& robot, const std::vector<LinkWork>& links) {
+    ProvedLinks proved;
+    proved.guarantee = workspace.recipe.guarantee;
+    proved.with_collision = links.size();
+    proved.visual_only = visual_only_links(robot);
+    for (const LinkWork& link : links) {
+        const LinkReport& report = link.report;
+        if (report.skipped || !report.error.empty()) {
+            proved.left_out.push_back({report.link, report.skipped ? "skip in the recipe" : "on_error: skip"});
+        } else if (report.measures.certified) {
+            ++proved.proved;
+        } else if (proved.guarantee != Guarantee::fitted) {
+            proved.left_out.push_back({report.link, "the proof does not hold"});
+        }
+    }
+    return proved;
+}
+
+/// Returns the phases of a run with their usual shares of time.
+std::vector<PhaseWeight> phases_of(const Recipe& recipe, bool written) {
+    std::vector<PhaseWeight> phases{
+        {"reading", 1}, {"filters", 10}, {"spheres", 60, false}, {"growth", 6}, {"measures", 10}};
+    if (written) {
+        phases.insert(phases.end(), {{"writing", 1}, {"proof", 3}});
+        if (recipe.debug_meshes) {
+            phases.push_back({"debug meshes", 2});
+        }
+        if (recipe.snapshots || recipe.debug_snapshots) {
+            phases.push_back({"pictures", recipe.debug_snapshots ? 60.0 : 30.0});
+        }
+        phases.push_back({"record", 2});
+    }
+    return phases;
+}
+
+void fill_result(RunResult& result, const Journal& journal, const std::vector<LinkWork>& links) {
+    std::vector<Measures> measures;
+    for (const LinkWork& link : links) {
+        result.links.push_back(link.report);
+        if (!link.report.skipped && link.report.error.empty()) {
+            measures.push_back(link.report.measures);
+        }
+    }
+    result.total = total(measures);
+    result.findings = journal.findings();
+    Journal::Times times = journal.times();
+    result.seconds = times.seconds;
+    result.cpu_seconds = times.cpu_seconds;
+    result.phases = std::move(times.phases);
+}
+
+/// Reports names of the recipe that the robot does not have. Throws Error(recipe) if one of them is an error.
+void check_names(const Workspace& workspace, const Input& input) {
+    const std::vector<Diagnostic> findings = unknown_names(workspace.recipe, *input.robot);
+    require_names(findings);
+    for (const Diagnostic& finding : findings) {
+        workspace.journal.finding(
+            {Severity::warning, "", "", fmt::format("{}: {}", finding.where.text(), finding.message)});
+    }
+}
+
+/// Returns all files of the robot or mesh.
+std::vector<std::filesystem::path> files_read(const RunFiles& files) {
+    std::vector<std::filesystem::path> read{files.input.file};
+    for (const InputFile& mesh : files.meshes) {
+        read.push_back(mesh.file);
+    }
+    return read;
+}
+
+/// Writes the model in the formats that the recipe requests, and pictures of it.
+Snapshots write_model(const Workspace& workspace, const FinishedModel& finished, RunDirectory& directory,
+                      RunFiles& files, RunResult& result) {
+    files.outputs = write_outputs(workspace, finished, directory);
+    const Workspace decorating = workspace.in(Phase::decorating);
+    if (workspace.recipe.debug_meshes) {
+        workspace.journal.begin("debug meshes");
+        files.debug_meshes = write_debug_meshes(decorating, finished, directory);
+    }
+    for (const auto* written : {&files.outputs, &files.debug_meshes}) {
+        for (const OutputFile& file : *written) {
+            result.files.emplace_back(file.file);
+        }
+    }
+    workspace.journal.begin("pictures");
+    Snapshots pictures = write_snapshots(decorating, finished, directory);
+    result.files.insert(result.files.end(), pictures.files.begin(), pictures.files.end());
+    return pictures;
+}
+
+/// Writes the records of the run for people and for programs. Then the directory is complete.
+void write_record(const Workspace& workspace, const FinishedModel& finished, RunDirectory& directory,
+                  const RunFiles& files, const Snapshots& pictures, RunResult& result) {
+    const std::string resolved = to_yaml(workspace.recipe, workspace.registry, true);
+    directory.write("recipe.resolved.yaml", resolved);
+    const std::string manifest = manifest_json(workspace, files, result);
+    if (workspace.options.accept) {
+        workspace.options.accept(manifest);
+    }
+    directory.write("manifest.json", manifest);
+    directory.write("report.html", report_html(workspace, finished, manifest, resolved, pictures));
+    result.files.emplace_back("report.html");
+    workspace.journal.emit(Event::Kind::run_finished);
+    directory.write("events.jsonl", workspace.journal.events_jsonl());
+    workspace.check_cancelled();
+    directory.commit();
+}
+
+/// Returns the loaded and filtered links, and the size of the input.
+std::vector<LinkWork> links_of(const Workspace& workspace, const Input& input, RunFiles& files, InputSize& size) {
+    std::vector<LinkWork> links = load_links(workspace, *input.robot, files.meshes);
+    size = input_size(*input.robot, links);
+    tell_input_size(workspace, input, links, size);
+    workspace.journal.begin("filters");
+    filter_links(workspace, links);
+    if (links.empty()) {
+        throw Error(ErrorCode::input,
+                    fmt::format("{}: no link has collision geometry: there is nothing to turn into spheres",
+                                input.file.string()));
+    }
+    return links;
+}
+
+RunResult run_in(const Workspace& preparing, std::optional<RunDirectory>& directory) {
+    const Recipe& recipe = preparing.recipe;
+    Journal& journal = preparing.journal;
+    std::optional<StopScope> scope(preparing.request());
+    RunResult result;
+    journal.plan(phases_of(recipe, directory.has_value()));
+    journal.begin("reading");
+    journal.expect(1);
+    const Input input = load_input(preparing);
+    check_names(preparing, input);
+    result.input = input.chosen;
+    result.input_file = input.file;
+    journal.emit(Event::Kind::run_started, input.file.string());
+
+    RunFiles files{.input = input, .meshes = {}, .outputs = {}, .debug_meshes = {}};
+    std::vector<LinkWork> links = links_of(preparing, input, files, result.input_size);
+    if (preparing.options.inputs_known) {
+        preparing.options.inputs_known(files_read(files));
+    }
+    journal.begin("spheres");
+    std::optional<ReferencePose> pose;
+    if (recipe.self_collision) {
+        pose.emplace(input.robot, recipe.self_collision_pose, links);
+    }
+    SpherizedLinks spherized = spherize_links(preparing, links, pose ? &*pose : nullptr);
+    result.cut = spherized.cut;
+    const Workspace workspace = preparing.in(Phase::finishing);
+    scope.reset();
+    scope.emplace(workspace.request());
+    result.links_lost = handle_errors(workspace, links, spherized.groups);
+    FinishedModel finished = finish_links(workspace, input.robot, links, std::move(spherized.groups));
+    if (finished.links.empty()) {
+        throw Error(ErrorCode::input,
+                    fmt::format("{}: every link was skipped: there is nothing to write", input.file.string()));
+    }
+    if (pose) {
+        report_overlaps(workspace, finished, links, *pose);
+    }
+
+    Snapshots pictures;
+    if (directory) {
+        pictures = write_model(workspace, finished, *directory, files, result);
+    }
+    result.proved = proved_links(workspace, *input.robot, links);
+    result.certified = result.proved.all();
+    fill_result(result, journal, links);
+    journal.begin("record");
+    if (directory) {
+        write_record(workspace, finished, *directory, files, pictures, result);
+    } else {
+        journal.emit(Event::Kind::run_finished);
+    }
+    result.model = std::move(finished.model);
+    return result;
+}
+
+} // namespace
+
+const char* to_string(Cut cut) {
+    switch (cut) {
+    case Cut::none:
+        return "";
+    case Cut::time_limit:
+        return "time limit";
+    case Cut::stop:
+        return "stop";
+    }
+    return "";
+}
+
+RunResult run(const Recipe& recipe, const Registry& registry, const RunOptions& options) {
+    std::optional<tbb::global_control> threads;
+    if (options.threads > 0) {
+        threads.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
+    }
+    std::optional<RunDirectory> directory;
+    if (!options.out.empty()) {
+        directory.emplace(options.out);
+    }
+    Journal journal(options.observer);
+    const Cache cache(cache_folder(options));
+    const std::uintmax_t limit = options.fresh ? 0 : cache_limit();
+    const Workspace preparing{recipe, registry, options, journal, cache};
+    const Watchdog watchdog(*preparing.limits, options, journal);
+    try {
+        RunResult result = run_in(preparing, directory);
+        cache.keep_within(limit);
+        return result;
+    } catch (const Error& error) {
+        if (error.code() == ErrorCode::cancelled) {
+            throw preparing.limits->explained();
+        }
+        throw;
+    }
+}
+
+} // namespace foam::runtime

@@ -1,0 +1,175 @@
+#include "shapes.hpp"
+
+#include "own_frame.hpp"
+#include "process/isolated.hpp"
+
+#include <foam/geometry/internal/cavities.hpp>
+#include <foam/search/internal/clip.hpp>
+
+#include <algorithm>
+
+namespace foam::inline runtime {
+
+bool wants_least_excess(const Recipe& recipe, const ShapeWork& work) {
+    if (recipe.guarantee == Guarantee::fitted) {
+        return false; // here the symmetric difference is least, and each count needs its own search
+    }
+    return recipe.guarantee != Guarantee::outer || work.objective == Objective::excess;
+}
+
+static Solid::Part part_of(const Element& element, const Pose& pose, bool processed) {
+    Solid::Part part;
+    if (const Primitive* primitive = element.primitive()) {
+        part.primitive = *primitive;
+        part.pose = pose;
+    } else {
+        part.mesh = std::make_shared<const Mesh>(transformed(processed ? *element.processed() : *element.raw, pose));
+    }
+    return part;
+}
+
+std::vector<Group> make_groups(const Workspace& workspace, const std::vector<LinkWork>& links) {
+    std::vector<Group> groups;
+    for (std::size_t l = 0; l < links.size(); ++l) {
+        if (links[l].recipe.skip || links[l].error) {
+            continue;
+        }
+        for (std::size_t e = 0; e < links[l].elements.size(); ++e) {
+            if (e == 0 || !workspace.recipe.per_link) {
+                Group& group = groups.emplace_back();
+                group.link = l;
+                group.frame = links[l].elements[e].source->origin;
+                group.weight = links[l].recipe.weight;
+            }
+            groups.back().elements.push_back(e);
+        }
+    }
+    return groups;
+}
+
+/// Returns the pose of an element in its group's frame; exactly the identity for the first element.
+static Pose relative_pose(const Group& group, const LinkWork& link, std::size_t element) {
+    return element == group.elements.front() ? Pose{} : group.frame.inverse() * link.elements[element].source->origin;
+}
+
+static bool original_only(const Workspace& workspace, const StageCall& spherizer) {
+    const RegisteredStage* stage = workspace.registry.find(spherizer.stage);
+    return stage && stage->info.original_only;
+}
+
+/// Returns the frame in which the spherizer gets the group's shape.
+static geometry::OwnFrame frame_of(const Workspace& workspace, const Group& group, const LinkWork& link) {
+    Box whole;
+    bool dusty = false;
+    for (const std::size_t e : group.elements) {
+        const Element& element = link.elements[e];
+        whole.add(posed(bounds_of(element), relative_pose(group, link, e)));
+        dusty = dusty || (element.raw && geometry::may_have_dust(*element.raw)) ||
+                (!element.filtered.empty() && geometry::may_have_dust(*element.processed()));
+    }
+    return frame_for_stage(geometry::own_frame(whole, dusty), link.recipe.spherizer, workspace.registry);
+}
+
+/// Returns the digest of the geometry that the spherizer gets, not of how it was made: random draws stay the same when
+/// a filter or a parameter changes nothing.
+static Digest content_of(const Workspace& workspace, const Group& group, const LinkWork& link) {
+    const bool raw_only = original_only(workspace, link.recipe.spherizer);
+    Hasher hasher;
+    for (const std::size_t e : group.elements) {
+        const Element& element = link.elements[e];
+        if (const Primitive* primitive = element.primitive()) {
+            hasher.add(*primitive);
+        } else {
+            hasher.add(*element.raw);
+        }
+        if (!raw_only && !element.filtered.empty()) {
+            hasher.add(*element.processed());
+        }
+        hasher.add(relative_pose(group, link, e));
+    }
+    return hasher.finish();
+}
+
+/// Returns the half-space constraints in the frame in which the group's shape is spherized.
+static std::vector<ClipPlane> planes_of(const Group& group, const LinkWork& link) {
+    std::vector<ClipPlane> planes;
+    for (const ClipPlane& plane : link.recipe.clip) {
+        planes.push_back(seen_from(plane, group.frame));
+    }
+    return planes;
+}
+
+std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::vector<LinkWork>& links,
+                                       std::vector<Group>& groups) {
+    std::map<Digest, std::size_t> known;
+    std::vector<ShapeWork> shapes;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        const LinkWork& link = links[groups[g].link];
+        Hasher hasher;
+        add_call(hasher, link.recipe.spherizer, workspace.registry);
+        const bool raw = original_only(workspace, link.recipe.spherizer);
+        for (const std::size_t e : groups[g].elements) {
+            const Element& element = link.elements[e];
+            hasher.add(raw && element.raw ? digest_of_content(*element.raw) : element.digest);
+            hasher.add(relative_pose(groups[g], link, e));
+        }
+        const std::vector<ClipPlane> planes = planes_of(groups[g], link);
+        for (const ClipPlane& plane : planes) {
+            hasher.add("clip").add(plane.normal).add(plane.offset).add(plane.reach);
+        }
+        const geometry::OwnFrame frame = frame_of(workspace, groups[g], link);
+        if (!frame.is_given()) {
+            hasher.add("frame").add(frame.origin).add(frame.scale()).add(frame.dust);
+        }
+        const Digest digest =
+            hasher.finish(); // the result of a spherizer does not depend on the bounds of the number of spheres
+        hasher.add(static_cast<std::uint64_t>(link.recipe.min_spheres));
+        hasher.add(static_cast<std::uint64_t>(link.recipe.max_spheres.value_or(0)));
+        add_isolation(hasher, link.recipe.spherizer.isolation);
+        hasher.add(link.recipe.max_protrusion.value_or(-1));
+        const auto [it, fresh] = known.try_emplace(hasher.finish(), shapes.size());
+        if (fresh) {
+            ShapeWork& work = shapes.emplace_back();
+            work.spherizer = link.recipe.spherizer;
+            work.objective = objective_of(work.spherizer, workspace.registry);
+            work.digest = digest;
+            work.content = content_of(workspace, groups[g], link);
+            work.link = link.link->name;
+            work.input = link.elements[groups[g].elements.front()].geometry;
+            work.report.stage = work.spherizer.stage;
+            work.least = std::max<std::size_t>(1, link.recipe.min_spheres);
+            work.most = std::max(work.least, link.recipe.max_spheres.value_or(SIZE_MAX));
+            work.max_protrusion = link.recipe.max_protrusion;
+            work.clip = planes;
+            work.frame = frame;
+        }
+        groups[g].shape = it->second;
+        shapes[it->second].groups.push_back(g);
+    }
+    return shapes;
+}
+
+void build_shape(const Workspace& workspace, const std::vector<LinkWork>& links, const std::vector<Group>& groups,
+                 ShapeWork& work) {
+    const Group& group = groups[work.groups.front()];
+    const LinkWork& link = links[group.link];
+    const bool raw_only = original_only(workspace, work.spherizer);
+    std::vector<Solid::Part> original, processed;
+    bool filtered = false;
+    for (const std::size_t e : group.elements) {
+        const Pose pose = relative_pose(group, link, e);
+        original.push_back(part_of(link.elements[e], pose, false));
+        processed.push_back(part_of(link.elements[e], pose, !raw_only));
+        filtered |= !raw_only && !link.elements[e].filtered.empty();
+    }
+    work.original = Solid::make(std::move(original));
+    work.cavities = workspace.recipe.guarantee == Guarantee::outer ? geometry::cavity_volume(*work.original) : 0;
+    require_within(*work.original, group.frame, link.recipe.clip);
+    work.shape =
+        std::make_unique<Shape>(work.link, filtered ? Solid::make(std::move(processed)) : work.original, work.original);
+    if (!work.frame.is_given()) {
+        work.own = std::make_unique<Shape>(work.frame.to_own(*work.shape));
+    }
+}
+
+} // namespace foam::runtime

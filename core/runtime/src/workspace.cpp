@@ -1,0 +1,69 @@
+#include <foam/runtime/internal/workspace.hpp>
+
+#include <foam/base/text.hpp>
+
+#include <fmt/format.h>
+
+#include <new>
+#include <string_view>
+
+namespace foam::inline runtime {
+
+Workspace::Workspace(const Recipe& r, const Registry& all, const RunOptions& o, Journal& j, const Cache& c)
+    : recipe(r), registry(all), options(o), journal(j), cache(c),
+      limits(std::make_shared<Limits>(o, o.time_limit ? o.time_limit : r.budget_time_limit, j)) {}
+
+Workspace Workspace::in(Phase other) const {
+    Workspace result = *this;
+    result.phase = other;
+    return result;
+}
+
+void Workspace::check_cancelled() const {
+    if (ended()) {
+        throw Error(ErrorCode::cancelled, "cancelled; nothing was written");
+    }
+}
+
+std::filesystem::path cache_folder(const RunOptions& options) {
+    if (options.fresh) {
+        return {};
+    }
+    return options.cache.empty() ? Cache::default_folder() : options.cache;
+}
+
+std::string place_of(const std::string& stage, const std::string& link, const std::string& input) {
+    std::string place = fmt::format("stage '{}'", stage);
+    if (!link.empty()) {
+        place += fmt::format(", link '{}'", shown(link));
+    }
+    if (!input.empty()) {
+        place += fmt::format(", input '{}'", shown(input));
+    }
+    return place;
+}
+
+Error described(std::exception_ptr thrown, const std::string& stage, const std::string& link,
+                const std::string& input) {
+    const std::string where = place_of(stage, link, input);
+    const std::string outer = place_of(stage, link, "");
+    try {
+        std::rethrow_exception(thrown);
+    } catch (const Error& error) {
+        if (error.code() == ErrorCode::cancelled) {
+            return error;
+        }
+        // Messages of loaders begin with the file's name and place; it is not repeated.
+        const bool named = !input.empty() && std::string_view(error.what()).starts_with(input);
+        return {error.code(), fmt::format("{}: {}", named ? outer : where, shown_lines(error.what()))};
+    } catch (const std::bad_alloc&) {
+        return {ErrorCode::geometry, fmt::format("{}: not enough memory", where)};
+    } catch (const std::exception& error) {
+        return {ErrorCode::plugin,
+                fmt::format("{}: the stage threw an exception: {}", where, shown_lines(error.what()))};
+    } catch (...) {
+        return {ErrorCode::plugin, fmt::format("{}: the stage threw an object that is not a std::exception", where)};
+    }
+}
+
+} // namespace foam::runtime

@@ -1,0 +1,53 @@
+// The sphere model of a robot: the input of writers.
+#pragma once
+
+#include <foam/geometry/measure.hpp>
+#include <foam/geometry/sphere.hpp>
+#include <foam/robot/robot.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace foam {
+inline namespace [[gnu::visibility("default")]] sdk {
+
+/// The spheres of one link, or of one collision element of it (recipe: `per: collision`). Link frame, metres.
+struct SphereGroup {
+    std::string link;
+    /// Geometry that the spheres cover: mesh references of the elements ("meshes/link0.stl") or the primitive's kind
+    /// ("box").
+    std::vector<std::string> geometries;
+    /// Levels from coarse to fine, as written: grown to cover if the guarantee is outer. tree.finest() are the link's
+    /// spheres.
+    SphereTree tree;
+    /// Figures of the finest level.
+    Measures measures;
+};
+
+struct SphereModel {
+    std::string name; ///< of the recipe
+    Guarantee guarantee = Guarantee::outer;
+    std::shared_ptr<const Robot> robot;
+    std::vector<SphereGroup> groups; ///< in the order of the robot's links
+    /// Absolute folder of the file that is written; empty: not known. It need not exist yet.
+    std::filesystem::path folder{};
+};
+
+/// The spheres of one link, over all its groups.
+struct LinkSpheres {
+    std::string link;
+    std::vector<Sphere> spheres;
+};
+
+/// Returns the content of a model for a format without groups or trees: its links in the order of their first groups.
+/// `level`: 0 the coarsest, 1 the next…; -1, or one that a tree does not reach, selects the finest of that tree. Throws
+/// Error(output) for a group without spheres, and for a sphere that no reader accepts: not finite, or with a radius
+/// that is not above 0.
+std::vector<LinkSpheres> spheres_by_link(const SphereModel& model, int level = -1);
+/// Throws the same errors for all levels, for writers of whole trees.
+void require_writable(const SphereModel& model);
+
+} // namespace sdk
+} // namespace foam

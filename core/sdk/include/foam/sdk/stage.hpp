@@ -1,0 +1,151 @@
+// The kinds of stages. A stage object is const after construction, and many threads use it at once. Its only access to
+// the outside is the Context of the call. Stages throw foam::Error for what the user should know.
+#pragma once
+
+#include <foam/geometry/figure.hpp>
+#include <foam/geometry/mesh.hpp>
+#include <foam/geometry/solid.hpp>
+#include <foam/geometry/sphere.hpp>
+#include <foam/robot/robot.hpp>
+#include <foam/sdk/context.hpp>
+#include <foam/sdk/model.hpp>
+#include <foam/sdk/parameter.hpp>
+#include <foam/sdk/resource.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace foam {
+inline namespace [[gnu::visibility("default")]] sdk {
+
+enum class StageKind { mesh_loader, robot_loader, mesh_filter, spherizer, renderer, writer };
+const char* to_string(StageKind kind);
+
+/// Base of all stages.
+class Stage {
+public:
+    virtual ~Stage();
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
+
+protected:
+    Stage();
+};
+
+/// File → mesh. StageInfo::extensions lists the file types.
+class MeshLoader : public Stage {
+public:
+    static constexpr StageKind kind = StageKind::mesh_loader;
+    ~MeshLoader() override;
+    /// Returns the mesh in metres where the format has units, otherwise in file units. Node transforms are applied; the
+    /// up-axis is ignored, as in ROS. Vertices are finite, indices in range, and there is at least one triangle. Throws
+    /// Error(input) naming file, place and reason.
+    virtual Mesh load(const std::filesystem::path& file, Context& context) const = 0;
+};
+
+/// File → robot.
+class RobotLoader : public Stage {
+public:
+    static constexpr StageKind kind = StageKind::robot_loader;
+    ~RobotLoader() override;
+    /// Returns the robot. `text`: the contents of `file` (which need not exist: relative references start at its
+    /// folder). All mesh references of collision elements are resolved. Throws Error(input) with file:line for what
+    /// cannot be read or found.
+    virtual Robot load(const std::string& text, const std::filesystem::path& file, const ResourceResolver& resources,
+                       Context& context) const = 0;
+};
+
+/// Mesh → mesh: repair.*, simplify.*, smooth.*.
+class MeshFilter : public Stage {
+public:
+    static constexpr StageKind kind = StageKind::mesh_filter;
+    ~MeshFilter() override;
+    virtual Mesh apply(const Mesh& mesh, Context& context) const = 0;
+};
+
+/// The number of spheres, and what they must achieve.
+struct Budget {
+    std::optional<std::size_t> max_spheres; ///< at least 1; absent: the stage's own parameters decide
+    std::optional<double> max_protrusion;   ///< m; a goal, as far as max_spheres allows
+    Guarantee guarantee = Guarantee::outer;
+};
+
+/// Solid → spheres.
+class Spherizer : public Stage {
+public:
+    static constexpr StageKind kind = StageKind::spherizer;
+    ~Spherizer() override;
+    /// Returns spheres that approximate the shape: at least one, at most budget.max_spheres in the finest level. They
+    /// should cover shape.original() when the guarantee is outer; the runtime proves it and grows spheres that fall
+    /// short.
+    virtual SphereTree spherize(const Shape& shape, const Budget& budget, Context& context) const = 0;
+    /// Returns one tree for each budget. Override it where work can be shared; the default calls spherize(). The
+    /// results must equal those of spherize().
+    virtual std::vector<SphereTree> spherize_each(const Shape& shape, std::span<const Budget> budgets,
+                                                  Context& context) const;
+};
+
+/// Figure → picture.
+class Renderer : public Stage {
+public:
+    static constexpr StageKind kind = StageKind::renderer;
+    ~Renderer() override;
+    virtual Image render(const Figure& figure, Context& context) const = 0;
+};
+
+/// Model → file.
+class Writer : public Stage {
+public:
+    static constexpr StageKind kind = StageKind::writer;
+    ~Writer() override;
+    /// Returns the bytes of the file. Equal models give equal bytes.
+    virtual std::string write(const SphereModel& model, Context& context) const = 0;
+    /// Returns the spheres (finest level) by link, read back from such bytes, exactly as another program would read
+    /// them. The runtime proves the guarantee on these. Throws Error(output) if the bytes cannot be read.
+    virtual std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const = 0;
+};
+
+/// Whether the calls of a stage run in child processes, and the limits of these. Absent values are inherited: first
+/// from the stage's key in a recipe, then from the top level, then from StageInfo::isolation.
+struct Isolation {
+    std::optional<bool> process{};
+    std::optional<double> time_limit{};        ///< s; of one call
+    std::optional<std::size_t> memory_limit{}; ///< MiB; of one call
+
+    bool operator==(const Isolation&) const = default;
+    /// Returns these values, with absent ones taken from `base`.
+    Isolation over(const Isolation& base) const;
+};
+
+/// A plugin's description of a stage.
+struct StageInfo {
+    std::string name{};      ///< "kind.method", e.g. "repair.watertight"
+    std::string summary{};   ///< one sentence
+    std::string reference{}; ///< the paper or document the method follows; may be empty
+    int revision = 1;        ///< raise it when the same input gives another output: old cache entries are then ignored
+    std::vector<Parameter> parameters{};
+    std::vector<std::string> extensions{}; ///< loaders and writers: file name endings, lower case, no dot
+    /// Stages of other plugins that this one uses if they are present: see StageMaker. Their versions count as part of
+    /// this one's.
+    std::vector<std::string> uses{};
+    /// Spherizers: whether they use only Shape::original(), so that mesh filters before them change nothing.
+    bool original_only = false;
+    /// Spherizers: the parameter, a choice, that selects the objective: "excess", "protrusion" or "radius" (the
+    /// largest). The runtime compares the stage's results, and allocates spheres over links, by that objective. With
+    /// any other word, only the stage knows its objective, and the runtime accepts its spheres as they are. Empty:
+    /// excess.
+    std::string objective_parameter{};
+    /// Mesh loaders: those of `extensions` whose files state their unit, so that load() returns metres.
+    std::vector<std::string> extensions_with_unit{};
+    /// Mesh loaders, mesh filters and spherizers: the isolation unless a recipe overrides it.
+    Isolation isolation{};
+    /// Loaders: whether other loaders of the same file name ending have precedence.
+    bool last_resort = false;
+};
+
+} // namespace sdk
+} // namespace foam

@@ -1,0 +1,56 @@
+// Out-of-line destructors and defaults of the classes that plugins derive from: their type information exists only in
+// core.
+#include <foam/sdk/plugin.hpp>
+#include <foam/sdk/stage.hpp>
+
+namespace foam::inline sdk {
+
+Stage::Stage() = default;
+Stage::~Stage() = default;
+MeshLoader::~MeshLoader() = default;
+RobotLoader::~RobotLoader() = default;
+MeshFilter::~MeshFilter() = default;
+Spherizer::~Spherizer() = default;
+Renderer::~Renderer() = default;
+Writer::~Writer() = default;
+Enrolment::~Enrolment() = default;
+StageMaker::~StageMaker() = default;
+
+std::vector<SphereTree> Spherizer::spherize_each(const Shape& shape, std::span<const Budget> budgets,
+                                                 Context& context) const {
+    std::vector<SphereTree> trees;
+    trees.reserve(budgets.size());
+    for (const Budget& budget : budgets) {
+        context.check_cancelled();
+        trees.push_back(spherize(shape, budget, context));
+    }
+    return trees;
+}
+
+Isolation Isolation::over(const Isolation& base) const {
+    Isolation result = *this;
+    result.process = process ? process : base.process;
+    result.time_limit = time_limit ? time_limit : base.time_limit;
+    result.memory_limit = memory_limit ? memory_limit : base.memory_limit;
+    return result;
+}
+
+const char* to_string(StageKind kind) {
+    switch (kind) {
+    case StageKind::mesh_loader:
+        return "mesh loader";
+    case StageKind::robot_loader:
+        return "robot loader";
+    case StageKind::mesh_filter:
+        return "mesh filter";
+    case StageKind::spherizer:
+        return "spherizer";
+    case StageKind::renderer:
+        return "renderer";
+    case StageKind::writer:
+        return "writer";
+    }
+    return "stage";
+}
+
+} // namespace foam::sdk

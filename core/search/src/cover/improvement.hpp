@@ -1,0 +1,29 @@
+// Refinement of a set of balls by descents on the points that matter.
+#pragma once
+
+#include "descent.hpp"
+
+namespace foam::inline search::cover {
+
+class Improvement {
+public:
+    /// `directions`: per ball. The problem must outlive this.
+    Improvement(const Problem& problem, std::size_t directions, std::size_t first_points);
+
+    /// Returns the refined balls. `creases`: include points between balls. The balls contain the points of the last
+    /// update, not yet the whole surface.
+    Balls improved(Balls balls, const DescentPlan& plan, bool creases) const;
+    /// Returns the indices of the balls, the one with most excess volume first.
+    std::vector<std::size_t> by_waste(const Balls& balls) const;
+    std::vector<Sphere> spheres_of(const Balls& balls) const;
+
+private:
+    /// Moves balls that contain no point alone to where a ball has most excess volume.
+    void put_idle_to_use(Balls& balls, const Points& points) const;
+
+    const Problem& problem_;
+    std::size_t first_points_;
+    std::vector<Points> directions_;
+};
+
+} // namespace foam::search::cover

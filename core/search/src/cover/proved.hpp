@@ -1,0 +1,17 @@
+// The first and the last step of every search for covering balls.
+#pragma once
+
+#include "points.hpp"
+
+#include <foam/search/spherize.hpp>
+
+namespace foam::inline search::cover {
+
+/// Returns the smallest ball around the surface, in the unit frame.
+Ball smallest_ball(const Solid& solid, const Frame& frame);
+
+/// Returns balls of the unit frame as slightly larger spheres, with the proof that they cover the surface. They are
+/// grown if they do not.
+Cover proved(const Solid& solid, const Frame& frame, const Balls& balls);
+
+} // namespace foam::search::cover

@@ -1,0 +1,194 @@
+#include "quick_search.hpp"
+
+#include "directions.hpp"
+#include "ladder.hpp"
+#include "missing_volume.hpp"
+#include "plane_splits.hpp"
+#include "proved.hpp"
+#include "starts.hpp"
+
+#include <foam/base/cancellation.hpp>
+#include <foam/base/parallel.hpp>
+#include <foam/geometry/internal/joint_volume.hpp>
+#include <foam/geometry/union_volume.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+namespace foam::inline search::cover {
+namespace {
+
+/// Number of balls above which they may leave a cavity in a solid.
+constexpr std::size_t few_balls = 16;
+constexpr int cells = 32; ///< along the longest extent of a solid, to separate inside and outside
+constexpr QuickDescentPlan first_plan{.steps = 40, .first_step = 0.04f, .last_step = 0.003f, .refresh = 1000};
+/// The refinement after the first estimates. With fewer balls, starts are nearer to the optimum, and it helps to refine
+/// more of them.
+struct SecondPlan {
+    std::size_t most_balls, kept_starts;
+    QuickDescentPlan descent;
+};
+constexpr std::array<SecondPlan, 3> second_plans{{
+    {6, 4, {.steps = 72, .first_step = 0.08f, .last_step = 0.003f, .refresh = 12}},
+    {few_balls, 2, {.steps = 72, .first_step = 0.16f, .last_step = 0.003f, .refresh = 12}},
+    {SIZE_MAX, 1, {.steps = 160, .first_step = 0.25f, .last_step = 0.003f, .refresh = 12}},
+}};
+const SecondPlan& second_plan_for(std::size_t count) {
+    return *std::find_if(second_plans.begin(), second_plans.end(),
+                         [&](const SecondPlan& plan) { return count <= plan.most_balls; });
+}
+constexpr int last_fits = 6;
+
+const Points& directions_of_fits() {
+    static const Points directions = spread_directions(256, 0);
+    return directions;
+}
+
+/// Returns points that represent a solid: on its surface and as many inside it.
+Points body_of(const Points& surface, const Occupancy& occupancy) {
+    const Points& inside = occupancy.inside();
+    const std::size_t stride = 1 + inside.size() / surface.size();
+    Points body = surface;
+    for (std::size_t k = 0; k < inside.size(); k += stride) {
+        body.add(inside, k);
+    }
+    return body;
+}
+
+/// Returns vol(U \ S) + vol(S), units³; without occupancy the missing volume is taken as zero.
+double claim(const Balls& balls, const Occupancy* occupancy) {
+    return exact_union_volume(unit_spheres(balls)) + (occupancy ? missing_volume(*occupancy, balls) : 0);
+}
+
+} // namespace
+
+QuickSearch::QuickSearch(const Solid& solid, const SpherizeOptions& options)
+    : solid_(solid), options_(options), frame_(solid.bounds()) {}
+
+Cover QuickSearch::alone(std::size_t count) {
+    stopped_ = false;
+    return proved(solid_, frame_, found(count, nullptr).front().balls);
+}
+
+QuickSearch::Rung QuickSearch::rung(std::size_t count) {
+    if (const auto known = rungs_.find(count); known != rungs_.end()) {
+        return known->second;
+    }
+    if (count == 1) {
+        const Balls one{smallest_ball(solid_, frame_)};
+        return rungs_.emplace(1, Rung{one, proved(solid_, frame_, one)}).first->second;
+    }
+    Rung best = rung(count_before(count));
+    if (stopped()) {
+        return best;
+    }
+    Rated next = found(count, &best.balls).front();
+    const bool complete = !stopped_;
+    Cover made = proved(solid_, frame_, next.balls);
+    if (geometry::joint_volume(solid_, made.spheres) < geometry::joint_volume(solid_, best.cover.spheres)) {
+        best = {std::move(next.balls), std::move(made)};
+    }
+    if (complete) {
+        rungs_.emplace(count, best);
+    }
+    return best;
+}
+
+const DescentSurface& QuickSearch::surface_for(std::size_t count) {
+    const std::size_t pieces = DescentSurface::pieces_for(count);
+    if (pieces != pieces_) {
+        pieces_ = pieces;
+        surface_ = std::make_unique<DescentSurface>(solid_, frame_, count);
+    }
+    return *surface_;
+}
+
+const Occupancy* QuickSearch::occupancy_for(std::size_t count) {
+    if (count <= few_balls) {
+        return nullptr;
+    }
+    if (!occupancy_) {
+        occupancy_ = std::make_unique<Occupancy>(solid_, frame_, cells);
+    }
+    return occupancy_.get();
+}
+
+std::vector<Rated> QuickSearch::found(std::size_t count, const Balls* before) {
+    if (count == 1) {
+        return {{0, {smallest_ball(solid_, frame_)}}};
+    }
+    const DescentSurface& surface = surface_for(count);
+    const Occupancy* const occupancy = occupancy_for(count);
+    std::vector<Balls> begin = starts(surface, occupancy, count, before);
+    if (stopped()) {
+        return {{0, PowerCells(surface.skin).fitted(begin.front(), directions_of_fits())}};
+    }
+    std::vector<Rated> looks(begin.size());
+    parallel_for(begin.size(), [&](std::size_t i) { looks[i] = first_look(surface, occupancy, std::move(begin[i])); });
+    std::stable_sort(looks.begin(), looks.end(), claims_less);
+    looks.resize(std::min(looks.size(), second_plan_for(count).kept_starts));
+    if (stopped()) {
+        return looks;
+    }
+    parallel_for(looks.size(), [&](std::size_t i) { looks[i] = gone_on_with(surface, occupancy, looks[i], count); });
+    std::stable_sort(looks.begin(), looks.end(), claims_less);
+    return looks;
+}
+
+std::vector<Rated> QuickSearch::candidates(std::size_t count, const Balls& before) {
+    stopped_ = false;
+    return found(count, &before);
+}
+
+std::vector<Balls> QuickSearch::starts(const DescentSurface& surface, const Occupancy* occupancy, std::size_t count,
+                                       const Balls* before) const {
+    constexpr std::size_t most_in_a_row = 6;
+    const Points& some = surface.some;
+    std::vector<Balls> result{divided(some, before ? *before : Balls{}, count)};
+    std::ranges::move(grids(some, count, most_in_a_row), std::back_inserter(result));
+    Random random(derive_seed(options_.seed, "quick starts") + count);
+    if (!occupancy) {
+        result.push_back(clusters(some, count, random));
+        return result;
+    }
+    const Points body = body_of(some, *occupancy);
+    for (int i = 0; i < 2; ++i) {
+        result.push_back(clusters(body, count, random));
+    }
+    return result;
+}
+
+Rated QuickSearch::first_look(const DescentSurface& surface, const Occupancy* occupancy, Balls balls) const {
+    QuickDescent(directions_of_steps(), occupancy).run(balls, first_plan, [&](const Balls&, Points& points, float) {
+        points = surface.some;
+    });
+    Rated found{0, PowerCells(surface.skin).fitted(balls, directions_of_fits())};
+    found.volume = claim(found.balls, occupancy);
+    return found;
+}
+
+Rated QuickSearch::gone_on_with(const DescentSurface& surface, const Occupancy* occupancy, const Rated& start,
+                                std::size_t count) const {
+    Balls balls = descended(surface, occupancy, start.balls, count, second_plan_for(count).descent);
+    PowerCells cells(surface.skin);
+    Rated best = start;
+    double before = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < last_fits; ++i) {
+        check_cancelled();
+        constexpr double least_gain = 1e-4;
+        balls = cells.fitted(balls, directions_of_fits());
+        const double now = claim(balls, occupancy);
+        if (now < best.volume) {
+            best = {now, balls};
+        }
+        if (now > before * (1 - least_gain)) {
+            break;
+        }
+        before = now;
+    }
+    return best;
+}
+
+} // namespace foam::search::cover

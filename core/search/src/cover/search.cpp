@@ -1,0 +1,284 @@
+#include "search.hpp"
+
+#include "conditional_gradient.hpp"
+#include "ladder.hpp"
+#include "missing_volume.hpp"
+#include "proved.hpp"
+#include "starts.hpp"
+
+#include <foam/base/parallel.hpp>
+#include <foam/geometry/internal/joint_volume.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace foam::inline search::cover {
+namespace {
+
+/// Number of points above which surfaces are coarsened for the search.
+constexpr std::size_t few_points = 500;
+
+} // namespace
+
+Plan plan_for(Effort effort) {
+    if (effort == Effort::best) {
+        return {.resolution = 96,
+                .points = 6000,
+                .first_points = 1000,
+                .directions = 128,
+                .restarts = 48,
+                .starts = 12,
+                .kept_of_few = 6,
+                .kept_of_some = 6,
+                .kept_of_many = 3,
+                .coarse_steps = 200,
+                .fine_steps = 160,
+                .most_split = 12,
+                .most_moves = 3,
+                .most_grown = 64,
+                .most_quick = 16,
+                .most_exchanged = 16,
+                .first_gradient_steps = 4,
+                .last_gradient_steps = 40,
+                .exchange = {{24, 7, 4, 80}, 80, 12, 20},
+                .skin_resolution = 32};
+    }
+    return {.resolution = 48,
+            .points = 3000,
+            .first_points = 500,
+            .directions = 96,
+            .restarts = 2,
+            .starts = 2,
+            .kept_of_few = 2,
+            .kept_of_some = 1,
+            .kept_of_many = 1,
+            .coarse_steps = 120,
+            .fine_steps = 120,
+            .most_split = 8,
+            .most_moves = 0,
+            .most_grown = 64,
+            .most_quick = 16,
+            .most_exchanged = 8,
+            .first_gradient_steps = 4,
+            .last_gradient_steps = 20,
+            .exchange = {{16, 5, 2, 40}, 20, 6, 16},
+            .skin_resolution = 16};
+}
+
+Search::Search(const Solid& solid, const SpherizeOptions& options)
+    : solid_(solid), options_(options), plan_(plan_for(options.effort)),
+      problem_(solid, plan_.resolution, plan_.points, options.seed), skin_(solid.surface(), problem_.frame),
+      coarse_skin_(skin_.points.size() > few_points ? skin_.coarse(plan_.skin_resolution) : skin_),
+      body_(body_points(problem_, 800)), improvement_(problem_, plan_.directions, plan_.first_points),
+      quick_(solid, options) {}
+
+Search::Model Search::model(std::size_t count) {
+    if (const auto known = models_.find(count); known != models_.end()) {
+        return known->second;
+    }
+    if (count == 1) {
+        return models_.emplace(1, finished({smallest_ball(solid_, problem_.frame)})).first->second;
+    }
+    Model best = model(count_before(count));
+    if (stopped()) {
+        return best;
+    }
+    const Model before = best;
+    const auto take = [&](const Balls& balls) {
+        Model model = finished(balls);
+        // More balls are never worse.
+        if (model.joint < best.joint) {
+            best = std::move(model);
+        }
+    };
+    if (count <= plan_.most_split) {
+        take(settled(quick_.surface_for(count), one_more(before.balls), plan_.last_gradient_steps).balls);
+        if (stopped()) {
+            return best;
+        }
+    }
+    if (!quick_.surface_for(count).skin.fine) {
+        // The occupancy misses needles, so the following steps may lose the result of the quick search.
+        take(quick_.candidates(count, before.balls).front().balls);
+    }
+    if (count > 2) {
+        const Balls more = count > plan_.most_split && count <= plan_.most_grown ? grown(before, count) : Balls{};
+        if (!more.empty()) {
+            take(more);
+        }
+        for (const Balls& balls : found(count, before.balls, more)) {
+            take(balls);
+        }
+        if (stopped()) {
+            return best;
+        }
+    }
+    for (int round = 0; round < plan_.most_moves && count <= plan_.most_split && !stopped(); ++round) {
+        const double joint = best.joint;
+        if (best.balls.size() < 3) {
+            break; // two balls come from all planes anyway
+        }
+        for (const Balls& balls : moved(Balls(best.balls))) {
+            take(balls);
+        }
+        if (best.joint == joint) {
+            break;
+        }
+    }
+    if (stopped_) {
+        return best;
+    }
+    return models_.emplace(count, std::move(best)).first->second;
+}
+
+std::vector<Balls> Search::moved(const Balls& cover) {
+    const DescentSurface& surface = quick_.surface_for(cover.size());
+    std::vector<Balls> result(cover.size());
+    parallel_for(cover.size(), [&](std::size_t i) {
+        Balls fewer = cover;
+        fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+        fewer = settled(surface, fewer, plan_.first_gradient_steps).balls;
+        result[i] = settled(surface, one_more(fewer), plan_.last_gradient_steps).balls;
+    });
+    return result;
+}
+
+Balls Search::grown(const Model& cover, std::size_t count) {
+    Claim claim{cover.cover.spheres, cover.joint};
+    if (!splitting_) {
+        splitting_.emplace(solid_);
+    }
+    while (claim.spheres.size() < count && !stopped()) {
+        Claim more = splitting_->one_more(claim.spheres, claim.volume);
+        if (more.spheres.size() == claim.spheres.size()) {
+            break;
+        }
+        claim = std::move(more);
+    }
+    return unit_balls(claim.spheres, problem_.frame);
+}
+
+Balls Search::one_more(const Balls& cover) const {
+    constexpr std::size_t most_candidates = 3;
+    std::vector<std::size_t> candidates = improvement_.by_waste(cover);
+    candidates.resize(std::min(candidates.size(), most_candidates));
+    Exchange exchange(problem_, coarse_skin_, plan_.exchange, cover);
+    if (exchange.split(candidates)) {
+        exchange.settle();
+    }
+    return exchange.balls();
+}
+
+/// Returns the candidates. For few balls the quick search is sufficient, and exchanges refine its results. For many
+/// balls it is not: those start with clusters, and with long steps that move lost balls to better places.
+std::vector<Balls> Search::found(std::size_t count, const Balls& before, const Balls& more) {
+    const DescentSurface& surface = quick_.surface_for(count);
+    std::vector<Rated> rated;
+    if (count <= plan_.most_quick) {
+        rated = quick_.candidates(count, before);
+        parallel_for(rated.size(),
+                     [&](std::size_t i) { rated[i] = settled(surface, rated[i].balls, plan_.first_gradient_steps); });
+        add_restarts(count, rated);
+        if (!more.empty()) {
+            rated.push_back(settled(surface, more, plan_.first_gradient_steps));
+        }
+    } else {
+        add_starts_of_many(count, rated);
+    }
+    std::stable_sort(rated.begin(), rated.end(), claims_less);
+    rated.resize(std::min(rated.size(), kept_for(count)));
+    if (count > plan_.most_quick && !more.empty()) {
+        rated.push_back(settled(surface, more, plan_.first_gradient_steps));
+    }
+    std::vector<Balls> balls(rated.size());
+    if (stopped()) {
+        return {rated.front().balls};
+    }
+    parallel_for(balls.size(), [&](std::size_t i) {
+        const Balls& start = rated[i].balls;
+        const bool few = count <= plan_.most_exchanged, many = count > plan_.most_quick;
+        balls[i] = settled(surface,
+                           few    ? exchanged(start)
+                           : many ? refined(start)
+                                  : start,
+                           plan_.last_gradient_steps)
+                       .balls;
+        if (few && coarse_skin_.points.size() < skin_.points.size()) {
+            balls[i] = settled(surface, exchanged_finely(balls[i]), plan_.last_gradient_steps).balls;
+        }
+    });
+    return balls;
+}
+
+std::size_t Search::kept_for(std::size_t count) const {
+    constexpr std::size_t few = 4;
+    return count <= few ? plan_.kept_of_few : count <= plan_.most_quick ? plan_.kept_of_some : plan_.kept_of_many;
+}
+
+void Search::add_restarts(std::size_t count, std::vector<Rated>& rated) {
+    constexpr QuickDescentPlan descent{.steps = 72, .first_step = 0.3f, .last_step = 0.003f, .refresh = 12};
+    if (stopped()) {
+        return;
+    }
+    const std::size_t first = rated.size();
+    const DescentSurface& surface = quick_.surface_for(count);
+    Random random(derive_seed(options_.seed, "restarts") + count);
+    rated.resize(first + plan_.restarts);
+    for (std::size_t i = first; i < rated.size(); ++i) {
+        rated[i].balls = clusters(body_, count, random);
+    }
+    parallel_for(plan_.restarts, [&](std::size_t k) {
+        Rated& start = rated[first + k];
+        start = settled(surface, descended(surface, &problem_.occupancy, std::move(start.balls), count, descent),
+                        plan_.first_gradient_steps);
+    });
+}
+
+void Search::add_starts_of_many(std::size_t count, std::vector<Rated>& rated) {
+    Random random(derive_seed(options_.seed, "starts") + count);
+    constexpr std::size_t points_a_ball = 6; // fewer would make clusters of one point, balls without size
+    const Points more = points_a_ball * count > body_.size() ? body_points(problem_, points_a_ball * count) : Points{};
+    rated.resize(plan_.starts);
+    for (Rated& start : rated) {
+        start.balls = clusters(more.size() > body_.size() ? more : body_, count, random);
+    }
+    const DescentSurface& surface = quick_.surface_for(count);
+    const DescentPlan far{.steps = plan_.coarse_steps, .first_step = 0.2f, .last_step = 0.01f};
+    parallel_for(rated.size(), [&](std::size_t i) {
+        constexpr int gradient_steps = 2; // enough to find the best
+        rated[i] = settled(surface, improvement_.improved(rated[i].balls, far, false), gradient_steps);
+    });
+}
+
+Rated Search::settled(const DescentSurface& surface, const Balls& balls, int steps) const {
+    return ConditionalGradient(surface.skin, problem_.occupancy).improved(balls, steps);
+}
+
+Balls Search::exchanged(const Balls& balls) const {
+    Exchange exchange(problem_, coarse_skin_, plan_.exchange, balls);
+    exchange.settle();
+    return exchange.balls();
+}
+
+/// Exchanges on the surface itself after exchanges on a coarse one.
+Balls Search::exchanged_finely(const Balls& balls) const {
+    ExchangePlan plan = plan_.exchange;
+    plan.evaluations = 12;
+    plan.rounds = 1;
+    Exchange exchange(problem_, skin_, plan, balls);
+    exchange.settle();
+    return exchange.balls();
+}
+
+Balls Search::refined(const Balls& balls) const {
+    const DescentPlan near{.steps = plan_.fine_steps, .first_step = 0.02f, .last_step = 0.001f};
+    return improvement_.improved(balls, near, true);
+}
+
+Search::Model Search::finished(const Balls& balls) const {
+    Model model{balls, proved(solid_, problem_.frame, balls), 0};
+    model.joint = geometry::joint_volume(solid_, model.cover.spheres);
+    return model;
+}
+
+} // namespace foam::search::cover

@@ -1,0 +1,93 @@
+// Searches for covering balls of one solid, 1, 2, 3, …, each from the smaller counts.
+#pragma once
+
+#include "exchange.hpp"
+#include "improvement.hpp"
+#include "quick_search.hpp"
+
+#include <foam/base/random.hpp>
+#include <foam/search/internal/splitting.hpp>
+#include <foam/search/spherize.hpp>
+
+#include <map>
+#include <optional>
+
+namespace foam::inline search::cover {
+
+/// The parameters of the efforts normal and best; fast is QuickSearch.
+struct Plan {
+    int resolution;               ///< cells of the occupancy along the longest extent
+    std::size_t points;           ///< number on the surface
+    std::size_t first_points;     ///< points that every descent uses
+    std::size_t directions;       ///< per ball
+    std::size_t restarts, starts; ///< random starts: for counts of the quick search, and for larger ones
+    std::size_t kept_of_few, kept_of_some, kept_of_many; ///< refined starts for counts up to 4, up to most_quick, above
+    int coarse_steps, fine_steps;
+    std::size_t most_split;     ///< counts up to this start from splits too; two balls from them alone
+    int most_moves;             ///< rounds of moves of those, each of every ball
+    std::size_t most_grown;     ///< larger counts, up to this, start from those before with balls split one by one
+    std::size_t most_quick;     ///< counts up to this start with the results of the quick search
+    std::size_t most_exchanged; ///< counts up to this exchange pieces
+    int first_gradient_steps, last_gradient_steps; ///< of each start, and of those that are kept
+    ExchangePlan exchange;
+    int skin_resolution; ///< of a finely meshed surface, for the search
+};
+Plan plan_for(Effort effort);
+
+class Search {
+public:
+    /// The solid must outlive this.
+    Search(const Solid& solid, const SpherizeOptions& options);
+    Search(const Search&) = delete; ///< its parts refer to each other
+    Search& operator=(const Search&) = delete;
+
+    /// Returns the covering spheres for a count. The result of a stopped search is not kept.
+    Cover cover(std::size_t count) {
+        stopped_ = false;
+        return model(count).cover;
+    }
+    /// Returns whether the last search was stopped.
+    bool was_stopped() const { return stopped_; }
+
+private:
+    struct Model {
+        Balls balls;
+        Cover cover;
+        double joint; ///< volume of the spheres and the solid together, m³
+    };
+    Model model(std::size_t count);
+    /// Returns one ball more: a plane splits one of those with most excess volume.
+    Balls one_more(const Balls& cover) const;
+    /// Returns sets of as many balls: for each ball in turn, the ball is removed, and one with most excess volume is
+    /// split.
+    std::vector<Balls> moved(const Balls& cover);
+    /// Returns balls split in two one after another, those where it helps, until there are `count`.
+    Balls grown(const Model& cover, std::size_t count);
+    /// Returns sets of balls, larger than `before`, that cover the surface or nearly do; `more`, if not empty, is a set
+    /// to be improved.
+    std::vector<Balls> found(std::size_t count, const Balls& before, const Balls& more);
+    /// Adds candidates from many random starts.
+    void add_restarts(std::size_t count, std::vector<Rated>& rated);
+    void add_starts_of_many(std::size_t count, std::vector<Rated>& rated);
+    std::size_t kept_for(std::size_t count) const;
+    Balls exchanged(const Balls& balls) const;
+    Balls exchanged_finely(const Balls& balls) const;
+    Balls refined(const Balls& balls) const;
+    Rated settled(const DescentSurface& surface, const Balls& balls, int steps) const;
+    Model finished(const Balls& balls) const;
+    bool stopped() { return stopped_ = stopped_ || (options_.stop && options_.stop()); }
+
+    const Solid& solid_;
+    SpherizeOptions options_;
+    Plan plan_;
+    Problem problem_;
+    Skin skin_, coarse_skin_; ///< the same where there are few points
+    Points body_;
+    Improvement improvement_;
+    std::optional<Splitting> splitting_; ///< made on first use
+    QuickSearch quick_;
+    std::map<std::size_t, Model> models_;
+    bool stopped_ = false;
+};
+
+} // namespace foam::search::cover

@@ -1,0 +1,39 @@
+// The surface as Exchange uses it.
+#pragma once
+
+#include "points.hpp"
+
+#include <foam/geometry/mesh.hpp>
+
+#include <array>
+#include <cstdint>
+#include <utility>
+
+namespace foam::inline search::cover {
+
+using Line = std::pair<std::uint32_t, std::uint32_t>; ///< indices of its ends
+
+/// Triangles in the unit frame. Corners at one place, and edges between them, have one index, regardless of the mesh.
+struct Skin {
+    struct Face {
+        std::array<std::uint32_t, 3> corners, edges; ///< edge k goes from corner k to the next one
+        Ball bounds;
+    };
+    Points points;
+    std::vector<Line> edges;
+    std::vector<Face> faces;
+
+    Skin(const Mesh& surface, const Frame& frame);
+    /// Returns a coarse skin: of the points in each cell of a lattice, cells of about 1/`resolution` of the longest
+    /// extent, one represents all (Rossignac and Borrel 1993). It lies on the surface, but the surface may extend
+    /// beyond it between points.
+    Skin coarse(int resolution) const;
+
+private:
+    Skin() = default;
+    void add_edges();
+    /// Returns the point at the place of each vertex in use.
+    std::vector<std::uint32_t> name_places(const Mesh& surface, const Frame& frame);
+};
+
+} // namespace foam::search::cover

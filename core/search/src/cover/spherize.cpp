@@ -1,0 +1,150 @@
+#include "objective_search.hpp"
+#include "quick_search.hpp"
+#include "search.hpp"
+
+#include <foam/base/error.hpp>
+#include <foam/geometry/internal/own_frame.hpp>
+#include <foam/geometry/union_volume.hpp>
+
+#include <algorithm>
+#include <variant>
+
+namespace foam::inline search {
+
+std::optional<Objective> objective_named(std::string_view name) {
+    static constexpr std::pair<std::string_view, Objective> objectives[] = {
+        {"excess", Objective::excess}, {"protrusion", Objective::protrusion}, {"radius", Objective::radius}};
+    const auto it = std::find_if(std::begin(objectives), std::end(objectives),
+                                 [&](const auto& objective) { return objective.first == name; });
+    return it == std::end(objectives) ? std::nullopt : std::optional(it->second);
+}
+
+/// The solid in the frame of the computation: its own frame if its size or place is out of the ordinary.
+class WorkedOn {
+public:
+    explicit WorkedOn(const Solid& solid) : given_(solid), frame_(geometry::own_frame(solid)) {
+        const bool is_point = geometry::size_of(solid.bounds()) == 0; // then a tiny sphere is enough
+        if (const std::string why = geometry::why_out_of_bounds(solid.bounds()); !is_point && !why.empty()) {
+            throw Error(ErrorCode::geometry, "spherize: the solid cannot be covered: " + why);
+        }
+        if (!frame_.is_given()) {
+            own_ = frame_.to_own(solid);
+        }
+    }
+    const Solid& solid() const { return own_ ? *own_ : given_; }
+    /// Returns a cover of solid() as a cover of the given solid, proved there.
+    Cover in_given_frame(Cover cover) const {
+        if (own_) {
+            cover.spheres = grown_to_cover(given_, frame_.from_own(std::move(cover.spheres)));
+            cover.certificate = certify(given_, cover.spheres);
+            cover.volume = exact_union_volume(cover.spheres);
+        }
+        return cover;
+    }
+
+private:
+    const Solid& given_;
+    geometry::OwnFrame frame_;
+    std::shared_ptr<const Solid> own_;
+};
+
+/// The search for the given objective and effort, on a solid in its frame.
+class SearchAsIs {
+public:
+    SearchAsIs(const Solid& solid, const SpherizeOptions& options) {
+        if (options.objective != Objective::excess) {
+            search_.emplace<cover::ObjectiveSearch>(solid, options);
+        } else if (options.effort == Effort::fast) {
+            search_.emplace<cover::QuickSearch>(solid, options);
+        } else {
+            search_.emplace<cover::Search>(solid, options);
+        }
+    }
+    Cover cover(std::size_t count) {
+        if (auto* const quick = std::get_if<cover::QuickSearch>(&search_)) {
+            return quick->cover(count);
+        }
+        if (auto* const other = std::get_if<cover::ObjectiveSearch>(&search_)) {
+            return other->cover(count);
+        }
+        return std::get<cover::Search>(search_).cover(count);
+    }
+
+private:
+    std::variant<std::monostate, cover::QuickSearch, cover::Search, cover::ObjectiveSearch> search_;
+};
+
+struct CoverSearch::Data {
+    Data(const Solid& given, const SpherizeOptions& options) : work(given), search(work.solid(), options) {}
+    WorkedOn work;
+    SearchAsIs search;
+};
+
+CoverSearch::CoverSearch(const Solid& solid, const SpherizeOptions& options)
+    : data_(std::make_unique<Data>(solid, options)) {}
+
+CoverSearch::~CoverSearch() = default;
+
+static void check(std::size_t count) {
+    if (count == 0) {
+        throw Error(ErrorCode::usage,
+                    "spherize: a cover needs at least 1 sphere, got a count of 0; remedy: ask for 1 or more");
+    }
+}
+
+Cover CoverSearch::cover(std::size_t count) {
+    check(count);
+    return data_->work.in_given_frame(data_->search.cover(count));
+}
+
+std::vector<Cover> spherize_each(const Solid& solid, std::span<const std::size_t> counts,
+                                 const SpherizeOptions& options) {
+    std::for_each(counts.begin(), counts.end(), check);
+    CoverSearch search(solid, options);
+    std::vector<Cover> covers;
+    for (const std::size_t count : counts) {
+        covers.push_back(search.cover(count));
+    }
+    return covers;
+}
+
+/// Returns the better result of two searches if the second was stopped early: `quick` is the fallback. A search that is
+/// not stopped gives its usual result.
+template <class Search, class Quick, class Figure>
+static Cover quick_or_better(Quick quick, const Solid& solid, std::size_t count, const SpherizeOptions& options,
+                             Figure figure) {
+    Cover found = quick.alone(count);
+    if (options.effort == Effort::fast || quick.was_stopped()) {
+        return found;
+    }
+    Search search(solid, options);
+    Cover better = search.cover(count);
+    return search.was_stopped() && figure(search, found) < figure(search, better) ? found : better;
+}
+
+static Cover spherize_as_is(const Solid& solid, std::size_t count, const SpherizeOptions& options) {
+    if (options.effort != Effort::fast && !options.stop) {
+        return SearchAsIs(solid, options).cover(count);
+    }
+    if (options.objective == Objective::excess) {
+        return quick_or_better<cover::Search>(cover::QuickSearch(solid, options), solid, count, options,
+                                              [](const auto&, const Cover& cover) { return cover.volume; });
+    }
+    SpherizeOptions fast = options;
+    fast.effort = Effort::fast;
+    return quick_or_better<cover::ObjectiveSearch>(
+        cover::ObjectiveSearch(solid, fast), solid, count, options,
+        [](const cover::ObjectiveSearch& search, const Cover& cover) { return search.figure(cover); });
+}
+
+Cover spherize(const Solid& solid, std::size_t count, const SpherizeOptions& options) {
+    check(count);
+    const WorkedOn work(solid);
+    return work.in_given_frame(spherize_as_is(work.solid(), count, options));
+}
+
+Cover spherize(const Mesh& mesh, std::size_t count, const SpherizeOptions& options) {
+    return spherize(*Solid::make(mesh), count, options);
+}
+
+} // namespace foam::search

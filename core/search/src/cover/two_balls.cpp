@@ -1,0 +1,213 @@
+#include "two_balls.hpp"
+
+#include <foam/base/cancellation.hpp>
+#include <foam/geometry/internal/fibonacci.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace foam::inline search::cover {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Vec3 center_of(const Ball& ball) {
+    return {ball.x, ball.y, ball.z};
+}
+
+bool claims_less(const TwoBalls& a, const TwoBalls& b) {
+    return a.volume < b.volume;
+}
+
+using Place = std::array<double, 3>;
+
+Place between(const Place& a, const Place& b, double t) {
+    return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
+}
+
+/// Minimises by a downhill simplex from the corner of the unit cube at the origin: reflection 1, expansion 2,
+/// contraction and shrinking by half. It stops after `patience` evaluations if no value was below `enough`.
+template <class Value> void downhill(const Value& value, int evaluations, int patience, double enough) {
+    std::array<std::pair<double, Place>, 4> simplex;
+    for (std::size_t i = 0; i < 4; ++i) {
+        simplex[i].second = {i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0, i == 3 ? 1.0 : 0.0};
+        simplex[i].first = value(simplex[i].second);
+    }
+    constexpr double flat = 1e-5;
+    for (int used = 4; used < evaluations;) {
+        std::stable_sort(simplex.begin(), simplex.end(),
+                         [](const auto& a, const auto& b) { return a.first < b.first; });
+        if (used >= patience && simplex[0].first >= enough) {
+            return;
+        }
+        const double most = simplex[3].first; // clang 14 lets no lambda capture a structured binding
+        const Place worst = simplex[3].second;
+        if (most - simplex[0].first < flat * std::abs(simplex[0].first)) {
+            return;
+        }
+        Place middle{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                middle[k] += simplex[i].second[k] / 3;
+            }
+        }
+        const auto attempt = [&](double t) {
+            const Place place = between(middle, worst, t);
+            ++used;
+            return std::pair{value(place), place};
+        };
+        const auto reflected = attempt(-1);
+        if (reflected.first < simplex[0].first) {
+            const auto expanded = attempt(-2);
+            simplex[3] = expanded.first < reflected.first ? expanded : reflected;
+        } else if (reflected.first < simplex[2].first) {
+            simplex[3] = reflected;
+        } else if (const auto contracted = attempt(reflected.first < most ? -0.5 : 0.5);
+                   contracted.first < std::min(reflected.first, most)) {
+            simplex[3] = contracted;
+        } else {
+            for (std::size_t i = 1; i < 4; ++i, ++used) {
+                simplex[i].second = between(simplex[0].second, simplex[i].second, 0.5);
+                simplex[i].first = value(simplex[i].second);
+            }
+        }
+    }
+}
+
+} // namespace
+
+TwoBallSearch::TwoBallSearch(const Content& content, const OutsideVolume& outside)
+    : content_(content), outside_(outside), height_(content.points.size()) {
+    // All points may be on one side, and the last slot is written without being counted on either.
+    for (Points& half : half_) {
+        half.resize(content.points.size() + content.lines.size() + 1);
+    }
+}
+
+TwoBalls TwoBallSearch::at(const Plane& plane) {
+    const Points& p = content_.points;
+    const float nx = static_cast<float>(plane.normal.x), ny = static_cast<float>(plane.normal.y),
+                nz = static_cast<float>(plane.normal.z), offset = static_cast<float>(plane.offset);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        height_[i] = nx * p.x[i] + ny * p.y[i] + nz * p.z[i] - offset;
+    }
+    // All points are written, and counted on their side only: no branches.
+    std::array<std::size_t, 2> counts{};
+    const auto put = [&](float x, float y, float z, std::size_t side, bool counts_there) {
+        Points& half = half_[side];
+        const std::size_t place = counts[side];
+        half.x[place] = x;
+        half.y[place] = y;
+        half.z[place] = z;
+        counts[side] += counts_there;
+    };
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        put(p.x[i], p.y[i], p.z[i], 0, height_[i] >= 0);
+        put(p.x[i], p.y[i], p.z[i], 1, height_[i] <= 0);
+    }
+    for (const auto& [a, b] : content_.lines) {
+        if (height_[a] * height_[b] < 0) {
+            const float t = height_[a] / (height_[a] - height_[b]);
+            const float x = p.x[a] + t * (p.x[b] - p.x[a]), y = p.y[a] + t * (p.y[b] - p.y[a]),
+                        z = p.z[a] + t * (p.z[b] - p.z[a]);
+            put(x, y, z, 0, true);
+            put(x, y, z, 1, true);
+        }
+    }
+    TwoBalls two;
+    two.plane = plane;
+    for (std::size_t side = 0; side < 2; ++side) {
+        two.balls[side] = enclosing_ball_.of(half_[side], counts[side], tilts_[side], centers_[side]);
+    }
+    two.volume = outside_.of(two.balls);
+    return two;
+}
+
+void TwoBallSearch::set_tilts(const std::array<Ball, 2>& balls) {
+    for (std::size_t side = 0; side < 2; ++side) {
+        tilts_[side] = balls[side].r > 0 ? outside_.tilt(balls, side) : Vec3{};
+        centers_[side] = center_of(balls[side]);
+    }
+}
+
+TwoBalls TwoBallSearch::descend(const Plane& start, double turn, double shift, int evaluations, int patience,
+                                double enough) {
+    const Vec3 n = start.normal, u = normalized(cross(n, std::abs(n.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
+    const Vec3 v = cross(n, u);
+    Vec3 middle{};
+    for (std::size_t i = 0; i < content_.points.size(); ++i) {
+        middle += content_.points.at(i) / static_cast<double>(content_.points.size());
+    }
+    middle += n * (start.offset - dot(n, middle));
+    TwoBalls best;
+    best.volume = infinity;
+    const auto value = [&](const Place& place) {
+        const Vec3 normal = normalized(n + u * (place[0] * turn) + v * (place[1] * turn));
+        const TwoBalls two = at({normal, dot(normal, middle + n * (place[2] * shift))});
+        if (two.volume < best.volume) {
+            best = two;
+        }
+        return two.volume;
+    };
+    downhill(value, evaluations, patience, enough);
+    return best;
+}
+
+std::vector<TwoBalls> TwoBallSearch::anywhere(const Plan& plan) {
+    tilts_ = {};
+    centers_ = {content_.points.at(0), content_.points.at(0)};
+    std::vector<TwoBalls> best_along;
+    const std::vector<Vec3> directions = geometry::fibonacci_directions(2 * static_cast<std::size_t>(plan.directions));
+    for (std::size_t i = 0; i < static_cast<std::size_t>(plan.directions); ++i) {
+        double low = infinity, high = -infinity;
+        for (std::size_t k = 0; k < content_.points.size(); ++k) {
+            const double height = dot(directions[i], content_.points.at(k));
+            low = std::min(low, height);
+            high = std::max(high, height);
+        }
+        TwoBalls best;
+        best.volume = infinity;
+        for (int k = 1; k <= plan.offsets; ++k) {
+            check_cancelled();
+            const TwoBalls two = at({directions[i], low + (high - low) * k / (plan.offsets + 1)});
+            best = two.volume < best.volume ? two : best;
+        }
+        best_along.push_back(best);
+    }
+    std::stable_sort(best_along.begin(), best_along.end(), claims_less);
+    return best_along;
+}
+
+TwoBalls TwoBallSearch::improved(const std::vector<TwoBalls>& starts, const Plan& plan) {
+    const double size = std::sqrt(farthest(content_.points, content_.points.size(), content_.points.at(0)).squared);
+    TwoBalls best = starts.front();
+    for (std::size_t i = 0; i < std::min(starts.size(), static_cast<std::size_t>(plan.kept)); ++i) {
+        tilts_ = {};
+        const TwoBalls upright = descend(starts[i].plane, 0.2, 0.05 * size, plan.evaluations);
+        set_tilts(upright.balls);
+        const TwoBalls tilted = descend(upright.plane, 0.1, 0.03 * size, plan.evaluations);
+        best = std::min({best, upright, tilted}, claims_less);
+    }
+    return best;
+}
+
+TwoBalls TwoBallSearch::near(const std::array<Ball, 2>& balls, int evaluations) {
+    constexpr int patience = 10;
+    TwoBalls now;
+    now.balls = balls;
+    now.volume = outside_.of(balls);
+    const Vec3 a = center_of(balls[0]), b = center_of(balls[1]);
+    const double apart = distance(a, b), ra = balls[0].r, rb = balls[1].r;
+    if (!(apart > 0) || content_.points.size() == 0) {
+        return now;
+    }
+    set_tilts(balls);
+    // Starts at the plane of the circle in which they meet.
+    const Vec3 n = (a - b) / apart;
+    const Plane plane{n, dot(n, a) - (apart * apart + ra * ra - rb * rb) / (2 * apart)};
+    const TwoBalls found = descend(plane, 0.15, 0.1 * std::min(ra, rb), evaluations, patience, now.volume);
+    return found.volume < now.volume ? found : now;
+}
+
+} // namespace foam::search::cover
