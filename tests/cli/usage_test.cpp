@@ -77,6 +77,7 @@ TEST_F(Cli, EveryCommandHasHelpWithExamples) {
 
 /// The experiments are a program of their own, which the first build does not make.
 TEST_F(Cli, BenchThatIsNotBuilt) {
+    namespace fs = std::filesystem;
     fs::create_directory(path() / "bin");
     fs::copy_file(FOAM_TEST_BINARY, path() / "bin/foam");
     const Outcome outcome = shell("bin/foam bench x.yaml --check");

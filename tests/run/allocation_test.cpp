@@ -19,11 +19,11 @@ CostCurve curve_of(std::initializer_list<std::pair<std::size_t, double>> points)
 
 /// The counts of curves that all weigh the same.
 std::vector<std::size_t> allocate_at_most(std::initializer_list<const CostCurve*> curves, std::size_t total) {
-    std::vector<Claimant> claimants;
+    std::vector<WeightedCurve> weighted_curves;
     for (const CostCurve* curve : curves) {
-        claimants.push_back({curve});
+        weighted_curves.push_back({curve});
     }
-    return Sharing(claimants, total).best();
+    return Allocation(weighted_curves, total).best();
 }
 
 TEST(CostCurve, DemandFallsWithThePrice) {
@@ -102,36 +102,36 @@ TEST(Allocate, LeavesSpheresOutThatMakeItWorse) {
     EXPECT_TRUE(allocate_at_most({&falling, &rising}, 1).empty());
 }
 
-TEST(Sharing, AWeightDrawsSpheres) {
+TEST(Allocation, AWeightDrawsSpheres) {
     const CostCurve curve = curve_of({{1, 10}, {2, 6}, {3, 4}, {4, 3}});
-    EXPECT_EQ(Sharing({{&curve, 1}, {&curve, 10}}, 5).best(), (std::vector<std::size_t>{1, 4}));
-    EXPECT_EQ(Sharing({{&curve, 10}, {&curve, 1}}, 5).best(), (std::vector<std::size_t>{4, 1}));
-    EXPECT_EQ(Sharing({{&curve, 0}, {&curve, 1}}, 8).best(), (std::vector<std::size_t>{1, 4})) << "nothing to gain";
-    EXPECT_EQ(Sharing({{&curve, 3}, {&curve, 1}}, 8).cost({1, 4}), (Cost{0, 13})) << "as it is, without weights";
+    EXPECT_EQ(Allocation({{&curve, 1}, {&curve, 10}}, 5).best(), (std::vector<std::size_t>{1, 4}));
+    EXPECT_EQ(Allocation({{&curve, 10}, {&curve, 1}}, 5).best(), (std::vector<std::size_t>{4, 1}));
+    EXPECT_EQ(Allocation({{&curve, 0}, {&curve, 1}}, 8).best(), (std::vector<std::size_t>{1, 4})) << "nothing to gain";
+    EXPECT_EQ(Allocation({{&curve, 3}, {&curve, 1}}, 8).cost({1, 4}), (Cost{0, 13})) << "as it is, without weights";
 }
 
-TEST(Sharing, ALimitComesBeforeVolume) {
+TEST(Allocation, ALimitComesBeforeVolume) {
     const CostCurve free = curve_of({{1, 10}, {2, 4}, {3, 2}});
     CostCurve tight;
     tight.set(1, {0.02, 1});
     tight.set(2, {0.01, 1});
     tight.set(3, {0, 1});
-    EXPECT_EQ(Sharing({{&free}, {&tight}}, 4).best(), (std::vector<std::size_t>{1, 3}));
-    EXPECT_EQ(Sharing({{&free}, {&tight}}, 3).best(), (std::vector<std::size_t>{1, 2})) << "as near as there are";
-    EXPECT_EQ(Sharing({{&free}, {&tight}}, 9).fewest(100), (std::vector<std::size_t>{1, 3}));
+    EXPECT_EQ(Allocation({{&free}, {&tight}}, 4).best(), (std::vector<std::size_t>{1, 3}));
+    EXPECT_EQ(Allocation({{&free}, {&tight}}, 3).best(), (std::vector<std::size_t>{1, 2})) << "as near as there are";
+    EXPECT_EQ(Allocation({{&free}, {&tight}}, 9).fewest(100), (std::vector<std::size_t>{1, 3}));
 }
 
-TEST(Sharing, TheFewestThatAreEnough) {
+TEST(Allocation, TheFewestThatAreEnough) {
     const CostCurve a = curve_of({{1, 10}, {2, 4}, {3, 2}, {4, 1}});
     const CostCurve b = curve_of({{1, 3}, {2, 2}, {3, 1.5}});
-    const Sharing sharing({{&a}, {&b}}, 100);
+    const Allocation sharing({{&a}, {&b}}, 100);
     EXPECT_EQ(sharing.fewest(13), (std::vector<std::size_t>{1, 1}));
     EXPECT_EQ(sharing.fewest(7), (std::vector<std::size_t>{2, 1}));
     EXPECT_EQ(sharing.fewest(6.99), (std::vector<std::size_t>{3, 1}));
     EXPECT_EQ(sharing.fewest(2.5), (std::vector<std::size_t>{4, 3}));
     EXPECT_TRUE(sharing.fewest(2.49).empty());
-    EXPECT_TRUE(Sharing({{&a}, {&b}}, 4).fewest(4).empty()) << "more than there are";
-    EXPECT_TRUE(Sharing({{&a}, {&b}}, 1).fewest(100).empty());
+    EXPECT_TRUE(Allocation({{&a}, {&b}}, 4).fewest(4).empty()) << "more than there are";
+    EXPECT_TRUE(Allocation({{&a}, {&b}}, 1).fewest(100).empty());
 }
 
 TEST(Rungs, AreThoseOfALadderWithinBounds) {

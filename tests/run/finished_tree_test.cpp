@@ -231,14 +231,13 @@ TEST(FinishedTree, OneSphereInsteadOfWorseOnes) {
     EXPECT_TRUE(finished_tree(*solid, flat_tree(worse), Guarantee::outer).one_instead);
     // Many that overlap: their sum is large, what they take together is not.
     EXPECT_FALSE(finished_tree(*solid, flat_tree({good[0], good[0], good[0]}), Guarantee::outer).one_instead);
-    EXPECT_NEAR(wrong_volume(*solid, wide, Guarantee::outer), least - 1, 1e-6);
-    EXPECT_NEAR(wrong_volume(*solid, good, Guarantee::outer), volume(good[0].radius) - 1, 1e-9);
-    EXPECT_NEAR(wrong_volume(*solid, {{{}, 0.6}, {{5, 0, 0}, 0.5}}, Guarantee::inner), 1 - volume(0.5), 1e-9);
-    EXPECT_NEAR(wrong_volume(*solid, {{{0.1, 0, 0}, 0.6}, {{0.3, 0, 0}, 0.1}}, Guarantee::inner), 1 - volume(0.4),
-                1e-9);
-    EXPECT_NEAR(wrong_volume(*solid, {{{}, 0.5}}, Guarantee::fitted), 1 - volume(0.5), 3e-3) << "missing";
-    EXPECT_NEAR(wrong_volume(*solid, {{{}, 1}}, Guarantee::fitted), volume(1) - 1, 1e-9) << "excess";
-    EXPECT_NEAR(wrong_volume(*solid, {{{1, 0, 0}, 0.5}}, Guarantee::fitted), 1 + volume(0.5), 3e-3) << "both";
+    EXPECT_NEAR(cost_volume(*solid, wide, Guarantee::outer), least - 1, 1e-6);
+    EXPECT_NEAR(cost_volume(*solid, good, Guarantee::outer), volume(good[0].radius) - 1, 1e-9);
+    EXPECT_NEAR(cost_volume(*solid, {{{}, 0.6}, {{5, 0, 0}, 0.5}}, Guarantee::inner), 1 - volume(0.5), 1e-9);
+    EXPECT_NEAR(cost_volume(*solid, {{{0.1, 0, 0}, 0.6}, {{0.3, 0, 0}, 0.1}}, Guarantee::inner), 1 - volume(0.4), 1e-9);
+    EXPECT_NEAR(cost_volume(*solid, {{{}, 0.5}}, Guarantee::fitted), 1 - volume(0.5), 3e-3) << "missing";
+    EXPECT_NEAR(cost_volume(*solid, {{{}, 1}}, Guarantee::fitted), volume(1) - 1, 1e-9) << "excess";
+    EXPECT_NEAR(cost_volume(*solid, {{{1, 0, 0}, 0.5}}, Guarantee::fitted), 1 + volume(0.5), 3e-3) << "both";
     EXPECT_NEAR(covered_protrusion(*solid, {{{}, 0.1}}, Guarantee::outer), std::sqrt(0.75) - 0.5, 1e-3);
     EXPECT_EQ(covered_protrusion(*solid, {{{}, 0.1}}, Guarantee::fitted), 0);
 }
@@ -259,7 +258,7 @@ TEST(FinishedTree, NoWrongVolumeIsBelowZero) {
         const double radius = random.uniform(0.1, 1);
         const auto solid = test::primitive_solid({Primitive::Kind::sphere, {}, radius, 0});
         for (const Guarantee guarantee : {Guarantee::outer, Guarantee::inner, Guarantee::fitted}) {
-            EXPECT_GE(wrong_volume(*solid, {{{}, radius}}, guarantee), 0);
+            EXPECT_GE(cost_volume(*solid, {{{}, radius}}, guarantee), 0);
         }
     }
 }

@@ -158,7 +158,8 @@ TEST(CoveringWithin, EverySampleSolidFromEverySide) {
 
 TEST(Shaved, IsTheLargestSphereInWhatIsLeft) {
     const auto box = Solid::make({{nullptr, Primitive{.kind = Primitive::Kind::box, .size = {1, 1, 1}}, {}}});
-    const std::vector<Sphere> spheres = shaved(*box, {{{0, 0, 0}, 1}, {{0, 0, -3}, 1}}, {{{0, 0, -5}, 0.5, 0.1}});
+    const std::vector<Sphere> spheres =
+        shrunk_within(*box, {{{0, 0, 0}, 1}, {{0, 0, -3}, 1}}, {{{0, 0, -5}, 0.5, 0.1}});
     ASSERT_EQ(spheres.size(), 1u);
     EXPECT_NEAR(spheres[0].radius, 0.8, 1e-4);
     EXPECT_NEAR(spheres[0].center.z, 0.2, 1e-4);

@@ -1,6 +1,6 @@
 // Guarantee fitted: what is claimed wrongly and what is left out, together.
 #include "all_spherizers.hpp"
-#include "search/src/fitted/misfit.hpp"
+#include "search/src/fitted/symmetric_difference.hpp"
 
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/contract.hpp>
@@ -81,10 +81,10 @@ TEST(Fit, ACapsuleByARow) {
     EXPECT_LT(misfit(*solid, spheres), 0.06);
 }
 
-TEST(Misfit, TheUseOfABallIsWhatIsLostWithoutIt) {
+TEST(SymmetricDifference, TheUseOfABallIsWhatIsLostWithoutIt) {
     const auto box = Solid::make(sample::box({0.3, 0.1, 0.1}));
     const cover::Frame frame(box->bounds());
-    const fitted::Misfit misfit(*box, frame, 48, 96);
+    const fitted::SymmetricDifference misfit(*box, frame, 48, 96);
     cover::Balls balls;
     for (const Sphere& sphere : {Sphere{{-0.1, 0, 0}, 0.06}, Sphere{{0, 0, 0}, 0.07}, Sphere{{0.03, 0, 0}, 0.06},
                                  Sphere{{0, 0.12, 0}, 0.04}}) {

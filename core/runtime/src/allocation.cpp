@@ -40,23 +40,23 @@ std::size_t CostCurve::demand(double price, double weight) const {
 }
 
 /// Returns an upper bound on every sum of known counts.
-static std::size_t largest_sum(const std::vector<Claimant>& claimants) {
+static std::size_t largest_sum(const std::vector<WeightedCurve>& weighted_curves) {
     std::size_t sum = 0;
-    for (const Claimant& claimant : claimants) {
+    for (const WeightedCurve& claimant : weighted_curves) {
         sum += claimant.curve->known().empty() ? 0 : claimant.curve->known().rbegin()->first;
     }
     return sum;
 }
 
-Sharing::Sharing(std::vector<Claimant> claimants, std::size_t most)
-    : claimants_(std::move(claimants)), columns_(std::min(most, largest_sum(claimants_)) + 1),
-      best_(columns_, impossible), choice_(claimants_.size() * columns_, 0) {
+Allocation::Allocation(std::vector<WeightedCurve> weighted_curves, std::size_t most)
+    : weighted_curves_(std::move(weighted_curves)), columns_(std::min(most, largest_sum(weighted_curves_)) + 1),
+      best_(columns_, impossible), choice_(weighted_curves_.size() * columns_, 0) {
     best_[0] = {};
     std::vector<Cost> next(columns_);
-    for (std::size_t i = 0; i < claimants_.size(); ++i) {
+    for (std::size_t i = 0; i < weighted_curves_.size(); ++i) {
         std::fill(next.begin(), next.end(), impossible);
-        for (const auto& [count, known] : claimants_[i].curve->known()) {
-            const Cost cost = weighted(known, claimants_[i].weight);
+        for (const auto& [count, known] : weighted_curves_[i].curve->known()) {
+            const Cost cost = weighted(known, weighted_curves_[i].weight);
             for (std::size_t sum = count; sum < columns_; ++sum) {
                 if (const Cost with = best_[sum - count] + cost; with < next[sum]) {
                     next[sum] = with;
@@ -68,22 +68,22 @@ Sharing::Sharing(std::vector<Claimant> claimants, std::size_t most)
     }
 }
 
-std::vector<std::size_t> Sharing::counts_of(std::size_t sum) const {
-    std::vector<std::size_t> counts(claimants_.size());
-    for (std::size_t i = claimants_.size(); i-- > 0;) {
+std::vector<std::size_t> Allocation::counts_of(std::size_t sum) const {
+    std::vector<std::size_t> counts(weighted_curves_.size());
+    for (std::size_t i = weighted_curves_.size(); i-- > 0;) {
         counts[i] = choice_[i * columns_ + sum];
         sum -= counts[i];
     }
     return counts;
 }
 
-std::vector<std::size_t> Sharing::best() const {
+std::vector<std::size_t> Allocation::best() const {
     const auto least = std::min_element(best_.begin(), best_.end());
     return *least == impossible ? std::vector<std::size_t>{}
                                 : counts_of(static_cast<std::size_t>(least - best_.begin()));
 }
 
-std::vector<std::size_t> Sharing::fewest(double volume) const {
+std::vector<std::size_t> Allocation::fewest(double volume) const {
     const double over = std::min_element(best_.begin(), best_.end())->over;
     for (std::size_t sum = 0; sum < columns_; ++sum) {
         if (best_[sum] == impossible || best_[sum].over > over) {
@@ -96,10 +96,10 @@ std::vector<std::size_t> Sharing::fewest(double volume) const {
     return {};
 }
 
-Cost Sharing::cost(const std::vector<std::size_t>& counts) const {
+Cost Allocation::cost(const std::vector<std::size_t>& counts) const {
     Cost sum;
-    for (std::size_t i = 0; i < claimants_.size(); ++i) {
-        sum = sum + claimants_[i].curve->known().at(counts[i]);
+    for (std::size_t i = 0; i < weighted_curves_.size(); ++i) {
+        sum = sum + weighted_curves_[i].curve->known().at(counts[i]);
     }
     return sum;
 }

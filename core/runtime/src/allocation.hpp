@@ -13,7 +13,7 @@ namespace foam::inline runtime {
 /// Cost of the spheres of a shape. Costs compare by `over` first: no volume makes up for a violated limit.
 struct Cost {
     double over = 0;   ///< m; by how much the spheres exceed the limits on protrusion and at half-space constraints
-    double volume = 0; ///< m³; excess or missing volume or both, by the guarantee: see wrong_volume()
+    double volume = 0; ///< m³; excess or missing volume or both, by the guarantee: see cost_volume()
 
     auto operator<=>(const Cost&) const = default;
     Cost operator+(const Cost& other) const { return {over + other.over, volume + other.volume}; }
@@ -36,18 +36,18 @@ private:
 };
 
 /// A participant of the allocation: the known costs of one group and its weight.
-struct Claimant {
+struct WeightedCurve {
     const CostCurve* curve = nullptr;
     double weight = 1; ///< factor on the volume of its costs
 };
 
 /// The optimal allocation for every number of spheres: a dynamic programme over the curves, O(curves · most · known
 /// counts). It is exact: a larger `most` or more known counts never raise the sum of costs.
-class Sharing {
+class Allocation {
 public:
     /// Precomputes the allocations of up to `most` spheres. A `most` above the largest sum of known counts takes no
     /// longer than that sum.
-    Sharing(std::vector<Claimant> claimants, std::size_t most);
+    Allocation(std::vector<WeightedCurve> weighted_curves, std::size_t most);
     /// Returns one known count per curve: sum at most `most`, least sum of weighted costs, and of equal sums the fewest
     /// spheres. Empty if no counts fit.
     std::vector<std::size_t> best() const;
@@ -60,7 +60,7 @@ public:
 private:
     std::vector<std::size_t> counts_of(std::size_t sum) const;
 
-    std::vector<Claimant> claimants_;
+    std::vector<WeightedCurve> weighted_curves_;
     std::size_t columns_;
     std::vector<Cost> best_; ///< the least cost of counts that add up to exactly the index
     std::vector<std::uint32_t> choice_;

@@ -115,7 +115,7 @@ std::size_t best_of(const Workspace& workspace, const ShapeWork& work, const std
     parallel_for(counts.size(), [&](std::size_t i) {
         const SphereTree& tree = work.known.trees.at(work.known.asked.at(counts[i]));
         const auto wrong = [&] {
-            return wrong_volume(work.shape->original(), tree.finest(), workspace.recipe.guarantee);
+            return cost_volume(work.shape->original(), tree.finest(), workspace.recipe.guarantee);
         };
         cost[i] = measured_in(workspace.in(Phase::beginning), wrong).value_or(cost[i]);
     });

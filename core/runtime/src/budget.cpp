@@ -26,19 +26,19 @@ void say_if_not_all(const Workspace& workspace, std::size_t used, std::size_t to
 }
 
 /// Reports where the allocation differs from the budget.
-void report_sharing(const Workspace& workspace, const std::vector<LinkWork>& links,
-                    const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups,
-                    const std::vector<std::size_t>& counts, double volume, bool enough, Cut cut) {
+void report_allocation(const Workspace& workspace, const std::vector<LinkWork>& links,
+                       const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups,
+                       const std::vector<std::size_t>& counts, double volume, bool enough, Cut cut) {
     const Recipe& recipe = workspace.recipe;
     std::size_t sum = 0;
     double wrong = 0;
-    for (const std::size_t g : takers(shapes, groups)) {
+    for (const std::size_t g : allocated_groups(shapes, groups)) {
         const ShapeWork& work = shapes[groups[g].shape];
         const Cost cost = work.known.curve.known().at(counts[g]);
         sum += counts[g];
         wrong += cost.volume;
         const SphereTree& tree = work.known.trees.at(counts[g]);
-        const double protrudes = cost.over - std::max(0.0, over_planes(work.clip, tree.finest()));
+        const double protrudes = cost.over - std::max(0.0, violation_of(work.clip, tree.finest()));
         if (work.max_protrusion && protrudes > 0) {
             workspace.journal.finding(
                 {Severity::warning, links[groups[g].link].link->name, work.spherizer.stage,
@@ -66,7 +66,7 @@ void report_sharing(const Workspace& workspace, const std::vector<LinkWork>& lin
 
 /// Returns the volume of the groups' geometry, m³.
 double volume_of(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups) {
-    const std::vector<std::size_t> taking = takers(shapes, groups);
+    const std::vector<std::size_t> taking = allocated_groups(shapes, groups);
     std::vector<double> volumes(taking.size());
     parallel_for(taking.size(),
                  [&](std::size_t i) { volumes[i] = shapes[groups[taking[i]].shape].shape->original().volume(); });
@@ -82,7 +82,7 @@ ChosenCounts share_spheres(const Workspace& workspace, const std::vector<LinkWor
     goal.most = recipe.budget_spheres.value_or(SIZE_MAX);
     const double volume = volume_of(shapes, groups);
     if (recipe.budget_excess) {
-        if (volume == 0 && !takers(shapes, groups).empty()) {
+        if (volume == 0 && !allocated_groups(shapes, groups).empty()) {
             throw Error(ErrorCode::recipe, "budget.excess: the geometry has no volume to compare with; remedy: budget: "
                                            "{spheres: …} or {max_protrusion: …}");
         }
@@ -104,11 +104,11 @@ ChosenCounts share_spheres(const Workspace& workspace, const std::vector<LinkWor
         shared = keep_apart(workspace, shapes, groups, goal, *pose, std::move(shared), chosen.cut);
     }
     chosen.of_group.assign(groups.size(), 0);
-    const std::vector<std::size_t> takers = foam::takers(shapes, groups);
+    const std::vector<std::size_t> allocated_groups = foam::allocated_groups(shapes, groups);
     for (std::size_t i = 0; i < shared.counts.size(); ++i) {
-        chosen.of_group[takers[i]] = shared.counts[i];
+        chosen.of_group[allocated_groups[i]] = shared.counts[i];
     }
-    report_sharing(workspace, links, shapes, groups, chosen.of_group, volume, shared.enough, chosen.cut);
+    report_allocation(workspace, links, shapes, groups, chosen.of_group, volume, shared.enough, chosen.cut);
     return chosen;
 }
 
@@ -160,7 +160,7 @@ ChosenCounts count_each(const Workspace& workspace, std::vector<ShapeWork>& shap
             return;
         }
         workspace.journal.expect(1);
-        const std::size_t most = number_of_its_own(workspace.recipe, work);
+        const std::size_t most = fixed_count(workspace.recipe, work);
         if (most < SIZE_MAX && !workspace.options.numbers_as_asked && wants_least_excess(workspace.recipe, work)) {
             of_shape[s] = best_of_at_most(workspace, work, most);
             return;
@@ -216,7 +216,7 @@ ChosenCounts choose_counts(const Workspace& preparing, const std::vector<LinkWor
         require_enough(recipe, shapes, groups);
     }
     const bool shared = (recipe.budget_spheres || recipe.budget_excess) &&
-                        (groups.size() != 1 || !has_number_of_its_own(recipe, shapes.front(), 1));
+                        (groups.size() != 1 || !has_fixed_count(recipe, shapes.front(), 1));
     ChosenCounts chosen =
         shared ? share_spheres(workspace, links, shapes, groups, pose) : count_each(workspace, shapes, groups);
     report_cut(workspace, chosen.cut);

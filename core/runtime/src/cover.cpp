@@ -151,7 +151,7 @@ SphereTree on_grid(SphereTree tree, const DecimalGrid& grid) {
 
 } // namespace
 
-double wrong_volume(const Solid& solid, std::vector<Sphere> spheres, Guarantee guarantee) {
+double cost_volume(const Solid& solid, std::vector<Sphere> spheres, Guarantee guarantee) {
     if (guarantee == Guarantee::outer) {
         spheres = grown_to_cover(solid, std::move(spheres));
         const auto one = better_one(solid, spheres);

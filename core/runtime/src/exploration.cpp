@@ -16,14 +16,14 @@
 namespace foam::inline runtime {
 
 /// Returns the groups whose shape has no error.
-std::vector<std::size_t> takers(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups) {
-    std::vector<std::size_t> takers;
+std::vector<std::size_t> allocated_groups(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups) {
+    std::vector<std::size_t> allocated_groups;
     for (std::size_t g = 0; g < groups.size(); ++g) {
         if (!shapes[groups[g].shape].error) {
-            takers.push_back(g);
+            allocated_groups.push_back(g);
         }
     }
-    return takers;
+    return allocated_groups;
 }
 
 std::size_t most_of(const Recipe& recipe, const ShapeWork& work) {
@@ -31,17 +31,17 @@ std::size_t most_of(const Recipe& recipe, const ShapeWork& work) {
     return work.most == SIZE_MAX && !recipe.budget_spheres ? std::max(work.least, most_unasked) : work.most;
 }
 
-bool has_number_of_its_own(const Recipe& recipe, const ShapeWork& shape, std::size_t groups) {
+bool has_fixed_count(const Recipe& recipe, const ShapeWork& shape, std::size_t groups) {
     return !recipe.budget_excess && !shape.max_protrusion && (groups == 1 || !recipe.budget_spheres);
 }
 
-std::size_t number_of_its_own(const Recipe& recipe, const ShapeWork& shape) {
+std::size_t fixed_count(const Recipe& recipe, const ShapeWork& shape) {
     return std::min(shape.most, recipe.budget_spheres.value_or(SIZE_MAX));
 }
 
 std::vector<std::size_t> first_counts(const Recipe& recipe, const ShapeWork& shape, std::size_t groups) {
-    if (has_number_of_its_own(recipe, shape, groups)) {
-        const std::size_t most = number_of_its_own(recipe, shape);
+    if (has_fixed_count(recipe, shape, groups)) {
+        const std::size_t most = fixed_count(recipe, shape);
         if (most == SIZE_MAX || !wants_least_excess(recipe, shape)) {
             return {most == SIZE_MAX ? 0 : std::max(shape.least, most)};
         }
@@ -70,21 +70,21 @@ CostCurve within(const CostCurve& curve, const Bounds& bounds) {
 Shared share(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups, const Goal& goal,
              const std::vector<Bounds>& bounds) {
     std::vector<CostCurve> curves;
-    for (const std::size_t g : takers(shapes, groups)) {
+    for (const std::size_t g : allocated_groups(shapes, groups)) {
         curves.push_back(
             within(shapes[groups[g].shape].known.curve, bounds.empty() ? Bounds{} : bounds[curves.size()]));
     }
-    std::vector<Claimant> claimants;
-    for (const std::size_t g : takers(shapes, groups)) {
-        claimants.push_back({&curves[claimants.size()], groups[g].weight});
+    std::vector<WeightedCurve> weighted_curves;
+    for (const std::size_t g : allocated_groups(shapes, groups)) {
+        weighted_curves.push_back({&curves[weighted_curves.size()], groups[g].weight});
     }
-    const Sharing sharing(claimants, goal.most);
+    const Allocation allocation(weighted_curves, goal.most);
     if (goal.enough) {
-        if (std::vector<std::size_t> counts = sharing.fewest(*goal.enough); !counts.empty()) {
+        if (std::vector<std::size_t> counts = allocation.fewest(*goal.enough); !counts.empty()) {
             return {std::move(counts), true};
         }
     }
-    return {sharing.best(), false};
+    return {allocation.best(), false};
 }
 
 /// Calls compute_trees(), until the phase ends.
@@ -152,11 +152,11 @@ static Cost cost_of(const Workspace& workspace, const ShapeWork& work, const Sph
     const Solid& solid = work.shape->original();
     const Guarantee guarantee = workspace.recipe.guarantee;
     Cost cost;
-    cost.volume = wrong_volume(solid, tree.finest(), guarantee);
+    cost.volume = cost_volume(solid, tree.finest(), guarantee);
     if (work.max_protrusion) {
         cost.over = std::max(0.0, covered_protrusion(solid, tree.finest(), guarantee) - *work.max_protrusion);
     }
-    cost.over += std::max(0.0, over_planes(work.clip, tree.finest()));
+    cost.over += std::max(0.0, violation_of(work.clip, tree.finest()));
     return cost;
 }
 
@@ -225,7 +225,7 @@ private:
     /// Returns the progress: the share of the available spheres that the shapes were explored with.
     double explored_share() const {
         double explored = 0;
-        for (const std::size_t g : takers(shapes_, groups_)) {
+        for (const std::size_t g : allocated_groups(shapes_, groups_)) {
             const auto& asked = shapes_[groups_[g].shape].known.asked;
             explored += asked.empty() ? 0 : static_cast<double>(asked.rbegin()->first);
         }
@@ -259,17 +259,17 @@ private:
     /// Returns the next candidate counts of the shapes where one more sphere is expected to save most, or nearly as
     /// much, to use all cores. Empty: the exploration is complete.
     std::vector<std::vector<std::size_t>> rungs_that_save() const {
-        const std::vector<std::size_t> takers = foam::takers(shapes_, groups_);
+        const std::vector<std::size_t> allocated_groups = foam::allocated_groups(shapes_, groups_);
         double price = 0;
         std::size_t explored = 0; // of the shape that may save most
-        for (const std::size_t g : takers) {
+        for (const std::size_t g : allocated_groups) {
             if (const double saved = gain(groups_[g].shape); saved > price) {
                 price = saved;
                 explored = shapes_[groups_[g].shape].known.asked.rbegin()->first;
             }
         }
         std::size_t demand = 0;
-        for (const std::size_t g : takers) {
+        for (const std::size_t g : allocated_groups) {
             demand += shapes_[groups_[g].shape].known.curve.demand(price, groups_[g].weight);
         }
         const std::size_t total = total_wanted();

@@ -18,17 +18,17 @@ struct Goal {
 };
 
 /// Returns the groups whose shape has no error.
-std::vector<std::size_t> takers(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups);
+std::vector<std::size_t> allocated_groups(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups);
 
 /// Returns the most spheres that a shape may have: 256 if neither budget nor link gives a number.
 std::size_t most_of(const Recipe& recipe, const ShapeWork& work);
 
 /// Returns whether a shape has a fixed count: it takes part in no allocation, and only its number of spheres is
 /// limited. `groups`: number of groups of the robot.
-bool has_number_of_its_own(const Recipe& recipe, const ShapeWork& shape, std::size_t groups);
+bool has_fixed_count(const Recipe& recipe, const ShapeWork& shape, std::size_t groups);
 
 /// Returns the fixed count of such a shape; SIZE_MAX: as many as the spherizer makes by its own parameters.
-std::size_t number_of_its_own(const Recipe& recipe, const ShapeWork& shape);
+std::size_t fixed_count(const Recipe& recipe, const ShapeWork& shape);
 
 /// Returns the counts that choose_counts() requests of a shape before anything is known; 0: no budget. `groups`: number
 /// of groups of the robot.

@@ -18,7 +18,7 @@ std::optional<Objective> objective_of(const StageCall& spherizer, const Registry
 double figure_of(const Solid& solid, const std::vector<Sphere>& spheres, Objective objective) {
     switch (objective) {
     case Objective::excess:
-        return wrong_volume(solid, spheres, Guarantee::outer);
+        return cost_volume(solid, spheres, Guarantee::outer);
     case Objective::protrusion:
         return covered_protrusion(solid, spheres, Guarantee::outer);
     case Objective::radius:

@@ -17,12 +17,12 @@ public:
     Separation(const Workspace& workspace, std::vector<ShapeWork>& shapes, const std::vector<Group>& groups,
                const Goal& goal, ReferencePose& pose)
         : workspace_(workspace), shapes_(shapes), groups_(groups), goal_(goal), pose_(pose),
-          takers_(takers(shapes, groups)) {}
+          allocated_groups_(allocated_groups(shapes, groups)) {}
 
     /// Returns the overlaps. Their indices refer to the groups without an error.
     std::vector<Overlap> overlaps(const std::vector<std::size_t>& counts) {
         std::vector<SpheresOfLink> all;
-        for (std::size_t t = 0; t < takers_.size(); ++t) {
+        for (std::size_t t = 0; t < allocated_groups_.size(); ++t) {
             all.push_back(spheres_of(t, counts[t]));
         }
         return pose_.overlaps(all);
@@ -63,14 +63,16 @@ private:
         std::size_t sum() const { return first + second; }
     };
 
-    const ShapeWork& shape_of(std::size_t taker) const { return shapes_[groups_[takers_[taker]].shape]; }
-
-    Cost weighted(std::size_t taker, const Cost& cost) const {
-        return {cost.over, groups_[takers_[taker]].weight * cost.volume};
+    const ShapeWork& shape_of(std::size_t allocated) const {
+        return shapes_[groups_[allocated_groups_[allocated]].shape];
     }
 
-    SpheresOfLink spheres_of(std::size_t taker, std::size_t count) {
-        const Group& group = groups_[takers_[taker]];
+    Cost weighted(std::size_t allocated, const Cost& cost) const {
+        return {cost.over, groups_[allocated_groups_[allocated]].weight * cost.volume};
+    }
+
+    SpheresOfLink spheres_of(std::size_t allocated, std::size_t count) {
+        const Group& group = groups_[allocated_groups_[allocated]];
         SpheresOfLink link{group.link, covering(group.shape, count)};
         for (Sphere& sphere : link.spheres) {
             sphere.center = group.frame * sphere.center;
@@ -81,7 +83,7 @@ private:
     /// Returns the most spheres that two groups can have beside the others.
     std::size_t room(const Overlap& overlap) const {
         std::size_t others = 0;
-        for (std::size_t t = 0; t < takers_.size(); ++t) {
+        for (std::size_t t = 0; t < allocated_groups_.size(); ++t) {
             others += t == overlap.first || t == overlap.second ? 0 : shape_of(t).least;
         }
         return goal_.most - others;
@@ -90,8 +92,8 @@ private:
     /// Returns of the known counts within the bounds and the room those with the least overlap; of these, those with
     /// the least excess volume or with the fewest spheres.
     Pair best_pair(const Overlap& overlap, const std::vector<Bounds>& bounds, std::size_t room, bool by_volume) {
-        const auto known = [&](std::size_t taker) {
-            return within(shape_of(taker).known.curve, bounds[taker]).known();
+        const auto known = [&](std::size_t allocated) {
+            return within(shape_of(allocated).known.curve, bounds[allocated]).known();
         };
         const auto order = [&](const Pair& pair) {
             return std::tuple(pair.cost.over, pair.depth, by_volume ? 0 : pair.sum(), pair.cost.volume, pair.sum());
@@ -121,7 +123,7 @@ private:
             const std::size_t asked = work.known.asked.rbegin()->first;
             const std::size_t most = std::min(most_of(workspace_.recipe, work), goal_.most);
             if (asked < most && asked < 4 * counts[t]) {
-                wanted[groups_[takers_[t]].shape] = next_rungs(asked, work.least, most);
+                wanted[groups_[allocated_groups_[t]].shape] = next_rungs(asked, work.least, most);
                 any = true;
             }
         }
@@ -145,7 +147,7 @@ private:
     const std::vector<Group>& groups_;
     const Goal& goal_;
     ReferencePose& pose_;
-    std::vector<std::size_t> takers_;
+    std::vector<std::size_t> allocated_groups_;
     std::map<std::pair<std::size_t, std::size_t>, std::vector<Sphere>> covering_; ///< by shape and count
     std::map<std::pair<std::size_t, std::size_t>, int> parted_;                   ///< restrictions by pair of groups
 };
@@ -172,7 +174,7 @@ Shared keep_apart(const Workspace& workspace, std::vector<ShapeWork>& shapes, co
         for (const Overlap& overlap : overlaps) {
             parted = separation.part(overlap, shared.counts, bounds, cut) || parted;
         }
-        if (takers(shapes, groups).size() != bounds.size()) {
+        if (allocated_groups(shapes, groups).size() != bounds.size()) {
             return share(shapes, groups, goal); // a spherizer failed meanwhile
         }
         if (parted) {

@@ -65,7 +65,7 @@ void take_better_row(const Workspace& workspace, const ShapeWork& work, std::siz
     }
     const Solid& solid = work.shape->original();
     if (auto row = geometry::row_cover(solid, count);
-        row && wrong_volume(solid, *row, recipe.guarantee) < wrong_volume(solid, tree.finest(), recipe.guarantee)) {
+        row && cost_volume(solid, *row, recipe.guarantee) < cost_volume(solid, tree.finest(), recipe.guarantee)) {
         tree = flat_tree(std::move(*row));
     }
 }
@@ -91,16 +91,16 @@ void fit_finest(const Solid& solid, const Budget& budget, SphereTree& tree) {
 
 /// Makes the finest level keep the half-space constraints if it does not, because stages do not know them. Removes
 /// coarser levels except the root.
-void keep_off_planes(const Workspace& workspace, const ShapeWork& work, const Budget& budget, SphereTree& tree) {
+void make_keep_constraints(const Workspace& workspace, const ShapeWork& work, const Budget& budget, SphereTree& tree) {
     const Solid& solid = work.shape->original();
     const bool outer = budget.guarantee == Guarantee::outer;
-    if (keep_off(solid, outer ? grown_to_cover(solid, tree.finest()) : tree.finest(), work.clip)) {
+    if (keep_constraints(solid, outer ? grown_to_cover(solid, tree.finest()) : tree.finest(), work.clip)) {
         return;
     }
     if (outer) {
         const std::size_t count = budget.max_spheres.value_or(tree.finest().size());
         tree = flat_tree(covering_within(solid, tree.finest(), count, work.clip, workspace.recipe.seed));
-    } else if (std::vector<Sphere> left = shaved(solid, tree.finest(), work.clip); !left.empty()) {
+    } else if (std::vector<Sphere> left = shrunk_within(solid, tree.finest(), work.clip); !left.empty()) {
         tree = flat_tree(std::move(left));
     }
 }
@@ -126,7 +126,7 @@ std::vector<SphereTree> run_spherizer(const Workspace& workspace, ShapeWork& wor
             }
             if (!work.clip.empty()) {
                 parallel_for(made.size(),
-                             [&](std::size_t i) { keep_off_planes(workspace, work, budgets[i], made[i]); });
+                             [&](std::size_t i) { make_keep_constraints(workspace, work, budgets[i], made[i]); });
             }
             said = context.said();
             return made;

@@ -31,9 +31,9 @@ std::vector<std::size_t> counts_within(const std::vector<std::size_t>& shape_of_
     return counts;
 }
 
-std::vector<std::size_t> shapes_of(const std::vector<std::size_t>& takers, const std::vector<Group>& groups) {
+std::vector<std::size_t> shapes_of(const std::vector<std::size_t>& allocated_groups, const std::vector<Group>& groups) {
     std::vector<std::size_t> shapes;
-    for (const std::size_t g : takers) {
+    for (const std::size_t g : allocated_groups) {
         shapes.push_back(groups[g].shape);
     }
     return shapes;
@@ -86,8 +86,8 @@ Cut explore_worst_first(const Workspace& workspace, std::vector<ShapeWork>& shap
                 return figure_of(work.shape->original(), tree.finest(), objective);
             },
             [&](std::size_t s, std::size_t count, double figure) { figures[s][count] = figure; });
-        const std::vector<std::size_t> of_taker = shapes_of(takers(shapes, groups), groups);
-        const double limit = best_worst(of_taker, figures, most);
+        const std::vector<std::size_t> of_allocated = shapes_of(allocated_groups(shapes, groups), groups);
+        const double limit = best_worst(of_allocated, figures, most);
         // Explore the shapes that determine the limit: those with no better known figure.
         any = false;
         for (std::size_t s = 0; s < shapes.size(); ++s) {
@@ -108,9 +108,10 @@ Cut explore_worst_first(const Workspace& workspace, std::vector<ShapeWork>& shap
 
 std::vector<Bounds> bounds_of_best_worst(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups,
                                          const Figures& figures, std::size_t most) {
-    const std::vector<std::size_t> of_taker = shapes_of(takers(shapes, groups), groups);
+    const std::vector<std::size_t> of_allocated = shapes_of(allocated_groups(shapes, groups), groups);
     std::vector<Bounds> bounds;
-    for (const std::size_t count : counts_within(of_taker, figures, best_worst(of_taker, figures, most), most)) {
+    for (const std::size_t count :
+         counts_within(of_allocated, figures, best_worst(of_allocated, figures, most), most)) {
         bounds.push_back({count, SIZE_MAX});
     }
     return bounds;

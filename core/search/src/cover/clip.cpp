@@ -50,8 +50,8 @@ void require_within(const Solid& solid, const Pose& pose, const std::vector<Clip
     }
 }
 
-bool keep_off(const Solid& solid, const std::vector<Sphere>& spheres, const std::vector<ClipPlane>& planes) {
-    return over_planes(planes, spheres) <= -room * cover::Frame(solid.bounds()).unit;
+bool keep_constraints(const Solid& solid, const std::vector<Sphere>& spheres, const std::vector<ClipPlane>& planes) {
+    return violation_of(planes, spheres) <= -room * cover::Frame(solid.bounds()).unit;
 }
 
 std::vector<Sphere> covering_within(const Solid& solid, const std::vector<Sphere>& spheres, std::size_t count,
@@ -66,11 +66,12 @@ std::vector<Sphere> covering_within(const Solid& solid, const std::vector<Sphere
     return result;
 }
 
-std::vector<Sphere> shaved(const Solid& solid, std::vector<Sphere> spheres, const std::vector<ClipPlane>& planes) {
+std::vector<Sphere> shrunk_within(const Solid& solid, std::vector<Sphere> spheres,
+                                  const std::vector<ClipPlane>& planes) {
     constexpr int rounds = 8; // a sphere moved off one plane comes nearer to another that faces it
     const double spare = room * cover::Frame(solid.bounds()).unit;
     for (Sphere& sphere : spheres) {
-        for (int round = 0; round < rounds && over_planes(planes, {&sphere, 1}) > -spare; ++round) {
+        for (int round = 0; round < rounds && violation_of(planes, {&sphere, 1}) > -spare; ++round) {
             for (const ClipPlane& plane : planes) {
                 const double over = reach_beyond(plane, sphere) - plane.reach + spare;
                 if (over > 0) {
@@ -84,7 +85,7 @@ std::vector<Sphere> shaved(const Solid& solid, std::vector<Sphere> spheres, cons
     return spheres;
 }
 
-double over_planes(const std::vector<ClipPlane>& planes, std::span<const Sphere> spheres) {
+double violation_of(const std::vector<ClipPlane>& planes, std::span<const Sphere> spheres) {
     double most = -std::numeric_limits<double>::infinity();
     for (const ClipPlane& plane : planes) {
         most = std::max(most, reach_beyond(plane, spheres) - plane.reach);

@@ -31,7 +31,7 @@ Balls between(const Balls& from, const Balls& to, double share) {
 
 } // namespace
 
-ConditionalGradient::ConditionalGradient(const FineSkin& skin, const Occupancy& occupancy)
+ConditionalGradient::ConditionalGradient(const FineSurface& skin, const Occupancy& occupancy)
     : occupancy_(occupancy), cells_(skin) {
     constexpr std::size_t most = 4000; // enough to detect a cavity
     const Points& all = occupancy.inside();
@@ -43,19 +43,19 @@ ConditionalGradient::ConditionalGradient(const FineSkin& skin, const Occupancy& 
                      static_cast<double>(std::max<std::size_t>(1, inside_.size()));
 }
 
-Rated ConditionalGradient::improved(Balls balls, int steps) {
+CoverCandidate ConditionalGradient::improved(Balls balls, int steps) {
     constexpr double shortest = 0.01, less_than_shortest = 1.0 / 16, least_gain = 1e-4;
     constexpr int most_slow = 2;
-    Rated best{std::numeric_limits<double>::infinity(), {}};
+    CoverCandidate best{std::numeric_limits<double>::infinity(), {}};
     double longest = 1, before = best.volume;
     int slow = 0;
     for (int step = 0; step < steps && longest > shortest && slow < most_slow; ++step) {
         check_cancelled();
         balls = cells_.shared(balls);
         hold_parts(balls);
-        const Rated now{claim(balls), balls};
+        const CoverCandidate now{claim(balls), balls};
         double share = longest;
-        Rated next = line_search(now, towards(balls), share);
+        CoverCandidate next = line_search(now, towards(balls), share);
         longest = share > 0 ? std::min(1.0, 2 * share) : longest * less_than_shortest;
         slow = next.volume > before * (1 - least_gain) ? slow + 1 : 0;
         before = std::min(before, next.volume);
@@ -67,9 +67,9 @@ Rated ConditionalGradient::improved(Balls balls, int steps) {
     return best;
 }
 
-Rated ConditionalGradient::line_search(const Rated& balls, const Balls& end, double& share) {
+CoverCandidate ConditionalGradient::line_search(const CoverCandidate& balls, const Balls& end, double& share) {
     constexpr int trials = 4;
-    Rated best = balls;
+    CoverCandidate best = balls;
     double now = share;
     share = 0;
     for (int trial = 0; trial < trials; ++trial, now /= 2) {

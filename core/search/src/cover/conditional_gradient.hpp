@@ -1,9 +1,9 @@
 // Refinement of covering balls that keeps them covering at every step.
 #pragma once
 
+#include "cover_candidate.hpp"
 #include "occupancy.hpp"
 #include "power_cells.hpp"
-#include "rated.hpp"
 
 namespace foam::inline search::cover {
 
@@ -16,11 +16,11 @@ namespace foam::inline search::cover {
 class ConditionalGradient {
 public:
     /// Both must outlive this.
-    ConditionalGradient(const FineSkin& skin, const Occupancy& occupancy);
+    ConditionalGradient(const FineSurface& skin, const Occupancy& occupancy);
 
     /// Returns the best balls of at most `steps` steps, fewer if they bring no improvement. All of them cover the
     /// surface, whatever the given balls do. The volume is that of the balls and the solid together.
-    Rated improved(Balls balls, int steps);
+    CoverCandidate improved(Balls balls, int steps);
 
 private:
     double claim(const Balls& balls);
@@ -30,7 +30,7 @@ private:
     void hold_parts(Balls& balls) const;
     Balls towards(const Balls& balls);
     /// Returns the best of `balls` and the points up to `share` of the way to `end`; sets the share it moved, or 0.
-    Rated line_search(const Rated& balls, const Balls& end, double& share);
+    CoverCandidate line_search(const CoverCandidate& balls, const Balls& end, double& share);
 
     const Occupancy& occupancy_;
     PowerCells cells_;

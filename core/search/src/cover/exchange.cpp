@@ -22,7 +22,7 @@ bool meet(const Ball& a, const Ball& b) {
 
 } // namespace
 
-Exchange::Exchange(const Problem& problem, const Skin& skin, const ExchangePlan& plan, Balls balls)
+Exchange::Exchange(const Problem& problem, const IndexedSurface& skin, const ExchangePlan& plan, Balls balls)
     : skin_(skin), plan_(plan), balls_(std::move(balls)), home_(skin.faces.size(), none), remainder_(skin),
       outside_(problem.occupancy, plan.cells), moved_(balls_.size(), 1) {
     find_homes();
@@ -32,7 +32,7 @@ bool Exchange::meet(std::size_t i, std::size_t j) const {
     return foam::cover::meet(balls_[i], balls_[j]);
 }
 
-bool Exchange::holds(const Ball& ball, const Skin::Face& face) const {
+bool Exchange::holds(const Ball& ball, const IndexedSurface::Face& face) const {
     constexpr float rounding = 4e-6f;
     const float squared = ball.r * ball.r * (1 + rounding);
     return std::all_of(face.corners.begin(), face.corners.end(), [&](std::uint32_t p) {
@@ -64,7 +64,7 @@ void Exchange::find_homes() {
 }
 
 /// Finds the balls that may contain one of the faces, in order.
-void Exchange::find_near(std::span<const Skin::Face> faces) {
+void Exchange::find_near(std::span<const IndexedSurface::Face> faces) {
     constexpr float rounding = 1.001f;
     Box box;
     for (const auto& [corners, edges, bounds] : faces) {

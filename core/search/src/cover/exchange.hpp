@@ -18,7 +18,7 @@ struct ExchangePlan {
 class Exchange {
 public:
     /// Precondition: `balls` cover the skin. The problem and the skin must outlive this.
-    Exchange(const Problem& problem, const Skin& skin, const ExchangePlan& plan, Balls balls);
+    Exchange(const Problem& problem, const IndexedSurface& skin, const ExchangePlan& plan, Balls balls);
 
     const Balls& balls() const { return balls_; }
     /// Splits the one of the named balls whose split gains most. Returns false if none can be split.
@@ -34,10 +34,10 @@ private:
     void look_at(std::size_t i, std::size_t j, const Ball& region);
     bool exchange(std::size_t i, std::size_t j);
     void find_homes();
-    void find_near(std::span<const Skin::Face> faces);
-    bool holds(const Ball& ball, const Skin::Face& face) const;
+    void find_near(std::span<const IndexedSurface::Face> faces);
+    bool holds(const Ball& ball, const IndexedSurface::Face& face) const;
 
-    const Skin& skin_;
+    const IndexedSurface& skin_;
     ExchangePlan plan_;
     Balls balls_;
     std::vector<std::uint32_t> home_; ///< for each face a ball that contains it alone, or none

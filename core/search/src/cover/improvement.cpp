@@ -4,7 +4,7 @@
 #include "crease_points.hpp"
 #include "exposed.hpp"
 #include "starts.hpp"
-#include "watch.hpp"
+#include "waiting_points.hpp"
 
 #include <algorithm>
 
@@ -46,7 +46,7 @@ Balls Improvement::improved(Balls balls, const DescentPlan& plan, bool creases) 
     constexpr float long_step = 0.02f;
     const float size = mean_radius(balls);
     Points points, base = prefix(problem_.surface, first_points_ + points_per_ball * balls.size());
-    Watch watch(problem_.surface, base.size());
+    WaitingPoints watch(problem_.surface, base.size());
     Descent(problem_.occupancy, directions_).run(points, balls, plan, [&](Points& active, float length) {
         watch.add_outside(balls, base);
         if (length > long_step * size) {

@@ -37,7 +37,7 @@ private:
     Limits limits_;
     std::size_t count_;
     std::uint64_t seed_;
-    FineSkin skin_;
+    FineSurface skin_;
     Points some_; ///< a subset of its points
     PowerCells cells_;
     std::vector<Points> directions_;

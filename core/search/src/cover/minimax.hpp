@@ -22,7 +22,7 @@ struct Minimax {
 class MinimaxSearch {
 public:
     /// Both must outlive this.
-    MinimaxSearch(const FineSkin& skin, const BallCost& cost) : cells_(skin), cost_(cost) {}
+    MinimaxSearch(const FineSurface& skin, const BallCost& cost) : cells_(skin), cost_(cost) {}
 
     /// Returns covering balls, at most `count`. Balls without a part move to the most expensive ball.
     Minimax improved(const Balls& start, std::size_t count, int rounds);

@@ -51,7 +51,7 @@ private:
     };
     struct Surface {
         Surface(const Solid& solid, const Frame& frame, std::size_t pieces, std::size_t some);
-        FineSkin skin;
+        FineSurface skin;
         Points some; ///< a subset of its points
     };
     Model rung(std::size_t count);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "exposed.hpp"
-#include "fine_skin.hpp"
+#include "fine_surface.hpp"
 #include "limits.hpp"
 
 namespace foam::inline search::cover {
@@ -23,12 +23,13 @@ struct Owners {
 class PowerCells {
 public:
     /// The skin must outlive this. Fitted balls satisfy the limits where they can.
-    explicit PowerCells(const FineSkin& skin, Limits limits = {}) : skin_(skin), enclosing_ball_(std::move(limits)) {}
+    explicit PowerCells(const FineSurface& skin, Limits limits = {})
+        : skin_(skin), enclosing_ball_(std::move(limits)) {}
 
     /// Finds the owners of points, and where edges pass from one owner to another.
     void find(const Balls& balls);
     /// The skin; the owners of its points and the points where the last balls' cells meet follow.
-    const FineSkin& skin() const { return skin_; }
+    const FineSurface& skin() const { return skin_; }
     const Owners& owners() const { return owners_; }
     const Points& borders() const { return borders_; }
 
@@ -48,7 +49,7 @@ private:
     void add_border(const Vec3& point, std::uint32_t a, std::uint32_t b);
     void hand_out(std::size_t balls);
 
-    const FineSkin& skin_;
+    const FineSurface& skin_;
     Owners owners_;
     Points borders_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours_; ///< for each point at a border, its cells

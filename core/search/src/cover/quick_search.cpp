@@ -84,7 +84,7 @@ QuickSearch::Rung QuickSearch::rung(std::size_t count) {
     if (stopped()) {
         return best;
     }
-    Rated next = found(count, &best.balls).front();
+    CoverCandidate next = found(count, &best.balls).front();
     const bool complete = !stopped_;
     Cover made = proved(solid_, frame_, next.balls);
     if (geometry::joint_volume(solid_, made.spheres) < geometry::joint_volume(solid_, best.cover.spheres)) {
@@ -115,7 +115,7 @@ const Occupancy* QuickSearch::occupancy_for(std::size_t count) {
     return occupancy_.get();
 }
 
-std::vector<Rated> QuickSearch::found(std::size_t count, const Balls* before) {
+std::vector<CoverCandidate> QuickSearch::found(std::size_t count, const Balls* before) {
     if (count == 1) {
         return {{0, {smallest_ball(solid_, frame_)}}};
     }
@@ -125,19 +125,19 @@ std::vector<Rated> QuickSearch::found(std::size_t count, const Balls* before) {
     if (stopped()) {
         return {{0, PowerCells(surface.skin).fitted(begin.front(), directions_of_fits())}};
     }
-    std::vector<Rated> looks(begin.size());
+    std::vector<CoverCandidate> looks(begin.size());
     parallel_for(begin.size(), [&](std::size_t i) { looks[i] = first_look(surface, occupancy, std::move(begin[i])); });
-    std::stable_sort(looks.begin(), looks.end(), claims_less);
+    std::stable_sort(looks.begin(), looks.end(), has_less_volume);
     looks.resize(std::min(looks.size(), second_plan_for(count).kept_starts));
     if (stopped()) {
         return looks;
     }
-    parallel_for(looks.size(), [&](std::size_t i) { looks[i] = gone_on_with(surface, occupancy, looks[i], count); });
-    std::stable_sort(looks.begin(), looks.end(), claims_less);
+    parallel_for(looks.size(), [&](std::size_t i) { looks[i] = refined(surface, occupancy, looks[i], count); });
+    std::stable_sort(looks.begin(), looks.end(), has_less_volume);
     return looks;
 }
 
-std::vector<Rated> QuickSearch::candidates(std::size_t count, const Balls& before) {
+std::vector<CoverCandidate> QuickSearch::candidates(std::size_t count, const Balls& before) {
     stopped_ = false;
     return found(count, &before);
 }
@@ -160,20 +160,20 @@ std::vector<Balls> QuickSearch::starts(const DescentSurface& surface, const Occu
     return result;
 }
 
-Rated QuickSearch::first_look(const DescentSurface& surface, const Occupancy* occupancy, Balls balls) const {
+CoverCandidate QuickSearch::first_look(const DescentSurface& surface, const Occupancy* occupancy, Balls balls) const {
     QuickDescent(directions_of_steps(), occupancy).run(balls, first_plan, [&](const Balls&, Points& points, float) {
         points = surface.some;
     });
-    Rated found{0, PowerCells(surface.skin).fitted(balls, directions_of_fits())};
+    CoverCandidate found{0, PowerCells(surface.skin).fitted(balls, directions_of_fits())};
     found.volume = claim(found.balls, occupancy);
     return found;
 }
 
-Rated QuickSearch::gone_on_with(const DescentSurface& surface, const Occupancy* occupancy, const Rated& start,
-                                std::size_t count) const {
+CoverCandidate QuickSearch::refined(const DescentSurface& surface, const Occupancy* occupancy,
+                                    const CoverCandidate& start, std::size_t count) const {
     Balls balls = descended(surface, occupancy, start.balls, count, second_plan_for(count).descent);
     PowerCells cells(surface.skin);
-    Rated best = start;
+    CoverCandidate best = start;
     double before = std::numeric_limits<double>::infinity();
     for (int i = 0; i < last_fits; ++i) {
         check_cancelled();

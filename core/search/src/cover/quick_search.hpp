@@ -1,8 +1,8 @@
 // Searches for covering balls in milliseconds.
 #pragma once
 
+#include "cover_candidate.hpp"
 #include "power_cells.hpp"
-#include "rated.hpp"
 #include "surface_descent.hpp"
 
 #include <foam/search/spherize.hpp>
@@ -33,7 +33,7 @@ public:
     /// Returns balls for another search to refine: they cover the surface and start from the balls for a smaller count
     /// and from others; the best few, best first. At least two balls. The volume is that of their union, plus for many
     /// balls the missing volume of the solid.
-    std::vector<Rated> candidates(std::size_t count, const Balls& before);
+    std::vector<CoverCandidate> candidates(std::size_t count, const Balls& before);
     const DescentSurface& surface_for(std::size_t count);
 
 private:
@@ -46,12 +46,12 @@ private:
     const Occupancy* occupancy_for(std::size_t count);
     /// Returns the results, the best first, at least one. `before`: covering balls of a smaller count to start with, if
     /// any.
-    std::vector<Rated> found(std::size_t count, const Balls* before);
+    std::vector<CoverCandidate> found(std::size_t count, const Balls* before);
     std::vector<Balls> starts(const DescentSurface& surface, const Occupancy* occupancy, std::size_t count,
                               const Balls* before) const;
-    Rated first_look(const DescentSurface& surface, const Occupancy* occupancy, Balls balls) const;
-    Rated gone_on_with(const DescentSurface& surface, const Occupancy* occupancy, const Rated& start,
-                       std::size_t count) const;
+    CoverCandidate first_look(const DescentSurface& surface, const Occupancy* occupancy, Balls balls) const;
+    CoverCandidate refined(const DescentSurface& surface, const Occupancy* occupancy, const CoverCandidate& start,
+                           std::size_t count) const;
     bool stopped() { return stopped_ = stopped_ || (options_.stop && options_.stop()); }
 
     const Solid& solid_;

@@ -19,7 +19,7 @@ double squared_radius(const Ball& ball) {
 
 } // namespace
 
-Remainder::Remainder(const Skin& skin)
+Remainder::Remainder(const IndexedSurface& skin)
     : skin_(skin), place_(skin.points.size(), 0), corner_turn_(skin.points.size(), 0),
       edge_turn_(skin.edges.size(), 0) {}
 
@@ -27,7 +27,7 @@ void Remainder::find(const std::vector<std::uint32_t>& faces, const Balls& balls
     content.clear();
     ++turn_;
     for (const std::uint32_t f : faces) {
-        const Skin::Face& face = skin_.faces[f];
+        const IndexedSurface::Face& face = skin_.faces[f];
         if (!find_near(face, balls)) {
             continue;
         }
@@ -39,7 +39,7 @@ void Remainder::find(const std::vector<std::uint32_t>& faces, const Balls& balls
     }
 }
 
-bool Remainder::find_near(const Skin::Face& face, const Balls& balls) {
+bool Remainder::find_near(const IndexedSurface::Face& face, const Balls& balls) {
     near_.clear();
     for (const Ball& ball : balls) {
         const float sum = ball.r + face.bounds.r;
@@ -78,7 +78,7 @@ std::uint32_t Remainder::corner(std::uint32_t point, Content& content) {
     return place_[point];
 }
 
-void Remainder::add_whole(const Skin::Face& face, Content& content) {
+void Remainder::add_whole(const IndexedSurface::Face& face, Content& content) {
     for (const std::uint32_t e : face.edges) {
         if (edge_turn_[e] != turn_) {
             edge_turn_[e] = turn_;
@@ -88,7 +88,7 @@ void Remainder::add_whole(const Skin::Face& face, Content& content) {
     }
 }
 
-void Remainder::add_part(const Skin::Face& face, Content& content) {
+void Remainder::add_part(const IndexedSurface::Face& face, Content& content) {
     found_.clear();
     const Vec3 corners[3]{skin_.points.at(face.corners[0]), skin_.points.at(face.corners[1]),
                           skin_.points.at(face.corners[2])};

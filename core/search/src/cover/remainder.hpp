@@ -1,7 +1,7 @@
 // The part of a surface outside some balls.
 #pragma once
 
-#include "skin.hpp"
+#include "indexed_surface.hpp"
 
 namespace foam::inline search::cover {
 
@@ -23,23 +23,23 @@ struct Content {
 class Remainder {
 public:
     /// The skin must outlive this.
-    explicit Remainder(const Skin& skin);
+    explicit Remainder(const IndexedSurface& skin);
 
     void find(const std::vector<std::uint32_t>& faces, const Balls& balls, Content& content);
 
 private:
     /// Returns false if one of the balls contains the whole face. Otherwise near_ are the balls that may contain a
     /// part.
-    bool find_near(const Skin::Face& face, const Balls& balls);
+    bool find_near(const IndexedSurface::Face& face, const Balls& balls);
     bool held(const Vec3& point, std::size_t but = SIZE_MAX, std::size_t and_but = SIZE_MAX) const;
     std::uint32_t corner(std::uint32_t point, Content& content);
-    void add_whole(const Skin::Face& face, Content& content);
-    void add_part(const Skin::Face& face, Content& content);
+    void add_whole(const IndexedSurface::Face& face, Content& content);
+    void add_part(const IndexedSurface::Face& face, Content& content);
     void cross_edge(const Vec3& from, const Vec3& to, Content& content);
     void cross_balls(const Vec3& a, const Vec3& b, const Vec3& c, Content& content);
     void add_found(const Vec3& point, Content& content);
 
-    const Skin& skin_;
+    const IndexedSurface& skin_;
     // Marks of the points in the content: the turn in which they were added.
     std::vector<std::uint32_t> place_, corner_turn_, edge_turn_;
     std::uint32_t turn_ = 0;

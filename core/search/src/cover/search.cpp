@@ -173,7 +173,7 @@ Balls Search::one_more(const Balls& cover) const {
 /// balls it is not: those start with clusters, and with long steps that move lost balls to better places.
 std::vector<Balls> Search::found(std::size_t count, const Balls& before, const Balls& more) {
     const DescentSurface& surface = quick_.surface_for(count);
-    std::vector<Rated> rated;
+    std::vector<CoverCandidate> rated;
     if (count <= plan_.most_quick) {
         rated = quick_.candidates(count, before);
         parallel_for(rated.size(),
@@ -185,7 +185,7 @@ std::vector<Balls> Search::found(std::size_t count, const Balls& before, const B
     } else {
         add_starts_of_many(count, rated);
     }
-    std::stable_sort(rated.begin(), rated.end(), claims_less);
+    std::stable_sort(rated.begin(), rated.end(), has_less_volume);
     rated.resize(std::min(rated.size(), kept_for(count)));
     if (count > plan_.most_quick && !more.empty()) {
         rated.push_back(settled(surface, more, plan_.first_gradient_steps));
@@ -215,7 +215,7 @@ std::size_t Search::kept_for(std::size_t count) const {
     return count <= few ? plan_.kept_of_few : count <= plan_.most_quick ? plan_.kept_of_some : plan_.kept_of_many;
 }
 
-void Search::add_restarts(std::size_t count, std::vector<Rated>& rated) {
+void Search::add_restarts(std::size_t count, std::vector<CoverCandidate>& rated) {
     constexpr QuickDescentPlan descent{.steps = 72, .first_step = 0.3f, .last_step = 0.003f, .refresh = 12};
     if (stopped()) {
         return;
@@ -228,18 +228,18 @@ void Search::add_restarts(std::size_t count, std::vector<Rated>& rated) {
         rated[i].balls = clusters(body_, count, random);
     }
     parallel_for(plan_.restarts, [&](std::size_t k) {
-        Rated& start = rated[first + k];
+        CoverCandidate& start = rated[first + k];
         start = settled(surface, descended(surface, &problem_.occupancy, std::move(start.balls), count, descent),
                         plan_.first_gradient_steps);
     });
 }
 
-void Search::add_starts_of_many(std::size_t count, std::vector<Rated>& rated) {
+void Search::add_starts_of_many(std::size_t count, std::vector<CoverCandidate>& rated) {
     Random random(derive_seed(options_.seed, "starts") + count);
     constexpr std::size_t points_a_ball = 6; // fewer would make clusters of one point, balls without size
     const Points more = points_a_ball * count > body_.size() ? body_points(problem_, points_a_ball * count) : Points{};
     rated.resize(plan_.starts);
-    for (Rated& start : rated) {
+    for (CoverCandidate& start : rated) {
         start.balls = clusters(more.size() > body_.size() ? more : body_, count, random);
     }
     const DescentSurface& surface = quick_.surface_for(count);
@@ -250,7 +250,7 @@ void Search::add_starts_of_many(std::size_t count, std::vector<Rated>& rated) {
     });
 }
 
-Rated Search::settled(const DescentSurface& surface, const Balls& balls, int steps) const {
+CoverCandidate Search::settled(const DescentSurface& surface, const Balls& balls, int steps) const {
     return ConditionalGradient(surface.skin, problem_.occupancy).improved(balls, steps);
 }
 

@@ -67,13 +67,13 @@ private:
     /// to be improved.
     std::vector<Balls> found(std::size_t count, const Balls& before, const Balls& more);
     /// Adds candidates from many random starts.
-    void add_restarts(std::size_t count, std::vector<Rated>& rated);
-    void add_starts_of_many(std::size_t count, std::vector<Rated>& rated);
+    void add_restarts(std::size_t count, std::vector<CoverCandidate>& rated);
+    void add_starts_of_many(std::size_t count, std::vector<CoverCandidate>& rated);
     std::size_t kept_for(std::size_t count) const;
     Balls exchanged(const Balls& balls) const;
     Balls exchanged_finely(const Balls& balls) const;
     Balls refined(const Balls& balls) const;
-    Rated settled(const DescentSurface& surface, const Balls& balls, int steps) const;
+    CoverCandidate settled(const DescentSurface& surface, const Balls& balls, int steps) const;
     Model finished(const Balls& balls) const;
     bool stopped() { return stopped_ = stopped_ || (options_.stop && options_.stop()); }
 
@@ -81,7 +81,7 @@ private:
     SpherizeOptions options_;
     Plan plan_;
     Problem problem_;
-    Skin skin_, coarse_skin_; ///< the same where there are few points
+    IndexedSurface skin_, coarse_skin_; ///< the same where there are few points
     Points body_;
     Improvement improvement_;
     std::optional<Splitting> splitting_; ///< made on first use

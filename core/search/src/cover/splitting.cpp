@@ -19,8 +19,8 @@ constexpr ExchangePlan plan{.split = {12, 5, 2, 30}, .evaluations = 0, .rounds =
 constexpr std::size_t most_points = 4000;
 constexpr int coarse_resolution = 32;
 
-Skin skin_of(const Solid& solid, const Frame& frame) {
-    Skin skin(solid.surface(), frame);
+IndexedSurface skin_of(const Solid& solid, const Frame& frame) {
+    IndexedSurface skin(solid.surface(), frame);
     return skin.points.size() > most_points ? skin.coarse(coarse_resolution) : skin;
 }
 
@@ -49,7 +49,7 @@ struct Splitting::Data {
 
     Problem problem;
     Improvement improvement;
-    Skin skin;
+    IndexedSurface skin;
     geometry::UnionParts parts{{}}; ///< of the union of the last spheres
 };
 

@@ -1,14 +1,14 @@
 // The quick descent on the surface of a solid.
 #pragma once
 
-#include "fine_skin.hpp"
+#include "fine_surface.hpp"
 #include "quick_descent.hpp"
 
 namespace foam::inline search::cover {
 
 /// A surface in small triangles, and points that represent it.
 struct DescentSurface {
-    FineSkin skin;
+    FineSurface skin;
     Points some, most; ///< subsets of its points: for the first estimate, for a descent
 
     /// Makes a surface fine enough for `balls` balls.

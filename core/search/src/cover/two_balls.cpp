@@ -16,7 +16,7 @@ Vec3 center_of(const Ball& ball) {
     return {ball.x, ball.y, ball.z};
 }
 
-bool claims_less(const TwoBalls& a, const TwoBalls& b) {
+bool has_less_volume(const TwoBalls& a, const TwoBalls& b) {
     return a.volume < b.volume;
 }
 
@@ -175,7 +175,7 @@ std::vector<TwoBalls> TwoBallSearch::anywhere(const Plan& plan) {
         }
         best_along.push_back(best);
     }
-    std::stable_sort(best_along.begin(), best_along.end(), claims_less);
+    std::stable_sort(best_along.begin(), best_along.end(), has_less_volume);
     return best_along;
 }
 
@@ -187,7 +187,7 @@ TwoBalls TwoBallSearch::improved(const std::vector<TwoBalls>& starts, const Plan
         const TwoBalls upright = descend(starts[i].plane, 0.2, 0.05 * size, plan.evaluations);
         set_tilts(upright.balls);
         const TwoBalls tilted = descend(upright.plane, 0.1, 0.03 * size, plan.evaluations);
-        best = std::min({best, upright, tilted}, claims_less);
+        best = std::min({best, upright, tilted}, has_less_volume);
     }
     return best;
 }

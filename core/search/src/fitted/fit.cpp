@@ -1,7 +1,7 @@
 #include <foam/search/internal/fit.hpp>
 
 #include "cover/starts.hpp"
-#include "misfit.hpp"
+#include "symmetric_difference.hpp"
 
 #include <foam/base/random.hpp>
 
@@ -26,7 +26,7 @@ constexpr std::size_t some_points = 1500;
 
 /// Descends along the shape derivative, in steps of even length by adaptive moments (Kingma and Ba 2015, "Adam"). At
 /// the optimum half of every ball's exposed surface lies inside the solid.
-Balls descend(const Misfit& misfit, Balls balls, const Steps& steps) {
+Balls descend(const SymmetricDifference& difference, Balls balls, const Steps& steps) {
     constexpr float mean_decay = 0.8f, square_decay = 0.95f;
     float size = 0;
     for (const Ball& ball : balls) {
@@ -37,7 +37,7 @@ Balls descend(const Misfit& misfit, Balls balls, const Steps& steps) {
     float mean_scale = 1, square_scale = 1, length = steps.first * size;
     const float ratio = std::pow(steps.last / steps.first, 1 / static_cast<float>(steps.count - 1));
     for (std::size_t step = 0; step < steps.count; ++step, length *= ratio) {
-        misfit.slopes(balls, step, slopes);
+        difference.slopes(balls, step, slopes);
         mean_scale *= mean_decay;
         square_scale *= square_decay;
         for (std::size_t i = 0; i < balls.size(); ++i) {
@@ -69,10 +69,10 @@ struct Candidate {
 
 class Search {
 public:
-    explicit Search(const Misfit& misfit) : misfit_(misfit) {}
+    explicit Search(const SymmetricDifference& difference) : difference_(difference) {}
 
     Candidate candidate(Balls balls) const {
-        const double cost = misfit_.of(balls);
+        const double cost = difference_.of(balls);
         return {std::move(balls), cost};
     }
 
@@ -80,9 +80,9 @@ public:
     /// descent.
     Candidate best_start(const Balls& start, std::size_t most) const {
         Random random(1);
-        std::vector<Balls> starts{start, misfit_.filled({}, most)};
+        std::vector<Balls> starts{start, difference_.filled({}, most)};
         constexpr int clusterings = 3;
-        const cover::Points inside = misfit_.some_inside(std::max(some_points, 4 * most));
+        const cover::Points inside = difference_.some_inside(std::max(some_points, 4 * most));
         for (int i = 0; i < clusterings && inside.size() > most; ++i) {
             starts.push_back(cover::clusters(inside, most, random));
             for (Ball& ball : starts.back()) {
@@ -95,7 +95,7 @@ public:
             if (balls.empty()) {
                 continue;
             }
-            Candidate other = candidate(descend(misfit_, std::move(balls), look));
+            Candidate other = candidate(descend(difference_, std::move(balls), look));
             if (other.cost < best.cost) {
                 best = std::move(other);
             }
@@ -105,17 +105,17 @@ public:
 
     /// Returns the balls with the one that contributes least moved to where the missing volume is greatest.
     Balls moved(const Candidate& now) const {
-        const std::vector<double> uses = misfit_.uses(now.balls);
+        const std::vector<double> uses = difference_.uses(now.balls);
         Balls balls = now.balls;
         balls.erase(balls.begin() + (std::min_element(uses.begin(), uses.end()) - uses.begin()));
-        return misfit_.filled(std::move(balls), now.balls.size());
+        return difference_.filled(std::move(balls), now.balls.size());
     }
 
     Candidate far(const Balls& start, std::size_t most) const {
-        Candidate best = candidate(descend(misfit_, best_start(start, most).balls, settle));
+        Candidate best = candidate(descend(difference_, best_start(start, most).balls, settle));
         constexpr int moves = 8;
         for (int i = 0; i < moves && best.balls.size() > 1; ++i) {
-            Candidate other = candidate(descend(misfit_, moved(best), settle));
+            Candidate other = candidate(descend(difference_, moved(best), settle));
             if (!(other.cost < best.cost)) {
                 break;
             }
@@ -125,7 +125,7 @@ public:
     }
 
 private:
-    const Misfit& misfit_;
+    const SymmetricDifference& difference_;
 };
 
 /// Returns the cells along the longest extent so that the box has about the same number of cells, whatever its shape.
@@ -141,15 +141,16 @@ int resolution(const Vec3& size, std::size_t count) {
 
 std::vector<Sphere> fit(const Solid& solid, std::span<const Sphere> start, std::size_t most, Reach reach) {
     const cover::Frame frame(solid.bounds());
-    const Misfit misfit(solid, frame, resolution(solid.bounds().size(), reach == Reach::far ? most : start.size()), 96);
+    const SymmetricDifference difference(
+        solid, frame, resolution(solid.bounds().size(), reach == Reach::far ? most : start.size()), 96);
     Balls balls = cover::unit_balls(start, frame);
-    if (!(misfit.volume() > 0) || balls.empty()) {
+    if (!(difference.volume() > 0) || balls.empty()) {
         return {start.begin(), start.end()};
     }
-    const Search search(misfit);
+    const Search search(difference);
     const Candidate before = search.candidate(balls);
     const Candidate after =
-        reach == Reach::far ? search.far(balls, most) : search.candidate(descend(misfit, std::move(balls), settle));
+        reach == Reach::far ? search.far(balls, most) : search.candidate(descend(difference, std::move(balls), settle));
     if (!(after.cost < before.cost)) {
         return {start.begin(), start.end()};
     }

@@ -13,7 +13,7 @@ inline namespace [[gnu::visibility("default")]] runtime {
 /// Returns the volume that the guarantee aims to minimise, once it is kept, m³. Outer: excess volume of the grown
 /// spheres. Inner: missing volume of the shrunk spheres. Fitted: symmetric difference. Missing volume is sampled along
 /// lines that are the same for all spheres of a solid.
-double wrong_volume(const Solid& solid, std::vector<Sphere> spheres, Guarantee guarantee);
+double cost_volume(const Solid& solid, std::vector<Sphere> spheres, Guarantee guarantee);
 
 /// Returns the protrusion once the guarantee is kept, m: the largest distance of the exposed surface from the solid.
 double covered_protrusion(const Solid& solid, std::vector<Sphere> spheres, Guarantee guarantee);

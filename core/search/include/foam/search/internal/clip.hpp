@@ -17,7 +17,7 @@ inline namespace [[gnu::visibility("default")]] search {
 void require_within(const Solid& solid, const Pose& pose, const std::vector<ClipPlane>& planes);
 
 /// Returns whether the spheres keep the half-space constraints, by more than the rounding of their numbers.
-bool keep_off(const Solid& solid, const std::vector<Sphere>& spheres, const std::vector<ClipPlane>& planes);
+bool keep_constraints(const Solid& solid, const std::vector<Sphere>& spheres, const std::vector<ClipPlane>& planes);
 
 /// Returns at most `count` spheres that cover the solid and keep the half-space constraints, made from the given
 /// spheres, which need not keep them. The result is slightly larger than needed and has a slightly larger distance to
@@ -27,11 +27,12 @@ std::vector<Sphere> covering_within(const Solid& solid, const std::vector<Sphere
 
 /// Returns for each sphere the largest sphere in it that keeps the half-space constraints; leaves out spheres that have
 /// none. The result need not cover anything.
-std::vector<Sphere> shaved(const Solid& solid, std::vector<Sphere> spheres, const std::vector<ClipPlane>& planes);
+std::vector<Sphere> shrunk_within(const Solid& solid, std::vector<Sphere> spheres,
+                                  const std::vector<ClipPlane>& planes);
 
 /// Returns the largest length by which spheres extend farther than the half-space constraints allow, m. Negative: all
 /// constraints are kept.
-double over_planes(const std::vector<ClipPlane>& planes, std::span<const Sphere> spheres);
+double violation_of(const std::vector<ClipPlane>& planes, std::span<const Sphere> spheres);
 
 /// Returns for each plane how far the spheres extend beyond it.
 std::vector<PlaneReach> reached(const std::vector<ClipPlane>& planes, std::span<const Sphere> spheres);

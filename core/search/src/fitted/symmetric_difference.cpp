@@ -1,4 +1,4 @@
-#include "misfit.hpp"
+#include "symmetric_difference.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/cell.hpp>
@@ -15,7 +15,8 @@ using cover::Balls;
 /// Sets of directions that steps use in turn: one set sees what another misses.
 static constexpr std::size_t turns = 4;
 
-Misfit::Misfit(const Solid& solid, const cover::Frame& frame, int resolution, std::size_t directions)
+SymmetricDifference::SymmetricDifference(const Solid& solid, const cover::Frame& frame, int resolution,
+                                         std::size_t directions)
     : occupancy_(solid, frame, resolution) {
     const Vec3 half = solid.bounds().size() / frame.unit / 2;
     const double cell = occupancy_.cell();
@@ -38,11 +39,11 @@ Misfit::Misfit(const Solid& solid, const cover::Frame& frame, int resolution, st
     }
 }
 
-double Misfit::of(const Balls& balls) const {
+double SymmetricDifference::of(const Balls& balls) const {
     return exact_union_volume(cover::unit_spheres(balls)) + volume_ - 2 * shared_with(balls);
 }
 
-double Misfit::shared_with(const Balls& balls) const {
+double SymmetricDifference::shared_with(const Balls& balls) const {
     double volume = 0;
     std::size_t last = 0; // adjacent cells often lie in the same ball
     const auto holds = [&](std::size_t i, std::size_t p) {
@@ -59,7 +60,7 @@ double Misfit::shared_with(const Balls& balls) const {
     return volume;
 }
 
-void Misfit::slopes(const Balls& balls, std::size_t turn, std::vector<cover::Slope>& result) const {
+void SymmetricDifference::slopes(const Balls& balls, std::size_t turn, std::vector<cover::Slope>& result) const {
     const cover::Points& directions = directions_[turn % turns];
     result.assign(balls.size(), {});
     cover::Exposed exposed;
@@ -73,7 +74,7 @@ void Misfit::slopes(const Balls& balls, std::size_t turn, std::vector<cover::Slo
     }
 }
 
-Balls Misfit::filled(Balls balls, std::size_t most) const {
+Balls SymmetricDifference::filled(Balls balls, std::size_t most) const {
     const cover::Points& inside = occupancy_.inside();
     std::vector<float> room = occupancy_.depth();
     const auto take_away = [&](const Ball& ball) {
@@ -97,7 +98,7 @@ Balls Misfit::filled(Balls balls, std::size_t most) const {
     return balls;
 }
 
-cover::Points Misfit::some_inside(std::size_t count) const {
+cover::Points SymmetricDifference::some_inside(std::size_t count) const {
     const cover::Points& inside = occupancy_.inside();
     const std::size_t stride = std::max<std::size_t>(1, inside.size() / count);
     cover::Points result;
@@ -107,7 +108,7 @@ cover::Points Misfit::some_inside(std::size_t count) const {
     return result;
 }
 
-std::vector<double> Misfit::uses(const Balls& balls) const {
+std::vector<double> SymmetricDifference::uses(const Balls& balls) const {
     const std::vector<Sphere> spheres = cover::unit_spheres(balls);
     std::vector<double> result(balls.size(), 0);
     CancellationCounter asking(1024);
@@ -131,4 +132,4 @@ std::vector<double> Misfit::uses(const Balls& balls) const {
     return result;
 }
 
-} // namespace foam::search::fitted
+} // namespace foam::inline search::fitted

@@ -6,13 +6,13 @@
 namespace foam::inline search::cover {
 
 /// Balls with the volume that they have when they cover the surface, units³.
-struct Rated {
+struct CoverCandidate {
     double volume = 0;
     Balls balls;
 };
 
-inline bool claims_less(const Rated& a, const Rated& b) {
+inline bool has_less_volume(const CoverCandidate& a, const CoverCandidate& b) {
     return a.volume < b.volume;
 }
 
-} // namespace foam::search::cover
+} // namespace foam::inline search::cover

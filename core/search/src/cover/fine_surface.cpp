@@ -1,4 +1,4 @@
-#include "fine_skin.hpp"
+#include "fine_surface.hpp"
 
 #include <foam/geometry/internal/welding.hpp>
 
@@ -14,7 +14,7 @@ constexpr std::uint32_t unnamed = UINT32_MAX;
 
 } // namespace
 
-FineSkin::FineSkin(const Mesh& surface, const Frame& frame, std::size_t pieces) {
+FineSurface::FineSurface(const Mesh& surface, const Frame& frame, std::size_t pieces) {
     add_faces(surface, frame);
     for (const auto& [a, b, c] : faces) {
         area += norm(cross(points.at(b) - points.at(a), points.at(c) - points.at(a))) / 2;
@@ -36,7 +36,7 @@ FineSkin::FineSkin(const Mesh& surface, const Frame& frame, std::size_t pieces) 
     }
 }
 
-void FineSkin::add_faces(const Mesh& surface, const Frame& frame) {
+void FineSurface::add_faces(const Mesh& surface, const Frame& frame) {
     // A closed surface has half as many points as triangles; one with more repeats its corners for each triangle.
     const bool soup = surface.vertices.size() > surface.triangles.size();
     const std::vector<std::uint32_t> welded = soup ? geometry::welded_indices(surface) : std::vector<std::uint32_t>{};
@@ -56,7 +56,7 @@ void FineSkin::add_faces(const Mesh& surface, const Frame& frame) {
     }
 }
 
-bool FineSkin::halve_long_edges(double longest, std::size_t most_faces) {
+bool FineSurface::halve_long_edges(double longest, std::size_t most_faces) {
     const auto most = static_cast<float>(longest * longest);
     std::unordered_map<std::uint64_t, std::uint32_t> middles;
     const auto squared = [&](std::uint32_t a, std::uint32_t b) {
@@ -89,7 +89,7 @@ bool FineSkin::halve_long_edges(double longest, std::size_t most_faces) {
     return true;
 }
 
-Points FineSkin::sample(std::size_t count) const {
+Points FineSurface::sample(std::size_t count) const {
     const double cell = std::max(std::sqrt(area / static_cast<double>(count)), 1e-3);
     const auto index = [&](float value) { return static_cast<std::uint64_t>((value + 2) / cell); };
     std::unordered_set<std::uint64_t> taken;
@@ -102,4 +102,4 @@ Points FineSkin::sample(std::size_t count) const {
     return some;
 }
 
-} // namespace foam::search::cover
+} // namespace foam::inline search::cover

@@ -1,4 +1,4 @@
-#include "skin.hpp"
+#include "indexed_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ Ball bounds_of(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 } // namespace
 
-Skin::Skin(const Mesh& surface, const Frame& frame) {
+IndexedSurface::IndexedSurface(const Mesh& surface, const Frame& frame) {
     const std::vector<std::uint32_t> name = name_places(surface, frame);
     for (const Triangle& t : surface.triangles) {
         faces.push_back({{name[t[0]], name[t[1]], name[t[2]]}, {}, {}});
@@ -23,7 +23,7 @@ Skin::Skin(const Mesh& surface, const Frame& frame) {
     add_edges();
 }
 
-void Skin::add_edges() {
+void IndexedSurface::add_edges() {
     struct Side {
         std::uint32_t from, to, face;
         std::size_t k;
@@ -48,7 +48,7 @@ void Skin::add_edges() {
     }
 }
 
-std::vector<std::uint32_t> Skin::name_places(const Mesh& surface, const Frame& frame) {
+std::vector<std::uint32_t> IndexedSurface::name_places(const Mesh& surface, const Frame& frame) {
     std::vector<char> used(surface.vertices.size(), 0);
     for (const Triangle& t : surface.triangles) {
         used[t[0]] = used[t[1]] = used[t[2]] = 1;
@@ -74,7 +74,7 @@ std::vector<std::uint32_t> Skin::name_places(const Mesh& surface, const Frame& f
     return name;
 }
 
-Skin Skin::coarse(int resolution) const {
+IndexedSurface IndexedSurface::coarse(int resolution) const {
     Box bounds;
     for (std::size_t i = 0; i < points.size(); ++i) {
         bounds.add(points.at(i));
@@ -90,7 +90,7 @@ Skin Skin::coarse(int resolution) const {
                            i);
     }
     std::sort(order.begin(), order.end());
-    Skin result;
+    IndexedSurface result;
     std::vector<std::uint32_t> name(points.size());
     for (std::size_t k = 0; k < order.size(); ++k) {
         if (k == 0 || order[k].first != order[k - 1].first) {
@@ -119,4 +119,4 @@ Skin Skin::coarse(int resolution) const {
     return result;
 }
 
-} // namespace foam::search::cover
+} // namespace foam::inline search::cover

@@ -8,9 +8,9 @@
 namespace foam::inline search::fitted {
 
 /// vol(U \ S) + vol(S \ U) of balls in the unit frame, and its derivatives.
-class Misfit {
+class SymmetricDifference {
 public:
-    Misfit(const Solid& solid, const cover::Frame& frame, int resolution, std::size_t directions);
+    SymmetricDifference(const Solid& solid, const cover::Frame& frame, int resolution, std::size_t directions);
 
     /// Returns the symmetric difference, units³: vol(U) + vol(S) − 2 vol(U ∩ S), the first in closed form, the others
     /// by cells.
@@ -44,4 +44,4 @@ private:
     std::vector<cover::Points> directions_;
 };
 
-} // namespace foam::search::fitted
+} // namespace foam::inline search::fitted

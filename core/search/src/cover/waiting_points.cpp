@@ -1,14 +1,14 @@
-#include "watch.hpp"
+#include "waiting_points.hpp"
 
 namespace foam::inline search::cover {
 
-Watch::Watch(const Points& all, std::size_t begin) : all_(all) {
+WaitingPoints::WaitingPoints(const Points& all, std::size_t begin) : all_(all) {
     for (std::size_t i = begin; i < all.size(); ++i) {
         waiting_.push_back({static_cast<std::uint32_t>(i), 0});
     }
 }
 
-void Watch::add_outside(const Balls& balls, Points& active) {
+void WaitingPoints::add_outside(const Balls& balls, Points& active) {
     std::size_t left = 0;
     for (const Waiting& w : waiting_) {
         if (const auto owner = owner_of(w, balls)) {
@@ -20,7 +20,7 @@ void Watch::add_outside(const Balls& balls, Points& active) {
     waiting_.resize(left);
 }
 
-std::optional<std::uint32_t> Watch::owner_of(const Waiting& waiting, const Balls& balls) const {
+std::optional<std::uint32_t> WaitingPoints::owner_of(const Waiting& waiting, const Balls& balls) const {
     const float x = all_.x[waiting.point], y = all_.y[waiting.point], z = all_.z[waiting.point];
     const auto held = [&](const Ball& b) { return b.squared_distance(x, y, z) <= b.r * b.r; };
     if (held(balls[waiting.owner])) {
@@ -34,4 +34,4 @@ std::optional<std::uint32_t> Watch::owner_of(const Waiting& waiting, const Balls
     return std::nullopt;
 }
 
-} // namespace foam::search::cover
+} // namespace foam::inline search::cover

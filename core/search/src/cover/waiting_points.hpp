@@ -10,10 +10,10 @@ namespace foam::inline search::cover {
 
 /// Points outside the active set of a descent. Only few of many points ever matter to a descent; the others are checked
 /// now and then (active sets).
-class Watch {
+class WaitingPoints {
 public:
     /// `begin`: the first of `all` that is not among the descent's points from the start. `all` must outlive this.
-    Watch(const Points& all, std::size_t begin);
+    WaitingPoints(const Points& all, std::size_t begin);
 
     /// Moves the points outside all balls to `active`.
     void add_outside(const Balls& balls, Points& active);
@@ -28,4 +28,4 @@ private:
     std::vector<Waiting> waiting_;
 };
 
-} // namespace foam::search::cover
+} // namespace foam::inline search::cover

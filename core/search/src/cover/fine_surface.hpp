@@ -12,14 +12,14 @@ namespace foam::inline search::cover {
 
 /// Triangles in the unit frame. Long edges are halved until they are small beside the balls: then nearly always a ball
 /// contains a triangle if it contains its corners. Corners at one place are one point.
-struct FineSkin {
+struct FineSurface {
     Points points;
     std::vector<std::array<std::uint32_t, 3>> faces;
     double area = 0;  ///< units²
     bool fine = true; ///< false: needles still have longer edges
 
     /// `pieces`: the least number of faces, about.
-    FineSkin(const Mesh& surface, const Frame& frame, std::size_t pieces);
+    FineSurface(const Mesh& surface, const Frame& frame, std::size_t pieces);
 
     /// Returns about `count` of the points, evenly spread: the first one in each cell of a lattice.
     Points sample(std::size_t count) const;
@@ -30,4 +30,4 @@ private:
     bool halve_long_edges(double longest, std::size_t most_faces);
 };
 
-} // namespace foam::search::cover
+} // namespace foam::inline search::cover

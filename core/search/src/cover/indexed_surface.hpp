@@ -14,7 +14,7 @@ namespace foam::inline search::cover {
 using Line = std::pair<std::uint32_t, std::uint32_t>; ///< indices of its ends
 
 /// Triangles in the unit frame. Corners at one place, and edges between them, have one index, regardless of the mesh.
-struct Skin {
+struct IndexedSurface {
     struct Face {
         std::array<std::uint32_t, 3> corners, edges; ///< edge k goes from corner k to the next one
         Ball bounds;
@@ -23,17 +23,17 @@ struct Skin {
     std::vector<Line> edges;
     std::vector<Face> faces;
 
-    Skin(const Mesh& surface, const Frame& frame);
+    IndexedSurface(const Mesh& surface, const Frame& frame);
     /// Returns a coarse skin: of the points in each cell of a lattice, cells of about 1/`resolution` of the longest
     /// extent, one represents all (Rossignac and Borrel 1993). It lies on the surface, but the surface may extend
     /// beyond it between points.
-    Skin coarse(int resolution) const;
+    IndexedSurface coarse(int resolution) const;
 
 private:
-    Skin() = default;
+    IndexedSurface() = default;
     void add_edges();
     /// Returns the point at the place of each vertex in use.
     std::vector<std::uint32_t> name_places(const Mesh& surface, const Frame& frame);
 };
 
-} // namespace foam::search::cover
+} // namespace foam::inline search::cover
