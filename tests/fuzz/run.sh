@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
-# fuzz/run.sh TARGET SECONDS [FOLDER]: builds a fuzzer and runs it. TARGET: stl, obj, off, ply, dae, gltf, urdf, spheres or
+# tests/fuzz/run.sh TARGET SECONDS [FOLDER]: builds a fuzzer and runs it. TARGET: stl, obj, off, ply, dae, gltf, urdf, spheres or
 # recipe. FOLDER (build/fuzz_corpus) keeps what was learned, in FOLDER/TARGET, and findings, in FOLDER/findings/TARGET. Seeds: the
 # committed ones, and with FOAM_SHARED=PATH the small files of that folder. Needs clang++ with libFuzzer.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 target=$1 seconds=$2 folder=${3:-build/fuzz_corpus}
 build=${FOAM_FUZZ_BUILD:-build/fuzz}
 
-[[ -e fuzz/seeds/$target ]] || { echo "unknown target '$target': one of $(ls fuzz/seeds | xargs)" >&2; exit 2; }
+[[ -e tests/fuzz/seeds/$target ]] || { echo "unknown target '$target': one of $(ls tests/fuzz/seeds | xargs)" >&2; exit 2; }
 [[ -e $build/build.ninja ]] || cmake --preset fuzz -B "$build" >/dev/null
 cmake --build "$build" --target "fuzz_$target"
 
-seeds=("fuzz/seeds/$target")
-[[ -e fuzz/corpus/$target ]] && seeds+=("fuzz/corpus/$target")
+seeds=("tests/fuzz/seeds/$target")
+[[ -e tests/fuzz/corpus/$target ]] && seeds+=("tests/fuzz/corpus/$target")
 [[ $target == recipe ]] && seeds+=(tests/recipes configs)
 [[ $target == urdf ]] && seeds+=(configs/robots)
 mkdir -p "$folder/$target" "$folder/findings/$target"
@@ -28,5 +28,5 @@ if [[ -n ${FOAM_SHARED:-} ]]; then
   seeds+=("$shared")
 fi
 exec "$build/bin/fuzz_$target" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2048 -max_len=65536 -use_value_profile=1 \
-  -print_final_stats=1 -dict="fuzz/dictionaries/$target.dict" -artifact_prefix="$folder/findings/$target/" \
+  -print_final_stats=1 -dict="tests/fuzz/dictionaries/$target.dict" -artifact_prefix="$folder/findings/$target/" \
   "$folder/$target" "${seeds[@]}"

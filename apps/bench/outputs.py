@@ -19,7 +19,7 @@ import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 SHARED = pathlib.Path(os.environ.get("FOAM_SHARED", ROOT.parent / "shared")).resolve()
 SPHERIZERS = ["cover", "grid", "hubbard", "medial", "octree", "spawn", "voxel"]
 LONGEST = 120  # s of a case

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# fuzz/brief.sh FOLDER [SECONDS]: every fuzzer for some seconds. Exit code 77 (skipped) unless FOAM_TEST_FUZZ=1 and clang++
+# tests/fuzz/brief.sh FOLDER [SECONDS]: every fuzzer for some seconds. Exit code 77 (skipped) unless FOAM_TEST_FUZZ=1 and clang++
 # can fuzz.
 set -euo pipefail
 folder=$1 seconds=${2:-10}
