@@ -39,6 +39,9 @@ expect "Proved" "$foam" spherize "$room/part.obj" -n 6 -m axis_split --plugin-di
 build_project "$FOAM_TEST_SOURCE/docs/examples/in_the_loop" "$room/build/in_the_loop" \
     -DCMAKE_PREFIX_PATH="$("$foam" sdk)" -DCMAKE_CXX_COMPILER="$compiler"
 expect "proved: the box lies inside" "$room/build/in_the_loop/in_the_loop"
+loaded=$(ldd "$room/build/in_the_loop/in_the_loop")
+[[ $loaded == *libfoam-search* ]] || fail "it does not link foam::search: $loaded"
+[[ ! $loaded =~ yaml|expat|json|foam-(robot|sdk|recipe|report|runtime|judge) ]] || fail "foam::search brings more than geometry and base: $loaded"
 
 # Installed beside the others they are found without a word.
 quietly "$FOAM_TEST_CMAKE" --install "$room/build/spherize_octree" --prefix "$prefix"
