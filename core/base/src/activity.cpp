@@ -8,15 +8,19 @@
 #include <array>
 #include <atomic>
 #include <csignal>
-#include <cstring>
+#include <cstdint>
+#include <tuple>
 
 namespace foam::inline base {
 
 struct Activity {
     std::atomic<bool> taken{false};
-    CrashRemedy remedy = CrashRemedy::isolate_stage;
+    std::atomic<CrashRemedy> remedy{CrashRemedy::isolate_stage};
     std::atomic<const StopRequest*> request{nullptr};
-    char text[512] = {};
+    /// A sequence lock (Boehm: Can seqlocks get along with programming language memory models?, MSPC 2012): odd while the
+    /// text changes. A reader never waits, so a signal handler may read.
+    std::atomic<std::uint32_t> version{0};
+    std::array<std::atomic<char>, std::tuple_size_v<ActivityText>> text{};
 };
 
 namespace {
@@ -77,15 +81,23 @@ Activity* free_slot() {
     return nullptr;
 }
 
+/// Writes the text, release by release: a reader that sees one of its characters sees that the version is odd, or later.
+void write_text(Activity& activity, std::string_view text) {
+    const std::size_t length = std::min(text.size(), activity.text.size() - 1);
+    activity.version.fetch_add(1, std::memory_order_relaxed);
+    for (std::size_t i = 0; i <= length; ++i) {
+        activity.text[i].store(i < length ? text[i] : '\0', std::memory_order_release);
+    }
+    activity.version.fetch_add(1, std::memory_order_release);
+}
+
 } // namespace
 
 ActivityScope::ActivityScope(std::string_view what, CrashRemedy remedy) : slot_(free_slot()), before_(current.activity) {
     provide_signal_stack();
     if (slot_) {
-        const std::size_t length = std::min(what.size(), sizeof slot_->text - 1);
-        std::memcpy(slot_->text, what.data(), length);
-        slot_->text[length] = '\0';
-        slot_->remedy = remedy;
+        write_text(*slot_, what);
+        slot_->remedy.store(remedy, std::memory_order_relaxed);
         slot_->request.store(current.request, std::memory_order_relaxed);
     }
     current.activity = slot_;
@@ -115,12 +127,21 @@ const Activity* current_activity() {
     return current.activity;
 }
 
-const char* text_of(const Activity& activity) {
-    return activity.text;
+ActivityText text_of(const Activity& activity) {
+    ActivityText copy{};
+    const std::uint32_t before = activity.version.load(std::memory_order_acquire);
+    for (std::size_t i = 0; i + 1 < copy.size(); ++i) {
+        copy[i] = activity.text[i].load(std::memory_order_acquire);
+        if (copy[i] == '\0') {
+            break;
+        }
+    }
+    const bool whole = before % 2 == 0 && activity.version.load(std::memory_order_relaxed) == before;
+    return whole ? copy : ActivityText{};
 }
 
 CrashRemedy remedy_of(const Activity& activity) {
-    return activity.remedy;
+    return activity.remedy.load(std::memory_order_relaxed);
 }
 
 const StopRequest* request_of(const Activity& activity) {

@@ -38,9 +38,9 @@ void report(const char* crash) {
     tell(crash);
     tell(") in ");
     const Activity* here = current_activity();
-    const bool known = here || active(0);
+    const Activity* known = here ? here : active(0);
     if (here) {
-        tell(text_of(*here));
+        tell(text_of(*here).data());
         tell("\n");
     } else if (known) {
         tell("an unknown thread; active stages:\n");
@@ -49,7 +49,7 @@ void report(const char* crash) {
         tell("no stage: a bug in foam; please report it\n");
     }
     tell("foam: the run directory is as it was before\n");
-    if (known && remedy_of(here ? *here : *active(0)) == CrashRemedy::remove_plugin) {
+    if (known && remedy_of(*known) == CrashRemedy::remove_plugin) {
         tell("foam: remedy: remove that plugin; `foam plugins --why` tests each plugin in a child process\n");
     } else if (known) {
         tell("foam: remedy: `isolate: process` in the recipe (--set isolate=process) runs stages in child processes: a "
@@ -101,7 +101,7 @@ UnfinishedFolder::~UnfinishedFolder() {
 void write_activities(int descriptor) {
     for (std::size_t i = 0; const Activity* activity = active(i); ++i) {
         say(descriptor, "  ");
-        say(descriptor, text_of(*activity));
+        say(descriptor, text_of(*activity).data());
         say(descriptor, "\n");
     }
 }

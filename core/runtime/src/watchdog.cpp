@@ -14,8 +14,9 @@ namespace {
 std::vector<std::string> places_of(const Limits& limits) {
     std::vector<std::string> places;
     for (std::size_t i = 0; const Activity* activity = active(i); ++i) {
-        if (limits.owns(request_of(*activity))) {
-            places.emplace_back(text_of(*activity));
+        const ActivityText text = text_of(*activity);
+        if (text.front() != '\0' && limits.owns(request_of(*activity))) {
+            places.emplace_back(text.data());
         }
     }
     std::sort(places.begin(), places.end());

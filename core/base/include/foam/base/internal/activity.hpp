@@ -5,6 +5,7 @@
 
 #include <foam/base/cancellation.hpp>
 
+#include <array>
 #include <cstddef>
 #include <string_view>
 
@@ -23,6 +24,9 @@ struct ThreadWork {
     const StopRequest* request = nullptr; ///< null: nothing can request its end
     bool winds_up = false;                ///< the work ends once the request is overdue
 };
+
+/// A phrase for people, cut off where it is too long. Zero-terminated, without memory of its own: for signal handlers.
+using ActivityText = std::array<char, 512>;
 
 /// Sets the work of the calling thread for the lifetime of the object; the previous work is restored at its end.
 class ActivityScope {
@@ -55,7 +59,8 @@ ThreadWork current_work();
 /// Returns the activity of the calling thread; null if it has no named work. Safe in a signal handler, as are the
 /// functions below.
 const Activity* current_activity();
-const char* text_of(const Activity& activity);
+/// Returns a copy of what the thread works on; "" if it changes meanwhile.
+ActivityText text_of(const Activity& activity);
 CrashRemedy remedy_of(const Activity& activity);
 /// Returns the request that may end the activity; null: none. Only for comparison: it may no longer exist.
 const StopRequest* request_of(const Activity& activity);
