@@ -15,7 +15,7 @@ def exported(library):
     """The functions and variables of the library, demangled; not those of templates and inline functions."""
     lines = subprocess.run(["nm", "-D", "-C", "--defined-only", library], check=True, capture_output=True, text=True).stdout
     return [match.group(2) for match in map(re.compile(r"^\w+ ([A-Za-z]) (.*)$").match, lines.splitlines())
-            if match and match.group(1) in "TDBR"]
+            if match and match.group(1) in "TDBR" and not match.group(2).startswith("__odr_asan.")]  # of the sanitizer
 
 
 def identifiers(symbol):
