@@ -16,9 +16,10 @@ function(foam_library NAME)
   target_compile_features(${TARGET} PUBLIC cxx_std_20)
   list(TRANSFORM ARG_USES PREPEND foam::)
   target_link_libraries(${TARGET} PUBLIC ${ARG_USES} PRIVATE foam_compiler fmt::fmt ${ARG_LIBRARIES})
-  target_link_options(${TARGET} PRIVATE -Wl,--build-id=sha1
-    $<$<NOT:$<BOOL:${FOAM_SANITIZE}>>:-Wl,--no-undefined>)
-  if(FOAM_SANITIZE)
+  target_link_options(${TARGET} PRIVATE -Wl,--build-id=sha1)
+  if(NOT FOAM_SANITIZE) # what a sanitizer calls is in the program
+    target_link_options(${TARGET} PRIVATE -Wl,--no-undefined)
+  else()
     # The fingerprint says so: what links it must be built alike.
     target_compile_options(${TARGET} INTERFACE -fsanitize=${FOAM_SANITIZE})
     target_link_options(${TARGET} INTERFACE -fsanitize=${FOAM_SANITIZE})
