@@ -101,6 +101,19 @@ TEST_F(EvaluateCli, LinksWithoutSpheresAreSaid) {
     EXPECT_EQ(foam("evaluate arm.urdf half.json --link base").err, "");
 }
 
+/// The name of a link that is left out is no glob.
+TEST_F(EvaluateCli, ALinkNamedLikeAGlobLeavesTheOthersIn) {
+    const std::string box = "<collision><geometry><box size=\"0.2 0.2 0.2\"/></geometry></collision>";
+    write("odd.urdf",
+          "<robot name=\"odd\"><link name=\"base\">" + box + "</link><link name=\"*\">" + box +
+              "</link><joint name=\"j\" type=\"fixed\"><parent link=\"base\"/><child link=\"*\"/></joint></robot>");
+    write("odd.csv", "link,x,y,z,radius\nbase,0,0,0,0.174\n");
+    const Outcome outcome = foam("certify odd.urdf odd.csv --link base");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "Certified (outer): the geometry lies inside the spheres on 1 link, 1 sphere.\n"
+                           "Not part of the proof: * (excluded by --link).\n");
+}
+
 TEST_F(EvaluateCli, AMeshIsAnOriginalToo) {
     write("box.obj", box_obj);
     write("rows.txt", "0 0 0 0.1871\n");

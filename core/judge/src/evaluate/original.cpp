@@ -12,6 +12,15 @@
 namespace foam::inline judge {
 namespace {
 
+/// Returns the glob that matches this name alone.
+std::string glob_of_name(const std::string& name) {
+    std::string glob;
+    for (const char c : name) {
+        glob += c == '*' || c == '?' || c == '[' ? std::string{'[', c, ']'} : std::string{c};
+    }
+    return glob;
+}
+
 /// Leaves out the links that no glob matches.
 void choose(Recipe& recipe, const Robot& robot, const std::vector<std::string>& globs) {
     for (const std::string& glob : globs) {
@@ -26,7 +35,7 @@ void choose(Recipe& recipe, const Robot& robot, const std::vector<std::string>& 
                             });
         if (!chosen) {
             LinkOverride& left_out = recipe.links.emplace_back();
-            left_out.glob = link.name;
+            left_out.glob = glob_of_name(link.name);
             left_out.skip = true;
         }
     }
