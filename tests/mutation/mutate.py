@@ -43,7 +43,7 @@ BELONG = {
     "geometry/src/intervals.cpp": ["geometry/intervals_test"],
     "runtime/src/cover.cpp": ["run/finished_tree_test"],
     "runtime/src/written_proof.cpp": ["run/written_proof_test"],
-    "base/src/text.cpp": ["data/text_test", "run/finished_tree_test"],
+    "base/src/number_text.cpp": ["data/text_test", "run/finished_tree_test"],
 }
 WHOLE = {"base", "geometry", "robot", "sdk"}  # libraries that tests link
 LINKED = {"runtime/src/contract/sample.cpp", "runtime/src/cover.cpp", "runtime/src/written_proof.cpp"}  # and these files of others

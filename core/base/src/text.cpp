@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <cstdint>
 
 namespace foam::inline base {
@@ -100,25 +99,6 @@ std::size_t shown_width(std::string_view text) {
         text.remove_prefix(std::max<std::size_t>(bytes, 1));
     }
     return width;
-}
-
-std::string number_text(double value) {
-    char buffer[64];
-    const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);
-    return {buffer, end};
-}
-
-std::optional<double> parse_number(std::string_view text) {
-    // std::from_chars does not accept a plus sign, which other programs write.
-    if (text.starts_with('+') && !text.starts_with("+-")) {
-        text.remove_prefix(1);
-    }
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-        return {};
-    }
-    return value;
 }
 
 std::vector<std::string_view> words(std::string_view text) {
