@@ -27,20 +27,30 @@ bool is_computing(const std::string& file_name) {
     });
 }
 
-/// Adds the file of a loaded library. For dl_iterate_phdr().
-int add_library(dl_phdr_info* info, std::size_t, void* files) {
+/// Adds the name and the build of a loaded library, from its image in memory: the file may be another by now. For
+/// dl_iterate_phdr().
+int add_build(dl_phdr_info* info, std::size_t, void* builds) {
     const std::filesystem::path file = info->dlpi_name;
-    if (is_computing(file.filename().string())) {
-        static_cast<std::vector<std::filesystem::path>*>(files)->push_back(file);
+    if (!is_computing(file.filename().string())) {
+        return 0;
     }
+    std::string id;
+    for (std::size_t i = 0; i < info->dlpi_phnum && id.empty(); ++i) {
+        const auto& segment = info->dlpi_phdr[i];
+        if (segment.p_type == PT_NOTE) {
+            id = build_id_in({reinterpret_cast<const char*>(info->dlpi_addr + segment.p_vaddr), segment.p_memsz});
+        }
+    }
+    static_cast<std::vector<std::string>*>(builds)->push_back(
+        fmt::format("{} {}", file.filename().string(), build_identity(id, file)));
     return 0;
 }
 
 } // namespace
 
-std::string build_identity(const std::filesystem::path& file) {
-    if (std::string id = read_build_id(file); !id.empty()) {
-        return id;
+std::string build_identity(const std::string& build_id, const std::filesystem::path& file) {
+    if (!build_id.empty()) {
+        return build_id;
     }
     try {
         return digest_of(read_file(file));
@@ -50,14 +60,13 @@ std::string build_identity(const std::filesystem::path& file) {
 }
 
 std::string build_of_libraries() {
-    std::vector<std::filesystem::path> files;
-    dl_iterate_phdr(add_library, &files);
-    std::vector<std::string> builds;
-    for (const auto& file : files) {
-        builds.push_back(fmt::format("{} {}", file.filename().string(), build_identity(file)));
-    }
-    std::sort(builds.begin(), builds.end());
-    return fmt::format("{}", fmt::join(builds, ", "));
+    static const std::string builds = [] { // the program's libraries stay the same
+        std::vector<std::string> found;
+        dl_iterate_phdr(add_build, &found);
+        std::sort(found.begin(), found.end());
+        return fmt::format("{}", fmt::join(found, ", "));
+    }();
+    return builds;
 }
 
 } // namespace foam::sdk

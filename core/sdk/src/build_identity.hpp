@@ -6,8 +6,8 @@
 
 namespace foam::inline sdk {
 
-/// Returns the identity of a library's build: the build ID that the linker wrote into it, else a digest of its content;
-/// empty if the file cannot be read.
-std::string build_identity(const std::filesystem::path& file);
+/// Returns the identity of a library's build: its build ID, or a digest of the file's content if the linker wrote none;
+/// empty if that file cannot be read.
+std::string build_identity(const std::string& build_id, const std::filesystem::path& file);
 
 } // namespace foam::sdk

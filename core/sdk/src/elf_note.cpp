@@ -27,7 +27,7 @@ public:
 
     template <class T> bool read(std::uint64_t offset, T& value) { return read(offset, sizeof(T), &value); }
     std::optional<std::string> text(std::uint64_t offset, std::uint64_t size) {
-        constexpr std::uint64_t longest = 4096;
+        constexpr std::uint64_t longest = 1 << 20;
         std::string result(static_cast<std::size_t>(std::min(size, longest)), '\0');
         return size <= longest && read(offset, size, result.data()) ? std::optional(result) : std::nullopt;
     }
@@ -59,22 +59,19 @@ struct NoteKind {
 constexpr NoteKind fingerprint_note{{"foam", 5}, 1}, build_id_note{{"GNU", 4}, NT_GNU_BUILD_ID};
 
 /// Returns the description of the first note of that kind.
-std::optional<std::string> find_note(Bytes& bytes, const Elf64_Phdr& segment, const NoteKind& kind) {
-    const std::uint64_t offset = segment.p_offset, size = segment.p_filesz;
-    for (std::uint64_t at = 0; at + sizeof(Elf64_Nhdr) <= size;) {
+std::optional<std::string> find_note(std::string_view notes, const NoteKind& kind) {
+    constexpr std::uint64_t longest = 4096;
+    while (notes.size() >= sizeof(Elf64_Nhdr)) {
         Elf64_Nhdr note{};
-        if (!bytes.read(offset + at, note)) {
-            return std::nullopt;
+        std::memcpy(&note, notes.data(), sizeof note);
+        const std::uint64_t description_at = sizeof note + aligned(note.n_namesz);
+        const std::uint64_t next = description_at + aligned(note.n_descsz);
+        if (note.n_type == kind.type && note.n_namesz == kind.name.size() && note.n_descsz <= longest &&
+            description_at + note.n_descsz <= notes.size() &&
+            notes.substr(sizeof note, kind.name.size()) == kind.name) {
+            return std::string(notes.substr(description_at, note.n_descsz));
         }
-        const std::uint64_t name_at = offset + at + sizeof note;
-        const std::uint64_t description_at = name_at + aligned(note.n_namesz);
-        if (note.n_type == kind.type && note.n_namesz == kind.name.size() &&
-            bytes.text(name_at, kind.name.size()) == kind.name) {
-            if (auto text = bytes.text(description_at, note.n_descsz)) {
-                return text;
-            }
-        }
-        at += sizeof note + aligned(note.n_namesz) + aligned(note.n_descsz);
+        notes.remove_prefix(std::min<std::uint64_t>(next, notes.size()));
     }
     return std::nullopt;
 }
@@ -113,11 +110,11 @@ std::string read_segments(Bytes& bytes, const Elf64_Ehdr& header, std::vector<El
 ElfNote read_foam_note(const std::filesystem::path& file) {
     Bytes bytes(file);
     if (!bytes.readable()) {
-        return {"the file cannot be read; remedy: check its permissions", {}};
+        return {"the file cannot be read; remedy: check its permissions", {}, {}};
     }
     Elf64_Ehdr header{};
     if (!bytes.read(0, header) || std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0) {
-        return {"it is no shared library (it has no ELF header); remedy: build it with foam_add_plugin()", {}};
+        return {"it is no shared library (it has no ELF header); remedy: build it with foam_add_plugin()", {}, {}};
     }
     Elf64_Ehdr own{};
     std::ifstream("/proc/self/exe", std::ios::binary).read(reinterpret_cast<char*>(&own), sizeof own);
@@ -125,46 +122,35 @@ ElfNote read_foam_note(const std::filesystem::path& file) {
         return {fmt::format("it is built for {}, this foam for {}; remedy: build it for this machine",
                             processor(header.e_ident[EI_CLASS], header.e_machine),
                             processor(own.e_ident[EI_CLASS], own.e_machine)),
-                {}};
+                {}, {}};
     }
     if (header.e_type != ET_DYN) {
-        return {"it is an ELF file, but no shared library; remedy: build it with foam_add_plugin()", {}};
+        return {"it is an ELF file, but no shared library; remedy: build it with foam_add_plugin()", {}, {}};
     }
     std::vector<Elf64_Phdr> segments;
     if (const std::string why = read_segments(bytes, header, segments); !why.empty()) {
-        return {why, {}};
+        return {why, {}, {}};
     }
-    for (const Elf64_Phdr& segment : segments) {
-        if (segment.p_type == PT_NOTE) {
-            if (const auto found = find_note(bytes, segment, fingerprint_note)) {
-                return {"", found->substr(0, found->find('\0'))};
-            }
-        }
-    }
-    return {};
-}
-
-std::string read_build_id(const std::filesystem::path& file) {
-    Bytes bytes(file);
-    Elf64_Ehdr header{};
-    std::vector<Elf64_Phdr> segments;
-    if (!bytes.readable() || !bytes.read(0, header) || std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0 ||
-        header.e_ident[EI_CLASS] != ELFCLASS64 || !read_segments(bytes, header, segments).empty()) {
-        return "";
-    }
+    ElfNote result;
     for (const Elf64_Phdr& segment : segments) {
         if (segment.p_type != PT_NOTE) {
             continue;
         }
-        if (const auto id = find_note(bytes, segment, build_id_note)) {
-            std::string digits;
-            for (const char byte : *id) {
-                digits += fmt::format("{:02x}", static_cast<unsigned char>(byte));
-            }
-            return digits;
+        const std::string notes = bytes.text(segment.p_offset, segment.p_filesz).value_or("");
+        if (const auto found = find_note(notes, fingerprint_note); found && !result.fingerprint) {
+            result.fingerprint = found->substr(0, found->find('\0'));
         }
+        result.build_id = result.build_id.empty() ? build_id_in(notes) : result.build_id;
     }
-    return "";
+    return result;
+}
+
+std::string build_id_in(std::string_view notes) {
+    std::string digits;
+    for (const char byte : find_note(notes, build_id_note).value_or("")) {
+        digits += fmt::format("{:02x}", static_cast<unsigned char>(byte));
+    }
+    return digits;
 }
 
 } // namespace foam::sdk

@@ -173,7 +173,7 @@ std::string Registry::try_load(const fs::path& file, PluginRecord& record) {
     if (const std::string why = why_bad(collector.stages, *this); !why.empty()) {
         return why;
     }
-    const std::string build = build_identity(file);
+    const std::string build = build_identity(note.build_id, file);
     for (RegisteredStage& stage : collector.stages) {
         stage.plugin = record.name;
         stage.plugin_version = record.version;
