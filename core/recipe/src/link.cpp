@@ -1,4 +1,5 @@
 #include <foam/base/error.hpp>
+#include <foam/recipe/internal/glob.hpp>
 #include <foam/recipe/recipe.hpp>
 
 #include <fmt/format.h>
@@ -71,6 +72,14 @@ bool glob_matches(std::string_view glob, std::string_view name) {
         }
     }
     return glob.find_first_not_of('*', g) == std::string_view::npos;
+}
+
+std::string glob_of_name(const std::string& name) {
+    std::string glob;
+    for (const char c : name) {
+        glob += c == '*' || c == '?' || c == '[' ? std::string{'[', c, ']'} : std::string{c};
+    }
+    return glob;
 }
 
 Recipe::LinkRecipe Recipe::for_link(const std::string& link) const {

@@ -4,6 +4,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/judge/evaluate.hpp>
+#include <foam/recipe/internal/glob.hpp>
 #include <foam/runtime/run.hpp>
 
 #include <judge/judge.hpp>
@@ -181,11 +182,7 @@ private:
         std::vector<std::string> globs;
         const std::set<std::string> without = left_out();
         for (const SphereGroup& group : result_->model.groups) {
-            std::string glob;
-            for (const char c : group.link) {
-                glob += c == '*' || c == '?' || c == '[' ? std::string("[") + c + "]" : std::string(1, c);
-            }
-            globs.push_back(glob);
+            globs.push_back(glob_of_name(group.link));
         }
         return without.empty() ? std::vector<std::string>{} : globs;
     }

@@ -1,6 +1,7 @@
 // From a file to the solids of its links.
 #include <foam/base/file.hpp>
 #include <foam/judge/evaluate.hpp>
+#include <foam/recipe/internal/glob.hpp>
 #include <foam/runtime/internal/input.hpp>
 #include <foam/runtime/internal/links.hpp>
 #include <foam/runtime/internal/prepare.hpp>
@@ -11,15 +12,6 @@
 
 namespace foam::inline judge {
 namespace {
-
-/// Returns the glob that matches this name alone.
-std::string glob_of_name(const std::string& name) {
-    std::string glob;
-    for (const char c : name) {
-        glob += c == '*' || c == '?' || c == '[' ? std::string{'[', c, ']'} : std::string{c};
-    }
-    return glob;
-}
 
 /// Leaves out the links that no glob matches.
 void choose(Recipe& recipe, const Robot& robot, const std::vector<std::string>& globs) {
