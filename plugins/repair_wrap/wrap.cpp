@@ -24,8 +24,8 @@ struct WatchingVisitor : CGAL::Alpha_wraps_3::internal::Wrapping_default_visitor
         repeated = now == vertices ? repeated + 1 : 0;
         vertices = now;
         if (repeated > most_repeated) {
-            throw Error(ErrorCode::geometry, "the wrap cannot go on: rounding stops it where triangles meet at sharp "
-                                             "angles; remedy: another offset, or another alpha");
+            throw Error(ErrorCode::geometry, "the wrap cannot go on: CGAL inserts the same point again and again, as "
+                                             "where needles meet; remedy: a larger offset");
         }
     }
 
