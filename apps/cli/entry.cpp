@@ -2,6 +2,7 @@
 
 #include "interrupt.hpp"
 
+#include <foam/base/text.hpp>
 #include <foam/base/error.hpp>
 #include <foam/runtime/crash.hpp>
 #include <foam/runtime/isolation.hpp>

@@ -49,6 +49,10 @@ void add_judge_options(CLI::App& command, JudgeOptions& options) {
         ->type_name("ORIGINAL")
         ->required();
     add_mesh_unit(command, options.unit);
+    command
+        .add_option("--reader", options.reader,
+                    "Stage that reads SPHERES, such as read.curobo; default: the one that recognises the file")
+        ->type_name("STAGE");
     add_renames(command, options.renames);
     command.add_option("--link", options.links, "Evaluate only links that match this glob; repeatable")
         ->type_name("GLOB")
@@ -67,7 +71,7 @@ Original original_of(Program& program, const JudgeOptions& options) {
 
 MatchedModel model_of(Program& program, const JudgeOptions& options, const Original& original, const std::string& file,
                       bool alone) {
-    SphereFile spheres = read_sphere_file(file, program.registry());
+    SphereFile spheres = read_sphere_file(file, program.registry(), options.reader);
     if (alone) {
         require_renames(options, {&spheres});
     }

@@ -2,6 +2,7 @@
 #include "cli/program.hpp"
 #include "commands.hpp"
 
+#include <foam/base/text.hpp>
 #include <foam/base/error.hpp>
 #include <foam/runtime/scratch_folder.hpp>
 #include <foam/sdk/sdk.hpp>
@@ -21,7 +22,8 @@ namespace fs = std::filesystem;
 struct Kind {
     const char *name, *templates, *noun;
 };
-constexpr std::array<Kind, 6> kinds{{{"load", "load", "Loader"},
+constexpr std::array<Kind, 7> kinds{{{"load", "load", "Loader"},
+                                     {"read", "read", "Reader"},
                                      {"repair", "filter", "Filter"},
                                      {"simplify", "filter", "Filter"},
                                      {"smooth", "filter", "Filter"},
@@ -177,7 +179,7 @@ void add_new_plugin(Program& program) {
     auto stage = std::make_shared<std::string>(), directory = std::make_shared<std::string>();
     command
         ->add_option("stage", *stage,
-                     "Name of the stage, kind.method; kinds: load (meshes), repair, simplify, smooth, spherize, write")
+                     "Name of the stage, kind.method; kinds: load (meshes), read (sphere models), repair, simplify, smooth, spherize, write")
         ->type_name("STAGE")
         ->required();
     command->add_option("--dir", *directory, "Folder of the project; default: ./KIND_METHOD")->type_name("DIR");

@@ -1,5 +1,6 @@
 #include "quick_recipe.hpp"
 
+#include <foam/base/text.hpp>
 #include <foam/base/error.hpp>
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 #include "collada_document.hpp"
 
+#include <foam/base/text.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +27,7 @@ bool has_another_encoding(std::string_view text) {
     const std::string_view declaration = text.substr(0, text.find("?>"));
     const std::size_t at = declaration.find("encoding=");
     return declaration.starts_with("<?xml") && at != declaration.npos &&
-           !lower(declaration.substr(at, 17)).ends_with("utf-8");
+           !lower_case(declaration.substr(at, 17)).ends_with("utf-8");
 }
 
 std::unique_ptr<const xml::Element> parsed(const Source& source) {

@@ -1,5 +1,6 @@
 #include "readers.hpp"
 
+#include <foam/base/text.hpp>
 #include <fmt/format.h>
 
 #include <map>
@@ -11,7 +12,7 @@ void read_any(const Source& source, MeshBuilder& builder, Context& context) {
     static const std::map<std::string_view, Reader> readers{
         {".stl", read_stl},     {".obj", read_obj},   {".off", read_off}, {".ply", read_ply},
         {".dae", read_collada}, {".gltf", read_gltf}, {".glb", read_gltf}};
-    const std::string ending = lower(source.file.extension().string());
+    const std::string ending = lower_case(source.file.extension().string());
     const auto reader = readers.find(ending);
     if (reader == readers.end()) {
         throw source.error(

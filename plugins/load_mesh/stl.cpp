@@ -1,5 +1,6 @@
 #include "readers.hpp"
 
+#include <foam/base/text.hpp>
 #include <foam/base/cancellation.hpp>
 
 #include <fmt/format.h>
@@ -18,10 +19,10 @@ constexpr std::size_t header_size = 84, facet_size = 50;
 /// Returns whether the file is text. A binary header may begin with "solid" too, so the first word is not enough.
 bool is_text(std::string_view bytes) {
     const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
-    if (begin == bytes.npos || lower(bytes.substr(begin, 5)) != "solid") {
+    if (begin == bytes.npos || lower_case(bytes.substr(begin, 5)) != "solid") {
         return false;
     }
-    const std::string start = lower(bytes.substr(begin, 1024));
+    const std::string start = lower_case(bytes.substr(begin, 1024));
     return start.find('\0') == start.npos &&
            (start.find("facet") != start.npos || start.find("endsolid") != start.npos);
 }
@@ -71,7 +72,7 @@ public:
         CancellationCounter asking(4096);
         for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
             asking.check();
-            const std::string keyword = lower(word);
+            const std::string keyword = lower_case(word);
             if (keyword == "facet" && open) {
                 facet();
             } else if (keyword == "solid" || keyword == "endsolid") {
@@ -98,7 +99,7 @@ private:
                                                "it again",
                                                keyword));
         }
-        if (lower(word) != keyword) {
+        if (lower_case(word) != keyword) {
             throw source_.error_at(words_.line(), fmt::format("expected '{}', got {}", keyword, printable(word)));
         }
     }

@@ -102,14 +102,6 @@ std::string printable(std::string_view word) {
     return fmt::format("'{}{}'", text, word.size() > longest ? "..." : "");
 }
 
-std::string lower(std::string_view text) {
-    std::string result(text);
-    for (char& c : result) {
-        c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
-    }
-    return result;
-}
-
 std::string with_valid_utf8(std::string_view text) {
     std::string result(text);
     CancellationCounter asking(8192);

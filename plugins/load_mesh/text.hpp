@@ -25,7 +25,6 @@ struct Source {
 
 /// Returns the word for a message: cut to a readable length, unprintable characters replaced.
 std::string printable(std::string_view word);
-std::string lower(std::string_view text);
 /// Returns the text with a '?' for each byte that is not UTF-8: exporters write names in any encoding.
 std::string with_valid_utf8(std::string_view text);
 std::string text_of(const Vec3& point);

@@ -2,6 +2,7 @@
 // urdfdom checks the model too, so that the user learns here and not later in ROS that it refuses the model.
 #include "model.hpp"
 #include "second_opinion.hpp"
+#include "sphere_reader.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/sdk/plugin.hpp>
@@ -132,4 +133,9 @@ FOAM_PLUGIN("load_urdf", "1.0", "Apache-2.0") {
                                 "`foam evaluate` needs it for sphere models of others.")
                             .source("A robot that is to become spheres must be whole.")},
          .extensions = {"urdf"}});
+    enrol.add<foam::urdf::SphereReader>({.name = "read.urdf",
+                                         .summary = "Reads the spheres among the collision elements of a URDF.",
+                                         .reference = "http://wiki.ros.org/urdf/XML/link",
+                                         .extensions = {"urdf"},
+                                         .uses = {"load.urdf"}});
 }

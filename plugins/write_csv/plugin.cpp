@@ -131,6 +131,20 @@ private:
     int level_;
 };
 
+class CsvModelReader final : public ModelReader {
+public:
+    CsvModelReader(const Parameters&, const StageMaker& maker) : writer_(maker.make<Writer>("write.csv")) {}
+
+    bool recognises(std::string_view text) const override { return text.starts_with("link,"); }
+
+    SphereFile read(const std::string& text, const std::filesystem::path& file, Context&) const override {
+        return read_written(*writer_, text, file, "CSV", "write the file again with write.csv");
+    }
+
+private:
+    std::unique_ptr<Writer> writer_;
+};
+
 } // namespace
 } // namespace foam
 
@@ -145,4 +159,9 @@ FOAM_PLUGIN("write_csv", "1.0", "Apache-2.0") {
                             .doc("Level of the sphere trees that is written: 0 the bounding spheres, -1 the finest.")
                             .source("The finest level is the one that is measured and proved.")},
          .extensions = {"csv"}});
+    enrol.add<foam::CsvModelReader>({.name = "read.csv",
+                                     .summary = "Reads the table of write.csv: link, x, y, z, radius.",
+                                     .reference = "RFC 4180",
+                                     .extensions = {"csv"},
+                                     .uses = {"write.csv"}});
 }

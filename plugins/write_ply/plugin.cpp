@@ -225,6 +225,20 @@ private:
     int subdivisions_, level_;
 };
 
+class PlyModelReader final : public ModelReader {
+public:
+    PlyModelReader(const Parameters&, const StageMaker& maker) : writer_(maker.make<Writer>("write.ply")) {}
+
+    bool recognises(std::string_view text) const override { return text.starts_with("ply"); }
+
+    SphereFile read(const std::string& text, const std::filesystem::path& file, Context&) const override {
+        return read_written(*writer_, text, file, "PLY", "write the file again with write.ply");
+    }
+
+private:
+    std::unique_ptr<Writer> writer_;
+};
+
 } // namespace
 } // namespace foam
 
@@ -247,4 +261,9 @@ FOAM_PLUGIN("write_ply", "1.0", "Apache-2.0") {
                             .doc("Level of the sphere trees that is written: 0 the bounding spheres, -1 the finest.")
                             .source("The finest level is the one that is measured and proved.")},
          .extensions = {"ply"}});
+    enrol.add<foam::PlyModelReader>({.name = "read.ply",
+                                     .summary = "Reads the spheres of a file of write.ply.",
+                                     .reference = "Turk 1994, The PLY polygon file format",
+                                     .extensions = {"ply"},
+                                     .uses = {"write.ply"}});
 }

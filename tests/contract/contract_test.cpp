@@ -125,6 +125,12 @@ TEST(Contract, Writers) {
                     "Error(output)"));
 }
 
+TEST(Contract, ModelReaders) {
+    EXPECT_THAT(findings("broken_others", "read.credulous"),
+                ElementsAre("recognises nothing in other files: it recognises '' as its format",
+                            "refuses what is no sphere model: its message does not name the file: there is nothing"));
+}
+
 TEST_F(Cli, TestPluginNamesEveryPromiseAndExitsWithOne) {
     const Outcome outcome = foam("test-plugin '" FOAM_TEST_BROKEN "/broken_others.so'");
     EXPECT_EQ(outcome.code, 1);

@@ -204,11 +204,38 @@ TEST_F(SphereFiles, WhatIsWrongIsSaidWithItsPlace) {
             "<robot name=\"r\"><link name=\"l\"><collision><geometry><sphere radius=\"big\"/></geometry></collision>"
             "</link></robot>"),
         "FILE:1: <sphere radius>: 'big' is not a finite number");
-    const std::string unknown = ": no sphere model is known that looks like this; read are URDF, the JSON, CSV and PLY "
-                                "of foam, the database of CoMMALab/foam, cuRobo, Lula, bubblify and plainmp YAML, "
-                                "XRDF, MorphIt, ballpark and pyroki JSON, and rows of numbers";
-    EXPECT_EQ(refusal("{\"a\": 1}"), "FILE:1:1" + unknown);
-    EXPECT_EQ(refusal("just words"), "FILE:1:1" + unknown);
+    const std::string unknown =
+        "FILE: no reader recognises this file as a sphere model; there are read.centers_radii, read.collision_spheres, "
+        "read.commalab, read.csv, read.curobo, read.foam_json, read.ply, read.rows, read.spheres_by_link, read.urdf, "
+        "read.xrdf; remedy: `foam describe read.centers_radii` says what a reader expects, and --reader NAME shows its "
+        "error";
+    EXPECT_EQ(refusal("{\"a\": 1}"), unknown);
+    EXPECT_EQ(refusal("just words"), unknown);
+}
+
+TEST_F(SphereFiles, AGivenReaderSaysWhatIsWrong) {
+    const std::string text = "{\"spheres\": {\"l\": [[0, 0, 0, 1]]}}";
+    EXPECT_EQ(parse_sphere_file(text, "a.json", registry, "read.spheres_by_link").links.size(), 1u);
+    try {
+        parse_sphere_file(text, "a.json", registry, "read.curobo");
+        ADD_FAILURE() << "it is no file of cuRobo";
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(), "a.json:1:1: expected a map with the key 'kinematics', got one without");
+    }
+    try {
+        parse_sphere_file(text, "a.json", registry, "read.curbo");
+        ADD_FAILURE() << "there is no such reader";
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(), "unknown stage 'read.curbo'; did you mean 'read.curobo'?");
+    }
+}
+
+TEST_F(SphereFiles, KeysWithinTextsAndListsAreNoKeys) {
+    expect_both_links(
+        read(R"({"note": "collision_spheres: {", 'list': [{"spheres": 1}], "spheres":
+{"l": [[0.1, 0.2, 0.3, 0.05], [-1, 0, 2.5, 0.25]], "m": [[0.1, 0.2, 0.3, 0.05]]}})"),
+        "spheres by link");
+    expect_both_links(read("'a:b': 1\n# collision_spheres:\nurl: http://x\n\"spheres\" : " + lists + "\n"), "spheres by link");
 }
 
 TEST_F(SphereFiles, AFileThatIsNotThere) {

@@ -1,6 +1,7 @@
 // Where plugins are looked for, and what is near to a word.
 #include "support/environment_variable.hpp"
 
+#include <foam/base/text.hpp>
 #include <foam/sdk/registry.hpp>
 
 #include <gmock/gmock.h>

@@ -17,7 +17,12 @@ cd "$plugin"
 expect "$stage" "$foam" plugins --plugin-dir build
 FOAM_PLUGIN_PATH=$PWD/build expect "$stage" "$foam" plugins
 expect "plugin $plugin 0.1" "$foam" describe "$stage" --plugin-dir build
-expect "Proved" "$foam" run recipe.yaml --plugin-dir build
+if [[ -f recipe.yaml ]]; then
+    expect "Proved" "$foam" run recipe.yaml --plugin-dir build
+else
+    expect "mine" "$foam" evaluate robot.urdf part.mine --plugin-dir build
+    expect "Certified" "$foam" certify robot.urdf part.mine --plugin-dir build
+fi
 if [[ -f compare.yaml ]]; then
     expect "valid, 2 runs" "$foam" check compare.yaml --plugin-dir build
 fi

@@ -1,4 +1,5 @@
 #include <foam/base/file.hpp>
+#include <foam/base/text.hpp>
 
 #include <fmt/format.h>
 
@@ -6,7 +7,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -102,9 +102,7 @@ FileContents read_regular_file(const std::filesystem::path& file, std::uintmax_t
 }
 
 std::string extension_of(const std::filesystem::path& file) {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    const std::string extension = lower_case(file.extension().string());
     return extension.empty() ? "" : extension.substr(1);
 }
 

@@ -101,6 +101,14 @@ std::size_t shown_width(std::string_view text) {
     return width;
 }
 
+std::string lower_case(std::string_view text) {
+    std::string result(text);
+    for (char& c : result) {
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    return result;
+}
+
 std::vector<std::string_view> words(std::string_view text) {
     constexpr std::string_view blank = " \t\r\n";
     std::vector<std::string_view> result;

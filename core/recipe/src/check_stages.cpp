@@ -20,6 +20,8 @@ std::string home_of(StageKind kind) {
         return "it belongs in 'outputs'";
     case StageKind::renderer:
         return "it belongs in 'snapshots: {renderer: …}'";
+    case StageKind::model_reader:
+        return "`foam evaluate`, `certify` and `compare` use it; recipes do not";
     case StageKind::mesh_loader:
     case StageKind::robot_loader:
         return "the file extension of the input selects it; its parameters belong in 'loaders'";

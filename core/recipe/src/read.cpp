@@ -6,9 +6,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 namespace foam::inline recipe {
+
+bool RecipeResult::ok() const {
+    return std::none_of(diagnostics.begin(), diagnostics.end(),
+                        [](const Diagnostic& d) { return d.level == Diagnostic::Level::error; });
+}
+
 namespace {
 
 using namespace reading;

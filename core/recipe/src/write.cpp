@@ -1,7 +1,7 @@
 // Recipe -> YAML.
 #include "format.hpp"
 
-#include <foam/recipe/internal/value.hpp>
+#include <foam/recipe/internal/yaml.hpp>
 #include <foam/recipe/recipe.hpp>
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "names.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/recipe/internal/findings.hpp>
+#include <foam/yaml/findings.hpp>
 
 #include <fmt/format.h>
 
@@ -31,16 +31,16 @@ public:
         const bool glob = link.glob.find_first_of("*?[") != std::string::npos;
         const auto level = glob && !recipe_.strict ? Diagnostic::Level::warning : Diagnostic::Level::error;
         add(level, link.where, "unknown-link",
-            fmt::format("{} in 'links' names no link of {}{}", reading::in_quotes(link.glob), robot_text(),
-                        reading::suggestion(link.glob, links_)));
+            fmt::format("{} in 'links' names no link of {}{}", yaml::in_quotes(link.glob), robot_text(),
+                        yaml::suggestion(link.glob, links_)));
     }
 
     void check_pose(const JointValues& pose, const Location& where, const char* key) {
         for (const auto& [name, value] : pose) {
             if (std::find(joints_.begin(), joints_.end(), name) == joints_.end()) {
                 add(Diagnostic::Level::error, where, "unknown-joint",
-                    fmt::format("{} in '{}' names no joint of {}{}", reading::in_quotes(name), key, robot_text(),
-                                reading::suggestion(name, joints_)));
+                    fmt::format("{} in '{}' names no joint of {}{}", yaml::in_quotes(name), key, robot_text(),
+                                yaml::suggestion(name, joints_)));
             }
         }
     }

@@ -31,7 +31,8 @@ std::string why_misnamed(const RegisteredStage& stage) {
                                                                             {StageKind::robot_loader, "load."},
                                                                             {StageKind::spherizer, "spherize."},
                                                                             {StageKind::renderer, "snapshot."},
-                                                                            {StageKind::writer, "write."}};
+                                                                            {StageKind::writer, "write."},
+                                                                            {StageKind::model_reader, "read."}};
     const std::string& name = stage.info.name;
     std::string_view fits, taken;
     for (const auto& [kind, beginning] : beginnings) {

@@ -35,6 +35,14 @@ void require_writable(const std::vector<Sphere>& spheres, const std::string& lin
 
 } // namespace
 
+std::vector<Sphere>& spheres_of(SphereFile& file, const std::string& link) {
+    auto it = std::find_if(file.links.begin(), file.links.end(), [&](const LinkSpheres& l) { return l.link == link; });
+    if (it == file.links.end()) {
+        it = file.links.insert(it, {link, {}});
+    }
+    return it->spheres;
+}
+
 std::vector<LinkSpheres> spheres_by_link(const SphereModel& model, int level) {
     std::vector<LinkSpheres> links;
     for (const SphereGroup& group : model.groups) {

@@ -45,6 +45,8 @@ bool is_of_kind(const Stage& stage, StageKind kind) {
         return dynamic_cast<const Renderer*>(&stage) != nullptr;
     case StageKind::writer:
         return dynamic_cast<const Writer*>(&stage) != nullptr;
+    case StageKind::model_reader:
+        return dynamic_cast<const ModelReader*>(&stage) != nullptr;
     }
     return false;
 }
@@ -62,13 +64,6 @@ std::string writable_by_others(const fs::path& file) {
                            file.string());
     }
     return "";
-}
-
-std::string lower(std::string_view text) {
-    std::string result(text);
-    std::transform(result.begin(), result.end(), result.begin(),
-                   [](unsigned char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c); });
-    return result;
 }
 
 using Entry = const foam_plugin_envelope_v1* (*)();
@@ -206,7 +201,7 @@ const RegisteredStage* Registry::find(std::string_view stage) const {
 
 const RegisteredStage* Registry::find_for_extension(StageKind kind, std::string_view extension,
                                                     std::string_view preferred) const {
-    const std::string wanted = lower(extension);
+    const std::string wanted = lower_case(extension);
     const RegisteredStage* found = nullptr;
     for (const auto& [name, stage] : stages_) {
         const auto& handled = stage.info.extensions;

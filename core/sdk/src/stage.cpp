@@ -1,7 +1,10 @@
 // Out-of-line destructors and defaults of the classes that plugins derive from: their type information exists only in
 // core.
+#include <foam/base/error.hpp>
 #include <foam/sdk/plugin.hpp>
 #include <foam/sdk/stage.hpp>
+
+#include <fmt/format.h>
 
 namespace foam::inline sdk {
 
@@ -13,6 +16,7 @@ MeshFilter::~MeshFilter() = default;
 Spherizer::~Spherizer() = default;
 Renderer::~Renderer() = default;
 Writer::~Writer() = default;
+ModelReader::~ModelReader() = default;
 Enrolment::~Enrolment() = default;
 StageMaker::~StageMaker() = default;
 
@@ -25,6 +29,19 @@ std::vector<SphereTree> Spherizer::spherize_each(const Shape& shape, std::span<c
         trees.push_back(spherize(shape, budget, context));
     }
     return trees;
+}
+
+SphereFile read_written(const Writer& writer, const std::string& text, const std::filesystem::path& file,
+                        std::string format, std::string_view remedy) {
+    SphereFile result{.file = file, .format = std::move(format), .links = {}, .fixed_joints = {}, .notes = {}};
+    try {
+        for (auto& [link, spheres] : writer.read(text)) {
+            result.links.push_back({link, std::move(spheres)});
+        }
+    } catch (const Error& error) {
+        throw Error(ErrorCode::input, fmt::format("{}: {}; remedy: {}", file.string(), error.what(), remedy));
+    }
+    return result;
 }
 
 Isolation Isolation::over(const Isolation& base) const {
@@ -49,6 +66,8 @@ const char* to_string(StageKind kind) {
         return "renderer";
     case StageKind::writer:
         return "writer";
+    case StageKind::model_reader:
+        return "model reader";
     }
     return "stage";
 }

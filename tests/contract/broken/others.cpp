@@ -1,4 +1,4 @@
-// A filter, a loader and a writer that break what they promise.
+// A filter, a loader, a writer and a reader that break what they promise.
 #include <foam/base/error.hpp>
 #include <foam/sdk/plugin.hpp>
 
@@ -37,10 +37,23 @@ public:
     }
 };
 
+/// Takes every text for a model, and forgets the file's name.
+class Credulous final : public ModelReader {
+public:
+    bool recognises(std::string_view text) const override { return !text.starts_with("spheres"); }
+    SphereFile read(const std::string& text, const std::filesystem::path&, Context&) const override {
+        if (text.empty()) {
+            throw Error(ErrorCode::input, "there is nothing");
+        }
+        return {};
+    }
+};
+
 } // namespace
 
 FOAM_PLUGIN("broken_others", "1.0", "Apache-2.0") {
     enrol.add<Opens>({.name = "smooth.opens", .summary = "Loses a triangle"});
     enrol.add<Gullible>({.name = "load.gullible", .summary = "Reads anything", .extensions = {"any"}});
     enrol.add<Rounds>({.name = "write.rounds", .summary = "Loses digits", .extensions = {"rounded"}});
+    enrol.add<Credulous>({.name = "read.credulous", .summary = "Reads anything"});
 }

@@ -1,7 +1,7 @@
 #include <foam/base/error.hpp>
 #include <foam/base/internal/files.hpp>
 #include <foam/judge/ignored_pairs.hpp>
-#include <foam/recipe/internal/value.hpp>
+#include <foam/yaml/value.hpp>
 
 #include <expat.h>
 #include <fmt/format.h>
@@ -75,7 +75,7 @@ private:
     std::string complaint_;
 };
 
-using reading::Value;
+using yaml::Value;
 
 const Value* child(const Value* map, std::string_view key) {
     return map && map->is(Value::Kind::map) ? map->find(key) : nullptr;
@@ -105,14 +105,14 @@ Pairs pairs_of(const Value& ignore, const std::string& file) {
 }
 
 Pairs read_yaml_ignores(const std::string& text, const std::string& file) {
-    constexpr reading::TextKind kind{.name = "robot file", .most_bytes = 64'000'000};
-    reading::Findings findings(file);
+    constexpr yaml::TextKind kind{.name = "robot file", .most_bytes = 64'000'000};
+    yaml::Findings findings(file);
     std::optional<Value> root;
-    if (reading::check_text(text, 0, findings, kind)) {
-        root = reading::read_yaml(text, 0, findings, kind);
+    if (yaml::check_text(text, 0, findings, kind)) {
+        root = yaml::read_yaml(text, 0, findings, kind);
     }
     if (findings.any_error() || !root) {
-        const std::vector<Diagnostic> all = findings.take();
+        const std::vector<yaml::Diagnostic> all = findings.take();
         throw Error(ErrorCode::input, fmt::format("{}: {}", all.front().where.text(), all.front().message));
     }
     const Value* robot = child(&*root, "robot_cfg");

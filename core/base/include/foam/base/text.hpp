@@ -14,6 +14,8 @@ std::string number_text(double value);
 /// Returns the value of a text that is one decimal number ("0.1", "+2", "-1e-3") and nothing else; nothing if it is
 /// not, or if the number is not finite ("nan", "inf", "1e999").
 std::optional<double> parse_number(std::string_view text);
+/// Returns the text with the letters A to Z in lower case; other characters stay.
+std::string lower_case(std::string_view text);
 /// Returns the parts of a text between spaces, tabs and line ends, as views into `text`.
 std::vector<std::string_view> words(std::string_view text);
 
@@ -24,6 +26,11 @@ std::string shown(std::string_view text);
 std::string shown_lines(std::string_view text);
 /// Returns the number of columns that a text occupies on a terminal.
 std::size_t shown_width(std::string_view text);
+
+/// Returns the smallest number of insertions, deletions, substitutions and swaps of neighbours between two words.
+std::size_t edit_distance(std::string_view a, std::string_view b);
+/// Returns the candidate nearest to `word` if it is near enough to be a typing error; else empty.
+std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates);
 
 } // namespace base
 } // namespace foam

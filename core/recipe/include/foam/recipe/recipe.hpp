@@ -7,6 +7,7 @@
 #include <foam/recipe/mesh_unit.hpp>
 #include <foam/robot/robot.hpp>
 #include <foam/sdk/registry.hpp>
+#include <foam/yaml/findings.hpp>
 
 #include <array>
 #include <filesystem>
@@ -19,22 +20,8 @@
 namespace foam {
 inline namespace [[gnu::visibility("default")]] recipe {
 
-/// A place in a text; 1-based. Line 0: the whole file.
-struct Location {
-    std::string file;
-    int line = 0, column = 0;
-    std::string text() const; ///< "file:line:column"
-};
-
-/// A finding in a recipe.
-struct Diagnostic {
-    enum class Level { warning, error };
-    Level level = Level::error;
-    Location where;
-    std::string code; ///< stable word: "unknown-key", "wrong-type", "out-of-bounds", …
-    std::string message;
-    std::string text() const; ///< "file:line:column: error[code]: message"
-};
+using yaml::Diagnostic;
+using yaml::Location;
 
 /// One stage of a recipe with checked parameters.
 struct StageCall {

@@ -23,7 +23,7 @@ struct ContractFinding {
 };
 
 struct ContractOptions {
-    /// Files that a loader under test reads; without them only its rejections are checked.
+    /// Files that a loader or reader under test reads; without them only its rejections are checked.
     std::vector<std::filesystem::path> samples;
     /// Called before each promise is checked, so that a crash can be attributed.
     std::function<void(const std::string& stage, const std::string& promise)> on_promise;

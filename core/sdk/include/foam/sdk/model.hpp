@@ -6,6 +6,7 @@
 #include <foam/robot/robot.hpp>
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -40,6 +41,24 @@ struct LinkSpheres {
     std::string link;
     std::vector<Sphere> spheres;
 };
+
+/// The spheres of a file, by link: the result of readers. Metres; link frames.
+struct SphereFile {
+    std::filesystem::path file;
+    std::string format;             ///< "URDF", "cuRobo YAML", "GPMP2 rows", …
+    std::vector<LinkSpheres> links; ///< in the order of the file; a format without link names has one called ""
+    /// URDF: joints that do not move, by the name of the child link. A link that only carries spheres of its parent
+    /// (MorphIt) can be merged into the parent with them.
+    struct FixedJoint {
+        std::string parent;
+        Pose origin; ///< from the child's frame to the parent's
+    };
+    std::map<std::string, FixedJoint> fixed_joints;
+    std::vector<std::string> notes; ///< what was left out, and what the spheres alone do not state
+};
+
+/// Returns the spheres of a link; adds the link at the end if it is missing.
+std::vector<Sphere>& spheres_of(SphereFile& file, const std::string& link);
 
 /// Returns the content of a model for a format without groups or trees: its links in the order of their first groups.
 /// `level`: 0 the coarsest, 1 the next…; -1, or one that a tree does not reach, selects the finest of that tree. Throws

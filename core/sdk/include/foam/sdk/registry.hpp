@@ -87,10 +87,5 @@ std::string build_of_libraries();
 /// this installation. Never the current directory.
 std::vector<std::filesystem::path> plugin_directories(const std::vector<std::filesystem::path>& extra = {});
 
-/// Returns the smallest number of insertions, deletions, substitutions and swaps of neighbours between two words.
-std::size_t edit_distance(std::string_view a, std::string_view b);
-/// Returns the candidate nearest to `word` if it is near enough to be a typing error; else empty.
-std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates);
-
 } // namespace sdk
 } // namespace foam

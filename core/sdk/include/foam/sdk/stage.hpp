@@ -22,7 +22,7 @@
 namespace foam {
 inline namespace [[gnu::visibility("default")]] sdk {
 
-enum class StageKind { mesh_loader, robot_loader, mesh_filter, spherizer, renderer, writer };
+enum class StageKind { mesh_loader, robot_loader, mesh_filter, spherizer, renderer, writer, model_reader };
 const char* to_string(StageKind kind);
 
 /// Base of all stages.
@@ -108,6 +108,26 @@ public:
     /// them. The runtime proves the guarantee on these. Throws Error(output) if the bytes cannot be read.
     virtual std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const = 0;
 };
+
+/// Sphere model in a file of any program → spheres by link. The content of the file determines the reader.
+class ModelReader : public Stage {
+public:
+    static constexpr StageKind kind = StageKind::model_reader;
+    ~ModelReader() override;
+    /// Returns whether the text is a file of this format, judged by its beginning and its keys. It begins with the
+    /// first character that is neither blank nor in a line that starts with '#'. Never throws; time linear in the size
+    /// of the text.
+    virtual bool recognises(std::string_view text) const = 0;
+    /// Returns the spheres; those that the format switches off keep their radius of at most 0. `text`: the contents of
+    /// `file` (which need not exist: relative references start at its folder). Throws Error(input) naming file, place
+    /// and reason.
+    virtual SphereFile read(const std::string& text, const std::filesystem::path& file, Context& context) const = 0;
+};
+
+/// Returns what `writer` reads back from the text, as the result of a ModelReader for its format. `remedy`: for a file
+/// that cannot be read. Throws Error(input) naming the file.
+SphereFile read_written(const Writer& writer, const std::string& text, const std::filesystem::path& file,
+                        std::string format, std::string_view remedy);
 
 /// Whether the calls of a stage run in child processes, and the limits of these. Absent values are inherited: first
 /// from the stage's key in a recipe, then from the top level, then from StageInfo::isolation.

@@ -1,7 +1,7 @@
 // Changes to a recipe's tree by path, for `--set` and `sweep`.
 #pragma once
 
-#include <foam/recipe/internal/value.hpp>
+#include <foam/recipe/internal/yaml.hpp>
 #include <foam/sdk/registry.hpp>
 
 namespace foam {

@@ -1,7 +1,7 @@
 // extends: a recipe on the basis of another one.
 #pragma once
 
-#include <foam/recipe/internal/value.hpp>
+#include <foam/recipe/internal/yaml.hpp>
 #include <foam/recipe/recipe.hpp>
 
 #include <filesystem>

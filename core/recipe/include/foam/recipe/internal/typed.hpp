@@ -1,7 +1,7 @@
 // Values of a recipe, checked against declarations.
 #pragma once
 
-#include <foam/recipe/internal/value.hpp>
+#include <foam/recipe/internal/yaml.hpp>
 #include <foam/recipe/recipe.hpp>
 
 #include <map>

@@ -1,7 +1,7 @@
-// A recipe's text as a tree of values with their places.
+// YAML or JSON text as a tree of values with their places.
 #pragma once
 
-#include <foam/recipe/internal/findings.hpp>
+#include <foam/yaml/findings.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -10,8 +10,7 @@
 #include <vector>
 
 namespace foam {
-inline namespace [[gnu::visibility("default")]] recipe {
-namespace reading {
+namespace [[gnu::visibility("default")]] yaml {
 
 struct Key {
     std::string text;
@@ -59,6 +58,5 @@ std::optional<Value> read_yaml(const std::string& text, int source, Findings& fi
 /// Checks size and encoding: UTF-8 without control characters. Returns false after a finding.
 bool check_text(const std::string& text, int source, Findings& findings, const TextKind& kind = {});
 
-} // namespace reading
-} // namespace recipe
+} // namespace yaml
 } // namespace foam

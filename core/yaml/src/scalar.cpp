@@ -1,11 +1,11 @@
 // Plain scalars that are null, true/false or numbers: YAML 1.2.2, section 10.3.2 (core schema).
-#include <foam/recipe/internal/value.hpp>
+#include <foam/yaml/value.hpp>
 
 #include <algorithm>
 #include <charconv>
 #include <limits>
 
-namespace foam::inline recipe::reading {
+namespace foam::yaml {
 namespace {
 
 bool one_of(std::string_view text, std::initializer_list<std::string_view> words) {
@@ -95,4 +95,4 @@ Value plain_scalar(std::string text, const Place& where) {
     return value;
 }
 
-} // namespace foam::recipe::reading
+} // namespace foam::yaml

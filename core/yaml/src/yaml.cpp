@@ -1,6 +1,6 @@
 // YAML events of yaml-cpp -> Value. Events instead of YAML::Node: nodes do not keep the places of keys, they silently
 // keep duplicate keys, and aliases make them cyclic.
-#include <foam/recipe/internal/value.hpp>
+#include <foam/yaml/value.hpp>
 
 #include <fmt/format.h>
 #include <yaml-cpp/eventhandler.h>
@@ -10,7 +10,7 @@
 #include <sstream>
 #include <unordered_map>
 
-namespace foam::inline recipe::reading {
+namespace foam::yaml {
 namespace {
 
 constexpr std::size_t deepest = 50;
@@ -322,4 +322,4 @@ std::optional<Value> read_yaml(const std::string& text, int source, Findings& fi
     return builder.has_document() ? std::optional(builder.take()) : Value{};
 }
 
-} // namespace foam::recipe::reading
+} // namespace foam::yaml

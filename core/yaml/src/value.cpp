@@ -1,10 +1,10 @@
-#include <foam/recipe/internal/value.hpp>
+#include <foam/yaml/value.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-namespace foam::inline recipe::reading {
+namespace foam::yaml {
 
 const Value* Value::find(std::string_view key) const {
     const auto it = std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.text == key; });
@@ -42,4 +42,4 @@ std::string Value::description() const {
     return "";
 }
 
-} // namespace foam::recipe::reading
+} // namespace foam::yaml

@@ -1,8 +1,8 @@
-#include <foam/recipe/internal/value.hpp>
+#include <foam/yaml/value.hpp>
 
 #include <fmt/format.h>
 
-namespace foam::inline recipe::reading {
+namespace foam::yaml {
 namespace {
 
 /// Returns the length of the UTF-8 character at `at` (RFC 3629: no overlong forms, no surrogates, at most U+10FFFF); 0:
@@ -63,4 +63,4 @@ bool check_text(const std::string& text, int source, Findings& findings, const T
     return true;
 }
 
-} // namespace foam::recipe::reading
+} // namespace foam::yaml

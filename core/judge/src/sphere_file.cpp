@@ -1,9 +1,8 @@
-// The recognition of formats, and the checks common to all.
-#include "formats.hpp"
-
+// The choice of the reader, and the checks common to all formats.
 #include <foam/base/error.hpp>
 #include <foam/base/internal/files.hpp>
 #include <foam/base/text.hpp>
+#include <foam/judge/sphere_file.hpp>
 
 #include <fmt/format.h>
 
@@ -26,13 +25,6 @@ std::string_view first_token(std::string_view text) {
         }
         text.remove_prefix(std::min(text.find('\n'), text.size()));
     }
-}
-
-/// Returns whether a line has only numbers, separated by spaces or commas; the first may be a name.
-bool is_row(std::string_view text) {
-    const std::string_view line = text.substr(0, text.find('\n'));
-    return !line.empty() && line.find_first_of(":{[<\"") == std::string_view::npos &&
-           std::count_if(line.begin(), line.end(), [](char c) { return c >= '0' && c <= '9'; }) >= 4;
 }
 
 /// Removes disabled spheres, whose radius is not above 0, with a note.
@@ -63,39 +55,60 @@ void require_workable(const SphereFile& result) {
     }
 }
 
+/// Returns the model readers of the registry, by name.
+std::vector<std::string> readers_of(const Registry& registry) {
+    std::vector<std::string> names;
+    for (const auto& [name, stage] : registry.stages()) {
+        if (stage.kind == StageKind::model_reader) {
+            names.push_back(name);
+        }
+    }
+    return names;
+}
+
+/// Returns the name of the only reader that recognises the text.
+std::string reader_for(std::string_view begin, const std::string& file, const Registry& registry) {
+    const std::vector<std::string> readers = readers_of(registry);
+    std::vector<std::string> fitting;
+    for (const std::string& name : readers) {
+        if (registry.make<ModelReader>(name)->recognises(begin)) {
+            fitting.push_back(name);
+        }
+    }
+    if (readers.empty()) {
+        throw Error(ErrorCode::plugin, "no plugin reads sphere models; `foam plugins --why` shows which plugins were "
+                                       "loaded, and why others were not");
+    }
+    if (fitting.empty()) {
+        throw Error(ErrorCode::input,
+                    fmt::format("{}: no reader recognises this file as a sphere model; there are {}; remedy: `foam "
+                                "describe {}` says what a reader expects, and --reader NAME shows its error",
+                                file, fmt::join(readers, ", "), readers.front()));
+    }
+    if (fitting.size() > 1) {
+        throw Error(ErrorCode::input, fmt::format("{}: several readers recognise this file: {}; remedy: choose one by "
+                                                  "--reader",
+                                                  file, fmt::join(fitting, ", ")));
+    }
+    return fitting.front();
+}
+
 } // namespace
 
-std::vector<Sphere>& model_formats::spheres_of(SphereFile& result, const std::string& link) {
-    auto it =
-        std::find_if(result.links.begin(), result.links.end(), [&](const LinkSpheres& l) { return l.link == link; });
-    if (it == result.links.end()) {
-        it = result.links.insert(it, {link, {}});
-    }
-    return it->spheres;
+SphereFile read_sphere_file(const std::filesystem::path& file, const Registry& registry, const std::string& reader) {
+    return parse_sphere_file(read_file(file, most_model_bytes), file, registry, reader);
 }
 
-SphereFile read_sphere_file(const std::filesystem::path& file, const Registry& registry) {
-    return parse_sphere_file(read_file(file, most_model_bytes), file, registry);
-}
-
-SphereFile parse_sphere_file(const std::string& text, const std::filesystem::path& file, const Registry& registry) {
-    SphereFile result;
-    result.file = file;
+SphereFile parse_sphere_file(const std::string& text, const std::filesystem::path& file, const Registry& registry,
+                             const std::string& reader) {
     const std::string_view begin = first_token(text);
     if (begin.empty()) {
         throw Error(ErrorCode::input, fmt::format("{}: the file is empty; a sphere model is needed", file.string()));
     }
-    if (begin.starts_with('<')) {
-        model_formats::read_urdf(text, registry, result);
-    } else if (begin.starts_with("ply")) {
-        model_formats::read_written(text, "ply", registry, result);
-    } else if (begin.starts_with("link,")) {
-        model_formats::read_written(text, "csv", registry, result);
-    } else if (is_row(begin)) {
-        model_formats::read_rows(text, result);
-    } else {
-        model_formats::read_tree(text, result);
-    }
+    const std::string name = reader.empty() ? reader_for(begin, file.string(), registry) : reader;
+    QuietContext context;
+    SphereFile result = registry.make<ModelReader>(name)->read(text, file, context);
+    result.file = file;
     drop_disabled(result);
     require_workable(result);
     return result;

@@ -1,8 +1,8 @@
-#include <foam/sdk/registry.hpp>
+#include <foam/base/text.hpp>
 
 #include <algorithm>
 
-namespace foam::inline sdk {
+namespace foam::inline base {
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     // Optimal string alignment (Damerau 1964): three rows of the table are enough.
@@ -38,4 +38,4 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
     return best;
 }
 
-} // namespace foam::sdk
+} // namespace foam::base

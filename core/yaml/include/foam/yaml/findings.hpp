@@ -1,7 +1,5 @@
-// The findings in a recipe, each with its place.
+// The findings in a text, each with its place.
 #pragma once
-
-#include <foam/recipe/recipe.hpp>
 
 #include <filesystem>
 #include <set>
@@ -11,10 +9,26 @@
 #include <vector>
 
 namespace foam {
-inline namespace [[gnu::visibility("default")]] recipe {
-namespace reading {
+namespace [[gnu::visibility("default")]] yaml {
 
-/// A place in one of the texts of a recipe. Source 0: the file; others: see Findings.
+/// A place in a text; 1-based. Line 0: the whole file.
+struct Location {
+    std::string file;
+    int line = 0, column = 0;
+    std::string text() const; ///< "file:line:column"
+};
+
+/// A finding in a text.
+struct Diagnostic {
+    enum class Level { warning, error };
+    Level level = Level::error;
+    Location where;
+    std::string code; ///< stable word: "unknown-key", "wrong-type", "out-of-bounds", …
+    std::string message;
+    std::string text() const; ///< "file:line:column: error[code]: message"
+};
+
+/// A place in one of several texts that belong together. Source 0: the file; others: see Findings.
 struct Place {
     int source = 0, line = 0, column = 0;
 };
@@ -58,6 +72,5 @@ std::string in_quotes(std::string_view text);
 /// Returns "; did you mean 'x'?" for the nearest of `known`; else the list of `known`, or nothing if that is too long.
 std::string suggestion(std::string_view word, const std::vector<std::string>& known);
 
-} // namespace reading
-} // namespace recipe
+} // namespace yaml
 } // namespace foam

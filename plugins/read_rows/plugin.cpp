@@ -1,15 +1,14 @@
-// Tables of numbers without a header: GPMP2's "link_id x y z r", and plain "x y z r".
-#include "formats.hpp"
-
+// read.rows: tables of numbers without a header, GPMP2's "link_id x y z r" and plain "x y z r".
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
+#include <foam/sdk/plugin.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
-namespace foam::inline judge::model_formats {
+namespace foam {
 namespace {
 
 /// Returns the line without a comment, and with spaces instead of commas.
@@ -18,8 +17,6 @@ std::string row_of(std::string_view line) {
     std::replace(row.begin(), row.end(), ',', ' ');
     return row;
 }
-
-} // namespace
 
 void read_rows(const std::string& text, SphereFile& result) {
     std::string_view rest = text;
@@ -56,7 +53,34 @@ void read_rows(const std::string& text, SphereFile& result) {
         spheres_of(result, columns == 5 ? std::string(fields[0]) : "")
             .push_back({{numbers[0], numbers[1], numbers[2]}, numbers[3]});
     }
+    if (columns == 0) {
+        throw Error(ErrorCode::input, fmt::format("{}: there is no row of numbers", result.file.string()));
+    }
     result.format = columns == 5 ? "GPMP2 rows" : "rows of numbers";
 }
 
-} // namespace foam::judge::model_formats
+class RowReader final : public ModelReader {
+public:
+    bool recognises(std::string_view text) const override {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        return line.find_first_of(":{[<\"") == std::string_view::npos &&
+               std::count_if(line.begin(), line.end(), [](char c) { return c >= '0' && c <= '9'; }) >= 4;
+    }
+
+    SphereFile read(const std::string& text, const std::filesystem::path& file, Context&) const override {
+        SphereFile result;
+        result.file = file;
+        read_rows(text, result);
+        return result;
+    }
+};
+
+} // namespace
+} // namespace foam
+
+FOAM_PLUGIN("read_rows", "1.0", "Apache-2.0") {
+    enrol.add<foam::RowReader>(
+        {.name = "read.rows",
+         .summary = "Reads rows of numbers, separated by blanks or commas: x y z radius, or link x y z radius (GPMP2).",
+         .reference = "https://github.com/borglab/gpmp2 (robot models, BodySphere)"});
+}

@@ -1,4 +1,4 @@
-#include <foam/recipe/internal/findings.hpp>
+#include <foam/yaml/findings.hpp>
 
 #include <foam/base/text.hpp>
 
@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace foam::inline recipe {
+namespace foam::yaml {
 
 std::string Location::text() const {
     return line > 0 ? fmt::format("{}:{}:{}", file, line, column) : file;
@@ -16,12 +16,6 @@ std::string Diagnostic::text() const {
     return fmt::format("{}: {}[{}]: {}", where.text(), level == Level::error ? "error" : "warning", code, message);
 }
 
-bool RecipeResult::ok() const {
-    return std::none_of(diagnostics.begin(), diagnostics.end(),
-                        [](const Diagnostic& d) { return d.level == Diagnostic::Level::error; });
-}
-
-namespace reading {
 namespace {
 
 constexpr std::size_t most_findings = 500;
@@ -113,5 +107,4 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& kn
     return !known.empty() && known.size() <= 30 ? fmt::format("; known: {}", fmt::join(names, ", ")) : "";
 }
 
-} // namespace reading
-} // namespace foam::recipe
+} // namespace foam::yaml

@@ -1,0 +1,123 @@
+#include "tree.hpp"
+
+#include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace foam::tree {
+namespace {
+
+using yaml::Value;
+using Kind = Value::Kind;
+
+constexpr yaml::TextKind sphere_file{.name = "sphere file", .most_bytes = 64'000'000};
+
+} // namespace
+
+Value parse(const std::string& text, const std::filesystem::path& file) {
+    yaml::Findings findings(file.string());
+    std::optional<Value> root;
+    if (yaml::check_text(text, 0, findings, sphere_file)) {
+        root = yaml::read_yaml(text, 0, findings, sphere_file);
+    }
+    if (findings.any_error() || !root) {
+        const std::vector<yaml::Diagnostic> all = findings.take();
+        throw Error(ErrorCode::input, fmt::format("{}: {}", all.front().where.text(), all.front().message));
+    }
+    return std::move(*root);
+}
+
+void Tree::fail(const Value& at, const std::string& why) const {
+    throw Error(ErrorCode::input,
+                fmt::format("{}:{}:{}: {}", result.file.string(), at.where.line, at.where.column, shown(why)));
+}
+
+const Value& Tree::at(const Value& map, std::string_view key) const {
+    const Value* value = map.is(Kind::map) ? map.find(key) : nullptr;
+    if (!value) {
+        fail(map, fmt::format("expected a map with the key '{}', got {}", key,
+                              map.is(Kind::map) ? "one without" : map.description()));
+    }
+    return *value;
+}
+
+const Value& Tree::list(const Value& value, std::string_view what) const {
+    if (!value.is(Kind::list)) {
+        fail(value, fmt::format("expected {}, got {}", what, value.description()));
+    }
+    return value;
+}
+
+void Tree::require_map(const Value& value) const {
+    if (!value.is(Kind::map)) {
+        fail(value, fmt::format("expected a map of links, got {}", value.description()));
+    }
+}
+
+double Tree::number(const Value& value) const {
+    const bool whole = value.is(Kind::integer);
+    const double number = whole ? static_cast<double>(value.whole) : value.real;
+    if ((!whole && !value.is(Kind::number)) || !std::isfinite(number)) {
+        fail(value, fmt::format("expected a finite number of metres, got {}", value.description()));
+    }
+    return number;
+}
+
+Vec3 Tree::point(const Value& value) const {
+    if (list(value, "a list of three numbers").items.size() != 3) {
+        fail(value, fmt::format("expected three numbers, got {}", value.items.size()));
+    }
+    return {number(value.items[0]), number(value.items[1]), number(value.items[2])};
+}
+
+Sphere Tree::sphere(const Value& value) const {
+    if (value.is(Kind::list)) {
+        if (value.items.size() != 4) {
+            fail(value, fmt::format("expected a sphere [x, y, z, radius], got a list of {}", value.items.size()));
+        }
+        return {{number(value.items[0]), number(value.items[1]), number(value.items[2])}, number(value.items[3])};
+    }
+    const Value* origin = value.is(Kind::map) ? value.find("origin") : nullptr;
+    return {point(origin ? *origin : at(value, "center")), number(at(value, "radius"))};
+}
+
+void Tree::add(const std::string& link, const Value& spheres) {
+    std::vector<Sphere>& target = spheres_of(result, link);
+    if (spheres.is(Kind::null)) {
+        return;
+    }
+    for (const Value& value : list(spheres, fmt::format("a list of spheres for link '{}'", link)).items) {
+        target.push_back(sphere(value));
+    }
+}
+
+void Tree::add_columns(const std::string& link, const Value& value) {
+    const Value& centers = list(at(value, "centers"), "a list of centers");
+    const Value& radii = list(at(value, "radii"), "a list of radii");
+    if (centers.items.size() != radii.items.size()) {
+        fail(value, fmt::format("{} centers and {} radii{}", centers.items.size(), radii.items.size(),
+                                link.empty() ? "" : fmt::format(" for link '{}'", link)));
+    }
+    std::vector<Sphere>& target = spheres_of(result, link);
+    for (std::size_t i = 0; i < radii.items.size(); ++i) {
+        target.push_back({point(centers.items[i]), number(radii.items[i])});
+    }
+}
+
+void Tree::note_buffer(const Value& holder, std::string_view key) {
+    const Value* buffer = holder.is(Kind::map) ? holder.find(key) : nullptr;
+    const auto zero = [](const Value& v) { return v.is_scalar() && v.whole == 0 && v.real == 0; };
+    if (buffer && !zero(*buffer) &&
+        !(buffer->is(Kind::map) && std::all_of(buffer->items.begin(), buffer->items.end(), zero))) {
+        result.notes.push_back(
+            fmt::format("{} (line {}) is not added to the radii: the spheres are judged as they stand", key,
+                        buffer->where.line));
+    }
+}
+
+} // namespace foam::tree
