@@ -33,7 +33,7 @@ protected:
 
 TEST_F(Readers, OneReadsWhatEachWriterWrites) {
     QuietContext context;
-    const SphereModel model = model_of(chain_of({"only"}), {group_of("only", {"a.stl"}, flat_tree(awkward_spheres()))});
+    const SphereModel model = model_of(chain_of({"only"}), {group_of("only", {"a.stl"}, flat_tree({{{0.1, -0.2, 1.0 / 3}, 0.05}, {{1e-17, 1234.5, -0.0}, 0.1 + 0.7}}))});
     for (const auto& [name, stage] : registry.stages()) {
         if (stage.kind != StageKind::writer) {
             continue;
