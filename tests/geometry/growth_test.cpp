@@ -354,3 +354,97 @@ TEST(Growth, ARoundPartIsClosedByTheBallThatNeedsLeast) {
     EXPECT_EQ(spheres[0].radius, 0.3);
     EXPECT_EQ(spheres[1].radius, 0.2499);
 }
+
+TEST(Growth, ARoundPartIsClosedWithinAShareOfItsRadius) {
+    const auto ball = primitive_solid({Primitive::Kind::sphere, {}, 4, 0});
+    for (const auto& [radius, closed] : {std::pair(3.985, true), std::pair(3.97, false)}) {
+        std::vector<Sphere> spheres{{{}, radius}};
+        geometry::grow(*ball, spheres, 0, 100'000);
+        EXPECT_EQ(spheres[0].radius == 4, closed) << radius;
+        EXPECT_TRUE(certify(*ball, spheres).holds);
+    }
+}
+
+TEST(Growth, OfTheFourNearestTheOneThatAddsLeast) {
+    // About a speck: a small ball is farther off than large ones, and adds less.
+    const double size = 1e-3;
+    const auto speck = Solid::make(Mesh{{{0, 0, 0}, {size, 0, 0}, {0, size, 0}}, {{0, 1, 2}}});
+    const Sphere small{{0, 0, 0.3}, 0.1};
+    const std::vector<Sphere> large{{{1.11, 0, 0}, 1}, {{-1.12, 0, 0}, 1}, {{0, 1.13, 0}, 1}, {{0, -1.14, 0}, 1}};
+    for (std::size_t count = 1; count <= large.size(); ++count) {
+        std::vector<Sphere> spheres(large.begin(), large.begin() + static_cast<std::ptrdiff_t>(count));
+        spheres.push_back(small);
+        const std::vector<Sphere> before = spheres;
+        geometry::grow(*speck, spheres, 0, 100'000);
+        EXPECT_TRUE(certify(*speck, spheres).holds);
+        EXPECT_EQ(spheres.back() != small, count < 4) << count;
+        for (std::size_t i = 0; count < 4 && i < count; ++i) {
+            EXPECT_EQ(spheres[i], before[i]);
+        }
+    }
+}
+
+namespace {
+
+/// Two balls as primitives: one of radius 1/4 about the origin, the other beside it.
+std::shared_ptr<const Solid> two_balls(double away, double radius) {
+    return Solid::make({{nullptr, Primitive{Primitive::Kind::sphere, {}, 0.25, 0}, Pose{}},
+                        {nullptr, Primitive{Primitive::Kind::sphere, {}, radius, 0},
+                         Pose::from_xyz_rpy({away, 0, 0}, {0, 0, 0})}});
+}
+
+/// What the first sphere needs.
+double needed(const Solid& solid, const std::vector<Sphere>& spheres, std::size_t looks = 100'000) {
+    geometry::Balls balls(solid, spheres, geometry::growth_halvings, geometry::growth_caution);
+    return geometry::needed_radius(balls, 0, spheres[0].radius, looks);
+}
+
+} // namespace
+
+TEST(Shrinking, WhatOthersCoverNeedsNothing) {
+    EXPECT_EQ(needed(*slab, {{{}, 0.5}, {{}, 2}}), 0);
+    EXPECT_EQ(needed(*two_balls(1, 0.1), {{{}, 2}, {{0.5, 0, 0}, 2}}), 0);
+}
+
+TEST(Shrinking, ARoundPartNeedsItsRadiusExactly) {
+    EXPECT_EQ(needed(*primitive_solid({Primitive::Kind::sphere, {}, 0.25, 0}), {{{}, 0.3}}), 0.25);
+    EXPECT_EQ(needed(*primitive_solid({Primitive::Kind::sphere, {}, 0.25, 0}), {{{}, 0.25}}), 0.25);
+    EXPECT_EQ(needed(*primitive_solid({Primitive::Kind::sphere, {}, 3, 0}), {{{}, 5}}), 3);
+    EXPECT_EQ(needed(*two_balls(0.3, 0.1), {{{}, 1}, {{0.3, 0, 0}, 0.1}}), 0.25) << "another holds the second";
+    EXPECT_EQ(needed(*two_balls(0.3, 0.1), {{{0.3, 0, 0}, 1}, {{}, 0.25}}), 0.1) << "another holds the first";
+    const std::vector<Sphere> shared{{{}, 0.6}, {{1.1, 0, 0}, 0.36}, {{0.9, 0, 0}, 0.36}};
+    EXPECT_EQ(needed(*two_balls(1, 0.25), shared), 0.25) << "others share the second";
+    EXPECT_NEAR(needed(*two_balls(0.3, 0.25), {{{}, 0.6}}), 0.55, 1e-9) << "it alone holds both";
+    EXPECT_NEAR(needed(*two_balls(0.3, 0.25), {{{0.3, 0, 0}, 0.6}}), 0.55, 1e-9);
+    // Of the second it holds what another leaves over.
+    const std::vector<Sphere> part{{{}, 0.7}, {{0.8, 0, 0}, 0.3}};
+    const double radius = needed(*two_balls(0.6, 0.25), part);
+    EXPECT_NEAR(radius, 0.678, 0.01);
+    EXPECT_TRUE(certify(*two_balls(0.6, 0.25), std::vector<Sphere>{{{}, radius + 1e-8}, part[1]}).holds);
+}
+
+TEST(Shrinking, WhatIsKnownWhenLooksEndIsKept) {
+    // Nothing, then what pieces of the round parts need, then what the parts need.
+    const auto solid = two_balls(1, 0.25);
+    const std::vector<Sphere> shared{{{}, 0.6}, {{1.1, 0, 0}, 0.36}, {{0.9, 0, 0}, 0.36}};
+    std::size_t unknown = 0, by_pieces = 0, exact = 0;
+    for (std::size_t looks = 0; looks < 10'000 && exact == 0; looks += looks / 20 + 1) {
+        const double radius = needed(*solid, shared, looks);
+        EXPECT_GE(radius, 0.25);
+        EXPECT_LE(radius, 0.6 + 1e-12);
+        (radius == 0.25 ? exact : radius < 0.3 ? by_pieces : unknown) += 1;
+    }
+    EXPECT_GT(unknown, 0u);
+    EXPECT_GT(by_pieces, 0u);
+    EXPECT_GT(exact, 0u);
+}
+
+TEST(Shrinking, NeverGrows) {
+    const std::vector<Sphere> before = twenty_over_slab();
+    std::vector<Sphere> spheres = before;
+    geometry::shrink(*slab, spheres, std::vector<double>(20, 0.1), 0.25, {});
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        EXPECT_LE(spheres[i].radius, before[i].radius) << "the next multiple is above it";
+    }
+    EXPECT_TRUE(certify(*slab, spheres).holds);
+}

@@ -173,3 +173,58 @@ TEST(ExactUnionVolume, PartsThatStayedAreTakenOver) {
     }
     EXPECT_EQ(parts.with({}).volume(), 0);
 }
+
+TEST(ExactUnionVolume, TheDirectionIsOfNoConcern) {
+    // Directions of axes, and the one that the closed form turns exactly upwards.
+    const Vec3 upwards{0.5826116723815148, -0.6112908014436207, 0.5356185165537463};
+    Random random(9);
+    for (const Vec3& up : {upwards, -1 * upwards, Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+        const Vec3 aside = normalized(cross(up, Vec3{0.3, 0.2, 0.7})), third = cross(up, aside);
+        const std::vector<Sphere> given{{{}, 1},
+                                        {up, 1},
+                                        {-0.9 * up, 0.8},
+                                        {0.8 * aside + 0.4 * up, 0.9},
+                                        {0.7 * third - 0.2 * up, 0.7}};
+        std::vector<Sphere> turned = given;
+        const Pose pose = random_pose(random, 1);
+        for (Sphere& sphere : turned) {
+            sphere.center = pose * sphere.center;
+        }
+        const double volume = exact_union_volume(given);
+        EXPECT_NEAR(volume, exact_union_volume(turned), 1e-12 * volume);
+        EXPECT_NEAR(volume, union_volume(given, 100'000), 1e-3 * volume);
+    }
+}
+
+TEST(ExactUnionVolume, ACircleThroughTheAreasPole) {
+    // The area is integrated about one point of each ball: circles that pass exactly through it, and a last bit beside.
+    for (const Sphere& given : {Sphere{{0.039, 0.487, -0.657}, 0.6454322110710405},
+                                Sphere{{-0.463, 0.038, -0.585}, 0.5877140683164919},
+                                Sphere{{-1.07, -0.063, 0.468}, 1.3036355294252158},
+                                Sphere{{0.416, -0.613, -0.642}, 1.5834867409411066}}) {
+        const double d = norm(given.center);
+        for (const double r : {given.radius, std::nextafter(given.radius, 9), std::nextafter(given.radius, 0)}) {
+            const double deep = 1 + r - d;
+            const double lens = pi * deep * deep * (d * d + 2 * d * (1 + r) - 3 * (1 - r) * (1 - r)) / (12 * d);
+            EXPECT_NEAR(exact_union_volume(std::vector<Sphere>{{{}, 1}, {given.center, r}}),
+                        4 / 3.0 * pi * (1 + r * r * r) - lens, 1e-12 * (1 + r * r * r));
+        }
+    }
+}
+
+TEST(ExactUnionVolume, BallsThatHardlyTouch) {
+    // Above each other, to a last bit, where caps have no width.
+    const Vec3 upwards{0.5826116723815148, -0.6112908014436207, 0.5356185165537463};
+    Random random(10);
+    for (int round = 0; round < 2000; ++round) {
+        const double r = std::pow(10, random.uniform(-6, 0)), size = 4 / 3.0 * pi * (1 + r * r * r);
+        double away = 1 + r;
+        for (int k = 0; k < round % 4; ++k) {
+            away = std::nextafter(away, 0);
+        }
+        Vec3 way = (round % 2 == 0 ? away : -away) * upwards;
+        way[round % 3] = std::nextafter(way[round % 3], random.uniform(-9, 9));
+        EXPECT_NEAR(exact_union_volume(std::vector<Sphere>{{{}, 1}, {way, r}}), size, 1e-12);
+        EXPECT_NEAR(exact_union_volume(std::vector<Sphere>{{{}, 1}, {way * ((1 - r) / (1 + r)), r}}), 4 / 3.0 * pi, 1e-12);
+    }
+}

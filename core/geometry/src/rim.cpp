@@ -14,7 +14,7 @@ constexpr double longest_piece = 1.0 / 64;
 
 using Key = std::array<double, 3>;
 Key key(const Vec3& v) {
-    return {v.x + 0.0, v.y + 0.0, v.z + 0.0}; // -0 is 0
+    return {v.x, v.y, v.z};
 }
 
 double distance_to_segment(const Vec3& a, const Vec3& b, const Vec3& p) {

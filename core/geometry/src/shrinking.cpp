@@ -48,7 +48,7 @@ public:
 private:
     /// Indices of candidates, [begin, end) among candidates_.
     struct Range {
-        std::size_t begin = 0, end = 0;
+        std::size_t begin, end;
     };
     struct Part {
         Piece piece;
