@@ -398,6 +398,21 @@ Mesh brick() {
     return box({-1.5, -1, -0.5}, {1.5, 1, 0.5});
 }
 
+std::vector<Sphere> shell_without_top() {
+    std::vector<Sphere> spheres = shell_of_brick();
+    std::erase_if(spheres, [](const Sphere& s) {
+        return s.center.z == 0.5 && std::abs(s.center.x) < 1.2 && std::abs(s.center.y) < 0.8;
+    });
+    return spheres;
+}
+
+Mesh without_top(Mesh mesh) {
+    std::erase_if(mesh.triangles, [&](const Triangle& t) {
+        return mesh.vertices[t[0]].z > 0 && mesh.vertices[t[1]].z > 0 && mesh.vertices[t[2]].z > 0;
+    });
+    return mesh;
+}
+
 const std::vector<Sphere> two_in_brick{{{0.3, 0.2, 0.1}, 0.7}, {{-1.4, -0.9, 0.3}, 0.4}};
 const std::vector<Sphere> four_on_ring{{{1, 0, 0}, 0.5}, {{-1, 0, 0}, 0.6}, {{0, 1, 0}, 0.55}, {{0, -1, 0.1}, 0.6}};
 
@@ -413,6 +428,11 @@ struct Known {
 
 TEST(FiguresStay, Volumes) {
     // Figures that were right, by every way to them: to ten digits.
+    const Mesh cube = box({-1, -1, -1}, {1, 1, 1});
+    std::vector<Sphere> around_corners; // they leave a little of the middle out
+    for (int i = 0; i < 8; ++i) {
+        around_corners.push_back({{i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0}, std::sqrt(3.0) - 0.02});
+    }
     const std::vector<Known> cases{
         {brick(), two_in_brick, false, 2800, 0.357059126461, 0.00479020577285, 4.65222151311, 0.00479020577285},
         {brick(), two_in_brick, false, 2950, 0.338806945206, 0.00507212413741, 4.63396933186, 0.00507212413741},
@@ -426,7 +446,19 @@ TEST(FiguresStay, Volumes) {
          0.00479029430913},
         {without_last(torus(1, 0.3, 24), 2), four_on_ring, false, 2800, 1.87116349585, 0.00409448447707, 0.577377867992,
          0.00409437250731},
-        {without_last(torus(1, 0.3, 24), 2), {{{}, 1.4}}, true, 2800, 9.75775983541, 3.02804289271e-05, 0, 0}};
+        {without_last(torus(1, 0.3, 24), 2), {{{}, 1.4}}, true, 2800, 9.75775983541, 3.02804289271e-05, 0, 0},
+        {without_top(brick()), shell_without_top(), true, 2800, 5.400166636, 0.0140870411994, 2.89065273256,
+         0.0140870411994},
+        {cube, around_corners, true, 2800, 105.934232912, 9.35934921592e-05, 0.000171273305251, 9.35934921592e-05},
+        {without_last(cube, 1), around_corners, true, 2800, 105.934210831, 8.02403237224e-05, 0, 0},
+        {without_last(cube, 1),
+         {{{}, std::sqrt(3.0) - 0.015}},
+         false,
+         2800,
+         13.2051565266,
+         8.23498180344e-05,
+         1.85197996539e-05,
+         1.85197996539e-05}};
     for (const Known& k : cases) {
         const auto solid = Solid::make(k.mesh);
         MeasureOptions options;
@@ -464,9 +496,8 @@ TEST(Measure, TheUnitIsOfNoConcern) {
         options.directions_per_sphere = 50;
         return measure(*Solid::make(transformed(mesh, {}, {size, size, size})), spheres, options);
     };
-    for (const auto& [mesh, spheres] :
-         {std::pair(brick(), two_in_brick), std::pair(torus(1, 0.3, 24), four_on_ring),
-          std::pair(brick(), std::vector<Sphere>{{{}, 1.88}, {{1, 0, 0}, 0.3}})}) {
+    for (const auto& [mesh, spheres] : {std::pair(brick(), two_in_brick), std::pair(torus(1, 0.3, 24), four_on_ring),
+                                        std::pair(brick(), std::vector<Sphere>{{{}, 1.88}, {{1, 0, 0}, 0.3}})}) {
         const Measures one = of_size(mesh, spheres, 1);
         for (const double size : {std::ldexp(1.0, -24), std::ldexp(1.0, 24)}) {
             const Measures m = of_size(mesh, spheres, size);
@@ -485,7 +516,8 @@ TEST(Measure, TheUnitIsOfNoConcern) {
 TEST(Measure, ABallAtTheTipOfALongTriangleCounts) {
     const Vec3 tip{10, 0, 0}, left{0, 0.1, 0}, right{0, -0.1, 0};
     MeasureOptions options;
-    for (const auto& [a, b, c] : {std::tuple(tip, left, right), std::tuple(right, tip, left), std::tuple(left, right, tip)}) {
+    for (const auto& [a, b, c] :
+         {std::tuple(tip, left, right), std::tuple(right, tip, left), std::tuple(left, right, tip)}) {
         const auto solid = Solid::make(Mesh{{a, b, c}, {{0, 1, 2}}});
         EXPECT_NEAR(geometry::covered_share(*solid, std::vector<Sphere>{{tip, 2}}, options), 0.04, 2e-3);
         EXPECT_NEAR(geometry::covered_share(*solid, std::vector<Sphere>{{tip, 9}}, options), 0.81, 2e-3);

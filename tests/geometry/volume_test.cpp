@@ -180,11 +180,8 @@ TEST(ExactUnionVolume, TheDirectionIsOfNoConcern) {
     Random random(9);
     for (const Vec3& up : {upwards, -1 * upwards, Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
         const Vec3 aside = normalized(cross(up, Vec3{0.3, 0.2, 0.7})), third = cross(up, aside);
-        const std::vector<Sphere> given{{{}, 1},
-                                        {up, 1},
-                                        {-0.9 * up, 0.8},
-                                        {0.8 * aside + 0.4 * up, 0.9},
-                                        {0.7 * third - 0.2 * up, 0.7}};
+        const std::vector<Sphere> given{
+            {{}, 1}, {up, 1}, {-0.9 * up, 0.8}, {0.8 * aside + 0.4 * up, 0.9}, {0.7 * third - 0.2 * up, 0.7}};
         std::vector<Sphere> turned = given;
         const Pose pose = random_pose(random, 1);
         for (Sphere& sphere : turned) {
@@ -198,10 +195,9 @@ TEST(ExactUnionVolume, TheDirectionIsOfNoConcern) {
 
 TEST(ExactUnionVolume, ACircleThroughTheAreasPole) {
     // The area is integrated about one point of each ball: circles that pass exactly through it, and a last bit beside.
-    for (const Sphere& given : {Sphere{{0.039, 0.487, -0.657}, 0.6454322110710405},
-                                Sphere{{-0.463, 0.038, -0.585}, 0.5877140683164919},
-                                Sphere{{-1.07, -0.063, 0.468}, 1.3036355294252158},
-                                Sphere{{0.416, -0.613, -0.642}, 1.5834867409411066}}) {
+    for (const Sphere& given :
+         {Sphere{{0.039, 0.487, -0.657}, 0.6454322110710405}, Sphere{{-0.463, 0.038, -0.585}, 0.5877140683164919},
+          Sphere{{-1.07, -0.063, 0.468}, 1.3036355294252158}, Sphere{{0.416, -0.613, -0.642}, 1.5834867409411066}}) {
         const double d = norm(given.center);
         for (const double r : {given.radius, std::nextafter(given.radius, 9), std::nextafter(given.radius, 0)}) {
             const double deep = 1 + r - d;
@@ -225,6 +221,7 @@ TEST(ExactUnionVolume, BallsThatHardlyTouch) {
         Vec3 way = (round % 2 == 0 ? away : -away) * upwards;
         way[round % 3] = std::nextafter(way[round % 3], random.uniform(-9, 9));
         EXPECT_NEAR(exact_union_volume(std::vector<Sphere>{{{}, 1}, {way, r}}), size, 1e-12);
-        EXPECT_NEAR(exact_union_volume(std::vector<Sphere>{{{}, 1}, {way * ((1 - r) / (1 + r)), r}}), 4 / 3.0 * pi, 1e-12);
+        EXPECT_NEAR(exact_union_volume(std::vector<Sphere>{{{}, 1}, {way * ((1 - r) / (1 + r)), r}}), 4 / 3.0 * pi,
+                    1e-12);
     }
 }
