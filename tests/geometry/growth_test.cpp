@@ -337,6 +337,10 @@ TEST(Growth, ARoundPartIsClosedByTheBallThatNeedsLeast) {
             EXPECT_EQ(spheres[i].radius, i == best ? 0.25 : given[i].radius) << i;
         }
     }
+    const double infinity = std::numeric_limits<double>::infinity();
+    spheres = {{{}, infinity}, exact, {{std::nan(""), 0, 0}, 0.3}};
+    geometry::grow(*ball, spheres, 0, 1000);
+    EXPECT_EQ(spheres[1].radius, 0.25) << "spheres that are none are passed over";
     spheres = {exact};
     geometry::grow(*ball, spheres, 0.015625, 1000);
     EXPECT_EQ(spheres[0].radius, 0.25);
@@ -416,6 +420,9 @@ TEST(Shrinking, ARoundPartNeedsItsRadiusExactly) {
     EXPECT_EQ(needed(*two_balls(1, 0.25), shared), 0.25) << "others share the second";
     EXPECT_NEAR(needed(*two_balls(0.3, 0.25), {{{}, 0.6}}), 0.55, 1e-9) << "it alone holds both";
     EXPECT_NEAR(needed(*two_balls(0.3, 0.25), {{{0.3, 0, 0}, 0.6}}), 0.55, 1e-9);
+    const auto with_box = Solid::make({{nullptr, Primitive{Primitive::Kind::sphere, {}, 0.25, 0}, Pose{}},
+                                       {std::make_shared<const Mesh>(box({0.3, 0, 0}, {0.4, 0.1, 0.1})), {}, {}}});
+    EXPECT_NEAR(needed(*with_box, {{{}, 1}}), std::sqrt(0.18), 1e-9) << "what is not round counts, too";
     // Of the second it holds what another leaves over.
     const std::vector<Sphere> part{{{}, 0.7}, {{0.8, 0, 0}, 0.3}};
     const double radius = needed(*two_balls(0.6, 0.25), part);

@@ -524,3 +524,9 @@ TEST(Measure, ABallAtTheTipOfALongTriangleCounts) {
         EXPECT_NEAR(geometry::covered_share(*solid, std::vector<Sphere>{{{-1, 0, 0}, 2}}, options), 0.19, 2e-3);
     }
 }
+
+TEST(Measure, WhereNoDirectionLeadsOnTheSearchEnds) {
+    // The only direction points straight at the box.
+    const auto ahead = Solid::make(box({1.5, -1, -1}, {3, 1, 1}));
+    EXPECT_EQ(geometry::protrusion(*ahead, std::vector<Sphere>{{{}, 1}}, 1).max, 0.5);
+}

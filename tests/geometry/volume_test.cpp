@@ -131,6 +131,10 @@ TEST(ExactUnionVolume, AgreesWithQuadratureOnRandomBalls) {
 TEST(ExactUnionVolume, IgnoresWhatIsNoBall) {
     const std::vector<Sphere> spheres{{{}, 1}, {{}, -3}, {{std::nan(""), 0, 0}, 2}, {{1, 0, 0}, 0}, {{}, std::nan("")}};
     EXPECT_NEAR(exact_union_volume(spheres), 4 / 3.0 * pi, 1e-13);
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const Sphere& none : {Sphere{{9, 0, 0}, -1}, Sphere{{9, 0, 0}, infinity}, Sphere{{9, 0, 0}, -infinity}}) {
+        EXPECT_NEAR(exact_union_volume(std::vector<Sphere>{{{}, 1}, none}), 4 / 3.0 * pi, 1e-13);
+    }
 }
 
 TEST(UnionVolume, IgnoresWhatIsNoBall) {
@@ -208,20 +212,39 @@ TEST(ExactUnionVolume, ACircleThroughTheAreasPole) {
     }
 }
 
+TEST(ExactUnionVolume, FarFromTheOriginNoDigitIsLost) {
+    // Places that a shift by a power of two does not round.
+    Random random(11);
+    std::vector<Sphere> balls;
+    for (int i = 0; i < 8; ++i) {
+        const auto at = [&] { return std::ldexp(std::round(std::ldexp(random.uniform(), 12)), -12); };
+        balls.push_back({{at(), at(), at()}, random.uniform(0.2, 0.5)});
+    }
+    std::vector<Sphere> away = balls;
+    for (Sphere& ball : away) {
+        ball.center += Vec3{std::ldexp(1, 34), -std::ldexp(1, 33), std::ldexp(1, 35)};
+    }
+    EXPECT_NEAR(exact_union_volume(away), exact_union_volume(balls), 1e-12);
+}
+
 TEST(ExactUnionVolume, BallsThatHardlyTouch) {
     // Above each other, to a last bit, where caps have no width.
     const Vec3 upwards{0.5826116723815148, -0.6112908014436207, 0.5356185165537463};
     Random random(10);
-    for (int round = 0; round < 2000; ++round) {
-        const double r = std::pow(10, random.uniform(-6, 0)), size = 4 / 3.0 * pi * (1 + r * r * r);
-        double away = 1 + r;
+    for (int round = 0; round < 3000; ++round) {
+        const double large = random.uniform(0.5, 2), small = large * std::pow(10, random.uniform(-6, 0));
+        const auto volume = [](double r) { return 4 / 3.0 * pi * r * r * r; };
+        double outside = large + small, inside = large - small;
         for (int k = 0; k < round % 4; ++k) {
-            away = std::nextafter(away, 0);
+            outside = std::nextafter(outside, 0);
+            inside = std::nextafter(inside, 9);
         }
-        Vec3 way = (round % 2 == 0 ? away : -away) * upwards;
+        Vec3 way = (round % 8 < 4 ? 1 : -1) * upwards;
         way[round % 3] = std::nextafter(way[round % 3], random.uniform(-9, 9));
-        EXPECT_NEAR(exact_union_volume(std::vector<Sphere>{{{}, 1}, {way, r}}), size, 1e-12);
-        EXPECT_NEAR(exact_union_volume(std::vector<Sphere>{{{}, 1}, {way * ((1 - r) / (1 + r)), r}}), 4 / 3.0 * pi,
-                    1e-12);
+        const Sphere ball{{}, large};
+        EXPECT_NEAR(exact_union_volume(std::vector<Sphere>{ball, {way * outside, small}}),
+                    volume(large) + volume(small), 1e-12 * volume(large));
+        EXPECT_NEAR(exact_union_volume(std::vector<Sphere>{ball, {way * inside, small}}), volume(large),
+                    1e-12 * volume(large));
     }
 }

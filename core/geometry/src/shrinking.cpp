@@ -34,7 +34,7 @@ public:
         while (!queue_.empty() && queue_.front().far > need_) {
             asking.check();
             if (looks_ == 0) {
-                return std::max(need_, limit_);
+                return limit_;
             }
             --looks_;
             std::pop_heap(queue_.begin(), queue_.end());
@@ -110,7 +110,7 @@ private:
             }
         }
         if (size_of(piece) <= smallest_piece * balls_.extent() || piece.level >= growth_halvings) {
-            need_ = std::max(need_, entry.far);
+            need_ = entry.far;
             return;
         }
         if (entry.far > need_) {
