@@ -388,6 +388,23 @@ TEST(Growth, OfTheFourNearestTheOneThatAddsLeast) {
     }
 }
 
+TEST(Growth, OfThoseThatAddNothingOutsideTheOneWhoseVolumeGrowsLeast) {
+    // Within a large ball that ends just below a speck: its neighbours grow inside it.
+    const double size = 1e-4;
+    const auto speck = Solid::make(Mesh{{{0, 0, 0}, {size, 0, 0}, {0, size, 0}}, {{0, 1, 2}}});
+    const Sphere large{{0, 0, -5}, 4.99}, medium{{0, 0, -2}, 1.98}, near{{0, 0, -2}, 1.999}, small{{0, 0, -0.5}, 0.47},
+        unit{{0, 0, -1}, 0.985};
+    for (const auto& [best, other] : {std::pair(unit, medium), std::pair(near, small)}) {
+        for (const std::vector<Sphere>& before : {std::vector{large, best, other}, std::vector{other, best, large}}) {
+            std::vector<Sphere> spheres = before;
+            geometry::grow(*speck, spheres, 0, 100'000);
+            EXPECT_GT(spheres[1].radius, best.radius);
+            EXPECT_EQ(spheres[0], before[0]);
+            EXPECT_EQ(spheres[2], before[2]);
+        }
+    }
+}
+
 namespace {
 
 /// Two balls as primitives: one of radius 1/4 about the origin, the other beside it.
@@ -404,6 +421,23 @@ double needed(const Solid& solid, const std::vector<Sphere>& spheres, std::size_
 }
 
 } // namespace
+
+TEST(Growth, NoSphereShrinks) {
+    // Not even one whose square is no number, which holds nothing.
+    std::vector<Sphere> spheres{{{}, 1e160}};
+    geometry::grow(*slab, spheres, 0, 1000);
+    EXPECT_EQ(spheres[0].radius, 1e160);
+}
+
+TEST(Growth, ARoundPartThatIsHeldSaysNothingOfTheOther) {
+    const auto solid = two_balls(1, 0.1);
+    for (const Sphere& small : {Sphere{{}, 0.2}, Sphere{{0.2, 0, 0}, 0.01}}) {
+        std::vector<Sphere> spheres{{{1, 0, 0}, 0.1}, small};
+        geometry::grow(*solid, spheres, 0, 100'000);
+        EXPECT_TRUE(certify(*solid, spheres).holds);
+        EXPECT_EQ(spheres[0].radius, 0.1);
+    }
+}
 
 TEST(Shrinking, WhatOthersCoverNeedsNothing) {
     EXPECT_EQ(needed(*slab, {{{}, 0.5}, {{}, 2}}), 0);

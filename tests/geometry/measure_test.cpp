@@ -199,7 +199,9 @@ TEST(Measure, LinesAndPointsAgree) {
 
 TEST(Measure, NoSpheresAndNoVolume) {
     const auto cube = Solid::make(box({0, 0, 0}, {1, 1, 1}));
-    const Measures none = measure(*cube, std::vector<Sphere>{{{}, 0}, {{std::nan(""), 0, 0}, 1}});
+    const double infinity = std::numeric_limits<double>::infinity();
+    const Measures none =
+        measure(*cube, std::vector<Sphere>{{{}, 0}, {{std::nan(""), 0, 0}, 1}, {{}, -1}, {{}, infinity}, {{}, NAN}});
     EXPECT_EQ(none.spheres, 0u);
     EXPECT_EQ(none.covered, 0);
     EXPECT_NEAR(none.missing, 1, 1e-12);
@@ -355,6 +357,10 @@ TEST(Measure, TotalOfErrorsAndNothing) {
         EXPECT_DOUBLE_EQ(sum.missing_error, std::sqrt(0.000625 + 0.04 * 0.0025) / 4);
         EXPECT_FALSE(sum.certified);
     }
+    Measures small;
+    small.area = 0.25, small.covered = 0.5, small.exposed_area = 0.125, small.protrusion_mean = 0.3;
+    EXPECT_DOUBLE_EQ(total(std::vector{small}).covered, 0.5);
+    EXPECT_DOUBLE_EQ(total(std::vector{small}).protrusion_mean, 0.3);
     a.certified = true;
     EXPECT_TRUE(total(std::vector{a, a}).certified);
     EXPECT_FALSE(total(std::vector{a, b}).certified);

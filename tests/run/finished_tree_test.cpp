@@ -166,6 +166,15 @@ TEST(FinishedTree, ZeroIsNeverNegative) {
     }
 }
 
+TEST(FinishedTree, OfASolidWithoutSizeTheGridIsANanometre) {
+    const auto point = Solid::make(Mesh{{{0, 0, 0}}, {{0, 0, 0}}});
+    ASSERT_EQ(point->bounds().diagonal(), 0);
+    const FinishedTree finished =
+        finished_tree(*point, flat_tree({{{0.1234567894, -0.1234567894, 0}, 0.3000000004}}), Guarantee::outer, false);
+    EXPECT_EQ(finished.tree.finest()[0].center, (Vec3{0.123456789, -0.123456789, 0}));
+    EXPECT_EQ(finished.tree.finest()[0].radius, 0.300000001);
+}
+
 TEST(FinishedTree, EveryLevelCovers) {
     const auto solid = cube(1);
     SphereTree tree;

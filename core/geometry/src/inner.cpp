@@ -116,7 +116,7 @@ public:
         const double most = sphere.radius + slack;
         double radius = 0;
         for (const PrimitivePart& part : primitives_) {
-            radius = std::max(radius, std::min(most, -part.signed_distance(sphere.center)));
+            radius = std::max(radius, -part.signed_distance(sphere.center));
         }
         for (const MeshRoom& mesh : meshes_) {
             if (radius < most) {
