@@ -130,6 +130,12 @@ TEST(Growth, SpheresThatAreNone) {
     const double nan = std::nan("");
     EXPECT_THROW(grown_to_cover(*cube, {}), Error);
     EXPECT_THROW(grown_to_cover(*cube, {{{nan, 0, 0}, 1}}), Error);
+    try {
+        grown_to_cover(*cube, {{{}, std::numeric_limits<double>::infinity()}});
+        ADD_FAILURE() << "no radius to grow from";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::geometry);
+    }
     const auto grown = grown_to_cover(*cube, {{{nan, 0, 0}, 1}, {{}, 0}, {{}, -1}});
     EXPECT_TRUE(certify(*cube, grown).holds);
 }
@@ -259,6 +265,9 @@ TEST(GrowthStays, ByCellsWhereLooksEnd) {
     spheres = six_in_slab();
     geometry::grow(*slab, spheres, 0.25, 7);
     expect_radii(spheres, {0.75, 0.75, 0.75, 1.25, 0.75, 1});
+    spheres = six_in_slab();
+    geometry::grow(*slab, spheres, 0, 0);
+    expect_radii(spheres, {0.593691541, 0.722856585, 0.574655504, 1.12632217, 0.653782344, 0.876584876});
     EXPECT_EQ(geometry::most_looks(*slab), 20'240u);
 }
 
