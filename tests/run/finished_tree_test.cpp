@@ -241,6 +241,7 @@ TEST(FinishedTree, OneSphereInsteadOfWorseOnes) {
     // Many that overlap: their sum is large, what they take together is not.
     EXPECT_FALSE(finished_tree(*solid, flat_tree({good[0], good[0], good[0]}), Guarantee::outer).one_instead);
     EXPECT_NEAR(cost_volume(*solid, wide, Guarantee::outer), least - 1, 1e-6);
+    EXPECT_NEAR(cost_volume(*solid, {{{}, 0.1}}, Guarantee::outer), least - 1, 1e-6) << "of what covers it";
     EXPECT_NEAR(cost_volume(*cube(0.5), wide, Guarantee::outer), (least - 1) / 8, 1e-6);
     EXPECT_NEAR(cost_volume(*solid, good, Guarantee::outer), volume(good[0].radius) - 1, 1e-9);
     EXPECT_NEAR(cost_volume(*solid, {{{}, 0.6}, {{5, 0, 0}, 0.5}}, Guarantee::inner), 1 - volume(0.5), 1e-9);
