@@ -130,6 +130,12 @@ TEST(Growth, SpheresThatAreNone) {
     const double nan = std::nan("");
     EXPECT_THROW(grown_to_cover(*cube, {}), Error);
     EXPECT_THROW(grown_to_cover(*cube, {{{nan, 0, 0}, 1}}), Error);
+    try {
+        grown_to_cover(*cube, {{{}, std::numeric_limits<double>::infinity()}});
+        ADD_FAILURE() << "no radius to grow from";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::geometry);
+    }
     const auto grown = grown_to_cover(*cube, {{{nan, 0, 0}, 1}, {{}, 0}, {{}, -1}});
     EXPECT_TRUE(certify(*cube, grown).holds);
 }
@@ -259,6 +265,9 @@ TEST(GrowthStays, ByCellsWhereLooksEnd) {
     spheres = six_in_slab();
     geometry::grow(*slab, spheres, 0.25, 7);
     expect_radii(spheres, {0.75, 0.75, 0.75, 1.25, 0.75, 1});
+    spheres = six_in_slab();
+    geometry::grow(*slab, spheres, 0, 0);
+    expect_radii(spheres, {0.593691541, 0.722856585, 0.574655504, 1.12632217, 0.653782344, 0.876584876});
     EXPECT_EQ(geometry::most_looks(*slab), 20'240u);
 }
 
@@ -266,14 +275,14 @@ TEST(GrowthStays, NeededRadii) {
     const std::vector<Sphere> cover = twenty_over_slab();
     ASSERT_TRUE(certify(*slab, cover).holds);
     const geometry::Balls balls(*slab, cover, geometry::growth_halvings, geometry::growth_caution);
-    for (const auto& [i, radius] :
-         {std::pair(0u, 0.332603367), std::pair(3u, 0.332603367), std::pair(6u, 0.0), std::pair(9u, 0.0),
-          std::pair(12u, 0.0), std::pair(15u, 0.30683187), std::pair(18u, 0.320000996)}) {
+    for (const auto& [i, radius, looked_at] :
+         {std::tuple(0u, 0.332603367, 157u), std::tuple(3u, 0.332603367, 129u), std::tuple(6u, 0.0, 153u),
+          std::tuple(9u, 0.0, 92u), std::tuple(12u, 0.0, 54u), std::tuple(15u, 0.30683187, 393u),
+          std::tuple(18u, 0.320000996, 366u)}) {
         geometry::Balls own = balls;
         std::size_t looks = 1'000;
         EXPECT_NEAR(geometry::needed_radius(own, i, cover[i].radius, looks), radius, 2e-9);
-        EXPECT_GE(looks, 500u);
-        EXPECT_LT(looks, 1'000u);
+        EXPECT_EQ(looks, 1'000u - looked_at) << "pieces that can change nothing are not looked at";
         own = balls;
         looks = 8;
         EXPECT_NEAR(geometry::needed_radius(own, i, cover[i].radius, looks), cover[i].radius, 1e-12)
@@ -337,6 +346,10 @@ TEST(Growth, ARoundPartIsClosedByTheBallThatNeedsLeast) {
             EXPECT_EQ(spheres[i].radius, i == best ? 0.25 : given[i].radius) << i;
         }
     }
+    const double infinity = std::numeric_limits<double>::infinity();
+    spheres = {{{}, infinity}, exact, {{std::nan(""), 0, 0}, 0.3}};
+    geometry::grow(*ball, spheres, 0, 1000);
+    EXPECT_EQ(spheres[1].radius, 0.25) << "spheres that are none are passed over";
     spheres = {exact};
     geometry::grow(*ball, spheres, 0.015625, 1000);
     EXPECT_EQ(spheres[0].radius, 0.25);
@@ -353,4 +366,135 @@ TEST(Growth, ARoundPartIsClosedByTheBallThatNeedsLeast) {
     geometry::grow(*ball, spheres, 0, 1000);
     EXPECT_EQ(spheres[0].radius, 0.3);
     EXPECT_EQ(spheres[1].radius, 0.2499);
+}
+
+TEST(Growth, ARoundPartIsClosedWithinAShareOfItsRadius) {
+    const auto ball = primitive_solid({Primitive::Kind::sphere, {}, 4, 0});
+    for (const auto& [radius, closed] : {std::pair(3.985, true), std::pair(3.97, false)}) {
+        std::vector<Sphere> spheres{{{}, radius}};
+        geometry::grow(*ball, spheres, 0, 100'000);
+        EXPECT_EQ(spheres[0].radius == 4, closed) << radius;
+        EXPECT_TRUE(certify(*ball, spheres).holds);
+    }
+}
+
+TEST(Growth, OfTheFourNearestTheOneThatAddsLeast) {
+    // About a speck: a small ball is farther off than large ones, and adds less.
+    const double size = 1e-3;
+    const auto speck = Solid::make(Mesh{{{0, 0, 0}, {size, 0, 0}, {0, size, 0}}, {{0, 1, 2}}});
+    const Sphere small{{0, 0, 0.3}, 0.1};
+    const std::vector<Sphere> large{{{1.11, 0, 0}, 1}, {{-1.12, 0, 0}, 1}, {{0, 1.13, 0}, 1}, {{0, -1.14, 0}, 1}};
+    for (std::size_t count = 1; count <= large.size(); ++count) {
+        std::vector<Sphere> spheres(large.begin(), large.begin() + static_cast<std::ptrdiff_t>(count));
+        spheres.push_back(small);
+        const std::vector<Sphere> before = spheres;
+        geometry::grow(*speck, spheres, 0, 100'000);
+        EXPECT_TRUE(certify(*speck, spheres).holds);
+        EXPECT_EQ(spheres.back() != small, count < 4) << count;
+        for (std::size_t i = 0; count < 4 && i < count; ++i) {
+            EXPECT_EQ(spheres[i], before[i]);
+        }
+    }
+}
+
+TEST(Growth, OfThoseThatAddNothingOutsideTheOneWhoseVolumeGrowsLeast) {
+    // Within a large ball that ends just below a speck: its neighbours grow inside it.
+    const double size = 1e-4;
+    const auto speck = Solid::make(Mesh{{{0, 0, 0}, {size, 0, 0}, {0, size, 0}}, {{0, 1, 2}}});
+    const Sphere large{{0, 0, -5}, 4.99}, medium{{0, 0, -2}, 1.98}, near{{0, 0, -2}, 1.999}, small{{0, 0, -0.5}, 0.47},
+        unit{{0, 0, -1}, 0.985};
+    for (const auto& [best, other] : {std::pair(unit, medium), std::pair(near, small)}) {
+        for (const std::vector<Sphere>& before : {std::vector{large, best, other}, std::vector{other, best, large}}) {
+            std::vector<Sphere> spheres = before;
+            geometry::grow(*speck, spheres, 0, 100'000);
+            EXPECT_GT(spheres[1].radius, best.radius);
+            EXPECT_EQ(spheres[0], before[0]);
+            EXPECT_EQ(spheres[2], before[2]);
+        }
+    }
+}
+
+namespace {
+
+/// Two balls as primitives: one of radius 1/4 about the origin, the other beside it.
+std::shared_ptr<const Solid> two_balls(double away, double radius) {
+    return Solid::make(
+        {{nullptr, Primitive{Primitive::Kind::sphere, {}, 0.25, 0}, Pose{}},
+         {nullptr, Primitive{Primitive::Kind::sphere, {}, radius, 0}, Pose::from_xyz_rpy({away, 0, 0}, {0, 0, 0})}});
+}
+
+/// What the first sphere needs.
+double needed(const Solid& solid, const std::vector<Sphere>& spheres, std::size_t looks = 100'000) {
+    geometry::Balls balls(solid, spheres, geometry::growth_halvings, geometry::growth_caution);
+    return geometry::needed_radius(balls, 0, spheres[0].radius, looks);
+}
+
+} // namespace
+
+TEST(Growth, NoSphereShrinks) {
+    // Not even one whose square is no number, which holds nothing.
+    std::vector<Sphere> spheres{{{}, 1e160}};
+    geometry::grow(*slab, spheres, 0, 1000);
+    EXPECT_EQ(spheres[0].radius, 1e160);
+}
+
+TEST(Growth, ARoundPartThatIsHeldSaysNothingOfTheOther) {
+    const auto solid = two_balls(1, 0.1);
+    for (const Sphere& small : {Sphere{{}, 0.2}, Sphere{{0.2, 0, 0}, 0.01}}) {
+        std::vector<Sphere> spheres{{{1, 0, 0}, 0.1}, small};
+        geometry::grow(*solid, spheres, 0, 100'000);
+        EXPECT_TRUE(certify(*solid, spheres).holds);
+        EXPECT_EQ(spheres[0].radius, 0.1);
+    }
+}
+
+TEST(Shrinking, WhatOthersCoverNeedsNothing) {
+    EXPECT_EQ(needed(*slab, {{{}, 0.5}, {{}, 2}}), 0);
+    EXPECT_EQ(needed(*two_balls(1, 0.1), {{{}, 2}, {{0.5, 0, 0}, 2}}), 0);
+}
+
+TEST(Shrinking, ARoundPartNeedsItsRadiusExactly) {
+    EXPECT_EQ(needed(*primitive_solid({Primitive::Kind::sphere, {}, 0.25, 0}), {{{}, 0.3}}), 0.25);
+    EXPECT_EQ(needed(*primitive_solid({Primitive::Kind::sphere, {}, 0.25, 0}), {{{}, 0.25}}), 0.25);
+    EXPECT_EQ(needed(*primitive_solid({Primitive::Kind::sphere, {}, 3, 0}), {{{}, 5}}), 3);
+    EXPECT_EQ(needed(*two_balls(0.3, 0.1), {{{}, 1}, {{0.3, 0, 0}, 0.1}}), 0.25) << "another holds the second";
+    EXPECT_EQ(needed(*two_balls(0.3, 0.1), {{{0.3, 0, 0}, 1}, {{}, 0.25}}), 0.1) << "another holds the first";
+    const std::vector<Sphere> shared{{{}, 0.9}, {{1.1, 0, 0}, 0.3}, {{0.9, 0, 0}, 0.3}};
+    EXPECT_EQ(needed(*two_balls(1, 0.25), shared), 0.25) << "others share the second";
+    EXPECT_NEAR(needed(*two_balls(0.3, 0.25), {{{}, 0.6}}), 0.55, 1e-9) << "it alone holds both";
+    EXPECT_NEAR(needed(*two_balls(0.3, 0.25), {{{0.3, 0, 0}, 0.6}}), 0.55, 1e-9);
+    const auto with_box = Solid::make({{nullptr, Primitive{Primitive::Kind::sphere, {}, 0.25, 0}, Pose{}},
+                                       {std::make_shared<const Mesh>(box({0.3, 0, 0}, {0.4, 0.1, 0.1})), {}, {}}});
+    EXPECT_NEAR(needed(*with_box, {{{}, 1}}), std::sqrt(0.18), 1e-9) << "what is not round counts, too";
+    // Of the second it holds what another leaves over.
+    const std::vector<Sphere> part{{{}, 0.7}, {{0.8, 0, 0}, 0.3}};
+    const double radius = needed(*two_balls(0.6, 0.25), part);
+    EXPECT_NEAR(radius, 0.678, 0.01);
+    EXPECT_TRUE(certify(*two_balls(0.6, 0.25), std::vector<Sphere>{{{}, radius + 1e-8}, part[1]}).holds);
+}
+
+TEST(Shrinking, WhatIsKnownWhenLooksEndIsKept) {
+    // Nothing, then what pieces of the round parts need, then what the parts need.
+    const auto solid = two_balls(1, 0.25);
+    const std::vector<Sphere> shared{{{}, 0.9}, {{1.1, 0, 0}, 0.3}, {{0.9, 0, 0}, 0.3}};
+    std::size_t unknown = 0, by_pieces = 0, exact = 0;
+    for (std::size_t looks = 0; looks < 10'000 && exact == 0; looks += looks / 20 + 1) {
+        const double radius = needed(*solid, shared, looks);
+        EXPECT_GE(radius, 0.25);
+        EXPECT_LE(radius, 0.9 + 1e-9);
+        (radius == 0.25 ? exact : radius < 0.3 ? by_pieces : unknown) += 1;
+    }
+    EXPECT_GT(unknown, 0u);
+    EXPECT_GT(by_pieces, 0u);
+    EXPECT_GT(exact, 0u);
+}
+
+TEST(Shrinking, NeverGrows) {
+    const std::vector<Sphere> before = twenty_over_slab();
+    std::vector<Sphere> spheres = before;
+    geometry::shrink(*slab, spheres, std::vector<double>(20, 0.1), 0.25, {});
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        EXPECT_LE(spheres[i].radius, before[i].radius) << "the next multiple is above it";
+    }
+    EXPECT_TRUE(certify(*slab, spheres).holds);
 }

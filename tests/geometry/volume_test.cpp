@@ -131,6 +131,10 @@ TEST(ExactUnionVolume, AgreesWithQuadratureOnRandomBalls) {
 TEST(ExactUnionVolume, IgnoresWhatIsNoBall) {
     const std::vector<Sphere> spheres{{{}, 1}, {{}, -3}, {{std::nan(""), 0, 0}, 2}, {{1, 0, 0}, 0}, {{}, std::nan("")}};
     EXPECT_NEAR(exact_union_volume(spheres), 4 / 3.0 * pi, 1e-13);
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const Sphere& none : {Sphere{{9, 0, 0}, -1}, Sphere{{9, 0, 0}, infinity}, Sphere{{9, 0, 0}, -infinity}}) {
+        EXPECT_NEAR(exact_union_volume(std::vector<Sphere>{{{}, 1}, none}), 4 / 3.0 * pi, 1e-13);
+    }
 }
 
 TEST(UnionVolume, IgnoresWhatIsNoBall) {
@@ -172,4 +176,75 @@ TEST(ExactUnionVolume, PartsThatStayedAreTakenOver) {
         EXPECT_EQ(parts.volume(), geometry::UnionParts(balls).volume()) << round;
     }
     EXPECT_EQ(parts.with({}).volume(), 0);
+}
+
+TEST(ExactUnionVolume, TheDirectionIsOfNoConcern) {
+    // Directions of axes, and the one that the closed form turns exactly upwards.
+    const Vec3 upwards{0.5826116723815148, -0.6112908014436207, 0.5356185165537463};
+    Random random(9);
+    for (const Vec3& up : {upwards, -1 * upwards, Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+        const Vec3 aside = normalized(cross(up, Vec3{0.3, 0.2, 0.7})), third = cross(up, aside);
+        const std::vector<Sphere> given{
+            {{}, 1}, {up, 1}, {-0.9 * up, 0.8}, {0.8 * aside + 0.4 * up, 0.9}, {0.7 * third - 0.2 * up, 0.7}};
+        std::vector<Sphere> turned = given;
+        const Pose pose = random_pose(random, 1);
+        for (Sphere& sphere : turned) {
+            sphere.center = pose * sphere.center;
+        }
+        const double volume = exact_union_volume(given);
+        EXPECT_NEAR(volume, exact_union_volume(turned), 1e-12 * volume);
+        EXPECT_NEAR(volume, union_volume(given, 100'000), 1e-3 * volume);
+    }
+}
+
+TEST(ExactUnionVolume, ACircleThroughTheAreasPole) {
+    // The area is integrated about one point of each ball: circles that pass exactly through it, and a last bit beside.
+    for (const Sphere& given :
+         {Sphere{{0.039, 0.487, -0.657}, 0.6454322110710405}, Sphere{{-0.463, 0.038, -0.585}, 0.5877140683164919},
+          Sphere{{-1.07, -0.063, 0.468}, 1.3036355294252158}, Sphere{{0.416, -0.613, -0.642}, 1.5834867409411066}}) {
+        const double d = norm(given.center);
+        for (const double r : {given.radius, std::nextafter(given.radius, 9), std::nextafter(given.radius, 0)}) {
+            const double deep = 1 + r - d;
+            const double lens = pi * deep * deep * (d * d + 2 * d * (1 + r) - 3 * (1 - r) * (1 - r)) / (12 * d);
+            EXPECT_NEAR(exact_union_volume(std::vector<Sphere>{{{}, 1}, {given.center, r}}),
+                        4 / 3.0 * pi * (1 + r * r * r) - lens, 1e-12 * (1 + r * r * r));
+        }
+    }
+}
+
+TEST(ExactUnionVolume, FarFromTheOriginNoDigitIsLost) {
+    // Places that a shift by a power of two does not round.
+    Random random(11);
+    std::vector<Sphere> balls;
+    for (int i = 0; i < 8; ++i) {
+        const auto at = [&] { return std::ldexp(std::round(std::ldexp(random.uniform(), 12)), -12); };
+        balls.push_back({{at(), at(), at()}, random.uniform(0.2, 0.5)});
+    }
+    std::vector<Sphere> away = balls;
+    for (Sphere& ball : away) {
+        ball.center += Vec3{std::ldexp(1, 34), -std::ldexp(1, 33), std::ldexp(1, 35)};
+    }
+    EXPECT_NEAR(exact_union_volume(away), exact_union_volume(balls), 1e-12);
+}
+
+TEST(ExactUnionVolume, BallsThatHardlyTouch) {
+    // Above each other and anyhow, to a last bit, where caps have no width.
+    const Vec3 upwards{0.5826116723815148, -0.6112908014436207, 0.5356185165537463};
+    Random random(10);
+    for (int round = 0; round < 3000; ++round) {
+        const double large = random.uniform(0.5, 2), small = large * std::pow(10, random.uniform(-6, 0));
+        const auto volume = [](double r) { return 4 / 3.0 * pi * r * r * r; };
+        double outside = large + small, inside = large - small;
+        for (int k = 0; k < round % 4; ++k) {
+            outside = std::nextafter(outside, 0);
+            inside = std::nextafter(inside, 9);
+        }
+        Vec3 way = round % 3 == 0 ? random_direction(random) : (round % 8 < 4 ? 1 : -1) * upwards;
+        way[round % 3] = std::nextafter(way[round % 3], random.uniform(-9, 9));
+        const Sphere ball{{}, large};
+        EXPECT_NEAR(exact_union_volume(std::vector<Sphere>{ball, {way * outside, small}}),
+                    volume(large) + volume(small), 1e-12 * volume(large));
+        EXPECT_NEAR(exact_union_volume(std::vector<Sphere>{ball, {way * inside, small}}), volume(large),
+                    1e-12 * volume(large));
+    }
 }

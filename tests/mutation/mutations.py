@@ -174,7 +174,7 @@ class File:
             exits = re.fullmatch(r"(return\b.*|continue|break);( //.*)?", text) and before.startswith(("if (", "} else"))
             acts = re.fullmatch(r"[a-z_][\w.\[\]+ ]*?(->[\w.]+)?(\(.*\)| [-+*/]?= .*);( //.*)?", text) and not re.match(
                 r"(return|throw|const|constexpr|static|auto|std|double|bool|int|using|delete)\b|\w+ \w+", text)
-            acts = acts and not re.match(r"asking_?\.check|check_cancelled", text)  # tests of time limits are for these
+            acts = acts and not re.match(r"asking_?\.check|check_cancelled|.*\.reserve\(", text)  # these are about time
             acts = acts or re.fullmatch(r"(\+\+|--)\w+;", text)
             if exits or acts:
                 begin = at + len(line) - len(line.lstrip())

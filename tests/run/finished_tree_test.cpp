@@ -166,6 +166,15 @@ TEST(FinishedTree, ZeroIsNeverNegative) {
     }
 }
 
+TEST(FinishedTree, OfASolidWithoutSizeTheGridIsANanometre) {
+    const auto point = Solid::make(Mesh{{{0, 0, 0}}, {{0, 0, 0}}});
+    ASSERT_EQ(point->bounds().diagonal(), 0);
+    const FinishedTree finished =
+        finished_tree(*point, flat_tree({{{0.1234567894, -0.1234567894, 0}, 0.3000000004}}), Guarantee::outer, false);
+    EXPECT_EQ(finished.tree.finest()[0].center, (Vec3{0.123456789, -0.123456789, 0}));
+    EXPECT_EQ(finished.tree.finest()[0].radius, 0.300000001);
+}
+
 TEST(FinishedTree, EveryLevelCovers) {
     const auto solid = cube(1);
     SphereTree tree;
@@ -232,6 +241,8 @@ TEST(FinishedTree, OneSphereInsteadOfWorseOnes) {
     // Many that overlap: their sum is large, what they take together is not.
     EXPECT_FALSE(finished_tree(*solid, flat_tree({good[0], good[0], good[0]}), Guarantee::outer).one_instead);
     EXPECT_NEAR(cost_volume(*solid, wide, Guarantee::outer), least - 1, 1e-6);
+    EXPECT_NEAR(cost_volume(*solid, {{{}, 0.1}}, Guarantee::outer), least - 1, 1e-6) << "of what covers it";
+    EXPECT_NEAR(cost_volume(*cube(0.5), wide, Guarantee::outer), (least - 1) / 8, 1e-6);
     EXPECT_NEAR(cost_volume(*solid, good, Guarantee::outer), volume(good[0].radius) - 1, 1e-9);
     EXPECT_NEAR(cost_volume(*solid, {{{}, 0.6}, {{5, 0, 0}, 0.5}}, Guarantee::inner), 1 - volume(0.5), 1e-9);
     EXPECT_NEAR(cost_volume(*solid, {{{0.1, 0, 0}, 0.6}, {{0.3, 0, 0}, 0.1}}, Guarantee::inner), 1 - volume(0.4), 1e-9);

@@ -130,7 +130,7 @@ bool CreaseCuts::cut(const Polygon& polygon, const Pair& pair) {
         whole = whole && (here <= 0 ? first : second).add(polygon, k);
         if ((here <= 0) != (next <= 0)) {
             const double share = here / (here - next);
-            whole = whole && share >= 0 && share <= 1 && first.add(polygon, k, share) && second.add(polygon, k, share);
+            whole = whole && share <= 1 && first.add(polygon, k, share) && second.add(polygon, k, share);
             ++crossings;
         }
     }

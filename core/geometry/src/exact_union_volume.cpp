@@ -19,18 +19,18 @@ constexpr double pi = std::numbers::pi;
 /// The part of a unit sphere that another ball hides: the points p with p · axis > height.
 struct Cap {
     Vec3 axis;
-    double height = 0;
+    double height;
 };
 
 /// Angles from `begin` to `end`, within [−π, π].
 struct Interval {
-    double begin = 0, end = 0;
+    double begin, end;
 };
 
 /// The circle around a cap: axis · height + width · (u cos t + v sin t), t from −π to π. The third component of v is 0.
 struct Circle {
     explicit Circle(const Cap& cap)
-        : axis(cap.axis), height(cap.height), width(std::sqrt(std::max(0.0, (1 - height) * (1 + height)))) {
+        : axis(cap.axis), height(cap.height), width(std::sqrt((1 - height) * (1 + height))) {
         const double level = std::hypot(axis.x, axis.y);
         v = level > 0 ? Vec3{-axis.y / level, axis.x / level, 0} : Vec3{0, 1, 0};
         u = cross(v, axis);
@@ -60,7 +60,7 @@ bool add_hidden(const Circle& circle, const Cap& cap, bool first, std::vector<In
     if (depth <= -amplitude) {
         return true;
     }
-    const double middle = std::atan2(b, a), half = std::acos(std::clamp(-depth / amplitude, -1.0, 1.0));
+    const double middle = std::atan2(b, a), half = std::acos(-depth / amplitude);
     const double begin = middle - half, end = middle + half;
     if (begin < -pi) {
         hidden.push_back({-pi, end});
@@ -86,8 +86,9 @@ struct Exposed : ExposedPart {
         // A = ∮ (x dy − y dx) / (1 + z), z = p · (0, 0, 1), is −height ∫ dt + (axis.z + height) ∫ dt / (1 + z), where
         // 1 + z = C + D cos t.
         const double constant = 1 + c.axis.z * c.height, slope = c.width * c.u.z;
-        const double sign = c.axis.z + c.height > 0 ? 1 : c.axis.z + c.height < 0 ? -1 : 0;
-        const double ratio = std::sqrt(std::max(0.0, constant - slope) / std::max(constant + slope, 1e-300));
+        const double sign = c.axis.z + c.height < 0 ? -1 : 1; // a cap whose edge meets the pole does not hide it
+        // A circle without width about the pole has a ratio of 1.
+        const double ratio = std::sqrt(std::max(constant - slope, 1e-300) / std::max(constant + slope, 1e-300));
         const auto primitive = [&](double t) { return 2 * std::atan2(ratio * std::sin(t / 2), std::cos(t / 2)); };
         area -= -c.height * angle + sign * (primitive(arc.end) - primitive(arc.begin));
     }

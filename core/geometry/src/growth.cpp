@@ -76,8 +76,8 @@ private:
         bool operator<(const Entry& other) const { return gap != other.gap ? gap < other.gap : number > other.number; }
     };
     struct Bounds {
-        bool held = false;
-        double lower = 0, upper = 0; // bounds of the gap
+        bool held;
+        double lower, upper; // bounds of the gap
     };
 
     void push(const Piece& piece, double gap) { queue_.push({gap, made_++, piece}); }

@@ -59,7 +59,7 @@ public:
 
     /// Returns the largest radius up to `most` that is proved; 0 if it is below `least`.
     double radius(const Vec3& p, double least, double most) const {
-        const double free = std::min(distance(p, most), most);
+        const double free = distance(p, most);
         if (!(free > least)) {
             return 0;
         }
@@ -73,7 +73,7 @@ public:
     }
 
 private:
-    /// Returns a lower bound of the distance to the surface where it is below `most`.
+    /// Returns a lower bound of the distance to the surface where that is below `most`, and else `most`.
     double distance(const Vec3& p, double most) const {
         double nearest = most;
         const auto is_nearer = [&](const BvhNode& node) {
@@ -116,7 +116,7 @@ public:
         const double most = sphere.radius + slack;
         double radius = 0;
         for (const PrimitivePart& part : primitives_) {
-            radius = std::max(radius, std::min(most, -part.signed_distance(sphere.center)));
+            radius = std::max(radius, -part.signed_distance(sphere.center));
         }
         for (const MeshRoom& mesh : meshes_) {
             if (radius < most) {

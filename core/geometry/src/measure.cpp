@@ -19,7 +19,7 @@ void set_ratios(Measures& m) {
         const double of_solid = m.volume_error > 0 ? factor * m.volume_error * m.volume_error : 0;
         return ratio(std::sqrt(of_volume * of_volume + of_solid), m.volume, 0);
     };
-    m.excess_error = error(m.excess_volume_error, m.volume > 0 ? m.excess * (m.excess + 2) : 0);
+    m.excess_error = error(m.excess_volume_error, m.excess * (m.excess + 2));
     m.missing_error = error(m.missing_volume_error, m.missing * m.missing);
 }
 

@@ -76,8 +76,8 @@ Estimate left_out(const Solid& solid, std::span<const Sphere> balls, bool covere
     return along_lines(box, balls, lines, seed, [&](const Vec3& origin, int axis, const Intervals& in_balls) {
         Intervals parts;
         if (!between_only) {
-            const Solid::Interval all{0, box.size()[axis]};
-            without(std::span(&all, 1), in_balls, noise, parts);
+            const std::array all{Solid::Interval{0, box.size()[axis]}};
+            without(all, in_balls, noise, parts);
         }
         for (std::size_t i = 1; between_only && i < in_balls.size(); ++i) {
             parts.push_back({in_balls[i - 1].leave, in_balls[i].enter});

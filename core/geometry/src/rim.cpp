@@ -2,6 +2,7 @@
 
 #include <foam/base/cancellation.hpp>
 
+#include <algorithm>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -14,7 +15,7 @@ constexpr double longest_piece = 1.0 / 64;
 
 using Key = std::array<double, 3>;
 Key key(const Vec3& v) {
-    return {v.x + 0.0, v.y + 0.0, v.z + 0.0}; // -0 is 0
+    return {v.x, v.y, v.z};
 }
 
 double distance_to_segment(const Vec3& a, const Vec3& b, const Vec3& p) {
@@ -34,7 +35,7 @@ Rim::Rim(const std::vector<Corners>& triangles) {
             box.add(from);
             const Key a = key(from), b = key(to);
             if (a != b) {
-                balance[a < b ? std::pair(a, b) : std::pair(b, a)] += a < b ? 1 : -1;
+                balance[std::minmax(a, b)] += a < b ? 1 : -1;
             }
         }
     }
@@ -56,9 +57,6 @@ Rim::Rim(const std::vector<Corners>& triangles) {
 double Rim::radius_above_half(const Vec3& p, double winding, double free) const {
     if (!(winding > 0.5)) {
         return 0;
-    }
-    if (edges_.empty()) {
-        return free;
     }
     struct Source {
         double length, distance;

@@ -34,7 +34,7 @@ public:
         while (!queue_.empty() && queue_.front().far > need_) {
             asking.check();
             if (looks_ == 0) {
-                return std::max(need_, limit_);
+                return limit_;
             }
             --looks_;
             std::pop_heap(queue_.begin(), queue_.end());
@@ -48,7 +48,7 @@ public:
 private:
     /// Indices of candidates, [begin, end) among candidates_.
     struct Range {
-        std::size_t begin = 0, end = 0;
+        std::size_t begin, end;
     };
     struct Part {
         Piece piece;
@@ -110,7 +110,7 @@ private:
             }
         }
         if (size_of(piece) <= smallest_piece * balls_.extent() || piece.level >= growth_halvings) {
-            need_ = std::max(need_, entry.far);
+            need_ = entry.far;
             return;
         }
         if (entry.far > need_) {
