@@ -22,8 +22,9 @@ namespace fs = std::filesystem;
 struct Kind {
     const char *name, *templates, *noun;
 };
-constexpr std::array<Kind, 7> kinds{{{"load", "load", "Loader"},
+constexpr std::array<Kind, 8> kinds{{{"load", "load", "Loader"},
                                      {"read", "read", "Reader"},
+                                     {"refine", "refine", "Refiner"},
                                      {"repair", "filter", "Filter"},
                                      {"simplify", "filter", "Filter"},
                                      {"smooth", "filter", "Filter"},
@@ -124,7 +125,8 @@ void write_project(const fs::path& folder, const Project& project) {
     for (const fs::path& source : {project.templates.parent_path() / "common", project.templates}) {
         for (const fs::directory_entry& entry : fs::directory_iterator(source)) {
             std::string name = entry.path().filename().string();
-            if (name == "more.md") {
+            const bool replaced = source != project.templates && fs::exists(project.templates / name);
+            if (name == "more.md" || replaced) {
                 continue;
             }
             name = name == "gitignore" ? ".gitignore" : name == "part.txt" ? "part." + project.method : name;
@@ -179,7 +181,7 @@ void add_new_plugin(Program& program) {
     auto stage = std::make_shared<std::string>(), directory = std::make_shared<std::string>();
     command
         ->add_option("stage", *stage,
-                     "Name of the stage, kind.method; kinds: load (meshes), read (sphere models), repair, simplify, smooth, spherize, write")
+                     "Name of the stage, kind.method; kinds: load (meshes), read (sphere models), refine (spheres), repair, simplify, smooth, spherize, write")
         ->type_name("STAGE")
         ->required();
     command->add_option("--dir", *directory, "Folder of the project; default: ./KIND_METHOD")->type_name("DIR");

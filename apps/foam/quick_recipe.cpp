@@ -126,6 +126,13 @@ QuickRecipe quick_recipe(const std::filesystem::path& input, const std::string& 
         }
     }
     recipe.text += fmt::format("  - {}: {{}}\n", spheres.name);
+    for (const char* refiner : {"refine.fit", "refine.clip", "refine.row", "refine.split"}) {
+        if (registry.find(refiner)) {
+            recipe.text += fmt::format("  - {}: {{}}\n", refiner);
+        } else {
+            recipe.left_out.emplace_back(refiner);
+        }
+    }
     if (const std::string text = budget_text(budget); !text.empty()) {
         recipe.text += fmt::format("budget: {{{}}}   # for the whole robot\n", text);
     }

@@ -30,7 +30,7 @@ TEST_F(Cli, NewPluginRefusesBadNames) {
     };
     EXPECT_EQ(refusal("sphereize.mine"),
               "foam: error: unknown kind 'sphereize'; did you mean 'spherize.mine'?; there are: "
-              "load, read, repair, simplify, smooth, spherize, write\n");
+              "load, read, refine, repair, simplify, smooth, spherize, write\n");
     EXPECT_EQ(refusal("mine"),
               "foam: error: 'mine' is not of the form kind.method (lower-case letters, digits, _), e.g. "
               "spherize.mine\n");

@@ -75,7 +75,7 @@ TEST_P(FittedPanda, IsWrongByAFifthLessThanMorphIt) {
     write_robot(own.path() / "meshes.urdf", folder);
     const RunResult result =
         run_text("robot: {urdf: '" + (own.path() / "meshes.urdf").string() +
-                     "'}\nstages: [spherize.cover]\nguarantee: fitted\nlinks: {'*': {max_spheres: " +
+                     "'}\nstages: [spherize.cover, refine.fit]\nguarantee: fitted\nlinks: {'*': {max_spheres: " +
                      std::to_string(GetParam()) + "}}\n",
                  registry, own.path() / "out");
     const Figures theirs = morphit(table, GetParam());

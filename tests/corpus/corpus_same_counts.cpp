@@ -80,7 +80,7 @@ TEST_P(SameCounts, ClaimsNoMoreThanTheOriginal) {
     const RunResult result = run_text(
         "robot: {urdf: '" + urdf.string() +
             "'}\nstages: [repair.auto, simplify.quadric, smooth.humphrey, spherize.medial]\nlinks:\n" + budgets,
-        registry, folder.path() / "out", true);
+        registry, folder.path() / "out");
     const Figures original = figures_of(runs / "results.csv", reference);
     std::cout << std::fixed << std::setprecision(3) << "| " << reference.robot << " " << reference.setting << " | "
               << result.total.spheres << " | " << original.excess << " | " << result.total.excess << " | "

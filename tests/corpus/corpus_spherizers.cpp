@@ -38,7 +38,7 @@ TEST_P(CorpusSpherizer, CoversEveryLinkWithFourSpheres) {
     Registry registry;
     registry.load_directory(FOAM_TEST_PLUGINS);
     const RunResult result = run_text("robot: {urdf: '" + file.string() + "'}\nstages: [" + spherizer +
-                                          "]\nlinks: {'*': {max_spheres: 4}}\n",
+                                          ", refine.row, refine.split]\nlinks: {'*': {max_spheres: 4}}\n",
                                       registry, folder.path() / "out");
     EXPECT_TRUE(result.certified);
     EXPECT_FALSE(result.links_lost);

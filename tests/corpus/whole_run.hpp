@@ -10,8 +10,7 @@
 namespace foam {
 
 /// Runs a recipe of which the version, the name and the outputs corpus.urdf and corpus.json are given.
-inline RunResult run_text(const std::string& rest, Registry& registry, const std::filesystem::path& out,
-                          bool numbers_as_asked = false) {
+inline RunResult run_text(const std::string& rest, Registry& registry, const std::filesystem::path& out) {
     const std::string text = "foam: 1\nname: corpus\n" + rest +
                              "outputs: [write.urdf: {file: corpus.urdf}, write.json: {file: corpus.json}]\n";
     const RecipeResult recipe = parse_recipe(text, {}, registry);
@@ -21,7 +20,6 @@ inline RunResult run_text(const std::string& rest, Registry& registry, const std
     RunOptions options;
     options.out = out;
     options.fresh = true;
-    options.numbers_as_asked = numbers_as_asked;
     return run(recipe.recipes.at(0), registry, options);
 }
 
@@ -31,7 +29,7 @@ inline RunResult spherized(Registry& registry, const std::filesystem::path& file
     const bool robot = file.extension() == ".urdf";
     const std::string input = "'" + file.string() + "'";
     return run_text((robot ? "robot: {urdf: " + input + "}\n" : "mesh: " + input + "\n") +
-                        "stages: [repair.auto, simplify.quadric, smooth.humphrey, spherize.medial]\n"
+                        "stages: [repair.auto, simplify.quadric, smooth.humphrey, spherize.medial, refine.row, refine.split]\n"
                         "budget: {spheres: " +
                         std::to_string(spheres) + "}\n",
                     registry, out);

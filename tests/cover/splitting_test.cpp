@@ -1,9 +1,9 @@
 // Covers that grow by a sphere at a time.
-#include <foam/geometry/internal/joint_volume.hpp>
+#include <foam/geometry/joint_volume.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/geometry/union_volume.hpp>
 #include <foam/runtime/contract.hpp>
-#include <foam/search/internal/splitting.hpp>
+#include <foam/search/splitting.hpp>
 
 #include <gtest/gtest.h>
 

@@ -15,7 +15,7 @@ import sys
 import recipe_reference
 
 KINDS = {"robot loader": "Robot loaders", "mesh loader": "Mesh loaders", "mesh filter": "Mesh filters",
-         "spherizer": "Spherizers", "writer": "Writers", "renderer": "Renderers", "model reader": "Readers of sphere models"}
+         "spherizer": "Spherizers", "refiner": "Refiners", "writer": "Writers", "renderer": "Renderers", "model reader": "Readers of sphere models"}
 MADE = "<!-- Made from the program by tests/docs/reference.py: FOAM_TEST_UPDATE=1 ./foam test -R docs.reference -->\n"
 
 

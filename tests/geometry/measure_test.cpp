@@ -2,7 +2,7 @@
 #include "geometry/shapes.hpp"
 
 #include <foam/base/parallel.hpp>
-#include <foam/geometry/internal/joint_volume.hpp>
+#include <foam/geometry/joint_volume.hpp>
 #include <foam/geometry/internal/measure_parts.hpp>
 #include <foam/geometry/measure.hpp>
 

@@ -1,7 +1,7 @@
 // Rows of balls around cylinders and capsules: they cover, the volume is right, no smaller row covers.
 #include "geometry/shapes.hpp"
 
-#include <foam/geometry/internal/row_cover.hpp>
+#include <foam/geometry/row_cover.hpp>
 #include <foam/geometry/measure.hpp>
 
 #include <gtest/gtest.h>

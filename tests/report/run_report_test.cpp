@@ -109,7 +109,8 @@ TEST_F(ReportOfRun, ALinkThatIsLeftOutHasNoFigures) {
 }
 
 TEST_F(ReportOfRun, WithoutAGuaranteeItSaysSo) {
-    const std::string html = report_of(recipe("stages: [spherize.grid]\nbudget: {spheres: 9}\nguarantee: fitted\n"));
+    const std::string html =
+        report_of(recipe("stages: [spherize.grid, refine.fit]\nbudget: {spheres: 9}\nguarantee: fitted\n"));
     EXPECT_THAT(html, HasSubstr("<p class=\"verdict plain\">No guarantee was asked for"));
     EXPECT_THAT(html, Not(HasSubstr("foam certify")));
 }

@@ -5,7 +5,7 @@
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/inner.hpp>
-#include <foam/geometry/internal/joint_volume.hpp>
+#include <foam/geometry/joint_volume.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/internal/cover.hpp>
 

@@ -190,7 +190,7 @@ TEST_F(Run, ACylinderTakesTheRowOfSpheresWhereItClaimsLess) {
     <geometry><cylinder radius="0.05" length="1"/></geometry></collision></link>
 </robot>
 )");
-    Recipe pole = recipe("stages: [spherize.voxel]\nlinks: {pole: {max_spheres: 10}}\n");
+    Recipe pole = recipe("stages: [spherize.voxel, refine.row]\nlinks: {pole: {max_spheres: 10}}\n");
     pole.urdf = {"pole.urdf"};
     const RunResult result = run(pole, registry, options());
     EXPECT_TRUE(result.certified);

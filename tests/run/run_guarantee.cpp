@@ -15,8 +15,9 @@ TEST_F(Run, GrowsWhatASpherizerLeavesOpen) {
 }
 
 TEST_F(Run, FittedSpheresNeitherClaimNorMissMuch) {
-    const RunResult result = run(
-        recipe("stages: [spherize.misbehaving: {how: small, link: base}]\nguarantee: fitted\n"), registry, options());
+    const RunResult result =
+        run(recipe("stages: [spherize.misbehaving: {how: small, link: base}, refine.fit]\nguarantee: fitted\n"),
+            registry, options());
     EXPECT_FALSE(result.certified);
     const Measures& base = result.links[0].measures;
     EXPECT_GT(base.gap, 0.03);

@@ -10,7 +10,7 @@ protected:
 
     RunResult made(const std::string& parameters, const std::string& rest = "") {
         return run(recipe("stages: [spherize.aiming: {" + parameters +
-                          "}]\nlinks: {tip: {skip: true}}\nbudget: {spheres: 8}\n" + rest),
+                          "}, refine.split]\nlinks: {tip: {skip: true}}\nbudget: {spheres: 8}\n" + rest),
                    registry, options());
     }
     std::string written(const std::string& parameters, const std::string& rest = "") {

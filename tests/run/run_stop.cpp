@@ -145,7 +145,8 @@ TEST_F(Run, ATimeLimitThatDoesNotComeChangesNothing) {
 }
 
 TEST_F(Run, ATimeLimitInBetweenKeepsTheStepsOfOneLink) {
-    const Recipe r = recipe("stages: [spherize.grid]\nlinks: {tip: {skip: true}}\nbudget: {spheres: 100}\n");
+    const Recipe r =
+        recipe("stages: [spherize.grid, refine.split]\nlinks: {tip: {skip: true}}\nbudget: {spheres: 100}\n");
     StopAfter observer("spherize.grid", 6); // of 1, 2 and so on
     RunOptions o = options();
     o.observer = &observer;

@@ -6,7 +6,7 @@
 #include <foam/base/error.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/contract.hpp>
-#include <foam/search/internal/clip.hpp>
+#include <foam/search/clip.hpp>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -30,8 +30,8 @@ protected:
     }
 
     RunResult run_with(const std::string& spherizer, const std::string& rest) {
-        return run(recipe_of("name: foot\nrobot: {urdf: foot.urdf}\nstages: [" + spherizer + "]\n" + rest +
-                             "\noutputs: [write.urdf: {file: foot.urdf}]\n"),
+        return run(recipe_of("name: foot\nrobot: {urdf: foot.urdf}\nstages: [" + spherizer +
+                             ", refine.fit, refine.clip]\n" + rest + "\noutputs: [write.urdf: {file: foot.urdf}]\n"),
                    registry, options());
     }
     std::vector<Sphere> written() const { return spheres_in("out/foot.urdf").at("foot"); }
@@ -131,11 +131,11 @@ links: {foot: {clip: [{normal: [0, 0, -1], reach: 0.002}, {normal: [0, 0, 1], of
     ASSERT_EQ(result.findings.size(), not_kept);
     EXPECT_EQ(result.findings[0].link, "foot");
     EXPECT_EQ(result.findings[0].severity, Severity::warning);
-    EXPECT_THAT(
-        result.findings[0].message,
-        testing::ContainsRegex("^its spheres reach 0\\.[0-9]+ m beyond plane [12] of 'clip' \\(normal .*\\), "
-                               "reach allows 0\\.002 m; remedy: more spheres for the robot or for this link, or "
-                               "a larger reach$"));
+    EXPECT_THAT(result.findings[0].message,
+                testing::ContainsRegex(
+                    "^its spheres reach 0\\.[0-9]+ m beyond plane [12] of 'clip' \\(normal .*\\), "
+                    "reach allows 0\\.002 m; remedy: refine.clip after the spherizer, more spheres for the robot or "
+                    "for this link, or a larger reach$"));
 }
 
 TEST(CoveringWithin, EverySampleSolidFromEverySide) {

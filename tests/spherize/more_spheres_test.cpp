@@ -22,12 +22,11 @@ protected:
     }
 
     /// With the trees of earlier calls in a cache of the test's own.
-    std::vector<Sphere> written(const std::string& budget, bool numbers_as_asked = false) {
+    std::vector<Sphere> written(const std::string& budget, const std::string& refiners = ", refine.row, refine.split") {
         RunOptions with = options();
         with.fresh = false;
         with.cache = folder.path() / "cache";
-        with.numbers_as_asked = numbers_as_asked;
-        const Recipe recipe = recipe_of("name: hook\nrobot: {urdf: hook.urdf}\nstages: [" + GetParam() + "]\n" +
+        const Recipe recipe = recipe_of("name: hook\nrobot: {urdf: hook.urdf}\nstages: [" + GetParam() + refiners + "]\n" +
                                         budget + "\noutputs: [write.urdf: {file: hook.urdf}]\n");
         EXPECT_TRUE(run(recipe, registry, with).certified) << budget;
         return spheres_in("out/hook.urdf").at("hook");
@@ -54,7 +53,7 @@ TEST_P(MoreSpheres, AreTheSameByTheLinkAndByTheBudget) {
 
 TEST_P(MoreSpheres, OrWhatTheSpherizerSaysToTheNumber) {
     const std::string budget = "links: {hook: {max_spheres: 11}}";
-    const std::vector<Sphere> said = written(budget, true);
+    const std::vector<Sphere> said = written(budget, "");
     EXPECT_LE(said.size(), 11u);
     if (GetParam() == "spherize.medial") { // 8 of its spheres with three of them split are others
         EXPECT_NE(said, written(budget));

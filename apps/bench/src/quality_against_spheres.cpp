@@ -118,7 +118,6 @@ private:
         Recipe recipe = recipe_of(robot, method);
         RunOptions options;
         options.cancel = bench.cancel();
-        options.numbers_as_asked = true;
         Journal journal(nullptr);
         const Cache no_cache{{}};
         const Workspace workspace{recipe, bench.registry(), options, journal, no_cache};

@@ -1,4 +1,4 @@
-#include <foam/geometry/internal/row_cover.hpp>
+#include <foam/geometry/row_cover.hpp>
 
 #include <numbers>
 

@@ -3,6 +3,7 @@
 #include "format.hpp"
 
 #include <foam/recipe/internal/extend.hpp>
+#include <foam/recipe/internal/keys.hpp>
 
 #include <fmt/format.h>
 
@@ -27,17 +28,28 @@ std::string default_name(const std::filesystem::path& file) {
 }
 
 /// Explains keys that are one level deeper than people often write them.
-void refuse_unknown_top_level_keys(const Value& root, const Checking& checking) {
-    static constexpr std::pair<std::string_view, std::string_view> homes[] = {
-        {"spheres", "budget: {spheres: …}"},  {"max_protrusion", "budget: {max_protrusion: …}"},
-        {"excess", "budget: {excess: …}"},    {"weight", "links: {…: {weight: …}}"},
-        {"urdf", "robot: {urdf: …}"},         {"pose", "snapshots: {pose: …}"},
-        {"size", "snapshots: {size: …}"},     {"renderer", "snapshots: {renderer: …}"},
-        {"skip", "links: {…: {skip: true}}"}, {"min_spheres", "links: {…: {min_spheres: …}}"},
-        {"meshes", "debug: {meshes: true}"},  {"max_spheres", "links: {…: {max_spheres: …}}"},
+/// Returns where keys belong that are not at the top level.
+std::map<std::string, std::string> homes_of_keys() {
+    std::map<std::string, std::string> homes{{"urdf", "robot: {urdf: …}"},
+                                             {"pose", "snapshots: {pose: …}"},
+                                             {"size", "snapshots: {size: …}"},
+                                             {"renderer", "snapshots: {renderer: …}"}};
+    const auto add = [&](const std::vector<Parameter>& keys, std::string_view home) {
+        for (const Parameter& key : keys) {
+            const char* example = key.type == Parameter::Type::boolean ? "true" : "…";
+            homes.emplace(key.name, fmt::format(fmt::runtime(home), fmt::format("{}: {}", key.name, example)));
+        }
     };
+    add(declarations_of(budget_keys()), "budget: {{{}}}");
+    add(declarations_of(link_keys()), "links: {{…: {{{}}}}}");
+    add(declarations_of(debug_keys()), "debug: {{{}}}");
+    return homes;
+}
+
+void refuse_unknown_top_level_keys(const Value& root, const Checking& checking) {
+    const std::map<std::string, std::string> homes = homes_of_keys();
     std::vector<std::string> known = top_level_structures();
-    for (const Parameter& p : top_level_values()) {
+    for (const Parameter& p : declarations_of(top_level_keys())) {
         known.push_back(p.name);
     }
     for (const Parameter& p : isolation_values()) {
@@ -46,9 +58,8 @@ void refuse_unknown_top_level_keys(const Value& root, const Checking& checking) 
     Value rest;
     rest.kind = Value::Kind::map;
     for (const Key& key : root.keys) {
-        const auto home =
-            std::find_if(std::begin(homes), std::end(homes), [&](const auto& h) { return h.first == key.text; });
-        if (home != std::end(homes)) {
+        const bool is_known = std::find(known.begin(), known.end(), key.text) != known.end();
+        if (const auto home = homes.find(key.text); home != homes.end() && !is_known) {
             checking.findings.error(key.where, "unknown-key",
                                     fmt::format("{} does not belong at the top level; remedy: write {}",
                                                 in_quotes(key.text), home->second));
@@ -88,34 +99,30 @@ bool read_large_seed(const Value& value, std::uint64_t& seed) {
 }
 
 void check_plain_values(const Value& root, Recipe& recipe, Findings& findings) {
-    std::map<std::string, std::string> words;
-    for (const Parameter& p : top_level_values()) {
-        const Value* value = root.find(p.name);
-        if (!value || (p.name == "seed" && read_large_seed(*value, recipe.seed))) {
+    for (const KeyOf<Recipe>& key : top_level_keys()) {
+        const std::string& name = key.declared.name;
+        const Value* value = root.find(name);
+        if (!value || (name == "seed" && read_large_seed(*value, recipe.seed))) {
             continue;
         }
-        if (const auto read = read_value(*value, p, "", findings)) {
-            if (p.name == "seed") {
-                recipe.seed = static_cast<std::uint64_t>(std::get<std::int64_t>(*read));
-            } else if (p.name == "unit") {
-                recipe.mesh_unit.unit = std::get<std::string>(*read);
-            } else if (p.name == "scale") {
-                recipe.mesh_unit.scale = std::get<double>(*read);
-            } else if (p.name == "strict") {
-                recipe.strict = std::get<bool>(*read);
-            } else {
-                words[p.name] = std::get<std::string>(*read);
-            }
+        if (const auto read = read_value(*value, key.declared, "", findings)) {
+            key.set(recipe, *read);
         }
     }
-    recipe.name = words["name"];
-    recipe.per_link = words["per"] != "collision";
-    recipe.guarantee = words["guarantee"] == "fitted"  ? Guarantee::fitted
-                       : words["guarantee"] == "inner" ? Guarantee::inner
-                                                       : Guarantee::outer;
-    recipe.on_error = words["on_error"] == "skip"       ? OnError::skip
-                      : words["on_error"] == "fallback" ? OnError::fallback
-                                                        : OnError::stop;
+}
+
+/// Reads a map of keys with plain values.
+void check_values(const Value& map, const std::string& name, const char* example,
+                  const std::vector<KeyOf<Recipe>>& keys, Recipe& recipe, Findings& findings) {
+    if (!expect_map(map, name, example, findings)) {
+        return;
+    }
+    const auto values = read_values(map, declarations_of(keys), name, {}, findings);
+    for (const KeyOf<Recipe>& key : keys) {
+        if (const auto it = values.find(key.declared.name); it != values.end()) {
+            key.set(recipe, it->second);
+        }
+    }
 }
 
 void check_input(const Value& root, Recipe& recipe, Findings& findings) {
@@ -161,25 +168,6 @@ void check_unit(const Value& root, const Recipe& recipe, const Checking& checkin
     }
 }
 
-void check_budget(const Value& budget, Recipe& recipe, Findings& findings) {
-    if (!expect_map(budget, "budget", "budget: {spheres: 22}", findings)) {
-        return;
-    }
-    const auto values = read_values(budget, budget_values(), "budget", {}, findings);
-    if (const auto it = values.find("spheres"); it != values.end()) {
-        recipe.budget_spheres = static_cast<std::size_t>(std::get<std::int64_t>(it->second));
-    }
-    if (const auto it = values.find("excess"); it != values.end()) {
-        recipe.budget_excess = std::get<double>(it->second);
-    }
-    if (const auto it = values.find("time_limit"); it != values.end()) {
-        recipe.budget_time_limit = std::get<double>(it->second);
-    }
-    if (const auto it = values.find("max_protrusion"); it != values.end()) {
-        recipe.budget_max_protrusion = std::get<double>(it->second);
-    }
-}
-
 void check_self_collision(const Value& value, const Value& root, Recipe& recipe, Findings& findings) {
     if (value.is(Value::Kind::boolean)) {
         recipe.self_collision = value.flag;
@@ -220,15 +208,6 @@ void refuse_outer_keys(const Value& root, const Recipe& recipe, Findings& findin
     if (recipe.on_error == OnError::fallback) {
         findings.error(root.find_key("on_error")->where, "conflict",
                        "a bounding sphere cannot replace a link with guarantee: inner; remedy: on_error: stop or skip");
-    }
-}
-
-void check_debug(const Value& debug, Recipe& recipe, Findings& findings) {
-    if (!expect_map(debug, "debug", "debug: {meshes: true, snapshots: true}", findings)) {
-        return;
-    }
-    for (const auto& [key, value] : read_values(debug, debug_values(), "debug", {}, findings)) {
-        (key == "meshes" ? recipe.debug_meshes : recipe.debug_snapshots) = std::get<bool>(value);
     }
 }
 
@@ -295,14 +274,14 @@ Recipe check_recipe(const Value& root, const std::filesystem::path& file, const 
         recipe.plugins = read_references(*plugins, "plugins", findings);
     }
     if (const Value* budget = root.find("budget")) {
-        check_budget(*budget, recipe, findings);
+        check_values(*budget, "budget", "budget: {spheres: 22}", budget_keys(), recipe, findings);
     }
     if (const Value* self_collision = root.find("self_collision")) {
         check_self_collision(*self_collision, root, recipe, findings);
     }
     refuse_outer_keys(root, recipe, findings);
     if (const Value* debug = root.find("debug")) {
-        check_debug(*debug, recipe, findings);
+        check_values(*debug, "debug", "debug: {meshes: true, snapshots: true}", debug_keys(), recipe, findings);
     }
     recipe.isolation = read_isolation(root, "", findings);
     refuse_idle_limits(root, recipe.isolation, "", findings);

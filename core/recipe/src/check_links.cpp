@@ -3,6 +3,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/recipe/internal/check.hpp>
+#include <foam/recipe/internal/keys.hpp>
 
 #include <fmt/format.h>
 
@@ -18,6 +19,9 @@ std::vector<std::string> chain_of(const Recipe& recipe) {
     }
     if (!recipe.spherizer.stage.empty()) {
         names.push_back(recipe.spherizer.stage);
+    }
+    for (const StageCall& refiner : recipe.refiners) {
+        names.push_back(refiner.stage);
     }
     return names;
 }
@@ -61,8 +65,8 @@ void read_stage_override(const Key& key, const Value& value, const Recipe& recip
     }
     if (!item.stage) {
         std::vector<std::string> known = chain;
-        for (const Parameter& p : link_values()) {
-            known.push_back(p.name);
+        for (const LinkKey& known_key : link_keys()) {
+            known.push_back(known_key.declared.name);
         }
         known.emplace_back("clip");
         checking.findings.error(
@@ -153,29 +157,20 @@ LinkOverride read_override(const Key& glob, const Value& map, const Recipe& reci
                         "for one of a set",
                         in_quotes(glob.text)));
     }
-    const std::vector<Parameter> declared = link_values();
     for (std::size_t i = 0; i < map.keys.size(); ++i) {
         const Key& key = map.keys[i];
-        const auto p =
-            std::find_if(declared.begin(), declared.end(), [&](const Parameter& d) { return d.name == key.text; });
+        const auto known = std::find_if(link_keys().begin(), link_keys().end(),
+                                        [&](const LinkKey& k) { return k.declared.name == key.text; });
         if (key.text == "clip") {
             refuse_idle_key(key, recipe, checking.findings);
             link.clip = read_clip(map.items[i], checking.findings);
-            continue;
-        }
-        if (p == declared.end()) {
+        } else if (known == link_keys().end()) {
             read_stage_override(key, map.items[i], recipe, link, checking);
-            continue;
-        }
-        refuse_idle_key(key, recipe, checking.findings);
-        const auto read = read_value(map.items[i], *p, "link " + glob.text, checking.findings);
-        if (read && key.text == "skip") {
-            link.skip = std::get<bool>(*read);
-        } else if (read && p->type == Parameter::Type::number) {
-            (key.text == "weight" ? link.weight : link.max_protrusion) = std::get<double>(*read);
-        } else if (read) {
-            (key.text == "min_spheres" ? link.min_spheres : link.max_spheres) =
-                static_cast<std::size_t>(std::get<std::int64_t>(*read));
+        } else {
+            refuse_idle_key(key, recipe, checking.findings);
+            if (const auto read = read_value(map.items[i], known->declared, "link " + glob.text, checking.findings)) {
+                known->set(link, *read);
+            }
         }
     }
     return link;

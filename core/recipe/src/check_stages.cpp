@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace foam::inline recipe::reading {
 namespace {
 
@@ -15,7 +17,9 @@ std::string home_of(StageKind kind) {
     case StageKind::mesh_filter:
         return "it belongs in 'stages', before the spherizer";
     case StageKind::spherizer:
-        return "it belongs in 'stages', as the last item";
+        return "it belongs in 'stages', after the mesh filters";
+    case StageKind::refiner:
+        return "it belongs in 'stages', after the spherizer";
     case StageKind::writer:
         return "it belongs in 'outputs'";
     case StageKind::renderer:
@@ -88,6 +92,17 @@ void read_stage_parameters(StageItem& item, const std::vector<std::string>& othe
     }
 }
 
+static void add_refiner(StageItem item, Recipe& recipe, const Checking& checking) {
+    const bool again = std::any_of(recipe.refiners.begin(), recipe.refiners.end(),
+                                   [&](const StageCall& other) { return other.stage == item.call.stage; });
+    if (again) {
+        checking.findings.error(item.name.where, "duplicate-stage",
+                                fmt::format("{} is given twice; remedy: delete one", in_quotes(item.call.stage)));
+        return;
+    }
+    recipe.refiners.push_back(std::move(item.call));
+}
+
 void check_stages(const Value* stages, const Value& root, Recipe& recipe, const Checking& checking) {
     constexpr const char* example = "stages: [spherize.cover]";
     if (!stages) {
@@ -108,13 +123,18 @@ void check_stages(const Value* stages, const Value& root, Recipe& recipe, const 
             continue;
         }
         const bool filter = item.stage->kind == StageKind::mesh_filter;
+        const bool refiner = item.stage->kind == StageKind::refiner;
         const bool after_spherizer = !recipe.spherizer.stage.empty();
         const auto misplaced = [&](const std::string& why) {
             checking.findings.error(item.name.where, "wrong-kind",
                                     fmt::format("{} {}", in_quotes(item.call.stage), why));
         };
-        if (!filter && item.stage->kind != StageKind::spherizer) {
+        if (!filter && !refiner && item.stage->kind != StageKind::spherizer) {
             misplaced(fmt::format("is a {}; {}", to_string(item.stage->kind), home_of(item.stage->kind)));
+        } else if (refiner && !after_spherizer) {
+            misplaced("is a refiner before the spherizer; remedy: move it after the spherizer");
+        } else if (refiner) {
+            add_refiner(std::move(item), recipe, checking);
         } else if (after_spherizer) {
             misplaced(
                 filter ? fmt::format("is a mesh filter after the spherizer '{}'; remedy: move it before the spherizer",

@@ -1,4 +1,4 @@
-// The keys of the recipe format: one declaration for reader, writer and schema.
+// What the recipe format has beside the keys of keys.hpp: version, bounds, isolation, the names of its structures.
 #pragma once
 
 #include <foam/sdk/parameter.hpp>
@@ -16,11 +16,7 @@ inline constexpr const char* default_renderer = "snapshot.osmesa";
 inline constexpr int smallest_picture = 16, largest_picture = 16384;
 
 /// Declarations of keys with a plain value. An empty default means that the key may be absent: see its doc sentence.
-std::vector<Parameter> top_level_values(); ///< name, seed, unit, scale, per, guarantee, on_error
-std::vector<Parameter> budget_values();    ///< spheres, excess, max_protrusion, time_limit
-std::vector<Parameter> link_values();      ///< skip, min_spheres, max_spheres, weight, max_protrusion
-std::vector<Parameter> clip_values();      ///< offset, reach; of a plane, in addition to its normal
-std::vector<Parameter> debug_values();     ///< meshes, snapshots
+std::vector<Parameter> clip_values(); ///< offset, reach; of a plane, in addition to its normal
 /// Returns isolate, time_limit, memory_limit: at the top level, and beside the parameters of mesh loaders, mesh filters
 /// and spherizers.
 std::vector<Parameter> isolation_values();

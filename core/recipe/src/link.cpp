@@ -1,5 +1,6 @@
 #include <foam/base/error.hpp>
 #include <foam/recipe/internal/glob.hpp>
+#include <foam/recipe/internal/keys.hpp>
 #include <foam/recipe/recipe.hpp>
 
 #include <fmt/format.h>
@@ -86,6 +87,7 @@ Recipe::LinkRecipe Recipe::for_link(const std::string& link) const {
     LinkRecipe result;
     result.filters = filters;
     result.spherizer = spherizer;
+    result.refiners = refiners;
     for (StageCall& filter : result.filters) {
         filter.isolation = filter.isolation.over(isolation);
     }
@@ -96,16 +98,17 @@ Recipe::LinkRecipe Recipe::for_link(const std::string& link) const {
         if (change.glob != link && !glob_matches(change.glob, link)) {
             continue;
         }
-        result.skip = change.skip.value_or(result.skip);
-        result.min_spheres = change.min_spheres.value_or(result.min_spheres);
-        result.max_spheres = change.max_spheres ? change.max_spheres : result.max_spheres;
-        result.weight = change.weight.value_or(result.weight);
-        result.max_protrusion = change.max_protrusion ? change.max_protrusion : result.max_protrusion;
+        for (const reading::LinkKey& key : reading::link_keys()) {
+            key.merge(change, result);
+        }
         result.clip = change.clip ? *change.clip : result.clip;
         for (StageCall& filter : result.filters) {
             merge(filter, change);
         }
         merge(result.spherizer, change);
+        for (StageCall& refiner : result.refiners) {
+            merge(refiner, change);
+        }
     }
     if (result.max_spheres && *result.max_spheres < result.min_spheres) {
         throw Error(ErrorCode::recipe,

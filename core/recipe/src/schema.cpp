@@ -2,6 +2,7 @@
 #include "format.hpp"
 
 #include <foam/geometry/length.hpp>
+#include <foam/recipe/internal/keys.hpp>
 #include <foam/recipe/recipe.hpp>
 #include <foam/sdk/internal/declaration.hpp>
 
@@ -168,10 +169,11 @@ Json clip_schema() {
 }
 
 Json link_schema(const Registry& registry) {
-    Json properties = properties_of(link_values());
+    Json properties = properties_of(declarations_of(link_keys()));
     properties["clip"] = clip_schema();
     for (const auto& [name, stage] : registry.stages()) {
-        if (stage.kind == StageKind::mesh_filter || stage.kind == StageKind::spherizer) {
+        if (stage.kind == StageKind::mesh_filter || stage.kind == StageKind::spherizer ||
+            stage.kind == StageKind::refiner) {
             properties[name] = reference(name);
         }
     }
@@ -236,7 +238,7 @@ Json changes(const char* description) {
 Json top_level(const Registry& registry) {
     Json p;
     p["foam"] = {{"description", "Version of the recipe format."}, {"const", format_version}};
-    const Json values = properties_of(top_level_values());
+    const Json values = properties_of(declarations_of(top_level_keys()));
     for (const auto& [key, schema] : values.items()) {
         p[key] = schema;
     }
@@ -250,13 +252,13 @@ Json top_level(const Registry& registry) {
     p["package_path"] = texts("Folders to look for packages in, before those of the environment.");
     p["plugins"] = texts("Plugin files to load, relative to the recipe.");
     p["loaders"] = loader_schema(registry);
-    p["stages"] = {{"description", "Mesh filters in order, then one spherizer."},
+    p["stages"] = {{"description", "Mesh filters in order, then one spherizer, then refiners in order."},
                    {"type", "array"},
                    {"items", reference("chain stage")},
                    {"contains", reference("spherizer")},
                    {"minContains", 1},
                    {"maxContains", 1}};
-    p["budget"] = object(properties_of(budget_values()));
+    p["budget"] = object(properties_of(declarations_of(budget_keys())));
     p["self_collision"] = {
         {"description", "Prevent overlaps between the spheres of links that are not neighbours in a reference pose, "
                         "unless their geometry touches: such links get more spheres; true: all joints at zero."},
@@ -276,7 +278,7 @@ Json top_level(const Registry& registry) {
                     {"type", "array"},
                     {"items", reference("writer")}};
     p["snapshots"] = snapshot_schema();
-    p["debug"] = object(properties_of(debug_values()));
+    p["debug"] = object(properties_of(declarations_of(debug_keys())));
     p["sweep"] = {
         {"description", "Values to run through: a path of keys and its values; several make all combinations."},
         {"type", "object"},
@@ -365,7 +367,7 @@ std::string recipe_schema(const Registry& registry) {
     Json& definitions = schema["$defs"];
     definitions["recipe"] = whole_recipe(registry);
     definitions["extending recipe"] = extending_recipe(registry);
-    definitions["chain stage"] = stage_item(registry, {StageKind::mesh_filter, StageKind::spherizer});
+    definitions["chain stage"] = stage_item(registry, {StageKind::mesh_filter, StageKind::spherizer, StageKind::refiner});
     definitions["spherizer"] = stage_item(registry, {StageKind::spherizer});
     definitions["renderer"] = stage_item(registry, {StageKind::renderer});
     definitions["writer"] = stage_item(registry, {StageKind::writer});

@@ -1,6 +1,7 @@
 // Recipe -> YAML.
 #include "format.hpp"
 
+#include <foam/recipe/internal/keys.hpp>
 #include <foam/recipe/internal/yaml.hpp>
 #include <foam/recipe/recipe.hpp>
 
@@ -67,21 +68,22 @@ public:
             line("  - {}", stage(filter, "", true));
         }
         line("  - {}", stage(recipe_.spherizer, "", true));
+        for (const StageCall& refiner : recipe_.refiners) {
+            line("  - {}", stage(refiner, "", true));
+        }
         for (const std::string& part : isolation_parts(recipe_.isolation)) {
             line("{}", part);
         }
-        line("per: {}", recipe_.per_link ? "link" : "collision");
+        write_key("per");
         write_budget();
-        line("guarantee: {}", to_string(recipe_.guarantee));
+        write_key("guarantee");
         write_self_collision();
         write_links();
         write_outputs();
         write_snapshots();
-        line("debug: {{meshes: {}, snapshots: {}}}", recipe_.debug_meshes, recipe_.debug_snapshots);
-        line("on_error: {}", recipe_.on_error == OnError::stop   ? "stop"
-                             : recipe_.on_error == OnError::skip ? "skip"
-                                                                 : "fallback");
-        line("strict: {}", recipe_.strict);
+        line("debug: {{{}}}", fmt::join(parts_of(reading::debug_keys(), recipe_), ", "));
+        write_key("on_error");
+        write_key("strict");
         return std::move(text_);
     }
 
@@ -152,12 +154,8 @@ private:
     void write_input() {
         if (!recipe_.mesh.empty()) {
             line("mesh: {}", yaml_list(references(recipe_.mesh)));
-            if (recipe_.mesh_unit.unit) {
-                line("unit: {}", *recipe_.mesh_unit.unit);
-            }
-            if (recipe_.mesh_unit.scale != 1) {
-                line("scale: {}", to_text(recipe_.mesh_unit.scale));
-            }
+            write_key("unit");
+            write_key("scale");
         } else {
             line("robot: {{urdf: {}}}", yaml_list(references(recipe_.urdf)));
         }
@@ -169,21 +167,25 @@ private:
         }
     }
 
-    void write_budget() {
+    /// Returns "key: value" for each key that is present.
+    template <class Keys, class T> static std::vector<std::string> parts_of(const Keys& keys, const T& holder) {
         std::vector<std::string> parts;
-        if (recipe_.budget_spheres) {
-            parts.push_back(fmt::format("spheres: {}", *recipe_.budget_spheres));
+        for (const auto& [key, value] : reading::present(keys, holder)) {
+            parts.push_back(fmt::format("{}: {}", key->declared.name, yaml_value(value)));
         }
-        if (recipe_.budget_excess) {
-            parts.push_back("excess: " + to_text(*recipe_.budget_excess));
+        return parts;
+    }
+
+    void write_key(std::string_view name) {
+        for (const auto& [key, value] : reading::present(reading::top_level_keys(), recipe_)) {
+            if (key->declared.name == name) {
+                line("{}: {}", name, yaml_value(value));
+            }
         }
-        if (recipe_.budget_max_protrusion) {
-            parts.push_back("max_protrusion: " + to_text(*recipe_.budget_max_protrusion));
-        }
-        if (recipe_.budget_time_limit) {
-            parts.push_back("time_limit: " + to_text(*recipe_.budget_time_limit));
-        }
-        if (!parts.empty()) {
+    }
+
+    void write_budget() {
+        if (const std::vector<std::string> parts = parts_of(reading::budget_keys(), recipe_); !parts.empty()) {
             line("budget: {{{}}}", fmt::join(parts, ", "));
         }
     }
@@ -216,22 +218,7 @@ private:
             line("links:");
         }
         for (const LinkOverride& link : recipe_.links) {
-            std::vector<std::string> parts;
-            if (link.skip) {
-                parts.push_back(fmt::format("skip: {}", *link.skip));
-            }
-            if (link.min_spheres) {
-                parts.push_back(fmt::format("min_spheres: {}", *link.min_spheres));
-            }
-            if (link.max_spheres) {
-                parts.push_back(fmt::format("max_spheres: {}", *link.max_spheres));
-            }
-            if (link.weight) {
-                parts.push_back("weight: " + to_text(*link.weight));
-            }
-            if (link.max_protrusion) {
-                parts.push_back("max_protrusion: " + to_text(*link.max_protrusion));
-            }
+            std::vector<std::string> parts = parts_of(reading::link_keys(), link);
             if (link.clip) {
                 parts.push_back("clip: " + clip_text(*link.clip));
             }

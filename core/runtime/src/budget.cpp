@@ -5,7 +5,6 @@
 #include "worst_first.hpp"
 
 #include <foam/runtime/internal/cover.hpp>
-#include <foam/search/internal/clip.hpp>
 
 #include <fmt/format.h>
 
@@ -161,7 +160,7 @@ ChosenCounts count_each(const Workspace& workspace, std::vector<ShapeWork>& shap
         }
         workspace.journal.expect(1);
         const std::size_t most = fixed_count(workspace.recipe, work);
-        if (most < SIZE_MAX && !workspace.options.numbers_as_asked && wants_least_excess(workspace.recipe, work)) {
+        if (most < SIZE_MAX && work.adds_spheres && wants_least_excess(workspace.recipe, work)) {
             of_shape[s] = best_of_at_most(workspace, work, most);
             return;
         }

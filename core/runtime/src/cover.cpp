@@ -2,7 +2,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/geometry/inner.hpp>
-#include <foam/geometry/internal/joint_volume.hpp>
+#include <foam/geometry/joint_volume.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/geometry/union_volume.hpp>
 

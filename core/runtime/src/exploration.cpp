@@ -5,7 +5,6 @@
 #include <foam/geometry/inner.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/internal/cover.hpp>
-#include <foam/search/internal/clip.hpp>
 
 #include <fmt/format.h>
 
@@ -42,7 +41,7 @@ std::size_t fixed_count(const Recipe& recipe, const ShapeWork& shape) {
 std::vector<std::size_t> first_counts(const Recipe& recipe, const ShapeWork& shape, std::size_t groups) {
     if (has_fixed_count(recipe, shape, groups)) {
         const std::size_t most = fixed_count(recipe, shape);
-        if (most == SIZE_MAX || !wants_least_excess(recipe, shape)) {
+        if (most == SIZE_MAX || !shape.adds_spheres || !wants_least_excess(recipe, shape)) {
             return {most == SIZE_MAX ? 0 : std::max(shape.least, most)};
         }
         return counts_alone(shape.least, std::max(shape.least, most));

@@ -7,7 +7,6 @@
 #include <foam/geometry/inner.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/internal/cover.hpp>
-#include <foam/search/internal/clip.hpp>
 
 #include <fmt/format.h>
 

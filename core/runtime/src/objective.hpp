@@ -1,9 +1,9 @@
 // The objectives of spherizers, and their figures.
 #pragma once
 
+#include <foam/geometry/objective.hpp>
 #include <foam/recipe/recipe.hpp>
 #include <foam/sdk/registry.hpp>
-#include <foam/search/spherize.hpp>
 
 #include <optional>
 #include <vector>

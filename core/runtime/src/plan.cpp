@@ -71,6 +71,9 @@ private:
             link.stages.push_back(planned(filter, workspace_.registry));
         }
         link.stages.push_back(planned(work.recipe.spherizer, workspace_.registry));
+        for (const StageCall& refiner : work.recipe.refiners) {
+            link.stages.push_back(planned(refiner, workspace_.registry));
+        }
     }
 
     void count_filters() {
@@ -79,7 +82,7 @@ private:
         for (std::size_t c = 0; c < chains_.size(); ++c) {
             for (const Target& target : chains_[c].targets) {
                 std::vector<PlannedStage>& stages = links[target.link].stages;
-                for (std::size_t i = 0; i + 1 < stages.size(); ++i) {
+                for (std::size_t i = 0; i < work_[target.link].recipe.filters.size(); ++i) {
                     stages[i].needed += 1;
                     stages[i].cached += i < found[c] ? 1 : 0;
                 }
@@ -92,10 +95,14 @@ private:
         const std::vector<ShapeWork> shapes = distinct_shapes(workspace_, work_, groups);
         for (const Group& group : groups) {
             const ShapeWork& shape = shapes[group.shape];
-            PlannedStage& spherizer = links[group.link].stages.back();
+            std::vector<PlannedStage>& stages = links[group.link].stages;
+            const std::size_t first = work_[group.link].recipe.filters.size(); // the spherizer; refiners follow
             for (const std::size_t count : first_counts(workspace_.recipe, shape, groups.size())) {
-                spherizer.needed += 1;
-                spherizer.cached += workspace_.cache.tree(tree_key(workspace_, shape, count)) ? 1 : 0;
+                const bool cached = workspace_.cache.tree(tree_key(workspace_, shape, count)).has_value();
+                for (std::size_t i = first; i < stages.size(); ++i) {
+                    stages[i].needed += 1;
+                    stages[i].cached += cached ? 1 : 0;
+                }
             }
         }
     }
@@ -126,6 +133,9 @@ Plan plan(const Recipe& recipe, const Registry& registry, const RunOptions& opti
         result.stages.push_back(planned(filter, registry));
     }
     result.stages.push_back(planned(recipe.spherizer, registry));
+    for (const StageCall& refiner : recipe.refiners) {
+        result.stages.push_back(planned(refiner, registry));
+    }
     Planner planner(workspace, *input.robot);
     result.links = std::move(planner.links);
     for (const InputFile& mesh : planner.files()) {

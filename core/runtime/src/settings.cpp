@@ -1,5 +1,7 @@
 #include "settings.hpp"
 
+#include <foam/recipe/internal/keys.hpp>
+
 namespace foam::inline runtime {
 namespace {
 
@@ -30,20 +32,8 @@ Json to_json(const ClipPlane& plane) {
 
 Json to_json(const LinkOverride& link, const Registry& registry) {
     Json json{{"links", link.glob}};
-    if (link.skip) {
-        json["skip"] = *link.skip;
-    }
-    if (link.min_spheres) {
-        json["min_spheres"] = *link.min_spheres;
-    }
-    if (link.max_spheres) {
-        json["max_spheres"] = *link.max_spheres;
-    }
-    if (link.weight) {
-        json["weight"] = *link.weight;
-    }
-    if (link.max_protrusion) {
-        json["max_protrusion"] = *link.max_protrusion;
+    for (const auto& [key, value] : reading::present(reading::link_keys(), link)) {
+        json[key->declared.name] = to_json(value);
     }
     if (link.clip) {
         json["clip"] = Json::array();
@@ -57,16 +47,14 @@ Json to_json(const LinkOverride& link, const Registry& registry) {
     return json;
 }
 
-const char* to_string(OnError policy) {
-    switch (policy) {
-    case OnError::stop:
-        return "stop";
-    case OnError::skip:
-        return "skip";
-    case OnError::fallback:
-        return "fallback";
+/// Returns the word of a top-level key.
+Json word_of(const Recipe& recipe, std::string_view name) {
+    for (const auto& [key, value] : reading::present(reading::top_level_keys(), recipe)) {
+        if (key->declared.name == name) {
+            return to_json(value);
+        }
     }
-    return "";
+    return {};
 }
 
 } // namespace
@@ -77,22 +65,21 @@ Json settings_of(const Recipe& recipe, const Registry& registry) {
         json["stages"].push_back(to_json(filter, registry, true));
     }
     json["stages"].push_back(to_json(recipe.spherizer, registry, true));
+    for (const StageCall& refiner : recipe.refiners) {
+        json["stages"].push_back(to_json(refiner, registry, true));
+    }
     if (recipe.mesh_unit.given()) {
         json["unit"] = recipe.mesh_unit.unit.value_or("m");
         json["scale"] = recipe.mesh_unit.scale;
     }
-    json["per"] = recipe.per_link ? "link" : "collision";
+    json["per"] = word_of(recipe, "per");
     json["budget"] = Json::object();
-    if (recipe.budget_spheres) {
-        json["budget"]["spheres"] = *recipe.budget_spheres;
+    for (const auto& [key, value] : reading::present(reading::budget_keys(), recipe)) {
+        if (key->affects_result) {
+            json["budget"][key->declared.name] = to_json(value);
+        }
     }
-    if (recipe.budget_excess) {
-        json["budget"]["excess"] = *recipe.budget_excess;
-    }
-    if (recipe.budget_max_protrusion) {
-        json["budget"]["max_protrusion"] = *recipe.budget_max_protrusion;
-    }
-    json["guarantee"] = to_string(recipe.guarantee);
+    json["guarantee"] = word_of(recipe, "guarantee");
     if (recipe.self_collision) {
         json["self_collision"] = {{"pose", recipe.self_collision_pose}};
     }
@@ -106,7 +93,7 @@ Json settings_of(const Recipe& recipe, const Registry& registry) {
         entry.update(to_json(output.writer, registry, true));
         json["outputs"].push_back(std::move(entry));
     }
-    json["on_error"] = to_string(recipe.on_error);
+    json["on_error"] = word_of(recipe, "on_error");
     return json;
 }
 

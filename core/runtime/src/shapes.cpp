@@ -2,9 +2,9 @@
 
 #include "own_frame.hpp"
 #include "process/isolated.hpp"
+#include "refinements.hpp"
 
 #include <foam/geometry/internal/cavities.hpp>
-#include <foam/search/internal/clip.hpp>
 
 #include <algorithm>
 
@@ -107,6 +107,9 @@ std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::ve
         const LinkWork& link = links[groups[g].link];
         Hasher hasher;
         add_call(hasher, link.recipe.spherizer, workspace.registry);
+        for (const StageCall& refiner : link.recipe.refiners) {
+            add_call(hasher, refiner, workspace.registry);
+        }
         const bool raw = original_only(workspace, link.recipe.spherizer);
         for (const std::size_t e : groups[g].elements) {
             const Element& element = link.elements[e];
@@ -131,6 +134,10 @@ std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::ve
         if (fresh) {
             ShapeWork& work = shapes.emplace_back();
             work.spherizer = link.recipe.spherizer;
+            work.refiners = link.recipe.refiners;
+            work.adds_spheres = std::any_of(work.refiners.begin(), work.refiners.end(), [&](const StageCall& refiner) {
+                return workspace.registry.find(refiner.stage)->info.adds_spheres;
+            });
             work.objective = objective_of(work.spherizer, workspace.registry);
             work.digest = digest;
             work.content = content_of(workspace, groups[g], link);
@@ -170,6 +177,7 @@ void build_shape(const Workspace& workspace, const std::vector<LinkWork>& links,
     if (!work.frame.is_given()) {
         work.own = std::make_unique<Shape>(work.frame.to_own(*work.shape));
     }
+    begin_refinements(workspace, work);
 }
 
 } // namespace foam::runtime

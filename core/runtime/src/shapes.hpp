@@ -9,6 +9,7 @@
 
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
@@ -23,6 +24,19 @@ struct KnownTrees {
     CostCurve curve;
 };
 
+/// A refinement of a shape's spheres.
+struct RefinementWork {
+    StageCall call;
+    bool adds_spheres = false;
+    std::unique_ptr<Refiner> refiner;
+    std::unique_ptr<Refinement> refinement;
+    StageReport report;
+};
+struct Refinements {
+    std::vector<RefinementWork> list; ///< in the recipe's order
+    std::mutex mutex;                 ///< of the reports
+};
+
 /// A distinct shape and what is known of it.
 struct ShapeWork {
     std::unique_ptr<Shape> shape;
@@ -30,6 +44,8 @@ struct ShapeWork {
     std::unique_ptr<Shape> own;            ///< the shape in that frame, unless that is the given one
     std::shared_ptr<const Solid> original; ///< of the shape
     StageCall spherizer;
+    std::vector<StageCall> refiners;
+    bool adds_spheres = false;        ///< whether one of these does
     std::unique_ptr<Spherizer> stage; ///< of that call, once it was made; null if it is isolated
     std::optional<Objective>
         objective;           ///< for covering spheres; nothing: the spherizer has an objective that foam does not know
@@ -41,6 +57,7 @@ struct ShapeWork {
     std::optional<double> max_protrusion; ///< m
     std::vector<ClipPlane> clip;          ///< in the shape's frame
     KnownTrees known;
+    std::unique_ptr<Refinements> refinements; ///< made with the geometry
     StageReport report;
     double cavities = 0;         ///< m³; of the original geometry
     std::set<std::string> calls; ///< calls of the spherizer whose findings and metrics the run has

@@ -52,7 +52,15 @@ SpherizedLinks spherize_links(const Workspace& workspace, std::vector<LinkWork>&
         LinkWork& link = links[groups[g].link];
         require_inside(workspace, work, counts[g]);
         link.report.stages.push_back(work.report);
-        link.report.stages.back().input = link.elements[groups[g].elements.front()].geometry;
+        if (work.refinements) {
+            for (const RefinementWork& refinement : work.refinements->list) {
+                link.report.stages.push_back(refinement.report);
+                link.report.stages.back().cached = work.report.cached;
+            }
+        }
+        for (std::size_t i = link.report.stages.size() - 1 - work.refiners.size(); i < link.report.stages.size(); ++i) {
+            link.report.stages[i].input = link.elements[groups[g].elements.front()].geometry;
+        }
         if (work.error) {
             if (!link.error) {
                 link.error.emplace(*work.error);

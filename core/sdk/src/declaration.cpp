@@ -32,7 +32,8 @@ std::string why_misnamed(const RegisteredStage& stage) {
                                                                             {StageKind::spherizer, "spherize."},
                                                                             {StageKind::renderer, "snapshot."},
                                                                             {StageKind::writer, "write."},
-                                                                            {StageKind::model_reader, "read."}};
+                                                                            {StageKind::model_reader, "read."},
+                                                                            {StageKind::refiner, "refine."}};
     const std::string& name = stage.info.name;
     std::string_view fits, taken;
     for (const auto& [kind, beginning] : beginnings) {

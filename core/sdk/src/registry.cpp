@@ -47,6 +47,8 @@ bool is_of_kind(const Stage& stage, StageKind kind) {
         return dynamic_cast<const Writer*>(&stage) != nullptr;
     case StageKind::model_reader:
         return dynamic_cast<const ModelReader*>(&stage) != nullptr;
+    case StageKind::refiner:
+        return dynamic_cast<const Refiner*>(&stage) != nullptr;
     }
     return false;
 }

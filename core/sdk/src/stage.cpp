@@ -17,6 +17,9 @@ Spherizer::~Spherizer() = default;
 Renderer::~Renderer() = default;
 Writer::~Writer() = default;
 ModelReader::~ModelReader() = default;
+Refinement::Refinement() = default;
+Refinement::~Refinement() = default;
+Refiner::~Refiner() = default;
 Enrolment::~Enrolment() = default;
 StageMaker::~StageMaker() = default;
 
@@ -68,6 +71,8 @@ const char* to_string(StageKind kind) {
         return "writer";
     case StageKind::model_reader:
         return "model reader";
+    case StageKind::refiner:
+        return "refiner";
     }
     return "stage";
 }

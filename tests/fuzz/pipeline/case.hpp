@@ -17,7 +17,6 @@ struct Case {
     bool robot = false;
     std::size_t threads = 1;
     bool cached = false;           ///< the run may use a cache
-    bool numbers_as_asked = false; ///< see RunOptions
     bool again = false;            ///< run it on another number of threads, too, and compare the bytes
 };
 

@@ -93,7 +93,6 @@ private:
         options.fresh = !case_.cached;
         options.cache = folder_ / "cache";
         options.threads = threads;
-        options.numbers_as_asked = case_.numbers_as_asked;
         return options;
     }
 

@@ -205,9 +205,8 @@ bool replay(const Arguments& arguments, foam::Registry& registry) {
     const fs::path folder = arguments.keep.empty() ? scratch.path() / "case" : fs::absolute(arguments.keep);
     const Case made = make_case(*arguments.single, registry, arguments.limits.odd_numbers);
     write_case(made, folder);
-    std::printf("%s\nthreads %zu%s%s%s\n", made.files.at("recipe.yaml").c_str(), made.threads,
-                made.cached ? ", cached" : "", made.numbers_as_asked ? ", numbers as asked" : "",
-                made.again ? ", run again" : "");
+    std::printf("%s\nthreads %zu%s%s\n", made.files.at("recipe.yaml").c_str(), made.threads,
+                made.cached ? ", cached" : "", made.again ? ", run again" : "");
     std::fflush(stdout);
     const Outcome outcome = run_case(made, registry, folder);
     for (const std::string& finding : outcome.findings) {

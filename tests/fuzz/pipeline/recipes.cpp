@@ -138,6 +138,10 @@ private:
         for (const std::string& stage : chain_) {
             text_ += "  - " + stage + ": " + parameters(stage, 0.25, "") + "\n";
         }
+        Dice dice(derive_seed(seed_, "refiners")); // of its own: the draws of the seeds on record stay
+        text_ += "  - refine.fit: {}\n  - refine.clip: {}\n"; // without them constraints would be broken
+        text_ += dice.chance(0.8) ? "  - refine.row: {}\n" : "";
+        text_ += dice.chance(0.8) ? "  - refine.split: {}\n" : "";
     }
 
     void budget() {

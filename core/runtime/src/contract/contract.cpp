@@ -122,6 +122,9 @@ std::vector<ContractFinding> check_contract(const RegisteredStage& stage, const 
         case StageKind::model_reader:
             check_model_reader(*registry.make<ModelReader>(name), options, promises);
             break;
+        case StageKind::refiner:
+            check_refiner(*registry.make<Refiner>(name), promises);
+            break;
         case StageKind::robot_loader:
         case StageKind::renderer: // their results cannot be checked without knowledge of the method
             break;

@@ -52,6 +52,7 @@ void check_mesh_filter(const MeshFilter& filter, Promises& promises);
 void check_mesh_loader(const MeshLoader& loader, const StageInfo& info, const ContractOptions& options,
                        Promises& promises);
 void check_writer(const Writer& writer, Promises& promises);
+void check_refiner(const Refiner& refiner, Promises& promises);
 void check_model_reader(const ModelReader& reader, const ContractOptions& options, Promises& promises);
 
 } // namespace foam::runtime

@@ -1,14 +1,8 @@
-#include <foam/search/internal/clip.hpp>
+#include <foam/search/clip.hpp>
 
 #include "limited_search.hpp"
 
-#include <foam/base/error.hpp>
-#include <foam/base/text.hpp>
-
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <limits>
 
 namespace foam::inline search {
 namespace {
@@ -17,10 +11,6 @@ namespace {
 constexpr double room = 2e-5;
 /// Overlap as a share of the radii: where spheres barely meet, a proof would have to subdivide finely.
 constexpr double overlap = 1e-4;
-
-std::string name_of(const ClipPlane& plane, std::size_t number) {
-    return fmt::format("plane {} of 'clip' ({})", number, text_of(plane));
-}
 
 /// Returns limits for the balls such that the spheres, slightly larger, keep the half-space constraints.
 cover::Limits limits_of(const std::vector<ClipPlane>& planes, const cover::Frame& frame) {
@@ -34,21 +24,6 @@ cover::Limits limits_of(const std::vector<ClipPlane>& planes, const cover::Frame
 }
 
 } // namespace
-
-void require_within(const Solid& solid, const Pose& pose, const std::vector<ClipPlane>& planes) {
-    for (std::size_t i = 0; i < planes.size(); ++i) {
-        double most = -std::numeric_limits<double>::infinity();
-        for (const Vec3& vertex : solid.surface().vertices) {
-            most = std::max(most, reach_beyond(planes[i], Sphere{pose * vertex, 0}));
-        }
-        if (most >= planes[i].reach) {
-            throw Error(ErrorCode::geometry,
-                        fmt::format("the geometry itself reaches {:.4g} m beyond {}, and spheres may reach {} m beyond "
-                                    "it; remedy: raise the plane's offset, or its reach to more than {:.4g}",
-                                    most, name_of(planes[i], i + 1), number_text(planes[i].reach), most));
-        }
-    }
-}
 
 bool keep_constraints(const Solid& solid, const std::vector<Sphere>& spheres, const std::vector<ClipPlane>& planes) {
     return violation_of(planes, spheres) <= -room * cover::Frame(solid.bounds()).unit;
@@ -83,35 +58,6 @@ std::vector<Sphere> shrunk_within(const Solid& solid, std::vector<Sphere> sphere
     }
     std::erase_if(spheres, [](const Sphere& sphere) { return !(sphere.radius > 0); });
     return spheres;
-}
-
-double violation_of(const std::vector<ClipPlane>& planes, std::span<const Sphere> spheres) {
-    double most = -std::numeric_limits<double>::infinity();
-    for (const ClipPlane& plane : planes) {
-        most = std::max(most, reach_beyond(plane, spheres) - plane.reach);
-    }
-    return most;
-}
-
-std::vector<PlaneReach> reached(const std::vector<ClipPlane>& planes, std::span<const Sphere> spheres) {
-    std::vector<PlaneReach> result;
-    for (const ClipPlane& plane : planes) {
-        result.push_back({plane, reach_beyond(plane, spheres)});
-    }
-    return result;
-}
-
-std::vector<std::string> not_kept(const std::vector<PlaneReach>& planes) {
-    std::vector<std::string> sentences;
-    for (std::size_t i = 0; i < planes.size(); ++i) {
-        if (!planes[i].kept()) {
-            sentences.push_back(fmt::format("its spheres reach {:.4g} m beyond {}, reach allows {} m; remedy: more "
-                                            "spheres for the robot or for this link, or a larger reach",
-                                            planes[i].reached, name_of(planes[i].plane, i + 1),
-                                            number_text(planes[i].plane.reach)));
-        }
-    }
-    return sentences;
 }
 
 } // namespace foam::search

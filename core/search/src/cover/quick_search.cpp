@@ -9,7 +9,7 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/parallel.hpp>
-#include <foam/geometry/internal/joint_volume.hpp>
+#include <foam/geometry/joint_volume.hpp>
 #include <foam/geometry/union_volume.hpp>
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 #include "starts.hpp"
 
 #include <foam/base/parallel.hpp>
-#include <foam/geometry/internal/joint_volume.hpp>
+#include <foam/geometry/joint_volume.hpp>
 
 #include <algorithm>
 #include <cmath>

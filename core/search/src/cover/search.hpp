@@ -6,7 +6,7 @@
 #include "quick_search.hpp"
 
 #include <foam/base/random.hpp>
-#include <foam/search/internal/splitting.hpp>
+#include <foam/search/splitting.hpp>
 #include <foam/search/spherize.hpp>
 
 #include <map>

@@ -1,4 +1,4 @@
-#include <foam/search/internal/splitting.hpp>
+#include <foam/search/splitting.hpp>
 
 #include "exchange.hpp"
 #include "improvement.hpp"

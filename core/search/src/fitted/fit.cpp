@@ -1,4 +1,4 @@
-#include <foam/search/internal/fit.hpp>
+#include <foam/search/fit.hpp>
 
 #include "cover/starts.hpp"
 #include "symmetric_difference.hpp"

@@ -1,10 +1,12 @@
 // Half-space constraints: planes beyond which the spheres of a link may extend only so far, such as a mount or a table.
 #pragma once
 
+#include <foam/geometry/solid.hpp>
 #include <foam/geometry/sphere.hpp>
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace foam {
 inline namespace [[gnu::visibility("default")]] geometry {
@@ -37,6 +39,20 @@ std::string text_of(const ClipPlane& plane);
 
 /// Returns the same plane in another frame; `pose`: of that frame in this one.
 ClipPlane seen_from(const ClipPlane& plane, const Pose& pose);
+
+/// Throws Error(geometry) if the solid itself extends as far beyond a plane as spheres may. `pose`: of the solid's
+/// frame in that of the planes.
+void require_within(const Solid& solid, const Pose& pose, const std::vector<ClipPlane>& planes);
+
+/// Returns the largest length by which spheres extend farther than the half-space constraints allow, m. Negative: all
+/// constraints are kept.
+double violation_of(const std::vector<ClipPlane>& planes, std::span<const Sphere> spheres);
+
+/// Returns for each plane how far the spheres extend beyond it.
+std::vector<PlaneReach> reached(const std::vector<ClipPlane>& planes, std::span<const Sphere> spheres);
+
+/// Returns a sentence for each half-space constraint, counted from 1, that is not kept.
+std::vector<std::string> not_kept(const std::vector<PlaneReach>& planes);
 
 } // namespace geometry
 } // namespace foam

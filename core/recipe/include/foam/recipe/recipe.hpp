@@ -77,6 +77,7 @@ struct Recipe {
     std::string preferred_loader;          ///< the one with precedence where several read an ending; may be empty
     std::vector<StageCall> filters;        ///< mesh filters in order
     StageCall spherizer;
+    std::vector<StageCall> refiners; ///< in order, after the spherizer
     bool per_link = true;                        ///< false: spherize every collision element separately
     std::optional<std::size_t> budget_spheres;   ///< over the whole robot, at most
     std::optional<double> budget_excess;         ///< of the whole robot; at most as many spheres as that needs
@@ -103,6 +104,7 @@ struct Recipe {
         bool skip = false;
         std::vector<StageCall> filters;
         StageCall spherizer;
+        std::vector<StageCall> refiners;
         std::size_t min_spheres = 1;
         std::optional<std::size_t> max_spheres;
         double weight = 1;                    ///< of its symmetric difference in the allocation

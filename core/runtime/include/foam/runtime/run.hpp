@@ -71,9 +71,6 @@ struct RunOptions {
     /// serve_isolated_call(). Empty: this program, if its main() does; else a recipe that isolates a stage is rejected.
     std::filesystem::path program;
     std::filesystem::path cache; ///< empty: $XDG_CACHE_HOME/foam or ~/.cache/foam
-    /// Gives a link with a fixed count the spherizer's result for that count, even if fewer spheres have less excess:
-    /// for comparing spherizers.
-    bool numbers_as_asked = false;
     /// Called with the manifest before the run directory is put in place; an exception from it ends the run.
     std::function<void(const std::string& manifest)> accept;
     /// Called with all files of the robot or mesh once they are read; an exception from it ends the run.

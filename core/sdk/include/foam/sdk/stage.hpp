@@ -2,8 +2,10 @@
 // the outside is the Context of the call. Stages throw foam::Error for what the user should know.
 #pragma once
 
+#include <foam/geometry/clip_plane.hpp>
 #include <foam/geometry/figure.hpp>
 #include <foam/geometry/mesh.hpp>
+#include <foam/geometry/objective.hpp>
 #include <foam/geometry/solid.hpp>
 #include <foam/geometry/sphere.hpp>
 #include <foam/robot/robot.hpp>
@@ -13,6 +15,7 @@
 #include <foam/sdk/resource.hpp>
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,7 +25,7 @@
 namespace foam {
 inline namespace [[gnu::visibility("default")]] sdk {
 
-enum class StageKind { mesh_loader, robot_loader, mesh_filter, spherizer, renderer, writer, model_reader };
+enum class StageKind { mesh_loader, robot_loader, mesh_filter, spherizer, renderer, writer, model_reader, refiner };
 const char* to_string(StageKind kind);
 
 /// Base of all stages.
@@ -87,6 +90,40 @@ public:
     /// results must equal those of spherize().
     virtual std::vector<SphereTree> spherize_each(const Shape& shape, std::span<const Budget> budgets,
                                                   Context& context) const;
+};
+
+/// What a refinement has to keep, and what it may change.
+struct RefinementGoal {
+    Guarantee guarantee = Guarantee::outer;
+    /// The objective of the spherizer; nothing: foam does not know it, so that no other spheres may replace its spheres.
+    std::optional<Objective> objective = Objective::excess;
+    std::optional<double> max_protrusion; ///< m
+    std::vector<ClipPlane> clip;          ///< half-space constraints in the shape's frame
+};
+
+/// The refinement of the spheres of one shape. It may keep data between calls, to continue from its own results. Many
+/// threads may call it at once; of refiners that add spheres the runtime makes one call after the other, in an order
+/// that does not depend on threads.
+class Refinement {
+public:
+    virtual ~Refinement();
+    Refinement(const Refinement&) = delete;
+    Refinement& operator=(const Refinement&) = delete;
+    /// Returns the tree itself, or one that keeps the goal better, with at most `most` spheres in the finest level. If
+    /// context.cancelled() becomes true it returns its best result so far.
+    virtual SphereTree refine(SphereTree tree, std::size_t most, Context& context) = 0;
+
+protected:
+    Refinement();
+};
+
+/// Spheres → better spheres, whatever spherizer they are from: refine.*.
+class Refiner : public Stage {
+public:
+    static constexpr StageKind kind = StageKind::refiner;
+    ~Refiner() override;
+    /// Starts the refinement of a shape, which must outlive it.
+    virtual std::unique_ptr<Refinement> begin(const Shape& shape, const RefinementGoal& goal) const = 0;
 };
 
 /// Figure → picture.
@@ -159,6 +196,10 @@ struct StageInfo {
     /// any other word, only the stage knows its objective, and the runtime accepts its spheres as they are. Empty:
     /// excess.
     std::string objective_parameter{};
+    /// Refiners: whether they add spheres where there are fewer than allowed. The runtime calls them for links with a
+    /// fixed count, between the counts that it asks the spherizer for, so that a larger budget never gives a worse
+    /// result. Where spheres are allocated over links, it does not call them: fewer spheres leave more to other links.
+    bool adds_spheres = false;
     /// Mesh loaders: those of `extensions` whose files state their unit, so that load() returns metres.
     std::vector<std::string> extensions_with_unit{};
     /// Mesh loaders, mesh filters and spherizers: the isolation unless a recipe overrides it.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <foam/geometry/measure.hpp>
+#include <foam/geometry/objective.hpp>
 #include <foam/geometry/solid.hpp>
 #include <foam/geometry/sphere.hpp>
 
@@ -11,7 +12,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 namespace foam {
@@ -19,16 +19,6 @@ inline namespace [[gnu::visibility("default")]] search {
 
 /// How long spherize() searches for better spheres. docs/guide/spherizers.md has the time of each.
 enum class Effort { fast, normal, best };
-
-/// The objective of a search for covering spheres; over increasing counts it never becomes worse.
-enum class Objective {
-    excess,     ///< least excess volume
-    protrusion, ///< least maximum protrusion: the same loss of clearance everywhere
-    radius,     ///< smallest largest radius: equal spheres at best (the k-centre problem), for planners that want it
-};
-
-/// Returns the objective with the name above; nothing for any other word.
-std::optional<Objective> objective_named(std::string_view name);
 
 struct SpherizeOptions {
     Effort effort = Effort::normal;

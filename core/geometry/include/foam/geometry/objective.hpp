@@ -1,0 +1,21 @@
+// What covering spheres are to minimise.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace foam {
+inline namespace [[gnu::visibility("default")]] geometry {
+
+/// The objective of a search for covering spheres; over increasing counts it never becomes worse.
+enum class Objective {
+    excess,     ///< least excess volume
+    protrusion, ///< least maximum protrusion: the same loss of clearance everywhere
+    radius,     ///< smallest largest radius: equal spheres at best (the k-centre problem), for planners that want it
+};
+
+/// Returns the objective with the name above; nothing for any other word.
+std::optional<Objective> objective_named(std::string_view name);
+
+} // namespace geometry
+} // namespace foam

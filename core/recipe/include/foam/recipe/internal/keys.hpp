@@ -1,0 +1,56 @@
+// The keys of recipes with plain values: each is declared once, with the member that holds it. Reader, writer, schema
+// and manifest come from these lists.
+#pragma once
+
+#include <foam/recipe/recipe.hpp>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace foam {
+inline namespace [[gnu::visibility("default")]] recipe {
+namespace reading {
+
+/// A key whose value T holds.
+template <class T> struct KeyOf {
+    Parameter declared;
+    std::function<void(T&, const ParameterValue&)> set;
+    std::function<std::optional<ParameterValue>(const T&)> get; ///< nothing: the key is absent
+    bool affects_result = true;                                 ///< false: it is not a setting in the manifest
+};
+
+/// A key of `links`, which LinkOverride holds and Recipe::LinkRecipe takes over.
+struct LinkKey : KeyOf<LinkOverride> {
+    std::function<void(const LinkOverride&, Recipe::LinkRecipe&)> merge;
+};
+
+const std::vector<KeyOf<Recipe>>& top_level_keys(); ///< name, seed, unit, scale, per, guarantee, on_error, strict
+const std::vector<KeyOf<Recipe>>& budget_keys();    ///< spheres, excess, max_protrusion, time_limit
+const std::vector<KeyOf<Recipe>>& debug_keys();     ///< meshes, snapshots
+const std::vector<LinkKey>& link_keys();            ///< skip, min_spheres, max_spheres, weight, max_protrusion
+
+/// Returns the declarations of keys.
+template <class Keys> std::vector<Parameter> declarations_of(const Keys& keys) {
+    std::vector<Parameter> declared;
+    for (const auto& key : keys) {
+        declared.push_back(key.declared);
+    }
+    return declared;
+}
+
+/// Returns the keys that are present, with their values.
+template <class Keys, class T>
+std::vector<std::pair<const typename Keys::value_type*, ParameterValue>> present(const Keys& keys, const T& holder) {
+    std::vector<std::pair<const typename Keys::value_type*, ParameterValue>> values;
+    for (const auto& key : keys) {
+        if (auto value = key.get(holder)) {
+            values.emplace_back(&key, std::move(*value));
+        }
+    }
+    return values;
+}
+
+} // namespace reading
+} // namespace gnu::visibility("default")]]recipe
+} // namespace foam

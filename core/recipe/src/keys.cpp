@@ -1,0 +1,187 @@
+#include <foam/recipe/internal/keys.hpp>
+
+#include <foam/geometry/length.hpp>
+
+#include <algorithm>
+#include <type_traits>
+
+namespace foam::inline recipe::reading {
+namespace {
+
+template <class T> struct ValueOf { using type = T; };
+template <class T> struct ValueOf<std::optional<T>> { using type = T; };
+
+template <class V> V converted(const ParameterValue& value) {
+    if constexpr (std::is_same_v<V, bool> || std::is_same_v<V, double> || std::is_same_v<V, std::string>) {
+        return std::get<V>(value);
+    } else {
+        return static_cast<V>(std::get<std::int64_t>(value));
+    }
+}
+
+template <class V> ParameterValue as_value(const V& value) {
+    if constexpr (std::is_integral_v<V> && !std::is_same_v<V, bool>) {
+        return static_cast<std::int64_t>(value);
+    } else {
+        return value;
+    }
+}
+
+/// Returns a key whose value the member holds; an optional member without a value: the key is absent.
+template <class T, class M> KeyOf<T> held(Parameter declared, M T::*member) {
+    using V = typename ValueOf<M>::type;
+    return {std::move(declared),
+            [member](T& holder, const ParameterValue& value) { holder.*member = converted<V>(value); },
+            [member](const T& holder) -> std::optional<ParameterValue> {
+                if constexpr (std::is_same_v<M, V>) {
+                    return as_value(holder.*member);
+                } else {
+                    return holder.*member ? std::optional(as_value(*(holder.*member))) : std::nullopt;
+                }
+            }};
+}
+
+/// Returns the same for a key that is no setting of the result.
+template <class T, class M> KeyOf<T> without_effect(Parameter declared, M T::*member) {
+    KeyOf<T> key = held(std::move(declared), member);
+    key.affects_result = false;
+    return key;
+}
+
+/// Returns a key whose choices are the values of an enumeration, in their order.
+template <class T, class E> KeyOf<T> choice(Parameter declared, E T::*member) {
+    const std::vector<std::string> choices = declared.choices;
+    return {std::move(declared),
+            [member, choices](T& holder, const ParameterValue& value) {
+                const auto at = std::find(choices.begin(), choices.end(), std::get<std::string>(value));
+                holder.*member = static_cast<E>(at - choices.begin());
+            },
+            [member, choices](const T& holder) -> std::optional<ParameterValue> {
+                return choices.at(static_cast<std::size_t>(holder.*member));
+            }};
+}
+
+template <class V, class M>
+LinkKey of_link(Parameter declared, std::optional<V> LinkOverride::*given, M Recipe::LinkRecipe::*merged) {
+    return {held(std::move(declared), given), [given, merged](const LinkOverride& link, Recipe::LinkRecipe& result) {
+                if (link.*given) {
+                    result.*merged = *(link.*given);
+                }
+            }};
+}
+
+} // namespace
+
+const std::vector<KeyOf<Recipe>>& top_level_keys() {
+    static const std::vector<KeyOf<Recipe>> keys{
+        held(Parameter::text("name", "")
+                 .doc("Name of the run's folder; absent: the recipe's file name without its ending."),
+             &Recipe::name),
+        held(Parameter::integer("seed", 0).at_least(0).doc("Seed of all random choices."), &Recipe::seed),
+        KeyOf<Recipe>{
+            Parameter::choice("unit", length_units(), "m")
+                .doc("Unit of a single mesh, for formats without a unit; absent: m."),
+            [](Recipe& recipe, const ParameterValue& value) { recipe.mesh_unit.unit = std::get<std::string>(value); },
+            [](const Recipe& recipe) -> std::optional<ParameterValue> { return recipe.mesh_unit.unit; }},
+        KeyOf<Recipe>{
+            Parameter::number("scale", 1)
+                .bounds(1e-12, 1e12)
+                .unit("1")
+                .doc("Scale factor of a single mesh, in addition to its unit; absent: 1."),
+            [](Recipe& recipe, const ParameterValue& value) { recipe.mesh_unit.scale = std::get<double>(value); },
+            [](const Recipe& recipe) -> std::optional<ParameterValue> {
+                return recipe.mesh_unit.scale == 1 ? std::optional<ParameterValue>() : recipe.mesh_unit.scale;
+            }},
+        KeyOf<Recipe>{Parameter::choice("per", {"link", "collision"}, "link")
+                          .doc("Spherize each link as one solid, or every collision element on its own."),
+                      [](Recipe& recipe, const ParameterValue& value) {
+                          recipe.per_link = std::get<std::string>(value) == "link";
+                      },
+                      [](const Recipe& recipe) -> std::optional<ParameterValue> {
+                          return std::string(recipe.per_link ? "link" : "collision");
+                      }},
+        choice(Parameter::choice("guarantee", {"outer", "inner", "fitted"}, "outer")
+                   .doc("outer: the spheres are proved to cover the geometry; inner: the spheres are proved to lie "
+                        "inside the "
+                        "geometry; fitted: neither is proved."),
+               &Recipe::guarantee),
+        choice(Parameter::choice("on_error", {"stop", "skip", "fallback"}, "stop")
+                   .doc("When a link fails: stop the run, skip the link, or replace it by one enclosing sphere."),
+               &Recipe::on_error),
+        held(Parameter::boolean("strict", false)
+                 .doc("A glob in 'links' that matches no link is an error, not a warning."),
+             &Recipe::strict),
+    };
+    return keys;
+}
+
+const std::vector<KeyOf<Recipe>>& budget_keys() {
+    static const std::vector<KeyOf<Recipe>> keys{
+        held(
+            Parameter::integer("spheres", 1).at_least(1).unit("1").doc("Maximum number of spheres of the whole robot."),
+            &Recipe::budget_spheres),
+        held(Parameter::number("excess", 0.5)
+                 .bounds(1e-6, 1e6)
+                 .unit("1")
+                 .doc("Excess of the whole robot: volume of the spheres outside the geometry / volume of the geometry. "
+                      "The "
+                      "fewest spheres that reach it, as far as their number allows."),
+             &Recipe::budget_excess),
+        held(
+            Parameter::number("max_protrusion", 0)
+                .at_least(0)
+                .unit("m")
+                .doc(
+                    "Largest distance by which spheres may extend beyond the geometry, as far as the number of spheres "
+                    "allows."),
+            &Recipe::budget_max_protrusion),
+        without_effect(Parameter::number("time_limit", 10)
+                           .at_least(0.001)
+                           .unit("s")
+                           .doc("Time from the start until the best spheres so far are written; another run may give "
+                                "other spheres. "
+                                "Absent: no limit."),
+                       &Recipe::budget_time_limit),
+    };
+    return keys;
+}
+
+const std::vector<KeyOf<Recipe>>& debug_keys() {
+    static const std::vector<KeyOf<Recipe>> keys{
+        held(Parameter::boolean("meshes", false).doc("Write every link's mesh after each stage."),
+             &Recipe::debug_meshes),
+        held(Parameter::boolean("snapshots", false).doc("Write a picture of every link after each stage."),
+             &Recipe::debug_snapshots),
+    };
+    return keys;
+}
+
+const std::vector<LinkKey>& link_keys() {
+    static const std::vector<LinkKey> keys{
+        of_link(Parameter::boolean("skip", false).doc("Make no spheres for these links."), &LinkOverride::skip,
+                &Recipe::LinkRecipe::skip),
+        of_link(Parameter::integer("min_spheres", 1)
+                    .at_least(1)
+                    .unit("1")
+                    .doc("Minimum number of spheres of each of these links."),
+                &LinkOverride::min_spheres, &Recipe::LinkRecipe::min_spheres),
+        of_link(Parameter::integer("max_spheres", 1)
+                    .at_least(1)
+                    .unit("1")
+                    .doc("Maximum number of spheres of each of these links."),
+                &LinkOverride::max_spheres, &Recipe::LinkRecipe::max_spheres),
+        of_link(Parameter::number("weight", 1)
+                    .bounds(0, 1e6)
+                    .unit("1")
+                    .doc("Factor of the excess volume of these links in the allocation of spheres."),
+                &LinkOverride::weight, &Recipe::LinkRecipe::weight),
+        of_link(Parameter::number("max_protrusion", 0)
+                    .at_least(0)
+                    .unit("m")
+                    .doc("As in 'budget', for each of these links."),
+                &LinkOverride::max_protrusion, &Recipe::LinkRecipe::max_protrusion),
+    };
+    return keys;
+}
+
+} // namespace foam::inline recipe::reading

@@ -1,0 +1,142 @@
+// Refiners in recipes, and what each of foam's does.
+#include "support/runs.hpp"
+
+#include <foam/geometry/clip_plane.hpp>
+#include <foam/geometry/joint_volume.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/runtime/contract.hpp>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+using namespace foam;
+using namespace foam::test;
+using ::testing::ElementsAre;
+using Json = nlohmann::json;
+
+std::shared_ptr<const Solid> solid_of(const Primitive& primitive) {
+    Solid::Part part;
+    part.primitive = primitive;
+    return Solid::make({part});
+}
+
+SphereTree around(const Solid& solid) {
+    return flat_tree({minimum_enclosing_sphere(solid.surface().vertices)});
+}
+
+class Refiners : public RunTest {
+protected:
+    Refiners() {
+        write("box.urdf", R"(<robot name="box"><link name="box">
+                    <collision><geometry><box size="0.4 0.2 0.1"/></geometry></collision></link></robot>)");
+    }
+
+    SphereTree refined(const std::string& stage, const std::shared_ptr<const Solid>& solid, const SphereTree& tree,
+                       std::size_t most, const RefinementGoal& goal = {}) const {
+        const Shape shape("part", solid, solid);
+        QuietContext context;
+        return registry.make<Refiner>(stage)->begin(shape, goal)->refine(tree, most, context);
+    }
+    std::vector<std::string> findings(const std::string& stages) {
+        std::vector<std::string> texts;
+        for (const Diagnostic& finding :
+             parse_recipe("foam: 1\nmesh: a.stl\nstages: " + stages + "\n", "r.yaml", registry).diagnostics) {
+            texts.push_back(finding.text());
+        }
+        return texts;
+    }
+};
+
+TEST_F(Refiners, WithoutThemARecipeHasTheSpherizersSpheres) {
+    const std::string text = "name: box\nrobot: {urdf: box.urdf}\nstages: [spherize.octree]\nbudget: {spheres: 7}\n"
+                             "outputs: [write.urdf: {file: box.urdf}]\n";
+    run(recipe_of(text), registry, options());
+    const auto solid = solid_of({.kind = Primitive::Kind::box, .size = {0.4, 0.2, 0.1}});
+    QuietContext context;
+    const SphereTree made = registry.make<Spherizer>("spherize.octree")
+                                ->spherize({"box", solid, solid}, {7, {}, Guarantee::outer}, context);
+    const std::vector<Sphere> written = spheres_in("out/box.urdf").at("box");
+    ASSERT_EQ(written.size(), made.finest().size());
+    for (std::size_t i = 0; i < written.size(); ++i) {
+        EXPECT_NEAR(distance(written[i].center, made.finest()[i].center), 0, 1e-6);
+        EXPECT_NEAR(written[i].radius, made.finest()[i].radius, 1e-5);
+    }
+}
+
+TEST_F(Refiners, AreInTheManifestInTheirOrder) {
+    run(recipe_of("name: box\nrobot: {urdf: box.urdf}\nstages: [spherize.octree, refine.row, refine.split]\n"
+                  "budget: {spheres: 7}\noutputs: [write.urdf: {file: box.urdf}]\n"),
+        registry, options());
+    const Json manifest = Json::parse(text_of("out/manifest.json"));
+    std::vector<std::string> stages;
+    for (const Json& stage : manifest["links"][0]["stages"]) {
+        stages.push_back(stage["stage"]);
+    }
+    EXPECT_THAT(std::vector(stages.begin(), stages.begin() + 3),
+                ElementsAre("spherize.octree", "refine.row", "refine.split"));
+}
+
+TEST_F(Refiners, StandAfterTheSpherizerOnce) {
+    EXPECT_THAT(findings("[refine.split, spherize.octree]"),
+                ElementsAre("r.yaml:3:10: error[wrong-kind]: 'refine.split' is a refiner before the spherizer; remedy: "
+                            "move it after the spherizer"));
+    EXPECT_THAT(findings("[spherize.octree, refine.split, refine.split]"),
+                ElementsAre("r.yaml:3:41: error[duplicate-stage]: 'refine.split' is given twice; remedy: delete one"));
+    EXPECT_THAT(findings("[spherize.octree, refine.split, repair.auto]"),
+                ElementsAre("r.yaml:3:41: error[wrong-kind]: 'repair.auto' is a mesh filter after the spherizer "
+                            "'spherize.octree'; remedy: move it before the spherizer"));
+}
+
+TEST_F(Refiners, SplitAddsSpheresUpToTheBudget) {
+    const auto solid = solid_of({.kind = Primitive::Kind::box, .size = {0.4, 0.1, 0.1}});
+    const SphereTree one = around(*solid);
+    const SphereTree four = refined("refine.split", solid, one, 4);
+    EXPECT_EQ(four.finest().size(), 4u);
+    EXPECT_LT(geometry::joint_volume(*solid, grown_to_cover(*solid, four.finest())),
+              0.5 * geometry::joint_volume(*solid, one.finest()));
+    EXPECT_EQ(refined("refine.split", solid, one, 1).finest(), one.finest());
+    for (const RefinementGoal& other :
+         {RefinementGoal{.guarantee = Guarantee::inner}, RefinementGoal{.objective = Objective::radius},
+          RefinementGoal{.objective = {}}, RefinementGoal{.max_protrusion = 0.01}}) {
+        EXPECT_EQ(refined("refine.split", solid, one, 4, other).finest(), one.finest());
+    }
+}
+
+TEST_F(Refiners, RowCoversACylinderByEqualSpheres) {
+    const auto solid = solid_of({.kind = Primitive::Kind::cylinder, .radius = 0.1, .length = 1});
+    const SphereTree row = refined("refine.row", solid, around(*solid), 5);
+    ASSERT_EQ(row.finest().size(), 5u);
+    for (const Sphere& sphere : row.finest()) {
+        EXPECT_EQ(sphere.radius, row.finest()[0].radius);
+        EXPECT_NEAR(sphere.center.x, 0, 1e-12);
+    }
+    EXPECT_TRUE(certify(*solid, grown_to_cover(*solid, row.finest())).holds);
+    EXPECT_EQ(refined("refine.row", solid, row, 5).finest(), row.finest()) << "nothing is better";
+}
+
+TEST_F(Refiners, FitReducesTheSymmetricDifference) {
+    const auto solid = solid_of({.kind = Primitive::Kind::box, .size = {0.4, 0.1, 0.1}});
+    const SphereTree start = around(*solid);
+    EXPECT_EQ(refined("refine.fit", solid, start, 3).finest(), start.finest()) << "only with guarantee fitted";
+    const SphereTree fitted = refined("refine.fit", solid, start, 3, {.guarantee = Guarantee::fitted});
+    EXPECT_LE(fitted.finest().size(), 3u);
+    const auto difference = [&](const std::vector<Sphere>& spheres) {
+        const Measures m = measure(*solid, spheres);
+        return m.excess + m.missing;
+    };
+    EXPECT_LT(difference(fitted.finest()), 0.2 * difference(start.finest()));
+}
+
+TEST_F(Refiners, ClipKeepsTheConstraints) {
+    const auto solid = solid_of({.kind = Primitive::Kind::box, .size = {0.4, 0.4, 0.1}});
+    const ClipPlane table{{0, 0, -1}, 0.05, 0.02};
+    const SphereTree clipped = refined("refine.clip", solid, around(*solid), 16, {.clip = {table}});
+    const std::vector<Sphere> grown = grown_to_cover(*solid, clipped.finest());
+    EXPECT_LE(clipped.finest().size(), 16u);
+    EXPECT_LE(reach_beyond(table, grown), table.reach);
+    EXPECT_TRUE(certify(*solid, grown).holds);
+}
+
+} // namespace
