@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 class RobotsOfOthers : public ::testing::Test {
 protected:
     void SetUp() override {
-        for (const char* name : {"load_urdf", "load_mesh"}) {
+        for (const char* name : {"load_urdf", "load_mesh", "spherize_cover"}) {
             ASSERT_TRUE(registry.load(fs::path(FOAM_TEST_PLUGINS) / (name + std::string(".so"))).loaded());
         }
     }

@@ -6,7 +6,6 @@
 #include <foam/judge/self_collision.hpp>
 #include <foam/sdk/context.hpp>
 #include <foam/sdk/stage.hpp>
-#include <foam/search/spherize.hpp>
 
 #include <fmt/format.h>
 
@@ -95,9 +94,12 @@ CollisionModel load_collision_model(const std::filesystem::path& urdf, const Reg
     if (!others.empty()) {
         const Original original = load_original(urdf, registry, others);
         model.notes = original.notes;
+        const auto spherizer = registry.make<Spherizer>("spherize.cover", {{"effort", "fast"}});
         for (const OriginalLink& link : original.links) {
             const std::size_t i = index_of(*model.robot, link.link);
-            model.spheres[i] = spherize(*link.solid, spheres_per_link, {.effort = Effort::fast}).spheres;
+            QuietContext context;
+            const Shape shape(link.link, link.solid, link.solid);
+            model.spheres[i] = spherizer->spherize(shape, {.max_spheres = spheres_per_link}, context).finest();
             model.sources[i] = CollisionModel::Source::cover;
         }
     }
