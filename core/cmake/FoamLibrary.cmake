@@ -1,3 +1,11 @@
+# foam_unity(TARGET): with FOAM_UNITY the sources of the target are compiled together. Names in unnamed namespaces must then be
+# unique in it.
+function(foam_unity TARGET)
+  if(FOAM_UNITY)
+    set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 20)
+  endif()
+endfunction()
+
 # foam_library(NAME USES library... [LIBRARIES target...] [SOURCES file...])
 #
 # A library of core: the target foam::NAME, of the files in src/, for whom include/foam/NAME/ is. It exports what these headers
@@ -49,4 +57,5 @@ function(foam_embed OUTPUT HEADER NAMESPACE)
     COMMAND ${CMAKE_COMMAND} "-DFILES=${ARGN}" "-DHEADER=${HEADER}" "-DNAMESPACE=${NAMESPACE}"
       "-DOUTPUT=${CMAKE_CURRENT_BINARY_DIR}/${OUTPUT}" -P "${PROJECT_SOURCE_DIR}/core/cmake/EmbedText.cmake"
     DEPENDS ${ARGN} "${PROJECT_SOURCE_DIR}/core/cmake/EmbedText.cmake" VERBATIM)
+  set_source_files_properties("${CMAKE_CURRENT_BINARY_DIR}/${OUTPUT}" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()

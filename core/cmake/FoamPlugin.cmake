@@ -30,6 +30,7 @@ function(foam_add_plugin NAME)
   target_link_options(${NAME} PRIVATE -Wl,--build-id=sha1) # part of the keys of the cache
   if(TARGET foam_compiler) # in tree
     target_link_libraries(${NAME} PRIVATE foam_compiler)
+    set_target_properties(${NAME} PROPERTIES UNITY_BUILD ${FOAM_UNITY} UNITY_BUILD_BATCH_SIZE 20)
   else()
     target_compile_options(${NAME} PRIVATE -ffp-contract=off) # the same bits with and without fused multiply-add
   endif()

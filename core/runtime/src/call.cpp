@@ -9,7 +9,7 @@
 namespace foam::inline runtime {
 namespace {
 
-constexpr std::string_view magic = "foam stage call 1\n";
+constexpr std::string_view magic_of_calls = "foam stage call 1\n";
 
 void put_value(std::string& out, const ParameterValue& value) {
     put(out, static_cast<std::uint8_t>(value.index()));
@@ -87,7 +87,7 @@ Budget take_budget(ByteReader& in) {
 } // namespace
 
 std::string to_bytes(const StageRequest& request) {
-    std::string out(magic);
+    std::string out(magic_of_calls);
     put(out, request.what);
     put(out, request.parent);
     put(out, request.threads);
@@ -110,8 +110,8 @@ std::string to_bytes(const StageRequest& request) {
 
 StageRequest request_from(std::string_view bytes) {
     StageRequest request;
-    const bool begins_well = bytes.starts_with(magic);
-    ByteReader in(begins_well ? bytes.substr(magic.size()) : std::string_view());
+    const bool begins_well = bytes.starts_with(magic_of_calls);
+    ByteReader in(begins_well ? bytes.substr(magic_of_calls.size()) : std::string_view());
     request.what = in.take<StageRequest::What>();
     request.parent = in.take<std::int64_t>();
     request.threads = in.take<std::uint64_t>();
