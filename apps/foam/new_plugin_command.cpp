@@ -2,8 +2,8 @@
 #include "cli/program.hpp"
 #include "commands.hpp"
 
-#include <foam/base/text.hpp>
 #include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
 #include <foam/runtime/scratch_folder.hpp>
 #include <foam/sdk/sdk.hpp>
 
@@ -180,8 +180,10 @@ void add_new_plugin(Program& program) {
                                     "  foam new-plugin smooth.mine --dir ~/plugins/smooth_mine");
     auto stage = std::make_shared<std::string>(), directory = std::make_shared<std::string>();
     command
-        ->add_option("stage", *stage,
-                     "Name of the stage, kind.method; kinds: load (meshes), read (sphere models), refine (spheres), repair, simplify, smooth, spherize, write")
+        ->add_option(
+            "stage", *stage,
+            "Name of the stage, kind.method; kinds: load (meshes), read (sphere models), refine (spheres), repair, "
+            "simplify, smooth, spherize, write")
         ->type_name("STAGE")
         ->required();
     command->add_option("--dir", *directory, "Folder of the project; default: ./KIND_METHOD")->type_name("DIR");

@@ -1,7 +1,7 @@
 #include "quick_recipe.hpp"
 
-#include <foam/base/text.hpp>
 #include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -115,23 +115,21 @@ QuickRecipe quick_recipe(const std::filesystem::path& input, const std::string& 
     recipe.text += unit.scale != 1 ? fmt::format("scale: {}\n", to_text(unit.scale)) : "";
     recipe.text += "stages:\n";
     const StageInfo& spheres = spherizer(method, registry).info;
-    for (const char* filter : {"repair.auto", "simplify.quadric", "smooth.humphrey"}) {
-        if (spheres.original_only) {
-            continue;
-        }
-        if (registry.find(filter)) {
-            recipe.text += fmt::format("  - {}: {{}}\n", filter);
+    const auto add_if_there = [&](const char* stage) {
+        if (registry.find(stage)) {
+            recipe.text += fmt::format("  - {}: {{}}\n", stage);
         } else {
-            recipe.left_out.emplace_back(filter);
+            recipe.left_out.emplace_back(stage);
+        }
+    };
+    if (!spheres.original_only) {
+        for (const char* filter : {"repair.auto", "simplify.quadric", "smooth.humphrey"}) {
+            add_if_there(filter);
         }
     }
     recipe.text += fmt::format("  - {}: {{}}\n", spheres.name);
     for (const char* refiner : {"refine.fit", "refine.clip", "refine.row", "refine.split"}) {
-        if (registry.find(refiner)) {
-            recipe.text += fmt::format("  - {}: {{}}\n", refiner);
-        } else {
-            recipe.left_out.emplace_back(refiner);
-        }
+        add_if_there(refiner);
     }
     if (const std::string text = budget_text(budget); !text.empty()) {
         recipe.text += fmt::format("budget: {{{}}}   # for the whole robot\n", text);

@@ -177,10 +177,8 @@ private:
     }
 
     void write_key(std::string_view name) {
-        for (const auto& [key, value] : reading::present(reading::top_level_keys(), recipe_)) {
-            if (key->declared.name == name) {
-                line("{}: {}", name, yaml_value(value));
-            }
+        if (const auto value = reading::value_of(name, reading::top_level_keys(), recipe_)) {
+            line("{}: {}", name, yaml_value(*value));
         }
     }
 

@@ -79,7 +79,6 @@ void begin_refinements(const Workspace& workspace, ShapeWork& work) {
         refinement.call = call;
         refinement.adds_spheres = workspace.registry.find(call.stage)->info.adds_spheres;
         refinement.report.stage = call.stage;
-        refinement.report.cached = true;
         refinement.refiner = workspace.registry.make<Refiner>(call.stage, call.given);
         refinement.refinement = refinement.refiner->begin(*work.shape, goal_of(workspace, work));
         if (!refinement.refinement) {

@@ -49,12 +49,7 @@ Json to_json(const LinkOverride& link, const Registry& registry) {
 
 /// Returns the word of a top-level key.
 Json word_of(const Recipe& recipe, std::string_view name) {
-    for (const auto& [key, value] : reading::present(reading::top_level_keys(), recipe)) {
-        if (key->declared.name == name) {
-            return to_json(value);
-        }
-    }
-    return {};
+    return to_json(reading::value_of(name, reading::top_level_keys(), recipe).value());
 }
 
 } // namespace

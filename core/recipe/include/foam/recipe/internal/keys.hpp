@@ -6,6 +6,8 @@
 
 #include <functional>
 #include <optional>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace foam {
@@ -49,6 +51,17 @@ std::vector<std::pair<const typename Keys::value_type*, ParameterValue>> present
         }
     }
     return values;
+}
+
+/// Returns the value of one key; nothing if it is absent.
+template <class Keys, class T>
+std::optional<ParameterValue> value_of(std::string_view name, const Keys& keys, const T& holder) {
+    for (const auto& key : keys) {
+        if (key.declared.name == name) {
+            return key.get(holder);
+        }
+    }
+    return {};
 }
 
 } // namespace reading
