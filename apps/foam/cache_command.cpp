@@ -15,7 +15,7 @@ namespace {
 
 constexpr double mebibyte = 1024 * 1024;
 
-struct Arguments {
+struct CacheArguments {
     std::optional<std::uint32_t> trim; ///< MiB
     bool clear = false, json = false;
 };
@@ -24,7 +24,7 @@ std::string contents_text(const CacheContents& contents) {
     return fmt::format("{} entries, {:.1f} MiB", contents.entries, static_cast<double>(contents.bytes) / mebibyte);
 }
 
-int cache_command(const Arguments& arguments) {
+int cache_command(const CacheArguments& arguments) {
     const std::filesystem::path folder = default_cache_folder();
     if (folder.empty()) {
         throw Error(ErrorCode::usage, "there is no cache: neither XDG_CACHE_HOME nor HOME names a folder");
@@ -56,7 +56,7 @@ void add_cache(Program& program) {
                                     "  foam cache\n"
                                     "  foam cache --trim 500    keep the latest entries, at most 500 MiB\n"
                                     "  foam cache --clear");
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<CacheArguments>();
     CLI::Option* trim =
         command
             ->add_option("--trim", arguments->trim,

@@ -8,7 +8,7 @@
 namespace foam::cli {
 namespace {
 
-struct Arguments {
+struct CertifyArguments {
     JudgeOptions judge;
     std::string spheres, guarantee = "outer";
     bool json = false;
@@ -21,8 +21,8 @@ std::string point_text(const Vec3& p) {
 }
 
 /// The links whose proof fails, with the place where it does.
-std::string table_of(const Original& original, const MatchedModel& model, const std::vector<LinkProof>& proofs,
-                     bool outer) {
+std::string table_of_proofs(const Original& original, const MatchedModel& model, const std::vector<LinkProof>& proofs,
+                            bool outer) {
     const std::size_t width = column_width("link", original.links, &OriginalLink::link);
     std::string table = fmt::format("{:<{}}  {:>9}  {:>8}  {}\n", "link", width, outer ? "growth mm" : "excess mm",
                                     outer ? "triangle" : "sphere", outer ? "witness, m" : "center, m");
@@ -61,7 +61,7 @@ nlohmann::ordered_json json_of_proofs(const Original& original, const std::vecto
     return links;
 }
 
-int certify_spheres(Program& program, const Arguments& arguments) {
+int certify_spheres(Program& program, const CertifyArguments& arguments) {
     const ThreadLimit limit(arguments.judge.threads);
     const bool outer = arguments.guarantee == "outer";
     const Original original = original_of(program, arguments.judge);
@@ -90,7 +90,7 @@ int certify_spheres(Program& program, const Arguments& arguments) {
                           sphere_count(model) == 1 ? "" : "s") +
               not_judged_text(proved));
     } else {
-        print(table_of(original, model, proofs, outer) +
+        print(table_of_proofs(original, model, proofs, outer) +
               fmt::format("Not certified ({}): {} of {} link{}.\n", arguments.guarantee, failed, proofs.size(),
                           proofs.size() == 1 ? "" : "s") +
               not_judged_text(proved));
@@ -109,7 +109,7 @@ void add_certify(Program& program) {
                                     "a point outside the spheres (witness), and the length by which the radius of\n"
                                     "the nearest sphere would have to grow to cover it (growth).\n"
                                     "Exit codes: 0 certified, 1 not certified, 2 invalid command line");
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<CertifyArguments>();
     add_judge_options(*command, arguments->judge);
     command->add_option("spheres", arguments->spheres, "The sphere model")->type_name("SPHERES")->required();
     command

@@ -12,13 +12,13 @@
 namespace foam::cli {
 namespace {
 
-struct Arguments {
+struct CheckArguments {
     std::string recipe;
     std::vector<std::string> settings, variants;
     bool json = false;
 };
 
-nlohmann::ordered_json json_of(const RecipeResult& read) {
+nlohmann::ordered_json json_of_findings(const RecipeResult& read) {
     nlohmann::ordered_json json{{"ok", read.ok()},
                                 {"runs", nlohmann::ordered_json::array()},
                                 {"variants", read.variants},
@@ -50,12 +50,12 @@ void add_unknown_names(RecipeResult& read, const Registry& registry) {
     }
 }
 
-int check_recipe(Program& program, const Arguments& arguments) {
+int check_recipe(Program& program, const CheckArguments& arguments) {
     RecipeResult read =
         read_recipe(arguments.recipe, program.registry(), settings_of(arguments.settings), arguments.variants);
     add_unknown_names(read, program.registry());
     if (arguments.json) {
-        print_json(json_of(read));
+        print_json(json_of_findings(read));
     } else {
         std::string text;
         for (const Diagnostic& finding : read.diagnostics) {
@@ -78,7 +78,7 @@ void add_check(Program& program) {
     CLI::App* command = add_command(program, "check", "List all errors of a recipe without running it",
                                     "  foam check my_robot.yaml\n"
                                     "  foam check my_robot.yaml --set budget.spheres=60 --json");
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<CheckArguments>();
     command->add_option("recipe", arguments->recipe, "The recipe, a YAML file")->type_name("RECIPE")->required();
     add_variants(*command, arguments->variants);
     add_settings(*command, arguments->settings);

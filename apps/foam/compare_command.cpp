@@ -10,7 +10,7 @@
 namespace foam::cli {
 namespace {
 
-struct Arguments {
+struct CompareArguments {
     JudgeOptions judge;
     std::vector<std::string> models;
     std::string html;
@@ -41,7 +41,7 @@ Pictures pictures_of(Program& program, const Comparison& comparison) {
     return {};
 }
 
-int compare_models(Program& program, const Arguments& arguments) {
+int compare_models(Program& program, const CompareArguments& arguments) {
     const ThreadLimit limit(arguments.judge.threads);
     std::vector<std::filesystem::path> inputs(arguments.models.begin(), arguments.models.end());
     inputs.emplace_back(arguments.judge.original);
@@ -77,7 +77,7 @@ void add_compare(Program& program) {
                                     "  foam compare robot.urdf a.urdf b.urdf --html comparison.html\n"
                                     "\n"
                                     "The figures are those of `foam evaluate`.");
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<CompareArguments>();
     add_judge_options(*command, arguments->judge);
     command->add_option("models", arguments->models, "The sphere models")->type_name("SPHERES")->required();
     command->add_option("--html", arguments->html, "Also write one HTML file with tables and pictures")

@@ -15,7 +15,7 @@
 namespace foam::cli {
 namespace {
 
-struct Arguments {
+struct EvaluateArguments {
     JudgeOptions judge;
     std::string spheres;
     std::vector<std::string> clips;
@@ -35,7 +35,7 @@ std::string row(const std::string& name, std::size_t width, const Figures& figur
                        millimetres(m.protrusion_max), millimetres(m.protrusion_mean), m.certified ? "yes" : "no");
 }
 
-std::string table_of(const Original& original, const Evaluation& evaluation) {
+std::string table_of_figures(const Original& original, const Evaluation& evaluation) {
     const std::size_t width = column_width("total", original.links, &OriginalLink::link);
     std::string table =
         fmt::format("{:<{}}  {:>7}  {:>13}  {:>9}  {:>13}  {:>13}  {:>9}  {:>9}  {:>9}\n", "link", width, "spheres",
@@ -111,7 +111,7 @@ nlohmann::ordered_json planes_json(const std::vector<LinkPlane>& planes, const O
     return json;
 }
 
-int evaluate_spheres(Program& program, const Arguments& arguments) {
+int evaluate_spheres(Program& program, const EvaluateArguments& arguments) {
     const ThreadLimit limit(arguments.judge.threads);
     const Original original = original_of(program, arguments.judge);
     std::vector<LinkPlane> planes;
@@ -130,7 +130,7 @@ int evaluate_spheres(Program& program, const Arguments& arguments) {
     } else {
         print(fmt::format("{} ({}): {} sphere{} for {}\n", arguments.spheres, model.file.format, sphere_count(model),
                           sphere_count(model) == 1 ? "" : "s", arguments.judge.original) +
-              table_of(original, evaluation) +
+              table_of_figures(original, evaluation) +
               not_judged_text(proved_links(original, certified_links(evaluation), Guarantee::outer)) +
               planes_text(planes, original, model));
     }
@@ -154,7 +154,7 @@ void add_evaluate(Program& program) {
                                     "  out        how far the spheres extend beyond the link\n"
                                     "  certified  gap = 0 is proved\n"
                                     "A number after ± is a standard error.");
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<EvaluateArguments>();
     add_judge_options(*command, arguments->judge);
     command->add_option("spheres", arguments->spheres, "The sphere model")->type_name("SPHERES")->required();
     command

@@ -16,7 +16,7 @@ std::pair<std::string, std::string> names_of(const LinkPair& pair, const Robot& 
     return std::minmax(robot.links[pair.first].name, robot.links[pair.second].name);
 }
 
-Json json_of(const LinkPair& pair, const Robot& robot) {
+Json json_of_pair(const LinkPair& pair, const Robot& robot) {
     return {robot.links[pair.first].name, robot.links[pair.second].name};
 }
 
@@ -72,10 +72,10 @@ Json json_of(const Agreement& agreement, const Robot& robot) {
               {"only_here", Json::array()},
               {"without_spheres", Json::array()}};
     for (const Agreement::Difference& difference : agreement.only_there) {
-        json["only_there"].push_back(json_of(difference.pair, robot));
+        json["only_there"].push_back(json_of_pair(difference.pair, robot));
     }
     for (const LinkPair& pair : agreement.only_here) {
-        json["only_here"].push_back(json_of(pair, robot));
+        json["only_here"].push_back(json_of_pair(pair, robot));
     }
     for (const IgnoredPair& pair : agreement.unknown) {
         json["without_spheres"].push_back({pair.first, pair.second});

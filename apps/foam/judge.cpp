@@ -44,15 +44,19 @@ void add_renames(CLI::App& command, std::vector<std::string>& texts) {
         ->take_all();
 }
 
+CLI::Option* add_reader(CLI::App& command, std::string& reader) {
+    return command
+        .add_option("--reader", reader,
+                    "Stage that reads SPHERES, such as read.curobo; default: the one that recognises the file")
+        ->type_name("STAGE");
+}
+
 void add_judge_options(CLI::App& command, JudgeOptions& options) {
     command.add_option("original", options.original, "The geometry: a URDF or a mesh file")
         ->type_name("ORIGINAL")
         ->required();
     add_mesh_unit(command, options.unit);
-    command
-        .add_option("--reader", options.reader,
-                    "Stage that reads SPHERES, such as read.curobo; default: the one that recognises the file")
-        ->type_name("STAGE");
+    add_reader(command, options.reader);
     add_renames(command, options.renames);
     command.add_option("--link", options.links, "Evaluate only links that match this glob; repeatable")
         ->type_name("GLOB")

@@ -22,6 +22,8 @@ struct JudgeOptions {
     std::size_t threads = 0; ///< 0: all cores
 };
 
+/// --reader STAGE, which reads the sphere model.
+CLI::Option* add_reader(CLI::App& command, std::string& reader);
 /// --rename OLD=NEW, repeatable.
 void add_renames(CLI::App& command, std::vector<std::string>& texts);
 /// Throws Error(usage) for a text without '='.

@@ -12,13 +12,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const ParameterValue& value) {
+Json json_of_declared(const ParameterValue& value) {
     return std::visit([](const auto& v) { return Json(v); }, value);
 }
 
-Json json_of(const Parameter& p) {
-    Json json{
-        {"name", p.name}, {"type", to_string(p.type)}, {"default", json_of(p.default_value)}, {"doc", p.doc_text}};
+Json json_of_declared(const Parameter& p) {
+    Json json{{"name", p.name},
+              {"type", to_string(p.type)},
+              {"default", json_of_declared(p.default_value)},
+              {"doc", p.doc_text}};
     if (!p.unit_text.empty()) {
         json["unit"] = p.unit_text;
     }
@@ -39,7 +41,7 @@ Json json_of(const Parameter& p) {
 }
 
 /// By the keys of recipes; those that the stage leaves to the recipe are left out.
-Json json_of(const Isolation& isolation) {
+Json json_of_declared(const Isolation& isolation) {
     Json json = Json::object();
     if (isolation.process) {
         json["isolate"] = *isolation.process ? "process" : "none";
@@ -53,7 +55,7 @@ Json json_of(const Isolation& isolation) {
     return json;
 }
 
-Json json_of(const RegisteredStage& stage) {
+Json json_of_declared(const RegisteredStage& stage) {
     Json json{{"name", stage.info.name},
               {"kind", to_string(stage.kind)},
               {"summary", stage.info.summary},
@@ -65,11 +67,11 @@ Json json_of(const RegisteredStage& stage) {
               {"extensions", stage.info.extensions},
               {"original_only", stage.info.original_only},
               {"objective_parameter", stage.info.objective_parameter},
-              {"isolation", json_of(stage.info.isolation)},
+              {"isolation", json_of_declared(stage.info.isolation)},
               {"last_resort", stage.info.last_resort},
               {"parameters", Json::array()}};
     for (const Parameter& p : stage.info.parameters) {
-        json["parameters"].push_back(json_of(p));
+        json["parameters"].push_back(json_of_declared(p));
     }
     return json;
 }
@@ -102,7 +104,7 @@ std::string description(const RegisteredStage& stage) {
         text +=
             "Reads the files that no other loader reads, or all of these formats if 'loaders: {prefer: …}' names it.\n";
     }
-    if (const Json isolation = json_of(stage.info.isolation); !isolation.empty()) {
+    if (const Json isolation = json_of_declared(stage.info.isolation); !isolation.empty()) {
         text += "Default isolation:";
         for (const auto& [key, value] : isolation.items()) {
             text += fmt::format(" {}: {},", key, value.is_string() ? value.get<std::string>() : value.dump());
@@ -132,7 +134,7 @@ int list_stages(Program& program, bool as_json) {
     Json json = Json::array();
     std::string text;
     for (const auto& [name, stage] : registry.stages()) {
-        json.push_back(json_of(stage));
+        json.push_back(json_of_declared(stage));
         text += fmt::format("{:<22} {:<13} {}\n", name, to_string(stage.kind), stage.info.summary);
     }
     if (as_json) {
@@ -153,7 +155,7 @@ int describe_stage(Program& program, const std::string& name, bool as_json) {
                                                                : fmt::format("; did you mean '{}'?", near)));
     }
     if (as_json) {
-        print_json(json_of(*stage));
+        print_json(json_of_declared(*stage));
     } else {
         print(description(*stage));
     }

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-struct Arguments {
+struct PlanArguments {
     std::string recipe;
     std::vector<std::string> settings, variants;
     bool json = false;
@@ -162,7 +162,7 @@ std::string text_of(const Plan& plan, const Recipe& recipe) {
     return text;
 }
 
-Json json_of(const PlannedStage& stage, bool with_cache) {
+Json json_of_planned(const PlannedStage& stage, bool with_cache) {
     Json json{{"stage", stage.stage},
               {"plugin", stage.plugin},
               {"version", stage.plugin_version},
@@ -177,11 +177,11 @@ Json json_of(const PlannedStage& stage, bool with_cache) {
     return json;
 }
 
-Json json_of(const PlannedFile& file) {
+Json json_of_planned(const PlannedFile& file) {
     return {{"file", file.file.string()}, {"digest", file.digest}};
 }
 
-Json json_of(const PlannedLink& link) {
+Json json_of_planned(const PlannedLink& link) {
     Json json{{"link", link.link},
               {"geometry", link.geometry},
               {"skipped", link.skipped},
@@ -194,7 +194,7 @@ Json json_of(const PlannedLink& link) {
                                      {"column", change.where.column}});
     }
     for (const PlannedStage& stage : link.stages) {
-        json["stages"].push_back(json_of(stage, true));
+        json["stages"].push_back(json_of_planned(stage, true));
     }
     if (!link.error.empty()) {
         json["error"] = link.error;
@@ -202,7 +202,7 @@ Json json_of(const PlannedLink& link) {
     return json;
 }
 
-Json json_of(const Plan& plan, const Recipe& recipe) {
+Json json_of_planned(const Plan& plan, const Recipe& recipe) {
     Json json{{"name", recipe.name},
               {"directory", (fs::path("runs") / recipe.name).string()},
               {"recipe", recipe.file.string()},
@@ -216,16 +216,16 @@ Json json_of(const Plan& plan, const Recipe& recipe) {
               {"guarantee", to_string(recipe.guarantee)},
               {"links", Json::array()},
               {"outputs", Json::array()}};
-    json["input"].update(json_of(plan.input_file));
+    json["input"].update(json_of_planned(plan.input_file));
     for (const RecipeFile& base : recipe.extended) {
         json["extends"].push_back(base.file.string());
     }
     for (const PlannedFile& mesh : plan.meshes) {
-        json["meshes"].push_back(json_of(mesh));
+        json["meshes"].push_back(json_of_planned(mesh));
         json["meshes"].back()["loader"] = mesh.loader;
     }
     for (const PlannedStage& stage : plan.stages) {
-        json["stages"].push_back(json_of(stage, false));
+        json["stages"].push_back(json_of_planned(stage, false));
     }
     if (recipe.budget_spheres) {
         json["budget"]["spheres"] = *recipe.budget_spheres;
@@ -243,20 +243,20 @@ Json json_of(const Plan& plan, const Recipe& recipe) {
         json["self_collision"] = {{"pose", recipe.self_collision_pose}};
     }
     for (const PlannedLink& link : plan.links) {
-        json["links"].push_back(json_of(link));
+        json["links"].push_back(json_of_planned(link));
     }
     for (const PlannedOutput& output : plan.outputs) {
-        Json entry = json_of(output.writer, false);
+        Json entry = json_of_planned(output.writer, false);
         entry["file"] = output.file;
         json["outputs"].push_back(std::move(entry));
     }
     if (plan.renderer) {
-        json["renderer"] = json_of(*plan.renderer, false);
+        json["renderer"] = json_of_planned(*plan.renderer, false);
     }
     return json;
 }
 
-int plan_recipe(Program& program, const Arguments& arguments) {
+int plan_recipe(Program& program, const PlanArguments& arguments) {
     Registry& registry = program.registry();
     const RecipeResult read =
         read_recipe(arguments.recipe, registry, settings_of(arguments.settings), arguments.variants);
@@ -268,7 +268,7 @@ int plan_recipe(Program& program, const Arguments& arguments) {
         const Plan planned = plan(recipe, registry);
         tell_findings(planned.warnings);
         if (arguments.json) {
-            runs.push_back(json_of(planned, recipe));
+            runs.push_back(json_of_planned(planned, recipe));
         } else {
             text += text_of(planned, recipe);
         }
@@ -292,7 +292,7 @@ void add_plan(Program& program) {
     CLI::App* command = add_command(program, "plan", "Show what a recipe would run and what is cached",
                                     "  foam plan configs/panda_22.yaml\n"
                                     "  foam plan my_robot.yaml --variant fine --json");
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<PlanArguments>();
     command->add_option("recipe", arguments->recipe, "The recipe, a YAML file")->type_name("RECIPE")->required();
     add_variants(*command, arguments->variants);
     add_settings(*command, arguments->settings);

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct RunArguments {
     std::string recipe, out, locked;
     std::vector<std::string> settings, variants;
     ExecuteOptions execute;
@@ -46,7 +46,7 @@ void keep_locked(std::vector<Recipe>& recipes, const std::string& name, const st
     }
 }
 
-int run_recipe(Program& program, Arguments arguments) {
+int run_recipe(Program& program, RunArguments arguments) {
     Registry& registry = program.registry();
     std::optional<Lock> lock;
     if (!arguments.locked.empty()) {
@@ -99,7 +99,7 @@ void add_run(Program& program) {
                                     "  foam run configs/panda_22.yaml -j 4 --fresh --json\n"
                                     "  foam run my_robot.yaml --variant fine\n"
                                     "  foam run --locked manifest.json panda_22.yaml");
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<RunArguments>();
     command->add_option("recipe", arguments->recipe, "The recipe, a YAML file")->type_name("RECIPE");
     command
         ->add_option(

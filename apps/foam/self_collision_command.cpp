@@ -22,8 +22,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Arguments {
-    std::string urdf, model, srdf, curobo, against;
+struct SelfCollisionArguments {
+    std::string urdf, model, reader, srdf, curobo, against;
     std::vector<std::string> renames, pose;
     std::size_t spheres = 32, threads = 0;
     SelfCollisionOptions options;
@@ -43,11 +43,11 @@ JointValues pose_of(const std::vector<std::string>& texts) {
     return values;
 }
 
-CollisionModel model_of(Program& program, const Arguments& arguments) {
-    CollisionModel model =
-        arguments.model.empty()
-            ? load_collision_model(arguments.urdf, program.registry(), arguments.spheres)
-            : load_collision_model(arguments.urdf, arguments.model, program.registry(), renames_of(arguments.renames));
+CollisionModel model_of(Program& program, const SelfCollisionArguments& arguments) {
+    CollisionModel model = arguments.model.empty()
+                               ? load_collision_model(arguments.urdf, program.registry(), arguments.spheres)
+                               : load_collision_model(arguments.urdf, arguments.model, program.registry(),
+                                                      renames_of(arguments.renames), arguments.reader);
     for (const std::string& note : model.notes) {
         tell(fmt::format("warning: {}: {}", arguments.urdf, note));
     }
@@ -74,7 +74,7 @@ std::size_t count(const CollisionModel& model, CollisionModel::Source source) {
     return static_cast<std::size_t>(std::count(model.sources.begin(), model.sources.end(), source));
 }
 
-std::string model_text(const Arguments& arguments, const CollisionModel& model) {
+std::string model_text(const SelfCollisionArguments& arguments, const CollisionModel& model) {
     using Source = CollisionModel::Source;
     const std::size_t given = count(model, Source::given), covers = count(model, Source::cover);
     if (!arguments.model.empty()) {
@@ -139,7 +139,8 @@ std::string evidence(const SelfCollisionMatrix& matrix, const LinkPair& pair) {
 
 namespace {
 
-std::string table_of(const Arguments& arguments, const CollisionModel& model, const SelfCollisionMatrix& matrix) {
+std::string table_of_pairs(const SelfCollisionArguments& arguments, const CollisionModel& model,
+                           const SelfCollisionMatrix& matrix) {
     const std::vector<Link>& links = model.robot->links;
     std::size_t width = 5;
     for (const LinkPair& pair : matrix.pairs) {
@@ -186,8 +187,8 @@ Json json_of_pairs(const CollisionModel& model, const SelfCollisionMatrix& matri
     return pairs;
 }
 
-Json json_of(const Arguments& arguments, const Kinematics& kinematics, const CollisionModel& model,
-             const SelfCollisionMatrix& matrix) {
+Json json_of_pairs(const SelfCollisionArguments& arguments, const Kinematics& kinematics, const CollisionModel& model,
+                   const SelfCollisionMatrix& matrix) {
     Json reference = Json::object();
     for (std::size_t i = 0; i < matrix.reference.size(); ++i) {
         reference[kinematics.freedoms()[i].joint] = matrix.reference[i];
@@ -221,7 +222,7 @@ void tell_unknown_links(const Agreement& agreement, const Robot& robot) {
     }
 }
 
-int self_collision(Program& program, Arguments& arguments) {
+int self_collision(Program& program, SelfCollisionArguments& arguments) {
     const ThreadLimit limit(arguments.threads);
     arguments.options.reference = pose_of(arguments.pose);
     arguments.options.cancel = &stop_on_interrupt();
@@ -238,8 +239,8 @@ int self_collision(Program& program, Arguments& arguments) {
     if (!arguments.curobo.empty()) {
         write_whole_file(arguments.curobo, curobo_text(*model.robot, matrix));
     }
-    Json json = json_of(arguments, kinematics, model, matrix);
-    std::string text = table_of(arguments, model, matrix);
+    Json json = json_of_pairs(arguments, kinematics, model, matrix);
+    std::string text = table_of_pairs(arguments, model, matrix);
     if (!arguments.against.empty()) {
         const Agreement found = agreement(arguments.against, *model.robot, matrix);
         tell_unknown_links(found, *model.robot);
@@ -254,7 +255,7 @@ int self_collision(Program& program, Arguments& arguments) {
     return 0;
 }
 
-void add_model_options(CLI::App& command, Arguments& arguments) {
+void add_model_options(CLI::App& command, SelfCollisionArguments& arguments) {
     command.add_option("robot", arguments.urdf, "The robot, a URDF; its collision spheres are used as they are")
         ->type_name("ROBOT")
         ->required();
@@ -264,14 +265,15 @@ void add_model_options(CLI::App& command, Arguments& arguments) {
         ->type_name("N")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1000}).description(""))
         ->capture_default_str();
-    command
-        .add_option("--model", arguments.model,
-                    "Spheres of the robot's links, in any format that `foam evaluate` reads")
-        ->type_name("SPHERES");
+    CLI::Option* model = command
+                             .add_option("--model", arguments.model,
+                                         "Spheres of the robot's links, in any format that `foam evaluate` reads")
+                             ->type_name("SPHERES");
+    add_reader(command, arguments.reader)->needs(model);
     add_renames(command, arguments.renames);
 }
 
-void add_sampling_options(CLI::App& command, Arguments& arguments) {
+void add_sampling_options(CLI::App& command, SelfCollisionArguments& arguments) {
     SelfCollisionOptions& options = arguments.options;
     command
         .add_option("--samples", options.samples,
@@ -318,7 +320,7 @@ void add_self_collision(Program& program) {
                                     "  Never     they touch in no configuration\n"
                                     "foam proves Always and Never, or prints a bound from random samples. All other\n"
                                     "pairs need a check.");
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<SelfCollisionArguments>();
     add_model_options(*command, *arguments);
     add_sampling_options(*command, *arguments);
     command->add_option("--srdf", arguments->srdf, "Write the pairs as an SRDF, <disable_collisions>")

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct SpherizeArguments {
     std::string input, method = "cover", output, format, out;
     QuickBudget budget;
     std::string max_protrusion;
@@ -27,16 +27,16 @@ struct Arguments {
     bool print_recipe = false, json = false;
 };
 
-bool to_stdout(const Arguments& arguments) {
+bool to_stdout(const SpherizeArguments& arguments) {
     return arguments.output == "-";
 }
 
 /// Where the result goes: what -o says, or beside nothing: <stem>_spheres in the current folder.
-fs::path output_file(const Arguments& arguments, const QuickRecipe& recipe) {
+fs::path output_file(const SpherizeArguments& arguments, const QuickRecipe& recipe) {
     return arguments.output.empty() ? fs::path(recipe.output) : fs::path(arguments.output);
 }
 
-std::string output_ending(const Arguments& arguments, const Registry& registry) {
+std::string output_ending(const SpherizeArguments& arguments, const Registry& registry) {
     if (!arguments.format.empty()) {
         return arguments.format;
     }
@@ -55,7 +55,7 @@ std::string output_ending(const Arguments& arguments, const Registry& registry) 
     return extension.substr(1);
 }
 
-QuickBudget budget_of(const Arguments& arguments) {
+QuickBudget budget_of(const SpherizeArguments& arguments) {
     QuickBudget budget = arguments.budget;
     if (!arguments.max_protrusion.empty()) {
         budget.max_protrusion = length_of(arguments.max_protrusion, "--max-protrusion");
@@ -111,7 +111,8 @@ std::string result_for(const fs::path& folder, const fs::path& made, const RunRe
     return bytes;
 }
 
-int run_quick(const Arguments& arguments, const Recipe& recipe, const QuickRecipe& quick, const Registry& registry) {
+int run_quick(const SpherizeArguments& arguments, const Recipe& recipe, const QuickRecipe& quick,
+              const Registry& registry) {
     const fs::path target = output_file(arguments, quick);
     const fs::path beside = target.has_parent_path() ? target.parent_path() : fs::path(".");
     if (!to_stdout(arguments) && !fs::is_directory(beside)) {
@@ -142,7 +143,7 @@ int run_quick(const Arguments& arguments, const Recipe& recipe, const QuickRecip
     return exit_code_of(result);
 }
 
-int spherize(Program& program, const Arguments& arguments) {
+int spherize(Program& program, const SpherizeArguments& arguments) {
     Registry& registry = program.registry();
     std::error_code error;
     if (!fs::is_regular_file(arguments.input, error)) {
@@ -173,7 +174,7 @@ void add_spherize(Program& program) {
                                     "  foam spherize robot.urdf --excess 0.5    the fewest spheres with this excess\n"
                                     "  foam spherize part.stl --method grid -o - --format csv\n"
                                     "  foam spherize robot.urdf -n 60 --print-recipe > robot.yaml");
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<SpherizeArguments>();
     arguments->execute.say_which = false; // the user did
     command->add_option("input", arguments->input, "A URDF or a mesh file")->type_name("INPUT")->required();
     command

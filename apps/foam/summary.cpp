@@ -25,12 +25,12 @@ std::string row(const std::string& name, std::size_t width, const Measures& m, G
                        m.certified ? "yes" : "no", growth);
 }
 
-Json json_of(const InputSize& size) {
+Json json_of_size(const InputSize& size) {
     const Vec3 edges = size.box.size();
     return {{"size_m", {edges.x, edges.y, edges.z}}, {"links", size.links}, {"triangles", size.triangles}};
 }
 
-Json json_of(const PlaneReach& reach) {
+Json json_of_reach(const PlaneReach& reach) {
     const ClipPlane& plane = reach.plane;
     return {{"normal", {plane.normal.x, plane.normal.y, plane.normal.z}},
             {"offset_m", plane.offset},
@@ -124,7 +124,7 @@ Json json_of(const RunResult& result, const Recipe& recipe, const std::filesyste
     Json json{{"name", recipe.name},
               {"input", result.input},
               {"input_file", result.input_file.string()},
-              {"input_size", json_of(result.input_size)},
+              {"input_size", json_of_size(result.input_size)},
               {"directory", directory.string()},
               {"certified", result.certified},
               {"proof", json_of_proof<Json>(result.proved)},
@@ -142,7 +142,7 @@ Json json_of(const RunResult& result, const Recipe& recipe, const std::filesyste
         Json entry{{"link", link.link}, {"skipped", link.skipped}, {"growth_m", link.growth}};
         entry.update(json_of_measures<Json>(link.measures));
         for (const PlaneReach& plane : link.clip) {
-            entry["clip"].push_back(json_of(plane));
+            entry["clip"].push_back(json_of_reach(plane));
         }
         if (!link.error.empty()) {
             entry["error"] = link.error;

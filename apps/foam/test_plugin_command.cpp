@@ -10,12 +10,12 @@
 namespace foam::cli {
 namespace {
 
-struct Arguments {
+struct TestPluginArguments {
     std::string file;
     std::vector<std::string> samples;
 };
 
-int test_plugin(const Arguments& arguments) {
+int test_plugin(const TestPluginArguments& arguments) {
     Registry registry; // of this plugin alone: an installed one of the same name is not in the way
     const PluginRecord& record = registry.load(arguments.file);
     if (!record.loaded()) {
@@ -44,7 +44,7 @@ void add_test_plugin(Program& program) {
     CLI::App* command = add_command(program, "test-plugin", "Check that a plugin keeps its contract",
                                     "  foam test-plugin build/spherize_mine.so\n"
                                     "  foam test-plugin build/load_mine.so --sample part.mine");
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<TestPluginArguments>();
     command->add_option("file", arguments->file, "The plugin, a shared library")->type_name("FILE")->required();
     command->add_option("--sample", arguments->samples, "A file for the tested loader to read; repeatable")
         ->type_name("FILE")

@@ -14,7 +14,7 @@
 namespace foam::cli {
 namespace {
 
-struct Arguments {
+struct VerifyArguments {
     std::string directory;
     ExecuteOptions execute;
     bool json = false;
@@ -42,7 +42,7 @@ std::string text_of(const Verification& result, const std::string& directory) {
     return text;
 }
 
-nlohmann::ordered_json json_of(const Verification& result, const std::string& directory) {
+nlohmann::ordered_json json_of_verification(const Verification& result, const std::string& directory) {
     nlohmann::ordered_json json{{"directory", directory},
                                 {"equal", result.equal()},
                                 {"compared", result.compared},
@@ -55,7 +55,7 @@ nlohmann::ordered_json json_of(const Verification& result, const std::string& di
     return json;
 }
 
-int verify_run(Program& program, const Arguments& arguments) {
+int verify_run(Program& program, const VerifyArguments& arguments) {
     RunOptions options;
     options.cancel = &stop_on_interrupt();
     options.program = own_program;
@@ -64,7 +64,7 @@ int verify_run(Program& program, const Arguments& arguments) {
     options.observer = &progress;
     const Verification result = verify(arguments.directory, program.registry(), options);
     if (arguments.json) {
-        print_json(json_of(result, arguments.directory));
+        print_json(json_of_verification(result, arguments.directory));
     } else {
         print(text_of(result, arguments.directory));
     }
@@ -81,7 +81,7 @@ void add_verify(Program& program) {
                                     "The command never reads the cache, and does not compare pictures.\n"
                                     "Exit codes: 0 equal, 1 different, 2 not a run directory or damaged,\n"
                                     "            3 a plugin is missing");
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<VerifyArguments>();
     command->add_option("directory", arguments->directory, "A folder that `foam run` wrote")
         ->type_name("RUNDIR")
         ->required();

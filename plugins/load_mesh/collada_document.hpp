@@ -3,7 +3,7 @@
 
 #include "text.hpp"
 
-#include <xml/document.hpp>
+#include <foam/xml/document.hpp>
 
 #include <memory>
 #include <unordered_map>

@@ -60,10 +60,10 @@ Affine transform_of(const JsonPlace& node) {
            (s ? Affine::scaling(vector(*s)) : Affine{});
 }
 
-class SceneReader {
+class GltfReader {
 public:
-    SceneReader(const Source& source, const JsonPlace& root, std::string_view binary, MeshBuilder& builder,
-                Context& context)
+    GltfReader(const Source& source, const JsonPlace& root, std::string_view binary, MeshBuilder& builder,
+               Context& context)
         : source_(source), root_(root), accessors_(source, root, binary, builder.limits().max_bytes,
                                                    3 * std::uint64_t{builder.limits().max_triangles}),
           builder_(builder), context_(context) {}
@@ -246,7 +246,7 @@ private:
 void read_gltf(const Source& source, MeshBuilder& builder, Context& context) {
     const GltfContainer container = open_gltf(source);
     const json root = parsed(source, container.text);
-    SceneReader(source, JsonPlace(source, root), container.binary, builder, context).read();
+    GltfReader(source, JsonPlace(source, root), container.binary, builder, context).read();
 }
 
 } // namespace foam::load_mesh

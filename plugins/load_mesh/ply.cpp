@@ -39,7 +39,7 @@ struct Property {
     std::optional<Type> count; ///< of a list
 };
 
-struct Element {
+struct PlyElement {
     std::string name;
     std::uint64_t count = 0;
     std::vector<Property> properties;
@@ -47,7 +47,7 @@ struct Element {
 
 struct Header {
     enum class Format { text, little, big } format = Format::text;
-    std::vector<Element> elements;
+    std::vector<PlyElement> elements;
     std::size_t size = 0, lines = 0; ///< of the header
 };
 
@@ -244,7 +244,7 @@ public:
         : source_(source), values_(source, header), builder_(builder), points_(builder) {}
 
     void read(const Header& header, Context& context) {
-        for (const Element& element : header.elements) {
+        for (const PlyElement& element : header.elements) {
             check_count(element);
             CancellationCounter asking(4096);
             for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
@@ -261,7 +261,7 @@ public:
 
 private:
     /// Refuses a count for which the rest of the file is too short, before anything is allocated.
-    void check_count(const Element& element) const {
+    void check_count(const PlyElement& element) const {
         std::uint64_t least = 0;
         for (const Property& p : element.properties) {
             least += values_.text() ? 2 : size_of(p.count.value_or(p.type));
@@ -274,7 +274,7 @@ private:
         }
     }
 
-    void row(const Element& element) {
+    void row(const PlyElement& element) {
         const bool vertex = element.name == "vertex";
         Vec3 point;
         int coordinates = 0;
@@ -301,7 +301,7 @@ private:
         });
     }
 
-    void list(const Element& element, const Property& p) {
+    void list(const PlyElement& element, const Property& p) {
         const bool indices = p.name == "vertex_indices" || p.name == "vertex_index";
         const bool face = indices && element.name == "face", strip = indices && element.name == "tristrips";
         const std::int64_t size = values_.whole(*p.count, "the length of the list", 0);

@@ -3,7 +3,7 @@
 
 #include <foam/geometry/vector.hpp>
 
-#include <xml/document.hpp>
+#include <foam/xml/document.hpp>
 
 #include <optional>
 #include <string>

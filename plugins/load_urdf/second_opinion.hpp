@@ -1,7 +1,7 @@
 // The check of a model by urdfdom, the parser of ROS.
 #pragma once
 
-#include <xml/document.hpp>
+#include <foam/xml/document.hpp>
 
 #include <string>
 #include <vector>

@@ -12,11 +12,9 @@
 namespace foam::repair {
 namespace {
 
-constexpr std::uint32_t none = 0xFFFFFFFFu;
-
-/// Returns for side k of triangle i, at 3 i + k, the other triangle at an edge with exactly two; none elsewhere.
+/// Returns for side k of triangle i, at 3 i + k, the other triangle at an edge with exactly two; no_index elsewhere.
 std::vector<std::uint32_t> partners(const Mesh& mesh) {
-    std::vector<std::uint32_t> result(3 * mesh.triangles.size(), none);
+    std::vector<std::uint32_t> result(3 * mesh.triangles.size(), no_index);
     for_each_edge(sides_by_edge(mesh.triangles, mesh.vertices.size()), [&](std::span<const Side> edge) {
         if (edge.size() == 2) {
             result[edge[0].number] = edge[1].triangle();
@@ -41,7 +39,7 @@ std::vector<std::vector<std::uint32_t>> patches_of(const Mesh& mesh) {
         for (std::size_t next = 0; next < patch.size(); ++next) {
             for (std::uint32_t k = 0; k < 3; ++k) {
                 const std::uint32_t other = partner[3 * patch[next] + k];
-                if (other != none && !seen[other]) {
+                if (other != no_index && !seen[other]) {
                     seen[other] = 1;
                     patch.push_back(other);
                 }

@@ -1,5 +1,7 @@
 #include "fans.hpp"
 
+#include "triangle.hpp"
+
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/edges.hpp>
 
@@ -7,8 +9,6 @@
 
 namespace foam::repair {
 namespace {
-
-constexpr std::uint32_t none = 0xFFFFFFFFu;
 
 std::uint32_t start_of(const Mesh& mesh, std::uint32_t side) {
     return mesh.triangles[side / 3][side % 3];
@@ -58,7 +58,7 @@ std::optional<Neighbours> neighbours(const Mesh& mesh) {
     if (sides.size() != 3 * mesh.triangles.size()) {
         return std::nullopt; // a triangle has a vertex twice
     }
-    Neighbours result(sides.size(), none);
+    Neighbours result(sides.size(), no_index);
     bool sound = true;
     std::vector<std::uint32_t> around;
     for_each_edge(sides, [&](std::span<const Side> edge) {
@@ -81,12 +81,12 @@ std::optional<Neighbours> neighbours(const Mesh& mesh) {
 
 Components components(const Mesh& mesh, const Neighbours& neighbours) {
     Components result;
-    result.of_triangle.assign(mesh.triangles.size(), none);
+    result.of_triangle.assign(mesh.triangles.size(), no_index);
     std::vector<std::uint32_t> open;
     CancellationCounter asking(4096);
     for (std::uint32_t seed = 0; seed < mesh.triangles.size(); ++seed) {
         asking.check();
-        if (result.of_triangle[seed] != none) {
+        if (result.of_triangle[seed] != no_index) {
             continue;
         }
         const auto number = static_cast<std::uint32_t>(result.count++);
@@ -97,7 +97,7 @@ Components components(const Mesh& mesh, const Neighbours& neighbours) {
             open.pop_back();
             for (std::uint32_t k = 0; k < 3; ++k) {
                 const std::uint32_t j = neighbours[3 * i + k] / 3;
-                if (result.of_triangle[j] == none) {
+                if (result.of_triangle[j] == no_index) {
                     result.of_triangle[j] = number;
                     open.push_back(j);
                 }

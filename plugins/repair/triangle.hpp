@@ -4,8 +4,12 @@
 #include <foam/geometry/mesh.hpp>
 
 #include <array>
+#include <cstdint>
 
 namespace foam::repair {
+
+/// In place of the index of a triangle or vertex that there is not.
+inline constexpr std::uint32_t no_index = 0xFFFFFFFFu;
 
 using Corners = std::array<Vec3, 3>;
 

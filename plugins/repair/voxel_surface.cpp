@@ -1,5 +1,7 @@
 #include "voxel_surface.hpp"
 
+#include "triangle.hpp"
+
 #include <foam/base/cancellation.hpp>
 
 #include <numeric>
@@ -7,8 +9,6 @@
 
 namespace foam::repair {
 namespace {
-
-constexpr std::uint32_t none = 0xFFFFFFFFu;
 
 /// One of the six directions: axis and sign.
 struct Direction {
@@ -133,7 +133,7 @@ private:
     void join_corners() {
         parent_.resize(4 * faces_.size());
         std::iota(parent_.begin(), parent_.end(), 0u);
-        midpoint_.assign(4 * faces_.size(), none);
+        midpoint_.assign(4 * faces_.size(), no_index);
         for (std::uint32_t i = 0; i < faces_.size(); ++i) {
             if (i % 65536 == 0) {
                 context_.check_cancelled();
@@ -175,8 +175,8 @@ private:
     static Vec3 point(const Cell& c) { return Vec3{double(c[0]), double(c[1]), double(c[2])}; }
 
     void number_vertices() {
-        vertex_.assign(parent_.size(), none);
-        middle_vertex_.assign(parent_.size(), none);
+        vertex_.assign(parent_.size(), no_index);
+        middle_vertex_.assign(parent_.size(), no_index);
         for (std::uint32_t corner = 0; corner < parent_.size(); ++corner) {
             const Face& face = faces_[corner / 4];
             const std::array<Cell, 4> points = corner_points(face);
@@ -190,7 +190,7 @@ private:
             }
             if (midpoint_[corner] == corner) {
                 middle_vertex_[corner] = add_vertex((point(points[k]) + point(points[(k + 1) % 4])) * 0.5, face);
-            } else if (midpoint_[corner] != none) {
+            } else if (midpoint_[corner] != no_index) {
                 middle_vertex_[corner] = middle_vertex_[midpoint_[corner]];
                 add_cell(middle_vertex_[corner], face.cell);
             }
@@ -204,7 +204,7 @@ private:
             std::vector<std::uint32_t> outline;
             for (std::uint32_t side = 4 * i; side < 4 * i + 4; ++side) {
                 outline.push_back(vertex_[side]);
-                if (middle_vertex_[side] != none) {
+                if (middle_vertex_[side] != no_index) {
                     outline.push_back(middle_vertex_[side]);
                 }
             }

@@ -1,5 +1,7 @@
 #include "weld.hpp"
 
+#include "triangle.hpp"
+
 #include <foam/base/cancellation.hpp>
 
 #include <bit>
@@ -17,20 +19,20 @@ class Kept {
 public:
     Kept(const std::vector<Vec3>& points, double tolerance)
         : points_(points), tolerance_(tolerance), mask_(std::bit_ceil(2 * points.size() + 1) - 1),
-          newest_(mask_ + 1, none), older_(points.size(), none) {}
+          newest_(mask_ + 1, no_index), older_(points.size(), no_index) {}
 
     /// Returns a kept vertex within the tolerance of the point: the first in the order of cells of the tolerance's size
-    /// (z, y, x), then of vertices. `none` if there is none.
+    /// (z, y, x), then of vertices. no_index if there is none.
     std::uint32_t near(const Vec3& p) const {
         const Vec3 low = cell_of(p - Vec3{1, 1, 1} * tolerance_, cell()),
                    high = cell_of(p + Vec3{1, 1, 1} * tolerance_, cell());
-        std::uint32_t best = none;
+        std::uint32_t best = no_index;
         for (double z = low.z; z <= high.z; ++z) {
             for (double y = low.y; y <= high.y; ++y) {
                 for (double x = low.x; x <= high.x; ++x) {
-                    for (std::uint32_t i = newest_[slot(x, y, z)]; i != none; i = older_[i]) {
+                    for (std::uint32_t i = newest_[slot(x, y, z)]; i != no_index; i = older_[i]) {
                         if (i != best && distance(points_[i], p) <= tolerance_ &&
-                            (best == none || comes_before(i, best))) {
+                            (best == no_index || comes_before(i, best))) {
                             best = i;
                         }
                     }
@@ -46,8 +48,6 @@ public:
         older_[i] = newest;
         newest = i;
     }
-
-    static constexpr std::uint32_t none = 0xFFFFFFFFu;
 
 private:
     /// Returns the cell size. It is large compared with the tolerance, so that most points have only one cell to
@@ -87,7 +87,7 @@ Mesh welded_within(const Mesh& mesh, double tolerance) {
     for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) {
         asking.check();
         stands_for[i] = kept.near(mesh.vertices[i]);
-        if (stands_for[i] == Kept::none) {
+        if (stands_for[i] == no_index) {
             stands_for[i] = i;
             kept.add(i);
         }

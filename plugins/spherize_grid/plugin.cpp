@@ -8,7 +8,6 @@
 #include <foam/sdk/plugin.hpp>
 
 #include <algorithm>
-#include <numeric>
 
 namespace foam::spherize_grid {
 namespace {
@@ -47,67 +46,62 @@ std::size_t power(std::size_t base, int exponent) {
     return result;
 }
 
-class GridSpherizer final : public Spherizer {
+struct Settings {
+    std::size_t branch;
+    int depth;
+    std::size_t most;
+    bool refine;
+    Cell::Content content;
+};
+
+/// The grids of one shape, and their refinements.
+class GridSearch final : public SphereSearch {
 public:
-    explicit GridSpherizer(const Parameters& parameters)
-        : branch_(static_cast<std::size_t>(parameters.integer("branch"))),
-          depth_(static_cast<int>(parameters.integer("depth"))),
-          most_(static_cast<std::size_t>(parameters.integer("most"))), refine_(parameters.boolean("refine")),
-          content_(parameters.text("content") == "solid" ? Cell::Content::solid : Cell::Content::surface) {}
+    GridSearch(const Shape& shape, const Settings& settings)
+        : shape_(shape), settings_(settings), search_(shape.original(), settings.content, settings.refine) {}
 
-    SphereTree spherize(const Shape& shape, const Budget& budget, Context& context) const override {
-        Search search(shape.original(), content_, refine_);
-        return spherize(shape, search, budget, context);
-    }
-
-    std::vector<SphereTree> spherize_each(const Shape& shape, std::span<const Budget> budgets,
-                                          Context& context) const override {
-        // Small counts first: the search continues from there.
-        std::vector<std::size_t> order(budgets.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        const auto count = [&](std::size_t i) { return budgets[i].max_spheres.value_or(0); };
-        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return count(a) < count(b); });
-        Search search(shape.original(), content_, refine_);
-        std::vector<SphereTree> trees(budgets.size());
-        for (const std::size_t i : order) {
-            trees[i] = spherize(shape, search, budgets[i], context);
+    std::vector<SphereTree> at_most(std::span<const Budget> budgets, Context& context) override {
+        std::vector<SphereTree> trees;
+        for (const Budget& budget : budgets) {
+            trees.push_back(at_most(budget, context));
         }
         return trees;
     }
 
 private:
-    SphereTree spherize(const Shape& shape, Search& search, const Budget& budget, Context& context) const {
+    SphereTree at_most(const Budget& budget, Context& context) {
         const auto flat = [&](std::size_t count) {
-            const Grid grid = search.best(count, context);
-            return two_levels(search.whole().ball(), budget.guarantee == Guarantee::inner
-                                                         ? inner_balls(grid.cells, shape.name())
-                                                         : grid.balls);
+            const Grid grid = search_.best(count, context);
+            return two_levels(search_.whole().ball(), budget.guarantee == Guarantee::inner
+                                                          ? inner_balls(grid.cells, shape_.name())
+                                                          : grid.balls);
         };
         if (budget.max_protrusion) {
-            return fewest_within(shape.original(), *budget.max_protrusion, budget.max_spheres.value_or(most_), flat);
+            return fewest_within(shape_.original(), *budget.max_protrusion, budget.max_spheres.value_or(settings_.most),
+                                 flat);
         }
         if (budget.max_spheres) {
             return flat(*budget.max_spheres);
         }
         if (budget.guarantee == Guarantee::inner) { // cells without interior drop out, so they form no tree
-            return flat(power(branch_, depth_));
+            return flat(power(settings_.branch, settings_.depth));
         }
-        return nested(search, context);
+        return nested(context);
     }
 
     /// Returns a tree with a grid of at most `branch` cells in every cell of the level above.
-    SphereTree nested(Search& search, Context& context) const {
-        Grid level = search.best(branch_, context);
-        SphereTree tree = two_levels(search.whole().ball(), level.balls);
-        for (int depth = 2; depth <= depth_; ++depth) {
+    SphereTree nested(Context& context) {
+        Grid level = search_.best(settings_.branch, context);
+        SphereTree tree = two_levels(search_.whole().ball(), level.balls);
+        for (int depth = 2; depth <= settings_.depth; ++depth) {
             Grid finer;
             SphereTree::Level& spheres = tree.levels.emplace_back();
             for (std::size_t i = 0; i < level.cells.size(); ++i) {
                 context.progress(static_cast<double>(i) / static_cast<double>(level.cells.size()));
                 const Cell tight = level.cells[i].in_box(level.cells[i].extent());
-                Grid part = best_grid_in(tight, branch_, context);
-                if (refine_) {
-                    part = Refinement(part).at(branch_, context);
+                Grid part = best_grid_in(tight, settings_.branch, context);
+                if (settings_.refine) {
+                    part = Refinement(part).at(settings_.branch, context);
                 }
                 spheres.parents.insert(spheres.parents.end(), part.cells.size(), static_cast<std::uint32_t>(i));
                 std::move(part.cells.begin(), part.cells.end(), std::back_inserter(finer.cells));
@@ -119,11 +113,29 @@ private:
         return tree;
     }
 
-    std::size_t branch_;
-    int depth_;
-    std::size_t most_;
-    bool refine_;
-    Cell::Content content_;
+    const Shape& shape_;
+    const Settings& settings_;
+    Search search_;
+};
+
+class GridSpherizer final : public Spherizer {
+public:
+    explicit GridSpherizer(const Parameters& parameters)
+        : settings_{.branch = static_cast<std::size_t>(parameters.integer("branch")),
+                    .depth = static_cast<int>(parameters.integer("depth")),
+                    .most = static_cast<std::size_t>(parameters.integer("most")),
+                    .refine = parameters.boolean("refine"),
+                    .content = parameters.text("content") == "solid" ? Cell::Content::solid : Cell::Content::surface} {}
+
+    SphereTree spherize(const Shape& shape, const Budget& budget, Context& context) const override {
+        return search(shape)->at_most({&budget, 1}, context).front();
+    }
+    std::unique_ptr<SphereSearch> search(const Shape& shape) const override {
+        return std::make_unique<GridSearch>(shape, settings_);
+    }
+
+private:
+    Settings settings_;
 };
 
 } // namespace

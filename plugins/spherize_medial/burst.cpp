@@ -1,4 +1,3 @@
-#include "enclosing_ball.hpp"
 #include "reduction.hpp"
 
 #include <algorithm>
@@ -24,7 +23,7 @@ Removal without(std::size_t gone, std::span<const Sphere> balls, const std::vect
         if (!moved[i].empty()) {
             std::vector<Vec3> points = groups[i < gone ? i : i + 1];
             points.insert(points.end(), moved[i].begin(), moved[i].end());
-            result.balls[i] = enclosing_ball(points);
+            result.balls[i] = minimum_enclosing_sphere(points);
         }
     }
     result.cost = columns.outside(result.balls);

@@ -1,8 +1,7 @@
 #include "cover_points.hpp"
 
-#include "directions.hpp"
-
 #include <foam/base/cancellation.hpp>
+#include <foam/geometry/directions.hpp>
 
 #include <algorithm>
 #include <array>

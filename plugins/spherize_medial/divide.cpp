@@ -1,6 +1,6 @@
-#include "directions.hpp"
-#include "enclosing_ball.hpp"
 #include "reduction.hpp"
+
+#include <foam/geometry/directions.hpp>
 
 #include <algorithm>
 
@@ -18,7 +18,7 @@ struct Part {
 Part part(std::vector<Vec3> points, const Columns& columns) {
     Part result;
     result.points = std::move(points);
-    result.ball = enclosing_ball(result.points);
+    result.ball = minimum_enclosing_sphere(result.points);
     result.cost = columns.outside(std::span(&result.ball, 1));
     return result;
 }
@@ -63,7 +63,7 @@ void find_division(Part& whole, const std::vector<Vec3>& directions, const Colum
             for (const Vec3& p : points) {
                 (dot(p, direction) <= offset ? below : above).push_back(p);
             }
-            const std::array<Sphere, 2> balls{enclosing_ball(below), enclosing_ball(above)};
+            const std::array<Sphere, 2> balls{minimum_enclosing_sphere(below), minimum_enclosing_sphere(above)};
             const double cost = columns.outside(balls);
             if (cost < least) {
                 least = cost;

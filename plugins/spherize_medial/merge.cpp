@@ -1,4 +1,3 @@
-#include "enclosing_ball.hpp"
 #include "reduction.hpp"
 
 #include <algorithm>
@@ -77,7 +76,7 @@ public:
 private:
     std::uint32_t add(std::vector<Vec3> points) {
         Cluster cluster{std::move(points), {}, 0, true};
-        cluster.ball = enclosing_ball(cluster.points);
+        cluster.ball = minimum_enclosing_sphere(cluster.points);
         cluster.cost = columns_.outside(std::span(&cluster.ball, 1));
         clusters_.push_back(std::move(cluster));
         ++count_;
@@ -95,7 +94,7 @@ private:
             }
             scratch_ = clusters_[a].points;
             scratch_.insert(scratch_.end(), clusters_[b].points.begin(), clusters_[b].points.end());
-            const Sphere ball = enclosing_ball(scratch_);
+            const Sphere ball = minimum_enclosing_sphere(scratch_);
             const double cost = columns_.outside(std::span(&ball, 1));
             queue_.push({cost - clusters_[a].cost - clusters_[b].cost, b, a});
         }

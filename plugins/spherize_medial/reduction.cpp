@@ -1,7 +1,5 @@
 #include "reduction.hpp"
 
-#include "enclosing_ball.hpp"
-
 #include <foam/base/cancellation.hpp>
 
 #include <algorithm>
@@ -61,8 +59,8 @@ void refill(std::vector<std::vector<Vec3>>& groups, std::vector<Sphere>& balls) 
                                                 [&](const Vec3& p) { return dot(p - center, far - center) <= 0; });
         groups[i].assign(half, from.end());
         from.erase(half, from.end());
-        balls[widest] = enclosing_ball(from);
-        balls[i] = enclosing_ball(groups[i]);
+        balls[widest] = minimum_enclosing_sphere(from);
+        balls[i] = minimum_enclosing_sphere(groups[i]);
     }
 }
 
@@ -76,7 +74,7 @@ std::vector<Sphere> fitted(std::span<const Vec3> points, std::vector<Sphere> bal
         check_cancelled();
         auto groups = grouped(points, assign(points, balls), balls.size());
         for (std::size_t i = 0; i < balls.size(); ++i) {
-            balls[i] = enclosing_ball(groups[i]);
+            balls[i] = minimum_enclosing_sphere(groups[i]);
         }
         refill(groups, balls);
         const double cost = columns.outside(balls);

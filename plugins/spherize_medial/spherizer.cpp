@@ -195,27 +195,9 @@ SphereTree point_tree(const Shape& shape) {
     return flat_tree({Sphere{p, 1e-12 + 1e-15 * magnitude}});
 }
 
-} // namespace
-
-MedialSpherizer::MedialSpherizer(const Settings& settings) : settings_(settings) {}
-MedialSpherizer::~MedialSpherizer() = default;
-
-SphereTree MedialSpherizer::spherize(const Shape& shape, const Budget& budget, Context& context) const {
-    return spherize_each(shape, std::span(&budget, 1), context).front();
-}
-
-std::vector<SphereTree> MedialSpherizer::spherize_each(const Shape& shape, std::span<const Budget> budgets,
-                                                       Context& context) const {
-    if (std::any_of(budgets.begin(), budgets.end(),
-                    [](const Budget& budget) { return budget.guarantee == Guarantee::inner; })) {
-        return made(shape, budgets, context); // more balls inside never have more missing volume
-    }
-    return best_with_at_most(shape.original(), budgets, settings_.compare_with_fewer ? many_fewer : one_or_all,
-                             [&](std::span<const Budget> all) { return made(shape, all, context); });
-}
-
-std::vector<SphereTree> MedialSpherizer::made(const Shape& shape, std::span<const Budget> budgets,
-                                              Context& context) const {
+/// Returns one tree for each budget. Budgets of similar size share cover points, columns, medial axis and reductions.
+std::vector<SphereTree> made(const Shape& shape, std::span<const Budget> budgets, const Settings& settings,
+                             Context& context) {
     std::vector<SphereTree> trees(budgets.size());
     if (!(shape.original().bounds().diagonal() > 0)) {
         context.log(Severity::warning, shape.name() + " has no extent: one sphere at its place");
@@ -224,43 +206,95 @@ std::vector<SphereTree> MedialSpherizer::made(const Shape& shape, std::span<cons
     }
     std::map<int, std::vector<std::size_t>> by_tier;
     for (std::size_t i = 0; i < budgets.size(); ++i) {
-        const std::size_t finest = budgets[i].max_spheres.value_or(settings_.branch);
+        const std::size_t finest = budgets[i].max_spheres.value_or(settings.branch);
         by_tier[Stock::tier(finest)].push_back(i);
     }
     for (const auto& [tier, indices] : by_tier) {
-        Stock stock(shape, tier, settings_, context);
+        Stock stock(shape, tier, settings, context);
         if (budgets[indices.front()].guarantee == Guarantee::inner) {
             for (const std::size_t i : indices) {
-                trees[i] = inner_tree(shape, stock, budgets[i].max_spheres.value_or(settings_.branch), context);
+                trees[i] = inner_tree(shape, stock, budgets[i].max_spheres.value_or(settings.branch), context);
             }
             continue;
         }
         std::vector<std::size_t> counts;
         for (const std::size_t i : indices) {
-            counts.push_back(first_count(budgets[i], settings_));
+            counts.push_back(first_count(budgets[i], settings));
         }
         std::sort(counts.begin(), counts.end());
         counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
-        const Region region(stock.points(), stock.spheres(), counts, stock.coarse_columns(), settings_, context);
+        const Region region(stock.points(), stock.spheres(), counts, stock.coarse_columns(), settings, context);
         std::vector<Level> first(indices.size());
         parallel_for(indices.size(), [&](std::size_t n) {
-            first[n] = first_level(stock, region, first_count(budgets[indices[n]], settings_), settings_, context);
+            first[n] = first_level(stock, region, first_count(budgets[indices[n]], settings), settings, context);
         });
         for (std::size_t n = 0; n < indices.size(); ++n) {
             trees[indices[n]] = tree(stock, first[n]);
-            if (settings_.depth == 1) {
+            if (settings.depth == 1) {
                 continue;
             }
             // Refinement for the regions of one tree must not change the next: the axis is built anew.
-            Stock own(shape, tier, settings_, context);
+            Stock own(shape, tier, settings, context);
             Level level = first[n];
-            for (std::size_t depth = 2; depth <= settings_.depth; ++depth) {
-                level = next_level(own, level, depth, budgets[indices[n]], settings_, context);
+            for (std::size_t depth = 2; depth <= settings.depth; ++depth) {
+                level = next_level(own, level, depth, budgets[indices[n]], settings, context);
                 trees[indices[n]].levels.push_back(in_world(own.frame(), level));
             }
         }
     }
     return trees;
+}
+
+class MedialSearch final : public SphereSearch {
+public:
+    MedialSearch(const Shape& shape, const Settings& settings) : shape_(shape), settings_(settings) {}
+
+    std::vector<SphereTree> at_most(std::span<const Budget> budgets, Context& context) override {
+        if (std::any_of(budgets.begin(), budgets.end(),
+                        [](const Budget& budget) { return budget.guarantee == Guarantee::inner; })) {
+            return known(budgets, context); // more balls inside never have more missing volume
+        }
+        return best_with_at_most(shape_.original(), budgets, settings_.compare_with_fewer ? many_fewer : one_or_all,
+                                 [&](std::span<const Budget> all) { return known(all, context); });
+    }
+
+private:
+    /// Returns one tree for each budget, and keeps them: larger budgets are compared with them.
+    std::vector<SphereTree> known(std::span<const Budget> budgets, Context& context) {
+        const auto key = [](const Budget& budget) { return std::pair(budget.guarantee, budget.max_spheres); };
+        std::vector<Budget> missing;
+        for (const Budget& budget : budgets) {
+            if (!known_.contains(key(budget))) {
+                missing.push_back(budget);
+            }
+        }
+        std::vector<SphereTree> fresh = made(shape_, missing, settings_, context);
+        for (std::size_t i = 0; i < missing.size(); ++i) {
+            known_[key(missing[i])] = std::move(fresh[i]);
+        }
+        std::vector<SphereTree> trees;
+        for (const Budget& budget : budgets) {
+            trees.push_back(known_.at(key(budget)));
+        }
+        return trees;
+    }
+
+    const Shape& shape_;
+    const Settings& settings_;
+    std::map<std::pair<Guarantee, std::optional<std::size_t>>, SphereTree> known_;
+};
+
+} // namespace
+
+MedialSpherizer::MedialSpherizer(const Settings& settings) : settings_(settings) {}
+MedialSpherizer::~MedialSpherizer() = default;
+
+SphereTree MedialSpherizer::spherize(const Shape& shape, const Budget& budget, Context& context) const {
+    return search(shape)->at_most({&budget, 1}, context).front();
+}
+
+std::unique_ptr<SphereSearch> MedialSpherizer::search(const Shape& shape) const {
+    return std::make_unique<MedialSearch>(shape, settings_);
 }
 
 } // namespace foam::medial

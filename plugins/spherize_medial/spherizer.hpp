@@ -13,13 +13,9 @@ public:
     ~MedialSpherizer() override;
 
     SphereTree spherize(const Shape& shape, const Budget& budget, Context& context) const override;
-    /// Budgets of similar size share cover points, columns, medial axis and reductions.
-    std::vector<SphereTree> spherize_each(const Shape& shape, std::span<const Budget> budgets,
-                                          Context& context) const override;
+    std::unique_ptr<SphereSearch> search(const Shape& shape) const override;
 
 private:
-    std::vector<SphereTree> made(const Shape& shape, std::span<const Budget> budgets, Context& context) const;
-
     Settings settings_;
 };
 

@@ -1,6 +1,5 @@
 #include "stock.hpp"
 
-#include "enclosing_ball.hpp"
 #include "spawn.hpp"
 
 #include <algorithm>
@@ -29,7 +28,7 @@ Sphere bounding_ball(const std::vector<Corners>& surface) {
     for (const Corners& t : surface) {
         corners.insert(corners.end(), t.begin(), t.end());
     }
-    return enclosing_ball(corners);
+    return minimum_enclosing_sphere(corners);
 }
 
 std::size_t detail(std::size_t count, int tier) {

@@ -1,7 +1,7 @@
-#include "directions.hpp"
-#include "enclosing_ball.hpp"
 #include "optimise.hpp"
 #include "reduction.hpp"
+
+#include <foam/geometry/directions.hpp>
 
 #include <algorithm>
 #include <array>

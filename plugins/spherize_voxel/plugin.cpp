@@ -35,65 +35,89 @@ SphereTree tree(const Sphere& root, std::vector<Sphere> spheres) {
     return tree;
 }
 
-class VoxelSpherizer final : public Spherizer {
+struct Settings {
+    double radius, spacing; ///< m
+    std::size_t most;
+    bool principal;
+    Cell::Content content;
+};
+
+std::array<Vec3, 3> axes_of(const Solid& solid, const Settings& settings) {
+    return settings.principal ? principal_axes(solid)
+                              : std::array<Vec3, 3>{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+}
+
+/// The voxels of one shape; the radii that were tried serve all budgets.
+class VoxelSearch final : public SphereSearch {
 public:
-    explicit VoxelSpherizer(const Parameters& parameters)
-        : radius_(parameters.number("radius")), spacing_(parameters.number("spacing")),
-          most_(static_cast<std::size_t>(parameters.integer("most"))), principal_(parameters.text("axes") != "frame"),
-          content_(parameters.text("content") == "solid" ? Cell::Content::solid : Cell::Content::surface) {}
+    VoxelSearch(const Shape& shape, const Settings& settings)
+        : shape_(shape), settings_(settings),
+          lattice_(shape.original(), axes_of(shape.original(), settings), settings.content, settings.spacing),
+          radii_(lattice_) {}
 
-    SphereTree spherize(const Shape& shape, const Budget& budget, Context& context) const override {
-        return spherize_each(shape, std::span(&budget, 1), context).front();
-    }
-
-    std::vector<SphereTree> spherize_each(const Shape& shape, std::span<const Budget> budgets,
-                                          Context& context) const override {
-        const Solid& solid = shape.original();
-        const std::array<Vec3, 3> frame{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
-        const Lattice lattice(solid, principal_ ? principal_axes(solid) : frame, content_, spacing_);
-        RadiusSearch search(lattice);
+    std::vector<SphereTree> at_most(std::span<const Budget> budgets, Context& context) override {
         std::vector<SphereTree> trees;
         for (const Budget& budget : budgets) {
-            const auto finished = [&](RadiusSearch::Result outer) {
-                return tree(lattice.whole().ball(), budget.guarantee == Guarantee::inner
-                                                        ? inner_balls(outer, shape.name())
-                                                        : std::move(outer.spheres));
-            };
-            const auto within = [&](std::size_t count) { return finished(search.best(count, context)); };
-            if (budget.max_protrusion) {
-                trees.push_back(
-                    fewest_within(solid, *budget.max_protrusion, budget.max_spheres.value_or(most_), within));
-            } else if (budget.max_spheres) {
-                trees.push_back(within(*budget.max_spheres));
-            } else {
-                trees.push_back(finished(of_radius(lattice, search, shape.name(), context)));
-            }
+            trees.push_back(at_most(budget, context));
         }
         return trees;
     }
 
 private:
+    SphereTree at_most(const Budget& budget, Context& context) {
+        const auto finished = [&](RadiusSearch::Result outer) {
+            return tree(lattice_.whole().ball(), budget.guarantee == Guarantee::inner
+                                                     ? inner_balls(outer, shape_.name())
+                                                     : std::move(outer.spheres));
+        };
+        const auto within = [&](std::size_t count) { return finished(radii_.best(count, context)); };
+        if (budget.max_protrusion) {
+            return fewest_within(shape_.original(), *budget.max_protrusion, budget.max_spheres.value_or(settings_.most),
+                                 within);
+        }
+        return budget.max_spheres ? within(*budget.max_spheres) : finished(of_radius(context));
+    }
+
     /// Returns spheres of the parameter's radius, if they are not too many.
-    RadiusSearch::Result of_radius(const Lattice& lattice, RadiusSearch& search, const std::string& name,
-                                   Context& context) const {
+    RadiusSearch::Result of_radius(Context& context) {
         RadiusSearch::Result result;
-        if (lattice.voxels_of_box(radius_) <= most_voxels(most_)) {
-            result.voxels = lattice.filled(radius_);
+        if (lattice_.voxels_of_box(settings_.radius) <= most_voxels(settings_.most)) {
+            result.voxels = lattice_.filled(settings_.radius);
         }
-        if (result.voxels.empty() || result.voxels.size() > most_) {
-            context.log(Severity::warning, name + ": spheres of the radius asked for are more than " +
-                                               std::to_string(most_) +
+        if (result.voxels.empty() || result.voxels.size() > settings_.most) {
+            context.log(Severity::warning, shape_.name() + ": spheres of the radius asked for are more than " +
+                                               std::to_string(settings_.most) +
                                                " here, larger ones are taken; remedy: raise radius or most");
-            return search.best(most_, context);
+            return radii_.best(settings_.most, context);
         }
-        result.spheres = lattice.spheres(result.voxels, radius_);
+        result.spheres = lattice_.spheres(result.voxels, settings_.radius);
         return result;
     }
 
-    double radius_, spacing_;
-    std::size_t most_;
-    bool principal_;
-    Cell::Content content_;
+    const Shape& shape_;
+    const Settings& settings_;
+    Lattice lattice_;
+    RadiusSearch radii_;
+};
+
+class VoxelSpherizer final : public Spherizer {
+public:
+    explicit VoxelSpherizer(const Parameters& parameters)
+        : settings_{.radius = parameters.number("radius"),
+                    .spacing = parameters.number("spacing"),
+                    .most = static_cast<std::size_t>(parameters.integer("most")),
+                    .principal = parameters.text("axes") != "frame",
+                    .content = parameters.text("content") == "solid" ? Cell::Content::solid : Cell::Content::surface} {}
+
+    SphereTree spherize(const Shape& shape, const Budget& budget, Context& context) const override {
+        return search(shape)->at_most({&budget, 1}, context).front();
+    }
+    std::unique_ptr<SphereSearch> search(const Shape& shape) const override {
+        return std::make_unique<VoxelSearch>(shape, settings_);
+    }
+
+private:
+    Settings settings_;
 };
 
 } // namespace

@@ -3,7 +3,7 @@
 
 #include <foam/geometry/sphere.hpp>
 
-#include <xml/document.hpp>
+#include <foam/xml/document.hpp>
 
 #include <string>
 #include <string_view>

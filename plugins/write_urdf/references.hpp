@@ -1,7 +1,7 @@
 // References to files in the rest of a URDF.
 #pragma once
 
-#include <xml/document.hpp>
+#include <foam/xml/document.hpp>
 
 #include <filesystem>
 #include <set>

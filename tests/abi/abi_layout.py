@@ -23,7 +23,7 @@ TYPES = {"structure_type": "struct", "class_type": "struct", "union_type": "unio
 class Headers:
     """The headers that plugins may include: "geometry/mesh.hpp"."""
 
-    LIBRARIES = ["base", "geometry", "robot", "search", "sdk", "yaml"]
+    LIBRARIES = ["base", "geometry", "xml", "robot", "search", "sdk", "yaml"]
 
     def __init__(self, core):
         self.core = pathlib.Path(core)

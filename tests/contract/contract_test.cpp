@@ -67,9 +67,16 @@ TEST(Contract, NoSpheres) {
 TEST(Contract, StateBetweenCalls) {
     const auto said = findings("broken_spherizers", "spherize.counts");
     ASSERT_EQ(said.size(), 2u);
-    EXPECT_THAT(said[0], HasSubstr("BallPrimitive: spherize() gives other spheres than spherize_each()"));
+    EXPECT_THAT(said[0], HasSubstr("BallPrimitive: spherize() gives other spheres than search()"));
     EXPECT_EQ(said[1], "gives the same on any number of threads: Bracket: 4 threads give other spheres than 1; remedy: "
                        "results into slots by index, random numbers from context.random()");
+}
+
+TEST(Contract, ASearchThatDependsOnTheCallsBefore) {
+    EXPECT_THAT(findings("broken_spherizers", "spherize.order"),
+                ElementsAre("keeps the budget, stands for the solid, is proved after growth: BallPrimitive: search() "
+                            "gives other spheres for 2 when it is asked again, after 20; remedy: let a result depend "
+                            "on its budget only"));
 }
 
 TEST(Contract, DeafToTheUser) {

@@ -22,10 +22,6 @@ Points circle(double radius) {
     return points;
 }
 
-Vec3 center_of(const Ball& ball) {
-    return {ball.x, ball.y, ball.z};
-}
-
 double radius_about(const Points& points, const Vec3& center) {
     return std::sqrt(farthest(points, points.size(), center).squared);
 }

@@ -168,7 +168,6 @@ TEST_F(EveryLoop, OfProofsAndMeasuresAsks) {
     expect_asks("certify_inner", [&] { certify_inner(*solid, spheres); });
     expect_asks("shrunk_to_fit", [&] { shrunk_to_fit(*solid, spheres); });
     expect_asks("grown_to_cover", [&] { grown_to_cover(*solid, spheres); });
-    expect_asks("tightened_to_cover", [&] { tightened_to_cover(*solid, row_of(3)); });
     expect_asks("measure", [&] { measure(*Solid::make(mesh), spheres); });
 }
 

@@ -26,8 +26,9 @@ TEST_P(GrowingBudget, NeverClaimsMoreNorLeavesMoreOpen) {
     for (const std::string name : {"Box", "Bracket", "Torus", "TwoBoxes"}) {
         SCOPED_TRACE(name);
         const auto solid = sample::solids().at(name)();
+        const Shape shape(name, solid, solid);
         QuietContext context;
-        const std::vector<SphereTree> trees = stage->spherize_each({name, solid, solid}, budgets, context);
+        const std::vector<SphereTree> trees = stage->search(shape)->at_most(budgets, context);
         // Each number is a search of its own for spherize.medial: only clearly more spheres never claim more.
         const double allowed = GetParam() == "spherize.medial" ? 0.03 : 1e-12;
         double least = std::numeric_limits<double>::infinity(), least_of_doubled = least;

@@ -43,8 +43,8 @@ void spherize_all(const std::filesystem::path& folder, std::uintmax_t largest_fi
         }
         const std::vector<Budget> budgets{at_most(1), at_most(6)};
         try {
-            for (const SphereTree& tree :
-                 stage->spherize_each(Shape(entry.path().filename(), solid, solid), budgets, context)) {
+            const Shape shape(entry.path().filename(), solid, solid);
+            for (const SphereTree& tree : stage->search(shape)->at_most(budgets, context)) {
                 ASSERT_GE(tree.finest().size(), 1u);
                 ASSERT_LE(tree.finest().size(), 6u);
                 for (const Sphere& sphere : tree.finest()) {

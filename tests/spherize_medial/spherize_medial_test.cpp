@@ -123,7 +123,7 @@ TEST(SpherizeMedial, AskedForSeveralBudgetsGivesWhatEachWouldGet) {
     budgets.emplace_back();
     QuietContext context(3);
     const auto stage = medial();
-    const auto together = stage->spherize_each(shape, budgets, context);
+    const auto together = stage->search(shape)->at_most(budgets, context);
     ASSERT_EQ(together.size(), budgets.size());
     for (std::size_t i = 0; i < budgets.size(); ++i) {
         EXPECT_EQ(together[i], stage->spherize(shape, budgets[i], context)) << i;
@@ -137,7 +137,8 @@ TEST(SpherizeMedial, AnyNumberOfThreadsGivesTheSame) {
     QuietContext context;
     const auto run = [&](std::size_t threads) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-        return medial()->spherize_each(shape, budgets, context);
+        const auto stage = medial();
+        return stage->search(shape)->at_most(budgets, context);
     };
     EXPECT_EQ(run(1), run(4));
 }

@@ -9,43 +9,6 @@ namespace {
 
 constexpr double on_plane = 1e-9; // of the solid's diagonal: nearer points count as lying in a cutting plane
 
-/// Returns the smallest ball of `active` after adding the farthest outside point to them, until every `stride`-th point
-/// is inside.
-Sphere grow_active(const std::vector<Vec3>& points, std::size_t stride, std::vector<Vec3>& active) {
-    constexpr int rounds = 100;
-    for (int round = 0;; ++round) {
-        check_cancelled();
-        Sphere ball = minimum_enclosing_sphere(active);
-        double reach = -1;
-        std::size_t farthest = 0;
-        for (std::size_t i = 0; i < points.size(); i += stride) {
-            const double squared = squared_norm(points[i] - ball.center);
-            if (squared > reach) {
-                reach = squared;
-                farthest = i;
-            }
-        }
-        reach = distance(points[farthest], ball.center);
-        if (reach <= ball.radius * (1 + 1e-9) || round == rounds) {
-            ball.radius = std::max(ball.radius, reach);
-            return ball;
-        }
-        active.push_back(points[farthest]);
-    }
-}
-
-/// Returns the smallest ball around many points, to a factor of 1e-9. It contains all points. It is exact on a few of
-/// them, to which the farthest outside point is added until there is none (the pivot rule of Gärtner 1999), first in a
-/// sample.
-Sphere smallest_ball(const std::vector<Vec3>& points) {
-    std::vector<Vec3> active{points.front()};
-    constexpr std::size_t sample = 256;
-    if (points.size() > 4 * sample) {
-        grow_active(points, points.size() / sample, active);
-    }
-    return grow_active(points, 1, active);
-}
-
 /// Returns twice the area of a polygon as seen along an axis, positive if its normal points along it.
 double facing(const Vec3* points, std::size_t count, int axis) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -268,13 +231,13 @@ Box Cell::extent() const {
 Sphere Cell::ball() const {
     Sphere ball{box_.center(), -1};
     if (!points_.empty()) {
-        ball = smallest_ball(points_);
+        ball = minimum_enclosing_sphere(points_);
     }
     const std::vector<Vec3> corners = inside_corners(ball);
     if (!corners.empty()) {
         std::vector<Vec3> all = points_;
         all.insert(all.end(), corners.begin(), corners.end());
-        ball = smallest_ball(all);
+        ball = minimum_enclosing_sphere(all);
     }
     // Where two balls only just meet on a cut, a proof by subdivision would cut very finely. A small overlap prevents
     // that.

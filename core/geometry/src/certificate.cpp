@@ -11,7 +11,7 @@ namespace {
 
 /// Share of the extent below which edges of pieces are not split. The gap that such a piece may hide, and the growth
 /// that closes it, are of that size.
-constexpr double smallest_piece = 1e-9;
+constexpr double smallest_proved_piece = 1e-9;
 /// Relative accuracy of the gap, which is an upper bound.
 constexpr double gap_accuracy = 1e-3;
 
@@ -74,7 +74,7 @@ private:
 
     /// Proves by halving alone, independent of what cuts could not prove.
     void halve(const Piece& whole) {
-        smallest_ = std::max(smallest_piece * balls_.extent(), shrink_ * geometry::size_of(whole));
+        smallest_ = std::max(smallest_proved_piece * balls_.extent(), shrink_ * geometry::size_of(whole));
         waiting_.assign(1, {whole, 0, indices_.size()});
         while (!waiting_.empty()) {
             asking_.check();

@@ -8,7 +8,7 @@
 namespace foam::inline geometry {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A corner of the profile: distance from the axis and height.
 struct ProfilePoint {

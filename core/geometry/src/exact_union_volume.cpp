@@ -14,7 +14,7 @@
 namespace foam::inline geometry {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The part of a unit sphere that another ball hides: the points p with p · axis > height.
 struct Cap {

@@ -1,6 +1,7 @@
 #include "exposure.hpp"
 
-#include <foam/geometry/internal/fibonacci.hpp>
+#include <foam/geometry/directions.hpp>
+#include <foam/geometry/internal/overlap.hpp>
 
 #include <numbers>
 

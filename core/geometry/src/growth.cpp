@@ -16,16 +16,14 @@ namespace {
 /// Share of the growth for the whole piece that an uncovered corner needs at least, so that one ball gets the piece.
 constexpr double fine_enough = 0.8;
 /// Share of the extent below which pieces are not split: growing by their size adds next to nothing.
-constexpr double smallest_piece = 1e-8;
 /// Number of nearest balls that are compared by the excess volume they would add.
 constexpr std::size_t compared = 4;
 
 /// Growth by best-first search. The queue's keys are upper bounds of the pieces' gaps, as balls only grow.
 class Growth {
 public:
-    Growth(const Solid& solid, std::vector<Sphere>& spheres, double quantum)
-        : spheres_(spheres), quantum_(quantum), balls_(solid, spheres, growth_halvings, growth_caution),
-          cost_(solid, spheres.size()) {}
+    Growth(const Solid& solid, std::vector<Sphere>& spheres)
+        : spheres_(spheres), balls_(solid, spheres, growth_halvings, growth_caution), cost_(solid, spheres.size()) {}
 
     /// Returns false once it has examined more than `most_looks` pieces: some may then be uncovered.
     bool run(std::size_t most_looks) {
@@ -56,7 +54,7 @@ public:
                 continue;
             }
             const bool small =
-                size_of(entry.piece) <= smallest_piece * balls_.extent() || entry.piece.level >= growth_halvings;
+                size_of(entry.piece) <= smallest_grown_piece * balls_.extent() || entry.piece.level >= growth_halvings;
             if (small || now.lower >= fine_enough * now.upper) {
                 give(entry.piece);
                 continue;
@@ -96,7 +94,7 @@ private:
         std::uint32_t best = 0;
         double best_radius = 0;
         for (std::uint32_t i = 0; i < balls_.size(); ++i) {
-            const double radius = rounded_up(balls_.radius_around(i, part), quantum_);
+            const double radius = balls_.radius_around(i, part);
             if (std::isfinite(balls_.radius(i)) && radius - spheres_[i].radius < least) {
                 least = radius - spheres_[i].radius;
                 best = i;
@@ -165,12 +163,11 @@ private:
 
     double radius_to_hold(std::uint32_t i, const Piece& piece) const {
         double radius = balls_.full_radius(i, reach(balls_.center(i), piece));
-        return rounded_up(std::max(radius, spheres_[i].radius), quantum_);
+        return std::max(radius, spheres_[i].radius);
     }
 
     CancellationCounter asking_{64};
     std::vector<Sphere>& spheres_;
-    double quantum_;
     Balls balls_;
     GrowthCost cost_;
     std::priority_queue<Entry> queue_;
@@ -180,21 +177,10 @@ private:
 
 } // namespace
 
-double rounded_up(double radius, double quantum) {
-    if (!(quantum > 0) || !std::isfinite(radius)) {
-        return radius;
-    }
-    double steps = std::ceil(radius / quantum);
-    while (steps * quantum < radius) {
-        ++steps;
-    }
-    return steps * quantum;
-}
-
 /// Grows each ball to contain the uncovered part of its power cell (Aurenhammer 1987), visiting each triangle once. The
 /// cells tile the surface, so balls that contain their cells cover it. Where gaps are wide, neighbours share them.
 /// Growth by the worst gap first does not: there the ball that got a piece gets the next one, too.
-static void grow_by_cells(const Solid& solid, std::vector<Sphere>& spheres, double quantum) {
+static void grow_by_cells(const Solid& solid, std::vector<Sphere>& spheres) {
     const Balls balls(solid, spheres, growth_halvings, growth_caution);
     CreaseCuts cuts(balls, growth_halvings);
     std::vector<double> reach(spheres.size(), 0);
@@ -207,7 +193,7 @@ static void grow_by_cells(const Solid& solid, std::vector<Sphere>& spheres, doub
     }
     for (std::uint32_t i = 0; i < spheres.size(); ++i) {
         if (reach[i] > 0) {
-            spheres[i].radius = std::max(spheres[i].radius, rounded_up(balls.full_radius(i, reach[i]), quantum));
+            spheres[i].radius = std::max(spheres[i].radius, balls.full_radius(i, reach[i]));
         }
     }
 }
@@ -217,12 +203,12 @@ std::size_t most_looks(const Solid& solid) {
     return least_looks + looks_a_triangle * solid.surface().triangles.size();
 }
 
-void grow(const Solid& solid, std::vector<Sphere>& spheres, double quantum, std::size_t looks) {
+void grow(const Solid& solid, std::vector<Sphere>& spheres, std::size_t looks) {
     std::vector<Sphere> grown = spheres;
-    if (Growth(solid, grown, quantum).run(looks)) {
+    if (Growth(solid, grown).run(looks)) {
         spheres = std::move(grown);
     } else {
-        grow_by_cells(solid, spheres, quantum);
+        grow_by_cells(solid, spheres);
     }
 }
 
@@ -239,12 +225,12 @@ void check_growable(const std::vector<Sphere>& spheres) {
 }
 
 /// Closes gaps due to rounding, the only possible reason for a remaining gap.
-void close_what_is_left(const Solid& solid, std::vector<Sphere>& spheres, double quantum) {
+void close_what_is_left(const Solid& solid, std::vector<Sphere>& spheres) {
     for (int round = 0; round < 3; ++round) {
         if (certify(solid, spheres).holds) {
             return;
         }
-        geometry::grow(solid, spheres, quantum, geometry::most_looks(solid));
+        geometry::grow(solid, spheres, geometry::most_looks(solid));
     }
     // Balls that meet just at the surface can require more pieces than a proof may take. A slightly larger radius lets
     // it succeed.
@@ -253,7 +239,7 @@ void close_what_is_left(const Solid& solid, std::vector<Sphere>& spheres, double
             return;
         }
         for (Sphere& s : spheres) {
-            s.radius = geometry::rounded_up(s.radius * (1 + share), quantum);
+            s.radius *= 1 + share;
         }
     }
     if (!certify(solid, spheres).holds) {
@@ -261,48 +247,20 @@ void close_what_is_left(const Solid& solid, std::vector<Sphere>& spheres, double
     }
 }
 
-void round_up(std::vector<Sphere>& spheres, double quantum) {
-    for (Sphere& s : spheres) {
-        s.radius = geometry::rounded_up(s.radius, quantum);
-    }
-}
-
 } // namespace
 
-std::vector<Sphere> grown_to_cover(const Solid& solid, std::vector<Sphere> spheres, double quantum) {
+std::vector<Sphere> grown_to_cover(const Solid& solid, std::vector<Sphere> spheres) {
     check_growable(spheres);
-    round_up(spheres, quantum);
     std::vector<double> floor;
     for (const Sphere& s : spheres) {
         floor.push_back(s.radius);
     }
     if (!certify(solid, spheres).holds) {
-        geometry::grow(solid, spheres, quantum, geometry::most_looks(solid));
-        geometry::shrink(solid, spheres, floor, quantum, {});
-        close_what_is_left(solid, spheres, quantum);
+        geometry::grow(solid, spheres, geometry::most_looks(solid));
+        geometry::shrink(solid, spheres, floor);
+        close_what_is_left(solid, spheres);
     }
     return spheres;
-}
-
-std::vector<Sphere> tightened_to_cover(const Solid& solid, std::vector<Sphere> spheres, double quantum) {
-    spheres = grown_to_cover(solid, std::move(spheres), quantum);
-    std::vector<double> floor;
-    for (const Sphere& s : spheres) {
-        const double fits = is_finite(s.center) ? -solid.signed_distance(s.center) : 0;
-        floor.push_back(std::min(s.radius, std::max(0.0, fits)));
-    }
-    // Dropping whole spheres or sharing the reduction among all: which is better depends on the case, and the smaller
-    // union is kept.
-    std::vector<Sphere> best;
-    for (const bool drop_first : {false, true}) {
-        std::vector<Sphere> tight = spheres;
-        geometry::shrink(solid, tight, floor, quantum, {drop_first, 8});
-        close_what_is_left(solid, tight, quantum);
-        if (best.empty() || union_volume(tight) < union_volume(best)) {
-            best = std::move(tight);
-        }
-    }
-    return best;
 }
 
 } // namespace foam::geometry

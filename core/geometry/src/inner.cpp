@@ -18,7 +18,7 @@ namespace {
 constexpr double unit = std::numeric_limits<double>::epsilon();
 /// Share of the solid's extent below which balls are not proved: nearer to the surface the solid angles that add up to
 /// the winding number lose their digits.
-constexpr double smallest_ball = 1e-9;
+constexpr double smallest_share = 1e-9;
 /// Margin above the rounding errors of a sum of a hundred million solid angles.
 constexpr double winding_margin = 1e-6;
 
@@ -97,7 +97,7 @@ public:
         for (int axis = 0; axis < 3; ++axis) {
             extent_ = std::max({extent_, std::abs(solid.bounds().low[axis]), std::abs(solid.bounds().high[axis])});
         }
-        least_ = smallest_ball * solid.bounds().diagonal();
+        least_ = smallest_share * solid.bounds().diagonal();
         for (const Solid::Part& part : solid.parts()) {
             if (part.primitive) {
                 primitives_.emplace_back(*part.primitive, part.pose);

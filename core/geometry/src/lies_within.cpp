@@ -9,14 +9,13 @@
 namespace foam::inline geometry {
 namespace {
 
-
 /// A piece of a triangle that is not proved yet.
-struct Piece {
+struct SmallTriangle {
     Corners corners;
     int depth;
 };
 
-void split_longest(const Piece& piece, std::vector<Piece>& open) {
+void split_longest(const SmallTriangle& piece, std::vector<SmallTriangle>& open) {
     std::array<Vec3, 3> p{piece.corners.a, piece.corners.b, piece.corners.c};
     std::size_t longest = 0;
     for (std::size_t k = 1; k < 3; ++k) {
@@ -30,19 +29,19 @@ void split_longest(const Piece& piece, std::vector<Piece>& open) {
     open.push_back({{middle, to, tip}, piece.depth + 1});
 }
 
-class Proof {
+class WithinProof {
 public:
-    Proof(double limit, const Mesh& other)
+    WithinProof(double limit, const Mesh& other)
         : other_(other), part_(other, {std::vector(other.triangles.size(), geometry::Facing::as_given), true}),
           squared_limit_(limit * limit) {}
 
     bool holds(const Corners& triangle) const {
         constexpr int most_splits = 40;
-        std::vector<Piece> open{{triangle, 0}};
+        std::vector<SmallTriangle> open{{triangle, 0}};
         CancellationCounter asking(64);
         while (!open.empty()) {
             asking.check();
-            const Piece piece = open.back();
+            const SmallTriangle piece = open.back();
             open.pop_back();
             geometry::Nearest nearest{std::numeric_limits<double>::infinity()};
             part_.closest((piece.corners.a + piece.corners.b + piece.corners.c) / 3, nearest);
@@ -76,7 +75,7 @@ private:
 } // namespace
 
 bool lies_within(double distance, const Mesh& surface, const Mesh& other) {
-    const Proof proof(distance, other);
+    const WithinProof proof(distance, other);
     std::atomic<bool> holds = true;
     parallel_for(surface.triangles.size(), [&](std::size_t i) {
         const Triangle& t = surface.triangles[i];

@@ -1,8 +1,9 @@
 // Coverage and protrusion.
 #include <foam/base/cancellation.hpp>
 #include <foam/base/parallel.hpp>
-#include <foam/geometry/internal/fibonacci.hpp>
+#include <foam/geometry/directions.hpp>
 #include <foam/geometry/internal/measure_parts.hpp>
+#include <foam/geometry/internal/overlap.hpp>
 
 #include <numbers>
 

@@ -8,14 +8,13 @@
 namespace foam::inline geometry {
 namespace {
 
-using Interval = Solid::Interval;
-using MaybeInterval = std::optional<Interval>;
+using MaybeInterval = std::optional<Solid::Interval>;
 
 MaybeInterval intersection(const MaybeInterval& a, const MaybeInterval& b) {
     if (!a || !b) {
         return {};
     }
-    const Interval both{std::max(a->enter, b->enter), std::min(a->leave, b->leave)};
+    const Solid::Interval both{std::max(a->enter, b->enter), std::min(a->leave, b->leave)};
     return both.enter < both.leave ? MaybeInterval(both) : MaybeInterval();
 }
 
@@ -25,31 +24,31 @@ MaybeInterval hull(const MaybeInterval& a, const MaybeInterval& b) {
     if (!a || !b) {
         return a ? a : b;
     }
-    return Interval{std::min(a->enter, b->enter), std::max(a->leave, b->leave)};
+    return Solid::Interval{std::min(a->enter, b->enter), std::max(a->leave, b->leave)};
 }
 
 /// Returns where |o + t d| <= half.
 MaybeInterval in_slab(double o, double d, double half) {
     if (d == 0) {
         constexpr double infinity = std::numeric_limits<double>::infinity();
-        return std::abs(o) <= half ? MaybeInterval(Interval{-infinity, infinity}) : MaybeInterval();
+        return std::abs(o) <= half ? MaybeInterval(Solid::Interval{-infinity, infinity}) : MaybeInterval();
     }
     const double t1 = (-half - o) / d, t2 = (half - o) / d;
-    return Interval{std::min(t1, t2), std::max(t1, t2)};
+    return Solid::Interval{std::min(t1, t2), std::max(t1, t2)};
 }
 
 /// Returns where a t² + 2 b t + c <= 0, a >= 0.
 MaybeInterval in_quadric(double a, double b, double c) {
     if (a == 0) {
         constexpr double infinity = std::numeric_limits<double>::infinity();
-        return c <= 0 ? MaybeInterval(Interval{-infinity, infinity}) : MaybeInterval();
+        return c <= 0 ? MaybeInterval(Solid::Interval{-infinity, infinity}) : MaybeInterval();
     }
     const double discriminant = b * b - a * c;
     if (discriminant <= 0) {
         return {};
     }
     const double q = std::sqrt(discriminant);
-    return Interval{(-b - q) / a, (-b + q) / a};
+    return Solid::Interval{(-b - q) / a, (-b + q) / a};
 }
 
 MaybeInterval in_ball(const Vec3& o, const Vec3& d, double radius) {

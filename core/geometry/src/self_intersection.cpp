@@ -39,18 +39,18 @@ int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     return sign != 0 ? sign : sign_beyond(norm(u), norm(v), norm(w));
 }
 
-struct Corners {
+struct TriangleCorners {
     std::array<Vec3, 3> p;
 };
 
-Corners corners_of(const Mesh& mesh, std::uint32_t i) {
+TriangleCorners corners_of(const Mesh& mesh, std::uint32_t i) {
     const Triangle& t = mesh.triangles[i];
     return {{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]}};
 }
 
 /// Returns whether the segment, which ends on both sides of the triangle's plane, passes through the interior of the
 /// triangle.
-bool passes_through(const Vec3& from, const Vec3& to, const Corners& t) {
+bool passes_through(const Vec3& from, const Vec3& to, const TriangleCorners& t) {
     const int first = orientation(from, to, t.p[0], t.p[1]);
     return first != 0 && first == orientation(from, to, t.p[1], t.p[2]) &&
            first == orientation(from, to, t.p[2], t.p[0]);
@@ -67,7 +67,7 @@ bool side_passes_through(const Mesh& mesh, std::uint32_t i, std::uint32_t k) {
     if (shared[0] + shared[1] + shared[2] > 1) {
         return false;
     }
-    const Corners target = corners_of(mesh, k);
+    const TriangleCorners target = corners_of(mesh, k);
     std::array<int, 3> above{}; // side of the plane
     for (std::size_t s = 0; s < 3; ++s) {
         above[s] = shared[s] ? 0 : orientation(target.p[0], target.p[1], target.p[2], mesh.vertices[sides[s]]);

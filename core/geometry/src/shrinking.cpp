@@ -10,7 +10,6 @@ namespace foam::inline geometry {
 namespace {
 
 /// Share of the extent below which pieces are not split: they count as needed entirely.
-constexpr double smallest_piece = 1e-8;
 
 /// Branch and bound over the pieces that no other ball contains, the farthest first. Only pieces that reach farther
 /// than the needed radius are split.
@@ -109,7 +108,7 @@ private:
                 need_ = std::max(need_, distance(center(), corner));
             }
         }
-        if (size_of(piece) <= smallest_piece * balls_.extent() || piece.level >= growth_halvings) {
+        if (size_of(piece) <= smallest_grown_piece * balls_.extent() || piece.level >= growth_halvings) {
             need_ = entry.far;
             return;
         }
@@ -154,12 +153,10 @@ double needed_radius(Balls& balls, std::uint32_t i, double limit, std::size_t& l
     return around > 0 && around < need ? std::min(need, std::max(around, need_of(whole))) : need;
 }
 
-void shrink(const Solid& solid, std::vector<Sphere>& spheres, const std::vector<double>& floor, double quantum,
-            const ShrinkPlan& plan) {
-    constexpr double part_of_the_way = 1.0 / 3;
+void shrink(const Solid& solid, std::vector<Sphere>& spheres, const std::vector<double>& floor) {
     Balls balls(solid, spheres, growth_halvings, growth_caution);
     const Exposure exposure(solid, 48);
-    std::size_t looks = most_looks(solid) * (static_cast<std::size_t>(plan.rounds) + 1);
+    std::size_t looks = 2 * most_looks(solid);
     std::vector<double> outside(spheres.size(), 0);
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < spheres.size(); ++i) {
@@ -170,18 +167,10 @@ void shrink(const Solid& solid, std::vector<Sphere>& spheres, const std::vector<
     }
     std::stable_sort(order.begin(), order.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return outside[a] > outside[b]; });
-    for (int round = plan.drop_first ? 0 : 1; round <= plan.rounds; ++round) {
-        const double way = round < plan.rounds ? part_of_the_way : 1;
-        for (const std::uint32_t i : order) {
-            const double now = spheres[i].radius;
-            const double need = std::max(needed_radius(balls, i, now, looks), floor[i]);
-            double wanted = way < 1 ? now - way * (now - need) : need;
-            if (round == 0) {
-                wanted = need == floor[i] ? need : now;
-            }
-            spheres[i].radius = std::min(now, rounded_up(wanted, quantum));
-            balls.set_radius(i, spheres[i].radius);
-        }
+    for (const std::uint32_t i : order) {
+        const double now = spheres[i].radius;
+        spheres[i].radius = std::min(now, std::max(needed_radius(balls, i, now, looks), floor[i]));
+        balls.set_radius(i, spheres[i].radius);
     }
 }
 

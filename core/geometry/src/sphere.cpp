@@ -1,3 +1,4 @@
+#include <foam/base/cancellation.hpp>
 #include <foam/base/random.hpp>
 #include <foam/geometry/sphere.hpp>
 
@@ -11,7 +12,7 @@ namespace {
 /// smallest enclosing balls"): the ball through up to four support points is built up one point at a time.
 class EnclosingBall {
 public:
-    explicit EnclosingBall(const std::vector<Vec3>& points) : points_(points.begin(), points.end()) {}
+    explicit EnclosingBall(std::span<const Vec3> points) : points_(points.begin(), points.end()) {}
 
     Sphere solve() {
         auto examined = std::next(points_.begin());
@@ -114,7 +115,7 @@ private:
     std::array<std::array<double, 4>, 4> coefficient_{};
 };
 
-Sphere grown_to_hold(Sphere sphere, const std::vector<Vec3>& points) {
+Sphere grown_to_hold(Sphere sphere, std::span<const Vec3> points) {
     for (const Vec3& point : points) {
         sphere.radius = std::max(sphere.radius, distance(point, sphere.center));
     }
@@ -127,17 +128,13 @@ void shuffle(std::vector<Vec3>& points, Random& random) {
     }
 }
 
-} // namespace
-
-Sphere minimum_enclosing_sphere(const std::vector<Vec3>& points) {
-    if (points.empty()) {
-        return {};
-    }
+/// Returns the smallest ball of a few points, at least one.
+Sphere smallest_of_few(std::span<const Vec3> points) {
     // Where many points lie on the ball, rounding can end the search before the ball contains them all; another order
     // may succeed. A ball that needs no growth is the smallest.
     constexpr double rounding = 1e-6;
     constexpr int orders = 32;
-    std::vector<Vec3> ordered = points;
+    std::vector<Vec3> ordered(points.begin(), points.end());
     Random random(points.size());
     Sphere best;
     for (int order = 0; order < orders; ++order) {
@@ -152,6 +149,50 @@ Sphere minimum_enclosing_sphere(const std::vector<Vec3>& points) {
         shuffle(ordered, random);
     }
     return best;
+}
+
+std::size_t farthest(std::span<const Vec3> points, const Vec3& center) {
+    std::size_t index = 0;
+    double largest = -1;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double d = squared_norm(points[i] - center);
+        if (d > largest) {
+            largest = d;
+            index = i;
+        }
+    }
+    return index;
+}
+
+/// Returns the smallest ball of many points: the farthest point joins a small support set until none is outside (the
+/// pivot rule of Gärtner 1999). About ten passes over the points.
+Sphere smallest_of_many(std::span<const Vec3> points) {
+    const Vec3 a = points[farthest(points, points[0])];
+    const Vec3 b = points[farthest(points, a)];
+    std::vector<Vec3> support{a, b};
+    Sphere ball{(a + b) * 0.5, distance(a, b) / 2};
+    for (int pass = 0; pass < 100; ++pass) {
+        check_cancelled();
+        const Vec3 pivot = points[farthest(points, ball.center)];
+        if (distance(pivot, ball.center) <= ball.radius * (1 + 1e-12)) {
+            break;
+        }
+        support.push_back(pivot);
+        const Sphere next = smallest_of_few(support);
+        if (!(next.radius > ball.radius)) {
+            break; // rounding only
+        }
+        ball = next;
+        std::erase_if(support, [&](const Vec3& p) { return distance(p, ball.center) < ball.radius * (1 - 1e-9); });
+    }
+    return grown_to_hold(ball, points);
+}
+
+} // namespace
+
+Sphere minimum_enclosing_sphere(std::span<const Vec3> points) {
+    constexpr std::size_t few = 16;
+    return points.empty() ? Sphere{} : points.size() <= few ? smallest_of_few(points) : smallest_of_many(points);
 }
 
 Sphere enclosing_sphere(const Sphere& a, const Sphere& b) {

@@ -1,6 +1,7 @@
 // Volume of a union of balls.
 #include <foam/base/cancellation.hpp>
-#include <foam/geometry/internal/fibonacci.hpp>
+#include <foam/geometry/directions.hpp>
+#include <foam/geometry/internal/overlap.hpp>
 #include <foam/geometry/measure.hpp>
 
 #include <numbers>

@@ -66,13 +66,15 @@ std::vector<std::string> readers_of(const Registry& registry) {
     return names;
 }
 
-/// Returns the name of the only reader that recognises the text.
-std::string reader_for(std::string_view begin, const std::string& file, const Registry& registry) {
+/// Returns the only reader that recognises the text.
+std::unique_ptr<ModelReader> reader_for(std::string_view begin, const std::string& file, const Registry& registry) {
     const std::vector<std::string> readers = readers_of(registry);
     std::vector<std::string> fitting;
+    std::unique_ptr<ModelReader> result;
     for (const std::string& name : readers) {
-        if (registry.make<ModelReader>(name)->recognises(begin)) {
+        if (auto reader = registry.make<ModelReader>(name); reader->recognises(begin)) {
             fitting.push_back(name);
+            result = std::move(reader);
         }
     }
     if (readers.empty()) {
@@ -90,7 +92,7 @@ std::string reader_for(std::string_view begin, const std::string& file, const Re
                                                   "--reader",
                                                   file, fmt::join(fitting, ", ")));
     }
-    return fitting.front();
+    return result;
 }
 
 } // namespace
@@ -105,9 +107,10 @@ SphereFile parse_sphere_file(const std::string& text, const std::filesystem::pat
     if (begin.empty()) {
         throw Error(ErrorCode::input, fmt::format("{}: the file is empty; a sphere model is needed", file.string()));
     }
-    const std::string name = reader.empty() ? reader_for(begin, file.string(), registry) : reader;
+    const std::unique_ptr<ModelReader> stage =
+        reader.empty() ? reader_for(begin, file.string(), registry) : registry.make<ModelReader>(reader);
     QuietContext context;
-    SphereFile result = registry.make<ModelReader>(name)->read(text, file, context);
+    SphereFile result = stage->read(text, file, context);
     result.file = file;
     drop_disabled(result);
     require_workable(result);

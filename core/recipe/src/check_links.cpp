@@ -14,14 +14,10 @@ namespace {
 
 std::vector<std::string> chain_of(const Recipe& recipe) {
     std::vector<std::string> names;
-    for (const StageCall& filter : recipe.filters) {
-        names.push_back(filter.stage);
-    }
-    if (!recipe.spherizer.stage.empty()) {
-        names.push_back(recipe.spherizer.stage);
-    }
-    for (const StageCall& refiner : recipe.refiners) {
-        names.push_back(refiner.stage);
+    for (const StageCall* call : recipe.stages()) {
+        if (!call->stage.empty()) { // no spherizer: an error elsewhere
+            names.push_back(call->stage);
+        }
     }
     return names;
 }

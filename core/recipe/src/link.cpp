@@ -83,15 +83,32 @@ std::string glob_of_name(const std::string& name) {
     return glob;
 }
 
+template <class Call, class Of> static std::vector<Call*> stages_of(Of& chain) {
+    std::vector<Call*> stages;
+    for (Call& filter : chain.filters) {
+        stages.push_back(&filter);
+    }
+    stages.push_back(&chain.spherizer);
+    for (Call& refiner : chain.refiners) {
+        stages.push_back(&refiner);
+    }
+    return stages;
+}
+
+std::vector<const StageCall*> Chain::stages() const {
+    return stages_of<const StageCall>(*this);
+}
+
+std::vector<StageCall*> Chain::stages() {
+    return stages_of<StageCall>(*this);
+}
+
 Recipe::LinkRecipe Recipe::for_link(const std::string& link) const {
     LinkRecipe result;
-    result.filters = filters;
-    result.spherizer = spherizer;
-    result.refiners = refiners;
-    for (StageCall& filter : result.filters) {
-        filter.isolation = filter.isolation.over(isolation);
+    static_cast<Chain&>(result) = *this;
+    for (StageCall* stage : result.stages()) {
+        stage->isolation = stage->isolation.over(isolation);
     }
-    result.spherizer.isolation = spherizer.isolation.over(isolation);
     result.max_protrusion = budget_max_protrusion;
     for (const LinkOverride& change : links) {
         // A glob also matches its own text: "[" cannot be written otherwise.
@@ -102,12 +119,8 @@ Recipe::LinkRecipe Recipe::for_link(const std::string& link) const {
             key.merge(change, result);
         }
         result.clip = change.clip ? *change.clip : result.clip;
-        for (StageCall& filter : result.filters) {
-            merge(filter, change);
-        }
-        merge(result.spherizer, change);
-        for (StageCall& refiner : result.refiners) {
-            merge(refiner, change);
+        for (StageCall* stage : result.stages()) {
+            merge(*stage, change);
         }
     }
     if (result.max_spheres && *result.max_spheres < result.min_spheres) {

@@ -64,12 +64,8 @@ public:
         write_input();
         write_loaders();
         line("stages:");
-        for (const StageCall& filter : recipe_.filters) {
-            line("  - {}", stage(filter, "", true));
-        }
-        line("  - {}", stage(recipe_.spherizer, "", true));
-        for (const StageCall& refiner : recipe_.refiners) {
-            line("  - {}", stage(refiner, "", true));
+        for (const StageCall* call : recipe_.stages()) {
+            line("  - {}", stage(*call, "", true));
         }
         for (const std::string& part : isolation_parts(recipe_.isolation)) {
             line("{}", part);

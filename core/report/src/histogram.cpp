@@ -92,7 +92,6 @@ private:
 } // namespace
 
 std::string radii_section(const Report& report) {
-    constexpr double mm_per_m = 1000;
     std::vector<double> radii;
     for (const ReportLink& link : report.links) {
         for (const Sphere& sphere : link.scene.levels.back()) {

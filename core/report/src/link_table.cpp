@@ -11,7 +11,6 @@
 namespace foam::inline report {
 namespace {
 
-constexpr double mm_per_m = 1000;
 constexpr int columns = 10;
 
 std::vector<double> values_of(const Json& links, const char* figure) {

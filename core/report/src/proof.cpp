@@ -8,8 +8,6 @@
 namespace foam::inline report {
 namespace {
 
-constexpr double mm_per_m = 1000;
-
 /// Returns the names of the links for which the proof fails.
 std::string open_links(const Report& report) {
     std::string list;

@@ -10,8 +10,6 @@ namespace foam::inline report {
 namespace {
 
 constexpr std::size_t max_triangles = 100'000; ///< some 1.3 MB
-constexpr double mm_per_m = 1000;
-
 std::size_t level_count(const Report& report) {
     std::size_t levels = 1;
     for (const ReportLink& link : report.links) {

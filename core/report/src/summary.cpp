@@ -10,8 +10,6 @@
 namespace foam::inline report {
 namespace {
 
-constexpr double mm_per_m = 1000;
-
 std::string tile(const std::string& term, const std::string& value, const std::string& detail) {
     return fmt::format("<div><dt>{}</dt><dd>{}<small>{}</small></dd></div>\n", term, value, detail);
 }

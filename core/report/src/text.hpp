@@ -10,6 +10,9 @@ namespace foam::inline report {
 
 using Json = nlohmann::ordered_json;
 
+/// Manifests have metres, reports millimetres.
+inline constexpr double mm_per_m = 1000;
+
 /// Returns the value of a number. JSON has no infinity: the manifest has null instead.
 double value_of(const Json& number);
 /// Returns "12.3" or "∞".

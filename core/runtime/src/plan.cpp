@@ -67,12 +67,8 @@ private:
         if (link.skipped || work.error) {
             return;
         }
-        for (const StageCall& filter : work.recipe.filters) {
-            link.stages.push_back(planned(filter, workspace_.registry));
-        }
-        link.stages.push_back(planned(work.recipe.spherizer, workspace_.registry));
-        for (const StageCall& refiner : work.recipe.refiners) {
-            link.stages.push_back(planned(refiner, workspace_.registry));
+        for (const StageCall* call : work.recipe.stages()) {
+            link.stages.push_back(planned(*call, workspace_.registry));
         }
     }
 
@@ -129,12 +125,8 @@ Plan plan(const Recipe& recipe, const Registry& registry, const RunOptions& opti
     result.input_file = {input.file, input.digest};
     const auto& candidates = recipe.urdf.empty() ? recipe.mesh : recipe.urdf;
     result.not_found.assign(candidates.begin(), std::find(candidates.begin(), candidates.end(), input.chosen));
-    for (const StageCall& filter : recipe.filters) {
-        result.stages.push_back(planned(filter, registry));
-    }
-    result.stages.push_back(planned(recipe.spherizer, registry));
-    for (const StageCall& refiner : recipe.refiners) {
-        result.stages.push_back(planned(refiner, registry));
+    for (const StageCall* call : recipe.stages()) {
+        result.stages.push_back(planned(*call, registry));
     }
     Planner planner(workspace, *input.robot);
     result.links = std::move(planner.links);

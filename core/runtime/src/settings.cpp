@@ -56,12 +56,8 @@ Json word_of(const Recipe& recipe, std::string_view name) {
 
 Json settings_of(const Recipe& recipe, const Registry& registry) {
     Json json{{"name", recipe.name}, {"seed", recipe.seed}, {"stages", Json::array()}};
-    for (const StageCall& filter : recipe.filters) {
-        json["stages"].push_back(to_json(filter, registry, true));
-    }
-    json["stages"].push_back(to_json(recipe.spherizer, registry, true));
-    for (const StageCall& refiner : recipe.refiners) {
-        json["stages"].push_back(to_json(refiner, registry, true));
+    for (const StageCall* call : recipe.stages()) {
+        json["stages"].push_back(to_json(*call, registry, true));
     }
     if (recipe.mesh_unit.given()) {
         json["unit"] = recipe.mesh_unit.unit.value_or("m");

@@ -1,7 +1,6 @@
 #include "shapes.hpp"
 
 #include "own_frame.hpp"
-#include "process/isolated.hpp"
 #include "refinements.hpp"
 
 #include <foam/geometry/internal/cavities.hpp>

@@ -3,6 +3,7 @@
 
 #include "allocation.hpp"
 #include "objective.hpp"
+#include "process/isolated.hpp"
 
 #include <foam/geometry/internal/own_frame.hpp>
 #include <foam/runtime/internal/spherize.hpp>
@@ -46,7 +47,7 @@ struct ShapeWork {
     StageCall spherizer;
     std::vector<StageCall> refiners;
     bool adds_spheres = false;        ///< whether one of these does
-    std::unique_ptr<Spherizer> stage; ///< of that call, once it was made; null if it is isolated
+    StartedSearch search;             ///< of that call
     std::optional<Objective>
         objective;           ///< for covering spheres; nothing: the spherizer has an objective that foam does not know
     Digest digest;           ///< of everything that a tree depends on, except seed, count and limits of the count

@@ -1,6 +1,5 @@
 #include "trees.hpp"
 
-#include "process/isolated.hpp"
 #include "refinements.hpp"
 
 #include <foam/base/cancellation.hpp>
@@ -28,7 +27,7 @@ std::vector<SphereTree> run_spherizer(const Workspace& workspace, ShapeWork& wor
     return run_stage(
         workspace, work.spherizer.stage, work.link, work.input, work.content, work.report, [&](StageContext& context) {
             std::vector<SphereTree> made =
-                call_spherizer(workspace, work.spherizer, work.stage, work.own ? *work.own : *work.shape, work.frame,
+                call_spherizer(workspace, work.spherizer, work.search, work.own ? *work.own : *work.shape, work.frame,
                                budgets, context);
             if (made.size() != budgets.size()) {
                 throw Error(ErrorCode::plugin, fmt::format("the spherizer broke its contract: {} trees for {} budgets",

@@ -85,7 +85,7 @@ std::string why_bad_isolation(const RegisteredStage& stage) {
 }
 
 /// Returns the error in a stage's declaration; empty if there is none.
-std::string why_bad(const RegisteredStage& stage) {
+std::string why_badly_declared(const RegisteredStage& stage) {
     const StageInfo& info = stage.info;
     static const std::regex stage_name("[a-z][a-z0-9]*\\.[a-z][a-z0-9_]*");
     if (!std::regex_match(info.name, stage_name)) {
@@ -143,7 +143,7 @@ std::string why_bad(const std::vector<RegisteredStage>& stages, const Registry& 
     }
     std::set<std::string> names;
     for (const RegisteredStage& stage : stages) {
-        if (const std::string why = why_bad(stage); !why.empty()) {
+        if (const std::string why = why_badly_declared(stage); !why.empty()) {
             return why;
         }
         if (const RegisteredStage* other = registry.find(stage.info.name)) {

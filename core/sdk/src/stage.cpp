@@ -13,6 +13,8 @@ Stage::~Stage() = default;
 MeshLoader::~MeshLoader() = default;
 RobotLoader::~RobotLoader() = default;
 MeshFilter::~MeshFilter() = default;
+SphereSearch::SphereSearch() = default;
+SphereSearch::~SphereSearch() = default;
 Spherizer::~Spherizer() = default;
 Renderer::~Renderer() = default;
 Writer::~Writer() = default;
@@ -23,15 +25,31 @@ Refiner::~Refiner() = default;
 Enrolment::~Enrolment() = default;
 StageMaker::~StageMaker() = default;
 
-std::vector<SphereTree> Spherizer::spherize_each(const Shape& shape, std::span<const Budget> budgets,
-                                                 Context& context) const {
-    std::vector<SphereTree> trees;
-    trees.reserve(budgets.size());
-    for (const Budget& budget : budgets) {
-        context.check_cancelled();
-        trees.push_back(spherize(shape, budget, context));
+namespace {
+
+/// Calls the spherizer anew for each budget.
+class OneByOne final : public SphereSearch {
+public:
+    OneByOne(const Spherizer& spherizer, const Shape& shape) : spherizer_(spherizer), shape_(shape) {}
+    std::vector<SphereTree> at_most(std::span<const Budget> budgets, Context& context) override {
+        std::vector<SphereTree> trees;
+        trees.reserve(budgets.size());
+        for (const Budget& budget : budgets) {
+            context.check_cancelled();
+            trees.push_back(spherizer_.spherize(shape_, budget, context));
+        }
+        return trees;
     }
-    return trees;
+
+private:
+    const Spherizer& spherizer_;
+    const Shape& shape_;
+};
+
+} // namespace
+
+std::unique_ptr<SphereSearch> Spherizer::search(const Shape& shape) const {
+    return std::make_unique<OneByOne>(*this, shape);
 }
 
 SphereFile read_written(const Writer& writer, const std::string& text, const std::filesystem::path& file,

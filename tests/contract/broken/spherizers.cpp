@@ -66,6 +66,36 @@ private:
     mutable std::atomic<int> calls_ = 0;
 };
 
+/// Larger balls for counts below the largest so far.
+class KeepsTheLargest final : public Spherizer {
+public:
+    SphereTree spherize(const Shape& shape, const Budget& budget, Context& context) const override {
+        return search(shape)->at_most({&budget, 1}, context).front();
+    }
+    std::unique_ptr<SphereSearch> search(const Shape& shape) const override {
+        class Search final : public SphereSearch {
+        public:
+            explicit Search(const Shape& of) : shape_(of) {}
+            std::vector<SphereTree> at_most(std::span<const Budget> budgets, Context& context) override {
+                std::vector<SphereTree> trees;
+                for (const Budget& budget : budgets) {
+                    const std::size_t count = budget.max_spheres.value_or(1);
+                    Sphere ball = one_ball(shape_, context).finest().front();
+                    ball.radius *= count < largest_ ? 1.01 : 1;
+                    largest_ = std::max(largest_, count);
+                    trees.push_back(flat_tree({ball}));
+                }
+                return trees;
+            }
+
+        private:
+            const Shape& shape_;
+            std::size_t largest_ = 0;
+        };
+        return std::make_unique<Search>(shape);
+    }
+};
+
 class NeverStops final : public Spherizer {
 public:
     SphereTree spherize(const Shape& shape, const Budget&, Context&) const override {
@@ -128,6 +158,7 @@ FOAM_PLUGIN("broken_spherizers", "1.0", "Apache-2.0") {
     enrol.add<NotFinite>({.name = "spherize.not_finite", .summary = "A centre that is no number"});
     enrol.add<Empty>({.name = "spherize.empty", .summary = "No spheres"});
     enrol.add<CountsItsCalls>({.name = "spherize.counts", .summary = "Keeps a state between calls"});
+    enrol.add<KeepsTheLargest>({.name = "spherize.order", .summary = "Depends on the order of the budgets"});
     enrol.add<NeverStops>({.name = "spherize.never_stops", .summary = "Deaf"});
     enrol.add<Throws>({.name = "spherize.throws", .summary = "Throws for one solid"});
     enrol.add<LooksAtProcessed>(

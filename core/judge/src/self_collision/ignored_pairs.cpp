@@ -1,12 +1,11 @@
 #include <foam/base/error.hpp>
 #include <foam/base/internal/files.hpp>
 #include <foam/judge/ignored_pairs.hpp>
+#include <foam/xml/document.hpp>
 #include <foam/yaml/value.hpp>
 
-#include <expat.h>
 #include <fmt/format.h>
 
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -20,60 +19,29 @@ void add(Pairs& pairs, const std::string& a, const std::string& b, const std::st
     pairs.emplace(std::minmax(a, b), reason);
 }
 
-/// Reads an SRDF. Exceptions must not pass through expat's C frames: the first error is kept and thrown afterwards.
-class SrdfReader {
-public:
-    explicit SrdfReader(std::string file) : file_(std::move(file)), parser_(XML_ParserCreate(nullptr)) {
-        XML_SetUserData(parser_, this);
-        XML_SetStartElementHandler(parser_, [](void* self, const XML_Char* name, const XML_Char** attributes) {
-            static_cast<SrdfReader*>(self)->start(name, attributes);
-        });
+/// Adds the pairs of all <disable_collisions> of an SRDF.
+void add_disabled(const xml::Element& element, const std::string& file, Pairs& pairs) {
+    if (element.name == "disable_collisions") {
+        const std::string* a = element.attribute("link1");
+        const std::string* b = element.attribute("link2");
+        if (!a || !b || a->empty() || b->empty()) {
+            throw Error(ErrorCode::input, fmt::format("{}:{}: <disable_collisions> does not name two links; remedy: "
+                                                      "<disable_collisions link1=\"A\" link2=\"B\"/>",
+                                                      file, element.line));
+        }
+        const std::string* reason = element.attribute("reason");
+        add(pairs, *a, *b, reason ? *reason : "");
     }
-    ~SrdfReader() { XML_ParserFree(parser_); }
-    SrdfReader(const SrdfReader&) = delete;
-    SrdfReader& operator=(const SrdfReader&) = delete;
-
-    Pairs read(const std::string& text) {
-        if (text.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
-            throw Error(ErrorCode::input, fmt::format("{}: the file is too large for an SRDF", file_));
-        }
-        if (XML_Parse(parser_, text.data(), static_cast<int>(text.size()), 1) != XML_STATUS_OK) {
-            complain(fmt::format("no XML: {}", XML_ErrorString(XML_GetErrorCode(parser_))));
-        }
-        if (!complaint_.empty()) {
-            throw Error(ErrorCode::input, complaint_);
-        }
-        return std::move(pairs_);
+    for (const auto& child : element.children) {
+        add_disabled(*child, file, pairs);
     }
+}
 
-private:
-    void start(std::string_view name, const XML_Char** attributes) {
-        if (name != "disable_collisions") {
-            return;
-        }
-        std::map<std::string_view, std::string> values;
-        for (; *attributes; attributes += 2) {
-            values[attributes[0]] = attributes[1];
-        }
-        if (values["link1"].empty() || values["link2"].empty()) {
-            complain("<disable_collisions> does not name two links; remedy: <disable_collisions link1=\"A\" "
-                     "link2=\"B\"/>");
-            return;
-        }
-        add(pairs_, values["link1"], values["link2"], values["reason"]);
-    }
-
-    void complain(const std::string& what) {
-        if (complaint_.empty()) {
-            complaint_ = fmt::format("{}:{}: {}", file_, XML_GetCurrentLineNumber(parser_), what);
-        }
-    }
-
-    std::string file_;
-    XML_Parser parser_;
-    Pairs pairs_;
-    std::string complaint_;
-};
+Pairs read_srdf(const std::string& text, const std::string& file) {
+    Pairs pairs;
+    add_disabled(*xml::parse(text, file, ErrorCode::input), file, pairs);
+    return pairs;
+}
 
 using yaml::Value;
 
@@ -133,9 +101,9 @@ Pairs read_yaml_ignores(const std::string& text, const std::string& file) {
 std::vector<IgnoredPair> read_ignored_pairs(const std::filesystem::path& file) {
     const std::string text = read_file(file, most_robot_bytes);
     const std::size_t begin = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-    const bool xml = begin != text.npos && text[begin] == '<';
+    const bool is_xml = begin != text.npos && text[begin] == '<';
     std::vector<IgnoredPair> result;
-    for (auto& [links, reason] : xml ? SrdfReader(file.string()).read(text) : read_yaml_ignores(text, file.string())) {
+    for (auto& [links, reason] : is_xml ? read_srdf(text, file.string()) : read_yaml_ignores(text, file.string())) {
         result.push_back({links.first, links.second, reason});
     }
     return result;

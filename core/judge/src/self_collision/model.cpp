@@ -108,10 +108,10 @@ CollisionModel load_collision_model(const std::filesystem::path& urdf, const Reg
 }
 
 CollisionModel load_collision_model(const std::filesystem::path& urdf, const std::filesystem::path& spheres,
-                                    const Registry& registry, const Renames& renames) {
+                                    const Registry& registry, const Renames& renames, const std::string& reader) {
     CollisionModel model = load_robot(urdf, registry);
     const Original original = load_original(urdf, registry);
-    MatchedModel matched = match(original, read_sphere_file(spheres, registry), renames);
+    MatchedModel matched = match(original, read_sphere_file(spheres, registry, reader), renames);
     model.notes = original.notes;
     model.notes.insert(model.notes.end(), matched.notes.begin(), matched.notes.end());
     for (std::size_t i = 0; i < original.links.size(); ++i) {

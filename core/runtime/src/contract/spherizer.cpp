@@ -89,9 +89,10 @@ void check_budgets(const Spherizer& spherizer, const Shape& shape) {
     QuietContext context{3};
     const Solid& solid = shape.original();
     const std::vector<Budget> wanted = budgets();
-    const std::vector<SphereTree> trees = spherizer.spherize_each(shape, wanted, context);
+    const std::unique_ptr<SphereSearch> search = spherizer.search(shape);
+    const std::vector<SphereTree> trees = search->at_most(wanted, context);
     require(trees.size() == wanted.size(),
-            fmt::format("spherize_each() gives {} trees for {} budgets", trees.size(), wanted.size()));
+            fmt::format("at_most() of search() gives {} trees for {} budgets", trees.size(), wanted.size()));
     for (std::size_t i = 0; i < trees.size(); ++i) {
         try {
             require_tree(solid, trees[i], wanted[i].max_spheres);
@@ -101,8 +102,11 @@ void check_budgets(const Spherizer& spherizer, const Shape& shape) {
             throw Breach(fmt::format("budget of {}: {}", *wanted[i].max_spheres, error.what()));
         }
     }
-    require(spherizer.spherize(shape, wanted[3], context) == trees[3],
-            "spherize() gives other spheres than spherize_each()");
+    require(spherizer.spherize(shape, wanted[3], context) == trees[3], "spherize() gives other spheres than search()");
+    require(search->at_most({&wanted[1], 1}, context) == std::vector<SphereTree>{trees[1]},
+            fmt::format("search() gives other spheres for {} when it is asked again, after {}; remedy: let a result "
+                        "depend on its budget only",
+                        *wanted[1].max_spheres, *wanted.back().max_spheres));
 }
 
 Shape shape_of(const std::string& name) {

@@ -190,15 +190,26 @@ Mesh filter_as_is(const Workspace& workspace, const StageCall& call, const Mesh&
     return mesh_from(call_in_child(workspace, std::move(request), isolation, context));
 }
 
-std::vector<SphereTree> spherize_as_is(const Workspace& workspace, const StageCall& call,
-                                       std::unique_ptr<Spherizer>& stage, const Shape& shape,
-                                       std::span<const Budget> budgets, Context& context) {
+/// Continues a search. After an exception the next call starts it anew.
+std::vector<SphereTree> continued(const Workspace& workspace, const StageCall& call, StartedSearch& started,
+                                  const Shape& shape, std::span<const Budget> budgets, Context& context) {
+    if (!started.stage) {
+        started.stage = workspace.registry.make<Spherizer>(call.stage, call.given);
+    }
+    std::unique_ptr<SphereSearch> search = std::move(started.search);
+    if (!search) {
+        search = started.stage->search(shape);
+    }
+    std::vector<SphereTree> trees = search->at_most(budgets, context);
+    started.search = std::move(search);
+    return trees;
+}
+
+std::vector<SphereTree> spherize_as_is(const Workspace& workspace, const StageCall& call, StartedSearch& started,
+                                       const Shape& shape, std::span<const Budget> budgets, Context& context) {
     const Isolation isolation = isolation_of(workspace, call);
     if (!is_isolated(isolation)) {
-        if (!stage) {
-            stage = workspace.registry.make<Spherizer>(call.stage, call.given);
-        }
-        return stage->spherize_each(shape, budgets, context);
+        return continued(workspace, call, started, shape, budgets, context);
     }
     StageRequest request;
     request.what = StageRequest::What::spherize;
@@ -244,15 +255,14 @@ Mesh call_filter(const Workspace& workspace, const StageCall& call, const Mesh& 
         filter_as_is(workspace, call_in_frame(call, frame, workspace.registry), frame.to_own(mesh), framed));
 }
 
-std::vector<SphereTree> call_spherizer(const Workspace& workspace, const StageCall& call,
-                                       std::unique_ptr<Spherizer>& stage, const Shape& shape,
-                                       const geometry::OwnFrame& frame, std::span<const Budget> budgets,
-                                       Context& context) {
+std::vector<SphereTree> call_spherizer(const Workspace& workspace, const StageCall& call, StartedSearch& started,
+                                       const Shape& shape, const geometry::OwnFrame& frame,
+                                       std::span<const Budget> budgets, Context& context) {
     if (frame.is_given()) {
-        return spherize_as_is(workspace, call, stage, shape, budgets, context);
+        return spherize_as_is(workspace, call, started, shape, budgets, context);
     }
     FrameContext framed(context, frame);
-    std::vector<SphereTree> trees = spherize_as_is(workspace, call_in_frame(call, frame, workspace.registry), stage,
+    std::vector<SphereTree> trees = spherize_as_is(workspace, call_in_frame(call, frame, workspace.registry), started,
                                                    shape, budgets_in_frame(budgets, frame), framed);
     for (SphereTree& tree : trees) {
         tree = frame.from_own(std::move(tree));

@@ -20,13 +20,17 @@ Mesh call_loader(const Workspace& workspace, const std::string& stage, const std
                  Context& context);
 /// Calls a filter with the mesh in a normalised frame.
 Mesh call_filter(const Workspace& workspace, const StageCall& call, const Mesh& mesh, Context& context);
-/// Calls a spherizer. `stage`: made at the first call, and reused for further calls with the same shape: a stage may
-/// continue where it was. `shape`: in `frame`, from which the trees are transformed back. The call and the budgets are
-/// in metres.
-std::vector<SphereTree> call_spherizer(const Workspace& workspace, const StageCall& call,
-                                       std::unique_ptr<Spherizer>& stage, const Shape& shape,
-                                       const geometry::OwnFrame& frame, std::span<const Budget> budgets,
-                                       Context& context);
+/// A stage and its search for one shape.
+struct StartedSearch {
+    std::unique_ptr<Spherizer> stage;
+    std::unique_ptr<SphereSearch> search;
+};
+
+/// Calls a spherizer. `started`: filled by the first call, unless the stage is isolated; further calls continue it.
+/// `shape`: in `frame`, from which the trees are transformed back. The call and the budgets are in metres.
+std::vector<SphereTree> call_spherizer(const Workspace& workspace, const StageCall& call, StartedSearch& started,
+                                       const Shape& shape, const geometry::OwnFrame& frame,
+                                       std::span<const Budget> budgets, Context& context);
 
 /// Adds a stage's isolation to a hash, for tasks that are shared only if they run alike. Not part of a cache key.
 void add_isolation(Hasher& hasher, const Isolation& isolation);

@@ -131,7 +131,7 @@ std::string answer_to(const StageRequest& request, Context& context) {
     case StageRequest::What::spherize: {
         const ShapeCall call = shape_call_from(request.work);
         const auto stage = registry.make<Spherizer>(request.stage, request.given);
-        const std::vector<SphereTree> trees = stage->spherize_each(call.shape, call.budgets, context);
+        const std::vector<SphereTree> trees = stage->search(call.shape)->at_most(call.budgets, context);
         put(answer, static_cast<std::uint64_t>(trees.size()));
         for (const SphereTree& tree : trees) {
             put_tree(answer, tree);

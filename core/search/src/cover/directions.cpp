@@ -1,7 +1,7 @@
 #include "directions.hpp"
 
 #include <foam/base/random.hpp>
-#include <foam/geometry/internal/fibonacci.hpp>
+#include <foam/geometry/directions.hpp>
 
 #include <numbers>
 

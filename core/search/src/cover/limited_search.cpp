@@ -29,7 +29,7 @@ double cost_of(const Balls& balls, const Limits& limits) {
     return exact_union_volume(unit_spheres(balls)) + dear * over;
 }
 
-double mean_radius(const Balls& balls) {
+double mean_radius_of(const Balls& balls) {
     double sum = 0;
     for (const Ball& b : balls) {
         sum += b.r;
@@ -86,8 +86,8 @@ LimitedSearch::Found LimitedSearch::descended(Found start, int steps, double fir
             balls = divided(some_, std::move(balls), count_, limits_);
         }
         const double length = first_step * std::pow(last_step / first_step, static_cast<double>(i) / steps);
-        Found next = fitted(
-            stepped(balls, length * mean_radius(balls), directions_[static_cast<std::size_t>(i) % directions_.size()]));
+        Found next = fitted(stepped(balls, length * mean_radius_of(balls),
+                                    directions_[static_cast<std::size_t>(i) % directions_.size()]));
         balls = next.balls;
         if (next.cost < best.cost) {
             best = std::move(next);

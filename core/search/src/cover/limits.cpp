@@ -12,10 +12,6 @@ namespace {
 /// Tolerance of limits, units.
 constexpr double tolerance = 1e-5;
 
-Vec3 center_of(const Ball& ball) {
-    return {ball.x, ball.y, ball.z};
-}
-
 /// Returns by how much a ball exceeds a limit; negative: the remaining distance.
 double over(const Ball& ball, const Limit& limit) {
     return dot(limit.normal, center_of(ball)) + ball.r - limit.offset;

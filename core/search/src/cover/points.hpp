@@ -62,6 +62,9 @@ struct Ball {
 };
 using Balls = std::vector<Ball>;
 
+inline Vec3 center_of(const Ball& ball) {
+    return {ball.x, ball.y, ball.z};
+}
 inline Ball ball_of(const Sphere& s) {
     return {static_cast<float>(s.center.x), static_cast<float>(s.center.y), static_cast<float>(s.center.z),
             static_cast<float>(s.radius)};

@@ -9,10 +9,6 @@ namespace {
 /// final growth closes the resulting gaps.
 constexpr float slack = 2e-6f;
 
-Vec3 center_of(const Ball& ball) {
-    return {ball.x, ball.y, ball.z};
-}
-
 double squared_radius(const Ball& ball) {
     return static_cast<double>(ball.r) * ball.r;
 }

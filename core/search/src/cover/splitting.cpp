@@ -12,8 +12,8 @@ namespace foam::inline search::cover {
 namespace {
 
 // These only choose which ball to split and where: the result is compared by exact volumes.
-constexpr int resolution = 24;
-constexpr std::size_t points = 500, directions = 64, first_points = 300;
+constexpr int occupancy_resolution = 24;
+constexpr std::size_t sampled_points = 500, sampled_directions = 64, first_points = 300;
 constexpr ExchangePlan plan{.split = {12, 5, 2, 30}, .evaluations = 0, .rounds = 0, .cells = 12};
 /// Number of points above which surfaces are coarsened; the final growth covers the parts beyond the coarse skin.
 constexpr std::size_t most_points = 4000;
@@ -44,8 +44,8 @@ std::vector<Sphere> spheres_of(const Improvement& improvement, double unit, cons
 
 struct Splitting::Data {
     explicit Data(const Solid& solid)
-        : problem(solid, resolution, points, 0), improvement(problem, directions, first_points),
-          skin(skin_of(solid, problem.frame)) {}
+        : problem(solid, occupancy_resolution, sampled_points, 0),
+          improvement(problem, sampled_directions, first_points), skin(skin_of(solid, problem.frame)) {}
 
     Problem problem;
     Improvement improvement;

@@ -1,7 +1,7 @@
 #include "two_balls.hpp"
 
 #include <foam/base/cancellation.hpp>
-#include <foam/geometry/internal/fibonacci.hpp>
+#include <foam/geometry/directions.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +12,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Vec3 center_of(const Ball& ball) {
-    return {ball.x, ball.y, ball.z};
-}
-
-bool has_less_volume(const TwoBalls& a, const TwoBalls& b) {
+bool adds_less_volume(const TwoBalls& a, const TwoBalls& b) {
     return a.volume < b.volume;
 }
 
@@ -175,7 +171,7 @@ std::vector<TwoBalls> TwoBallSearch::anywhere(const Plan& plan) {
         }
         best_along.push_back(best);
     }
-    std::stable_sort(best_along.begin(), best_along.end(), has_less_volume);
+    std::stable_sort(best_along.begin(), best_along.end(), adds_less_volume);
     return best_along;
 }
 
@@ -187,7 +183,7 @@ TwoBalls TwoBallSearch::improved(const std::vector<TwoBalls>& starts, const Plan
         const TwoBalls upright = descend(starts[i].plane, 0.2, 0.05 * size, plan.evaluations);
         set_tilts(upright.balls);
         const TwoBalls tilted = descend(upright.plane, 0.1, 0.03 * size, plan.evaluations);
-        best = std::min({best, upright, tilted}, has_less_volume);
+        best = std::min({best, upright, tilted}, adds_less_volume);
     }
     return best;
 }

@@ -72,16 +72,8 @@ Certificate certify(const Solid& solid, std::span<const Sphere> spheres, int dep
 
 /// Returns the spheres grown by about the least that makes certify() hold. Centres stay, and no sphere becomes smaller.
 /// Of the spheres that could close a gap, the one grows that adds least excess volume. Then grown spheres shrink as far
-/// as the others allow. `quantum` > 0: radii are rounded up to multiples of it. Spheres that cover already stay as they
-/// are. Throws Error(geometry) if no sphere is finite.
-std::vector<Sphere> grown_to_cover(const Solid& solid, std::vector<Sphere> spheres, double quantum = 0);
-
-/// Returns the spheres tightened: they first grow to cover if necessary. Then every sphere, the one that adds most
-/// excess volume first, shrinks to the least radius that keeps certify() true given the others, but not below the
-/// radius that fits into the solid at its centre, which adds no excess volume. Afterwards no single radius can be
-/// reduced. A sphere outside the solid that covers nothing alone ends with radius 0. `quantum` and errors as in
-/// grown_to_cover().
-std::vector<Sphere> tightened_to_cover(const Solid& solid, std::vector<Sphere> spheres, double quantum = 0);
+/// as the others allow. Spheres that cover already stay as they are. Throws Error(geometry) if no sphere is finite.
+std::vector<Sphere> grown_to_cover(const Solid& solid, std::vector<Sphere> spheres);
 
 } // namespace geometry
 } // namespace foam

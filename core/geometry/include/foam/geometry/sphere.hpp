@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace foam {
@@ -43,9 +44,9 @@ struct SphereTree {
 
 /// Returns a tree of two levels: a bounding sphere (of the spheres) over `spheres`.
 SphereTree flat_tree(std::vector<Sphere> spheres);
-/// Returns a small sphere that contains all `points`: the exact minimum to rounding (Welzl 1991), grown until every
-/// point is inside. Without points: radius 0 at the origin. Expected O(n).
-Sphere minimum_enclosing_sphere(const std::vector<Vec3>& points);
+/// Returns the smallest sphere that contains all `points`, to about 1e-12 of its radius (Welzl 1991, Gärtner 1999),
+/// grown until every point is inside. Without points: radius 0 at the origin. Expected O(n).
+Sphere minimum_enclosing_sphere(std::span<const Vec3> points);
 /// Returns a small sphere that contains both (exact for two balls).
 Sphere enclosing_sphere(const Sphere& a, const Sphere& b);
 /// Returns a small sphere that contains all spheres.

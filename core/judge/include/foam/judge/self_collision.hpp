@@ -35,9 +35,11 @@ struct CollisionModel {
 /// fewer than two links have collision geometry.
 CollisionModel load_collision_model(const std::filesystem::path& urdf, const Registry& registry,
                                     std::size_t spheres_per_link);
-/// Reads a URDF with the spheres of a sphere file, matched to the links as by match().
+/// Reads a URDF with the spheres of a sphere file, matched to the links as by match(). `reader` as in
+/// read_sphere_file().
 CollisionModel load_collision_model(const std::filesystem::path& urdf, const std::filesystem::path& spheres,
-                                    const Registry& registry, const Renames& renames = {});
+                                    const Registry& registry, const Renames& renames = {},
+                                    const std::string& reader = {});
 
 /// Why a pair is not checked, in the words of MoveIt's SRDFs.
 enum class PairReason {

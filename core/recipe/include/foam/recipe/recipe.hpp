@@ -58,8 +58,19 @@ struct RecipeFile {
     std::string text;
 };
 
+/// The stages from a mesh to its spheres.
+struct Chain {
+    std::vector<StageCall> filters; ///< mesh filters in order
+    StageCall spherizer;
+    std::vector<StageCall> refiners; ///< in order, after the spherizer
+
+    /// Returns all of them in order.
+    std::vector<const StageCall*> stages() const;
+    std::vector<StageCall*> stages();
+};
+
 /// A checked recipe. Absent optional values have the default that the documentation states.
-struct Recipe {
+struct Recipe : Chain {
     std::filesystem::path file;       ///< empty for a recipe made in memory
     std::string source;               ///< its text
     std::vector<RecipeFile> extended; ///< the files that it extends, nearest first
@@ -75,9 +86,6 @@ struct Recipe {
     std::vector<std::string> plugins;      ///< files to load; relative to the recipe
     std::vector<StageCall> loaders;        ///< parameters of loaders; the input's ending selects the loader
     std::string preferred_loader;          ///< the one with precedence where several read an ending; may be empty
-    std::vector<StageCall> filters;        ///< mesh filters in order
-    StageCall spherizer;
-    std::vector<StageCall> refiners; ///< in order, after the spherizer
     bool per_link = true;                        ///< false: spherize every collision element separately
     std::optional<std::size_t> budget_spheres;   ///< over the whole robot, at most
     std::optional<double> budget_excess;         ///< of the whole robot; at most as many spheres as that needs
@@ -100,11 +108,8 @@ struct Recipe {
     Isolation isolation; ///< of the stages without their own setting
 
     /// The settings for one link: the chain with the overrides and the recipe's isolation merged in.
-    struct LinkRecipe {
+    struct LinkRecipe : Chain {
         bool skip = false;
-        std::vector<StageCall> filters;
-        StageCall spherizer;
-        std::vector<StageCall> refiners;
         std::size_t min_spheres = 1;
         std::optional<std::size_t> max_spheres;
         double weight = 1;                    ///< of its symmetric difference in the allocation

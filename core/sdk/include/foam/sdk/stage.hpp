@@ -77,6 +77,21 @@ struct Budget {
     Guarantee guarantee = Guarantee::outer;
 };
 
+/// The search for spheres of one shape. It may keep data between calls, to continue from its own results. One call at a
+/// time; context.seed() is the same in all calls.
+class SphereSearch {
+public:
+    virtual ~SphereSearch();
+    SphereSearch(const SphereSearch&) = delete;
+    SphereSearch& operator=(const SphereSearch&) = delete;
+    /// Returns one tree for each budget, as Spherizer::spherize() does, whatever the calls before. After an exception
+    /// the search is not used again.
+    virtual std::vector<SphereTree> at_most(std::span<const Budget> budgets, Context& context) = 0;
+
+protected:
+    SphereSearch();
+};
+
 /// Solid → spheres.
 class Spherizer : public Stage {
 public:
@@ -86,10 +101,9 @@ public:
     /// should cover shape.original() when the guarantee is outer; the runtime proves it and grows spheres that fall
     /// short.
     virtual SphereTree spherize(const Shape& shape, const Budget& budget, Context& context) const = 0;
-    /// Returns one tree for each budget. Override it where work can be shared; the default calls spherize(). The
-    /// results must equal those of spherize().
-    virtual std::vector<SphereTree> spherize_each(const Shape& shape, std::span<const Budget> budgets,
-                                                  Context& context) const;
+    /// Starts the search for a shape; stage and shape must outlive it. Override it where several budgets can share
+    /// work; the default calls spherize() for each.
+    virtual std::unique_ptr<SphereSearch> search(const Shape& shape) const;
 };
 
 /// What a refinement has to keep, and what it may change.

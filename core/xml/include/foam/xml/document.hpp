@@ -11,7 +11,8 @@
 #include <utility>
 #include <vector>
 
-namespace foam::xml {
+namespace foam {
+namespace [[gnu::visibility("default")]] xml {
 
 /// The bytes [begin, end) of the text.
 struct Span {
@@ -44,4 +45,5 @@ struct Element {
 /// uses its own entities (an edit could not resolve them), or is nested more than 200 deep.
 std::unique_ptr<const Element> parse(std::string_view text, const std::string& label, ErrorCode code);
 
-} // namespace foam::xml
+} // namespace gnu::visibility("default")]]xml
+} // namespace foam

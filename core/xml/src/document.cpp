@@ -1,4 +1,4 @@
-#include <xml/document.hpp>
+#include <foam/xml/document.hpp>
 
 #include <expat.h>
 

@@ -1,4 +1,4 @@
-// Directions spread evenly over the sphere, and the part of a ball's surface outside other balls.
+// The part of a ball's surface outside other balls.
 #pragma once
 
 #include <foam/geometry/sphere.hpp>
@@ -8,10 +8,6 @@
 
 namespace foam {
 inline namespace [[gnu::visibility("default")]] geometry {
-
-/// Returns `count` unit vectors on the Fibonacci lattice, each for the same share of the sphere (González 2010, with
-/// the offset of one half at the poles).
-std::vector<Vec3> fibonacci_directions(std::size_t count);
 
 /// Writes the other balls that cut ball `i` into `near`. Returns false if one of them contains it entirely (of equal
 /// balls the first counts).
@@ -27,5 +23,5 @@ inline bool exposed(const Vec3& p, std::span<const Sphere> near) {
     return true;
 }
 
-} // namespace geometry
+} // namespace gnu::visibility("default")]]geometry
 } // namespace foam
