@@ -95,17 +95,17 @@ template <class Call, class Of> static std::vector<Call*> stages_of(Of& chain) {
     return stages;
 }
 
-std::vector<const StageCall*> Chain::stages() const {
+std::vector<const StageCall*> StageChain::stages() const {
     return stages_of<const StageCall>(*this);
 }
 
-std::vector<StageCall*> Chain::stages() {
+std::vector<StageCall*> StageChain::stages() {
     return stages_of<StageCall>(*this);
 }
 
 Recipe::LinkRecipe Recipe::for_link(const std::string& link) const {
     LinkRecipe result;
-    static_cast<Chain&>(result) = *this;
+    static_cast<StageChain&>(result) = *this;
     for (StageCall* stage : result.stages()) {
         stage->isolation = stage->isolation.over(isolation);
     }

@@ -59,7 +59,7 @@ struct RecipeFile {
 };
 
 /// The stages from a mesh to its spheres.
-struct Chain {
+struct StageChain {
     std::vector<StageCall> filters; ///< mesh filters in order
     StageCall spherizer;
     std::vector<StageCall> refiners; ///< in order, after the spherizer
@@ -70,7 +70,7 @@ struct Chain {
 };
 
 /// A checked recipe. Absent optional values have the default that the documentation states.
-struct Recipe : Chain {
+struct Recipe : StageChain {
     std::filesystem::path file;       ///< empty for a recipe made in memory
     std::string source;               ///< its text
     std::vector<RecipeFile> extended; ///< the files that it extends, nearest first
@@ -108,7 +108,7 @@ struct Recipe : Chain {
     Isolation isolation; ///< of the stages without their own setting
 
     /// The settings for one link: the chain with the overrides and the recipe's isolation merged in.
-    struct LinkRecipe : Chain {
+    struct LinkRecipe : StageChain {
         bool skip = false;
         std::size_t min_spheres = 1;
         std::optional<std::size_t> max_spheres;
