@@ -3,6 +3,7 @@
 function(foam_unity TARGET)
   if(FOAM_UNITY)
     set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 20)
+    target_compile_options(${TARGET} PRIVATE -Wno-shadow) # by names of other sources
   endif()
 endfunction()
 

@@ -99,7 +99,7 @@ CollisionModel load_collision_model(const std::filesystem::path& urdf, const Reg
             const std::size_t i = index_of(*model.robot, link.link);
             QuietContext context;
             const Shape shape(link.link, link.solid, link.solid);
-            model.spheres[i] = spherizer->spherize(shape, {.max_spheres = spheres_per_link}, context).finest();
+            model.spheres[i] = spherizer->spherize(shape, {spheres_per_link, {}, Guarantee::outer}, context).finest();
             model.sources[i] = CollisionModel::Source::cover;
         }
     }
