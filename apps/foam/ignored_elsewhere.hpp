@@ -2,7 +2,7 @@
 #pragma once
 
 #include <foam/judge/ignored_pairs.hpp>
-#include <foam/judge/self_collision.hpp>
+#include <foam/collision/self_collision.hpp>
 
 #include <nlohmann/json.hpp>
 

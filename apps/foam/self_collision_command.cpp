@@ -9,7 +9,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
-#include <foam/judge/self_collision.hpp>
+#include <foam/judge/collision_model.hpp>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // The self-collision matrix of robots whose answer is known, and what it promises of any robot.
 #include <foam/base/error.hpp>
-#include <foam/judge/self_collision.hpp>
+#include <foam/collision/self_collision.hpp>
 
 #include <gmock/gmock.h>
 

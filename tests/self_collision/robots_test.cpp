@@ -1,7 +1,7 @@
 // The robots of others: every pair is judged, neighbours are adjacent, MoveIt's list is met.
 #include "support/shared_folder.hpp"
 
-#include <foam/judge/self_collision.hpp>
+#include <foam/judge/collision_model.hpp>
 
 #include <gtest/gtest.h>
 

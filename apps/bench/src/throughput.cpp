@@ -3,7 +3,7 @@
 #include "throughput.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/judge/self_collision.hpp>
+#include <foam/collision/self_collision.hpp>
 #include <foam/runtime/internal/child.hpp>
 #include <foam/runtime/run.hpp>
 #include <foam/sdk/sdk.hpp>

@@ -1,6 +1,6 @@
 #include "pairs.hpp"
 
-#include <foam/judge/self_collision.hpp>
+#include <foam/collision/self_collision.hpp>
 
 #include <map>
 

@@ -3,7 +3,7 @@
 #include <foam/base/file.hpp>
 #include <foam/base/internal/files.hpp>
 #include <foam/base/parallel.hpp>
-#include <foam/judge/self_collision.hpp>
+#include <foam/judge/collision_model.hpp>
 #include <foam/sdk/context.hpp>
 #include <foam/sdk/stage.hpp>
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <foam/geometry/sphere.hpp>
-#include <foam/judge/evaluate.hpp>
 #include <foam/robot/kinematics.hpp>
 
 #include <atomic>
@@ -14,7 +13,7 @@
 #include <vector>
 
 namespace foam {
-inline namespace [[gnu::visibility("default")]] judge {
+inline namespace [[gnu::visibility("default")]] collision {
 
 /// The spheres of each link.
 struct CollisionModel {
@@ -29,17 +28,6 @@ struct CollisionModel {
     std::vector<Source> sources;              ///< of each link of the robot
     std::vector<std::string> notes;           ///< warnings of the loaders, and what is left out
 };
-
-/// Reads a URDF. Collision elements that are spheres are used as they are; a link with any other geometry gets at most
-/// `spheres_per_link` certified covering spheres. Throws Error(input) if the file or a mesh of it cannot be read or if
-/// fewer than two links have collision geometry.
-CollisionModel load_collision_model(const std::filesystem::path& urdf, const Registry& registry,
-                                    std::size_t spheres_per_link);
-/// Reads a URDF with the spheres of a sphere file, matched to the links as by match(). `reader` as in
-/// read_sphere_file().
-CollisionModel load_collision_model(const std::filesystem::path& urdf, const std::filesystem::path& spheres,
-                                    const Registry& registry, const Renames& renames = {},
-                                    const std::string& reader = {});
 
 /// Why a pair is not checked, in the words of MoveIt's SRDFs.
 enum class PairReason {
@@ -101,5 +89,5 @@ std::string srdf_text(const Robot& robot, const SelfCollisionMatrix& matrix);
 /// checked against.
 std::string curobo_text(const Robot& robot, const SelfCollisionMatrix& matrix);
 
-} // namespace judge
+} // namespace collision
 } // namespace foam

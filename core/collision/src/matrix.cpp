@@ -4,14 +4,14 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/parallel.hpp>
-#include <foam/judge/self_collision.hpp>
+#include <foam/collision/self_collision.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace foam::inline judge {
+namespace foam::inline collision {
 
 using namespace self_collision;
 
@@ -156,4 +156,4 @@ SelfCollisionMatrix self_collision_matrix(const Kinematics& kinematics, const Co
     return matrix;
 }
 
-} // namespace foam::judge
+} // namespace foam::collision

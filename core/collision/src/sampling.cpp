@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace foam::inline judge::self_collision {
+namespace foam::inline collision::self_collision {
 namespace {
 
 /// Samples per block. Each block has its own stream of random numbers, so that the result does not depend on the number
@@ -85,4 +85,4 @@ std::vector<std::size_t> count_touching(const Kinematics& kinematics, const Grou
     return counts;
 }
 
-} // namespace foam::judge::self_collision
+} // namespace foam::collision::self_collision

@@ -3,13 +3,13 @@
 
 #include "ball_group.hpp"
 
-#include <foam/judge/self_collision.hpp>
+#include <foam/collision/self_collision.hpp>
 
 #include <optional>
 #include <span>
 #include <vector>
 
-namespace foam::inline judge::self_collision {
+namespace foam::inline collision::self_collision {
 
 /// One entry per link of the robot; empty: it has no spheres.
 using Groups = std::vector<std::optional<BallGroup>>;
@@ -37,4 +37,4 @@ std::vector<std::size_t> count_touching(const Kinematics& kinematics, const Grou
                                         const std::vector<LinkPair>& pairs, std::size_t samples, std::uint64_t seed,
                                         const std::atomic<bool>* cancel);
 
-} // namespace foam::judge::self_collision
+} // namespace foam::collision::self_collision

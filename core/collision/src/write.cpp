@@ -1,10 +1,10 @@
 // The self-collision matrix in other tools' files.
 #include <foam/base/markup.hpp>
-#include <foam/judge/self_collision.hpp>
+#include <foam/collision/self_collision.hpp>
 
 #include <fmt/format.h>
 
-namespace foam::inline judge {
+namespace foam::inline collision {
 namespace {
 
 /// Returns a name within double quotes of YAML.
@@ -52,4 +52,4 @@ std::string curobo_text(const Robot& robot, const SelfCollisionMatrix& matrix) {
     return any ? text : "self_collision_ignore: {}\n";
 }
 
-} // namespace foam::judge
+} // namespace foam::collision

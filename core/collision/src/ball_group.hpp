@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace foam::inline judge::self_collision {
+namespace foam::inline collision::self_collision {
 
 struct BallGroup {
     Sphere bound;
@@ -29,4 +29,4 @@ inline Sphere moved(const Pose& pose, const Sphere& sphere) {
     return {pose * sphere.center, sphere.radius};
 }
 
-} // namespace foam::judge::self_collision
+} // namespace foam::collision::self_collision

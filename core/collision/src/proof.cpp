@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace foam::inline judge::self_collision {
+namespace foam::inline collision::self_collision {
 namespace {
 
 /// m; far above the rounding errors of poses and distances of a robot with a size of some metres (1e-14 m), far below
@@ -235,4 +235,4 @@ Verdict touching_verdict(const Kinematics& kinematics, const Chain& chain, const
     return Search(kinematics, split(chain, best), first, second).run(freedoms, boxes, cancel);
 }
 
-} // namespace foam::judge::self_collision
+} // namespace foam::collision::self_collision

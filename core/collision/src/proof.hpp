@@ -8,7 +8,7 @@
 #include <atomic>
 #include <cstddef>
 
-namespace foam::inline judge::self_collision {
+namespace foam::inline collision::self_collision {
 
 using namespace joint_chain;
 
@@ -28,4 +28,4 @@ enum class Verdict {
 Verdict touching_verdict(const Kinematics& kinematics, const Chain& chain, const BallGroup& first,
                          const BallGroup& second, std::size_t boxes, const std::atomic<bool>* cancel);
 
-} // namespace foam::judge::self_collision
+} // namespace foam::collision::self_collision

@@ -1,0 +1,25 @@
+// Collision models of robots from files.
+#pragma once
+
+#include <foam/collision/self_collision.hpp>
+#include <foam/judge/evaluate.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace foam {
+inline namespace [[gnu::visibility("default")]] judge {
+
+/// Reads a URDF. Collision elements that are spheres are used as they are; a link with any other geometry gets at most
+/// `spheres_per_link` certified covering spheres. Throws Error(input) if the file or a mesh of it cannot be read or if
+/// fewer than two links have collision geometry.
+CollisionModel load_collision_model(const std::filesystem::path& urdf, const Registry& registry,
+                                    std::size_t spheres_per_link);
+/// Reads a URDF with the spheres of a sphere file, matched to the links as by match(). `reader` as in
+/// read_sphere_file().
+CollisionModel load_collision_model(const std::filesystem::path& urdf, const std::filesystem::path& spheres,
+                                    const Registry& registry, const Renames& renames = {},
+                                    const std::string& reader = {});
+
+} // namespace judge
+} // namespace foam
