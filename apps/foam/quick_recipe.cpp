@@ -72,6 +72,36 @@ std::string budget_text(const QuickBudget& budget) {
 
 } // namespace
 
+const RegisteredStage& writer_for(const std::string& format, const Registry& registry) {
+    std::vector<const RegisteredStage*> fitting;
+    std::vector<std::string> names, all;
+    for (const auto& [name, stage] : registry.stages()) {
+        if (stage.kind != StageKind::writer) {
+            continue;
+        }
+        all.push_back(name.substr(name.find('.') + 1));
+        if (all.back() == format) {
+            return stage;
+        }
+        const auto& endings = stage.info.extensions;
+        if (std::find(endings.begin(), endings.end(), format) != endings.end()) {
+            fitting.push_back(&stage);
+            names.push_back(all.back());
+        }
+    }
+    if (fitting.size() > 1) {
+        throw Error(ErrorCode::usage, fmt::format("several formats write .{}: {}; remedy: --format {}", format,
+                                                  fmt::join(names, ", "), names.front()));
+    }
+    if (fitting.empty()) {
+        const std::string near = nearest_word(format, all);
+        throw Error(ErrorCode::usage,
+                    fmt::format("no format '{}'{}; there are: {}", format,
+                                near.empty() ? "" : fmt::format("; did you mean '{}'?", near), fmt::join(all, ", ")));
+    }
+    return *fitting.front();
+}
+
 bool is_mesh(const std::filesystem::path& input, const Registry& registry) {
     const std::string ending = ending_of(input);
     if (registry.find_for_extension(StageKind::mesh_loader, ending)) {
@@ -91,14 +121,10 @@ bool is_mesh(const std::filesystem::path& input, const Registry& registry) {
 
 QuickRecipe quick_recipe(const std::filesystem::path& input, const std::string& method, const std::string& ending,
                          const QuickBudget& budget, const MeshUnit& unit, const Registry& registry) {
-    const RegisteredStage* writer = registry.find_for_extension(StageKind::writer, ending);
-    if (!writer) {
-        throw Error(ErrorCode::usage, fmt::format("no format is known for '.{}'; there are: {}", ending,
-                                                  endings_of(StageKind::writer, registry)));
-    }
+    const RegisteredStage* writer = &writer_for(ending, registry);
     QuickRecipe recipe;
     recipe.name = plain_name(input);
-    recipe.output = recipe.name + "." + ending;
+    recipe.output = recipe.name + "." + (writer->info.extensions.empty() ? ending : writer->info.extensions.front());
     const auto quoted = [](const std::string& text) { // a JSON string is a YAML string
         return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     };

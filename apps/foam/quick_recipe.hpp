@@ -29,6 +29,10 @@ struct QuickRecipe {
 QuickRecipe quick_recipe(const std::filesystem::path& input, const std::string& method, const std::string& ending,
                          const QuickBudget& budget, const MeshUnit& unit, const Registry& registry);
 
+/// Returns the writer of a format: "curobo" is write.curobo; otherwise the only one whose files have that ending.
+/// Throws Error(usage) if there is none, or several.
+const RegisteredStage& writer_for(const std::string& format, const Registry& registry);
+
 /// Whether the registry can load it as a mesh; otherwise it is taken for a robot. Throws Error(usage) if it is neither.
 bool is_mesh(const std::filesystem::path& input, const Registry& registry);
 

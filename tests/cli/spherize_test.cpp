@@ -46,7 +46,7 @@ TEST_F(CliSpherize, TheEndingSaysTheFormat) {
     EXPECT_THAT(none.err, HasSubstr("remedy: -o out.json, or --format"));
     const Outcome unknown = foam("spherize box.obj -o out.docx");
     EXPECT_EQ(unknown.code, 2);
-    EXPECT_THAT(unknown.err, HasSubstr("no format is known for '.docx'; there are: "));
+    EXPECT_THAT(unknown.err, HasSubstr("no format 'docx'; there are: "));
 }
 
 TEST_F(CliSpherize, DataToStandardOutput) {

@@ -17,7 +17,7 @@ namespace foam::test {
 class Files : public ::testing::Test {
 protected:
     Files() {
-        for (const char* name : {"load_urdf", "load_mesh", "read_rows", "read_yaml", "write_csv", "write_ply"}) {
+        for (const char* name : {"load_urdf", "load_mesh", "read_rows", "yaml_models", "write_csv", "write_ply"}) {
             const PluginRecord& record =
                 registry.load(std::filesystem::path(FOAM_TEST_PLUGINS) / (name + std::string(".so")));
             EXPECT_TRUE(record.loaded()) << record.rejection;

@@ -11,7 +11,7 @@ namespace {
 const Registry& readers() {
     static Registry registry;
     static const bool loaded = [] {
-        for (const char* plugin : {"load_urdf", "read_rows", "read_yaml", "write_csv", "write_ply"}) {
+        for (const char* plugin : {"load_urdf", "read_rows", "yaml_models", "write_csv", "write_ply"}) {
             const PluginRecord& record = registry.load(std::string(FOAM_FUZZ_PLUGINS "/") + plugin + ".so");
             promise(record.loaded(), record.rejection);
         }

@@ -21,6 +21,16 @@ std::string yaml_quoted(const std::string& text) {
 
 } // namespace
 
+std::vector<IgnoredPair> ignored_pairs(const Robot& robot, const SelfCollisionMatrix& matrix) {
+    std::vector<IgnoredPair> ignored;
+    for (const LinkPair& pair : matrix.pairs) {
+        if (pair.reason != PairReason::none) {
+            ignored.push_back({robot.links[pair.first].name, robot.links[pair.second].name, to_string(pair.reason)});
+        }
+    }
+    return ignored;
+}
+
 std::string srdf_text(const Robot& robot, const SelfCollisionMatrix& matrix) {
     std::string text =
         fmt::format("<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<robot name=\"{}\">\n", markup_escaped(robot.name));

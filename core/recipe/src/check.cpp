@@ -1,8 +1,10 @@
 #include <foam/recipe/internal/check.hpp>
 
+#include "facts.hpp"
 #include "format.hpp"
 
 #include <foam/recipe/internal/extend.hpp>
+#include <foam/recipe/internal/facts.hpp>
 #include <foam/recipe/internal/keys.hpp>
 
 #include <fmt/format.h>
@@ -145,7 +147,12 @@ void check_input(const Value& root, Recipe& recipe, Findings& findings) {
         recipe.mesh = read_references(*mesh, "mesh", findings);
     }
     if (robot && expect_map(*robot, "robot", "robot: {urdf: FILE}", findings)) {
-        refuse_unknown_keys(*robot, "robot", {"urdf"}, findings);
+        std::vector<std::string> known{"urdf"};
+        for (const FactKey& fact : fact_keys()) {
+            known.push_back(fact.name);
+        }
+        refuse_unknown_keys(*robot, "robot", known, findings);
+        check_facts(*robot, recipe, findings);
         if (const Value* urdf = robot->find("urdf")) {
             recipe.urdf = read_references(*urdf, "urdf", findings);
         } else {

@@ -79,9 +79,26 @@ std::string output_file(const StageItem& item, const Recipe& recipe, const Check
     return fs::path(file).lexically_normal().string();
 }
 
+/// Reads the file whose spheres the output replaces.
+void read_into(const StageItem& item, OutputCall& output, const Checking& checking) {
+    const Value* given =
+        item.parameters && item.parameters->is(Value::Kind::map) ? item.parameters->find("into") : nullptr;
+    if (!given) {
+        return;
+    }
+    if (!item.stage->info.consumer.edits) {
+        checking.findings.error(given->where, "conflict",
+                                fmt::format("{} writes whole files; remedy: delete 'into'", item.stage->info.name));
+    } else if (const auto read =
+                   read_value(*given, Parameter::text("into", ""), item.stage->info.name, checking.findings)) {
+        output.into = std::get<std::string>(*read);
+        output.into_where = checking.findings.locate(given->where);
+    }
+}
+
 void add_output(const Value& value, Recipe& recipe, const Checking& checking) {
     StageItem item = read_stage_item(value, "outputs", checking);
-    read_stage_parameters(item, {"file"}, checking);
+    read_stage_parameters(item, {"file", "into"}, checking);
     if (!item.stage) {
         return;
     }
@@ -98,7 +115,9 @@ void add_output(const Value& value, Recipe& recipe, const Checking& checking) {
     const auto other = std::find_if(recipe.outputs.begin(), recipe.outputs.end(),
                                     [&](const OutputCall& output) { return collide(file, output.file); });
     if (other == recipe.outputs.end()) {
-        recipe.outputs.push_back({std::move(item.call), file});
+        OutputCall output{std::move(item.call), file};
+        read_into(item, output, checking);
+        recipe.outputs.push_back(std::move(output));
         return;
     }
     checking.findings.error(item.name.where, "duplicate-file",
@@ -158,12 +177,12 @@ void read_renderer(const Value& value, Recipe& recipe, const Checking& checking)
 
 } // namespace
 
-JointValues read_pose(const Value& value, Findings& findings) {
+JointValues read_pose(const Value& value, Findings& findings, const std::string& name) {
     JointValues pose;
-    if (expect_map(value, "pose", "pose: {joint: 0.5}", findings)) {
+    if (expect_map(value, name, fmt::format("{}: {{joint: 0.5}}", name), findings)) {
         for (std::size_t i = 0; i < value.keys.size(); ++i) {
             const Parameter joint = Parameter::number(value.keys[i].text, 0);
-            if (const auto read = read_value(value.items[i], joint, "pose", findings)) {
+            if (const auto read = read_value(value.items[i], joint, name, findings)) {
                 pose[value.keys[i].text] = std::get<double>(*read);
             }
         }

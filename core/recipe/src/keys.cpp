@@ -105,6 +105,18 @@ const std::vector<KeyOf<Recipe>>& top_level_keys() {
                         "inside the "
                         "geometry; fitted: neither is proved."),
                &Recipe::guarantee),
+        KeyOf<Recipe>{
+            Parameter::choice("numbers", {"float64", "float32"}, "float64")
+                .doc("The numbers on which the guarantee is proved: float64: as written; float32: also as a program "
+                     "holds them that reads single precision. Absent: float32 if such a program reads an output."),
+            [](Recipe& recipe, const ParameterValue& value) {
+                recipe.numbers = std::get<std::string>(value) == "float32" ? Numbers::float32 : Numbers::float64;
+            },
+            [](const Recipe& recipe) -> std::optional<ParameterValue> {
+                return recipe.numbers ? std::optional<ParameterValue>(
+                                            std::string(*recipe.numbers == Numbers::float32 ? "float32" : "float64"))
+                                      : std::nullopt;
+            }},
         choice(Parameter::choice("on_error", {"stop", "skip", "fallback"}, "stop")
                    .doc("When a link fails: stop the run, skip the link, or replace it by one enclosing sphere."),
                &Recipe::on_error),

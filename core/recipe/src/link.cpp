@@ -83,6 +83,14 @@ std::string glob_of_name(const std::string& name) {
     return glob;
 }
 
+Numbers Recipe::proved_numbers(const Registry& registry) const {
+    const bool single = std::any_of(outputs.begin(), outputs.end(), [&](const OutputCall& output) {
+        const RegisteredStage* writer = registry.find(output.writer.stage);
+        return writer && writer->info.consumer.float32;
+    });
+    return numbers.value_or(single ? Numbers::float32 : Numbers::float64);
+}
+
 template <class Call, class Of> static std::vector<Call*> stages_of(Of& chain) {
     std::vector<Call*> stages;
     for (Call& filter : chain.filters) {

@@ -1,4 +1,5 @@
 // JSON Schema of recipes: for editors and for checks by other tools.
+#include "facts.hpp"
 #include "format.hpp"
 
 #include <foam/geometry/length.hpp>
@@ -247,6 +248,7 @@ Json top_level(const Registry& registry) {
     add_isolation(p);
     p["robot"] = object({{"urdf", texts("URDF files, the first that exists is used: a path relative to the recipe, "
                                         "package://PACKAGE/PATH or file:///PATH.")}});
+    p["robot"]["properties"].update(schema_of_facts());
     p["robot"]["required"] = {"urdf"};
     p["mesh"] = texts("Mesh files, the first that exists is used; references as for a URDF.");
     p["package_path"] = texts("Folders to look for packages in, before those of the environment.");

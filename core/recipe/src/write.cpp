@@ -1,9 +1,11 @@
 // Recipe -> YAML.
 #include "format.hpp"
 
+#include <foam/recipe/internal/facts.hpp>
 #include <foam/recipe/internal/keys.hpp>
 #include <foam/recipe/internal/yaml.hpp>
 #include <foam/recipe/recipe.hpp>
+#include <foam/yaml/write.hpp>
 
 #include <fmt/format.h>
 
@@ -15,40 +17,15 @@ namespace {
 namespace fs = std::filesystem;
 using reading::Value;
 
-/// Returns a text for flow context: plain where that is safe, else as a JSON string, which is valid YAML.
-std::string yaml_text(const std::string& text) {
-    const auto plain = [](char c) {
-        return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '.' ||
-               c == '/' || c == '-' || c == '+' || c == '=';
-    };
-    const bool first_is_plain = !text.empty() && plain(text[0]) && text[0] != '-' && text[0] != '=';
-    if (first_is_plain && std::all_of(text.begin(), text.end(), plain) &&
-        reading::plain_scalar(text, {}).is(Value::Kind::text)) {
-        return text;
-    }
-    std::string result = "\"";
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\') {
-            result += '\\';
-            result += c;
-        } else if (byte < 0x20 || byte == 0x7F) {
-            result += fmt::format("\\x{:02x}", byte);
-        } else {
-            result += c;
-        }
-    }
-    return result + "\"";
-}
-
 std::string yaml_value(const ParameterValue& value) {
     const std::string* text = std::get_if<std::string>(&value);
-    return text ? yaml_text(*text) : to_text(value);
+    return text ? yaml::scalar_text(*text) : to_text(value);
 }
 
 std::string yaml_list(const std::vector<std::string>& texts) {
     std::vector<std::string> items;
-    std::transform(texts.begin(), texts.end(), std::back_inserter(items), yaml_text);
+    std::transform(texts.begin(), texts.end(), std::back_inserter(items),
+                   [](const std::string& text) { return yaml::scalar_text(text); });
     return fmt::format("[{}]", fmt::join(items, ", "));
 }
 
@@ -59,13 +36,13 @@ public:
 
     std::string text() {
         line("foam: {}", reading::format_version);
-        line("name: {}", yaml_text(recipe_.name));
+        line("name: {}", yaml::scalar_text(recipe_.name));
         line("seed: {}", recipe_.seed);
         write_input();
         write_loaders();
         line("stages:");
         for (const StageCall* call : recipe_.stages()) {
-            line("  - {}", stage(*call, "", true));
+            line("  - {}", stage(*call, {}, true));
         }
         for (const std::string& part : isolation_parts(recipe_.isolation)) {
             line("{}", part);
@@ -73,6 +50,7 @@ public:
         write_key("per");
         write_budget();
         write_key("guarantee");
+        write_key("numbers");
         write_self_collision();
         write_links();
         write_outputs();
@@ -89,10 +67,13 @@ private:
     }
 
     /// Returns "stage: {file: …, parameter: value}", with the defaults or only with the given parameters.
-    std::string stage(const StageCall& call, const std::string& file, bool defaults) const {
+    std::string stage(const StageCall& call, const OutputCall& output, bool defaults) const {
         std::vector<std::string> parts;
-        if (!file.empty()) {
-            parts.push_back("file: " + yaml_text(file));
+        if (!output.file.empty()) {
+            parts.push_back("file: " + yaml::scalar_text(output.file));
+        }
+        if (!output.into.empty()) {
+            parts.push_back("into: " + yaml::scalar_text(references({output.into}).front()));
         }
         std::map<std::string, ParameterValue> values = call.given;
         if (const RegisteredStage* known = registry_.find(call.stage); known && defaults) {
@@ -101,20 +82,20 @@ private:
             }
         }
         for (const auto& [name, value] : values) {
-            parts.push_back(fmt::format("{}: {}", yaml_text(name), yaml_value(value)));
+            parts.push_back(fmt::format("{}: {}", yaml::scalar_text(name), yaml_value(value)));
         }
         const std::vector<std::string> isolation = isolation_parts(call.isolation);
         parts.insert(parts.end(), isolation.begin(), isolation.end());
-        return fmt::format("{}: {{{}}}", yaml_text(call.stage), fmt::join(parts, ", "));
+        return fmt::format("{}: {{{}}}", yaml::scalar_text(call.stage), fmt::join(parts, ", "));
     }
 
     void write_loaders() {
         std::vector<std::string> loaders;
         if (!recipe_.preferred_loader.empty()) {
-            loaders.push_back("prefer: " + yaml_text(recipe_.preferred_loader));
+            loaders.push_back("prefer: " + yaml::scalar_text(recipe_.preferred_loader));
         }
         for (const StageCall& loader : recipe_.loaders) {
-            loaders.push_back(stage(loader, "", true));
+            loaders.push_back(stage(loader, {}, true));
         }
         if (!loaders.empty()) {
             line("loaders: {{{}}}", fmt::join(loaders, ", "));
@@ -153,7 +134,12 @@ private:
             write_key("unit");
             write_key("scale");
         } else {
-            line("robot: {{urdf: {}}}", yaml_list(references(recipe_.urdf)));
+            std::vector<std::string> parts{"urdf: " + yaml_list(references(recipe_.urdf))};
+            const yaml::Value facts = reading::given_facts(recipe_.facts);
+            for (std::size_t i = 0; i < facts.keys.size(); ++i) {
+                parts.push_back(facts.keys[i].text + ": " + yaml::flow_text(facts.items[i]));
+            }
+            line("robot: {{{}}}", fmt::join(parts, ", "));
         }
         if (!recipe_.package_path.empty()) {
             line("package_path: {}", yaml_list(references(recipe_.package_path)));
@@ -187,7 +173,7 @@ private:
     static std::string pose_text(const JointValues& values) {
         std::vector<std::string> joints;
         for (const auto& [joint, value] : values) {
-            joints.push_back(fmt::format("{}: {}", yaml_text(joint), to_text(value)));
+            joints.push_back(fmt::format("{}: {}", yaml::scalar_text(joint), to_text(value)));
         }
         return fmt::format("{{{}}}", fmt::join(joints, ", "));
     }
@@ -217,16 +203,16 @@ private:
                 parts.push_back("clip: " + clip_text(*link.clip));
             }
             for (const StageCall& call : link.stages) {
-                parts.push_back(stage(call, "", false));
+                parts.push_back(stage(call, {}, false));
             }
-            line("  {}: {{{}}}", yaml_text(link.glob), fmt::join(parts, ", "));
+            line("  {}: {{{}}}", yaml::scalar_text(link.glob), fmt::join(parts, ", "));
         }
     }
 
     void write_outputs() {
         line("outputs:{}", recipe_.outputs.empty() ? " []" : "");
         for (const OutputCall& output : recipe_.outputs) {
-            line("  - {}", stage(output.writer, output.file, true));
+            line("  - {}", stage(output.writer, output, true));
         }
     }
 
@@ -240,7 +226,7 @@ private:
         line("snapshots:");
         line("  size: [{}, {}]", recipe_.snapshot_size[0], recipe_.snapshot_size[1]);
         line("  pose: {}", pose_text(recipe_.pose));
-        line("  renderer: {{{}}}", stage(renderer, "", true));
+        line("  renderer: {{{}}}", stage(renderer, {}, true));
     }
 
     const Recipe& recipe_;

@@ -48,6 +48,14 @@ private:
     double scale_ = 0;
 };
 
+/// Returns how far single precision may move a sphere's surface: half a unit in the last place of each coordinate and
+/// of the radius, twice that to be safe.
+double float32_slack(const Sphere& sphere, Numbers numbers) {
+    const double largest =
+        std::max({std::abs(sphere.center.x), std::abs(sphere.center.y), std::abs(sphere.center.z), sphere.radius});
+    return numbers == Numbers::float32 ? 2 * std::numeric_limits<float>::epsilon() * largest : 0;
+}
+
 /// Returns for each sphere the largest concentric sphere in the solid. Fast, for comparisons only.
 std::vector<Sphere> inside_of(const Solid& solid, std::vector<Sphere> spheres) {
     for (Sphere& sphere : spheres) {
@@ -65,7 +73,7 @@ Error no_room() {
 /// Returns the spheres of a level that fit into the solid, with numbers on the grid. `left[i]`: the new index of sphere
 /// i.
 SphereTree::Level fitted_level(const Solid& solid, const SphereTree::Level& level, const DecimalGrid& grid,
-                               std::vector<std::optional<std::uint32_t>>& left) {
+                               Numbers numbers, std::vector<std::optional<std::uint32_t>>& left) {
     std::vector<Sphere> spheres = shrunk_to_fit(solid, level.spheres);
     for (Sphere& sphere : spheres) {
         sphere.center = grid.nearest(sphere.center);
@@ -74,7 +82,7 @@ SphereTree::Level fitted_level(const Solid& solid, const SphereTree::Level& leve
     SphereTree::Level result;
     left.assign(spheres.size(), {});
     for (std::size_t i = 0; i < spheres.size(); ++i) {
-        if (const double radius = grid.down(radii[i]); radius > 0) {
+        if (const double radius = grid.down(radii[i] - float32_slack(spheres[i], numbers)); radius > 0) {
             left[i] = static_cast<std::uint32_t>(result.spheres.size());
             result.spheres.push_back({spheres[i].center, radius});
             if (!level.parents.empty()) {
@@ -87,13 +95,13 @@ SphereTree::Level fitted_level(const Solid& solid, const SphereTree::Level& leve
 
 /// Moves every level into the solid, from the finest. An empty level becomes the largest sphere of the level below it.
 /// Spheres whose parent is gone get the nearest sphere of that level as parent.
-SphereTree inner_tree(const Solid& solid, const SphereTree& tree, const DecimalGrid& grid) {
+SphereTree inner_tree(const Solid& solid, const SphereTree& tree, const DecimalGrid& grid, Numbers numbers) {
     SphereTree result;
     result.levels.resize(tree.levels.size());
     for (std::size_t l = tree.levels.size(); l-- > 0;) {
         std::vector<std::optional<std::uint32_t>> left;
         SphereTree::Level& level = result.levels[l];
-        level = fitted_level(solid, tree.levels[l], grid, left);
+        level = fitted_level(solid, tree.levels[l], grid, numbers, left);
         if (l + 1 == tree.levels.size()) {
             if (level.spheres.empty()) {
                 throw no_room();
@@ -182,11 +190,11 @@ void require_room(const Solid& solid, const SphereTree& tree) {
     }
 }
 
-FinishedTree finished_tree(const Solid& solid, SphereTree tree, Guarantee guarantee, bool one_may_do) {
+FinishedTree finished_tree(const Solid& solid, SphereTree tree, Guarantee guarantee, bool one_may_do, Numbers numbers) {
     const DecimalGrid grid(solid.bounds().diagonal());
     FinishedTree result;
     if (guarantee == Guarantee::inner) {
-        result.tree = inner_tree(solid, tree, grid);
+        result.tree = inner_tree(solid, tree, grid, numbers);
         return result;
     }
     const bool outer = guarantee == Guarantee::outer;
@@ -198,13 +206,14 @@ FinishedTree finished_tree(const Solid& solid, SphereTree tree, Guarantee guaran
         }
         result.growth = 0;
         for (std::size_t i = 0; i < level.spheres.size(); ++i) {
-            level.spheres[i].radius = grid.up(level.spheres[i].radius);
+            const double slack = outer ? float32_slack(level.spheres[i], numbers) : 0;
+            level.spheres[i].radius = grid.up(level.spheres[i].radius + slack);
             result.growth = std::max(result.growth, level.spheres[i].radius - before[i].radius);
         }
     }
     const auto one = outer && one_may_do ? better_one(solid, result.tree.finest()) : std::nullopt;
     if (one) {
-        result = finished_tree(solid, flat_tree({*one}), guarantee, false);
+        result = finished_tree(solid, flat_tree({*one}), guarantee, false, numbers);
         result.one_instead = true;
     }
     return result;

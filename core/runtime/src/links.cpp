@@ -160,7 +160,8 @@ private:
         const bool one_may_do = one_may_stand_in(workspace_, links_[groups_[g].link]);
         FinishedTree finished =
             run_stage(in_time, "cover", out.link, out.geometries.front(), "", reports[g][0], [&](Context&) {
-                return finished_tree(*groups_[g].solid, tree, workspace_.recipe.guarantee, one_may_do);
+                return finished_tree(*groups_[g].solid, tree, workspace_.recipe.guarantee, one_may_do,
+                                     workspace_.recipe.proved_numbers(workspace_.registry));
             });
         if (finished.one_instead) {
             workspace_.journal.finding({Severity::warning, out.link, "cover",

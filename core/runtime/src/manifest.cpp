@@ -61,11 +61,15 @@ Json to_json(const InputFile& mesh) {
 }
 
 Json to_json(const WrittenProof& proof) {
-    return {{"link", proof.link},
-            {"spheres", proof.spheres},
-            {"triangles", proof.triangles},
-            {"pieces", proof.pieces},
-            {"halvings", proof.halvings}};
+    Json json{{"link", proof.link},
+              {"spheres", proof.spheres},
+              {"triangles", proof.triangles},
+              {"pieces", proof.pieces},
+              {"halvings", proof.halvings}};
+    if (proof.float32) {
+        json["float32"] = true;
+    }
+    return json;
 }
 
 Json to_json(const RunPhase& phase) {

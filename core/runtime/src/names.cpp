@@ -35,6 +35,16 @@ public:
                         yaml::suggestion(link.glob, links_)));
     }
 
+    void check_links(const std::vector<std::string>& names, const Location& where, const char* key) {
+        for (const std::string& name : names) {
+            if (std::find(links_.begin(), links_.end(), name) == links_.end()) {
+                add(Diagnostic::Level::error, where, "unknown-link",
+                    fmt::format("{} in '{}' names no link of {}{}", yaml::in_quotes(name), key, robot_text(),
+                                yaml::suggestion(name, links_)));
+            }
+        }
+    }
+
     void check_pose(const JointValues& pose, const Location& where, const char* key) {
         for (const auto& [name, value] : pose) {
             if (std::find(joints_.begin(), joints_.end(), name) == joints_.end()) {
@@ -71,6 +81,12 @@ std::vector<Diagnostic> unknown_names(const Recipe& recipe, const Robot& robot) 
         names.check_link(link);
     }
     names.check_pose(recipe.self_collision_pose, recipe.self_collision_where, "self_collision.pose");
+    const RobotFacts& facts = recipe.facts;
+    names.check_links(facts.tool_frames, recipe.facts_where, "robot.tool_frames");
+    names.check_links(facts.base_link.empty() ? std::vector<std::string>{} : std::vector{facts.base_link},
+                      recipe.facts_where, "robot.base_link");
+    names.check_pose(facts.lock_joints, recipe.facts_where, "robot.lock_joints");
+    names.check_pose(facts.default_pose, recipe.facts_where, "robot.default_pose");
     names.check_pose(recipe.pose, recipe.pose_where, "snapshots.pose");
     return std::move(names.findings);
 }

@@ -1,6 +1,18 @@
 #include <foam/runtime/internal/output.hpp>
 
+#include <foam/base/internal/files.hpp>
+
 namespace foam::inline runtime {
+
+/// Returns the file whose spheres the output replaces.
+static std::optional<TextFile> into_of(const Workspace& workspace, const OutputCall& output) {
+    if (output.into.empty()) {
+        return {};
+    }
+    const std::filesystem::path file =
+        std::filesystem::absolute(workspace.recipe.file.parent_path() / output.into).lexically_normal();
+    return TextFile{file, read_file(file, most_robot_bytes)};
+}
 
 std::vector<OutputFile> write_outputs(const Workspace& workspace, const FinishedModel& finished,
                                       const RunDirectory& directory) {
@@ -18,10 +30,11 @@ std::vector<OutputFile> write_outputs(const Workspace& workspace, const Finished
         texts[i] = as_task(i, [&](Context& context) {
             writers[i] = workspace.registry.make<Writer>(outputs[i].writer.stage, outputs[i].writer.given);
             SphereModel model = finished.model;
+            model.into = into_of(workspace, outputs[i]);
+            QuietContext quiet;
+            const std::string portable = writers[i]->write(model, quiet);
             model.folder = (directory.target() / outputs[i].file).parent_path();
             std::string text = writers[i]->write(model, context);
-            QuietContext quiet;
-            const std::string portable = writers[i]->write(finished.model, quiet);
             files[i].portable_digest = portable == text ? "" : digest_of(portable);
             return text;
         });
@@ -31,7 +44,8 @@ std::vector<OutputFile> write_outputs(const Workspace& workspace, const Finished
     parallel_for(outputs.size(), [&](std::size_t i) {
         OutputFile& file = files[i];
         file.proofs = as_task(i, [&](Context&) {
-            return prove_written(writers[i]->read(texts[i]), finished, workspace.recipe.guarantee, outputs[i].file);
+            return prove_written(writers[i]->read(texts[i]), finished, workspace.recipe.guarantee,
+                                 workspace.recipe.proved_numbers(workspace.registry), outputs[i].file);
         });
         directory.write(outputs[i].file, texts[i]);
         file.stage = outputs[i].writer.stage;

@@ -1,3 +1,4 @@
+#include "consumers.hpp"
 #include "input_size.hpp"
 #include "manifest.hpp"
 #include "names.hpp"
@@ -181,6 +182,7 @@ RunResult run_in(const Workspace& preparing, std::optional<RunDirectory>& direct
         report_overlaps(workspace, finished, links, *pose);
     }
 
+    complete_model(workspace, input, finished);
     Snapshots pictures;
     if (directory) {
         pictures = write_model(workspace, finished, *directory, files, result);

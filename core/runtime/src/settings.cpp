@@ -1,5 +1,6 @@
 #include "settings.hpp"
 
+#include <foam/recipe/internal/facts.hpp>
 #include <foam/recipe/internal/keys.hpp>
 
 namespace foam::inline runtime {
@@ -23,6 +24,21 @@ Json to_json(const StageCall& call, const Registry& registry, bool defaults) {
         }
     }
     return Json{{call.stage, std::move(values)}};
+}
+
+Json to_json(const yaml::Value& value) {
+    using Kind = yaml::Value::Kind;
+    if (value.is(Kind::number)) {
+        return value.real;
+    }
+    if (value.is(Kind::text)) {
+        return value.text;
+    }
+    Json json = value.is(Kind::map) ? Json::object() : Json::array();
+    for (std::size_t i = 0; i < value.items.size(); ++i) {
+        (value.is(Kind::map) ? json[value.keys[i].text] : json.emplace_back()) = to_json(value.items[i]);
+    }
+    return json;
 }
 
 Json to_json(const ClipPlane& plane) {
@@ -71,6 +87,12 @@ Json settings_of(const Recipe& recipe, const Registry& registry) {
         }
     }
     json["guarantee"] = word_of(recipe, "guarantee");
+    if (recipe.proved_numbers(registry) == Numbers::float32) {
+        json["numbers"] = "float32";
+    }
+    if (const yaml::Value facts = reading::given_facts(recipe.facts); !facts.keys.empty()) {
+        json["robot"] = to_json(facts);
+    }
     if (recipe.self_collision) {
         json["self_collision"] = {{"pose", recipe.self_collision_pose}};
     }
@@ -81,6 +103,9 @@ Json settings_of(const Recipe& recipe, const Registry& registry) {
     json["outputs"] = Json::array();
     for (const OutputCall& output : recipe.outputs) {
         Json entry{{"file", output.file}};
+        if (!output.into.empty()) {
+            entry["into"] = output.into;
+        }
         entry.update(to_json(output.writer, registry, true));
         json["outputs"].push_back(std::move(entry));
     }

@@ -29,10 +29,19 @@ std::string broken_promise(const Solid& solid, const std::vector<Sphere>& sphere
     return proof.holds ? "" : fmt::format("sphere {} protrudes by {} m", proof.sphere, proof.excess);
 }
 
+std::vector<Sphere> in_single_precision(std::vector<Sphere> spheres) {
+    const auto single = [](double value) { return static_cast<double>(static_cast<float>(value)); };
+    for (Sphere& s : spheres) {
+        s = {{single(s.center.x), single(s.center.y), single(s.center.z)}, single(s.radius)};
+    }
+    return spheres;
+}
+
 } // namespace
 
 std::vector<WrittenProof> prove_written(const std::map<std::string, std::vector<Sphere>>& read,
-                                        const FinishedModel& finished, Guarantee guarantee, const std::string& file) {
+                                        const FinishedModel& finished, Guarantee guarantee, Numbers numbers,
+                                        const std::string& file) {
     std::vector<WrittenProof> proofs;
     for (const FinishedLink& link : finished.links) {
         const std::string& name = link.work->link->name;
@@ -45,11 +54,18 @@ std::vector<WrittenProof> prove_written(const std::map<std::string, std::vector<
             continue;
         }
         WrittenProof& took = proofs.emplace_back(WrittenProof{.link = name});
-        if (const std::string lack = broken_promise(*link.solid, found->second, guarantee, took); !lack.empty()) {
-            throw Error(ErrorCode::internal,
-                        fmt::format("{}: link '{}': the certificate does not hold for the numbers read back: {}", file,
-                                    name, lack));
+        const auto require = [&](const std::vector<Sphere>& spheres, const char* which) {
+            if (const std::string lack = broken_promise(*link.solid, spheres, guarantee, took); !lack.empty()) {
+                throw Error(ErrorCode::internal,
+                            fmt::format("{}: link '{}': the certificate does not hold for the numbers read back{}: {}",
+                                        file, name, which, lack));
+            }
+        };
+        if (numbers == Numbers::float32) {
+            require(in_single_precision(found->second), " in single precision");
+            took.float32 = true;
         }
+        require(found->second, "");
     }
     return proofs;
 }

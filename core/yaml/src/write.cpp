@@ -64,6 +64,40 @@ void add_block(std::string& text, const Value& value, std::size_t indent) {
     }
 }
 
+std::string json_string(std::string_view text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (c == '"' || c == '\\') {
+            result += '\\';
+            result += c;
+        } else if (byte < 0x20) {
+            result += fmt::format("\\u{:04x}", byte);
+        } else {
+            result += c;
+        }
+    }
+    return result + '"';
+}
+
+/// Adds JSON; `lines`: not on one line.
+void add_json(std::string& text, const Value& value, std::size_t indent) {
+    if (value.is_scalar()) {
+        text += value.is(Value::Kind::text) ? json_string(value.text) : flow_text(value);
+        return;
+    }
+    const bool map = value.is(Value::Kind::map), lines = !is_on_one_line(value);
+    text += map ? '{' : '[';
+    for (std::size_t i = 0; i < value.items.size(); ++i) {
+        text += i > 0 ? (lines ? "," : ", ") : "";
+        text += lines ? "\n" + std::string(indent + 2, ' ') : "";
+        text += map ? json_string(value.keys[i].text) + ": " : "";
+        add_json(text, value.items[i], indent + 2);
+    }
+    text += lines ? "\n" + std::string(indent, ' ') : "";
+    text += map ? '}' : ']';
+}
+
 } // namespace
 
 Value null() {
@@ -172,6 +206,12 @@ std::string flow_text(const Value& value) {
         text += flow_text(value.items[i]);
     }
     return value.is(Value::Kind::map) ? "{" + text + "}" : "[" + text + "]";
+}
+
+std::string json_text(const Value& value) {
+    std::string text;
+    add_json(text, value, 0);
+    return text + "\n";
 }
 
 std::string block_text(const Value& value, std::size_t indent) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <foam/geometry/sphere.hpp>
+#include <foam/robot/facts.hpp>
 #include <foam/robot/kinematics.hpp>
 
 #include <atomic>
@@ -83,6 +84,8 @@ struct SelfCollisionMatrix {
 SelfCollisionMatrix self_collision_matrix(const Kinematics& kinematics, const CollisionModel& model,
                                           const SelfCollisionOptions& options = {});
 
+/// Returns the pairs that need no check, in the order of the links.
+std::vector<IgnoredPair> ignored_pairs(const Robot& robot, const SelfCollisionMatrix& matrix);
 /// Returns a <robot> with a <disable_collisions> for each pair that is not checked, as MoveIt reads it.
 std::string srdf_text(const Robot& robot, const SelfCollisionMatrix& matrix);
 /// Returns the `self_collision_ignore` of cuRobo's robot files (YAML): each link, with the later links that it is not

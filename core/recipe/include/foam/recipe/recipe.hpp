@@ -6,6 +6,7 @@
 #include <foam/geometry/sphere.hpp>
 #include <foam/recipe/mesh_unit.hpp>
 #include <foam/robot/robot.hpp>
+#include <foam/sdk/model.hpp>
 #include <foam/sdk/registry.hpp>
 #include <foam/yaml/findings.hpp>
 
@@ -44,13 +45,21 @@ struct LinkOverride {
 
 struct OutputCall {
     StageCall writer;
-    std::string file; ///< relative to the run directory
+    std::string file;   ///< relative to the run directory
+    std::string into{}; ///< the file whose spheres are replaced, relative to the recipe; empty: a whole file
+    Location into_where{};
 };
 
 /// Returns the word in recipes: outer, inner or fitted.
 const char* to_string(Guarantee guarantee);
 
 enum class OnError { stop, skip, fallback };
+
+/// The numbers on which the guarantee is proved.
+enum class Numbers {
+    float64, ///< those that are written, as double precision
+    float32, ///< also those that a program holds that reads them in single precision
+};
 
 /// A file that a recipe was read from, with its text at that time.
 struct RecipeFile {
@@ -82,6 +91,10 @@ struct Recipe : StageChain {
     std::vector<std::string> mesh;
     MeshUnit mesh_unit; ///< of single meshes
     Location input_where;
+    RobotFacts facts;     ///< for formats that state more than the URDF
+    Location facts_where; ///< of the robot
+    /// The precision of the numbers that are proved: absent: float32 if a consumer of an output holds such numbers.
+    std::optional<Numbers> numbers;
     std::vector<std::string> package_path; ///< searched before the environment; relative to the recipe
     std::vector<std::string> plugins;      ///< files to load; relative to the recipe
     std::vector<StageCall> loaders;        ///< parameters of loaders; the input's ending selects the loader
@@ -117,6 +130,8 @@ struct Recipe : StageChain {
         std::vector<ClipPlane> clip;          ///< in the link's frame
     };
     LinkRecipe for_link(const std::string& link) const;
+    /// Returns the precision that the recipe states, or that the consumers of its outputs need.
+    Numbers proved_numbers(const Registry& registry) const;
     /// Returns the recipe's call of a loader, the recipe's isolation merged in.
     StageCall loader_call(const std::string& stage) const;
 };

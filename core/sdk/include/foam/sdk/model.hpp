@@ -3,11 +3,13 @@
 
 #include <foam/geometry/measure.hpp>
 #include <foam/geometry/sphere.hpp>
+#include <foam/robot/facts.hpp>
 #include <foam/robot/robot.hpp>
 
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,13 +29,25 @@ struct SphereGroup {
     Measures measures;
 };
 
+/// A file of the user.
+struct TextFile {
+    std::filesystem::path file;
+    std::string text;
+};
+
 struct SphereModel {
     std::string name; ///< of the recipe
     Guarantee guarantee = Guarantee::outer;
+    /// Without joints and source text where only the names of its links are known.
     std::shared_ptr<const Robot> robot;
     std::vector<SphereGroup> groups; ///< in the order of the robot's links
     /// Absolute folder of the file that is written; empty: not known. It need not exist yet.
     std::filesystem::path folder{};
+    RobotFacts facts{};
+    /// Pairs that need no check, in the order of the robot's links; nothing: not computed.
+    std::optional<std::vector<IgnoredPair>> ignored_pairs{};
+    std::string provenance{};       ///< one line for a comment: program, source, proof; may be empty
+    std::optional<TextFile> into{}; ///< the file whose spheres the writer replaces; nothing: it writes a whole file
 };
 
 /// The spheres of one link, over all its groups.

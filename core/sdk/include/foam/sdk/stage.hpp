@@ -192,6 +192,14 @@ struct Isolation {
     Isolation over(const Isolation& base) const;
 };
 
+/// The program that reads what a writer writes.
+struct Consumer {
+    std::string name{};   ///< and the version that its parser was checked in: "cuRobo 0.8 (a35a708ecf)"
+    bool float32 = false; ///< it holds single precision: the proof is also made on these numbers
+    bool pairs = false;   ///< its files list the pairs of links that need no check: SphereModel::ignored_pairs
+    bool edits = false;   ///< the writer can replace the spheres of a file: SphereModel::into
+};
+
 /// A plugin's description of a stage.
 struct StageInfo {
     std::string name{};      ///< "kind.method", e.g. "repair.watertight"
@@ -220,6 +228,7 @@ struct StageInfo {
     Isolation isolation{};
     /// Loaders: whether other loaders of the same file name ending have precedence.
     bool last_resort = false;
+    Consumer consumer{}; ///< writers of other programs' formats
 };
 
 } // namespace sdk

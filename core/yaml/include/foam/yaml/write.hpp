@@ -38,5 +38,8 @@ std::string flow_text(const Value& value);
 /// scalars at most are on one line each.
 std::string block_text(const Value& value, std::size_t indent = 0);
 
+/// Returns the node as JSON with a line end, in lines as block_text().
+std::string json_text(const Value& value);
+
 } // namespace yaml
 } // namespace foam

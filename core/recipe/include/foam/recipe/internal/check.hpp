@@ -44,7 +44,7 @@ void check_loaders(const Value& loaders, Recipe& recipe, const Checking& checkin
 void check_links(const Value& links, Recipe& recipe, const Checking& checking);
 void check_outputs(const Value* outputs, const Value& root, Recipe& recipe, const Checking& checking);
 /// Reads values of joints by name: rad or m.
-JointValues read_pose(const Value& value, Findings& findings);
+JointValues read_pose(const Value& value, Findings& findings, const std::string& name = "pose");
 void check_snapshots(const Value* snapshots, const Value& root, Recipe& recipe, const Checking& checking);
 
 /// Returns whether the value is a map with the keys of a recipe; otherwise adds a finding.

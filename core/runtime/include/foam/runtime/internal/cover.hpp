@@ -31,7 +31,8 @@ struct FinishedTree {
 /// Outer: radii grow so that every level covers the solid, and are rounded up on the same grid. Inner: radii shrink so
 /// that every level lies in the solid, and are rounded down; spheres that do not fit are left out. Throws
 /// Error(geometry) if none remains. `one_may_do`: one enclosing sphere may replace spheres with more excess volume.
-FinishedTree finished_tree(const Solid& solid, SphereTree tree, Guarantee guarantee, bool one_may_do = true);
+FinishedTree finished_tree(const Solid& solid, SphereTree tree, Guarantee guarantee, bool one_may_do = true,
+                           Numbers numbers = Numbers::float64);
 
 } // namespace runtime
 } // namespace foam

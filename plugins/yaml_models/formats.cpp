@@ -71,9 +71,8 @@ void read_foam_json(const Value& root, Tree& tree) {
     if (const Value& version = tree.at(root, "foam_spheres"); version.text != "1") {
         tree.fail(version, fmt::format("foam_spheres is {}; this foam reads 1", version.description()));
     }
-    tree.for_each(tree.at(root, "links"), [&](const std::string& link, const Value& value) {
-        tree.add(link, tree.at(value, "spheres"));
-    });
+    tree.for_each(tree.at(root, "links"),
+                  [&](const std::string& link, const Value& value) { tree.add(link, tree.at(value, "spheres")); });
 }
 
 void read_xrdf(const Value& root, Tree& tree) {
@@ -115,8 +114,7 @@ void read_columns(const Value& root, Tree& tree) {
 
 void read_spheres_by_link(const Value& root, Tree& tree) {
     tree.result.format = "spheres by link";
-    tree.for_each(tree.at(root, "spheres"),
-                  [&](const std::string& link, const Value& list) { tree.add(link, list); });
+    tree.for_each(tree.at(root, "spheres"), [&](const std::string& link, const Value& list) { tree.add(link, list); });
 }
 
 void read_commalab(const Value& root, Tree& tree) {

@@ -7,7 +7,8 @@ namespace foam::tree {
 
 /// Reads the JSON of write.json.
 void read_foam_json(const yaml::Value& root, Tree& tree);
-/// Reads XRDF 1.0 (`collision`) and 2.0 (`world_collision`), https://nvidia-isaac-ros.github.io/concepts/manipulation/xrdf.html
+/// Reads XRDF 1.0 (`collision`) and 2.0 (`world_collision`),
+/// https://nvidia-isaac-ros.github.io/concepts/manipulation/xrdf.html
 void read_xrdf(const yaml::Value& root, Tree& tree);
 /// Reads a robot file of cuRobo, whose spheres are in `kinematics`.
 void read_curobo(const yaml::Value& root, Tree& tree);

@@ -114,9 +114,8 @@ void Tree::note_buffer(const Value& holder, std::string_view key) {
     const auto zero = [](const Value& v) { return v.is_scalar() && v.whole == 0 && v.real == 0; };
     if (buffer && !zero(*buffer) &&
         !(buffer->is(Kind::map) && std::all_of(buffer->items.begin(), buffer->items.end(), zero))) {
-        result.notes.push_back(
-            fmt::format("{} (line {}) is not added to the radii: the spheres are judged as they stand", key,
-                        buffer->where.line));
+        result.notes.push_back(fmt::format(
+            "{} (line {}) is not added to the radii: the spheres are judged as they stand", key, buffer->where.line));
     }
 }
 

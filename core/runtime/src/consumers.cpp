@@ -1,0 +1,69 @@
+#include "consumers.hpp"
+
+#include <foam/collision/self_collision.hpp>
+#include <foam/recipe/recipe.hpp>
+#include <foam/runtime/version.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foam::inline runtime {
+namespace {
+
+bool lists_pairs(const Workspace& workspace) {
+    return std::any_of(workspace.recipe.outputs.begin(), workspace.recipe.outputs.end(), [&](const OutputCall& output) {
+        return workspace.registry.find(output.writer.stage)->info.consumer.pairs;
+    });
+}
+
+/// Returns the spheres of each link; a link without them keeps its geometry, and takes part in no pair.
+CollisionModel collision_model(const FinishedModel& finished) {
+    CollisionModel model;
+    model.robot = finished.model.robot;
+    model.spheres.resize(model.robot->links.size());
+    model.sources.resize(model.robot->links.size());
+    for (const FinishedLink& link : finished.links) {
+        const auto at = static_cast<std::size_t>(link.work->link - model.robot->links.data());
+        model.spheres[at] = link.spheres;
+        model.sources[at] = CollisionModel::Source::given;
+    }
+    return model;
+}
+
+std::string provenance(const Workspace& workspace, const Input& input, const FinishedModel& finished) {
+    std::size_t spheres = 0, proved = 0;
+    for (const FinishedLink& link : finished.links) {
+        spheres += link.spheres.size();
+        proved += link.work->report.measures.certified ? 1 : 0;
+    }
+    const Guarantee guarantee = workspace.recipe.guarantee;
+    const std::string proof = guarantee == Guarantee::fitted
+                                  ? "nothing is proved (guarantee: fitted)"
+                                  : fmt::format("proved: the {} of {} of {} link{}{}",
+                                                guarantee == Guarantee::outer ? "geometry lies inside the spheres"
+                                                                              : "spheres lie inside the geometry",
+                                                proved, finished.links.size(), finished.links.size() == 1 ? "" : "s",
+                                                workspace.recipe.proved_numbers(workspace.registry) == Numbers::float32
+                                                    ? ", also in single precision"
+                                                    : "");
+    return fmt::format("foam {}; {} ({}); {} sphere{}; {}", version(), input.file.filename().string(), input.digest,
+                       spheres, spheres == 1 ? "" : "s", proof);
+}
+
+} // namespace
+
+void complete_model(const Workspace& workspace, const Input& input, FinishedModel& finished) {
+    finished.model.facts = workspace.recipe.facts;
+    finished.model.provenance = provenance(workspace, input, finished);
+    if (lists_pairs(workspace) && finished.model.robot->links.size() > 1) {
+        SelfCollisionOptions options;
+        options.seed = workspace.recipe.seed;
+        options.reference = workspace.recipe.facts.default_pose;
+        finished.model.ignored_pairs =
+            ignored_pairs(*finished.model.robot,
+                          self_collision_matrix(Kinematics(finished.model.robot), collision_model(finished), options));
+    }
+}
+
+} // namespace foam::inline runtime

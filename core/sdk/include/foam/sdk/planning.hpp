@@ -1,0 +1,33 @@
+// A robot as motion planners see it: for writers of their formats.
+#pragma once
+
+#include <foam/sdk/model.hpp>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace foam {
+inline namespace [[gnu::visibility("default")]] sdk {
+
+/// The joints of a robot that move and mimic no other, in the order of the URDF.
+struct PlannedJoints {
+    /// Joint and position, rad or m.
+    using Positions = std::vector<std::pair<std::string, double>>;
+    Positions active; ///< those that a planner moves, with their default position
+    Positions locked; ///< those that it holds (RobotFacts::lock_joints)
+};
+
+/// Returns the joints. Throws Error(output) for a lock_joints or default_pose of a joint that does not move or that
+/// mimics another, and as require_robot().
+PlannedJoints planned_joints(const SphereModel& model);
+
+/// Throws Error(output) if the model has no robot but the names of links. `writer`: its name, for the message.
+void require_robot(const SphereModel& model, const std::string& writer);
+/// Returns RobotFacts::base_link, or the root link.
+const std::string& base_link(const SphereModel& model);
+/// Returns RobotFacts::tool_frames. Throws Error(output) if there is none.
+const std::vector<std::string>& require_tool_frames(const SphereModel& model, const std::string& writer);
+
+} // namespace gnu::visibility("default")]]sdk
+} // namespace foam

@@ -1,0 +1,50 @@
+#include <foam/base/error.hpp>
+#include <foam/robot/kinematics.hpp>
+#include <foam/sdk/planning.hpp>
+
+#include <fmt/format.h>
+
+namespace foam::inline sdk {
+
+PlannedJoints planned_joints(const SphereModel& model) {
+    const Kinematics kinematics(model.robot);
+    JointValues given = model.facts.default_pose;
+    for (const auto& [joint, position] : model.facts.lock_joints) {
+        given[joint] = position;
+    }
+    std::vector<double> configuration;
+    try {
+        configuration = kinematics.configuration(given);
+    } catch (const Error& error) {
+        throw Error(ErrorCode::output, fmt::format("lock_joints or default_pose: {}", error.what()));
+    }
+    PlannedJoints joints;
+    for (std::size_t i = 0; i < configuration.size(); ++i) {
+        const std::string& name = kinematics.freedoms()[i].joint;
+        (model.facts.lock_joints.contains(name) ? joints.locked : joints.active).emplace_back(name, configuration[i]);
+    }
+    return joints;
+}
+
+void require_robot(const SphereModel& model, const std::string& writer) {
+    if (!model.robot || model.robot->source.empty()) {
+        throw Error(ErrorCode::output,
+                    fmt::format("{} needs the robot, not only its spheres; remedy: give its URDF", writer));
+    }
+}
+
+const std::string& base_link(const SphereModel& model) {
+    return model.facts.base_link.empty() ? model.robot->root : model.facts.base_link;
+}
+
+const std::vector<std::string>& require_tool_frames(const SphereModel& model, const std::string& writer) {
+    if (model.facts.tool_frames.empty()) {
+        throw Error(ErrorCode::output,
+                    fmt::format("{} needs the links that a planner moves to a goal; remedy: robot: {{tool_frames: "
+                                "[LINK]}} in the recipe, --set robot.tool_frames=[LINK], or --tool-frame LINK",
+                                writer));
+    }
+    return model.facts.tool_frames;
+}
+
+} // namespace foam::inline sdk

@@ -1,0 +1,27 @@
+// The parts that several formats share: spheres of links, pairs, joints, as values of a YAML or JSON tree.
+#pragma once
+
+#include <foam/sdk/planning.hpp>
+#include <foam/yaml/write.hpp>
+
+namespace foam::tree {
+
+/// Returns {link: [{center: [x, y, z], radius: r}, …]}.
+yaml::Value spheres_of_links(const std::vector<LinkSpheres>& links);
+/// Returns {link: [other, …]} with each pair once, under its first link. Empty where the pairs are not known.
+yaml::Value ignored_links(const SphereModel& model);
+/// Returns the names of joints.
+yaml::Value names_of(const PlannedJoints::Positions& joints);
+/// Returns the positions of joints.
+yaml::Value positions_of(const PlannedJoints::Positions& joints);
+/// Returns {joint: position}.
+yaml::Value map_of(const PlannedJoints::Positions& joints);
+/// Returns a list with the same number for each joint.
+yaml::Value repeated(double value, std::size_t count);
+
+/// Throws Error(output) for a link with spheres that is not below the base link: a program would not find it.
+void require_below_base(const SphereModel& model, const std::vector<LinkSpheres>& links, const std::string& writer);
+/// Warns where a format lists pairs and they are not known.
+void warn_without_pairs(const SphereModel& model, Context& context);
+
+} // namespace foam::tree

@@ -1,0 +1,49 @@
+#include "tree_writer.hpp"
+
+#include <foam/base/error.hpp>
+
+#include <fmt/format.h>
+
+namespace foam::tree {
+
+std::string TreeWriter::write(const SphereModel& model, Context& context) const {
+    const std::vector<LinkSpheres> links = spheres_by_link(model);
+    if (!model.into) {
+        return text_of(document(model, links, context), model);
+    }
+    yaml::Splice file(model.into->text, model.into->file.string(), ErrorCode::input);
+    edit(file, model, links);
+    return file.text();
+}
+
+std::map<std::string, std::vector<Sphere>> TreeWriter::read(const std::string& bytes) const {
+    SphereFile read;
+    read.file = name_;
+    Tree tree(read);
+    try {
+        reading_(parse(bytes, read.file), tree);
+    } catch (const Error& error) {
+        throw Error(ErrorCode::output, error.what());
+    }
+    std::map<std::string, std::vector<Sphere>> result;
+    for (LinkSpheres& link : read.links) {
+        result[link.link] = std::move(link.spheres);
+    }
+    return result;
+}
+
+void TreeWriter::edit(yaml::Splice&, const SphereModel& model, const std::vector<LinkSpheres>&) const {
+    throw Error(ErrorCode::output, fmt::format("{}: {} writes whole files only; remedy: without 'into'",
+                                               model.into->file.string(), name_));
+}
+
+std::string TreeWriter::text_of(const yaml::Value& document, const SphereModel& model) const {
+    return (model.provenance.empty() ? "" : "# " + model.provenance + "\n") + yaml::block_text(document);
+}
+
+void fail_without_key(const SphereModel& model, const std::string& key, const std::string& remedy) {
+    throw Error(ErrorCode::input,
+                fmt::format("{}: there is no '{}'; remedy: {}", model.into->file.string(), key, remedy));
+}
+
+} // namespace foam::tree

@@ -1,0 +1,40 @@
+// What all writers of YAML and JSON do alike.
+#pragma once
+
+#include "formats.hpp"
+#include "robot_values.hpp"
+
+#include <foam/sdk/stage.hpp>
+#include <foam/yaml/splice.hpp>
+
+namespace foam::tree {
+
+/// Writes a tree of values, as a whole file or into a file of the user, and reads it back by the reader of the format.
+class TreeWriter : public Writer {
+public:
+    using Reading = void (*)(const yaml::Value&, Tree&);
+
+    TreeWriter(std::string name, Reading reading) : name_(std::move(name)), reading_(reading) {}
+
+    std::string write(const SphereModel& model, Context& context) const override;
+    std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override;
+
+protected:
+    /// Returns the whole file.
+    virtual yaml::Value document(const SphereModel& model, const std::vector<LinkSpheres>& links,
+                                 Context& context) const = 0;
+    /// Replaces the spheres of a file of the user.
+    virtual void edit(yaml::Splice& file, const SphereModel& model, const std::vector<LinkSpheres>& links) const;
+    /// Returns the text of a whole file.
+    virtual std::string text_of(const yaml::Value& document, const SphereModel& model) const;
+    const std::string& name() const { return name_; }
+
+private:
+    std::string name_;
+    Reading reading_;
+};
+
+/// Throws Error(output): the file of the user has no such key.
+[[noreturn]] void fail_without_key(const SphereModel& model, const std::string& key, const std::string& remedy);
+
+} // namespace foam::tree
