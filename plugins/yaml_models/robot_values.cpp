@@ -1,7 +1,6 @@
 #include "robot_values.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/sdk/context.hpp>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 // The parts that several formats share: spheres of links, pairs, joints, as values of a YAML or JSON tree.
 #pragma once
 
+#include <foam/sdk/context.hpp>
 #include <foam/sdk/planning.hpp>
 #include <foam/yaml/write.hpp>
 

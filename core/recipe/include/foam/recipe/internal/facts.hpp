@@ -2,6 +2,7 @@
 #pragma once
 
 #include <foam/recipe/recipe.hpp>
+#include <foam/yaml/value.hpp>
 
 #include <optional>
 #include <string>

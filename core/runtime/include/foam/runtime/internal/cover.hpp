@@ -3,6 +3,7 @@
 
 #include <foam/geometry/solid.hpp>
 #include <foam/geometry/sphere.hpp>
+#include <foam/recipe/recipe.hpp>
 
 #include <memory>
 #include <vector>
