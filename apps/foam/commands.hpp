@@ -14,6 +14,8 @@ void add_bench(Program& program);
 void add_evaluate(Program& program);
 void add_certify(Program& program);
 void add_compare(Program& program);
+void add_convert(Program& program);
+void add_formats(Program& program);
 void add_self_collision(Program& program);
 void add_stages(Program& program);
 void add_describe(Program& program);

@@ -11,6 +11,8 @@ int main(int count, char** arguments) {
         add_evaluate(program);
         add_certify(program);
         add_compare(program);
+        add_convert(program);
+        add_formats(program);
         add_self_collision(program);
         add_check(program);
         add_plan(program);

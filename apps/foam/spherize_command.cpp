@@ -2,6 +2,7 @@
 #include "execute.hpp"
 #include "quick_recipe.hpp"
 #include "summary.hpp"
+#include "telling.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/runtime/scratch_folder.hpp>
@@ -84,16 +85,6 @@ std::string bytes_of(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
 }
-
-/// Tells what a writer warns of.
-class Telling final : public QuietContext {
-public:
-    void log(Severity severity, std::string_view message) override {
-        if (severity >= Severity::warning) {
-            tell(fmt::format("warning: {}", message));
-        }
-    }
-};
 
 /// The result as it is to lie in `folder` (empty: on the standard output): paths in it lead from there. Its spheres are
 /// those that were proved in the run directory.

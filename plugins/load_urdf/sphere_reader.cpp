@@ -1,5 +1,7 @@
 #include "sphere_reader.hpp"
 
+#include <foam/xml/document.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,7 +42,8 @@ SphereReader::SphereReader(const Parameters&, const StageMaker& maker)
     : loader_(maker.make<RobotLoader>("load.urdf", {{"lenient", true}})) {}
 
 bool SphereReader::recognises(std::string_view text) const {
-    return text.starts_with('<');
+    // An SRDF also begins with <robot>.
+    return xml::root_name(text) == "robot" && text.find("<link_sphere_approximation") == text.npos;
 }
 
 SphereFile SphereReader::read(const std::string& text, const std::filesystem::path& file, Context& context) const {

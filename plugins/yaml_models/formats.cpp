@@ -19,6 +19,9 @@ void read_links(const Value& spheres, Tree& tree) {
             tree.add(link, value);
         }
     };
+    if (spheres.is(Kind::null)) {
+        return; // a robot without spheres
+    }
     if (spheres.is(Kind::text)) {
         tree.fail(spheres, fmt::format("the spheres are in another file, '{}'; remedy: give that one", spheres.text));
     }

@@ -2,6 +2,7 @@
 
 #include <expat.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace foam::xml {
@@ -148,6 +149,22 @@ std::vector<const Element*> Element::children_named(std::string_view child_name)
         }
     }
     return result;
+}
+
+std::string_view root_name(std::string_view text) {
+    while (true) {
+        text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+        const std::string_view end = text.starts_with("<?") ? "?>" : text.starts_with("<!--") ? "-->" : "";
+        if (end.empty()) {
+            break;
+        }
+        const std::size_t at = text.find(end);
+        text.remove_prefix(at == text.npos ? text.size() : at + end.size());
+    }
+    if (!text.starts_with('<')) {
+        return {};
+    }
+    return text.substr(1, text.find_first_of(" \t\r\n/>", 1) - 1);
 }
 
 std::unique_ptr<const Element> parse(std::string_view text, const std::string& label, ErrorCode code) {

@@ -143,14 +143,14 @@ std::size_t Splice::end_of_block(std::size_t line_after_key, std::size_t column,
 void Splice::replace(const Value& map, std::size_t index, const Value& value, bool in_flow) {
     const Key& key = map.keys[index];
     const Value& old = map.items[index];
-    const std::size_t at_key = offset_of(key.where), line = text_.rfind('\n', at_key) + 1;
+    const std::size_t at_key = offset_of(key.where);
     const std::size_t column = at_key == 0 || text_.rfind('\n', at_key - 1) == std::string::npos
                                    ? at_key
                                    : at_key - (text_.rfind('\n', at_key - 1) + 1);
-    (void)line;
-    const bool nothing = old.is(Value::Kind::null) && old.text.empty();
-    const std::size_t begin = nothing ? at_key : offset_of(old.where);
-    const bool flow = !nothing && (old.is_scalar() || text_[begin] == '{' || text_[begin] == '[');
+    const std::size_t begin = offset_of(old.where);
+    const bool nothing = old.is(Value::Kind::null) && (begin >= text_.size() || begin == at_key ||
+                                                       std::string_view("~nN").find(text_[begin]) == std::string::npos);
+    const bool flow = old.is_scalar() || text_[std::min(begin, text_.size() - 1)] == '{' || text_[begin] == '[';
     if (nothing) {
         fail(key.where, fmt::format("'{}' has no value; remedy: write {}: {{}}", key.text, key.text));
     }

@@ -53,12 +53,15 @@ void add_block(std::string& text, const Value& value, std::size_t indent) {
     }
     for (std::size_t i = 0; i < value.items.size(); ++i) {
         const Value& item = value.items[i];
-        const std::string before =
-            blanks + (value.is(Value::Kind::map) ? scalar_text(value.keys[i].text) + ":" : std::string("-"));
-        if (is_on_one_line(item)) {
-            text += before + " " + flow_text(item) + "\n";
+        if (value.is(Value::Kind::list)) {
+            std::string lines;
+            add_block(lines, item, indent + 2);
+            lines[indent] = '-';
+            text += lines;
+        } else if (is_on_one_line(item)) {
+            text += blanks + scalar_text(value.keys[i].text) + ": " + flow_text(item) + "\n";
         } else {
-            text += before + "\n";
+            text += blanks + scalar_text(value.keys[i].text) + ":\n";
             add_block(text, item, indent + 2);
         }
     }

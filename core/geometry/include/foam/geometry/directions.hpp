@@ -13,5 +13,5 @@ inline namespace [[gnu::visibility("default")]] geometry {
 /// the offset of one half at the poles).
 std::vector<Vec3> fibonacci_directions(std::size_t count);
 
-} // namespace gnu::visibility("default")]]geometry
+} // namespace geometry
 } // namespace foam

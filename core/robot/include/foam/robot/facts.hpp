@@ -28,5 +28,5 @@ struct IgnoredPair {
     std::string reason; ///< in the words of SRDFs: "Adjacent", "Never", …; may be empty
 };
 
-} // namespace gnu::visibility("default")]]robot
+} // namespace robot
 } // namespace foam

@@ -29,5 +29,5 @@ const std::string& base_link(const SphereModel& model);
 /// Returns RobotFacts::tool_frames. Throws Error(output) if there is none.
 const std::vector<std::string>& require_tool_frames(const SphereModel& model, const std::string& writer);
 
-} // namespace gnu::visibility("default")]]sdk
+} // namespace sdk
 } // namespace foam

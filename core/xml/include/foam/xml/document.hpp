@@ -45,5 +45,9 @@ struct Element {
 /// uses its own entities (an edit could not resolve them), or is nested more than 200 deep.
 std::unique_ptr<const Element> parse(std::string_view text, const std::string& label, ErrorCode code);
 
-} // namespace gnu::visibility("default")]]xml
+/// Returns the name of the root element, without parsing more than what is before it; empty if the text does not begin
+/// like XML.
+std::string_view root_name(std::string_view text);
+
+} // namespace xml
 } // namespace foam

@@ -23,5 +23,5 @@ inline bool exposed(const Vec3& p, std::span<const Sphere> near) {
     return true;
 }
 
-} // namespace gnu::visibility("default")]]geometry
+} // namespace geometry
 } // namespace foam

@@ -26,5 +26,5 @@ const std::vector<FactKey>& fact_keys();
 yaml::Value given_facts(const RobotFacts& facts);
 
 } // namespace reading
-} // namespace gnu::visibility("default")]]recipe
+} // namespace recipe
 } // namespace foam

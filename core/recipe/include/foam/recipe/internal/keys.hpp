@@ -65,5 +65,5 @@ std::optional<ParameterValue> value_of(std::string_view name, const Keys& keys, 
 }
 
 } // namespace reading
-} // namespace gnu::visibility("default")]]recipe
+} // namespace recipe
 } // namespace foam

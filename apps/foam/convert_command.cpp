@@ -1,0 +1,302 @@
+// foam convert: a sphere model from any format that is read to any that is written.
+#include "commands.hpp"
+#include "judge.hpp"
+#include "quick_recipe.hpp"
+#include "telling.hpp"
+
+#include "cli/interrupt.hpp"
+#include "cli/overwriting.hpp"
+
+#include <foam/base/error.hpp>
+#include <foam/base/internal/files.hpp>
+#include <foam/base/text.hpp>
+#include <foam/collision/self_collision.hpp>
+#include <foam/geometry/length.hpp>
+#include <foam/runtime/version.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace foam::cli {
+namespace {
+
+struct ConvertArguments {
+    std::string model, robot, output, format, reader, into, pad, base_link;
+    std::vector<std::string> tool_frames, locks, pose;
+    std::size_t threads = 0;
+    bool force = false;
+};
+
+JointValues positions_of(const std::vector<std::string>& texts, const char* option) {
+    JointValues values;
+    for (const std::string& text : texts) {
+        const std::size_t equals = text.rfind('=');
+        const auto value = equals == text.npos ? std::nullopt : parse_number(text.substr(equals + 1));
+        if (!value) {
+            throw Error(ErrorCode::usage, fmt::format("{} expects JOINT=NUMBER, got '{}'", option, text));
+        }
+        values[text.substr(0, equals)] = *value;
+    }
+    return values;
+}
+
+std::string ending_of_output(const std::string& output) {
+    const std::string extension = std::filesystem::path(output).extension().string();
+    if (extension.empty()) {
+        throw Error(ErrorCode::usage,
+                    fmt::format("the format of '{}' is unknown without an extension; remedy: --format FORMAT; `foam "
+                                "formats` lists them",
+                                output));
+    }
+    return extension.substr(1);
+}
+
+/// Returns a robot that is only the names of the model's links.
+std::shared_ptr<const Robot> links_alone(const SphereFile& file) {
+    auto robot = std::make_shared<Robot>();
+    robot->name = file.file.stem().string();
+    for (const LinkSpheres& link : file.links) {
+        robot->links.push_back({link.link, {}, {}});
+    }
+    robot->root = robot->links.empty() ? "" : robot->links.front().name;
+    return robot;
+}
+
+/// Names the link of a format without link names.
+void name_only_link(SphereFile& file, const Original* original) {
+    for (LinkSpheres& link : file.links) {
+        if (!link.link.empty()) {
+            continue;
+        }
+        if (original && original->links.size() != 1) {
+            throw Error(
+                ErrorCode::input,
+                fmt::format("{}: its spheres name no link, and {} has {} links with collision geometry; remedy: "
+                            "a model by link",
+                            file.file.string(), original->file.string(), original->links.size()));
+        }
+        link.link = original ? original->links.front().link : file.file.stem().string();
+    }
+}
+
+void require_links(const SphereFile& file, const Robot& robot) {
+    std::vector<std::string> known;
+    for (const Link& link : robot.links) {
+        known.push_back(link.name);
+    }
+    for (const LinkSpheres& link : file.links) {
+        if (!robot.find_link(link.link)) {
+            const std::string near = nearest_word(link.link, known);
+            throw Error(ErrorCode::input, fmt::format("{}: link '{}' is no link of {}{}", file.file.string(),
+                                                      shown(link.link), robot.file.string(),
+                                                      near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
+        }
+    }
+}
+
+SphereModel sphere_model_of(const SphereFile& file, std::shared_ptr<const Robot> robot) {
+    SphereModel model;
+    model.name = file.file.stem().string();
+    model.robot = std::move(robot);
+    for (const Link& link : model.robot->links) {
+        for (const LinkSpheres& spheres : file.links) {
+            if (spheres.link == link.name && !spheres.spheres.empty()) {
+                model.groups.push_back({link.name, {}, flat_tree(spheres.spheres), {}});
+            }
+        }
+    }
+    if (model.groups.empty()) {
+        throw Error(ErrorCode::input, fmt::format("{}: there are no spheres to write", file.file.string()));
+    }
+    return model;
+}
+
+SphereFile in_single_precision(SphereFile file) {
+    const auto single = [](double value) { return static_cast<double>(static_cast<float>(value)); };
+    for (LinkSpheres& link : file.links) {
+        for (Sphere& s : link.spheres) {
+            s = {{single(s.center.x), single(s.center.y), single(s.center.z)}, single(s.radius)};
+        }
+    }
+    return file;
+}
+
+/// Returns a sentence: for how many links the geometry is proved to lie inside the spheres.
+std::string proof_of(const Original& original, const SphereFile& file, bool float32) {
+    const auto count = [&](const SphereFile& spheres) {
+        const std::vector<LinkProof> proofs = prove(original, match(original, spheres), Guarantee::outer);
+        return static_cast<std::size_t>(
+            std::count_if(proofs.begin(), proofs.end(), [](const LinkProof& proof) { return proof.holds; }));
+    };
+    std::size_t proved = count(file);
+    proved = float32 ? std::min(proved, count(in_single_precision(file))) : proved;
+    const std::size_t all = original.links.size();
+    return fmt::format("{}: the collision geometry of {} of {} link{} lies inside {} spheres{}",
+                       proved == all ? "proved"
+                       : proved > 0  ? "proved in part"
+                                     : "not proved",
+                       proved, all, all == 1 ? "" : "s", all == 1 ? "its" : "their",
+                       float32 ? ", also in single precision" : "");
+}
+
+std::vector<IgnoredPair> pairs_of(const SphereModel& model, const ConvertArguments& arguments) {
+    CollisionModel spheres;
+    spheres.robot = model.robot;
+    spheres.spheres.resize(model.robot->links.size());
+    spheres.sources.resize(model.robot->links.size());
+    for (std::size_t i = 0; i < model.robot->links.size(); ++i) {
+        for (const SphereGroup& group : model.groups) {
+            if (group.link == model.robot->links[i].name) {
+                spheres.spheres[i] = group.tree.finest();
+                spheres.sources[i] = CollisionModel::Source::given;
+            }
+        }
+    }
+    SelfCollisionOptions options;
+    options.reference = positions_of(arguments.pose, "--pose");
+    options.cancel = &stop_on_interrupt();
+    return ignored_pairs(*model.robot, self_collision_matrix(Kinematics(model.robot), spheres, options));
+}
+
+/// Adds the padding to all radii; tells the excess before and after.
+void pad(SphereFile& file, const std::string& text, const Original* original) {
+    const double padding = length_of(text, "--pad");
+    if (!(padding >= 0)) {
+        throw Error(ErrorCode::usage, fmt::format("--pad expects a length of at least 0, got '{}'", text));
+    }
+    const auto excess = [&] { return evaluate(*original, match(*original, file)).total.measures.excess; };
+    const double before = original ? excess() : 0;
+    for (LinkSpheres& link : file.links) {
+        for (Sphere& s : link.spheres) {
+            s.radius += padding;
+        }
+    }
+    if (original) {
+        tell(fmt::format("padding of {} m: excess {:.3f} before, {:.3f} after", to_text(padding), before, excess()));
+    }
+}
+
+/// Throws Error(internal) if the writer's file gives other spheres than the model.
+void require_equal(const SphereModel& model, const Writer& writer, const std::string& bytes) {
+    auto read = writer.read(bytes);
+    for (const LinkSpheres& link : spheres_by_link(model)) {
+        if (read[link.link] != link.spheres) {
+            throw Error(ErrorCode::internal,
+                        fmt::format("link '{}': the written file gives other spheres than the model", link.link));
+        }
+    }
+}
+
+int convert(Program& program, const ConvertArguments& arguments) {
+    const ThreadLimit limit(arguments.threads);
+    const Registry& registry = program.registry();
+    const RegisteredStage& format =
+        writer_for(arguments.format.empty() ? ending_of_output(arguments.output) : arguments.format, registry);
+    const bool in_place = !arguments.into.empty() && arguments.into == arguments.output;
+    refuse_overwriting(arguments.output, {arguments.model, arguments.robot, in_place ? "" : arguments.into},
+                       arguments.force || in_place);
+    SphereFile file = read_sphere_file(arguments.model, registry, arguments.reader);
+    for (const std::string& note : file.notes) {
+        tell(fmt::format("warning: {}: {}", arguments.model, note));
+    }
+    std::optional<Original> original;
+    if (!arguments.robot.empty()) {
+        original = load_original(arguments.robot, registry);
+    }
+    name_only_link(file, original ? &*original : nullptr);
+    if (original) {
+        require_links(file, *original->robot);
+    }
+    if (!arguments.pad.empty()) {
+        pad(file, arguments.pad, original ? &*original : nullptr);
+    }
+    SphereModel model = sphere_model_of(file, original ? original->robot : links_alone(file));
+    model.guarantee = Guarantee::fitted;
+    model.folder = std::filesystem::absolute(arguments.output).parent_path();
+    model.facts = {.base_link = arguments.base_link,
+                   .tool_frames = arguments.tool_frames,
+                   .lock_joints = positions_of(arguments.locks, "--lock"),
+                   .default_pose = positions_of(arguments.pose, "--pose"),
+                   .acceleration = {},
+                   .jerk = {}};
+    const std::string proof =
+        original ? proof_of(*original, file, format.info.consumer.float32) : "nothing is proved without the robot";
+    std::size_t spheres = 0;
+    for (const SphereGroup& group : model.groups) {
+        spheres += group.tree.finest().size();
+    }
+    model.provenance = fmt::format("foam {}; {}, {}; {} sphere{}; {}", version(), file.file.filename().string(),
+                                   file.format, spheres, spheres == 1 ? "" : "s", proof);
+    if (format.info.consumer.pairs && original && model.groups.size() > 1) {
+        model.ignored_pairs = pairs_of(model, arguments);
+    }
+    if (!arguments.into.empty()) {
+        if (!format.info.consumer.edits) {
+            throw Error(ErrorCode::usage,
+                        fmt::format("{} writes whole files; remedy: without --into", format.info.name));
+        }
+        model.into = TextFile{arguments.into, read_file(arguments.into, most_robot_bytes)};
+    }
+    const auto writer = registry.make<Writer>(format.info.name);
+    Telling context;
+    const std::string bytes = writer->write(model, context);
+    require_equal(model, *writer, bytes);
+    write_whole_file(arguments.output, bytes);
+    print(fmt::format("Read: {}, {}, {} sphere{} of {} link{}\nWritten: {} by {}\n{}{}.\n", arguments.model,
+                      file.format, spheres, spheres == 1 ? "" : "s", model.groups.size(),
+                      model.groups.size() == 1 ? "" : "s", arguments.output, format.info.name,
+                      static_cast<char>(std::toupper(proof.front())), proof.substr(1)));
+    return 0;
+}
+
+} // namespace
+
+void add_convert(Program& program) {
+    CLI::App* command =
+        add_command(program, "convert", "Convert a sphere model to another program's format",
+                    "  foam convert robot_spheres.urdf -o spheres.json --format pyroki\n"
+                    "  foam convert franka.yml panda.urdf -o panda.xrdf --tool-frame panda_hand\n"
+                    "  foam convert model.json panda.urdf --into my_robot.yml --format curobo -o new.yml\n"
+                    "  foam convert model.json panda.urdf --pad 1cm -o padded.csv\n"
+                    "\n"
+                    "With the robot, foam proves the model on the numbers that it writes, and writes\n"
+                    "the pairs of links that need no check where the format has them.\n"
+                    "`foam formats` lists the formats.");
+    auto arguments = std::make_shared<ConvertArguments>();
+    command->add_option("model", arguments->model, "The sphere model, in any format that is read")
+        ->type_name("MODEL")
+        ->required();
+    command->add_option("robot", arguments->robot, "The robot, a URDF; some formats need it")->type_name("ROBOT");
+    command->add_option("-o,--output", arguments->output, "Output file; its extension selects the format")
+        ->type_name("OUT")
+        ->required();
+    command->add_option("--format", arguments->format, "Format of OUT: curobo, xrdf, srdf, mjcf, pyroki, …")
+        ->type_name("FORMAT");
+    add_reader(*command, arguments->reader);
+    command->add_option("--into", arguments->into, "Copy this file to OUT, with its spheres replaced")
+        ->type_name("FILE");
+    command->add_option("--pad", arguments->pad, "Add a length to all radii: 1cm, 10mm, or a number of metres")
+        ->type_name("M");
+    command->add_option("--tool-frame", arguments->tool_frames, "A link that a planner moves to a goal; repeatable")
+        ->type_name("LINK")
+        ->expected(1)
+        ->take_all();
+    command->add_option("--base-link", arguments->base_link, "The link that the robot stands on; default: the root")
+        ->type_name("LINK");
+    command->add_option("--lock", arguments->locks, "A joint that a planner holds, and its position; repeatable")
+        ->type_name("JOINT=VALUE")
+        ->expected(1)
+        ->take_all();
+    command->add_option("--pose", arguments->pose, "Rest position of a joint, rad or m; repeatable")
+        ->type_name("JOINT=VALUE")
+        ->expected(1)
+        ->take_all();
+    add_force(*command, arguments->force);
+    add_threads(*command, arguments->threads);
+    command->callback(
+        [&program, arguments] { program.action = [&program, arguments] { return convert(program, *arguments); }; });
+}
+
+} // namespace foam::cli

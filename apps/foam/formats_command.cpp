@@ -1,0 +1,90 @@
+// foam formats: what is read and written.
+#include "commands.hpp"
+#include "table.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace foam::cli {
+namespace {
+
+struct Format {
+    const StageInfo* writes = nullptr;
+    const StageInfo* reads = nullptr;
+};
+
+/// Returns the formats by name: "curobo" of write.curobo and read.curobo.
+std::map<std::string, Format> formats_of(const Registry& registry) {
+    std::map<std::string, Format> formats;
+    for (const auto& [name, stage] : registry.stages()) {
+        Format& format = formats[name.substr(name.find('.') + 1)];
+        if (stage.kind == StageKind::writer) {
+            format.writes = &stage.info;
+        } else if (stage.kind == StageKind::model_reader) {
+            format.reads = &stage.info;
+        }
+    }
+    std::erase_if(formats, [](const auto& entry) { return !entry.second.writes && !entry.second.reads; });
+    return formats;
+}
+
+nlohmann::ordered_json json_of_formats(const std::map<std::string, Format>& formats) {
+    auto json = nlohmann::ordered_json::array();
+    for (const auto& [name, format] : formats) {
+        nlohmann::ordered_json entry{
+            {"format", name}, {"reads", format.reads != nullptr}, {"writes", format.writes != nullptr}};
+        if (format.writes) {
+            const Consumer& consumer = format.writes->consumer;
+            entry["extensions"] = format.writes->extensions;
+            entry["consumer"] = consumer.name;
+            entry["into"] = consumer.edits;
+            entry["pairs"] = consumer.pairs;
+            entry["float32"] = consumer.float32;
+        }
+        json.push_back(std::move(entry));
+    }
+    return json;
+}
+
+std::string table_of_formats(const std::map<std::string, Format>& formats) {
+    std::string table =
+        fmt::format("{:<18} {:<5} {:<6} {:<5} {:<6} {}\n", "format", "read", "write", "into", "pairs", "read by");
+    for (const auto& [name, format] : formats) {
+        const Consumer consumer = format.writes ? format.writes->consumer : Consumer{};
+        table += fmt::format("{:<18} {:<5} {:<6} {:<5} {:<6} {}", name, format.reads ? "yes" : "-",
+                             format.writes ? "yes" : "-", consumer.edits ? "yes" : "-", consumer.pairs ? "yes" : "-",
+                             consumer.name);
+        table.erase(table.find_last_not_of(' ') + 1);
+        table += '\n';
+    }
+    return table;
+}
+
+} // namespace
+
+void add_formats(Program& program) {
+    CLI::App* command = add_command(program, "formats", "List the formats of sphere models that are read and written",
+                                    "  foam formats\n"
+                                    "  foam formats --json\n"
+                                    "\n"
+                                    "into: spheres are replaced in a file of the user, the rest keeps its bytes.\n"
+                                    "pairs: the format lists the pairs of links that need no check.");
+    auto json = std::make_shared<bool>(false);
+    command->add_flag("--json", *json, "Print the formats as JSON");
+    command->callback([&program, json] {
+        program.action = [&program, json] {
+            const std::map<std::string, Format> formats = formats_of(program.registry());
+            if (*json) {
+                print_json(json_of_formats(formats));
+            } else {
+                print(table_of_formats(formats));
+            }
+            return 0;
+        };
+    });
+}
+
+} // namespace foam::cli

@@ -1,0 +1,284 @@
+// The traps of MuJoCo's parser are named where they are met; docs: doc/XMLreference.rst (a7255075b0).
+#include "mjcf.hpp"
+
+#include "attributes.hpp"
+
+#include <foam/base/error.hpp>
+#include <foam/geometry/union_volume.hpp>
+#include <foam/robot/kinematics.hpp>
+#include <foam/sdk/planning.hpp>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace foam::xml_models {
+namespace {
+
+/// Returns the unit quaternion (w, x, y, z) of a rotation (Shepperd 1978), with w >= 0.
+std::array<double, 4> quaternion(const Pose& pose) {
+    const auto& m = pose.rotation;
+    const double trace = m[0].x + m[1].y + m[2].z;
+    std::array<double, 4> q{};
+    if (trace > 0) {
+        const double s = 2 * std::sqrt(1 + trace);
+        q = {s / 4, (m[2].y - m[1].z) / s, (m[0].z - m[2].x) / s, (m[1].x - m[0].y) / s};
+    } else if (m[0].x >= m[1].y && m[0].x >= m[2].z) {
+        const double s = 2 * std::sqrt(1 + m[0].x - m[1].y - m[2].z);
+        q = {(m[2].y - m[1].z) / s, s / 4, (m[0].y + m[1].x) / s, (m[0].z + m[2].x) / s};
+    } else if (m[1].y >= m[2].z) {
+        const double s = 2 * std::sqrt(1 + m[1].y - m[0].x - m[2].z);
+        q = {(m[0].z - m[2].x) / s, (m[0].y + m[1].x) / s, s / 4, (m[1].z + m[2].y) / s};
+    } else {
+        const double s = 2 * std::sqrt(1 + m[2].z - m[0].x - m[1].y);
+        q = {(m[1].x - m[0].y) / s, (m[0].z + m[2].x) / s, (m[1].z + m[2].y) / s, s / 4};
+    }
+    if (q[0] < 0) {
+        for (double& value : q) {
+            value = -value;
+        }
+    }
+    return q;
+}
+
+std::string pose_text(const Pose& pose) {
+    const bool moved = pose.translation != Vec3{}, turned = pose.rotation != Pose{}.rotation;
+    return (moved ? attribute_text("pos", vector_text(pose.translation)) : "") +
+           (turned ? attribute_text("quat", numbers_text(quaternion(pose))) : "");
+}
+
+/// Returns the <inertial> of a URDF's link as MuJoCo takes it: in the link's frame, because fullinertia allows no
+/// orientation; the order of fullinertia is xx yy zz xy xz yz.
+std::string inertial_text(const xml::Element& inertial, const std::string& file) {
+    const xml::Element* mass = inertial.child("mass");
+    const xml::Element* inertia = inertial.child("inertia");
+    if (!mass || !inertia) {
+        throw Error(ErrorCode::output,
+                    fmt::format("{}:{}: <inertial> needs <mass> and <inertia> for MuJoCo", file, inertial.line));
+    }
+    Pose origin;
+    if (const xml::Element* element = inertial.child("origin")) {
+        const auto triple = [&](const char* name) {
+            const std::vector<double> v =
+                element->attribute(name) ? numbers_of(*element, name, 3, file) : std::vector<double>{0, 0, 0};
+            return Vec3{v[0], v[1], v[2]};
+        };
+        origin = Pose::from_xyz_rpy(triple("xyz"), triple("rpy"));
+    }
+    const auto value = [&](const char* name) { return numbers_of(*inertia, name, 1, file).front(); };
+    const Vec3 rows[3] = {{value("ixx"), value("ixy"), value("ixz")},
+                          {value("ixy"), value("iyy"), value("iyz")},
+                          {value("ixz"), value("iyz"), value("izz")}};
+    const auto turned = [&](int i, int j) { // (R I Rᵀ)ᵢⱼ
+        const Vec3& a = origin.rotation[static_cast<std::size_t>(i)];
+        const Vec3& b = origin.rotation[static_cast<std::size_t>(j)];
+        return dot(a, {dot(rows[0], b), dot(rows[1], b), dot(rows[2], b)});
+    };
+    const std::array full{turned(0, 0), turned(1, 1), turned(2, 2), turned(0, 1), turned(0, 2), turned(1, 2)};
+    return "<inertial" + attribute_text("pos", vector_text(origin.translation)) +
+           attribute_text("mass", numbers_text(numbers_of(*mass, "value", 1, file))) +
+           attribute_text("fullinertia", numbers_text(full)) + "/>";
+}
+
+/// Returns an <inertial> for the volume (m³; 0: that of the spheres' union) at 1000 kg/m³, spread like the spheres.
+std::string inertial_of_spheres(const std::vector<Sphere>& spheres, double volume) {
+    constexpr double density = 1000;
+    double total = 0;
+    Vec3 center;
+    for (const Sphere& s : spheres) {
+        const double weight = s.radius * s.radius * s.radius;
+        total += weight;
+        center += s.center * weight;
+    }
+    center = center / total;
+    const double mass = density * (volume > 0 ? volume : exact_union_volume(spheres));
+    Vec3 diagonal, mixed; // xx, yy, zz; xy, xz, yz
+    for (const Sphere& s : spheres) {
+        const double part = mass * s.radius * s.radius * s.radius / total, own = 0.4 * s.radius * s.radius;
+        const Vec3 d = s.center - center;
+        diagonal += Vec3{own + d.y * d.y + d.z * d.z, own + d.x * d.x + d.z * d.z, own + d.x * d.x + d.y * d.y} * part;
+        mixed += Vec3{-d.x * d.y, -d.x * d.z, -d.y * d.z} * part;
+    }
+    return "<inertial" + attribute_text("pos", vector_text(center)) + attribute_text("mass", numbers_text({&mass, 1})) +
+           attribute_text("fullinertia",
+                          numbers_text(std::array{diagonal.x, diagonal.y, diagonal.z, mixed.x, mixed.y, mixed.z})) +
+           "/>";
+}
+
+/// Writes the tree of bodies.
+class Bodies {
+public:
+    Bodies(const SphereModel& model, bool free, Context& context)
+        : model_(model), context_(context), kinematics_(model.robot), free_(free) {
+        for (LinkSpheres& link : spheres_by_link(model)) {
+            spheres_[link.link] = std::move(link.spheres);
+        }
+        for (const SphereGroup& group : model.groups) {
+            volumes_[group.link] += group.measures.volume;
+        }
+        if (!model.robot->source.empty()) {
+            urdf_ = xml::parse(model.robot->source, model.robot->file.string(), ErrorCode::output);
+            for (const xml::Element* link : urdf_->children_named("link")) {
+                if (const std::string* name = link->attribute("name")) {
+                    inertials_[*name] = link->child("inertial");
+                }
+            }
+        }
+        const PlannedJoints joints = planned_joints(model);
+        for (const auto& [joint, position] : joints.locked) {
+            locked_[joint] = position;
+        }
+    }
+
+    std::string text() {
+        add_body(base_link(model_), {}, nullptr, 2);
+        if (!invented_.empty()) {
+            context_.log(
+                Severity::warning,
+                fmt::format("no <inertial>: the mass of the geometry at 1000 kg/m³, spread like the spheres, is "
+                            "that of {}; remedy: add <inertial> to the URDF",
+                            fmt::join(invented_, ", ")));
+        }
+        return std::move(text_);
+    }
+
+private:
+    void line(std::size_t depth, const std::string& content) { text_ += std::string(2 * depth, ' ') + content + "\n"; }
+
+    void add_body(const std::string& link, const Pose& pose, const Joint* joint, std::size_t depth) {
+        line(depth, "<body" + attribute_text("name", link) + pose_text(pose) + ">");
+        const bool moves = joint ? joint->kind != Joint::Kind::fixed && !locked_.contains(joint->name) : free_;
+        if (!joint && free_) {
+            line(depth + 1, "<freejoint/>");
+        }
+        add_inertial(link, moves, depth + 1);
+        if (joint && moves) {
+            line(depth + 1, joint_text(*joint));
+        }
+        for (const Sphere& s : spheres_[link]) {
+            line(depth + 1, "<geom class=\"sphere\"" + attribute_text("pos", vector_text(s.center)) +
+                                attribute_text("size", numbers_text({&s.radius, 1})) + "/>");
+        }
+        for (const Joint& child : model_.robot->joints) {
+            if (child.parent == link) {
+                const auto held = locked_.find(child.name);
+                add_body(child.child,
+                         held == locked_.end() ? child.origin : child.origin * joint_motion(child, held->second),
+                         &child, depth + 1);
+            }
+        }
+        line(depth, "</body>");
+    }
+
+    /// The spheres have no mass, as their overlaps would count twice; so every body that moves needs an <inertial>.
+    void add_inertial(const std::string& link, bool moves, std::size_t depth) {
+        const auto known = inertials_.find(link);
+        if (known != inertials_.end() && known->second) {
+            line(depth, inertial_text(*known->second, model_.robot->file.string()));
+        } else if (!spheres_[link].empty()) {
+            line(depth, inertial_of_spheres(spheres_[link], volumes_[link]));
+            invented_.push_back(link);
+        } else if (moves) {
+            throw Error(
+                ErrorCode::output,
+                fmt::format("write.mjcf: link '{}' moves, but has neither <inertial> nor spheres; MuJoCo refuses "
+                            "moving bodies without mass; remedy: add <inertial> to the URDF",
+                            link));
+        }
+    }
+
+    std::string joint_text(const Joint& joint) const {
+        if (joint.kind == Joint::Kind::planar || joint.kind == Joint::Kind::floating) {
+            throw Error(ErrorCode::output,
+                        fmt::format("write.mjcf: joint '{}' is {}, which MJCF has not within a robot; "
+                                    "remedy: a fixed or revolute joint",
+                                    joint.name, joint.kind == Joint::Kind::planar ? "planar" : "floating"));
+        }
+        std::string text = "<joint" + attribute_text("name", joint.name);
+        text += joint.kind == Joint::Kind::prismatic ? attribute_text("type", "slide") : "";
+        text += attribute_text("axis", vector_text(joint.axis));
+        for (const Freedom& freedom : kinematics_.freedoms()) {
+            if (freedom.joint == joint.name && joint.kind != Joint::Kind::continuous && freedom.lower < freedom.upper) {
+                text += attribute_text("range", numbers_text(std::array{freedom.lower, freedom.upper}));
+            }
+        }
+        return text + "/>";
+    }
+
+    const SphereModel& model_;
+    Context& context_;
+    Kinematics kinematics_;
+    bool free_;
+    std::map<std::string, std::vector<Sphere>> spheres_;
+    std::unique_ptr<const xml::Element> urdf_;
+    std::map<std::string, const xml::Element*> inertials_;
+    std::map<std::string, double> volumes_; ///< of the geometry, m³
+    std::vector<std::string> invented_;     ///< links whose inertia is that of their spheres
+    JointValues locked_;
+    std::string text_;
+};
+
+/// Returns the <equality> of joints that mimic others: joint1 = offset + multiplier · joint2.
+std::string equality_text(const SphereModel& model) {
+    const Kinematics kinematics(model.robot);
+    std::string text;
+    for (std::size_t i = 0; i < model.robot->joints.size(); ++i) {
+        const JointMotion& motion = kinematics.motions()[i];
+        const std::string& name = model.robot->joints[i].name;
+        if (!motion.freedom || kinematics.freedoms()[*motion.freedom].joint == name) {
+            continue;
+        }
+        const std::string& other = kinematics.freedoms()[*motion.freedom].joint;
+        if (!model.facts.lock_joints.contains(other)) {
+            text +=
+                "    <joint" + attribute_text("joint1", name) + attribute_text("joint2", other) +
+                attribute_text("polycoef", numbers_text(std::array{motion.offset, motion.multiplier, 0.0, 0.0, 0.0})) +
+                "/>\n";
+        }
+    }
+    return text.empty() ? "" : "  <equality>\n" + text + "  </equality>\n";
+}
+
+/// Returns the <contact>. MuJoCo leaves out neighbours but for children of the fixed base, so every pair is listed.
+std::string contact_text(const SphereModel& model) {
+    std::string text;
+    for (const IgnoredPair& pair : model.ignored_pairs.value_or(std::vector<IgnoredPair>{})) {
+        text += "    <exclude" + attribute_text("body1", pair.first) + attribute_text("body2", pair.second) + "/>\n";
+    }
+    return text.empty() ? "" : "  <contact>\n" + text + "  </contact>\n";
+}
+
+} // namespace
+
+MjcfWriter::MjcfWriter(const Parameters& parameters) : free_(parameters.text("base") == "free") {}
+
+std::string MjcfWriter::write(const SphereModel& model, Context& context) const {
+    if (!model.robot) {
+        require_robot(model, "write.mjcf");
+    }
+    const std::string name = model.robot->name.empty() ? model.name : model.robot->name;
+    return comment_text(model.provenance) + "<mujoco" + attribute_text("model", name) + ">\n" +
+           "  <compiler angle=\"radian\" autolimits=\"true\"/>\n"
+           "  <default>\n"
+           "    <default class=\"sphere\"><geom type=\"sphere\" group=\"3\" mass=\"0\" contype=\"1\" "
+           "conaffinity=\"1\"/></default>\n"
+           "  </default>\n"
+           "  <worldbody>\n" +
+           Bodies(model, free_, context).text() + "  </worldbody>\n" + equality_text(model) + contact_text(model) +
+           "</mujoco>\n";
+}
+
+std::map<std::string, std::vector<Sphere>> MjcfWriter::read(const std::string& bytes) const {
+    std::map<std::string, std::vector<Sphere>> result;
+    try {
+        QuietContext context;
+        for (LinkSpheres& link : MjcfReader().read(bytes, "MJCF", context).links) {
+            result[link.link] = std::move(link.spheres);
+        }
+    } catch (const Error& error) {
+        throw Error(ErrorCode::output, error.what());
+    }
+    return result;
+}
+
+} // namespace foam::xml_models

@@ -1,0 +1,24 @@
+// MJCF, the format of MuJoCo: a body for each link, its spheres as geoms, its joint and inertia, pairs as <exclude>.
+#pragma once
+
+#include <foam/sdk/stage.hpp>
+
+namespace foam::xml_models {
+
+class MjcfWriter final : public Writer {
+public:
+    explicit MjcfWriter(const Parameters& parameters);
+    std::string write(const SphereModel& model, Context& context) const override;
+    std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override;
+
+private:
+    bool free_;
+};
+
+class MjcfReader final : public ModelReader {
+public:
+    bool recognises(std::string_view text) const override;
+    SphereFile read(const std::string& text, const std::filesystem::path& file, Context& context) const override;
+};
+
+} // namespace foam::xml_models

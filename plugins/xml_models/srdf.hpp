@@ -1,0 +1,24 @@
+// SRDF: pairs of links, and spheres of links as a side-car (srdfdom's link_sphere_approximation).
+#pragma once
+
+#include <foam/sdk/stage.hpp>
+
+namespace foam::xml_models {
+
+class SrdfWriter final : public Writer {
+public:
+    explicit SrdfWriter(const Parameters& parameters);
+    std::string write(const SphereModel& model, Context& context) const override;
+    std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override;
+
+private:
+    bool replaces_pairs_;
+};
+
+class SrdfReader final : public ModelReader {
+public:
+    bool recognises(std::string_view text) const override;
+    SphereFile read(const std::string& text, const std::filesystem::path& file, Context& context) const override;
+};
+
+} // namespace foam::xml_models
