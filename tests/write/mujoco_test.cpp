@@ -1,0 +1,166 @@
+// MuJoCo's own parser on what write.mjcf writes: bodies, spheres to the last bit, poses, pairs without contact.
+#include "models.hpp"
+
+#include <foam/base/file.hpp>
+#include <foam/base/random.hpp>
+#include <foam/robot/kinematics.hpp>
+#include <foam/sdk/stage.hpp>
+
+#include <gtest/gtest.h>
+
+#include <mujoco/mujoco.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace {
+
+using namespace foam;
+using namespace foam::test;
+
+struct Loaded {
+    explicit Loaded(const std::string& text) {
+        const std::string file = testing::TempDir() + "foam_mujoco_test.xml";
+        std::ofstream(file) << text;
+        char error[1000] = "";
+        model = mj_loadXML(file.c_str(), nullptr, error, sizeof error);
+        EXPECT_TRUE(model) << error;
+        data = model ? mj_makeData(model) : nullptr;
+    }
+    ~Loaded() {
+        mj_deleteData(data);
+        mj_deleteModel(model);
+    }
+    mjModel* model = nullptr;
+    mjData* data = nullptr;
+};
+
+std::shared_ptr<const Robot> panda() {
+    const std::filesystem::path file = FOAM_TEST_SOURCE "/configs/robots/panda/panda.urdf";
+    std::stringstream text;
+    text << std::ifstream(file).rdbuf();
+    Registry registry;
+    registry.load(FOAM_TEST_PLUGINS "/load_urdf.so");
+    QuietContext context;
+    return std::make_shared<Robot>(registry.make<RobotLoader>("load.urdf")->load(
+        text.str(), file, ResourceResolver::from_environment(), context));
+}
+
+/// Two spheres a link, with numbers that need all digits.
+SphereModel spheres_on(const std::shared_ptr<const Robot>& robot) {
+    SphereModel model;
+    model.name = "test";
+    model.robot = robot;
+    Random random(5);
+    for (const Link& link : robot->links) {
+        if (!link.collisions.empty()) {
+            std::vector<Sphere> spheres;
+            for (int i = 0; i < 2; ++i) {
+                spheres.push_back({{random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), 1.0 / 3}, random.uniform(0.01, 0.02)});
+            }
+            model.groups.push_back({link.name, {}, flat_tree(spheres), {}});
+        }
+    }
+    return model;
+}
+
+TEST(MuJoCo, HoldsTheSameSpheresAtTheSamePoses) {
+    const auto robot = panda();
+    const SphereModel model = spheres_on(robot);
+    QuietContext context;
+    const Loaded mujoco(writer("xml_models", "write.mjcf")->write(model, context));
+    ASSERT_TRUE(mujoco.model);
+    const Kinematics kinematics(robot);
+    EXPECT_EQ(mujoco.model->ngeom, 22);
+    EXPECT_EQ(static_cast<std::size_t>(mujoco.model->nbody), robot->links.size() + 1) << "and the world";
+    Random random(9);
+    for (int round = 0; round < 3; ++round) {
+        const std::vector<double> configuration = kinematics.random_configuration(random);
+        const std::vector<double> values = kinematics.joint_values(configuration);
+        for (std::size_t j = 0; j < robot->joints.size(); ++j) {
+            const int id = mj_name2id(mujoco.model, mjOBJ_JOINT, robot->joints[j].name.c_str());
+            if (robot->joints[j].kind != Joint::Kind::fixed) {
+                ASSERT_GE(id, 0) << robot->joints[j].name;
+                mujoco.data->qpos[mujoco.model->jnt_qposadr[id]] = values[j];
+            }
+        }
+        mj_kinematics(mujoco.model, mujoco.data);
+        const std::vector<Pose> poses = kinematics.link_poses(configuration);
+        for (const SphereGroup& group : model.groups) {
+            const int body = mj_name2id(mujoco.model, mjOBJ_BODY, group.link.c_str());
+            ASSERT_GE(body, 0);
+            ASSERT_EQ(mujoco.model->body_geomnum[body], 2);
+            const auto link = static_cast<std::size_t>(robot->find_link(group.link) - robot->links.data());
+            for (int i = 0; i < 2; ++i) {
+                const int geom = mujoco.model->body_geomadr[body] + i;
+                const Sphere& sphere = group.tree.finest()[static_cast<std::size_t>(i)];
+                const mjtNum* at = mujoco.model->geom_pos + 3 * geom;
+                EXPECT_EQ(Vec3(at[0], at[1], at[2]), sphere.center);
+                EXPECT_EQ(mujoco.model->geom_size[3 * geom], sphere.radius);
+                const mjtNum* in_world = mujoco.data->geom_xpos + 3 * geom;
+                EXPECT_LT(distance({in_world[0], in_world[1], in_world[2]}, poses[link] * sphere.center), 1e-12);
+            }
+        }
+    }
+}
+
+TEST(MuJoCo, LeavesOutIgnoredPairsAlsoAtTheBase) {
+    const auto robot = panda();
+    SphereModel model = spheres_on(robot);
+    for (SphereGroup& group : model.groups) {
+        group.tree = flat_tree({{{0, 0, 0}, 0.3}}); // neighbours overlap
+    }
+    const auto contacts = [&] {
+        QuietContext context;
+        const Loaded mujoco(writer("xml_models", "write.mjcf")->write(model, context));
+        mj_forward(mujoco.model, mujoco.data);
+        return mujoco.data->ncon;
+    };
+    EXPECT_GT(contacts(), 0);
+    model.ignored_pairs.emplace();
+    for (const SphereGroup& a : model.groups) {
+        for (const SphereGroup& b : model.groups) {
+            model.ignored_pairs->push_back({a.link, b.link, ""});
+            if (&a == &b) {
+                model.ignored_pairs->pop_back();
+            }
+        }
+    }
+    EXPECT_EQ(contacts(), 0);
+    QuietContext context;
+    const Loaded mujoco(writer("xml_models", "write.mjcf")->write(model, context));
+    for (int step = 0; step < 1000; ++step) {
+        mj_step(mujoco.model, mujoco.data);
+        ASSERT_EQ(mujoco.data->ncon, 0) << step;
+    }
+}
+
+TEST(MuJoCo, LockedAndMimickedJoints) {
+    const auto robot = panda();
+    SphereModel model = spheres_on(robot);
+    QuietContext context;
+    const Loaded free(writer("xml_models", "write.mjcf")->write(model, context));
+    EXPECT_EQ(free.model->neq, 1) << "the second finger follows the first";
+    model.facts.lock_joints = {{"panda_joint7", 0.5}};
+    const Loaded locked(writer("xml_models", "write.mjcf")->write(model, context));
+    EXPECT_EQ(locked.model->njnt, free.model->njnt - 1);
+    mj_kinematics(locked.model, locked.data);
+    const int body = mj_name2id(locked.model, mjOBJ_BODY, "panda_hand");
+    for (int j = 0; j < locked.model->njnt; ++j) {
+        locked.data->qpos[j] = 0;
+    }
+    const auto zero = link_poses(*robot, [&] {
+        JointValues values{{"panda_joint7", 0.5}};
+        for (const Joint& joint : robot->joints) {
+            if (joint.kind != Joint::Kind::fixed && joint.name != "panda_joint7") {
+                values[joint.name] = 0;
+            }
+        }
+        return values;
+    }());
+    mj_kinematics(locked.model, locked.data);
+    const mjtNum* at = locked.data->xpos + 3 * body;
+    EXPECT_LT(distance({at[0], at[1], at[2]}, zero.at("panda_hand").translation), 1e-12);
+}
+
+} // namespace
