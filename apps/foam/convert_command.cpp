@@ -90,7 +90,7 @@ void require_links(const SphereFile& file, const Robot& robot) {
         if (!robot.find_link(link.link)) {
             const std::string near = nearest_word(link.link, known);
             throw Error(ErrorCode::input, fmt::format("{}: link '{}' is no link of {}{}", file.file.string(),
-                                                      shown(link.link), robot.file.string(),
+                                                      shown(link.link), robot.file.filename().string(),
                                                       near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
         }
     }

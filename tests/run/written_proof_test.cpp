@@ -32,7 +32,7 @@ protected:
 
     std::string failure(const Read& read, Guarantee guarantee = Guarantee::outer) const {
         try {
-            prove_written(read, finished, guarantee, "out.csv");
+            prove_written(read, finished, guarantee, Numbers::float64, "out.csv");
         } catch (const Error& error) {
             EXPECT_EQ(error.code(), ErrorCode::internal);
             return error.what();
@@ -48,7 +48,7 @@ protected:
 TEST_F(WrittenProofs, TellWhatTheyTook) {
     const std::vector<Sphere> two{{{-0.5, 0, 0}, 1.6}, {{0.5, 0, 0}, 1.6}}, one{{{}, 2}};
     const std::vector<WrittenProof> proofs =
-        prove_written({{"base", two}, {"tip", one}}, finished, Guarantee::outer, "f");
+        prove_written({{"base", two}, {"tip", one}}, finished, Guarantee::outer, Numbers::float64, "f");
     ASSERT_EQ(proofs.size(), 2u);
     EXPECT_EQ(proofs[0].link, "base");
     EXPECT_EQ(proofs[0].spheres, 2u);
@@ -61,7 +61,7 @@ TEST_F(WrittenProofs, TellWhatTheyTook) {
     EXPECT_EQ(proofs[1].pieces, 12u);
     EXPECT_EQ(proofs[1].halvings, 0u);
     const std::vector<WrittenProof> inner =
-        prove_written({{"base", {{{}, 0.9}}}, {"tip", {{{}, 0.5}}}}, finished, Guarantee::inner, "f");
+        prove_written({{"base", {{{}, 0.9}}}, {"tip", {{{}, 0.5}}}}, finished, Guarantee::inner, Numbers::float64, "f");
     ASSERT_EQ(inner.size(), 2u);
     EXPECT_EQ(inner[0].triangles, 12u);
     EXPECT_EQ(inner[0].pieces, 0u);
@@ -100,11 +100,11 @@ TEST_F(WrittenProofs, NoLinkMayLackItsSpheres) {
 TEST_F(WrittenProofs, WhatWasNotProvedIsNotAskedFor) {
     works[0].report.measures.certified = false;
     const std::vector<WrittenProof> proofs =
-        prove_written({{"base", {{{}, 0.1}}}, {"tip", {{{}, 2}}}}, finished, Guarantee::outer, "f");
+        prove_written({{"base", {{{}, 0.1}}}, {"tip", {{{}, 2}}}}, finished, Guarantee::outer, Numbers::float64, "f");
     ASSERT_EQ(proofs.size(), 1u);
     EXPECT_EQ(proofs[0].link, "tip");
     works[1].report.measures.certified = false;
-    EXPECT_THAT(prove_written({{"base", {{{}, 0.1}}}, {"tip", {{{}, 0.1}}}}, finished, Guarantee::outer, "f"),
+    EXPECT_THAT(prove_written({{"base", {{{}, 0.1}}}, {"tip", {{{}, 0.1}}}}, finished, Guarantee::outer, Numbers::float64, "f"),
                 IsEmpty());
 }
 

@@ -1,4 +1,5 @@
 #include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
 #include <foam/robot/kinematics.hpp>
 #include <foam/sdk/planning.hpp>
 
@@ -26,6 +27,19 @@ PlannedJoints planned_joints(const SphereModel& model) {
     return joints;
 }
 
+/// Throws Error(output) for a link that the robot does not have.
+static void require_link(const SphereModel& model, const std::string& link, const char* fact) {
+    std::vector<std::string> known;
+    for (const Link& other : model.robot->links) {
+        known.push_back(other.name);
+    }
+    if (!model.robot->find_link(link)) {
+        const std::string near = nearest_word(link, known);
+        throw Error(ErrorCode::output, fmt::format("{}: the robot has no link '{}'{}", fact, shown(link),
+                                                   near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
+    }
+}
+
 void require_robot(const SphereModel& model, const std::string& writer) {
     if (!model.robot || model.robot->source.empty()) {
         throw Error(ErrorCode::output,
@@ -34,7 +48,11 @@ void require_robot(const SphereModel& model, const std::string& writer) {
 }
 
 const std::string& base_link(const SphereModel& model) {
-    return model.facts.base_link.empty() ? model.robot->root : model.facts.base_link;
+    if (model.facts.base_link.empty()) {
+        return model.robot->root;
+    }
+    require_link(model, model.facts.base_link, "base_link");
+    return model.facts.base_link;
 }
 
 const std::vector<std::string>& require_tool_frames(const SphereModel& model, const std::string& writer) {
@@ -43,6 +61,9 @@ const std::vector<std::string>& require_tool_frames(const SphereModel& model, co
                     fmt::format("{} needs the links that a planner moves to a goal; remedy: robot: {{tool_frames: "
                                 "[LINK]}} in the recipe, --set robot.tool_frames=[LINK], or --tool-frame LINK",
                                 writer));
+    }
+    for (const std::string& frame : model.facts.tool_frames) {
+        require_link(model, frame, "tool_frames");
     }
     return model.facts.tool_frames;
 }

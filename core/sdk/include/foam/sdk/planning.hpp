@@ -24,9 +24,9 @@ PlannedJoints planned_joints(const SphereModel& model);
 
 /// Throws Error(output) if the model has no robot but the names of links. `writer`: its name, for the message.
 void require_robot(const SphereModel& model, const std::string& writer);
-/// Returns RobotFacts::base_link, or the root link.
+/// Returns RobotFacts::base_link, or the root link. Throws Error(output) for a link that the robot does not have.
 const std::string& base_link(const SphereModel& model);
-/// Returns RobotFacts::tool_frames. Throws Error(output) if there is none.
+/// Returns RobotFacts::tool_frames. Throws Error(output) if there is none, or the robot does not have it.
 const std::vector<std::string>& require_tool_frames(const SphereModel& model, const std::string& writer);
 
 } // namespace sdk
