@@ -34,13 +34,28 @@ void read_link(const Link& link, SphereFile& result) {
     }
 }
 
+/// Returns the name of the first element of an XML text, without parsing the rest; empty if there is none.
+std::string_view root_name(std::string_view text) {
+    for (;;) {
+        text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+        const std::string_view end = text.starts_with("<?") ? "?>" : text.starts_with("<!--") ? "-->" : "";
+        if (end.empty()) {
+            break;
+        }
+        const std::size_t at = text.find(end);
+        text.remove_prefix(at == text.npos ? text.size() : at + end.size());
+    }
+    text.remove_prefix(text.starts_with('<') ? 1 : text.size());
+    return text.substr(0, text.find_first_of(" \t\r\n/>"));
+}
+
 } // namespace
 
 SphereReader::SphereReader(const Parameters&, const StageMaker& maker)
     : loader_(maker.make<RobotLoader>("load.urdf", {{"lenient", true}})) {}
 
 bool SphereReader::recognises(std::string_view text) const {
-    return text.starts_with('<');
+    return text.starts_with('<') && root_name(text) != "sdf"; // read.sdf
 }
 
 SphereFile SphereReader::read(const std::string& text, const std::filesystem::path& file, Context& context) const {

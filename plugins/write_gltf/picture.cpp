@@ -140,6 +140,8 @@ void append_mesh(Value& root, const Mesh& mesh) {
     yaml::append(root, "bufferViews",
                  yaml::list({yaml::map({{"buffer", yaml::integer(0)},
                                         {"byteLength", whole(corners)},
+                                        {"byteStride", yaml::integer(12)}, // needed where two accessors share bytes
+
                                         {"target", yaml::integer(array_buffer)}}),
                              yaml::map({{"buffer", yaml::integer(0)},
                                         {"byteOffset", whole(corners)},

@@ -139,6 +139,9 @@ std::string markers_text(const SphereModel& model, double alpha) {
     Value markers = yaml::list();
     std::size_t number = 0;
     for (const LinkSpheres& link : spheres_by_link(model)) {
+        if (link.link.empty()) {
+            throw Error(ErrorCode::output, "a link without a name is no frame of ROS; remedy: name the link");
+        }
         const Value colour = colour_value(number++, alpha);
         for (std::size_t i = 0; i < link.spheres.size(); ++i) {
             markers.items.push_back(marker_value(link.link, static_cast<std::int64_t>(i), link.spheres[i], colour));

@@ -51,7 +51,8 @@ TEST_F(Readers, OneReadsWhatEachWriterWrites) {
 TEST_F(Readers, OneRecognisesEachSampleOfTheOthers) {
     const std::filesystem::path plugins = FOAM_TEST_SOURCE "/plugins";
     int samples = 0;
-    for (const char* folder : {"yaml_models/samples", "read_rows/samples"}) {
+    for (const char* folder : {"yaml_models/samples", "read_rows/samples", "write_gltf/samples", "write_scene/samples",
+                               "write_sdf/samples", "write_usd/samples"}) {
         for (const auto& entry : std::filesystem::directory_iterator(plugins / folder)) {
             SCOPED_TRACE(entry.path().string());
             std::ifstream stream(entry.path());

@@ -35,6 +35,22 @@ SphereModel model() {
     return model;
 }
 
+/// Returns the model, or only its second link if the writer refuses two: some formats hold one body.
+SphereModel model_for(const Writer& writer) {
+    SphereModel two_links = model(), one_link = model();
+    one_link.groups.erase(one_link.groups.begin());
+    QuietContext context;
+    try {
+        writer.write(two_links, context);
+    } catch (const Error& error) {
+        const std::string message = error.what();
+        require(error.code() == ErrorCode::output && message.find("remedy") != message.npos,
+                fmt::format("it refuses a model of two links without a remedy: {}", message));
+        return one_link;
+    }
+    return two_links;
+}
+
 void require_equal_up_to_growth(const std::string& link, const std::vector<Sphere>& read,
                                 const std::vector<Sphere>& written) {
     require(read.size() == written.size(),
@@ -54,7 +70,7 @@ void require_equal_up_to_growth(const std::string& link, const std::vector<Spher
 void check_writer(const Writer& writer, Promises& promises) {
     promises.check("gives back what it wrote, the same bytes every time", [&] {
         QuietContext context;
-        const SphereModel spheres = model();
+        const SphereModel spheres = model_for(writer);
         const std::string bytes = writer.write(spheres, context);
         require(bytes == writer.write(spheres, context), "the second time it writes other bytes");
         const auto read = writer.read(bytes);
