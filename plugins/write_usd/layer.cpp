@@ -20,6 +20,8 @@ std::string literal(std::string_view text) {
         if (c == '"' || c == '\\') {
             result += '\\';
             result += c;
+        } else if (c == '\n' || c == '\t' || c == '\r') {
+            result += c == '\n' ? "\\n" : c == '\t' ? "\\t" : "\\r";
         } else if (byte < 0x20 || byte == 0x7F) {
             result += fmt::format("\\{:03o}", byte); // three digits: what follows cannot belong to it
         } else {
