@@ -2,6 +2,7 @@
 
 #include "unit_sphere.hpp"
 
+#include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
 #include <foam/base/markup.hpp>
 #include <foam/base/text.hpp>
@@ -77,7 +78,9 @@ Value nodes_of(const std::vector<LinkSpheres>& links, const std::map<std::string
     for (const LinkSpheres& link : links) {
         require_name(link.link);
         Value children = yaml::list();
+        CancellationCounter asking(1024);
         for (const Sphere& s : link.spheres) {
+            asking.check();
             children.items.push_back(whole(first_sphere + sphere_nodes.items.size()));
             sphere_nodes.items.push_back(sphere_node(s));
         }
@@ -141,7 +144,6 @@ void append_mesh(Value& root, const Mesh& mesh) {
                  yaml::list({yaml::map({{"buffer", yaml::integer(0)},
                                         {"byteLength", whole(corners)},
                                         {"byteStride", yaml::integer(12)}, // needed where two accessors share bytes
-
                                         {"target", yaml::integer(array_buffer)}}),
                              yaml::map({{"buffer", yaml::integer(0)},
                                         {"byteOffset", whole(corners)},

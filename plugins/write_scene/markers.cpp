@@ -1,5 +1,6 @@
 #include "markers.hpp"
 
+#include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/yaml/write.hpp>
@@ -143,7 +144,9 @@ std::string markers_text(const SphereModel& model, double alpha) {
             throw Error(ErrorCode::output, "a link without a name is no frame of ROS; remedy: name the link");
         }
         const Value colour = colour_value(number++, alpha);
+        CancellationCounter asking(1024);
         for (std::size_t i = 0; i < link.spheres.size(); ++i) {
+            asking.check();
             markers.items.push_back(marker_value(link.link, static_cast<std::int64_t>(i), link.spheres[i], colour));
         }
     }

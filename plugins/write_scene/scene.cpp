@@ -2,6 +2,7 @@
 
 #include "placement.hpp"
 
+#include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 
@@ -61,7 +62,9 @@ std::string scene_text(const SphereModel& model, bool old_format) {
         }
         text +=
             "* " + link.link + '\n' + (old_format ? "" : pose_text(pose)) + std::to_string(link.spheres.size()) + '\n';
+        CancellationCounter asking(1024);
         for (const Sphere& s : link.spheres) {
+            asking.check();
             text += "sphere\n" + number_text(s.radius) + '\n' + point_text(s.center) + "0 0 0 1\n0 0 0 0\n";
         }
         text += old_format ? "" : "0\n"; // subframes

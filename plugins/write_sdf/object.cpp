@@ -1,5 +1,6 @@
 #include "object.hpp"
 
+#include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
 #include <foam/base/markup.hpp>
 #include <foam/base/text.hpp>
@@ -54,7 +55,9 @@ std::string object_text(const SphereModel& model, bool is_static) {
                        fmt::format("<sdf version=\"1.9\">\n  <model name=\"{}\">\n    <static>{}</static>\n"
                                    "    <link name=\"{}\">\n",
                                    markup_escaped(name), is_static, markup_escaped(link.link));
+    CancellationCounter asking(1024);
     for (std::size_t i = 0; i < link.spheres.size(); ++i) {
+        asking.check();
         text += collision_text(i, link.spheres[i]);
     }
     return text + "    </link>\n  </model>\n</sdf>\n";

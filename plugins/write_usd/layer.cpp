@@ -2,6 +2,7 @@
 
 #include "prim_names.hpp"
 
+#include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 
@@ -79,7 +80,9 @@ void write_sphere(LayerWriter& layer, std::size_t index, const Sphere& s) {
 void write_spheres(LayerWriter& layer, const LinkSpheres& link) {
     layer.open("def Scope \"foam_spheres\"");
     layer.line("custom string foam:link = " + literal(link.link)); // the prim's name may differ
+    CancellationCounter asking(1024);
     for (std::size_t i = 0; i < link.spheres.size(); ++i) {
+        asking.check();
         write_sphere(layer, i, link.spheres[i]);
     }
     layer.close();
