@@ -63,8 +63,13 @@ class RowReader final : public ModelReader {
 public:
     bool recognises(std::string_view text) const override {
         const std::string_view line = text.substr(0, text.find('\n'));
-        return line.find_first_of(":{[<\"") == std::string_view::npos &&
-               std::count_if(line.begin(), line.end(), [](char c) { return c >= '0' && c <= '9'; }) >= 4;
+        if (line.find_first_of(":{[<\"") != std::string_view::npos) {
+            return false;
+        }
+        const std::string row = row_of(line);
+        const std::vector<std::string_view> fields = words(row);
+        return std::count_if(fields.begin(), fields.end(), [](std::string_view word) { return parse_number(word); }) >=
+               3;
     }
 
     SphereFile read(const std::string& text, const std::filesystem::path& file, Context&) const override {

@@ -33,7 +33,9 @@ protected:
 
 TEST_F(Readers, OneReadsWhatEachWriterWrites) {
     QuietContext context;
-    const SphereModel model = model_of(chain_of({"only"}), {group_of("only", {"a.stl"}, flat_tree({{{0.1, -0.2, 1.0 / 3}, 0.05}, {{1e-17, 1234.5, -0.0}, 0.1 + 0.7}}))});
+    const SphereModel model = model_of(
+        turning("only"),
+        {group_of("only", {"a.stl"}, flat_tree({{{0.1, -0.2, 1.0 / 3}, 0.05}, {{1e-17, 1234.5, -0.0}, 0.1 + 0.7}}))});
     for (const auto& [name, stage] : registry.stages()) {
         if (stage.kind != StageKind::writer) {
             continue;
@@ -51,7 +53,8 @@ TEST_F(Readers, OneReadsWhatEachWriterWrites) {
 TEST_F(Readers, OneRecognisesEachSampleOfTheOthers) {
     const std::filesystem::path plugins = FOAM_TEST_SOURCE "/plugins";
     int samples = 0;
-    for (const char* folder : {"yaml_models/samples", "read_rows/samples"}) {
+    for (const char* folder : {"yaml_models/samples", "read_rows/samples", "write_gltf/samples", "write_scene/samples",
+                               "write_sdf/samples", "write_usd/samples"}) {
         for (const auto& entry : std::filesystem::directory_iterator(plugins / folder)) {
             SCOPED_TRACE(entry.path().string());
             std::ifstream stream(entry.path());

@@ -11,7 +11,8 @@ namespace {
 const Registry& readers() {
     static Registry registry;
     static const bool loaded = [] {
-        for (const char* plugin : {"load_urdf", "read_rows", "yaml_models", "write_csv", "write_ply"}) {
+        for (const char* plugin : {"load_urdf", "read_rows", "yaml_models", "write_csv", "write_gltf", "write_ply",
+                                   "write_scene", "write_sdf", "write_usd"}) {
             const PluginRecord& record = registry.load(std::string(FOAM_FUZZ_PLUGINS "/") + plugin + ".so");
             promise(record.loaded(), record.rejection);
         }

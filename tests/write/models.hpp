@@ -62,6 +62,18 @@ inline std::shared_ptr<const Robot> chain_of(const std::vector<std::string>& lin
     return robot;
 }
 
+/// A robot whose only link with spheres turns on a base.
+inline std::shared_ptr<const Robot> turning(const std::string& link) {
+    auto robot = std::make_shared<Robot>(*chain_of({"base", link}));
+    robot->joints[0].kind = Joint::Kind::revolute;
+    robot->joints[0].lower = -1;
+    robot->joints[0].upper = 2;
+    const std::string fixed = "type=\"fixed\">";
+    robot->source.replace(robot->source.find(fixed), fixed.size(),
+                          "type=\"revolute\"><limit lower=\"-1\" upper=\"2\" effort=\"1\" velocity=\"1\"/>");
+    return robot;
+}
+
 /// Coordinates that a careless writer loses: signs, many digits, very small and very large.
 inline std::vector<Sphere> awkward_spheres() {
     return {{{0.1, -0.2, 1.0 / 3}, 0.05},
@@ -83,6 +95,7 @@ inline SphereModel model_of(std::shared_ptr<const Robot> robot, std::vector<Sphe
     model.name = "test";
     model.robot = std::move(robot);
     model.groups = std::move(groups);
+    model.facts.tool_frames = {model.robot->links.back().name};
     return model;
 }
 

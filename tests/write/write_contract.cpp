@@ -28,10 +28,10 @@ template <class Test> void for_each_writer(const Test& test) {
     EXPECT_GE(count, 4);
 }
 
-/// A model that every layout can hold: one link, one group.
+/// A model that every format can hold: one link with spheres, one group, a joint that moves.
 SphereModel plain_model() {
     SphereTree tree = flat_tree(awkward_spheres());
-    return model_of(chain_of({"only"}), {group_of("only", {"a.stl"}, tree)});
+    return model_of(turning("only"), {group_of("only", {"a.stl"}, tree)});
 }
 
 TEST(WriterContract, GivesTheSameSpheresBack) {

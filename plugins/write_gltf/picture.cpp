@@ -1,0 +1,175 @@
+#include "picture.hpp"
+
+#include "unit_sphere.hpp"
+
+#include <foam/base/cancellation.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/markup.hpp>
+#include <foam/base/text.hpp>
+#include <foam/robot/kinematics.hpp>
+#include <foam/yaml/write.hpp>
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace foam::gltf {
+namespace {
+
+using yaml::Value;
+
+// Numbers that glTF gives to kinds of data.
+constexpr int array_buffer = 34962, element_buffer = 34963, type_float = 5126, type_uint16 = 5123;
+
+Value whole(std::size_t number) {
+    return yaml::integer(static_cast<std::int64_t>(number));
+}
+
+Value point(const Vec3& p) {
+    return yaml::list({p.x, p.y, p.z});
+}
+
+/// Returns the poses of links at the default pose; nothing for a model without joints.
+std::map<std::string, Pose> placed_links(const SphereModel& model) {
+    std::map<std::string, Pose> result;
+    if (!model.robot || model.robot->joints.empty()) {
+        return result;
+    }
+    JointValues values = model.facts.default_pose;
+    for (const auto& [joint, value] : model.facts.lock_joints) {
+        values[joint] = value; // a held joint stands where it is held
+    }
+    const Kinematics kinematics(model.robot);
+    const std::vector<Pose> poses = kinematics.link_poses(kinematics.configuration(values));
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        result[model.robot->links[i].name] = poses[i];
+    }
+    return result;
+}
+
+/// Throws for a name that is not UTF-8 or has control characters: readers of JSON differ on these.
+void require_name(const std::string& link) {
+    yaml::Findings findings("");
+    if (!yaml::check_text(link, 0, findings)) {
+        throw Error(ErrorCode::output, fmt::format("link '{}': a glTF holds no name that is not UTF-8 or has control "
+                                                   "characters; remedy: rename the link",
+                                                   shown(link)));
+    }
+}
+
+/// Returns a pose as glTF has it: the columns of a 4 × 4 matrix.
+Value matrix(const Pose& pose) {
+    const auto& [a, b, c] = pose.rotation;
+    const Vec3& t = pose.translation;
+    return yaml::list({a.x, b.x, c.x, 0.0, a.y, b.y, c.y, 0.0, a.z, b.z, c.z, 0.0, t.x, t.y, t.z, 1.0});
+}
+
+Value sphere_node(const Sphere& s) {
+    return yaml::map({{"mesh", yaml::integer(0)},
+                      {"translation", point(s.center)},
+                      {"scale", point({s.radius, s.radius, s.radius})},
+                      {"extras", yaml::map({{"radius", yaml::real(s.radius)}})}});
+}
+
+/// Returns the nodes: the root, the links, the spheres.
+Value nodes_of(const std::vector<LinkSpheres>& links, const std::map<std::string, Pose>& poses) {
+    Value link_numbers = yaml::list(), link_nodes = yaml::list(), sphere_nodes = yaml::list();
+    const std::size_t first_sphere = 1 + links.size();
+    for (const LinkSpheres& link : links) {
+        require_name(link.link);
+        Value children = yaml::list();
+        CancellationCounter asking(1024);
+        for (const Sphere& s : link.spheres) {
+            asking.check();
+            children.items.push_back(whole(first_sphere + sphere_nodes.items.size()));
+            sphere_nodes.items.push_back(sphere_node(s));
+        }
+        Value node = yaml::map({{"name", yaml::text(link.link)}});
+        const auto pose = poses.find(link.link);
+        if (pose != poses.end() && pose->second != Pose{}) {
+            yaml::append(node, "matrix", matrix(pose->second));
+        }
+        yaml::append(node, "children", std::move(children));
+        link_numbers.items.push_back(whole(1 + link_nodes.items.size()));
+        link_nodes.items.push_back(std::move(node));
+    }
+    const double half = std::sqrt(0.5); // robots have z up, glTF y: a turn of -90° about x
+    Value root = yaml::map({{"name", yaml::text("z_up")}, {"rotation", yaml::list({-half, 0.0, 0.0, half})}});
+    if (!links.empty()) {
+        yaml::append(root, "children", std::move(link_numbers));
+    }
+    Value nodes = yaml::list();
+    nodes.items.push_back(std::move(root));
+    for (Value* more : {&link_nodes, &sphere_nodes}) {
+        std::move(more->items.begin(), more->items.end(), std::back_inserter(nodes.items));
+    }
+    return nodes;
+}
+
+Value accessor(int view, int type, std::size_t count, const std::string& kind) {
+    return yaml::map({{"bufferView", yaml::integer(view)},
+                      {"componentType", yaml::integer(type)},
+                      {"count", whole(count)},
+                      {"type", yaml::text(kind)}});
+}
+
+/// Adds the mesh of all spheres and its bytes.
+void append_mesh(Value& root, const Mesh& mesh) {
+    Vec3 low{1, 1, 1}, high{-1, -1, -1}; // of the numbers as they are in the buffer
+    for (const Vec3& p : mesh.vertices) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const double x = static_cast<double>(static_cast<float>(p[axis]));
+            low[axis] = std::min(low[axis], x);
+            high[axis] = std::max(high[axis], x);
+        }
+    }
+    const std::string bytes = buffer_of(mesh);
+    const std::size_t corners = 12 * mesh.vertices.size();
+    Value positions = accessor(0, type_float, mesh.vertices.size(), "VEC3");
+    yaml::append(positions, "min", point(low));
+    yaml::append(positions, "max", point(high));
+    const Value attributes = yaml::map({{"POSITION", yaml::integer(0)}, {"NORMAL", yaml::integer(1)}});
+    const Value primitive =
+        yaml::map({{"attributes", attributes}, {"indices", yaml::integer(2)}, {"material", yaml::integer(0)}});
+    const Value colour = yaml::map({{"baseColorFactor", yaml::list({0.2, 0.5, 0.8, 1.0})},
+                                    {"metallicFactor", yaml::real(0)},
+                                    {"roughnessFactor", yaml::real(0.7)}});
+    yaml::append(root, "meshes",
+                 yaml::list({yaml::map({{"name", yaml::text("sphere")}, {"primitives", yaml::list({primitive})}})}));
+    yaml::append(root, "materials", yaml::list({yaml::map({{"pbrMetallicRoughness", colour}})}));
+    yaml::append(root, "accessors",
+                 yaml::list({positions, accessor(0, type_float, mesh.vertices.size(), "VEC3"),
+                             accessor(1, type_uint16, 3 * mesh.triangles.size(), "SCALAR")}));
+    yaml::append(root, "bufferViews",
+                 yaml::list({yaml::map({{"buffer", yaml::integer(0)},
+                                        {"byteLength", whole(corners)},
+                                        {"byteStride", yaml::integer(12)}, // needed where two accessors share bytes
+                                        {"target", yaml::integer(array_buffer)}}),
+                             yaml::map({{"buffer", yaml::integer(0)},
+                                        {"byteOffset", whole(corners)},
+                                        {"byteLength", whole(bytes.size() - corners)},
+                                        {"target", yaml::integer(element_buffer)}})}));
+    const std::string uri = "data:application/octet-stream;base64," + base64(bytes);
+    yaml::append(root, "buffers",
+                 yaml::list({yaml::map({{"byteLength", whole(bytes.size())}, {"uri", yaml::text(uri)}})}));
+}
+
+} // namespace
+
+std::string picture_text(const SphereModel& model) {
+    Value extras = yaml::map({{"note", yaml::text("for pictures only: the triangles lie inside of the spheres; "
+                                                  "extras.radius of nodes and their translation are exact")}});
+    if (!model.provenance.empty()) {
+        yaml::append(extras, "provenance", yaml::text(shown(model.provenance))); // JSON has no comments
+    }
+    Value root = yaml::map({{"asset", yaml::map({{"version", yaml::text("2.0")},
+                                                 {"generator", yaml::text("foam write.gltf, for pictures only")},
+                                                 {"extras", std::move(extras)}})},
+                            {"scene", yaml::integer(0)},
+                            {"scenes", yaml::list({yaml::map({{"nodes", yaml::list({yaml::integer(0)})}})})},
+                            {"nodes", nodes_of(spheres_by_link(model), placed_links(model))}});
+    append_mesh(root, unit_sphere(2)); // 320 triangles look round at the size of a robot link
+    return yaml::json_text(root);
+}
+
+} // namespace foam::gltf

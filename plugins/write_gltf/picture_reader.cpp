@@ -1,0 +1,131 @@
+#include "picture.hpp"
+
+#include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
+#include <foam/yaml/value.hpp>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+namespace foam::gltf {
+namespace {
+
+using yaml::Value;
+using Kind = Value::Kind;
+
+constexpr yaml::TextKind gltf_file{.name = "glTF file", .most_bytes = 64'000'000};
+
+Value parse(const std::string& text, const std::filesystem::path& file) {
+    yaml::Findings findings(file.string());
+    std::optional<Value> root;
+    if (yaml::check_text(text, 0, findings, gltf_file)) {
+        root = yaml::read_yaml(text, 0, findings, gltf_file);
+    }
+    if (findings.any_error() || !root) {
+        const std::vector<yaml::Diagnostic> all = findings.take();
+        throw Error(ErrorCode::input, fmt::format("{}: {}", all.front().where.text(), all.front().message));
+    }
+    return std::move(*root);
+}
+
+/// Reads spheres of nodes.
+class NodeReader {
+public:
+    explicit NodeReader(const std::filesystem::path& file)
+        : result{.file = file, .format = "glTF", .links = {}, .fixed_joints = {}, .notes = {}} {}
+
+    void read(const Value& root) {
+        const Value& nodes = list(root.find("nodes"), root, "nodes");
+        for (const Value& node : nodes.items) {
+            if (const Value* children = node.find("children")) {
+                read_link(node, list(children, node, "children"), nodes);
+            }
+        }
+        if (result.links.empty()) {
+            fail(nodes, "no node has a child with extras.radius; remedy: only files of write.gltf are read");
+        }
+    }
+
+    SphereFile result;
+
+private:
+    [[noreturn]] void fail(const Value& at, const std::string& why) const {
+        throw Error(ErrorCode::input,
+                    fmt::format("{}:{}:{}: {}", result.file.string(), at.where.line, at.where.column, shown(why)));
+    }
+
+    const Value& list(const Value* value, const Value& holder, const std::string& key) const {
+        if (!value || !value->is(Kind::list)) {
+            fail(value ? *value : holder, fmt::format("expected a list '{}'", key));
+        }
+        return *value;
+    }
+
+    double number(const Value& value) const {
+        const bool is_whole = value.is(Kind::integer);
+        const double number = is_whole ? static_cast<double>(value.whole) : value.real;
+        if ((!is_whole && !value.is(Kind::number)) || !std::isfinite(number)) {
+            fail(value, "expected a finite number, got " + value.description());
+        }
+        return number;
+    }
+
+    const Value& child_of(const Value& number, const Value& nodes) const {
+        if (!number.is(Kind::integer) || number.whole < 0 ||
+            static_cast<std::size_t>(number.whole) >= nodes.items.size()) {
+            fail(number, fmt::format("expected the number of a node, 0 to {}, got {}", nodes.items.size() - 1,
+                                     number.description()));
+        }
+        return nodes.items[static_cast<std::size_t>(number.whole)];
+    }
+
+    void read_link(const Value& node, const Value& children, const Value& nodes) {
+        std::vector<Sphere> spheres;
+        for (const Value& number : children.items) {
+            const Value& child = child_of(number, nodes);
+            const Value* extras = child.find("extras");
+            const Value* radius = extras ? extras->find("radius") : nullptr;
+            if (radius) {
+                spheres.push_back({translation(child), this->number(*radius)});
+            }
+        }
+        if (!spheres.empty()) {
+            const Value* name = node.find("name");
+            std::vector<Sphere>& target = spheres_of(result, name ? name->text : "");
+            target.insert(target.end(), spheres.begin(), spheres.end());
+        }
+    }
+
+    Vec3 translation(const Value& node) const {
+        const Value* value = node.find("translation");
+        if (!value) {
+            return {};
+        }
+        const Value& numbers = list(value, node, "translation");
+        if (numbers.items.size() != 3) {
+            fail(numbers, fmt::format("expected three numbers, got {}", numbers.items.size()));
+        }
+        return {number(numbers.items[0]), number(numbers.items[1]), number(numbers.items[2])};
+    }
+};
+
+} // namespace
+
+bool is_picture(std::string_view text) {
+    if (!text.starts_with('{')) {
+        return false;
+    }
+    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n", 1), text.size()));
+    return text.starts_with("\"asset\"") && text.find("\"nodes\"") != text.npos &&
+           text.find("\"extras\"") != text.npos && text.find("\"radius\"") != text.npos;
+}
+
+SphereFile read_picture(const std::string& text, const std::filesystem::path& file) {
+    NodeReader reader(file);
+    reader.read(parse(text, file));
+    return std::move(reader.result);
+}
+
+} // namespace foam::gltf

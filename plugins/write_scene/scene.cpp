@@ -1,0 +1,75 @@
+#include "scene.hpp"
+
+#include "placement.hpp"
+
+#include <foam/base/cancellation.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foam::scene {
+namespace {
+
+bool is_control(char c) {
+    return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+}
+
+/// Throws for a name that MoveIt, which takes the rest of the line without blanks around it, reads as another.
+void require_name(const std::string& link) {
+    if (link.empty() || link.front() == ' ' || link.back() == ' ' ||
+        std::any_of(link.begin(), link.end(), is_control)) {
+        throw Error(
+            ErrorCode::output,
+            fmt::format("link '{}': a .scene holds no name that is empty, begins or ends with a blank, or has a "
+                        "line end or control character; remedy: rename the link, or write.markers",
+                        shown(link)));
+    }
+}
+
+std::string first_line(std::string name) {
+    std::replace_if(name.begin(), name.end(), is_control, ' ');
+    return name + '\n';
+}
+
+std::string point_text(const Vec3& p) {
+    return number_text(p.x) + ' ' + number_text(p.y) + ' ' + number_text(p.z) + '\n';
+}
+
+std::string pose_text(const Pose& pose) {
+    const auto [x, y, z, w] = quaternion(pose);
+    return point_text(pose.translation) + number_text(x) + ' ' + number_text(y) + ' ' + number_text(z) + ' ' +
+           number_text(w) + '\n';
+}
+
+} // namespace
+
+std::string scene_text(const SphereModel& model, bool old_format) {
+    const std::map<std::string, Pose> poses = placed_links(model);
+    std::string text = first_line(model.name);
+    for (const LinkSpheres& link : spheres_by_link(model)) {
+        require_name(link.link);
+        const auto found = poses.find(link.link);
+        const Pose pose = found == poses.end() ? Pose{} : found->second;
+        if (old_format && pose != Pose{}) {
+            throw Error(
+                ErrorCode::output,
+                fmt::format("link '{}' is not at the origin, and objects of the old .scene format have no pose; "
+                            "remedy: version: new",
+                            shown(link.link)));
+        }
+        text +=
+            "* " + link.link + '\n' + (old_format ? "" : pose_text(pose)) + std::to_string(link.spheres.size()) + '\n';
+        CancellationCounter asking(1024);
+        for (const Sphere& s : link.spheres) {
+            asking.check();
+            text += "sphere\n" + number_text(s.radius) + '\n' + point_text(s.center) + "0 0 0 1\n0 0 0 0\n";
+        }
+        text += old_format ? "" : "0\n"; // subframes
+    }
+    return text + ".\n"; // MoveIt refuses the file without the last line end
+}
+
+} // namespace foam::scene

@@ -1,0 +1,66 @@
+#include "object.hpp"
+
+#include <foam/base/cancellation.hpp>
+#include <foam/base/error.hpp>
+#include <foam/base/markup.hpp>
+#include <foam/base/text.hpp>
+
+#include <fmt/format.h>
+
+namespace foam::sdf {
+namespace {
+
+/// Throws for a name that sdformat takes for another or refuses. `what`: "link" or "model".
+void require_name(const std::string& name, std::string_view what) {
+    const bool reserved = name == "world" || (name.size() >= 4 && name.starts_with("__") && name.ends_with("__"));
+    if (name.empty() || reserved || name.find("::") != name.npos || shown(name) != name) {
+        throw Error(ErrorCode::output,
+                    fmt::format("{} '{}': SDF holds no name that is empty, 'world' or '__…__', or has '::' or control "
+                                "characters; remedy: another name",
+                                what, shown(name)));
+    }
+}
+
+std::string comment(std::string_view provenance) {
+    std::string text = shown(provenance);
+    for (std::size_t at = 0; (at = text.find("--", at)) != text.npos;) {
+        text.replace(at, 2, "- -"); // "--" may not stand in a comment
+    }
+    return text.empty() ? "" : "<!-- " + text + " -->\n";
+}
+
+std::string collision_text(std::size_t index, const Sphere& s) {
+    return fmt::format("      <collision name=\"sphere_{}\">\n"
+                       "        <pose>{} {} {} 0 0 0</pose>\n"
+                       "        <geometry><sphere><radius>{}</radius></sphere></geometry>\n"
+                       "      </collision>\n",
+                       index, number_text(s.center.x), number_text(s.center.y), number_text(s.center.z),
+                       number_text(s.radius));
+}
+
+} // namespace
+
+std::string object_text(const SphereModel& model, bool is_static) {
+    const std::vector<LinkSpheres> links = spheres_by_link(model);
+    if (links.size() != 1) {
+        throw Error(ErrorCode::output, fmt::format("write.sdf writes objects of one link, the model has {}; remedy: "
+                                                   "write.urdf for a robot, Gazebo reads it",
+                                                   links.size()));
+    }
+    const LinkSpheres& link = links.front();
+    const std::string name = model.robot && !model.robot->name.empty() ? model.robot->name : model.name;
+    require_name(name, "model");
+    require_name(link.link, "link");
+    std::string text = "<?xml version=\"1.0\"?>\n" + comment(model.provenance) +
+                       fmt::format("<sdf version=\"1.9\">\n  <model name=\"{}\">\n    <static>{}</static>\n"
+                                   "    <link name=\"{}\">\n",
+                                   markup_escaped(name), is_static, markup_escaped(link.link));
+    CancellationCounter asking(1024);
+    for (std::size_t i = 0; i < link.spheres.size(); ++i) {
+        asking.check();
+        text += collision_text(i, link.spheres[i]);
+    }
+    return text + "    </link>\n  </model>\n</sdf>\n";
+}
+
+} // namespace foam::sdf
