@@ -8,7 +8,7 @@
 #include "cli/overwriting.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/base/internal/files.hpp>
+#include <foam/base/file.hpp>
 #include <foam/base/text.hpp>
 #include <foam/collision/self_collision.hpp>
 #include <foam/geometry/length.hpp>
@@ -51,6 +51,16 @@ std::string ending_of_output(const std::string& output) {
                                 output));
     }
     return extension.substr(1);
+}
+
+/// Returns the text of a file of the user.
+std::string text_of_file(const std::string& file) {
+    constexpr std::uintmax_t most = 64'000'000;
+    FileContents contents = read_regular_file(file, most, "give a robot file");
+    if (!contents.problem.empty()) {
+        throw Error(ErrorCode::input, file + ": " + contents.why_not());
+    }
+    return std::move(contents.bytes);
 }
 
 /// Returns a robot that is only the names of the model's links.
@@ -237,7 +247,7 @@ int convert(Program& program, const ConvertArguments& arguments) {
             throw Error(ErrorCode::usage,
                         fmt::format("{} writes whole files; remedy: without --into", format.info.name));
         }
-        model.into = TextFile{arguments.into, read_file(arguments.into, most_robot_bytes)};
+        model.into = TextFile{arguments.into, text_of_file(arguments.into)};
     }
     const auto writer = registry.make<Writer>(format.info.name);
     Telling context;

@@ -108,7 +108,8 @@ void read_collision_spheres(const Value& root, Tree& tree) {
 void read_columns(const Value& root, Tree& tree) {
     if (root.is(Kind::map) && root.find("centers") && root.find("radii")) {
         tree.result.format = "MorphIt JSON";
-        tree.add_columns("", root);
+        const Value* link = root.find("link"); // of write.morphit; other keys are free
+        tree.add_columns(link ? link->text : "", root);
         return;
     }
     tree.result.format = "centers and radii by link";

@@ -125,16 +125,6 @@ Value MorphitWriter::document(const SphereModel&, const std::vector<LinkSpheres>
     return document;
 }
 
-std::map<std::string, std::vector<Sphere>> MorphitWriter::read(const std::string& bytes) const {
-    auto links = TreeWriter::read(bytes);
-    const Value root = parse(bytes, name());
-    const Value* link = root.find("link");
-    if (links.size() == 1 && link) {
-        return {{link->text, std::move(links.begin()->second)}};
-    }
-    return links;
-}
-
 std::string MorphitWriter::text_of(const Value& document, const SphereModel&) const {
     return yaml::json_text(document);
 }

@@ -44,7 +44,6 @@ private:
 class MorphitWriter final : public TreeWriter {
 public:
     explicit MorphitWriter(const Parameters&);
-    std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override;
 
 private:
     yaml::Value document(const SphereModel& model, const std::vector<LinkSpheres>& links,

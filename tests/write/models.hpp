@@ -68,6 +68,10 @@ inline std::shared_ptr<const Robot> turning(const std::string& link) {
     robot->joints[0].kind = Joint::Kind::revolute;
     robot->joints[0].lower = -1;
     robot->joints[0].upper = 2;
+    robot->source.insert(
+        robot->source.find("  </link>"),
+        "    <inertial><mass value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/>"
+        "</inertial>\n");
     const std::string fixed = "type=\"fixed\">";
     robot->source.replace(robot->source.find(fixed), fixed.size(),
                           "type=\"revolute\"><limit lower=\"-1\" upper=\"2\" effort=\"1\" velocity=\"1\"/>");
@@ -95,7 +99,9 @@ inline SphereModel model_of(std::shared_ptr<const Robot> robot, std::vector<Sphe
     model.name = "test";
     model.robot = std::move(robot);
     model.groups = std::move(groups);
-    model.facts.tool_frames = {model.robot->links.back().name};
+    if (model.robot && !model.robot->links.empty()) {
+        model.facts.tool_frames = {model.robot->links.back().name};
+    }
     return model;
 }
 

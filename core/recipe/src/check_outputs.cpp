@@ -86,11 +86,7 @@ void read_into(const StageItem& item, OutputCall& output, const Checking& checki
     if (!given) {
         return;
     }
-    if (!item.stage->info.consumer.edits) {
-        checking.findings.error(given->where, "conflict",
-                                fmt::format("{} writes whole files; remedy: delete 'into'", item.stage->info.name));
-    } else if (const auto read =
-                   read_value(*given, Parameter::text("into", ""), item.stage->info.name, checking.findings)) {
+    if (const auto read = read_value(*given, Parameter::text("into", ""), item.stage->info.name, checking.findings)) {
         output.into = std::get<std::string>(*read);
         output.into_where = checking.findings.locate(given->where);
     }
@@ -98,7 +94,9 @@ void read_into(const StageItem& item, OutputCall& output, const Checking& checki
 
 void add_output(const Value& value, Recipe& recipe, const Checking& checking) {
     StageItem item = read_stage_item(value, "outputs", checking);
-    read_stage_parameters(item, {"file", "into"}, checking);
+    const bool edits = item.stage && item.stage->info.consumer.edits;
+    read_stage_parameters(item, edits ? std::vector<std::string>{"file", "into"} : std::vector<std::string>{"file"},
+                          checking);
     if (!item.stage) {
         return;
     }

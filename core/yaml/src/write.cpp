@@ -28,7 +28,8 @@ bool is_plain(std::string_view text) {
                                                      "y",    "n",    "inf",   "nan", "none", "~",  ""};
     const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
     const auto inner = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '.' || c == '/' || c == '-'; };
-    return !text.empty() && letter(text.front()) && std::all_of(text.begin(), text.end(), inner) &&
+    return !text.empty() && (letter(text.front()) || text.front() == '/') &&
+           std::all_of(text.begin(), text.end(), inner) &&
            std::find(words.begin(), words.end(), lower_case(text)) == words.end();
 }
 

@@ -98,7 +98,8 @@ private:
     std::vector<std::string> stages_of(StageKind kind) const {
         std::vector<std::string> names;
         for (const auto& [name, stage] : registry_.stages()) {
-            if (stage.kind == kind) {
+            // Formats of other programs refuse models for reasons of their own: no tool frame, more than one link.
+            if (stage.kind == kind && stage.info.consumer.name.empty()) {
                 names.push_back(name);
             }
         }
