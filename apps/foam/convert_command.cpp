@@ -264,16 +264,15 @@ int convert(Program& program, const ConvertArguments& arguments) {
 } // namespace
 
 void add_convert(Program& program) {
-    CLI::App* command =
-        add_command(program, "convert", "Convert a sphere model to another program's format",
-                    "  foam convert robot_spheres.urdf -o spheres.json --format pyroki\n"
-                    "  foam convert franka.yml panda.urdf -o panda.xrdf --tool-frame panda_hand\n"
-                    "  foam convert model.json panda.urdf --into my_robot.yml --format curobo -o new.yml\n"
-                    "  foam convert model.json panda.urdf --pad 1cm -o padded.csv\n"
-                    "\n"
-                    "With the robot, foam proves the model on the numbers that it writes, and writes\n"
-                    "the pairs of links that need no check where the format has them.\n"
-                    "`foam formats` lists the formats.");
+    CLI::App* command = add_command(program, "convert", "Convert a sphere model to another program's format",
+                                    "  foam convert robot_spheres.urdf -o spheres.json --format pyroki\n"
+                                    "  foam convert franka.yml panda.urdf -o panda.xrdf --tool-frame panda_hand\n"
+                                    "  foam convert model.csv panda.urdf --into my.yml --format curobo -o new.yml\n"
+                                    "  foam convert model.json panda.urdf --pad 1cm -o padded.csv\n"
+                                    "\n"
+                                    "With the robot, foam proves the model on the numbers that it writes, and writes\n"
+                                    "the pairs of links that need no check where the format has them.\n"
+                                    "`foam formats` lists the formats.");
     auto arguments = std::make_shared<ConvertArguments>();
     command->add_option("model", arguments->model, "The sphere model, in any format that is read")
         ->type_name("MODEL")

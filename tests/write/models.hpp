@@ -68,6 +68,9 @@ inline std::shared_ptr<const Robot> turning(const std::string& link) {
     robot->joints[0].kind = Joint::Kind::revolute;
     robot->joints[0].lower = -1;
     robot->joints[0].upper = 2;
+    robot->joints[0].origin = {}; // some formats have no poses
+    const std::string away = "xyz=\"0 0 1\"";
+    robot->source.replace(robot->source.find(away), away.size(), "xyz=\"0 0 0\"");
     robot->source.insert(
         robot->source.find("  </link>"),
         "    <inertial><mass value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/>"
