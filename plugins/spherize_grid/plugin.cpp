@@ -55,9 +55,9 @@ struct Settings {
 };
 
 /// The grids of one shape, and their refinements.
-class GridSearch final : public SphereSearch {
+class ShapeSearch final : public SphereSearch {
 public:
-    GridSearch(const Shape& shape, const Settings& settings)
+    ShapeSearch(const Shape& shape, const Settings& settings)
         : shape_(shape), settings_(settings), search_(shape.original(), settings.content, settings.refine) {}
 
     std::vector<SphereTree> at_most(std::span<const Budget> budgets, Context& context) override {
@@ -131,7 +131,7 @@ public:
         return search(shape)->at_most({&budget, 1}, context).front();
     }
     std::unique_ptr<SphereSearch> search(const Shape& shape) const override {
-        return std::make_unique<GridSearch>(shape, settings_);
+        return std::make_unique<ShapeSearch>(shape, settings_);
     }
 
 private:
