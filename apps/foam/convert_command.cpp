@@ -29,19 +29,6 @@ struct ConvertArguments {
     bool force = false;
 };
 
-JointValues positions_of(const std::vector<std::string>& texts, const char* option) {
-    JointValues values;
-    for (const std::string& text : texts) {
-        const std::size_t equals = text.rfind('=');
-        const auto value = equals == text.npos ? std::nullopt : parse_number(text.substr(equals + 1));
-        if (!value) {
-            throw Error(ErrorCode::usage, fmt::format("{} expects JOINT=NUMBER, got '{}'", option, text));
-        }
-        values[text.substr(0, equals)] = *value;
-    }
-    return values;
-}
-
 std::string ending_of_output(const std::string& output) {
     const std::string extension = std::filesystem::path(output).extension().string();
     if (extension.empty()) {

@@ -51,6 +51,19 @@ CLI::Option* add_reader(CLI::App& command, std::string& reader) {
         ->type_name("STAGE");
 }
 
+JointValues positions_of(const std::vector<std::string>& texts, const char* option) {
+    JointValues values;
+    for (const std::string& text : texts) {
+        const std::size_t equals = text.rfind('=');
+        const auto value = equals == text.npos ? std::nullopt : parse_number(text.substr(equals + 1));
+        if (!value) {
+            throw Error(ErrorCode::usage, fmt::format("{} expects JOINT=NUMBER, got '{}'", option, text));
+        }
+        values[text.substr(0, equals)] = *value;
+    }
+    return values;
+}
+
 void add_judge_options(CLI::App& command, JudgeOptions& options) {
     command.add_option("original", options.original, "The geometry: a URDF or a mesh file")
         ->type_name("ORIGINAL")

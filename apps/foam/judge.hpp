@@ -24,6 +24,8 @@ struct JudgeOptions {
 
 /// --reader STAGE, which reads the sphere model.
 CLI::Option* add_reader(CLI::App& command, std::string& reader);
+/// Returns the values of JOINT=NUMBER. Throws Error(usage), naming the option, for another text.
+JointValues positions_of(const std::vector<std::string>& texts, const char* option);
 /// --rename OLD=NEW, repeatable.
 void add_renames(CLI::App& command, std::vector<std::string>& texts);
 /// Throws Error(usage) for a text without '='.

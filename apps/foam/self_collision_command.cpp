@@ -30,19 +30,6 @@ struct SelfCollisionArguments {
     bool json = false, force = false;
 };
 
-JointValues pose_of(const std::vector<std::string>& texts) {
-    JointValues values;
-    for (const std::string& text : texts) {
-        const std::size_t equals = text.rfind('=');
-        const auto value = equals == text.npos ? std::nullopt : parse_number(text.substr(equals + 1));
-        if (!value) {
-            throw Error(ErrorCode::usage, fmt::format("--pose expects JOINT=NUMBER, got '{}'", text));
-        }
-        values[text.substr(0, equals)] = *value;
-    }
-    return values;
-}
-
 CollisionModel model_of(Program& program, const SelfCollisionArguments& arguments) {
     CollisionModel model = arguments.model.empty()
                                ? load_collision_model(arguments.urdf, program.registry(), arguments.spheres)
@@ -224,7 +211,7 @@ void tell_unknown_links(const Agreement& agreement, const Robot& robot) {
 
 int self_collision(Program& program, SelfCollisionArguments& arguments) {
     const ThreadLimit limit(arguments.threads);
-    arguments.options.reference = pose_of(arguments.pose);
+    arguments.options.reference = positions_of(arguments.pose, "--pose");
     arguments.options.cancel = &stop_on_interrupt();
     for (const std::string& target : {arguments.srdf, arguments.curobo}) {
         refuse_overwriting(target, {arguments.urdf, arguments.model, arguments.against}, arguments.force);

@@ -6,7 +6,7 @@
 #include <foam/base/error.hpp>
 #include <foam/base/markup.hpp>
 #include <foam/base/text.hpp>
-#include <foam/robot/kinematics.hpp>
+#include <foam/sdk/planning.hpp>
 #include <foam/yaml/write.hpp>
 
 #include <fmt/format.h>
@@ -27,24 +27,6 @@ Value whole(std::size_t number) {
 
 Value point(const Vec3& p) {
     return yaml::list({p.x, p.y, p.z});
-}
-
-/// Returns the poses of links at the default pose; nothing for a model without joints.
-std::map<std::string, Pose> placed_links(const SphereModel& model) {
-    std::map<std::string, Pose> result;
-    if (!model.robot || model.robot->joints.empty()) {
-        return result;
-    }
-    JointValues values = model.facts.default_pose;
-    for (const auto& [joint, value] : model.facts.lock_joints) {
-        values[joint] = value; // a held joint stands where it is held
-    }
-    const Kinematics kinematics(model.robot);
-    const std::vector<Pose> poses = kinematics.link_poses(kinematics.configuration(values));
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-        result[model.robot->links[i].name] = poses[i];
-    }
-    return result;
 }
 
 /// Throws for a name that is not UTF-8 or has control characters: readers of JSON differ on these.

@@ -1,27 +1,9 @@
 #include "placement.hpp"
 
-#include <foam/robot/kinematics.hpp>
-
+#include <algorithm>
 #include <cmath>
 
 namespace foam::scene {
-
-std::map<std::string, Pose> placed_links(const SphereModel& model) {
-    std::map<std::string, Pose> result;
-    if (!model.robot || model.robot->joints.empty()) {
-        return result;
-    }
-    JointValues values = model.facts.default_pose;
-    for (const auto& [joint, value] : model.facts.lock_joints) {
-        values[joint] = value; // a held joint stands where it is held
-    }
-    const Kinematics kinematics(model.robot);
-    const std::vector<Pose> poses = kinematics.link_poses(kinematics.configuration(values));
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-        result[model.robot->links[i].name] = poses[i];
-    }
-    return result;
-}
 
 std::array<double, 4> quaternion(const Pose& pose) {
     const auto& [a, b, c] = pose.rotation;

@@ -5,6 +5,7 @@
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
+#include <foam/sdk/planning.hpp>
 
 #include <fmt/format.h>
 

@@ -27,6 +27,23 @@ PlannedJoints planned_joints(const SphereModel& model) {
     return joints;
 }
 
+std::map<std::string, Pose> placed_links(const SphereModel& model) {
+    std::map<std::string, Pose> result;
+    if (!model.robot || model.robot->joints.empty()) {
+        return result;
+    }
+    JointValues values = model.facts.default_pose;
+    for (const auto& [joint, value] : model.facts.lock_joints) {
+        values[joint] = value; // a held joint stands where it is held
+    }
+    const Kinematics kinematics(model.robot);
+    const std::vector<Pose> poses = kinematics.link_poses(kinematics.configuration(values));
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        result[model.robot->links[i].name] = poses[i];
+    }
+    return result;
+}
+
 /// Throws Error(output) for a link that the robot does not have.
 static void require_link(const SphereModel& model, const std::string& link, const char* fact) {
     std::vector<std::string> known;

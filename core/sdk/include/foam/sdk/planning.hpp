@@ -3,6 +3,7 @@
 
 #include <foam/sdk/model.hpp>
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,8 +20,12 @@ struct PlannedJoints {
 };
 
 /// Returns the joints. Throws Error(output) for a lock_joints or default_pose of a joint that does not move or that
-/// mimics another, and as require_robot().
+/// mimics another. Precondition: the model has a robot.
 PlannedJoints planned_joints(const SphereModel& model);
+
+/// Returns the poses of the links at the robot's default pose, in the root link's frame; nothing for a model without
+/// joints, whose links stand at the origin.
+std::map<std::string, Pose> placed_links(const SphereModel& model);
 
 /// Throws Error(output) if the model has no robot but the names of links. `writer`: its name, for the message.
 void require_robot(const SphereModel& model, const std::string& writer);
