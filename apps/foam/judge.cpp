@@ -64,10 +64,24 @@ JointValues positions_of(const std::vector<std::string>& texts, const char* opti
     return values;
 }
 
+void add_geometry(CLI::App& command, std::string& geometry, const std::string& text) {
+    command.add_option("--geometry", geometry, text)
+        ->type_name("WHICH")
+        ->check(CLI::IsMember(words_of_covered_geometry()).description(""))
+        ->capture_default_str();
+}
+
+CoveredGeometry covered_geometry(const std::string& word) {
+    const std::vector<std::string>& words = words_of_covered_geometry();
+    return static_cast<CoveredGeometry>(std::find(words.begin(), words.end(), word) - words.begin());
+}
+
 void add_judge_options(CLI::App& command, JudgeOptions& options) {
     command.add_option("original", options.original, "The geometry: a URDF or a mesh file")
         ->type_name("ORIGINAL")
         ->required();
+    add_geometry(command, options.geometry,
+                 "The geometry of a robot that spheres are judged by: collision, visual or both");
     add_mesh_unit(command, options.unit);
     add_reader(command, options.reader);
     add_renames(command, options.renames);
@@ -79,7 +93,8 @@ void add_judge_options(CLI::App& command, JudgeOptions& options) {
 }
 
 Original original_of(Program& program, const JudgeOptions& options) {
-    Original original = load_original(options.original, program.registry(), options.links, options.unit);
+    Original original = load_original(options.original, program.registry(), options.links, options.unit,
+                                      covered_geometry(options.geometry));
     for (const std::string& note : original.notes) {
         tell(fmt::format("warning: {}: {}", options.original, note));
     }
@@ -138,13 +153,15 @@ std::string not_judged_text(ProvedLinks links) {
 ProvedLinks proved_links(const Original& original, const std::vector<bool>& proved, Guarantee guarantee) {
     ProvedLinks links;
     links.guarantee = guarantee;
+    links.geometry = original.geometry;
     links.visual_only = visual_only_links(*original.robot);
+    links.collision_only = original.collision_only;
     std::size_t next = 0; // of those that are judged, in the robot's order
     for (const Link& link : original.robot->links) {
         if (link.collisions.empty()) {
             continue;
         }
-        ++links.with_collision;
+        ++links.with_geometry;
         if (next == original.links.size() || original.links[next].link != link.name) {
             links.left_out.push_back({link.name, "excluded by --link"});
         } else if (proved[next++]) {

@@ -18,6 +18,7 @@ struct JudgeOptions {
     std::string original;
     std::vector<std::string> renames, links;
     MeshUnit unit;
+    std::string geometry = "collision";
     std::string reader;      ///< of the spheres; empty: the one that recognises them
     std::size_t threads = 0; ///< 0: all cores
 };
@@ -30,7 +31,11 @@ JointValues positions_of(const std::vector<std::string>& texts, const char* opti
 void add_renames(CLI::App& command, std::vector<std::string>& texts);
 /// Throws Error(usage) for a text without '='.
 Renames renames_of(const std::vector<std::string>& texts);
-/// ORIGINAL, --unit, --scale, --reader, --rename, --link, -j.
+/// --geometry collision|visual|both.
+void add_geometry(CLI::App& command, std::string& geometry, const std::string& text);
+/// Returns the geometry that --geometry names.
+CoveredGeometry covered_geometry(const std::string& word);
+/// ORIGINAL, --geometry, --unit, --scale, --reader, --rename, --link, -j.
 void add_judge_options(CLI::App& command, JudgeOptions& options);
 
 /// The geometry, with what its loader warned of told on stderr.

@@ -41,6 +41,11 @@ std::string parameters_text(const PlannedStage& stage) {
     return parts.empty() ? "" : fmt::format(" {{{}}}", fmt::join(parts, ", "));
 }
 
+/// Returns the word of budget.share.
+const std::string& word_of(Share share) {
+    return words_of_share().at(static_cast<std::size_t>(share));
+}
+
 std::string budget_text(const Recipe& recipe) {
     std::vector<std::string> parts;
     if (recipe.budget_spheres) {
@@ -58,7 +63,13 @@ std::string budget_text(const Recipe& recipe) {
     if (recipe.budget_time_limit) {
         parts.push_back(fmt::format("the best within {} s", to_text(*recipe.budget_time_limit)));
     }
-    return fmt::format("{}; guarantee {}; seed {}", fmt::join(parts, ", "), to_string(recipe.guarantee), recipe.seed);
+    if (recipe.budget_share) {
+        parts.push_back("share " + word_of(*recipe.budget_share));
+    }
+    const std::string cover = recipe.cover ? fmt::format("; covers {}", to_string(*recipe.cover)) : "";
+    const std::string pad = recipe.pad ? fmt::format("; padding {} m", to_text(*recipe.pad)) : "";
+    return fmt::format("{}; guarantee {}{}{}; seed {}", fmt::join(parts, ", "), to_string(recipe.guarantee), cover, pad,
+                       recipe.seed);
 }
 
 std::string pose_text(const JointValues& values) {
@@ -235,6 +246,9 @@ Json json_of_planned(const Plan& plan, const Recipe& recipe) {
     }
     if (recipe.budget_max_protrusion) {
         json["budget"]["max_protrusion"] = *recipe.budget_max_protrusion;
+    }
+    if (recipe.budget_share) {
+        json["budget"]["share"] = word_of(*recipe.budget_share);
     }
     if (recipe.budget_time_limit) {
         json["budget"]["time_limit"] = *recipe.budget_time_limit;

@@ -120,7 +120,8 @@ bool is_mesh(const std::filesystem::path& input, const Registry& registry) {
 }
 
 QuickRecipe quick_recipe(const std::filesystem::path& input, const std::string& method, const std::string& ending,
-                         const QuickBudget& budget, const MeshUnit& unit, const Registry& registry) {
+                         const QuickBudget& budget, const MeshUnit& unit, const std::string& geometry,
+                         const Registry& registry) {
     const RegisteredStage* writer = &writer_for(ending, registry);
     QuickRecipe recipe;
     recipe.name = plain_name(input);
@@ -139,6 +140,7 @@ QuickRecipe quick_recipe(const std::filesystem::path& input, const std::string& 
     }
     recipe.text += unit.unit ? fmt::format("unit: {}\n", *unit.unit) : "";
     recipe.text += unit.scale != 1 ? fmt::format("scale: {}\n", to_text(unit.scale)) : "";
+    recipe.text += geometry != "collision" ? fmt::format("cover: {}\n", geometry) : "";
     recipe.text += "stages:\n";
     const StageInfo& spheres = spherizer(method, registry).info;
     const auto add_if_there = [&](const char* stage) {

@@ -25,9 +25,11 @@ struct QuickRecipe {
 };
 
 /// `input`: a mesh or a URDF; `method`: a spherizer, with or without "spherize."; `ending`: of the output's name, for
-/// which there must be a writer. `unit`: of a mesh. Throws Error(usage) for what is not known.
+/// which there must be a writer. `unit`: of a mesh. `geometry`: the word of `cover`. Throws Error(usage) for what is
+/// not known.
 QuickRecipe quick_recipe(const std::filesystem::path& input, const std::string& method, const std::string& ending,
-                         const QuickBudget& budget, const MeshUnit& unit, const Registry& registry);
+                         const QuickBudget& budget, const MeshUnit& unit, const std::string& geometry,
+                         const Registry& registry);
 
 /// Returns the writer of a format: "curobo" is write.curobo; otherwise the only one whose files have that ending.
 /// Throws Error(usage) if there is none, or several.

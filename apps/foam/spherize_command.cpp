@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "execute.hpp"
+#include "judge.hpp"
 #include "quick_recipe.hpp"
 #include "summary.hpp"
 #include "telling.hpp"
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 struct SpherizeArguments {
     std::string input, method = "cover", output, format, out;
     QuickBudget budget;
-    std::string max_protrusion;
+    std::string max_protrusion, geometry = "collision";
     MeshUnit unit;
     std::vector<std::string> settings;
     ExecuteOptions execute;
@@ -143,7 +144,7 @@ int spherize(Program& program, const SpherizeArguments& arguments) {
                                                                                      : "there is no such file"));
     }
     const QuickRecipe quick = quick_recipe(arguments.input, arguments.method, output_ending(arguments, registry),
-                                           budget_of(arguments), arguments.unit, registry);
+                                           budget_of(arguments), arguments.unit, arguments.geometry, registry);
     for (const std::string& stage : quick.left_out) {
         tell(fmt::format("warning: no plugin offers {}; it is skipped", stage));
     }
@@ -184,6 +185,8 @@ void add_spherize(Program& program) {
                      "Limit how far spheres extend beyond their link, as far as their number allows: 10mm, 1cm, 0.4in, "
                      "or a number of metres")
         ->type_name("M");
+    add_geometry(*command, arguments->geometry,
+                 "The geometry of a robot that the spheres cover: collision, visual or both");
     add_mesh_unit(*command, arguments->unit);
     command->add_option("-m,--method", arguments->method, "Spherizer, with or without the prefix 'spherize.'")
         ->type_name("METHOD")

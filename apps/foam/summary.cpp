@@ -92,6 +92,24 @@ std::string filter_table(const RunResult& result) {
     return table + "\n";
 }
 
+/// Returns a sentence about the padding and the excess without it.
+std::string padding_text(const RunResult& result) {
+    double least = 0, most = 0;
+    std::size_t links = 0;
+    for (const LinkReport& link : result.links) {
+        if (link.unpadded) {
+            least = links == 0 ? link.pad : std::min(least, link.pad);
+            most = std::max(most, link.pad);
+            ++links;
+        }
+    }
+    const std::string length =
+        least == most ? figure_text(most * mm_per_m, 3)
+                      : fmt::format("{} to {}", figure_text(least * mm_per_m, 3), figure_text(most * mm_per_m, 3));
+    return fmt::format("Padding of {} link{}: {} mm; total excess {} before, {} after.\n", links, links == 1 ? "" : "s",
+                       length, figure_text(result.total_unpadded->excess, 3), figure_text(result.total.excess, 3));
+}
+
 } // namespace
 
 std::string table_of(const RunResult& result, Guarantee guarantee) {
@@ -109,6 +127,15 @@ std::string table_of(const RunResult& result, Guarantee guarantee) {
         }
     }
     table += row("total", width, result.total, guarantee, "");
+    if (const auto filled = std::count_if(result.links.begin(), result.links.end(),
+                                          [](const LinkReport& link) { return link.filled > 0; });
+        filled > 0) {
+        table += fmt::format("The insides of {} hollow link{} count as geometry in these figures.\n", filled,
+                             filled == 1 ? "" : "s");
+    }
+    if (result.total_unpadded) {
+        table += padding_text(result);
+    }
     for (const LinkReport& link : result.links) {
         for (const PlaneReach& plane : link.clip) {
             table += fmt::format("{}: {:.3f} mm beyond the plane with {}: {}, {} mm allowed\n", shown(link.link),

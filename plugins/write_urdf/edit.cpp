@@ -43,6 +43,13 @@ std::string sphere_elements(const std::vector<Sphere>& spheres, std::string_view
 
 void UrdfEditor::replace_collisions(const xml::Element& link, const std::vector<Sphere>& spheres) {
     const std::vector<const xml::Element*> collisions = link.children_named("collision");
+    if (spheres.empty()) {
+        for (const xml::Element* collision : collisions) {
+            const xml::Span span = collision->span;
+            changes_.push_back({{span.begin - line_start(text_, span.begin).size(), span.end}, ""});
+        }
+        return;
+    }
     if (!collisions.empty()) {
         const xml::Element& first = *collisions.front();
         changes_.push_back({first.span, sphere_elements(spheres, line_start(text_, first.span.begin))});

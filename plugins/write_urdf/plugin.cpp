@@ -90,6 +90,12 @@ public:
             editor.replace_collisions(*it->second, link.spheres);
             replaced.insert(link.link);
         }
+        for (const std::string& name : model.without_collision) {
+            if (const auto it = links.find(name); it != links.end()) {
+                editor.replace_collisions(*it->second, {});
+                replaced.insert(name);
+            }
+        }
         move_references(relative_references(source, *root, replaced), model, editor, context);
         return editor.result();
     }

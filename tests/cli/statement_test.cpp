@@ -37,7 +37,7 @@ TEST_F(CliStatement, AllThatHasCollisionGeometryIsProved) {
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr(both_proved));
     EXPECT_TRUE(manifest()["certified"]);
-    EXPECT_EQ(manifest()["proof"], json::parse(R"({"links_with_collision": 2, "links_proved": 2, "left_out": [],
+    EXPECT_EQ(manifest()["proof"], json::parse(R"({"links_with_geometry": 2, "links_proved": 2, "left_out": [],
                                                    "visual_only": ["camera"]})"));
     EXPECT_THAT(contents(path() / "runs/three/report.html"),
                 HasSubstr("Proved: the collision geometry of 2 of 2 links lies inside their spheres."));
@@ -65,7 +65,7 @@ TEST_F(CliStatement, ALinkThatTheRecipeLeavesOutIsNotProved) {
     EXPECT_EQ(foam("certify three.urdf runs/three/out.urdf").code, 1);
     const json evaluated = json::parse(foam("evaluate three.urdf runs/three/out.urdf --json").out);
     EXPECT_EQ(evaluated["proof"]["links_proved"], 1);
-    EXPECT_EQ(evaluated["proof"]["links_with_collision"], 2);
+    EXPECT_EQ(evaluated["proof"]["links_with_geometry"], 2);
 }
 
 TEST_F(CliStatement, ALinkThatIsLostIsNotProved) {

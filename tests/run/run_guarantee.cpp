@@ -56,7 +56,7 @@ TEST_F(Run, InnerSaysWhereNothingIsLeft) {
     EXPECT_TRUE(rest.links_lost);
     EXPECT_FALSE(rest.certified) << "not of all";
     EXPECT_EQ(rest.proved.proved, 1u);
-    EXPECT_EQ(rest.proved.with_collision, 2u);
+    EXPECT_EQ(rest.proved.with_geometry, 2u);
 }
 
 TEST_F(Run, OneSphereStandsInForOthersThatWouldClaimMore) {

@@ -218,6 +218,24 @@ void refuse_outer_keys(const Value& root, const Recipe& recipe, Findings& findin
     }
 }
 
+/// Refuses keys without effect on this input or this guarantee.
+void refuse_idle_keys(const Value& root, const Recipe& recipe, Findings& findings) {
+    if (const Key* cover = root.find_key("cover"); cover && root.find("mesh")) {
+        findings.error(cover->where, "conflict",
+                       "'cover' selects geometry of a robot: it has no effect on a mesh; remedy: delete it");
+    }
+    if (const Key* pad = root.find_key("pad"); pad && recipe.guarantee == Guarantee::inner) {
+        findings.error(pad->where, "conflict",
+                       "'pad' may put spheres outside the geometry, which guarantee: inner does not allow; remedy: "
+                       "delete it, or guarantee: outer");
+    }
+    if (recipe.budget_share && !recipe.budget_spheres && !recipe.budget_excess) {
+        findings.error(root.find("budget")->find_key("share")->where, "conflict",
+                       "'share' is a rule of the allocation of spheres: it has no effect without budget: {spheres: …} "
+                       "or {excess: …}; remedy: give one of them, or delete it");
+    }
+}
+
 } // namespace
 
 bool expect_recipe(const Value& root, Findings& findings) {
@@ -287,6 +305,7 @@ Recipe check_recipe(const Value& root, const std::filesystem::path& file, const 
         check_self_collision(*self_collision, root, recipe, findings);
     }
     refuse_outer_keys(root, recipe, findings);
+    refuse_idle_keys(root, recipe, findings);
     if (const Value* debug = root.find("debug")) {
         check_values(*debug, "debug", "debug: {meshes: true, snapshots: true}", debug_keys(), recipe, findings);
     }

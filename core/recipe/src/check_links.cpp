@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace foam::inline recipe::reading {
 namespace {
@@ -64,7 +65,7 @@ void read_stage_override(const Key& key, const Value& value, const Recipe& recip
         for (const LinkKey& known_key : link_keys()) {
             known.push_back(known_key.declared.name);
         }
-        known.emplace_back("clip");
+        known.insert(known.end(), {"clip", "keep"});
         checking.findings.error(
             key.where, "unknown-key",
             fmt::format("unknown key {} in link {}{}", in_quotes(key.text), link.glob, suggestion(key.text, known)));
@@ -85,11 +86,33 @@ void refuse_idle_key(const Key& key, const Recipe& recipe, Findings& findings) {
         findings.error(key.where, "conflict",
                        "spheres inside the geometry do not extend beyond it: 'clip' has no effect with guarantee: "
                        "inner; remedy: delete it");
+    } else if (recipe.guarantee == Guarantee::inner && (key.text == "pad" || key.text == "keep")) {
+        findings.error(key.where, "conflict",
+                       fmt::format("{} may put spheres outside the geometry, which guarantee: inner does not allow; "
+                                   "remedy: delete it, or guarantee: outer",
+                                   in_quotes(key.text)));
+    } else if (key.text == "keep" && !recipe.per_link) {
+        findings.error(key.where, "conflict", "'keep' gives spheres of a whole link; remedy: per: link");
+    } else if (key.text == "keep" && recipe.budget_excess) {
+        findings.error(key.where, "conflict",
+                       "the search for budget: {excess: …} does not see kept spheres; remedy: budget: {spheres: …}");
     } else if (key.text == "weight" && !recipe.budget_spheres && !recipe.budget_excess && !findings.any_error()) {
         findings.error(key.where, "conflict",
                        "'weight' is a factor in the allocation of spheres: it has no effect without budget: {spheres: "
                        "…} or {excess: …}; remedy: give a budget, or delete it");
     }
+}
+
+/// Returns the numbers of a list; nothing if it holds anything else.
+std::optional<std::vector<double>> numbers_of(const Value& list) {
+    std::vector<double> numbers;
+    for (const Value& item : list.items) {
+        if (!list.is(Value::Kind::list) || !(item.is(Value::Kind::integer) || item.is(Value::Kind::number))) {
+            return std::nullopt;
+        }
+        numbers.push_back(item.is(Value::Kind::integer) ? static_cast<double>(item.whole) : item.real);
+    }
+    return numbers;
 }
 
 std::optional<Vec3> read_normal(const Value& plane, Findings& findings) {
@@ -100,14 +123,9 @@ std::optional<Vec3> read_normal(const Value& plane, Findings& findings) {
                        "normal: [0, 0, -1]");
         return std::nullopt;
     }
-    std::vector<double> numbers;
-    for (const Value& item : value->items) {
-        if (value->is(Value::Kind::list) && (item.is(Value::Kind::integer) || item.is(Value::Kind::number))) {
-            numbers.push_back(item.is(Value::Kind::integer) ? static_cast<double>(item.whole) : item.real);
-        }
-    }
-    const Vec3 normal = numbers.size() == 3 ? Vec3{numbers[0], numbers[1], numbers[2]} : Vec3{};
-    if (numbers.size() != value->items.size() || !is_finite(normalized(normal)) || !(norm(normalized(normal)) > 0.5)) {
+    const auto n = numbers_of(*value);
+    const Vec3 normal = n && n->size() == 3 ? Vec3{(*n)[0], (*n)[1], (*n)[2]} : Vec3{};
+    if (!is_finite(normalized(normal)) || !(norm(normalized(normal)) > 0.5)) {
         findings.error(value->where, "wrong-type",
                        "'normal' of 'clip' expects three numbers, not all zero; remedy: give the direction into the "
                        "restricted half-space, normal: [0, 0, -1]");
@@ -142,6 +160,43 @@ std::vector<ClipPlane> read_clip(const Value& planes, Findings& findings) {
     return result;
 }
 
+std::vector<Sphere> read_kept_spheres(const Value& list, Findings& findings) {
+    std::vector<Sphere> spheres;
+    if (!expect_list(list, "keep", "keep: [[x, y, z, radius]]", findings)) {
+        return spheres;
+    }
+    for (const Value& item : list.items) {
+        const auto n = numbers_of(item);
+        const bool four = n && n->size() == 4;
+        const Sphere sphere = four ? Sphere{{(*n)[0], (*n)[1], (*n)[2]}, (*n)[3]} : Sphere{};
+        if (!is_finite(sphere.center) || !std::isfinite(sphere.radius) || !(sphere.radius > 0)) {
+            findings.error(item.where, "wrong-type",
+                           "a sphere of 'keep' is four numbers with a radius above 0; remedy: write [x, y, z, radius], "
+                           "in m and in the link's frame");
+        } else {
+            spheres.push_back(sphere);
+        }
+    }
+    return spheres;
+}
+
+/// Refuses keys of a link that contradict each other.
+void refuse_contradictions(const LinkOverride& link, const Value& map, Findings& findings) {
+    for (const char* other : {"min_spheres", "max_spheres"}) {
+        if (const Key* key = map.find_key(other); key && link.spheres) {
+            findings.error(key->where, "conflict",
+                           fmt::format("'spheres' fixes the number: '{}' has no effect; remedy: delete one", other));
+        }
+    }
+    const bool no_spheres = link.skip.value_or(false) || link.no_collision.value_or(false);
+    for (const char* other : {"spheres", "keep", "pad"}) {
+        if (const Key* key = map.find_key(other); key && no_spheres) {
+            findings.error(key->where, "conflict",
+                           fmt::format("these links get no spheres: '{}' has no effect; remedy: delete it", other));
+        }
+    }
+}
+
 LinkOverride read_override(const Key& glob, const Value& map, const Recipe& recipe, const Checking& checking) {
     LinkOverride link;
     link.glob = glob.text;
@@ -160,6 +215,9 @@ LinkOverride read_override(const Key& glob, const Value& map, const Recipe& reci
         if (key.text == "clip") {
             refuse_idle_key(key, recipe, checking.findings);
             link.clip = read_clip(map.items[i], checking.findings);
+        } else if (key.text == "keep") {
+            refuse_idle_key(key, recipe, checking.findings);
+            link.keep = read_kept_spheres(map.items[i], checking.findings);
         } else if (known == link_keys().end()) {
             read_stage_override(key, map.items[i], recipe, link, checking);
         } else {
@@ -169,6 +227,7 @@ LinkOverride read_override(const Key& glob, const Value& map, const Recipe& reci
             }
         }
     }
+    refuse_contradictions(link, map, checking.findings);
     return link;
 }
 

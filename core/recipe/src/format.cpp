@@ -37,9 +37,10 @@ bool is_length(const Parameter& parameter) {
 }
 
 bool is_optional(const std::string& key) {
-    static constexpr const char* keys[] = {"name",    "unit",         "scale",          "spheres", "excess",
-                                           "skip",    "min_spheres",  "max_protrusion", "weight",  "max_spheres",
-                                           "isolate", "memory_limit", "time_limit",     "reach"};
+    static constexpr const char* keys[] = {"name",    "unit",         "scale",          "spheres",  "excess",
+                                           "skip",    "min_spheres",  "max_protrusion", "weight",   "max_spheres",
+                                           "isolate", "memory_limit", "time_limit",     "reach",    "cover",
+                                           "pad",     "hollow",       "share",          "collision"};
     return std::find(std::begin(keys), std::end(keys), key) != std::end(keys);
 }
 
@@ -51,6 +52,11 @@ std::vector<std::string> top_level_structures() {
 } // namespace foam::recipe::reading
 
 namespace foam::inline recipe {
+
+const std::vector<std::string>& words_of_share() {
+    static const std::vector<std::string> words{"volume", "even", "protrusion"};
+    return words;
+}
 
 const char* to_string(Guarantee guarantee) {
     switch (guarantee) {

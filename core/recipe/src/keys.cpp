@@ -2,6 +2,8 @@
 
 #include <foam/geometry/length.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <type_traits>
 
@@ -70,6 +72,66 @@ LinkKey of_link(Parameter declared, std::optional<V> LinkOverride::*given, M Rec
             }};
 }
 
+/// Returns a key whose choices are the values of an enumeration, in their order; it may be absent.
+template <class T, class E> KeyOf<T> choice(Parameter declared, std::optional<E> T::*member) {
+    const std::vector<std::string> choices = declared.choices;
+    return {std::move(declared),
+            [member, choices](T& holder, const ParameterValue& value) {
+                const auto at = std::find(choices.begin(), choices.end(), std::get<std::string>(value));
+                holder.*member = static_cast<E>(at - choices.begin());
+            },
+            [member, choices](const T& holder) -> std::optional<ParameterValue> {
+                return holder.*member
+                           ? std::optional<ParameterValue>(choices.at(static_cast<std::size_t>(*(holder.*member))))
+                           : std::nullopt;
+            }};
+}
+
+Parameter inside_of_hollow(const char* of) {
+    return Parameter::choice("hollow", {"keep", "fill"}, "keep")
+        .doc(fmt::format(
+            "fill: the inside of hollow geometry of {} counts as geometry in figures and in the allocation; "
+            "the proof is of the geometry as it is. Absent: keep.",
+            of));
+}
+
+Parameter padding(const char* of) {
+    return Parameter::number("pad", 0).at_least(0).unit("m").doc(
+        fmt::format("Length that is added to all radii of {}, after the proof; absent: 0.", of));
+}
+
+/// Returns `links: {…: {spheres: N}}`, which sets both limits of the count.
+LinkKey number_of_spheres() {
+    return {held(Parameter::integer("spheres", 1)
+                     .at_least(1)
+                     .unit("1")
+                     .doc("Number of spheres of each of these links: min_spheres and max_spheres."),
+                 &LinkOverride::spheres),
+            [](const LinkOverride& link, Recipe::LinkRecipe& result) {
+                if (link.spheres) {
+                    result.min_spheres = *link.spheres;
+                    result.max_spheres = link.spheres;
+                }
+            }};
+}
+
+/// Returns `links: {…: {collision: none}}`.
+LinkKey collision_in_output() {
+    return {{Parameter::choice("collision", {"spheres", "none"}, "spheres")
+                 .doc("none: these links get no spheres, and the output has no collision geometry for them."),
+             [](LinkOverride& link, const ParameterValue& value) {
+                 link.no_collision = std::get<std::string>(value) == "none";
+             },
+             [](const LinkOverride& link) -> std::optional<ParameterValue> {
+                 return link.no_collision
+                            ? std::optional<ParameterValue>(std::string(*link.no_collision ? "none" : "spheres"))
+                            : std::nullopt;
+             }},
+            [](const LinkOverride& link, Recipe::LinkRecipe& result) {
+                result.no_collision = link.no_collision.value_or(result.no_collision);
+            }};
+}
+
 } // namespace
 
 const std::vector<KeyOf<Recipe>>& top_level_keys() {
@@ -105,6 +167,11 @@ const std::vector<KeyOf<Recipe>>& top_level_keys() {
                         "inside the "
                         "geometry; fitted: neither is proved."),
                &Recipe::guarantee),
+        choice(Parameter::choice("cover", words_of_covered_geometry(), "collision")
+                   .doc("The geometry of a robot that the spheres cover; absent: collision."),
+               &Recipe::cover),
+        held(padding("the robot"), &Recipe::pad),
+        choice(inside_of_hollow("the robot"), &Recipe::hollow),
         KeyOf<Recipe>{
             Parameter::choice("numbers", {"float64", "float32"}, "float64")
                 .doc("The numbers on which the guarantee is proved: float64: as written; float32: also as a program "
@@ -147,6 +214,12 @@ const std::vector<KeyOf<Recipe>>& budget_keys() {
                     "Largest distance by which spheres may extend beyond the geometry, as far as the number of spheres "
                     "allows."),
             &Recipe::budget_max_protrusion),
+        choice(
+            Parameter::choice("share", words_of_share(), "volume")
+                .doc("Quantity of each link whose sum over the links is made least. volume: its excess volume; even: "
+                     "that volume / the volume of its geometry, so that small links get more spheres; protrusion: "
+                     "that volume / the area of its geometry. Absent: volume."),
+            &Recipe::budget_share),
         without_effect(Parameter::number("time_limit", 10)
                            .at_least(0.001)
                            .unit("s")
@@ -172,6 +245,8 @@ const std::vector<LinkKey>& link_keys() {
     static const std::vector<LinkKey> keys{
         of_link(Parameter::boolean("skip", false).doc("Make no spheres for these links."), &LinkOverride::skip,
                 &Recipe::LinkRecipe::skip),
+        collision_in_output(),
+        number_of_spheres(),
         of_link(Parameter::integer("min_spheres", 1)
                     .at_least(1)
                     .unit("1")
@@ -192,6 +267,11 @@ const std::vector<LinkKey>& link_keys() {
                     .unit("m")
                     .doc("As in 'budget', for each of these links."),
                 &LinkOverride::max_protrusion, &Recipe::LinkRecipe::max_protrusion),
+        of_link(padding("these links, instead of the robot's"), &LinkOverride::pad, &Recipe::LinkRecipe::pad),
+        {choice(inside_of_hollow("these links, instead of the robot's"), &LinkOverride::hollow),
+         [](const LinkOverride& link, Recipe::LinkRecipe& result) {
+             result.hollow = link.hollow.value_or(result.hollow);
+         }},
     };
     return keys;
 }

@@ -118,6 +118,8 @@ Recipe::LinkRecipe Recipe::for_link(const std::string& link) const {
         stage->isolation = stage->isolation.over(isolation);
     }
     result.max_protrusion = budget_max_protrusion;
+    result.pad = pad.value_or(0);
+    result.hollow = hollow.value_or(Hollow::keep);
     for (const LinkOverride& change : links) {
         // A glob also matches its own text: "[" cannot be written otherwise.
         if (change.glob != link && !glob_matches(change.glob, link)) {
@@ -126,10 +128,17 @@ Recipe::LinkRecipe Recipe::for_link(const std::string& link) const {
         for (const reading::LinkKey& key : reading::link_keys()) {
             key.merge(change, result);
         }
-        result.clip = change.clip ? *change.clip : result.clip;
+        result.clip = change.clip.value_or(result.clip);
+        result.keep = change.keep.value_or(result.keep);
         for (StageCall* stage : result.stages()) {
             merge(*stage, change);
         }
+    }
+    result.skip = result.skip || result.no_collision;
+    if (result.max_spheres && *result.max_spheres < result.keep.size()) {
+        throw Error(ErrorCode::recipe,
+                    fmt::format("link '{}' keeps {} spheres and is to have at most {}; remedy: correct 'links'", link,
+                                result.keep.size(), *result.max_spheres));
     }
     if (result.max_spheres && *result.max_spheres < result.min_spheres) {
         throw Error(ErrorCode::recipe,

@@ -169,9 +169,17 @@ Json clip_schema() {
             {"items", std::move(plane)}};
 }
 
+Json keep_schema() {
+    return {{"description", "Spheres [x, y, z, radius] that these links keep as they are, m, in the link's frame; they "
+                            "count as spheres of the link. The others cover what these leave uncovered."},
+            {"type", "array"},
+            {"items", {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 4}, {"maxItems", 4}}}};
+}
+
 Json link_schema(const Registry& registry) {
     Json properties = properties_of(declarations_of(link_keys()));
     properties["clip"] = clip_schema();
+    properties["keep"] = keep_schema();
     for (const auto& [name, stage] : registry.stages()) {
         if (stage.kind == StageKind::mesh_filter || stage.kind == StageKind::spherizer ||
             stage.kind == StageKind::refiner) {

@@ -50,6 +50,9 @@ public:
         write_key("per");
         write_budget();
         write_key("guarantee");
+        write_key("cover");
+        write_key("pad");
+        write_key("hollow");
         write_key("numbers");
         write_self_collision();
         write_links();
@@ -193,6 +196,15 @@ private:
         return fmt::format("[{}]", fmt::join(parts, ", "));
     }
 
+    static std::string keep_text(const std::vector<Sphere>& spheres) {
+        std::vector<std::string> parts;
+        for (const Sphere& s : spheres) {
+            parts.push_back(fmt::format("[{}, {}, {}, {}]", to_text(s.center.x), to_text(s.center.y),
+                                        to_text(s.center.z), to_text(s.radius)));
+        }
+        return fmt::format("[{}]", fmt::join(parts, ", "));
+    }
+
     void write_links() {
         if (!recipe_.links.empty()) {
             line("links:");
@@ -201,6 +213,9 @@ private:
             std::vector<std::string> parts = parts_of(reading::link_keys(), link);
             if (link.clip) {
                 parts.push_back("clip: " + clip_text(*link.clip));
+            }
+            if (link.keep) {
+                parts.push_back("keep: " + keep_text(*link.keep));
             }
             for (const StageCall& call : link.stages) {
                 parts.push_back(stage(call, {}, false));

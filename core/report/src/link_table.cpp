@@ -11,7 +11,7 @@
 namespace foam::inline report {
 namespace {
 
-constexpr int columns = 10;
+constexpr int columns = 11;
 
 std::vector<double> values_of(const Json& links, const char* figure) {
     std::vector<double> values;
@@ -68,16 +68,25 @@ public:
             "<table class=\"sortable\">\n<thead><tr><th scope=\"col\">link</th><th scope=\"col\">spheres</th>"
             "<th scope=\"col\">excess</th><th scope=\"col\">missing</th><th scope=\"col\">gap mm</th>"
             "<th scope=\"col\">certified</th><th scope=\"col\">covered %</th><th scope=\"col\">out max mm</th>"
-            "<th scope=\"col\">out mean mm</th><th scope=\"col\">growth mm</th></tr></thead>\n<tbody>\n{}</tbody>\n"
-            "<tfoot><tr><th scope=\"row\">total</th>{}<td></td></tr></tfoot>\n</table></div>\n",
+            "<th scope=\"col\">out mean mm</th><th scope=\"col\">growth mm</th><th scope=\"col\">visual gap "
+            "mm</th></tr></thead>\n<tbody>\n{}</tbody>\n"
+            "<tfoot><tr><th scope=\"row\">total</th>{}<td></td><td></td></tr></tfoot>\n</table></div>\n",
             rows, figures(total, false));
     }
 
 private:
     std::string row(const Json& link) const {
         const double growth = mm_per_m * value_of(link["growth_m"]);
-        return fmt::format("<tr data-link=\"{0}\"><th scope=\"row\">{0}</th>{1}{2}</tr>\n", escaped(link["link"]),
-                           figures(link["measures"], true), cell(growth, number(growth, 3)));
+        return fmt::format("<tr data-link=\"{0}\"><th scope=\"row\">{0}</th>{1}{2}{3}</tr>\n", escaped(link["link"]),
+                           figures(link["measures"], true), cell(growth, number(growth, 3)), visual_gap_cell(link));
+    }
+
+    static std::string visual_gap_cell(const Json& link) {
+        if (!link.contains("visual_gap_m")) {
+            return link.contains("visual_gap_unknown") ? "<td>not known</td>" : "<td></td>";
+        }
+        const double gap = mm_per_m * value_of(link["visual_gap_m"]);
+        return cell(gap, number(gap, 3));
     }
 
     static std::string empty_row(const Json& link) {
@@ -135,13 +144,47 @@ static std::string planes_list(const Json& manifest) {
                                items + "</ul>\n";
 }
 
+/// Returns why the gap to the visual geometry of links is not known.
+static std::string unknown_gaps_list(const Json& manifest) {
+    std::string items;
+    for (const Json& link : manifest["links"]) {
+        if (link.contains("visual_gap_unknown")) {
+            items += fmt::format("<li>{}</li>\n", escaped(link["visual_gap_unknown"]));
+        }
+    }
+    return items.empty() ? "" : "<p>Visual geometry that could not be read:</p>\n<ul>\n" + items + "</ul>\n";
+}
+
+/// Returns a sentence about links whose insides count as geometry.
+static std::string filled_text(const Json& manifest) {
+    std::string names;
+    for (const Json& link : manifest["links"]) {
+        if (link.contains("filled_volume_m3")) {
+            names += (names.empty() ? "" : ", ") + escaped(link["link"]);
+        }
+    }
+    return names.empty() ? ""
+                         : fmt::format("<p>Hollow insides that count as geometry in these figures: {}.</p>\n", names);
+}
+
+/// Returns a sentence about the padding and the excess without it.
+static std::string padding_text(const Json& manifest) {
+    const Json& total = manifest["total"];
+    return total.contains("excess_unpadded")
+               ? fmt::format("<p>The recipe pads links. Total excess before the padding: {}, after it: {}.</p>\n",
+                             number(value_of(total["excess_unpadded"]), 3), number(value_of(total["excess"]), 3))
+               : "";
+}
+
 std::string links_section(const Report& report) {
     const LinkTable table(report.manifest);
     return section("links", "Links",
                    table.html() + "<p class=\"note\">" + table.note() +
                        " Out: how far the spheres extend beyond the geometry. Growth: the largest length by which the "
-                       "radius of a sphere of the spherizer was enlarged for the guarantee.</p>\n" +
-                       planes_list(report.manifest));
+                       "radius of a sphere of the spherizer was enlarged for the guarantee. Visual gap: how far the "
+                       "visual geometry extends beyond the spheres, where it is not to be covered.</p>\n" +
+                       unknown_gaps_list(report.manifest) + filled_text(report.manifest) +
+                       padding_text(report.manifest) + planes_list(report.manifest));
 }
 
 } // namespace foam::report

@@ -36,7 +36,8 @@ std::string budget_text(const Json& manifest) {
     return text.empty() ? "no budget: the spherizer’s own parameters ruled" : text;
 }
 
-std::string link_count_text(const Json& manifest) {
+std::string link_count_text(const Report& report) {
+    const Json& manifest = report.manifest;
     std::size_t skipped = 0, lost = 0;
     for (const Json& link : manifest["links"]) {
         skipped += link.contains("skipped") ? 1 : 0;
@@ -46,7 +47,7 @@ std::string link_count_text(const Json& manifest) {
     if (lost > 0) {
         text += fmt::format("{}{} with an error", text.empty() ? "" : ", ", lost);
     }
-    return text.empty() ? "with collision geometry" : text;
+    return text.empty() ? "with " + covered_geometry(report) : text;
 }
 
 std::string share_text(const Json& measures, const char* figure) {
@@ -74,7 +75,7 @@ std::string summary_section(const Report& report) {
     const Json &total = manifest["total"], &execution = manifest["execution"];
     std::string html = "<dl class=\"tiles\">\n";
     html += tile("Spheres", fmt::format("{}", total["spheres"].get<std::size_t>()), budget_text(manifest));
-    html += tile("Links", fmt::format("{}", report.links.size()), link_count_text(manifest));
+    html += tile("Links", fmt::format("{}", report.links.size()), link_count_text(report));
     html += tile("Excess", share_text(total, "excess"), error_text(total, "excess"));
     html += tile("Missing", share_text(total, "missing"), error_text(total, "missing"));
     html += tile("Gap", number(mm_per_m * value_of(total["gap_m"]), 3) + " mm",
@@ -85,11 +86,13 @@ std::string summary_section(const Report& report) {
                                 fmt::format("CPU {} s", number(execution["cpu_seconds"].get<double>(), 2))));
     return section(
         "summary", "Summary",
-        html + "</dl>\n"
-               "<p class=\"note\">Excess: volume of the spheres outside the geometry / volume of the geometry. "
-               "Missing: volume of the geometry outside the spheres / volume of the geometry. Gap: how far the "
-               "geometry extends beyond the spheres. Protrusion: how far the spheres extend beyond the geometry. The "
-               "geometry is the collision geometry as the input gives it; overlaps count once.</p>\n");
+        html + "</dl>\n" +
+            fmt::format(
+                "<p class=\"note\">Excess: volume of the spheres outside the geometry / volume of the geometry. "
+                "Missing: volume of the geometry outside the spheres / volume of the geometry. Gap: how far the "
+                "geometry extends beyond the spheres. Protrusion: how far the spheres extend beyond the geometry. The "
+                "geometry is the {} as the input gives it; overlaps count once.</p>\n",
+                covered_geometry(report)));
 }
 
 } // namespace foam::report

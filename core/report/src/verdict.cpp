@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace foam::inline report {
 
 std::string guarantee_of(const Report& report) {
@@ -24,13 +26,21 @@ static ProvedLinks proved_links(const Report& report) {
     links.guarantee = guarantee_of(report) == "outer"   ? Guarantee::outer
                       : guarantee_of(report) == "inner" ? Guarantee::inner
                                                         : Guarantee::fitted;
-    links.with_collision = proof["links_with_collision"].get<std::size_t>();
+    links.with_geometry = proof["links_with_geometry"].get<std::size_t>();
     links.proved = proof["links_proved"].get<std::size_t>();
     proof["visual_only"].get_to(links.visual_only);
+    proof["collision_only"].get_to(links.collision_only);
+    const std::vector<std::string>& words = words_of_covered_geometry();
+    links.geometry = static_cast<CoveredGeometry>(
+        std::find(words.begin(), words.end(), proof["geometry"].get<std::string>()) - words.begin());
     for (const Json& link : proof["left_out"]) {
         links.left_out.push_back({link["link"].get<std::string>(), link["reason"].get<std::string>()});
     }
     return links;
+}
+
+std::string covered_geometry(const Report& report) {
+    return to_string(proved_links(report).geometry);
 }
 
 std::string verdict(const Report& report) {

@@ -11,6 +11,8 @@ std::string guarantee_of(const Report& report);
 bool certified(const Report& report);
 /// Returns the verdict as HTML.
 std::string verdict(const Report& report);
+/// Returns "collision geometry", or the other geometry that is covered.
+std::string covered_geometry(const Report& report);
 /// Returns the links that the proof leaves out, as HTML; empty if there are none.
 std::string omissions(const Report& report);
 /// Returns the class of the verdict's element.

@@ -23,6 +23,17 @@ std::string links_text(std::size_t proved, std::size_t all) {
     return fmt::format("{} of {} link{}", proved, all, all == 1 ? "" : "s");
 }
 
+/// Returns a sentence about links that have no geometry to be covered, but another; empty if there are none.
+std::string only_text(const std::vector<std::string>& links, const char* geometry) {
+    std::vector<std::string> names;
+    for (const std::string& link : links) {
+        names.push_back(shown(link));
+    }
+    return names.empty() ? ""
+                         : fmt::format("{} link{} {} geometry only and no spheres: {}.\n", names.size(),
+                                       names.size() == 1 ? " has" : "s have", geometry, named(names));
+}
+
 } // namespace
 
 std::vector<std::string> visual_only_links(const Robot& robot) {
@@ -44,10 +55,11 @@ std::string verdict_of(const ProvedLinks& links) {
         return outer ? "Not proved: the geometry may extend beyond the spheres.\n"
                      : "Not proved: the spheres may extend beyond the geometry.\n";
     }
-    const std::string count = links_text(links.proved, links.with_collision);
-    const char* whose = links.with_collision == 1 ? "its" : "their";
-    return outer ? fmt::format("Proved: the collision geometry of {} lies inside {} spheres.\n", count, whose)
-                 : fmt::format("Proved: the spheres of {} lie inside {} collision geometry.\n", count, whose);
+    const std::string count = links_text(links.proved, links.with_geometry);
+    const char* whose = links.with_geometry == 1 ? "its" : "their";
+    const char* geometry = to_string(links.geometry);
+    return outer ? fmt::format("Proved: the {} of {} lies inside {} spheres.\n", geometry, count, whose)
+                 : fmt::format("Proved: the spheres of {} lie inside {} {}.\n", count, whose, geometry);
 }
 
 std::string omissions_of(const ProvedLinks& links) {
@@ -60,15 +72,7 @@ std::string omissions_of(const ProvedLinks& links) {
         text += fmt::format("{}: {}.\n", links.guarantee == Guarantee::fitted ? "Left out" : "Not part of the proof",
                             named(names));
     }
-    if (!links.visual_only.empty()) {
-        std::vector<std::string> names;
-        for (const std::string& name : links.visual_only) {
-            names.push_back(shown(name));
-        }
-        text += fmt::format("{} link{} visual geometry only and no spheres: {}.\n", names.size(),
-                            names.size() == 1 ? " has" : "s have", named(names));
-    }
-    return text;
+    return text + only_text(links.visual_only, "visual") + only_text(links.collision_only, "collision");
 }
 
 } // namespace foam::robot

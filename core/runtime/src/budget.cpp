@@ -198,9 +198,10 @@ void require_enough(const Recipe& recipe, const std::vector<ShapeWork>& shapes, 
     if (recipe.budget_spheres && *recipe.budget_spheres < least) {
         throw Error(
             ErrorCode::recipe,
-            fmt::format("budget.spheres: {} is not enough: the robot's {} {} with collision geometry need at least {}; "
-                        "remedy: raise the budget, or skip links",
-                        *recipe.budget_spheres, groups.size(), recipe.per_link ? "links" : "elements", least));
+            fmt::format(
+                "budget.spheres: {} is not enough: the robot's {} {} with geometry to be covered need at least {}; "
+                "remedy: raise the budget, or skip links",
+                *recipe.budget_spheres, groups.size(), recipe.per_link ? "links" : "elements", least));
     }
 }
 

@@ -38,12 +38,13 @@ std::string provenance(const Workspace& workspace, const Input& input, const Fin
         proved += link.work->report.measures.certified ? 1 : 0;
     }
     const Guarantee guarantee = workspace.recipe.guarantee;
+    const std::string geometry = to_string(workspace.recipe.cover.value_or(CoveredGeometry::collision));
+    const std::string promise =
+        guarantee == Guarantee::outer ? geometry + " lies inside the spheres" : "spheres lie inside the " + geometry;
     const std::string proof = guarantee == Guarantee::fitted
                                   ? "nothing is proved (guarantee: fitted)"
-                                  : fmt::format("proved: the {} of {} of {} link{}{}",
-                                                guarantee == Guarantee::outer ? "geometry lies inside the spheres"
-                                                                              : "spheres lie inside the geometry",
-                                                proved, finished.links.size(), finished.links.size() == 1 ? "" : "s",
+                                  : fmt::format("proved: the {} of {} of {} link{}{}", promise, proved,
+                                                finished.links.size(), finished.links.size() == 1 ? "" : "s",
                                                 workspace.recipe.proved_numbers(workspace.registry) == Numbers::float32
                                                     ? ", also in single precision"
                                                     : "");
@@ -55,6 +56,11 @@ std::string provenance(const Workspace& workspace, const Input& input, const Fin
 
 void complete_model(const Workspace& workspace, const Input& input, FinishedModel& finished) {
     finished.model.facts = workspace.recipe.facts;
+    for (const Link& link : finished.model.robot->links) {
+        if (workspace.recipe.for_link(link.name).no_collision) {
+            finished.model.without_collision.push_back(link.name);
+        }
+    }
     finished.model.provenance = provenance(workspace, input, finished);
     if (lists_pairs(workspace) && finished.model.robot->links.size() > 1) {
         SelfCollisionOptions options;

@@ -220,4 +220,14 @@ FinishedTree finished_tree(const Solid& solid, SphereTree tree, Guarantee guaran
     return result;
 }
 
+SphereTree padded(const Solid& solid, SphereTree tree, double length) {
+    const DecimalGrid grid(solid.bounds().diagonal());
+    for (SphereTree::Level& level : tree.levels) {
+        for (Sphere& sphere : level.spheres) {
+            sphere.radius = grid.up(sphere.radius + length);
+        }
+    }
+    return tree;
+}
+
 } // namespace foam::runtime

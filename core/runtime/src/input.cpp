@@ -152,13 +152,16 @@ Input load_input(const Workspace& workspace) {
         throw Error(ErrorCode::plugin, "no plugin can read URDF files; `foam plugins --why` shows which plugins were "
                                        "loaded, and why others were not");
     }
-    input.robot = run_stage(
+    Robot robot = run_stage(
         workspace, loader->info.name, "", input.file.string(), input.digest, input.report, [&](Context& context) {
             const auto stage = workspace.registry.make<RobotLoader>(
                 loader->info.name, workspace.recipe.loader_call(loader->info.name).given);
-            return std::make_shared<const Robot>(stage->load(text, input.file, resolver_of(workspace.recipe), context));
+            return stage->load(text, input.file, resolver_of(workspace.recipe), context);
         });
-    input.report.output = digest_of_content(*input.robot);
+    input.report.output = digest_of_content(robot);
+    const CoveredGeometry cover = workspace.recipe.cover.value_or(CoveredGeometry::collision);
+    input.collision_only = uncovered_links(robot, cover);
+    input.robot = std::make_shared<const Robot>(with_covered_geometry(std::move(robot), cover));
     return input;
 }
 

@@ -1,10 +1,12 @@
 #include <foam/runtime/internal/links.hpp>
 
+#include "kept.hpp"
 #include "objective.hpp"
 #include "own_frame.hpp"
 
 #include <foam/base/text.hpp>
 #include <foam/geometry/inner.hpp>
+#include <foam/geometry/internal/filled.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/internal/cover.hpp>
 
@@ -57,6 +59,24 @@ Measures measured(const Workspace& workspace, const Solid& solid, const std::vec
     return measures;
 }
 
+/// Returns the measures of a solid whose inside counts as geometry; what is proved and how much of the surface is
+/// covered is that of the solid itself. `volume`: of what was filled, m³.
+Measures measured_filled(const Workspace& workspace, const std::shared_ptr<const Solid>& solid,
+                         const std::vector<Sphere>& spheres, double& volume) {
+    const std::shared_ptr<const Solid> full = geometry::filled(solid);
+    const Measures own = measured(workspace, *solid, spheres);
+    if (full == solid) {
+        return own;
+    }
+    volume = std::max(0.0, full->volume() - solid->volume());
+    Measures measures = measured(workspace, *full, spheres);
+    measures.certified = own.certified;
+    measures.gap = own.gap;
+    measures.covered = own.covered;
+    measures.area = own.area;
+    return measures;
+}
+
 /// Reports the half-space constraints on the numbers that are written.
 void report_planes(const Workspace& workspace, LinkWork& link, const std::vector<Sphere>& spheres) {
     link.report.clip = reached(link.recipe.clip, spheres);
@@ -100,9 +120,10 @@ std::vector<Vec3> vertices_of(const LinkWork& link) {
 }
 
 /// Returns whether one enclosing sphere may replace the spherizer's spheres if those have more excess volume: not with
-/// another objective than excess, nor with half-space constraints.
+/// another objective than excess, nor with half-space constraints or kept spheres.
 bool one_may_stand_in(const Workspace& workspace, const LinkWork& link) {
-    return link.recipe.clip.empty() && objective_of(link.recipe.spherizer, workspace.registry) == Objective::excess;
+    return link.recipe.clip.empty() && link.recipe.keep.empty() &&
+           objective_of(link.recipe.spherizer, workspace.registry) == Objective::excess;
 }
 
 /// Throws Error(geometry) if the proof does not hold for a whole link. Proofs allow for rounding in proportion to the
@@ -121,8 +142,8 @@ class Finishing {
 public:
     Finishing(const Workspace& workspace, const std::vector<LinkWork>& links, std::vector<Group>& groups,
               std::vector<SphereGroup>& out)
-        : growth(groups.size()), reports(groups.size()), workspace_(workspace), links_(links), groups_(groups),
-          out_(out) {
+        : growth(groups.size()), reports(groups.size()), unpadded(groups.size()), filled(groups.size()),
+          workspace_(workspace), links_(links), groups_(groups), out_(out) {
         out.resize(groups.size());
     }
 
@@ -151,18 +172,29 @@ public:
         reports[g][1].output = digest_of_content(out_[g].measures);
     }
 
+    /// Adds the recipe's padding to the radii and measures them again.
+    void pad(std::size_t g) {
+        const double length = links_[groups_[g].link].recipe.pad;
+        if (length > 0) {
+            out_[g].tree = padded(*groups_[g].solid, std::move(out_[g].tree), length);
+            unpadded[g] = out_[g].measures;
+            measure(g, workspace_);
+            reports[g][0].output = digest_of_content(out_[g].tree);
+            reports[g][1].output = digest_of_content(out_[g].measures);
+        }
+    }
+
     std::vector<double> growth;                      ///< m
     std::vector<std::array<StageReport, 2>> reports; ///< of growth and measures
+    std::vector<Measures> unpadded;                  ///< of groups with padding
+    std::vector<double> filled;                      ///< m³; of hollow insides that count as geometry
 
 private:
     void cover_by(std::size_t g, const SphereTree& tree, const Workspace& in_time) {
         SphereGroup& out = out_[g];
         const bool one_may_do = one_may_stand_in(workspace_, links_[groups_[g].link]);
-        FinishedTree finished =
-            run_stage(in_time, "cover", out.link, out.geometries.front(), "", reports[g][0], [&](Context&) {
-                return finished_tree(*groups_[g].solid, tree, workspace_.recipe.guarantee, one_may_do,
-                                     workspace_.recipe.proved_numbers(workspace_.registry));
-            });
+        FinishedTree finished = run_stage(in_time, "cover", out.link, out.geometries.front(), "", reports[g][0],
+                                          [&](Context&) { return finished_group(g, tree, one_may_do); });
         if (finished.one_instead) {
             workspace_.journal.finding({Severity::warning, out.link, "cover",
                                         "one enclosing sphere is written, because the spheres of the spherizer have "
@@ -172,18 +204,44 @@ private:
         growth[g] = finished.growth;
     }
 
+    /// Returns the finished tree of a group, with the spheres that its link keeps.
+    FinishedTree finished_group(std::size_t g, const SphereTree& tree, bool one_may_do) const {
+        const Group& group = groups_[g];
+        const std::vector<Sphere>& kept = links_[group.link].recipe.keep;
+        const auto finished = [&](const Solid& solid) {
+            return finished_tree(solid, tree, workspace_.recipe.guarantee, one_may_do,
+                                 workspace_.recipe.proved_numbers(workspace_.registry));
+        };
+        if (kept.empty()) {
+            return finished(*group.solid);
+        }
+        if (!group.uncovered) {
+            return {.tree = flat_tree(kept), .growth = 0, .one_instead = false};
+        }
+        FinishedTree result = finished(*group.uncovered);
+        // Corners of pieces of triangles are rounded: the other spheres overlap these pieces by more than that.
+        const double overlap = 1e-9 * group.solid->bounds().diagonal();
+        result.tree = with_kept(kept, padded(*group.solid, std::move(result.tree), overlap));
+        return result;
+    }
+
     void cover_by_one(std::size_t g) {
         workspace_.journal.finding({Severity::warning, out_[g].link, "",
                                     fmt::format("the time limit of {} s is too short to make its {} spheres cover the "
                                                 "link and to measure them; one enclosing sphere replaces them",
                                                 *workspace_.time_limit(), groups_[g].tree.finest().size())});
-        cover_by(g, flat_tree({minimum_enclosing_sphere(groups_[g].solid->surface().vertices)}), workspace_);
+        const Solid& solid = groups_[g].uncovered ? *groups_[g].uncovered : *groups_[g].solid;
+        cover_by(g, flat_tree({minimum_enclosing_sphere(solid.surface().vertices)}), workspace_);
     }
 
     void measure(std::size_t g, const Workspace& in_time) {
         SphereGroup& out = out_[g];
-        out.measures = run_stage(in_time, "measure", out.link, out.geometries.front(), "", reports[g][1],
-                                 [&](Context&) { return measured(workspace_, *groups_[g].solid, out.tree.finest()); });
+        const bool fill = links_[groups_[g].link].recipe.hollow == Hollow::fill;
+        out.measures =
+            run_stage(in_time, "measure", out.link, out.geometries.front(), "", reports[g][1], [&](Context&) {
+                return fill ? measured_filled(workspace_, groups_[g].solid, out.tree.finest(), filled[g])
+                            : measured(workspace_, *groups_[g].solid, out.tree.finest());
+            });
     }
 
     const Workspace& workspace_;
@@ -210,17 +268,23 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
     parallel_for(groups.size(), [&](std::size_t g) { finishing.cover(g); });
     workspace.journal.begin("measures");
     workspace.journal.expect(groups.size());
-    parallel_for(groups.size(), [&](std::size_t g) { finishing.measure(g); });
+    parallel_for(groups.size(), [&](std::size_t g) {
+        finishing.measure(g);
+        finishing.pad(g);
+    });
     for (std::size_t l = 0; l < links.size(); ++l) {
         FinishedLink link;
         link.work = &links[l];
         std::size_t parts = 0;
+        std::vector<Measures> unpadded;
         for (std::size_t g = 0; g < groups.size(); ++g) {
             if (groups[g].link == l) {
                 const auto& spheres = result.model.groups[g].tree.finest();
                 link.spheres.insert(link.spheres.end(), spheres.begin(), spheres.end());
                 links[l].report.growth = std::max(links[l].report.growth, finishing.growth[g]);
                 links[l].report.measures = result.model.groups[g].measures;
+                unpadded.push_back(finishing.unpadded[g]);
+                links[l].report.filled += finishing.filled[g];
                 links[l].report.stages.insert(links[l].report.stages.end(), finishing.reports[g].begin(),
                                               finishing.reports[g].end());
                 link.solid = groups[g].solid;
@@ -230,8 +294,15 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
         if (parts > 0) {
             if (parts > 1) {
                 link.solid = solid_of(links[l]);
-                links[l].report.measures = measured(workspace, *link.solid, link.spheres);
+                links[l].report.measures =
+                    links[l].recipe.hollow == Hollow::fill
+                        ? measured_filled(workspace, link.solid, link.spheres, links[l].report.filled)
+                        : measured(workspace, *link.solid, link.spheres);
                 require_proof(workspace, links[l]);
+            }
+            if (links[l].recipe.pad > 0) {
+                links[l].report.pad = links[l].recipe.pad;
+                links[l].report.unpadded = total(unpadded);
             }
             report_planes(workspace, links[l], link.spheres);
             result.links.push_back(std::move(link));

@@ -49,6 +49,17 @@ Json to_json(const LinkReport& report) {
     } else {
         link["growth_m"] = report.growth;
         link["measures"] = to_json(report.measures);
+        if (report.visual_gap) {
+            const VisualGap& gap = *report.visual_gap;
+            gap.unknown.empty() ? link["visual_gap_m"] = gap.length : link["visual_gap_unknown"] = gap.unknown;
+        }
+        if (report.filled > 0) {
+            link["filled_volume_m3"] = report.filled;
+        }
+        if (report.unpadded) {
+            link["pad_m"] = report.pad;
+            link["excess_unpadded"] = report.unpadded->excess;
+        }
         for (const PlaneReach& plane : report.clip) {
             link["clip"].push_back(to_json(plane));
         }
@@ -241,6 +252,9 @@ std::string manifest_json(const Workspace& workspace, const RunFiles& files, con
                   {"outputs", to_json(files.outputs)},
                   {"debug_meshes", to_json(files.debug_meshes)},
                   {"execution", execution_of(workspace, files, result)}};
+    if (result.total_unpadded) {
+        manifest["total"]["excess_unpadded"] = result.total_unpadded->excess;
+    }
     if (result.cut != Cut::none) {
         manifest["cut"] = to_string(result.cut);
     }

@@ -1,6 +1,7 @@
 #include <foam/runtime/plan.hpp>
 
 #include "budget.hpp"
+#include "kept.hpp"
 #include "names.hpp"
 #include "trees.hpp"
 
@@ -88,6 +89,7 @@ private:
 
     void count_trees() {
         std::vector<Group> groups = make_groups(workspace_, work_);
+        take_covered_groups(workspace_, work_, groups); // these need no search
         const std::vector<ShapeWork> shapes = distinct_shapes(workspace_, work_, groups);
         for (const Group& group : groups) {
             const ShapeWork& shape = shapes[group.shape];

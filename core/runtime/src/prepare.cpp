@@ -86,7 +86,8 @@ std::vector<LoadTask> load_tasks(const std::vector<LinkWork>& links) {
                 continue;
             }
             const Vec3& s = reference->scale;
-            const auto [it, fresh] = known.try_emplace({reference->path.string(), s.x, s.y, s.z}, tasks.size());
+            const auto [it, fresh] = known.try_emplace(
+                {reference->path.empty() ? reference->uri : reference->path.string(), s.x, s.y, s.z}, tasks.size());
             if (fresh) {
                 tasks.emplace_back().reference = *reference;
             }
@@ -104,6 +105,11 @@ InputFile input_file(const Workspace& workspace, const MeshReference& reference)
 void load(const Workspace& workspace, const std::vector<LinkWork>& links, LoadTask& task) {
     const std::filesystem::path& path = task.reference.path;
     const std::string& link = links[task.targets.front().link].link->name;
+    if (path.empty()) { // the robot's loader requires the files of collision geometry only
+        throw Error(ErrorCode::input, fmt::format("link '{}': the mesh '{}' is not found; remedy: correct the path, or "
+                                                  "set FOAM_PACKAGE_PATH to the folder that holds the package",
+                                                  link, task.reference.uri));
+    }
     const RegisteredStage* loader = mesh_loader_of(workspace, path);
     if (!loader) {
         const std::string extension = path.extension().string();

@@ -1,9 +1,12 @@
 #include "consumers.hpp"
+#include "hollow_links.hpp"
 #include "input_size.hpp"
+#include "loose_links.hpp"
 #include "manifest.hpp"
 #include "names.hpp"
 #include "report.hpp"
 #include "separation.hpp"
+#include "visual_gap.hpp"
 #include "watchdog.hpp"
 
 #include <foam/runtime/cache.hpp>
@@ -20,15 +23,19 @@ namespace foam::inline runtime {
 namespace {
 
 /// Returns the links for which the guarantee is proved. A link without spheres is left out.
-ProvedLinks proved_links(const Workspace& workspace, const Robot& robot, const std::vector<LinkWork>& links) {
+ProvedLinks proved_links(const Workspace& workspace, const Input& input, const std::vector<LinkWork>& links) {
     ProvedLinks proved;
     proved.guarantee = workspace.recipe.guarantee;
-    proved.with_collision = links.size();
-    proved.visual_only = visual_only_links(robot);
+    proved.geometry = workspace.recipe.cover.value_or(CoveredGeometry::collision);
+    proved.with_geometry = links.size();
+    proved.visual_only = visual_only_links(*input.robot);
+    proved.collision_only = input.collision_only;
     for (const LinkWork& link : links) {
         const LinkReport& report = link.report;
         if (report.skipped || !report.error.empty()) {
-            proved.left_out.push_back({report.link, report.skipped ? "skip in the recipe" : "on_error: skip"});
+            proved.left_out.push_back({report.link, link.recipe.no_collision ? "collision: none in the recipe"
+                                                    : report.skipped         ? "skip in the recipe"
+                                                                             : "on_error: skip"});
         } else if (report.measures.certified) {
             ++proved.proved;
         } else if (proved.guarantee != Guarantee::fitted) {
@@ -50,20 +57,25 @@ std::vector<PhaseWeight> phases_of(const Recipe& recipe, bool written) {
         if (recipe.snapshots || recipe.debug_snapshots) {
             phases.push_back({"pictures", recipe.debug_snapshots ? 60.0 : 30.0});
         }
+        phases.push_back({"visual geometry", 3});
         phases.push_back({"record", 2});
     }
     return phases;
 }
 
 void fill_result(RunResult& result, const Journal& journal, const std::vector<LinkWork>& links) {
-    std::vector<Measures> measures;
+    std::vector<Measures> measures, unpadded;
+    bool padded = false;
     for (const LinkWork& link : links) {
         result.links.push_back(link.report);
         if (!link.report.skipped && link.report.error.empty()) {
             measures.push_back(link.report.measures);
+            unpadded.push_back(link.report.unpadded.value_or(link.report.measures));
+            padded = padded || link.report.unpadded;
         }
     }
     result.total = total(measures);
+    result.total_unpadded = padded ? std::optional(total(unpadded)) : std::nullopt;
     result.findings = journal.findings();
     Journal::Times times = journal.times();
     result.seconds = times.seconds;
@@ -137,8 +149,8 @@ std::vector<LinkWork> links_of(const Workspace& workspace, const Input& input, R
     filter_links(workspace, links);
     if (links.empty()) {
         throw Error(ErrorCode::input,
-                    fmt::format("{}: no link has collision geometry: there is nothing to turn into spheres",
-                                input.file.string()));
+                    fmt::format("{}: no link has {}: there is nothing to turn into spheres", input.file.string(),
+                                to_string(workspace.recipe.cover.value_or(CoveredGeometry::collision))));
     }
     return links;
 }
@@ -182,12 +194,18 @@ RunResult run_in(const Workspace& preparing, std::optional<RunDirectory>& direct
         report_overlaps(workspace, finished, links, *pose);
     }
 
+    tell_loose_links(workspace, finished);
+    tell_hollow_links(workspace, finished);
     complete_model(workspace, input, finished);
     Snapshots pictures;
     if (directory) {
         pictures = write_model(workspace, finished, *directory, files, result);
     }
-    result.proved = proved_links(workspace, *input.robot, links);
+    if (directory) {
+        journal.begin("visual geometry");
+        measure_visual_gaps(workspace, finished, links);
+    }
+    result.proved = proved_links(workspace, input, links);
     result.certified = result.proved.all();
     fill_result(result, journal, links);
     journal.begin("record");

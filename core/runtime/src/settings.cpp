@@ -57,6 +57,9 @@ Json to_json(const LinkOverride& link, const Registry& registry) {
             json["clip"].push_back(to_json(plane));
         }
     }
+    for (const Sphere& s : link.keep.value_or(std::vector<Sphere>{})) {
+        json["keep"].push_back({s.center.x, s.center.y, s.center.z, s.radius});
+    }
     for (const StageCall& call : link.stages) {
         json.update(to_json(call, registry, false));
     }
@@ -87,6 +90,11 @@ Json settings_of(const Recipe& recipe, const Registry& registry) {
         }
     }
     json["guarantee"] = word_of(recipe, "guarantee");
+    for (const char* key : {"cover", "pad", "hollow"}) {
+        if (const auto value = reading::value_of(key, reading::top_level_keys(), recipe)) {
+            json[key] = to_json(*value);
+        }
+    }
     if (recipe.proved_numbers(registry) == Numbers::float32) {
         json["numbers"] = "float32";
     }

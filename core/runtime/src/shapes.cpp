@@ -4,6 +4,8 @@
 #include "refinements.hpp"
 
 #include <foam/geometry/internal/cavities.hpp>
+#include <foam/geometry/internal/filled.hpp>
+#include <foam/geometry/internal/left_uncovered.hpp>
 
 #include <algorithm>
 
@@ -69,6 +71,15 @@ static geometry::OwnFrame frame_of(const Workspace& workspace, const Group& grou
     return frame_for_stage(geometry::own_frame(whole, dusty), link.recipe.spherizer, workspace.registry);
 }
 
+/// Returns the kept spheres in the frame in which the group's shape is spherized.
+static std::vector<Sphere> kept_of(const Group& group, const LinkWork& link) {
+    std::vector<Sphere> kept = link.recipe.keep;
+    for (Sphere& sphere : kept) {
+        sphere.center = group.frame.inverse() * sphere.center;
+    }
+    return kept;
+}
+
 /// Returns the digest of the geometry that the spherizer gets, not of how it was made: random draws stay the same when
 /// a filter or a parameter changes nothing.
 static Digest content_of(const Workspace& workspace, const Group& group, const LinkWork& link) {
@@ -86,6 +97,9 @@ static Digest content_of(const Workspace& workspace, const Group& group, const L
         }
         hasher.add(relative_pose(group, link, e));
     }
+    for (const Sphere& sphere : kept_of(group, link)) {
+        hasher.add("keep").add(sphere.center).add(sphere.radius);
+    }
     return hasher.finish();
 }
 
@@ -96,6 +110,13 @@ static std::vector<ClipPlane> planes_of(const Group& group, const LinkWork& link
         planes.push_back(seen_from(plane, group.frame));
     }
     return planes;
+}
+
+/// Returns the part of the solid's surface that the kept spheres leave uncovered; the whole one if that is nothing.
+static std::shared_ptr<const Solid> uncovered_part(std::shared_ptr<const Solid> solid,
+                                                   const std::vector<Sphere>& kept) {
+    Mesh left = geometry::left_uncovered(solid->surface(), kept);
+    return left.triangles.empty() ? std::move(solid) : Solid::make(std::move(left));
 }
 
 std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::vector<LinkWork>& links,
@@ -118,6 +139,12 @@ std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::ve
         const std::vector<ClipPlane> planes = planes_of(groups[g], link);
         for (const ClipPlane& plane : planes) {
             hasher.add("clip").add(plane.normal).add(plane.offset).add(plane.reach);
+        }
+        if (link.recipe.hollow == Hollow::fill) {
+            hasher.add("fill");
+        }
+        for (const Sphere& sphere : kept_of(groups[g], link)) {
+            hasher.add("keep").add(sphere.center).add(sphere.radius);
         }
         const geometry::OwnFrame frame = frame_of(workspace, groups[g], link);
         if (!frame.is_given()) {
@@ -143,8 +170,9 @@ std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::ve
             work.link = link.link->name;
             work.input = link.elements[groups[g].elements.front()].geometry;
             work.report.stage = work.spherizer.stage;
-            work.least = std::max<std::size_t>(1, link.recipe.min_spheres);
-            work.most = std::max(work.least, link.recipe.max_spheres.value_or(SIZE_MAX));
+            const std::size_t kept = link.recipe.keep.size();
+            work.least = std::max(kept + 1, link.recipe.min_spheres) - kept;
+            work.most = link.recipe.max_spheres ? std::max(work.least, *link.recipe.max_spheres - kept) : SIZE_MAX;
             work.max_protrusion = link.recipe.max_protrusion;
             work.clip = planes;
             work.frame = frame;
@@ -169,10 +197,19 @@ void build_shape(const Workspace& workspace, const std::vector<LinkWork>& links,
         filtered |= !raw_only && !link.elements[e].filtered.empty();
     }
     work.original = Solid::make(std::move(original));
+    std::shared_ptr<const Solid> whole = filtered ? Solid::make(std::move(processed)) : work.original;
+    if (link.recipe.hollow == Hollow::fill) {
+        whole = geometry::filled(whole);
+        work.original = filtered ? geometry::filled(work.original) : whole;
+    }
+    if (group.uncovered) {
+        const std::vector<Sphere> kept = kept_of(group, link);
+        whole = uncovered_part(std::move(whole), kept);
+        work.original = filtered ? uncovered_part(work.original, kept) : whole;
+    }
     work.cavities = workspace.recipe.guarantee == Guarantee::outer ? geometry::cavity_volume(*work.original) : 0;
     require_within(*work.original, group.frame, link.recipe.clip);
-    work.shape =
-        std::make_unique<Shape>(work.link, filtered ? Solid::make(std::move(processed)) : work.original, work.original);
+    work.shape = std::make_unique<Shape>(work.link, std::move(whole), work.original);
     if (!work.frame.is_given()) {
         work.own = std::make_unique<Shape>(work.frame.to_own(*work.shape));
     }

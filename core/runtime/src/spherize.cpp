@@ -1,9 +1,14 @@
 #include <foam/runtime/internal/spherize.hpp>
 
 #include "budget.hpp"
+#include "kept.hpp"
 #include "shapes.hpp"
 
 #include <foam/runtime/internal/cover.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
 
 namespace foam::inline runtime {
 namespace {
@@ -29,10 +34,66 @@ void require_inside(const Workspace& workspace, ShapeWork& work, std::size_t cou
     }
 }
 
+/// Returns the volume or the area of a shape's geometry by which the recipe divides its excess volume.
+double divisor(Share share, const ShapeWork& work) {
+    return share == Share::even ? work.original->volume() : work.original->area();
+}
+
+/// Sets the weights of the groups in the allocation as the recipe's rule demands.
+void weigh(const Recipe& recipe, std::vector<LinkWork>& links, const std::vector<ShapeWork>& shapes,
+           std::vector<Group>& groups) {
+    const Share share = recipe.budget_share.value_or(Share::volume);
+    if (share == Share::volume) {
+        return;
+    }
+    double sum = 0;
+    for (const Group& group : groups) {
+        sum += shapes[group.shape].error ? 0 : divisor(share, shapes[group.shape]);
+    }
+    for (Group& group : groups) {
+        const ShapeWork& work = shapes[group.shape];
+        if (work.error) {
+            continue;
+        }
+        if (const double own = divisor(share, work); own > 0) {
+            group.weight *= sum / static_cast<double>(groups.size()) / own;
+        } else if (LinkWork& link = links[group.link]; !link.error) {
+            link.error.emplace(
+                ErrorCode::recipe,
+                fmt::format("link '{}': its geometry has no {} to compare with; remedy: budget: {{share: "
+                            "{}}}",
+                            link.link->name, share == Share::even ? "volume" : "area",
+                            share == Share::even ? "protrusion" : "volume"));
+        }
+    }
+}
+
+/// Returns the recipe with a budget that is smaller by the spheres that links keep.
+Recipe without_kept(const Workspace& workspace, const std::vector<LinkWork>& links, const std::vector<Group>& groups,
+                    const std::vector<Group>& covered) {
+    Recipe rest = workspace.recipe;
+    const std::size_t kept = kept_spheres(links, groups) + kept_spheres(links, covered);
+    if (kept == 0 || !rest.budget_spheres) {
+        return rest;
+    }
+    if (*rest.budget_spheres < kept + groups.size()) {
+        throw Error(ErrorCode::recipe,
+                    fmt::format("budget.spheres: {} is not enough: links keep {} spheres, and {} need others; remedy: "
+                                "raise the budget, or keep fewer",
+                                *rest.budget_spheres, kept, groups.size()));
+    }
+    workspace.journal.finding(
+        {Severity::info, "", "",
+         fmt::format("{} of the budget of {} spheres are kept as the recipe gives them", kept, *rest.budget_spheres)});
+    *rest.budget_spheres -= kept;
+    return rest;
+}
+
 } // namespace
 
 SpherizedLinks spherize_links(const Workspace& workspace, std::vector<LinkWork>& links, ReferencePose* pose) {
     std::vector<Group> groups = make_groups(workspace, links);
+    std::vector<Group> done = take_covered_groups(workspace, links, groups);
     std::vector<ShapeWork> shapes = distinct_shapes(workspace, links, groups);
     for_each_shape(shapes, [&](std::size_t s) {
         const std::string place = place_of("geometry", shapes[s].link, shapes[s].input);
@@ -44,9 +105,10 @@ SpherizedLinks spherize_links(const Workspace& workspace, std::vector<LinkWork>&
             throw described(std::current_exception(), "geometry", shapes[s].link, shapes[s].input);
         }
     });
-    const ChosenCounts chosen = choose_counts(workspace, links, shapes, groups, pose);
+    weigh(workspace.recipe, links, shapes, groups);
+    const Recipe rest = without_kept(workspace, links, groups, done);
+    const ChosenCounts chosen = choose_counts(workspace.with(rest), links, shapes, groups, pose);
     const std::vector<std::size_t>& counts = chosen.of_group;
-    std::vector<Group> done;
     for (std::size_t g = 0; g < groups.size(); ++g) {
         ShapeWork& work = shapes[groups[g].shape];
         LinkWork& link = links[groups[g].link];
@@ -68,13 +130,15 @@ SpherizedLinks spherize_links(const Workspace& workspace, std::vector<LinkWork>&
             continue;
         }
         groups[g].tree = moved(work.known.trees.at(counts[g]), groups[g].frame);
-        if (groups[g].elements.size() == 1 && groups[g].frame == Pose{}) {
+        if (groups[g].elements.size() == 1 && groups[g].frame == Pose{} && !groups[g].uncovered &&
+            link.recipe.hollow == Hollow::keep) {
             groups[g].solid = work.original; // the group has the frame of the shape
         }
         link.report.stages.back().output = digest_of_content(groups[g].tree);
         done.push_back(std::move(groups[g]));
     }
     std::erase_if(done, [&](const Group& group) { return links[group.link].error.has_value(); });
+    std::stable_sort(done.begin(), done.end(), [](const Group& a, const Group& b) { return a.link < b.link; });
     return {std::move(done), chosen.cut};
 }
 

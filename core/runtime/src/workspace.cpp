@@ -19,6 +19,13 @@ Workspace Workspace::in(Phase other) const {
     return result;
 }
 
+Workspace Workspace::with(const Recipe& other) const {
+    Workspace result(other, registry, options, journal, cache);
+    result.limits = limits;
+    result.phase = phase;
+    return result;
+}
+
 void Workspace::check_cancelled() const {
     if (ended()) {
         throw Error(ErrorCode::cancelled, "cancelled; nothing was written");

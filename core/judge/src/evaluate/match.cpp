@@ -80,7 +80,7 @@ private:
             return;
         }
         if (original_.robot->find_link(name)) {
-            note(fmt::format("link '{}' has {}, but no collision geometry to judge them by", name,
+            note(fmt::format("link '{}' has {}, but no geometry to judge them by", name,
                              count_of(link.spheres.size(), "sphere")));
             return;
         }

@@ -36,9 +36,10 @@ void choose(Recipe& recipe, const Robot& robot, const std::vector<std::string>& 
 } // namespace
 
 Original load_original(const std::filesystem::path& file, const Registry& registry,
-                       const std::vector<std::string>& links, const MeshUnit& unit) {
+                       const std::vector<std::string>& links, const MeshUnit& unit, CoveredGeometry geometry) {
     Recipe recipe;
     recipe.mesh_unit = unit;
+    recipe.cover = geometry;
     const std::string reference = std::filesystem::absolute(file).string();
     (registry.find_for_extension(StageKind::mesh_loader, extension_of(file)) ? recipe.mesh : recipe.urdf) = {reference};
     const RunOptions options;
@@ -51,6 +52,8 @@ Original load_original(const std::filesystem::path& file, const Registry& regist
     Original result;
     result.file = file;
     result.robot = input.robot;
+    result.geometry = geometry;
+    result.collision_only = input.collision_only;
     std::vector<InputFile> files;
     const std::vector<LinkWork> work = load_links(workspace, *input.robot, files);
     std::vector<const LinkWork*> chosen;
@@ -67,9 +70,8 @@ Original load_original(const std::filesystem::path& file, const Registry& regist
         result.links[i] = {chosen[i]->link->name, solid_of(*chosen[i])};
     });
     if (result.links.empty()) {
-        throw Error(
-            ErrorCode::input,
-            fmt::format("{}: no link has collision geometry: there is nothing to judge spheres by", file.string()));
+        throw Error(ErrorCode::input, fmt::format("{}: no link has {}: there is nothing to judge spheres by",
+                                                  file.string(), to_string(geometry)));
     }
     for (const Finding& finding : journal.findings()) {
         if (finding.severity >= Severity::warning) {

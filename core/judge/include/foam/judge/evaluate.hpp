@@ -5,6 +5,7 @@
 #include <foam/geometry/solid.hpp>
 #include <foam/judge/sphere_file.hpp>
 #include <foam/recipe/mesh_unit.hpp>
+#include <foam/robot/covered_geometry.hpp>
 #include <foam/robot/robot.hpp>
 
 #include <cstdint>
@@ -17,7 +18,7 @@
 namespace foam {
 inline namespace [[gnu::visibility("default")]] judge {
 
-/// The original collision geometry of one link.
+/// The original geometry of one link.
 struct OriginalLink {
     std::string link;
     std::shared_ptr<const Solid> solid; ///< in the link's frame, metres
@@ -27,7 +28,10 @@ struct OriginalLink {
 struct Original {
     std::filesystem::path file;
     std::shared_ptr<const Robot> robot;
-    std::vector<OriginalLink> links; ///< those with collision geometry, in the robot's order
+    /// The geometry that the links are judged by; it stands in the robot as collision geometry.
+    CoveredGeometry geometry = CoveredGeometry::collision;
+    std::vector<std::string> collision_only; ///< links that lose their collision geometry thereby
+    std::vector<OriginalLink> links;         ///< those with such geometry, in the robot's order
     std::vector<std::string> notes;  ///< warnings of its loaders
 };
 
@@ -48,7 +52,8 @@ private:
 /// Throws Error(input) if the file or a mesh of it cannot be read, if no link remains to evaluate, or if a glob matches
 /// no link; Error(usage) for a unit of a file that states its own.
 Original load_original(const std::filesystem::path& file, const Registry& registry,
-                       const std::vector<std::string>& links = {}, const MeshUnit& unit = {});
+                       const std::vector<std::string>& links = {}, const MeshUnit& unit = {},
+                       CoveredGeometry geometry = CoveredGeometry::collision);
 
 /// Old and new beginning of link names: a link called `first` is renamed to `second`; of the others, those that begin
 /// with `first` begin with `second` instead. "" is the link of a format without link names.

@@ -5,6 +5,7 @@
 #include <foam/geometry/clip_plane.hpp>
 #include <foam/geometry/sphere.hpp>
 #include <foam/recipe/mesh_unit.hpp>
+#include <foam/robot/covered_geometry.hpp>
 #include <foam/robot/robot.hpp>
 #include <foam/sdk/model.hpp>
 #include <foam/sdk/registry.hpp>
@@ -32,13 +33,34 @@ struct StageCall {
     Isolation isolation{}; ///< mesh loaders, mesh filters and spherizers
 };
 
+/// The quantity of a link whose sum over the links the allocation of spheres makes least.
+enum class Share {
+    volume,     ///< its excess volume
+    even,       ///< its excess: that volume / the volume of its geometry
+    protrusion, ///< its mean protrusion: that volume / the area of its geometry
+};
+
+/// Returns the words in recipes, in the order of the enumeration.
+const std::vector<std::string>& words_of_share();
+
+/// The inside of hollow geometry in figures and in the allocation; the proof is of the geometry as it is.
+enum class Hollow {
+    keep, ///< as it is: empty
+    fill, ///< counts as geometry
+};
+
 /// Overrides for the links that match a glob ("*finger"): parameters of stages of the chain, or skip.
 struct LinkOverride {
     std::string glob;
     std::optional<bool> skip;
+    std::optional<bool> no_collision; ///< the output has no collision geometry for the link
     std::vector<StageCall> stages; ///< merged into the chain's stages of the same name
+    std::optional<std::size_t> spheres; ///< both of the following
     std::optional<std::size_t> min_spheres, max_spheres;
     std::optional<double> weight, max_protrusion; ///< max_protrusion: m
+    std::optional<double> pad;                    ///< m
+    std::optional<Hollow> hollow;
+    std::optional<std::vector<Sphere>> keep;      ///< in the link's frame
     std::optional<std::vector<ClipPlane>> clip;   ///< in the link's frame
     Location where;
 };
@@ -104,6 +126,10 @@ struct Recipe : StageChain {
     std::optional<double> budget_excess;         ///< of the whole robot; at most as many spheres as that needs
     std::optional<double> budget_max_protrusion; ///< m; of each link without its own value
     std::optional<double> budget_time_limit;     ///< s; the search for better spheres ends then
+    std::optional<Share> budget_share;           ///< absent: volume
+    std::optional<CoveredGeometry> cover;        ///< of a robot; absent: its collision geometry
+    std::optional<double> pad;                   ///< m; added to all radii
+    std::optional<Hollow> hollow;                ///< absent: keep
     Guarantee guarantee = Guarantee::outer;
     bool self_collision = false;     ///< keep links apart whose geometry is apart in this pose
     Location self_collision_where;   ///< of the pose
@@ -122,12 +148,16 @@ struct Recipe : StageChain {
 
     /// The settings for one link: the chain with the overrides and the recipe's isolation merged in.
     struct LinkRecipe : StageChain {
-        bool skip = false;
+        bool skip = false;         ///< it gets no spheres
+        bool no_collision = false; ///< nor has it collision geometry in the output
         std::size_t min_spheres = 1;
         std::optional<std::size_t> max_spheres;
         double weight = 1;                    ///< of its symmetric difference in the allocation
         std::optional<double> max_protrusion; ///< m
         std::vector<ClipPlane> clip;          ///< in the link's frame
+        double pad = 0;                       ///< m
+        Hollow hollow = Hollow::keep;
+        std::vector<Sphere> keep; ///< in the link's frame; they count as spheres of the link
     };
     LinkRecipe for_link(const std::string& link) const;
     /// Returns the precision that the recipe states, or that the consumers of its outputs need.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <foam/geometry/sphere.hpp>
+#include <foam/robot/covered_geometry.hpp>
 #include <foam/robot/robot.hpp>
 
 #include <string>
@@ -11,18 +12,20 @@ namespace foam {
 inline namespace [[gnu::visibility("default")]] robot {
 
 struct ProvedLinks {
-    /// A link with collision geometry that is not proved.
+    /// A link with geometry to be covered that is not proved.
     struct LeftOut {
         std::string link, reason;
     };
     Guarantee guarantee = Guarantee::outer;
-    std::size_t with_collision = 0;
+    CoveredGeometry geometry = CoveredGeometry::collision;
+    std::size_t with_geometry = 0; ///< links with geometry to be covered
     std::size_t proved = 0;
     std::vector<LeftOut> left_out;        ///< in the robot's order
     std::vector<std::string> visual_only; ///< links with visual geometry only: they have no spheres
+    std::vector<std::string> collision_only; ///< the same where only visual geometry is covered
 
-    /// Returns whether every link with collision geometry is proved.
-    bool all() const { return proved > 0 && proved == with_collision; }
+    /// Returns whether every link with geometry to be covered is proved.
+    bool all() const { return proved > 0 && proved == with_geometry; }
 };
 
 /// Returns the names of the links that have visual geometry and no collision geometry.
@@ -36,10 +39,12 @@ std::string omissions_of(const ProvedLinks& links);
 
 /// Returns a JSON object, of a class such as nlohmann's.
 template <class Json> Json json_of_proof(const ProvedLinks& links) {
-    Json json{{"links_with_collision", links.with_collision},
+    Json json{{"geometry", words_of_covered_geometry()[static_cast<std::size_t>(links.geometry)]},
+              {"links_with_geometry", links.with_geometry},
               {"links_proved", links.proved},
               {"left_out", Json::array()},
-              {"visual_only", Json(links.visual_only)}};
+              {"visual_only", Json(links.visual_only)},
+              {"collision_only", Json(links.collision_only)}};
     for (const ProvedLinks::LeftOut& link : links.left_out) {
         json["left_out"].push_back({{"link", link.link}, {"reason", link.reason}});
     }

@@ -98,20 +98,31 @@ struct StageReport {
     std::optional<MeshChange> change; ///< of mesh filters
 };
 
+/// How far the visual geometry of a link extends beyond its spheres.
+struct VisualGap {
+    double length = 0;   ///< m; from above, to 0.1 %
+    std::string unknown; ///< why it could not be measured; empty if it was
+};
+
 struct LinkReport {
     std::string link;
     std::vector<StageReport> stages; ///< in the order of the work, cover and measure at the end
     double growth = 0;               ///< m; largest growth of a radius
     Measures measures;
+    double pad = 0;                   ///< m; added to all radii after the growth
+    double filled = 0;                ///< m³; of hollow insides that count as geometry in the measures
+    std::optional<Measures> unpadded; ///< the measures before the padding, if there is any
     std::vector<PlaneReach> clip; ///< of the recipe's half-space constraints for this link
     bool skipped = false;         ///< by the recipe
+    /// With a run directory: of links with spheres and visual geometry that is not to be covered.
+    std::optional<VisualGap> visual_gap;
     std::string error;            ///< why the link failed; empty if it did not
 };
 
 /// The size of a run's input.
 struct InputSize {
-    Box box;                   ///< m; of all collision geometry that is read, a robot's in the reference pose
-    std::size_t links = 0;     ///< with collision geometry
+    Box box;                   ///< m; of all geometry to be covered, a robot's in the reference pose
+    std::size_t links = 0;     ///< with geometry to be covered
     std::size_t triangles = 0; ///< of their meshes
 };
 
@@ -130,8 +141,9 @@ struct RunResult {
     std::vector<Finding> findings;
     std::vector<std::filesystem::path> files; ///< written, relative to the run directory
     Measures total;
+    std::optional<Measures> total_unpadded; ///< before the padding, if a link has any
     ProvedLinks proved;
-    /// Whether the guarantee is proved for every link with collision geometry, on the numbers read back from every
+    /// Whether the guarantee is proved for every link with geometry to be covered, on the numbers read back from every
     /// written file.
     bool certified = false;
     double seconds = 0; ///< wall

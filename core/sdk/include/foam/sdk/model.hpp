@@ -46,6 +46,7 @@ struct SphereModel {
     RobotFacts facts{};
     /// Pairs that need no check, in the order of the robot's links; nothing: not computed.
     std::optional<std::vector<IgnoredPair>> ignored_pairs{};
+    std::vector<std::string> without_collision{}; ///< links whose collision geometry the output leaves out
     std::string provenance{};       ///< one line for a comment: program, source, proof; may be empty
     std::optional<TextFile> into{}; ///< the file whose spheres the writer replaces; nothing: it writes a whole file
 };

@@ -27,10 +27,10 @@ struct LinkKey : KeyOf<LinkOverride> {
     std::function<void(const LinkOverride&, Recipe::LinkRecipe&)> merge;
 };
 
-const std::vector<KeyOf<Recipe>>& top_level_keys(); ///< name, seed, unit, scale, per, guarantee, on_error, strict
-const std::vector<KeyOf<Recipe>>& budget_keys();    ///< spheres, excess, max_protrusion, time_limit
+const std::vector<KeyOf<Recipe>>& top_level_keys(); ///< name, seed, …, strict
+const std::vector<KeyOf<Recipe>>& budget_keys();    ///< spheres, excess, …
 const std::vector<KeyOf<Recipe>>& debug_keys();     ///< meshes, snapshots
-const std::vector<LinkKey>& link_keys();            ///< skip, min_spheres, max_spheres, weight, max_protrusion
+const std::vector<LinkKey>& link_keys();            ///< skip, spheres, …, without clip and keep
 
 /// Returns the declarations of keys.
 template <class Keys> std::vector<Parameter> declarations_of(const Keys& keys) {

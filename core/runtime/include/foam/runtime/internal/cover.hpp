@@ -35,5 +35,8 @@ struct FinishedTree {
 FinishedTree finished_tree(const Solid& solid, SphereTree tree, Guarantee guarantee, bool one_may_do = true,
                            Numbers numbers = Numbers::float64);
 
+/// Returns the tree with `length` added to all radii, m; they are rounded up on the same grid.
+SphereTree padded(const Solid& solid, SphereTree tree, double length);
+
 } // namespace runtime
 } // namespace foam

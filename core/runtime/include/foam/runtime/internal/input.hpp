@@ -13,7 +13,9 @@ inline namespace [[gnu::visibility("default")]] runtime {
 struct Input {
     std::string chosen; ///< the candidate, as written in the recipe
     std::filesystem::path file;
-    std::shared_ptr<const Robot> robot; ///< for a single mesh a robot with one link
+    /// For a single mesh a robot with one link. With the geometry to be covered as its collision geometry.
+    std::shared_ptr<const Robot> robot;
+    std::vector<std::string> collision_only; ///< links that lose their collision geometry thereby
     Digest digest;                      ///< of the file
     std::size_t bytes = 0;              ///< of the file
     StageReport report;                 ///< of the loader; its stage is empty for a single mesh

@@ -23,6 +23,9 @@ struct Group {
     double weight = 1;     ///< factor on its volume in the allocation
     std::size_t shape = 0; ///< index of the distinct shape
     SphereTree tree;       ///< link frame; the spherizer's tree, transformed
+    /// With spheres that the link keeps: the geometry that they leave uncovered, which `tree` is to cover, in the
+    /// link's frame; null: they leave none, or there are none.
+    std::shared_ptr<const Solid> uncovered;
     /// The original geometry, in the link's frame; null if it is not built yet.
     std::shared_ptr<const Solid> solid;
 };

@@ -33,6 +33,8 @@ struct Workspace {
 
     /// Returns the same workspace in another phase of the run.
     Workspace in(Phase other) const;
+    /// Returns the same workspace for another recipe, which must outlive it.
+    Workspace with(const Recipe& other) const;
     /// Returns what ends the work of this phase early, except a cancellation.
     Cut cut() const { return limits->cut(phase); }
     /// Returns the time limit in s since the start of the run; nothing: no limit.
