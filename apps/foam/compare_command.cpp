@@ -56,7 +56,7 @@ int compare_models(Program& program, const CompareArguments& arguments) {
     for (const JudgedModel& judged : comparison.models) {
         files.push_back(&judged.model.file);
     }
-    require_renames(arguments.judge, files);
+    require_renames(arguments.judge.renames, files);
     if (!arguments.html.empty()) {
         write_whole_file(arguments.html, html_of(comparison, pictures_of(program, comparison)));
         tell(fmt::format("written: {}", arguments.html));

@@ -3,6 +3,7 @@
 #include "judge.hpp"
 #include "quick_recipe.hpp"
 #include "telling.hpp"
+#include "written_files.hpp"
 
 #include "cli/interrupt.hpp"
 #include "cli/overwriting.hpp"
@@ -24,7 +25,7 @@ namespace {
 
 struct ConvertArguments {
     std::string model, robot, output, format, reader, into, pad, base_link;
-    std::vector<std::string> tool_frames, locks, pose;
+    std::vector<std::string> tool_frames, locks, pose, renames, settings;
     std::size_t threads = 0;
     bool force = false;
 };
@@ -192,12 +193,18 @@ int convert(Program& program, const ConvertArguments& arguments) {
     const RegisteredStage& format =
         writer_for(arguments.format.empty() ? ending_of_output(arguments.output) : arguments.format, registry);
     const bool in_place = !arguments.into.empty() && arguments.into == arguments.output;
-    refuse_overwriting(arguments.output, {arguments.model, arguments.robot, in_place ? "" : arguments.into},
-                       arguments.force || in_place);
+    for (const std::filesystem::path& target : files_of(format.info, arguments.output)) {
+        refuse_overwriting(target, {arguments.model, arguments.robot, in_place ? "" : arguments.into},
+                           arguments.force || in_place);
+    }
+    const auto parameters = parameters_of(arguments.settings, format.info);
+    const auto writer = registry.make<Writer>(format.info.name, parameters);
     SphereFile file = read_sphere_file(arguments.model, registry, arguments.reader);
     for (const std::string& note : file.notes) {
         tell(fmt::format("warning: {}: {}", arguments.model, note));
     }
+    require_renames(arguments.renames, {&file});
+    rename_links(file, renames_of(arguments.renames));
     std::optional<Original> original;
     if (!arguments.robot.empty()) {
         original = load_original(arguments.robot, registry);
@@ -210,8 +217,10 @@ int convert(Program& program, const ConvertArguments& arguments) {
         pad(file, arguments.pad, original ? &*original : nullptr);
     }
     SphereModel model = sphere_model_of(file, original ? original->robot : links_alone(file));
+    for (const OriginalLink& link : original ? original->links : std::vector<OriginalLink>{}) {
+        model.geometry[link.link] = link.solid;
+    }
     model.guarantee = Guarantee::fitted;
-    model.folder = std::filesystem::absolute(arguments.output).parent_path();
     model.facts = {.base_link = arguments.base_link,
                    .tool_frames = arguments.tool_frames,
                    .lock_joints = positions_of(arguments.locks, "--lock"),
@@ -226,7 +235,7 @@ int convert(Program& program, const ConvertArguments& arguments) {
     }
     model.provenance = fmt::format("foam {}; {}, {}; {} sphere{}; {}", version(), file.file.filename().string(),
                                    file.format, spheres, spheres == 1 ? "" : "s", proof);
-    if (format.info.consumer.pairs && original && model.groups.size() > 1) {
+    if (lists_pairs(format.info, parameters) && original && model.groups.size() > 1) {
         model.ignored_pairs = pairs_of(model, arguments);
     }
     if (!arguments.into.empty()) {
@@ -236,14 +245,15 @@ int convert(Program& program, const ConvertArguments& arguments) {
         }
         model.into = TextFile{arguments.into, text_of_file(arguments.into)};
     }
-    const auto writer = registry.make<Writer>(format.info.name);
     Telling context;
-    const std::string bytes = writer->write(model, context);
-    require_equal(model, *writer, bytes);
-    write_whole_file(arguments.output, bytes);
+    const std::vector<WrittenFile> files = written_files(*writer, format.info, model, arguments.output, context);
+    require_equal(model, *writer, files.front().bytes);
+    for (const WrittenFile& written : files) {
+        write_whole_file(written.file, written.bytes);
+    }
     print(fmt::format("Read: {}, {}, {} sphere{} of {} link{}\nWritten: {} by {}\n{}{}.\n", arguments.model,
                       file.format, spheres, spheres == 1 ? "" : "s", model.groups.size(),
-                      model.groups.size() == 1 ? "" : "s", arguments.output, format.info.name,
+                      model.groups.size() == 1 ? "" : "s", fmt::join(file_names(files), ", "), format.info.name,
                       static_cast<char>(std::toupper(proof.front())), proof.substr(1)));
     return 0;
 }
@@ -287,6 +297,17 @@ void add_convert(Program& program) {
         ->take_all();
     command->add_option("--pose", arguments->pose, "Rest position of a joint, rad or m; repeatable")
         ->type_name("JOINT=VALUE")
+        ->expected(1)
+        ->take_all();
+    command
+        ->add_option("--rename", arguments->renames,
+                     "Rename links of MODEL: the name or prefix OLD becomes NEW; '=LINK' for spheres without a link "
+                     "name; repeatable")
+        ->type_name("OLD=NEW")
+        ->expected(1)
+        ->take_all();
+    command->add_option("--set", arguments->settings, "A parameter of the writer, e.g. version=0.7; repeatable")
+        ->type_name("KEY=VALUE")
         ->expected(1)
         ->take_all();
     add_force(*command, arguments->force);

@@ -62,7 +62,9 @@ RunResult execute(const Recipe& recipe, const Registry& registry, const std::fil
     run_options.threads = options.threads;
     run_options.accept = options.accept;
     run_options.inputs_known = [&](const std::vector<std::filesystem::path>& inputs) {
-        refuse_overwriting(options.target, inputs, options.force);
+        for (const std::filesystem::path& target : options.targets) {
+            refuse_overwriting(target, inputs, options.force);
+        }
         refuse_replacing(directory, inputs, options.force);
     };
     run_options.inputs_known({resolve_input(recipe).path});

@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace foam::cli {
 
@@ -19,7 +20,7 @@ struct ExecuteOptions {
     bool say_which = true;            ///< of the recipe's candidates is the input
     bool force = false;               ///< replace inputs
     std::optional<double> time_limit; ///< s; instead of the recipe's
-    std::filesystem::path target;     ///< where the result goes beside the run directory; empty: nowhere
+    std::vector<std::filesystem::path> targets; ///< where the result goes beside the run directory
     /// Looks at the manifest before anything is put in place; see RunOptions.
     std::function<void(const std::string& manifest)> accept;
 };

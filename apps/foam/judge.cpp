@@ -105,7 +105,7 @@ MatchedModel model_of(Program& program, const JudgeOptions& options, const Origi
                       bool alone) {
     SphereFile spheres = read_sphere_file(file, program.registry(), options.reader);
     if (alone) {
-        require_renames(options, {&spheres});
+        require_renames(options.renames, {&spheres});
     }
     MatchedModel model = match(original, std::move(spheres), renames_of(options.renames));
     for (const std::string& note : model.notes) {
@@ -114,7 +114,7 @@ MatchedModel model_of(Program& program, const JudgeOptions& options, const Origi
     return model;
 }
 
-void require_renames(const JudgeOptions& options, const std::vector<const SphereFile*>& files) {
+void require_renames(const std::vector<std::string>& renames, const std::vector<const SphereFile*>& files) {
     std::vector<std::string> names;
     for (const SphereFile* file : files) {
         for (const LinkSpheres& link : file->links) {
@@ -125,7 +125,7 @@ void require_renames(const JudgeOptions& options, const std::vector<const Sphere
             names.push_back(joint.parent);
         }
     }
-    for (const auto& [old, name] : renames_of(options.renames)) {
+    for (const auto& [old, name] : renames_of(renames)) {
         const auto begins = [&, &old = old](const std::string& link) {
             return old.empty() ? link.empty() : link.starts_with(old);
         };

@@ -44,7 +44,7 @@ Original original_of(Program& program, const JudgeOptions& options);
 MatchedModel model_of(Program& program, const JudgeOptions& options, const Original& original, const std::string& file,
                       bool alone = true);
 /// Throws Error(usage) for a --rename whose OLD no link of the files has, or begins with.
-void require_renames(const JudgeOptions& options, const std::vector<const SphereFile*>& files);
+void require_renames(const std::vector<std::string>& renames, const std::vector<const SphereFile*>& files);
 /// Sentences about the links that are not judged; those whose proof fails stand in tables.
 std::string not_judged_text(ProvedLinks links);
 /// What is proved of the original's robot. `proved`: of each link that is judged.

@@ -4,6 +4,7 @@
 #include "quick_recipe.hpp"
 #include "summary.hpp"
 #include "telling.hpp"
+#include "written_files.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/runtime/scratch_folder.hpp>
@@ -87,20 +88,19 @@ std::string bytes_of(const fs::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// The result as it is to lie in `folder` (empty: on the standard output): paths in it lead from there. Its spheres are
-/// those that were proved in the run directory.
-std::string result_for(const fs::path& folder, const fs::path& made, const RunResult& result, const OutputCall& output,
-                       const Registry& registry) {
+/// The result as it is to be `target` (empty: the standard output), and the files that belong to it: paths in it lead
+/// from there. Its spheres are those that were proved in the run directory.
+std::vector<WrittenFile> result_for(const fs::path& target, const fs::path& made, const RunResult& result,
+                                    const OutputCall& output, const Registry& registry) {
     const auto writer = registry.make<Writer>(output.writer.stage, output.writer.given);
-    SphereModel model = result.model;
-    model.folder = folder;
     Telling aloud;
     QuietContext quiet;
-    const std::string bytes = writer->write(model, folder.empty() ? aloud : quiet);
-    if (writer->read(bytes) != writer->read(bytes_of(made))) {
+    std::vector<WrittenFile> files = written_files(*writer, registry.find(output.writer.stage)->info, result.model,
+                                                   target, target.empty() ? static_cast<Context&>(aloud) : quiet);
+    if (writer->read(files.front().bytes) != writer->read(bytes_of(made))) {
         throw Error(ErrorCode::internal, fmt::format("{} gives other spheres in another folder", output.writer.stage));
     }
-    return bytes;
+    return files;
 }
 
 int run_quick(const SpherizeArguments& arguments, const Recipe& recipe, const QuickRecipe& quick,
@@ -113,24 +113,30 @@ int run_quick(const SpherizeArguments& arguments, const Recipe& recipe, const Qu
     const ScratchFolder scratch = to_stdout(arguments) ? ScratchFolder() : ScratchFolder(beside);
     const fs::path directory = arguments.out.empty() ? scratch.path() / "run" : fs::path(arguments.out);
     ExecuteOptions options = arguments.execute;
-    options.target = to_stdout(arguments) ? fs::path() : target;
+    const OutputCall& output = recipe.outputs.at(0);
+    const StageInfo& writer = registry.find(output.writer.stage)->info;
+    if (to_stdout(arguments) && !writer.companions.empty()) {
+        throw Error(ErrorCode::usage, fmt::format("{} writes several files; remedy: -o FILE", writer.name));
+    }
+    options.targets = to_stdout(arguments) ? std::vector<fs::path>{} : files_of(writer, target);
     const RunResult result = execute(recipe, registry, directory, options);
-    const fs::path made = directory / recipe.outputs.at(0).file;
-    const std::string bytes = result_for(to_stdout(arguments) ? fs::path() : fs::absolute(beside), made, result,
-                                         recipe.outputs.at(0), registry);
+    const std::vector<WrittenFile> files =
+        result_for(to_stdout(arguments) ? fs::path() : target, directory / output.file, result, output, registry);
     if (to_stdout(arguments)) {
-        print_data(bytes);
+        print_data(files.front().bytes);
         tell_text(table_of(result, recipe.guarantee));
         return exit_code_of(result);
     }
-    deliver(bytes, scratch.path(), target);
+    for (const WrittenFile& file : files) {
+        deliver(file.bytes, scratch.path(), file.file);
+    }
     if (arguments.json) {
         auto json = json_of(result, recipe, arguments.out);
-        json["files"] = {target.string()};
+        json["files"] = file_names(files);
         print_json(json);
     } else {
         print(table_of(result, recipe.guarantee) +
-              fmt::format("Written: {} ({:.2f} s)\n", target.string(), result.seconds));
+              fmt::format("Written: {} ({:.2f} s)\n", fmt::join(file_names(files), ", "), result.seconds));
     }
     return exit_code_of(result);
 }

@@ -22,58 +22,91 @@ std::string_view line_start(std::string_view text, std::size_t position) {
     return {};
 }
 
-std::string sphere_element(const Sphere& sphere) {
+std::string sphere_element(const Sphere& sphere, const std::string& properties) {
     return "<collision><origin xyz=\"" + number_text(sphere.center.x) + " " + number_text(sphere.center.y) + " " +
            number_text(sphere.center.z) + "\" rpy=\"0 0 0\"/><geometry><sphere radius=\"" + number_text(sphere.radius) +
-           "\"/></geometry></collision>";
-}
-
-std::string sphere_elements(const std::vector<Sphere>& spheres, std::string_view separator) {
-    std::string result;
-    CancellationCounter asking(256);
-    for (const Sphere& sphere : spheres) {
-        asking.check();
-        result += result.empty() ? "" : separator;
-        result += sphere_element(sphere);
-    }
-    return result;
+           "\"/></geometry>" + properties + "</collision>";
 }
 
 } // namespace
 
-void UrdfEditor::replace_collisions(const xml::Element& link, const std::vector<Sphere>& spheres) {
+void UrdfEditor::set_attribute(const xml::Element& element, std::string_view key, const std::string& value) {
+    if (element.attribute(key)) {
+        replace(element.attribute_span(key, text_), value);
+        return;
+    }
+    const std::size_t after_name = element.span.begin + 1 + element.name.size();
+    replace({after_name, after_name}, " " + std::string(key) + "=\"" + value + "\"");
+}
+
+void UrdfEditor::remove(const xml::Element& element) {
+    replace({element.span.begin - line_start(text_, element.span.begin).size(), element.span.end}, "");
+}
+
+void UrdfEditor::append_child(const xml::Element& parent, std::string child) {
+    if (appended_.empty() || appended_.back().first != &parent) {
+        appended_.push_back({&parent, {}});
+    }
+    appended_.back().second.push_back(std::move(child));
+}
+
+void UrdfEditor::replace_collisions(const xml::Element& link, const std::vector<Sphere>& spheres,
+                                    const std::string& properties) {
+    CancellationCounter asking(256);
     const std::vector<const xml::Element*> collisions = link.children_named("collision");
-    if (spheres.empty()) {
-        for (const xml::Element* collision : collisions) {
-            const xml::Span span = collision->span;
-            changes_.push_back({{span.begin - line_start(text_, span.begin).size(), span.end}, ""});
+    if (collisions.empty()) {
+        for (const Sphere& sphere : spheres) {
+            asking.check();
+            append_child(link, sphere_element(sphere, properties));
         }
         return;
     }
-    if (!collisions.empty()) {
-        const xml::Element& first = *collisions.front();
-        changes_.push_back({first.span, sphere_elements(spheres, line_start(text_, first.span.begin))});
-        for (std::size_t i = 1; i < collisions.size(); ++i) {
-            const xml::Span span = collisions[i]->span;
-            changes_.push_back({{span.begin - line_start(text_, span.begin).size(), span.end}, ""});
-        }
-        return;
+    const std::string_view separator = line_start(text_, collisions.front()->span.begin);
+    std::string elements;
+    for (const Sphere& sphere : spheres) {
+        asking.check();
+        elements += elements.empty() ? "" : separator;
+        elements += sphere_element(sphere, properties);
     }
-    const std::string outer(line_start(text_, link.span.begin));
-    const std::string inner = outer.empty() ? "" : outer + "  ";
-    const std::string elements = inner + sphere_elements(spheres, inner);
-    if (link.self_closing()) {
-        const std::size_t slash = link.span.end - 2;
-        changes_.push_back({{slash, link.span.end}, ">" + elements + outer + "</" + link.name + ">"});
-    } else {
-        const std::size_t end = link.end_tag - line_start(text_, link.end_tag).size();
-        changes_.push_back({{end, end}, elements});
+    replace(collisions.front()->span, std::move(elements));
+    for (std::size_t i = 1; i < collisions.size(); ++i) {
+        remove(*collisions[i]);
     }
 }
 
+void UrdfEditor::add_children(const Appended& appended) {
+    const xml::Element& parent = *appended.first;
+    const std::string outer(line_start(text_, parent.span.begin));
+    const std::string inner = !parent.children.empty()
+                                  ? std::string(line_start(text_, parent.children.front()->span.begin))
+                              : outer.empty() ? ""
+                                              : outer + "  ";
+    std::string elements;
+    for (const std::string& child : appended.second) {
+        elements += inner + child;
+    }
+    if (parent.self_closing()) {
+        const std::size_t slash = parent.span.end - 2;
+        replace({slash, parent.span.end}, ">" + elements + outer + "</" + parent.name + ">");
+        return;
+    }
+    const std::size_t end = parent.end_tag - line_start(text_, parent.end_tag).size();
+    replace({end, end}, std::move(elements));
+}
+
 std::string UrdfEditor::result() {
-    std::sort(changes_.begin(), changes_.end(),
-              [](const Change& a, const Change& b) { return a.span.begin < b.span.begin; });
+    std::stable_sort(appended_.begin(), appended_.end(),
+                     [](const Appended& a, const Appended& b) { return a.first->span.begin < b.first->span.begin; });
+    for (std::size_t i = 0; i < appended_.size();) { // those of one parent are one change
+        Appended whole = std::move(appended_[i]);
+        for (++i; i < appended_.size() && appended_[i].first == whole.first; ++i) {
+            std::move(appended_[i].second.begin(), appended_[i].second.end(), std::back_inserter(whole.second));
+        }
+        add_children(whole);
+    }
+    appended_.clear();
+    std::stable_sort(changes_.begin(), changes_.end(),
+                     [](const Change& a, const Change& b) { return a.span.begin < b.span.begin; });
     std::string result;
     std::size_t copied = 0;
     CancellationCounter asking(256);

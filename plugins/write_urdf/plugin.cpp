@@ -1,180 +1,107 @@
-// write.urdf: the robot's URDF text with spheres in place of its collision geometry.
+// Writers of robots in URDF.
 //
-// Everything else keeps its bytes: comments, unknown elements, order, line ends, encoding. The exception: relative
-// paths of the remaining meshes and textures (visuals, links without spheres) are changed so that they lead to their
-// files from the folder of the new file.
-#include "edit.hpp"
-#include "references.hpp"
+// write.urdf: the robot's URDF text with spheres in place of its collision geometry. Everything else keeps its bytes:
+// comments, unknown elements, order, line ends, encoding. The exceptions: paths of the remaining meshes and textures
+// (visuals, links without spheres), and what parameters add.
+//
+// write.vamp: the same for VAMP, whose planner takes every joint that is not fixed as its own.
+#include "drake.hpp"
+#include "inertial.hpp"
+#include "sphere_urdf.hpp"
+#include "vamp.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/base/text.hpp>
 #include <foam/sdk/plugin.hpp>
-
-#include <fmt/format.h>
-
-#include <map>
-#include <set>
 
 namespace foam {
 namespace {
 
-using LinkElements = std::map<std::string, const xml::Element*>;
-
-LinkElements links_of(const xml::Element& robot) {
-    LinkElements links;
-    for (const xml::Element* link : robot.children_named("link")) {
-        if (const std::string* name = link->attribute("name")) {
-            links.emplace(*name, link);
-        }
-    }
-    return links;
-}
-
-[[noreturn]] void unreadable(const xml::Element& element, const std::string& why) {
-    throw Error(ErrorCode::output, fmt::format("URDF:{}: <{}> {}", element.line, element.name, why));
-}
-
-/// Returns the numbers of an attribute; `fallback` if it is absent.
-std::vector<double> read_numbers(const xml::Element& element, std::string_view attribute, std::size_t count,
-                                 std::string_view fallback) {
-    const std::string* text = element.attribute(attribute);
-    std::vector<double> numbers;
-    for (const std::string_view word : words(text ? std::string_view(*text) : fallback)) {
-        const std::optional<double> value = parse_number(word);
-        if (!value) {
-            unreadable(element, fmt::format("holds '{}', which is not a finite number", word));
-        }
-        numbers.push_back(*value);
-    }
-    if (numbers.size() != count) {
-        unreadable(element, fmt::format("holds {} numbers in {}, not {}", numbers.size(), attribute, count));
-    }
-    return numbers;
-}
-
-/// Returns the sphere of a <collision>; nothing if it has another geometry. The rotation of a sphere does not matter.
-std::optional<Sphere> read_sphere(const xml::Element& collision) {
-    const xml::Element* geometry = collision.child("geometry");
-    const xml::Element* sphere = geometry ? geometry->child("sphere") : nullptr;
-    if (!sphere) {
-        return {};
-    }
-    const double radius = read_numbers(*sphere, "radius", 1, "").front();
-    const xml::Element* origin = collision.child("origin");
-    if (!origin) {
-        return Sphere{{}, radius};
-    }
-    const std::vector<double> xyz = read_numbers(*origin, "xyz", 3, "0 0 0");
-    return Sphere{{xyz[0], xyz[1], xyz[2]}, radius};
+InertialOf inertial_of(const std::string& word) {
+    return word == "keep" ? InertialOf::none : word == "moving" ? InertialOf::moving : InertialOf::all;
 }
 
 class UrdfWriter final : public Writer {
 public:
     explicit UrdfWriter(const Parameters& parameters)
-        : level_(static_cast<int>(parameters.integer("level"))), mesh_paths_(parameters.text("mesh_paths")) {}
+        : level_(static_cast<int>(parameters.integer("level"))), mesh_paths_(parameters.text("mesh_paths")),
+          inertial_(inertial_of(parameters.text("inertial"))), density_(parameters.number("density")),
+          drake_(parameters.boolean("drake")),
+          proximity_(proximity_properties(parameters.number("mu_static"), parameters.number("mesh_resolution_hint"))) {}
 
     std::string write(const SphereModel& model, Context& context) const override {
-        if (!model.robot || model.robot->source.empty()) {
-            throw Error(ErrorCode::output, "write.urdf: the robot has no URDF text to put the spheres into");
+        if (!drake_ && !proximity_.empty()) {
+            throw Error(ErrorCode::output, "write.urdf: mu_static and mesh_resolution_hint are properties that only "
+                                           "Drake reads; remedy: drake: true");
         }
-        const std::string& source = model.robot->source;
-        const auto root = xml::parse(source, model.robot->file.string(), ErrorCode::output);
-        const LinkElements links = links_of(*root);
-        UrdfEditor editor(source);
-        std::set<std::string> replaced;
-        for (const LinkSpheres& link : spheres_by_link(model, level_)) {
-            const auto it = links.find(link.link);
-            if (it == links.end()) {
-                throw Error(ErrorCode::output, fmt::format("write.urdf: the URDF text has no link '{}'", link.link));
-            }
-            editor.replace_collisions(*it->second, link.spheres);
-            replaced.insert(link.link);
+        SphereUrdf urdf(model, "write.urdf");
+        urdf.put_spheres(spheres_by_link(model, level_), proximity_);
+        urdf.move_references(mesh_paths_, context);
+        if (inertial_ != InertialOf::none) {
+            add_inertials(urdf, inertial_, density_, context);
         }
-        for (const std::string& name : model.without_collision) {
-            if (const auto it = links.find(name); it != links.end()) {
-                editor.replace_collisions(*it->second, {});
-                replaced.insert(name);
-            }
+        if (drake_) {
+            declare_drake(urdf);
+            add_collision_filter_groups(urdf, context);
         }
-        move_references(relative_references(source, *root, replaced), model, editor, context);
-        return editor.result();
+        return urdf.result();
     }
 
-    /// Returns the spheres by link, without links whose collision geometry has no sphere.
     std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override {
-        const auto root = xml::parse(bytes, "URDF", ErrorCode::output);
-        std::map<std::string, std::vector<Sphere>> result;
-        for (const auto& [name, link] : links_of(*root)) {
-            for (const xml::Element* collision : link->children_named("collision")) {
-                if (const std::optional<Sphere> sphere = read_sphere(*collision)) {
-                    result[name].push_back(*sphere);
-                }
-            }
-        }
-        return result;
+        return spheres_of_urdf(bytes);
     }
 
 private:
-    /// Changes relative paths so that they lead to their files from the folder of the new file.
-    void move_references(const std::vector<RelativeReference>& references, const SphereModel& model, UrdfEditor& editor,
-                         Context& context) const {
-        const std::string original = model.robot->file.string();
-        const bool absolute = mesh_paths_ == "absolute";
-        if (references.empty()) {
-            return;
-        }
-        if (mesh_paths_ == "keep" || (model.folder.empty() && !absolute)) {
-            context.log(mesh_paths_ == "keep" ? Severity::info : Severity::warning,
-                        fmt::format("relative paths of meshes are kept as they are (the first: '{}'); they lead to "
-                                    "their files from the folder of {}",
-                                    references.front().path, original));
-            return;
-        }
-        std::vector<std::string> moved, lost;
-        for (const RelativeReference& reference : references) {
-            const std::string path = reference_from(absolute ? std::filesystem::path() : model.folder, reference.path,
-                                                    model.robot->file.parent_path());
-            if (path.empty()) {
-                lost.push_back(reference.path);
-            } else if (path != reference.path) {
-                moved.push_back(reference.path);
-                editor.replace(reference.span, attribute_text(path, model.robot->source));
-            }
-        }
-        if (!moved.empty()) {
-            context.log(Severity::info, fmt::format("{} relative paths of meshes are rewritten so that they lead to "
-                                                    "their files (the first: '{}')",
-                                                    moved.size(), moved.front()));
-        }
-        if (!lost.empty()) {
-            context.log(Severity::warning, fmt::format("{} relative paths of meshes lead to no file from the folder of "
-                                                       "{} and are kept as they are (the first: '{}')",
-                                                       lost.size(), original, lost.front()));
-        }
-    }
-
     int level_;
     std::string mesh_paths_;
+    InertialOf inertial_;
+    double density_;
+    bool drake_;
+    std::string proximity_;
 };
+
+StageInfo info_of_urdf() {
+    return {
+        .name = "write.urdf",
+        .summary = "Writes the robot's URDF text with spheres in place of its collision geometry, and nothing else "
+                   "changed but relative paths.",
+        .reference = "http://wiki.ros.org/urdf/XML",
+        .parameters =
+            {Parameter::integer("level", -1)
+                 .bounds(-1, 32)
+                 .doc("Level of the sphere trees that is written: 0 the bounding spheres, -1 the finest.")
+                 .source("The finest level is the one that is measured and proved."),
+             mesh_paths_parameter(),
+             Parameter::choice("inertial", {"keep", "moving", "all"}, "keep")
+                 .doc("keep: links without <inertial> stay so. moving: those that a joint moves get that of their "
+                      "original collision geometry. all: all links that have geometry get it, for Gazebo, which "
+                      "drops links without <inertial>."),
+             Parameter::number("density", 1000)
+                 .bounds(1e-3, 1e5)
+                 .unit("kg/m³")
+                 .doc("Density of the geometry for <inertial> that is added.")
+                 .source("Water; a robot arm of aluminium, motors and air is of this order."),
+             Parameter::boolean("drake", false)
+                 .doc("Add what Drake reads: its namespace, and pairs of links that need no check as groups that "
+                      "ignore each other."),
+             Parameter::number("mu_static", 0)
+                 .bounds(0, 100)
+                 .unit("1")
+                 .doc("With drake: the coefficient of static friction of all spheres; 0: none is written."),
+             Parameter::number("mesh_resolution_hint", 0)
+                 .bounds(0, 100)
+                 .unit("m")
+                 .doc("With drake: the length of edges for hydroelastic contact, about one to two times the radius "
+                      "of a sphere; 0: none is written.")},
+        .extensions = {"urdf"},
+        .consumer = {.name = "urdfdom 3.0.1, Pinocchio 3.7, Drake (018bf81c12), Bullet, DART 6.12, Gazebo, Tesseract",
+                     .pairs = true,
+                     .pairs_if = "drake"}};
+}
 
 } // namespace
 } // namespace foam
 
 FOAM_PLUGIN("write_urdf", "1.0", "Apache-2.0") {
-    using foam::Parameter;
-    enrol.add<foam::UrdfWriter>(
-        {.name = "write.urdf",
-         .summary = "Writes the robot's URDF text with spheres in place of its collision geometry, and nothing else "
-                    "changed but "
-                    "relative paths.",
-         .reference = "http://wiki.ros.org/urdf/XML",
-         .parameters = {Parameter::integer("level", -1)
-                            .bounds(-1, 32)
-                            .doc("Level of the sphere trees that is written: 0 the bounding spheres, -1 the finest.")
-                            .source("The finest level is the one that is measured and proved."),
-                        Parameter::choice("mesh_paths", {"rewrite", "keep", "absolute"}, "rewrite")
-                            .doc("Relative paths of meshes and textures: rewritten so that they lead to their files "
-                                 "from the new file's folder, kept as written, or made absolute.")
-                            .source("Viewers look for meshes from the file that names them.")},
-         .extensions = {"urdf"}});
+    enrol.add<foam::UrdfWriter>(foam::info_of_urdf());
+    enrol.add<foam::VampWriter>(foam::info_of_vamp());
 }

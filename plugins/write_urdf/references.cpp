@@ -1,10 +1,13 @@
 #include "references.hpp"
 
+#include <foam/base/file.hpp>
+#include <foam/base/text.hpp>
 #include <foam/sdk/resource.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace foam {
 namespace {
@@ -15,9 +18,9 @@ bool is_relative(const std::string& path) {
     return !path.empty() && path.front() != '/' && path.find("://") == path.npos;
 }
 
-void collect(std::string_view text, const xml::Element& element, std::vector<RelativeReference>& found) {
+void collect(std::string_view text, const xml::Element& element, std::vector<Reference>& found) {
     const std::string* path = element.attribute("filename");
-    if (path && is_relative(*path) && (element.name == "mesh" || element.name == "texture")) {
+    if (path && !path->empty() && (element.name == "mesh" || element.name == "texture")) {
         found.push_back({*path, element.attribute_span("filename", text)});
     }
     for (const auto& child : element.children) { // at most as deep as xml::parse() allows
@@ -50,11 +53,88 @@ bool is_utf8(std::string_view text) {
     return name.empty() || name == "UTF-8";
 }
 
+/// Returns the file that a reference leads to; empty if there is none.
+fs::path target_of(const std::string& path, const Robot& robot) {
+    for (const Link& link : robot.links) {
+        for (const auto* elements : {&link.visuals, &link.collisions}) {
+            for (const GeometryElement& element : *elements) {
+                const auto* mesh = std::get_if<MeshReference>(&element.geometry);
+                if (mesh && mesh->uri == path && !mesh->path.empty()) {
+                    return mesh->path; // found with the package path of the loader
+                }
+            }
+        }
+    }
+    return ResourceResolver().resolve(path, robot.file.parent_path()).path;
+}
+
+/// Returns the path from `folder`, which need not exist yet; `path` itself if it is right already.
+std::string path_from(const fs::path& folder, const std::string& path, const fs::path& target, const fs::path& base) {
+    std::error_code error;
+    const fs::path from = fs::weakly_canonical(folder);
+    if (from == fs::weakly_canonical(base) || fs::equivalent(from / path, target, error)) {
+        return path;
+    }
+    return physical(target).lexically_relative(from).string();
+}
+
+/// Returns the <name> of a package.xml (REP 149); empty if there is no such file or no name in it.
+std::string name_of_package(const fs::path& folder) {
+    constexpr std::uintmax_t most = 1'000'000;
+    const fs::path file = folder / "package.xml";
+    const std::string text = read_regular_file(file, most, "").bytes;
+    if (text.empty()) {
+        return {};
+    }
+    const auto package = xml::parse(text, file.string(), ErrorCode::output);
+    const xml::Element* name = package->child("name");
+    const auto found =
+        name ? words(std::string_view(text).substr(name->start_tag.end, name->end_tag - name->start_tag.end))
+             : std::vector<std::string_view>{};
+    return found.empty() ? "" : std::string(found.front());
+}
+
+/// Returns package://NAME/REST for a file below a package; empty for another file.
+std::string package_uri(const fs::path& target) {
+    const fs::path file = physical(fs::absolute(target));
+    for (fs::path folder = file.parent_path(); folder != folder.parent_path(); folder = folder.parent_path()) {
+        if (const std::string name = name_of_package(folder); !name.empty()) {
+            return "package://" + name + "/" + file.lexically_relative(folder).generic_string();
+        }
+    }
+    return {};
+}
+
+/// References of which the same is said: their number and the first.
+class Counted {
+public:
+    void add(const std::string& path) { first_ = count_++ == 0 ? path : first_; }
+    /// Adds a message if there are any: `which`, paths of meshes, `what` becomes of them.
+    void say(MovedReferences& result, Severity severity, const std::string& which, const std::string& what) const {
+        if (count_ > 0) {
+            result.messages.emplace_back(
+                severity, fmt::format("{} {} of meshes {} (the first: '{}')", count_, which, what, first_));
+        }
+    }
+
+private:
+    std::size_t count_ = 0;
+    std::string first_;
+};
+
+MovedReferences kept(const std::vector<Reference>& references, bool on_purpose, const SphereModel& model) {
+    return {.moved = {},
+            .messages = {{on_purpose ? Severity::info : Severity::warning,
+                          fmt::format("relative paths of meshes are kept as they are (the first: '{}'); they lead to "
+                                      "their files from the folder of {}",
+                                      references.front().path, model.robot->file.string())}}};
+}
+
 } // namespace
 
-std::vector<RelativeReference> relative_references(std::string_view text, const xml::Element& robot,
-                                                   const std::set<std::string>& replaced) {
-    std::vector<RelativeReference> found;
+std::vector<Reference> references_of(std::string_view text, const xml::Element& robot,
+                                     const std::set<std::string>& replaced) {
+    std::vector<Reference> found;
     for (const auto& element : robot.children) {
         const std::string* name = element->name == "link" ? element->attribute("name") : nullptr;
         if (!name || !replaced.contains(*name)) {
@@ -70,17 +150,41 @@ std::vector<RelativeReference> relative_references(std::string_view text, const 
     return found;
 }
 
-std::string reference_from(const fs::path& folder, const std::string& path, const fs::path& base) {
-    const fs::path target = ResourceResolver().resolve(path, base).path;
-    if (target.empty() || folder.empty()) {
-        return target.string();
+MovedReferences moved_references(const std::vector<Reference>& all, const std::string& mesh_paths,
+                                 const SphereModel& model) {
+    const bool absolute = mesh_paths == "absolute", package = mesh_paths == "package";
+    std::vector<Reference> references;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(references),
+                 [&](const Reference& reference) { return absolute || is_relative(reference.path); });
+    if (references.empty()) {
+        return {};
     }
-    std::error_code error;
-    const fs::path from = fs::weakly_canonical(folder);
-    if (from == fs::weakly_canonical(base) || fs::equivalent(from / path, target, error)) {
-        return path;
+    if (mesh_paths == "keep" || (model.folder.empty() && !absolute && !package)) {
+        return kept(references, mesh_paths == "keep", model);
     }
-    return physical(target).lexically_relative(from).string();
+    MovedReferences result;
+    Counted rewritten, lost, outside;
+    for (const Reference& reference : references) {
+        const fs::path target = target_of(reference.path, *model.robot);
+        const std::string path = target.empty() ? ""
+                                 : absolute     ? fs::absolute(target).string()
+                                 : package
+                                     ? package_uri(target)
+                                     : path_from(model.folder, reference.path, target, model.robot->file.parent_path());
+        if (path.empty()) {
+            (target.empty() ? lost : outside).add(reference.path);
+        } else if (path != reference.path) {
+            rewritten.add(reference.path);
+            result.moved.push_back({path, reference.span});
+        }
+    }
+    const std::string which = absolute ? "paths" : "relative paths";
+    rewritten.say(result, Severity::info, which, "are rewritten so that they lead to their files");
+    lost.say(result, Severity::warning, which,
+             fmt::format("lead to no file from the folder of {} and are kept as they are", model.robot->file.string()));
+    outside.say(result, Severity::warning, which,
+                "lead to files in no package, a folder with a package.xml, and are kept as they are");
+    return result;
 }
 
 std::string attribute_text(std::string_view value, std::string_view text) {

@@ -4,6 +4,7 @@
 #include "attributes.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/geometry/mass.hpp>
 #include <foam/geometry/union_volume.hpp>
 #include <foam/robot/kinematics.hpp>
 #include <foam/sdk/planning.hpp>
@@ -80,41 +81,44 @@ std::string inertial_text(const xml::Element& inertial, const std::string& file)
            attribute_text("fullinertia", numbers_text(full)) + "/>";
 }
 
-/// Returns an <inertial> for the volume (m³; 0: that of the spheres' union) at 1000 kg/m³, spread like the spheres.
-std::string inertial_of_spheres(const std::vector<Sphere>& spheres, double volume) {
-    constexpr double density = 1000;
+std::string inertial_text(const MassProperties& mass) {
+    return "<inertial" + attribute_text("pos", vector_text(mass.center)) +
+           attribute_text("mass", numbers_text({&mass.mass, 1})) +
+           attribute_text("fullinertia", numbers_text(mass.inertia)) + "/>";
+}
+
+/// Returns the mass properties of the spheres: the volume of their union, spread like their volumes.
+MassProperties of_spheres(const std::vector<Sphere>& spheres, double density) {
     double total = 0;
-    Vec3 center;
+    MassProperties result;
     for (const Sphere& s : spheres) {
         const double weight = s.radius * s.radius * s.radius;
         total += weight;
-        center += s.center * weight;
+        result.center += s.center * weight;
     }
-    center = center / total;
-    const double mass = density * (volume > 0 ? volume : exact_union_volume(spheres));
-    Vec3 diagonal, mixed; // xx, yy, zz; xy, xz, yz
+    result.center = result.center / total;
+    result.mass = density * exact_union_volume(spheres);
+    auto& [xx, yy, zz, xy, xz, yz] = result.inertia;
     for (const Sphere& s : spheres) {
-        const double part = mass * s.radius * s.radius * s.radius / total, own = 0.4 * s.radius * s.radius;
-        const Vec3 d = s.center - center;
-        diagonal += Vec3{own + d.y * d.y + d.z * d.z, own + d.x * d.x + d.z * d.z, own + d.x * d.x + d.y * d.y} * part;
-        mixed += Vec3{-d.x * d.y, -d.x * d.z, -d.y * d.z} * part;
+        const double part = result.mass * s.radius * s.radius * s.radius / total, own = 0.4 * s.radius * s.radius;
+        const Vec3 d = s.center - result.center;
+        xx += part * (own + d.y * d.y + d.z * d.z);
+        yy += part * (own + d.x * d.x + d.z * d.z);
+        zz += part * (own + d.x * d.x + d.y * d.y);
+        xy -= part * d.x * d.y;
+        xz -= part * d.x * d.z;
+        yz -= part * d.y * d.z;
     }
-    return "<inertial" + attribute_text("pos", vector_text(center)) + attribute_text("mass", numbers_text({&mass, 1})) +
-           attribute_text("fullinertia",
-                          numbers_text(std::array{diagonal.x, diagonal.y, diagonal.z, mixed.x, mixed.y, mixed.z})) +
-           "/>";
+    return result;
 }
 
 /// Writes the tree of bodies.
 class Bodies {
 public:
-    Bodies(const SphereModel& model, bool free, Context& context)
-        : model_(model), context_(context), kinematics_(model.robot), free_(free) {
+    Bodies(const SphereModel& model, bool free, double density, Context& context)
+        : model_(model), context_(context), kinematics_(model.robot), free_(free), density_(density) {
         for (LinkSpheres& link : spheres_by_link(model)) {
             spheres_[link.link] = std::move(link.spheres);
-        }
-        for (const SphereGroup& group : model.groups) {
-            volumes_[group.link] += group.measures.volume;
         }
         if (!model.robot->source.empty()) {
             urdf_ = xml::parse(model.robot->source, model.robot->file.string(), ErrorCode::output);
@@ -132,17 +136,24 @@ public:
 
     std::string text() {
         add_body(base_link(model_), {}, nullptr, 2);
-        if (!invented_.empty()) {
-            context_.log(
-                Severity::warning,
-                fmt::format("no <inertial>: the mass of the geometry at 1000 kg/m³, spread like the spheres, is "
-                            "that of {}; remedy: add <inertial> to the URDF",
-                            fmt::join(invented_, ", ")));
-        }
+        tell(from_geometry_, "the collision geometry");
+        tell(from_open_, "the collision geometry, whose meshes are not closed: the winding number decides what lies "
+                         "inside,");
+        tell(from_spheres_, "the spheres, as the geometry is not known or has no volume,");
         return std::move(text_);
     }
 
 private:
+    /// Says which links have an invented mass.
+    void tell(const std::vector<std::string>& links, const std::string& source) {
+        if (!links.empty()) {
+            context_.log(Severity::warning,
+                         fmt::format("no <inertial>: {} at {} kg/m³ gives that of {}; remedy: add <inertial> to the "
+                                     "URDF",
+                                     source, numbers_text({&density_, 1}), fmt::join(links, ", ")));
+        }
+    }
+
     void line(std::size_t depth, const std::string& content) { text_ += std::string(2 * depth, ' ') + content + "\n"; }
 
     void add_body(const std::string& link, const Pose& pose, const Joint* joint, std::size_t depth) {
@@ -175,9 +186,8 @@ private:
         const auto known = inertials_.find(link);
         if (known != inertials_.end() && known->second) {
             line(depth, inertial_text(*known->second, model_.robot->file.string()));
-        } else if (!spheres_[link].empty()) {
-            line(depth, inertial_of_spheres(spheres_[link], volumes_[link]));
-            invented_.push_back(link);
+        } else if (const auto mass = mass_of(link)) {
+            line(depth, inertial_text(*mass));
         } else if (moves) {
             throw Error(
                 ErrorCode::output,
@@ -185,6 +195,21 @@ private:
                             "moving bodies without mass; remedy: add <inertial> to the URDF",
                             link));
         }
+    }
+
+    /// Returns the mass properties of the geometry, or of the spheres; nothing for a link without both.
+    std::optional<MassProperties> mass_of(const std::string& link) {
+        if (const auto geometry = model_.geometry.find(link); geometry != model_.geometry.end()) {
+            if (const auto mass = mass_properties(*geometry->second, density_)) {
+                (geometry->second->closed() ? from_geometry_ : from_open_).push_back(link);
+                return mass;
+            }
+        }
+        if (spheres_[link].empty()) {
+            return {};
+        }
+        from_spheres_.push_back(link);
+        return of_spheres(spheres_[link], density_);
     }
 
     std::string joint_text(const Joint& joint) const {
@@ -209,11 +234,11 @@ private:
     Context& context_;
     Kinematics kinematics_;
     bool free_;
+    double density_; ///< kg/m³
     std::map<std::string, std::vector<Sphere>> spheres_;
     std::unique_ptr<const xml::Element> urdf_;
     std::map<std::string, const xml::Element*> inertials_;
-    std::map<std::string, double> volumes_; ///< of the geometry, m³
-    std::vector<std::string> invented_;     ///< links whose inertia is that of their spheres
+    std::vector<std::string> from_geometry_, from_open_, from_spheres_; ///< links by what their mass is made of
     JointValues locked_;
     std::string text_;
 };
@@ -250,7 +275,8 @@ std::string contact_text(const SphereModel& model) {
 
 } // namespace
 
-MjcfWriter::MjcfWriter(const Parameters& parameters) : free_(parameters.text("base") == "free") {}
+MjcfWriter::MjcfWriter(const Parameters& parameters)
+    : free_(parameters.text("base") == "free"), density_(parameters.number("density")) {}
 
 std::string MjcfWriter::write(const SphereModel& model, Context& context) const {
     if (!model.robot) {
@@ -264,8 +290,8 @@ std::string MjcfWriter::write(const SphereModel& model, Context& context) const 
            "conaffinity=\"1\"/></default>\n"
            "  </default>\n"
            "  <worldbody>\n" +
-           Bodies(model, free_, context).text() + "  </worldbody>\n" + equality_text(model) + contact_text(model) +
-           "</mujoco>\n";
+           Bodies(model, free_, density_, context).text() + "  </worldbody>\n" + equality_text(model) +
+           contact_text(model) + "</mujoco>\n";
 }
 
 std::map<std::string, std::vector<Sphere>> MjcfWriter::read(const std::string& bytes) const {

@@ -13,6 +13,7 @@ public:
 
 private:
     bool free_;
+    double density_; ///< kg/m³
 };
 
 class MjcfReader final : public ModelReader {

@@ -21,7 +21,12 @@ FOAM_PLUGIN("xml_models", "1.0", "Apache-2.0") {
          .summary = "Writes the robot as MJCF: bodies with their spheres, joints, inertias and pairs without contact.",
          .reference = "https://mujoco.readthedocs.io/en/stable/XMLreference.html",
          .parameters = {Parameter::choice("base", {"fixed", "free"}, "fixed")
-                            .doc("fixed: the base is part of the world; free: it moves freely, as an object does.")},
+                            .doc("fixed: the base is part of the world; free: it moves freely, as an object does."),
+                        Parameter::number("density", 1000)
+                            .bounds(1e-3, 1e5)
+                            .unit("kg/m³")
+                            .doc("Density of the geometry of links without <inertial>.")
+                            .source("MuJoCo's own default.")},
          .extensions = {"mjcf"},
          .consumer = {.name = "MuJoCo 2.2.2 and 3.12 (a7255075b0)", .pairs = true}});
     enrol.add<SrdfReader>({.name = "read.srdf",

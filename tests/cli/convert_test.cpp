@@ -137,6 +137,80 @@ TEST_F(CliConvert, TheirOwnFilesKeepAllButTheSpheres) {
     }
 }
 
+TEST_F(CliConvert, VampGetsItsThreeFiles) {
+    const Outcome outcome = foam("convert model.csv arm.urdf --format vamp -o arm_vamp.urdf --tool-frame tool");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("Written: arm_vamp.urdf, arm_vamp.srdf, arm_vamp.json by write.vamp\n"));
+    EXPECT_THAT(outcome.out,
+                HasSubstr("Proved: the collision geometry of 2 of 2 links lies inside their spheres, also in "
+                          "single precision."));
+    EXPECT_THAT(contents(path() / "arm_vamp.srdf"), HasSubstr("<disable_collisions link1=\"base\" link2=\"upper\""));
+    const auto job = nlohmann::json::parse(contents(path() / "arm_vamp.json"));
+    EXPECT_EQ(job["urdf"], "arm_vamp.urdf");
+    EXPECT_EQ(job["srdf"], "arm_vamp.srdf");
+    EXPECT_EQ(job["end_effector"], "tool");
+    EXPECT_EQ(foam("certify arm.urdf arm_vamp.urdf").code, 0) << "read back by read.urdf";
+    EXPECT_EQ(written("arm_vamp.urdf arm.urdf", "back.csv"), contents(path() / "model.csv"));
+    const std::string held = written("model.csv arm.urdf --format vamp --lock slide=0.05", "held.urdf");
+    EXPECT_THAT(held, HasSubstr("<joint name=\"slide\" type=\"fixed\">"));
+    EXPECT_THAT(held, HasSubstr("<origin xyz=\"0 0 0.05\" rpy=\"0 0 0\"/>"));
+}
+
+TEST_F(CliConvert, SpherizeAndRunWriteAllFilesOfVamp) {
+    EXPECT_THAT(foam("spherize arm.urdf -n 4 --format vamp -o s.urdf --set 'robot.tool_frames=[tool]'").out,
+                HasSubstr("Written: s.urdf, s.srdf, s.json ("));
+    EXPECT_EQ(nlohmann::json::parse(contents(path() / "s.json"))["urdf"], "s.urdf");
+    EXPECT_EQ(foam("certify arm.urdf s.urdf").code, 0);
+    EXPECT_THAT(foam("spherize arm.urdf -n 4 --format vamp -o -").err,
+                HasSubstr("write.vamp writes several files; remedy: -o FILE"));
+    const std::string begin = "foam: 1\nname: arm\nrobot: {urdf: [arm.urdf]}\nstages: [spherize.grid]\noutputs:\n";
+    write("vamp.yaml", begin + "  - write.vamp: {file: vamp/arm.urdf}\n");
+    EXPECT_EQ(foam("run vamp.yaml --out run").code, 0);
+    EXPECT_TRUE(std::filesystem::exists(path() / "run/vamp/arm.srdf"));
+    EXPECT_EQ(nlohmann::json::parse(contents(path() / "run/manifest.json"))["outputs"].size(), 3u);
+    EXPECT_EQ(foam("verify run").code, 0);
+    write("twice.yaml", begin + "  - write.srdf: {file: arm.srdf}\n  - write.vamp: {file: arm.urdf}\n");
+    EXPECT_THAT(foam("check twice.yaml").err + foam("check twice.yaml").out,
+                HasSubstr("output file 'arm.srdf' collides with 'arm.srdf' of line 6"));
+    write("same.yaml", begin + "  - write.vamp: {file: arm.json}\n");
+    EXPECT_THAT(
+        foam("check same.yaml").err + foam("check same.yaml").out,
+        HasSubstr("write.vamp writes other files beside 'arm.json', one of them under the same name; remedy: a file "
+                  "that ends in .urdf"));
+}
+
+TEST_F(CliConvert, SetsParametersOfTheWriter) {
+    const std::string args = "model.csv arm.urdf --format curobo --tool-frame tool ";
+    EXPECT_THAT(written(args + "--set version=0.7 --set buffer=1cm", "old.yml"),
+                HasSubstr("collision_sphere_buffer: 0.01\n"));
+    EXPECT_THAT(written("model.csv arm.urdf --set drake=true --set mu_static=0.5", "drake.urdf"),
+                HasSubstr("<drake:ignored_collision_filter_group name=\"foam_upper\"/>"));
+    EXPECT_THAT(refusal(args + "-o out.yml --set versoin=0.7"),
+                HasSubstr("--set: write.curobo has no parameter 'versoin'; did you mean 'version'?"));
+    EXPECT_THAT(refusal(args + "-o out.yml --set version=0.6"),
+                HasSubstr("--set: 'version' of write.curobo expects one of 0.8, 0.7, got '0.6'"));
+    EXPECT_THAT(refusal(args + "-o out.yml --set pairs=maybe"),
+                HasSubstr("--set: 'pairs' of write.curobo expects true or false, got 'maybe'"));
+    EXPECT_THAT(refusal(args + "-o out.yml --set version"), HasSubstr("--set expects KEY=VALUE, got 'version'"));
+}
+
+TEST_F(CliConvert, RenamesLinks) {
+    write("theirs.csv", "link,x,y,z,radius\nmy_base,0,0,0,0.125\nmy_upper,0,0,0,0.25\n");
+    EXPECT_THAT(refusal("theirs.csv arm.urdf -o out.yml --format bubblify"), HasSubstr("link 'my_base' is no link of"));
+    EXPECT_EQ(written("theirs.csv arm.urdf --rename my_=", "ours.csv"),
+              "link,x,y,z,radius\nbase,0,0,0,0.125\nupper,0,0,0,0.25\n");
+    EXPECT_THAT(refusal("theirs.csv arm.urdf -o out.yml --format bubblify --rename mi_="),
+                HasSubstr("--rename mi_=: no link of the spheres is called 'mi_' or begins with it"));
+}
+
+TEST_F(CliConvert, MassesComeFromTheGeometry) {
+    const Outcome outcome = foam("convert model.csv arm.urdf --format urdf --set inertial=moving -o heavy.urdf");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(contents(path() / "heavy.urdf"), HasSubstr("<mass value=\"33.510321638291")) << "4/3 π 0.2³ 1000";
+    EXPECT_THAT(written("model.csv arm.urdf --format mjcf --tool-frame tool --lock slide=0", "arm.mjcf"),
+                HasSubstr("mass=\"33.510321638291"));
+}
+
 TEST_F(CliConvert, Refusals) {
     EXPECT_THAT(refusal("model.csv -o out.yml --format curobo"), HasSubstr("write.curobo needs the robot"));
     EXPECT_THAT(refusal("model.csv arm.urdf -o out.yml --format curobo"), HasSubstr("--tool-frame LINK"));

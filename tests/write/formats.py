@@ -39,8 +39,17 @@ def tool_of(urdf):
     return [joint.find("child").get("link") for joint in joints if joint.find("child").get("link") not in parents][-1]
 
 
+def locked(urdf):
+    """Joints that others follow: a planner that does not know mimic joints holds them."""
+    joints = xml.etree.ElementTree.parse(urdf).getroot().findall("joint")
+    followed = {joint.find("mimic").get("joint") for joint in joints if joint.find("mimic") is not None}
+    moving = {joint.get("name") for joint in joints if joint.get("type") != "fixed"}
+    return {name: 0.01 for name in sorted(followed & moving)}
+
+
 def recipe(urdf, formats):
-    lines = ["foam: 1", "name: all", f"robot: {{urdf: [{json.dumps(str(urdf))}], tool_frames: [{json.dumps(tool_of(urdf))}]}}",
+    lines = ["foam: 1", "name: all", f"robot: {{urdf: [{json.dumps(str(urdf))}], tool_frames: [{json.dumps(tool_of(urdf))}], "
+             f"lock_joints: {json.dumps(locked(urdf))}}}",
              "stages: [{spherize.cover: {effort: fast}}]", "budget: {spheres: 60}", "outputs:"]
     lines += [f"  - write.{f['format']}: {{file: {f['format']}/model.{f['extensions'][0]}}}" for f in formats]
     return "\n".join(lines) + "\n"
@@ -55,7 +64,7 @@ def results_of(program, urdf, formats, folder):
     table = next((folder / "run/csv").iterdir()).read_text()
     results = {}
     for entry in formats:
-        file = next((folder / "run" / entry["format"]).iterdir())
+        file = folder / "run" / entry["format"] / f"model.{entry['extensions'][0]}"
         if entry["format"] in NO_SPHERES_ALONE:
             results[entry["format"]] = "written"  # the run itself has read it back and proved it
             continue

@@ -3,6 +3,7 @@
 
 #include <foam/base/file.hpp>
 #include <foam/base/random.hpp>
+#include <foam/geometry/mass.hpp>
 #include <foam/robot/kinematics.hpp>
 #include <foam/sdk/stage.hpp>
 
@@ -132,6 +133,40 @@ TEST(MuJoCo, LeavesOutIgnoredPairsAlsoAtTheBase) {
     for (int step = 0; step < 1000; ++step) {
         mj_step(mujoco.model, mujoco.data);
         ASSERT_EQ(mujoco.data->ncon, 0) << step;
+    }
+}
+
+TEST(MuJoCo, TakesTheMassAndInertiaOfTheGeometry) {
+    const auto robot = panda();
+    SphereModel model = spheres_on(robot);
+    Registry registry;
+    registry.load(FOAM_TEST_PLUGINS "/load_mesh.so");
+    const auto loader = registry.make<MeshLoader>("load.mesh");
+    QuietContext context;
+    for (const Link& link : robot->links) {
+        std::vector<Solid::Part> parts;
+        for (const GeometryElement& element : link.collisions) {
+            const auto& mesh = std::get<MeshReference>(element.geometry);
+            parts.push_back({std::make_shared<const Mesh>(
+                                 transformed(loader->load(mesh.path, context), element.origin, mesh.scale)),
+                             std::nullopt, Pose{}});
+        }
+        if (!parts.empty()) {
+            model.geometry[link.name] = Solid::make(std::move(parts));
+        }
+    }
+    const Loaded mujoco(writer("xml_models", "write.mjcf", {{"density", 500.0}})->write(model, context));
+    ASSERT_TRUE(mujoco.model);
+    for (const auto& [link, solid] : model.geometry) {
+        const int body = mj_name2id(mujoco.model, mjOBJ_BODY, link.c_str());
+        const auto mass = mass_properties(*solid, 500);
+        ASSERT_TRUE(body >= 0 && mass);
+        EXPECT_EQ(mujoco.model->body_mass[body], mass->mass) << link;
+        const mjtNum *at = mujoco.model->body_ipos + 3 * body, *inertia = mujoco.model->body_inertia + 3 * body;
+        EXPECT_LT(distance({at[0], at[1], at[2]}, mass->center), 1e-12) << link;
+        // The principal moments have the trace of the matrix.
+        const double trace = mass->inertia[0] + mass->inertia[1] + mass->inertia[2];
+        EXPECT_NEAR(inertia[0] + inertia[1] + inertia[2], trace, 1e-9 * trace) << link;
     }
 }
 

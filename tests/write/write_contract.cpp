@@ -67,6 +67,25 @@ TEST(WriterContract, EqualModelsGiveEqualBytes) {
     });
 }
 
+TEST(WriterContract, CompanionsAreWrittenWithEqualBytes) {
+    Registry registry;
+    registry.load_directory(FOAM_TEST_PLUGINS);
+    int count = 0;
+    for (const auto& [name, stage] : registry.stages()) {
+        for (const std::string& ending :
+             stage.kind == StageKind::writer ? stage.info.companions : std::vector<std::string>{}) {
+            SCOPED_TRACE(name + " ." + ending);
+            QuietContext one(1), two(2);
+            const auto writer = registry.make<Writer>(name);
+            const std::string bytes = writer->companion(ending, plain_model(), one);
+            EXPECT_NE(bytes, "");
+            EXPECT_EQ(writer->companion(ending, plain_model(), two), bytes);
+            ++count;
+        }
+    }
+    EXPECT_GE(count, 2);
+}
+
 TEST(WriterContract, RefusesSpheresThatNoReaderTakes) {
     for (const Sphere& bad :
          {Sphere{{0, 0, 0}, 0}, Sphere{{0, 0, 0}, -1}, Sphere{{NAN, 0, 0}, 1}, Sphere{{0, 0, 0}, INFINITY}}) {

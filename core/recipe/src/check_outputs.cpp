@@ -92,6 +92,30 @@ void read_into(const StageItem& item, OutputCall& output, const Checking& checki
     }
 }
 
+/// Returns the files of an output: its own, and those that its writer writes beside it.
+std::vector<std::string> files_of(const OutputCall& output, const Registry& registry) {
+    std::vector<std::string> files{output.file};
+    if (const RegisteredStage* writer = registry.find(output.writer.stage)) {
+        for (const std::string& ending : writer->info.companions) {
+            files.push_back(companion_of(output.file, ending).string());
+        }
+    }
+    return files;
+}
+
+/// Returns the first file of `files` that collides with one of `others`, and that one; nothing if none does.
+std::optional<std::pair<std::string, std::string>> collision(const std::vector<std::string>& files,
+                                                             const std::vector<std::string>& others) {
+    for (const std::string& file : files) {
+        for (const std::string& other : others) {
+            if (collide(file, other)) {
+                return std::pair(file, other);
+            }
+        }
+    }
+    return {};
+}
+
 void add_output(const Value& value, Recipe& recipe, const Checking& checking) {
     StageItem item = read_stage_item(value, "outputs", checking);
     const bool edits = item.stage && item.stage->info.consumer.edits;
@@ -110,17 +134,26 @@ void add_output(const Value& value, Recipe& recipe, const Checking& checking) {
     if (file.empty()) {
         return;
     }
-    const auto other = std::find_if(recipe.outputs.begin(), recipe.outputs.end(),
-                                    [&](const OutputCall& output) { return collide(file, output.file); });
-    if (other == recipe.outputs.end()) {
-        OutputCall output{std::move(item.call), file};
-        read_into(item, output, checking);
-        recipe.outputs.push_back(std::move(output));
+    OutputCall output{std::move(item.call), file};
+    const std::vector<std::string> files = files_of(output, checking.registry);
+    if (std::find(files.begin() + 1, files.end(), file) != files.end()) {
+        checking.findings.error(item.name.where, "duplicate-file",
+                                fmt::format("{} writes other files beside {}, one of them under the same name; remedy: "
+                                            "a file that ends in .{}",
+                                            output.writer.stage, in_quotes(file), item.stage->info.extensions.front()));
         return;
     }
-    checking.findings.error(item.name.where, "duplicate-file",
-                            fmt::format("output file {} collides with {} of line {}; remedy: rename one",
-                                        in_quotes(file), in_quotes(other->file), other->writer.where.line));
+    for (const OutputCall& other : recipe.outputs) {
+        if (const auto both = collision(files, files_of(other, checking.registry))) {
+            checking.findings.error(item.name.where, "duplicate-file",
+                                    fmt::format("output file {} collides with {} of line {}; remedy: rename one",
+                                                in_quotes(both->first), in_quotes(both->second),
+                                                other.writer.where.line));
+            return;
+        }
+    }
+    read_into(item, output, checking);
+    recipe.outputs.push_back(std::move(output));
 }
 
 void add_default_outputs(const Value& root, Recipe& recipe, const Checking& checking) {

@@ -11,9 +11,9 @@
 namespace foam::inline runtime {
 namespace {
 
-bool lists_pairs(const Workspace& workspace) {
+bool any_lists_pairs(const Workspace& workspace) {
     return std::any_of(workspace.recipe.outputs.begin(), workspace.recipe.outputs.end(), [&](const OutputCall& output) {
-        return workspace.registry.find(output.writer.stage)->info.consumer.pairs;
+        return lists_pairs(workspace.registry.find(output.writer.stage)->info, output.writer.given);
     });
 }
 
@@ -62,7 +62,10 @@ void complete_model(const Workspace& workspace, const Input& input, FinishedMode
         }
     }
     finished.model.provenance = provenance(workspace, input, finished);
-    if (lists_pairs(workspace) && finished.model.robot->links.size() > 1) {
+    for (const FinishedLink& link : finished.links) {
+        finished.model.geometry[link.work->link->name] = link.solid;
+    }
+    if (any_lists_pairs(workspace) && finished.model.robot->links.size() > 1) {
         SelfCollisionOptions options;
         options.seed = workspace.recipe.seed;
         options.reference = workspace.recipe.facts.default_pose;

@@ -14,10 +14,49 @@ static std::optional<TextFile> into_of(const Workspace& workspace, const OutputC
     return TextFile{file, read_file(file, most_robot_bytes)};
 }
 
+/// The bytes of a file, and those of the writer without a folder.
+struct WrittenText {
+    std::string text, portable;
+};
+
+/// Returns the files of an output: that of its writer, then the companions of that, in the order of the endings.
+static std::vector<WrittenText> texts_of(const Writer& writer, const std::vector<std::string>& companions,
+                                         SphereModel model, const std::filesystem::path& target, Context& context) {
+    const auto all = [&](Context& for_this) {
+        std::vector<std::string> texts{writer.write(model, for_this)};
+        for (const std::string& ending : companions) {
+            texts.push_back(writer.companion(ending, model, for_this));
+        }
+        return texts;
+    };
+    QuietContext quiet;
+    model.file = target.filename().string();
+    std::vector<std::string> portable = all(quiet);
+    model.folder = target.parent_path();
+    std::vector<std::string> texts = all(context);
+    std::vector<WrittenText> result;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        result.push_back({std::move(texts[i]), std::move(portable[i])});
+    }
+    return result;
+}
+
+/// Writes a file into the run directory. Returns its record.
+static OutputFile record_of(const WrittenText& written, const OutputCall& output, const std::string& file,
+                            const RunDirectory& directory) {
+    directory.write(file, written.text);
+    return {.stage = output.writer.stage,
+            .file = file,
+            .digest = digest_of(written.text),
+            .bytes = written.text.size(),
+            .proofs = {},
+            .portable_digest = written.portable == written.text ? Digest{} : digest_of(written.portable)};
+}
+
 std::vector<OutputFile> write_outputs(const Workspace& workspace, const FinishedModel& finished,
                                       const RunDirectory& directory) {
     const std::vector<OutputCall>& outputs = workspace.recipe.outputs;
-    std::vector<std::string> texts(outputs.size());
+    std::vector<std::vector<WrittenText>> texts(outputs.size());
     std::vector<std::unique_ptr<Writer>> writers(outputs.size());
     const auto as_task = [&](std::size_t i, const auto& body) {
         StageReport report;
@@ -25,35 +64,38 @@ std::vector<OutputFile> write_outputs(const Workspace& workspace, const Finished
     };
     workspace.journal.begin("writing");
     workspace.journal.expect(outputs.size());
-    std::vector<OutputFile> files(outputs.size());
+    const auto companions = [&](std::size_t i) -> const std::vector<std::string>& {
+        return workspace.registry.find(outputs[i].writer.stage)->info.companions;
+    };
     parallel_for(outputs.size(), [&](std::size_t i) {
         texts[i] = as_task(i, [&](Context& context) {
             writers[i] = workspace.registry.make<Writer>(outputs[i].writer.stage, outputs[i].writer.given);
             SphereModel model = finished.model;
             model.into = into_of(workspace, outputs[i]);
-            QuietContext quiet;
-            const std::string portable = writers[i]->write(model, quiet);
-            model.folder = (directory.target() / outputs[i].file).parent_path();
-            std::string text = writers[i]->write(model, context);
-            files[i].portable_digest = portable == text ? "" : digest_of(portable);
-            return text;
+            return texts_of(*writers[i], companions(i), std::move(model), directory.target() / outputs[i].file,
+                            context);
         });
     });
     workspace.journal.begin("proof");
     workspace.journal.expect(outputs.size());
+    std::vector<std::vector<OutputFile>> files(outputs.size());
     parallel_for(outputs.size(), [&](std::size_t i) {
-        OutputFile& file = files[i];
-        file.proofs = as_task(i, [&](Context&) {
-            return prove_written(writers[i]->read(texts[i]), finished, workspace.recipe.guarantee,
+        std::vector<WrittenProof> proofs = as_task(i, [&](Context&) {
+            return prove_written(writers[i]->read(texts[i].front().text), finished, workspace.recipe.guarantee,
                                  workspace.recipe.proved_numbers(workspace.registry), outputs[i].file);
         });
-        directory.write(outputs[i].file, texts[i]);
-        file.stage = outputs[i].writer.stage;
-        file.file = outputs[i].file;
-        file.digest = digest_of(texts[i]);
-        file.bytes = texts[i].size();
+        files[i].push_back(record_of(texts[i].front(), outputs[i], outputs[i].file, directory));
+        files[i].front().proofs = std::move(proofs);
+        for (std::size_t k = 1; k < texts[i].size(); ++k) {
+            const std::string file = companion_of(outputs[i].file, companions(i)[k - 1]).string();
+            files[i].push_back(record_of(texts[i][k], outputs[i], file, directory));
+        }
     });
-    return files;
+    std::vector<OutputFile> all;
+    for (std::vector<OutputFile>& of_output : files) {
+        std::move(of_output.begin(), of_output.end(), std::back_inserter(all));
+    }
+    return all;
 }
 
 } // namespace foam::runtime

@@ -52,6 +52,20 @@ std::unique_ptr<SphereSearch> Spherizer::search(const Shape& shape) const {
     return std::make_unique<OneByOne>(*this, shape);
 }
 
+std::string Writer::companion(const std::string& ending, const SphereModel&, Context&) const {
+    throw Error(ErrorCode::internal, fmt::format("the writer names the ending .{}, but writes no such file", ending));
+}
+
+std::filesystem::path companion_of(const std::filesystem::path& file, const std::string& ending) {
+    return std::filesystem::path(file).replace_extension(ending);
+}
+
+bool lists_pairs(const StageInfo& writer, const std::map<std::string, ParameterValue>& given) {
+    const Consumer& consumer = writer.consumer;
+    return consumer.pairs &&
+           (consumer.pairs_if.empty() || Parameters(writer.parameters, given).boolean(consumer.pairs_if));
+}
+
 SphereFile read_written(const Writer& writer, const std::string& text, const std::filesystem::path& file,
                         std::string format, std::string_view remedy) {
     SphereFile result{.file = file, .format = std::move(format), .links = {}, .fixed_joints = {}, .notes = {}};

@@ -166,6 +166,12 @@ private:
 
 } // namespace
 
+void rename_links(SphereFile& file, const Renames& renames) {
+    for (LinkSpheres& link : file.links) {
+        link.link = renamed(link.link, renames);
+    }
+}
+
 MatchedModel match(const Original& original, SphereFile file, const Renames& renames) {
     MatchedModel model;
     model.notes = file.notes;

@@ -117,7 +117,7 @@ std::vector<ContractFinding> check_contract(const RegisteredStage& stage, const 
             check_mesh_loader(*registry.make<MeshLoader>(name), stage.info, options, promises);
             break;
         case StageKind::writer:
-            check_writer(*registry.make<Writer>(name), promises);
+            check_writer(*registry.make<Writer>(name), registry.find(name)->info.companions, promises);
             break;
         case StageKind::model_reader:
             check_model_reader(*registry.make<ModelReader>(name), options, promises);

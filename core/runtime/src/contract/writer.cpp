@@ -73,7 +73,7 @@ void require_equal_up_to_growth(const std::string& link, const std::vector<Spher
 
 } // namespace
 
-void check_writer(const Writer& writer, Promises& promises) {
+void check_writer(const Writer& writer, const std::vector<std::string>& companions, Promises& promises) {
     promises.check("gives back what it wrote, the same bytes every time", [&] {
         QuietContext context;
         const SphereModel spheres = model_for(writer);
@@ -88,6 +88,24 @@ void check_writer(const Writer& writer, Promises& promises) {
         require(read.size() == spheres.groups.size(),
                 fmt::format("{} links are read back, {} were written", read.size(), spheres.groups.size()));
     });
+    if (!companions.empty()) {
+        promises.check("writes the files that belong to it, the same bytes every time", [&] {
+            QuietContext context;
+            SphereModel spheres = model_for(writer);
+            spheres.file = "contract.urdf";
+            for (const std::string& ending : companions) {
+                try {
+                    const std::string bytes = writer.companion(ending, spheres, context);
+                    require(bytes == writer.companion(ending, spheres, context),
+                            fmt::format(".{}: the second time it writes other bytes", ending));
+                } catch (const Error& error) { // of a stage that is not here, for one
+                    require(error.code() == ErrorCode::output,
+                            fmt::format(".{}: it fails with the wrong code: {}; remedy: ErrorCode::output", ending,
+                                        error.what()));
+                }
+            }
+        });
+    }
     const auto require_refusal = [&](const std::string& what, const std::function<void()>& call) {
         try {
             call();

@@ -59,6 +59,9 @@ Original load_original(const std::filesystem::path& file, const Registry& regist
 /// with `first` begin with `second` instead. "" is the link of a format without link names.
 using Renames = std::vector<std::pair<std::string, std::string>>;
 
+/// Renames the links of a file.
+void rename_links(SphereFile& file, const Renames& renames);
+
 /// A sphere model matched to the links of an original.
 struct MatchedModel {
     SphereFile file;

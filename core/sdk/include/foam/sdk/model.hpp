@@ -43,12 +43,16 @@ struct SphereModel {
     std::vector<SphereGroup> groups; ///< in the order of the robot's links
     /// Absolute folder of the file that is written; empty: not known. It need not exist yet.
     std::filesystem::path folder{};
+    std::string file{}; ///< name of the file that is written, without folder; empty: not known
     RobotFacts facts{};
     /// Pairs that need no check, in the order of the robot's links; nothing: not computed.
     std::optional<std::vector<IgnoredPair>> ignored_pairs{};
     std::vector<std::string> without_collision{}; ///< links whose collision geometry the output leaves out
     std::string provenance{};       ///< one line for a comment: program, source, proof; may be empty
     std::optional<TextFile> into{}; ///< the file whose spheres the writer replaces; nothing: it writes a whole file
+    /// Original geometry of links, by their names, in their frames: for masses. Links whose geometry is not known are
+    /// left out.
+    std::map<std::string, std::shared_ptr<const Solid>> geometry{};
 };
 
 /// The spheres of one link, over all its groups.

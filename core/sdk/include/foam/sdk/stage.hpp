@@ -158,7 +158,13 @@ public:
     /// Returns the spheres (finest level) by link, read back from such bytes, exactly as another program would read
     /// them. The runtime proves the guarantee on these. Throws Error(output) if the bytes cannot be read.
     virtual std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const = 0;
+    /// Returns the bytes of a file that belongs to that of write(): one for each ending of StageInfo::companions.
+    /// Throws Error(internal) unless overridden.
+    virtual std::string companion(const std::string& ending, const SphereModel& model, Context& context) const;
 };
+
+/// Returns the name of a companion of `file`: "arm.srdf" of "arm.urdf" for "srdf".
+std::filesystem::path companion_of(const std::filesystem::path& file, const std::string& ending);
 
 /// Sphere model in a file of any program → spheres by link. The content of the file determines the reader.
 class ModelReader : public Stage {
@@ -197,8 +203,13 @@ struct Consumer {
     std::string name{};   ///< and the version that its parser was checked in: "cuRobo 0.8 (a35a708ecf)"
     bool float32 = false; ///< it holds single precision: the proof is also made on these numbers
     bool pairs = false;   ///< its files list the pairs of links that need no check: SphereModel::ignored_pairs
+    std::string pairs_if{}; ///< the boolean parameter without which the files do not list them; empty: always
     bool edits = false;   ///< the writer can replace the spheres of a file: SphereModel::into
 };
+
+struct StageInfo;
+/// Returns whether a writer's files list the pairs of links that need no check, with these parameters.
+bool lists_pairs(const StageInfo& writer, const std::map<std::string, ParameterValue>& given);
 
 /// A plugin's description of a stage.
 struct StageInfo {
@@ -229,6 +240,8 @@ struct StageInfo {
     /// Loaders: whether other loaders of the same file name ending have precedence.
     bool last_resort = false;
     Consumer consumer{}; ///< writers of other programs' formats
+    /// Writers: endings of the files that belong to the one that is written, beside it under the same name.
+    std::vector<std::string> companions{};
 };
 
 } // namespace sdk

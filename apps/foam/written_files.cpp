@@ -1,0 +1,106 @@
+#include "written_files.hpp"
+
+#include "cli/program.hpp"
+
+#include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace foam::cli {
+namespace {
+
+/// Returns a value of the type that the parameter declares; nothing if the text is none.
+std::optional<ParameterValue> value_of(const std::string& text, const Parameter& parameter) {
+    const std::optional<double> number = parse_number(text);
+    switch (parameter.type) {
+    case Parameter::Type::boolean:
+        return text == "true" || text == "false" ? std::optional<ParameterValue>(text == "true") : std::nullopt;
+    case Parameter::Type::integer:
+        return number && *number == std::floor(*number) && std::abs(*number) < 1e15
+                   ? std::optional<ParameterValue>(static_cast<std::int64_t>(*number))
+                   : std::nullopt;
+    case Parameter::Type::number:
+        return parameter.unit_text == "m" ? length_of(text, "--set " + parameter.name)
+               : number                   ? std::optional<ParameterValue>(*number)
+                                          : std::nullopt;
+    case Parameter::Type::text:
+    case Parameter::Type::choice:
+        break;
+    }
+    return text;
+}
+
+const Parameter& parameter_of(const std::string& name, const StageInfo& writer) {
+    std::vector<std::string> known;
+    for (const Parameter& parameter : writer.parameters) {
+        if (parameter.name == name) {
+            return parameter;
+        }
+        known.push_back(parameter.name);
+    }
+    const std::string near = nearest_word(name, known);
+    throw Error(ErrorCode::usage,
+                fmt::format("--set: {} has no parameter '{}'{}; there {}", writer.name, shown(name),
+                            near.empty() ? "" : fmt::format("; did you mean '{}'?", near),
+                            known.empty() ? "is none" : fmt::format("are: {}", fmt::join(known, ", "))));
+}
+
+} // namespace
+
+std::vector<std::filesystem::path> files_of(const StageInfo& writer, const std::filesystem::path& target) {
+    std::vector<std::filesystem::path> files{target};
+    for (const std::string& ending : writer.companions) {
+        files.push_back(companion_of(target, ending));
+        if (files.back() == target) {
+            throw Error(ErrorCode::usage, fmt::format("{} writes other files beside {}, one of them under the same "
+                                                      "name; remedy: a file that ends in .{}",
+                                                      writer.name, target.string(), writer.extensions.front()));
+        }
+    }
+    return files;
+}
+
+std::vector<WrittenFile> written_files(const Writer& writer, const StageInfo& info, SphereModel model,
+                                       const std::filesystem::path& target, Context& context) {
+    model.folder = target.empty() ? target : std::filesystem::absolute(target).parent_path();
+    model.file = target.filename().string();
+    std::vector<WrittenFile> files{{target, writer.write(model, context)}};
+    for (const std::string& ending : info.companions) {
+        files.push_back({companion_of(target, ending), writer.companion(ending, model, context)});
+    }
+    return files;
+}
+
+std::vector<std::string> file_names(const std::vector<WrittenFile>& files) {
+    std::vector<std::string> names;
+    for (const WrittenFile& file : files) {
+        names.push_back(file.file.string());
+    }
+    return names;
+}
+
+std::map<std::string, ParameterValue> parameters_of(const std::vector<std::string>& texts, const StageInfo& writer) {
+    std::map<std::string, ParameterValue> values;
+    for (const std::string& text : texts) {
+        const std::size_t equals = text.find('=');
+        if (equals == text.npos) {
+            throw Error(ErrorCode::usage, fmt::format("--set expects KEY=VALUE, got '{}'", text));
+        }
+        const Parameter& parameter = parameter_of(text.substr(0, equals), writer);
+        const auto value = value_of(text.substr(equals + 1), parameter);
+        const std::string why =
+            value ? why_invalid(parameter, *value)
+                  : fmt::format("expects {}, got '{}'", expectation(parameter), text.substr(equals + 1));
+        if (!why.empty()) {
+            throw Error(ErrorCode::usage, fmt::format("--set: '{}' of {} {}", parameter.name, writer.name, why));
+        }
+        values[parameter.name] = *value;
+    }
+    return values;
+}
+
+} // namespace foam::cli

@@ -1,0 +1,59 @@
+// The robot's URDF text with spheres in place of its collision geometry: what the writers of this plugin share.
+#pragma once
+
+#include "edit.hpp"
+
+#include <foam/sdk/stage.hpp>
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace foam {
+
+/// A URDF text that is being changed.
+class SphereUrdf {
+public:
+    /// Throws Error(output) if the robot has no URDF text. `writer`: its name, for messages. The model must outlive it.
+    SphereUrdf(const SphereModel& model, std::string writer);
+
+    const std::string& writer() const { return writer_; }
+    const SphereModel& model() const { return model_; }
+    const xml::Element& root() const { return *root_; }
+    UrdfEditor& editor() { return editor_; }
+    /// Returns the <link>. Throws Error(output) if there is none.
+    const xml::Element& link(const std::string& name) const;
+    /// Returns the <joint>. Throws Error(output) if there is none.
+    const xml::Element& joint(const std::string& name) const;
+    /// Returns whether the link's collision geometry is replaced: by spheres, or by none.
+    bool is_replaced(const std::string& name) const { return replaced_.contains(name); }
+    /// Returns a text for an attribute, in any quotes and in the encoding of the text.
+    std::string attribute_text(std::string_view value) const;
+
+    /// Replaces collision geometry by spheres, and removes that of SphereModel::without_collision. `properties`: elements
+    /// that each <collision> gets besides.
+    void put_spheres(const std::vector<LinkSpheres>& links, const std::string& properties = "");
+    /// Changes paths of meshes and textures, as `mesh_paths` says: rewrite, keep, absolute or package.
+    void move_references(const std::string& mesh_paths, Context& context);
+    std::string result() { return editor_.result(); }
+
+private:
+    const xml::Element& element(const char* kind, const std::string& name) const;
+
+    const SphereModel& model_;
+    std::string writer_;
+    std::unique_ptr<const xml::Element> root_;
+    std::map<std::pair<std::string, std::string>, const xml::Element*> elements_; ///< by kind and name
+    std::set<std::string> replaced_;
+    UrdfEditor editor_;
+};
+
+/// Returns the spheres by link, without links whose collision geometry has no sphere. Throws Error(output).
+std::map<std::string, std::vector<Sphere>> spheres_of_urdf(const std::string& bytes);
+
+/// The parameter of the writers for move_references().
+Parameter mesh_paths_parameter();
+
+} // namespace foam

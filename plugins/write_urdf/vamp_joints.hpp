@@ -1,0 +1,17 @@
+// The joints of a robot as cricket, VAMP's compiler, plans them: each one that is not fixed is a dimension.
+#pragma once
+
+#include "sphere_urdf.hpp"
+
+namespace foam {
+
+/// Returns roll, pitch and yaw of a rotation by the URDF convention (Pose::from_xyz_rpy), exact to rounding also where
+/// the pitch is a right angle.
+Vec3 roll_pitch_yaw(const Pose& pose);
+
+/// Turns locked joints, what mimics them, and planar and floating joints to fixed ones where they stand; continuous
+/// joints to revolute ones from -π to π. Throws Error(output) for a joint that mimics one that is planned, and if no
+/// joint is left to plan.
+void fix_joints(SphereUrdf& urdf, Context& context);
+
+} // namespace foam
