@@ -48,6 +48,17 @@ std::optional<Sphere> read_sphere(const xml::Element& collision) {
     return Sphere{{xyz[0], xyz[1], xyz[2]}, radius};
 }
 
+std::vector<std::string> sphere_elements(const std::vector<Sphere>& spheres, const std::string& properties) {
+    std::vector<std::string> elements;
+    for (const Sphere& sphere : spheres) {
+        elements.push_back("<collision><origin xyz=\"" + number_text(sphere.center.x) + " " +
+                           number_text(sphere.center.y) + " " + number_text(sphere.center.z) +
+                           "\" rpy=\"0 0 0\"/><geometry><sphere radius=\"" + number_text(sphere.radius) +
+                           "\"/></geometry>" + properties + "</collision>");
+    }
+    return elements;
+}
+
 const std::string& source_of(const SphereModel& model, const std::string& writer) {
     if (!model.robot || model.robot->source.empty()) {
         throw Error(ErrorCode::output, writer + ": the robot has no URDF text to put the spheres into");
@@ -90,13 +101,13 @@ std::string SphereUrdf::attribute_text(std::string_view value) const {
 
 void SphereUrdf::put_spheres(const std::vector<LinkSpheres>& links, const std::string& properties) {
     for (const LinkSpheres& spheres : links) {
-        editor_.replace_collisions(link(spheres.link), spheres.spheres, properties);
+        const xml::Element& element = link(spheres.link);
+        editor_.replace_children(element, element.children_named("collision"),
+                                 sphere_elements(spheres.spheres, properties));
         replaced_.insert(spheres.link);
     }
     for (const std::string& name : model_.without_collision) {
-        for (const xml::Element* collision : link(name).children_named("collision")) {
-            editor_.remove(*collision);
-        }
+        editor_.replace_children(link(name), link(name).children_named("collision"), {});
         replaced_.insert(name);
     }
 }

@@ -1,9 +1,8 @@
 // The robot's URDF text with spheres in place of its collision geometry: what the writers of this plugin share.
 #pragma once
 
-#include "edit.hpp"
-
 #include <foam/sdk/stage.hpp>
+#include <foam/xml/editor.hpp>
 
 #include <map>
 #include <memory>
@@ -22,7 +21,7 @@ public:
     const std::string& writer() const { return writer_; }
     const SphereModel& model() const { return model_; }
     const xml::Element& root() const { return *root_; }
-    UrdfEditor& editor() { return editor_; }
+    xml::Editor& editor() { return editor_; }
     /// Returns the <link>. Throws Error(output) if there is none.
     const xml::Element& link(const std::string& name) const;
     /// Returns the <joint>. Throws Error(output) if there is none.
@@ -47,7 +46,7 @@ private:
     std::unique_ptr<const xml::Element> root_;
     std::map<std::pair<std::string, std::string>, const xml::Element*> elements_; ///< by kind and name
     std::set<std::string> replaced_;
-    UrdfEditor editor_;
+    xml::Editor editor_;
 };
 
 /// Returns the spheres by link, without links whose collision geometry has no sphere. Throws Error(output).

@@ -2,6 +2,7 @@
 #include "mjcf.hpp"
 
 #include "attributes.hpp"
+#include "mjcf_edit.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/geometry/mass.hpp>
@@ -268,7 +269,7 @@ std::string equality_text(const SphereModel& model) {
 std::string contact_text(const SphereModel& model) {
     std::string text;
     for (const IgnoredPair& pair : model.ignored_pairs.value_or(std::vector<IgnoredPair>{})) {
-        text += "    <exclude" + attribute_text("body1", pair.first) + attribute_text("body2", pair.second) + "/>\n";
+        text += "    " + exclude_text(pair) + "\n";
     }
     return text.empty() ? "" : "  <contact>\n" + text + "  </contact>\n";
 }
@@ -276,9 +277,16 @@ std::string contact_text(const SphereModel& model) {
 } // namespace
 
 MjcfWriter::MjcfWriter(const Parameters& parameters)
-    : free_(parameters.text("base") == "free"), density_(parameters.number("density")) {}
+    : free_(parameters.text("base") == "free"), density_(parameters.number("density")),
+      replaces_collision_(parameters.boolean("collision")), replaces_pairs_(parameters.boolean("pairs")) {}
 
 std::string MjcfWriter::write(const SphereModel& model, Context& context) const {
+    if (model.into) {
+        const bool pairs = replaces_pairs_ && model.ignored_pairs;
+        return with_spheres(*model.into, spheres_by_link(model),
+                            {.all_collision = replaces_collision_, .pairs = pairs ? &*model.ignored_pairs : nullptr},
+                            context);
+    }
     if (!model.robot) {
         require_robot(model, "write.mjcf");
     }

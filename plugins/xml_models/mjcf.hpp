@@ -14,6 +14,7 @@ public:
 private:
     bool free_;
     double density_; ///< kg/m³
+    bool replaces_collision_, replaces_pairs_; ///< in a file of the user
 };
 
 class MjcfReader final : public ModelReader {

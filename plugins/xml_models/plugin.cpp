@@ -26,9 +26,13 @@ FOAM_PLUGIN("xml_models", "1.0", "Apache-2.0") {
                             .bounds(1e-3, 1e5)
                             .unit("kg/m³")
                             .doc("Density of the geometry of links without <inertial>.")
-                            .source("MuJoCo's own default.")},
+                            .source("MuJoCo's own default."),
+                        Parameter::boolean("collision", false)
+                            .doc("With 'into': also replace geoms with contact that are no spheres."),
+                        Parameter::boolean("pairs", true)
+                            .doc("With 'into': also replace the <exclude> elements: pairs of bodies without contact.")},
          .extensions = {"mjcf"},
-         .consumer = {.name = "MuJoCo 2.2.2 and 3.12 (a7255075b0)", .pairs = true}});
+         .consumer = {.name = "MuJoCo 2.2.2 and 3.12 (a7255075b0)", .pairs = true, .edits = true}});
     enrol.add<SrdfReader>({.name = "read.srdf",
                            .summary = "Reads the spheres of links of an SRDF: link_sphere_approximation.",
                            .reference = "https://github.com/moveit/srdfdom",

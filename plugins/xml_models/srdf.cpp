@@ -3,6 +3,7 @@
 #include "attributes.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/xml/editor.hpp>
 
 #include <fmt/format.h>
 
@@ -32,14 +33,6 @@ std::string spheres_text(const std::vector<LinkSpheres>& links) {
     return text;
 }
 
-/// Returns the bytes of an element with the blanks before it and its line end, where it is alone on its lines.
-xml::Span whole_lines(const xml::Element& element, std::string_view text) {
-    const std::size_t before = text.find_last_not_of(" \t", element.span.begin - 1);
-    const std::size_t after = text.find_first_not_of(" \t\r", element.span.end);
-    const bool alone = before != text.npos && text[before] == '\n' && after != text.npos && text[after] == '\n';
-    return alone ? xml::Span{before + 1, after + 1} : element.span;
-}
-
 /// Replaces the spheres, and the pairs if there are any, of an SRDF of the user.
 std::string edited(const TextFile& into, const std::vector<LinkSpheres>& links, const std::vector<IgnoredPair>* pairs) {
     const auto root = xml::parse(into.text, into.file.string(), ErrorCode::input);
@@ -47,17 +40,14 @@ std::string edited(const TextFile& into, const std::vector<LinkSpheres>& links, 
         throw Error(ErrorCode::input, fmt::format("{}:{}: <{}> is not the <robot> of an SRDF", into.file.string(),
                                                   root->line, root->name));
     }
-    std::string text = into.text;
-    text.insert(root->end_tag, (pairs ? pairs_text(*pairs) : "") + spheres_text(links));
-    for (auto child = root->children.rbegin(); child != root->children.rend(); ++child) { // from the end: spans stay
-        const bool goes =
-            (*child)->name == "link_sphere_approximation" || (pairs && (*child)->name == "disable_collisions");
-        if (goes) {
-            const xml::Span span = whole_lines(**child, into.text);
-            text.erase(span.begin, span.size());
+    xml::Editor editor(into.text);
+    for (const auto& child : root->children) {
+        if (child->name == "link_sphere_approximation" || (pairs && child->name == "disable_collisions")) {
+            editor.remove(*child);
         }
     }
-    return text;
+    editor.replace({root->end_tag, root->end_tag}, (pairs ? pairs_text(*pairs) : "") + spheres_text(links));
+    return editor.result();
 }
 
 } // namespace

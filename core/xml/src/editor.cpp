@@ -1,11 +1,10 @@
-#include "edit.hpp"
+#include <foam/xml/editor.hpp>
 
 #include <foam/base/cancellation.hpp>
-#include <foam/base/text.hpp>
 
 #include <algorithm>
 
-namespace foam {
+namespace foam::xml {
 namespace {
 
 /// Returns the white space before `position` on its line, with the line end before it: "\r\n ". Empty if there is
@@ -22,15 +21,9 @@ std::string_view line_start(std::string_view text, std::size_t position) {
     return {};
 }
 
-std::string sphere_element(const Sphere& sphere, const std::string& properties) {
-    return "<collision><origin xyz=\"" + number_text(sphere.center.x) + " " + number_text(sphere.center.y) + " " +
-           number_text(sphere.center.z) + "\" rpy=\"0 0 0\"/><geometry><sphere radius=\"" + number_text(sphere.radius) +
-           "\"/></geometry>" + properties + "</collision>";
-}
-
 } // namespace
 
-void UrdfEditor::set_attribute(const xml::Element& element, std::string_view key, const std::string& value) {
+void Editor::set_attribute(const Element& element, std::string_view key, const std::string& value) {
     if (element.attribute(key)) {
         replace(element.attribute_span(key, text_), value);
         return;
@@ -39,43 +32,45 @@ void UrdfEditor::set_attribute(const xml::Element& element, std::string_view key
     replace({after_name, after_name}, " " + std::string(key) + "=\"" + value + "\"");
 }
 
-void UrdfEditor::remove(const xml::Element& element) {
+void Editor::remove(const Element& element) {
     replace({element.span.begin - line_start(text_, element.span.begin).size(), element.span.end}, "");
 }
 
-void UrdfEditor::append_child(const xml::Element& parent, std::string child) {
+void Editor::append_child(const Element& parent, std::string child) {
     if (appended_.empty() || appended_.back().first != &parent) {
         appended_.push_back({&parent, {}});
     }
     appended_.back().second.push_back(std::move(child));
 }
 
-void UrdfEditor::replace_collisions(const xml::Element& link, const std::vector<Sphere>& spheres,
-                                    const std::string& properties) {
+void Editor::replace_children(const Element& parent, const std::vector<const Element*>& old,
+                              const std::vector<std::string>& children) {
     CancellationCounter asking(256);
-    const std::vector<const xml::Element*> collisions = link.children_named("collision");
-    if (collisions.empty()) {
-        for (const Sphere& sphere : spheres) {
+    if (old.empty() || children.empty()) {
+        for (const std::string& child : children) {
             asking.check();
-            append_child(link, sphere_element(sphere, properties));
+            append_child(parent, child);
+        }
+        for (const Element* element : old) {
+            remove(*element);
         }
         return;
     }
-    const std::string_view separator = line_start(text_, collisions.front()->span.begin);
+    const std::string_view separator = line_start(text_, old.front()->span.begin);
     std::string elements;
-    for (const Sphere& sphere : spheres) {
+    for (const std::string& child : children) {
         asking.check();
         elements += elements.empty() ? "" : separator;
-        elements += sphere_element(sphere, properties);
+        elements += child;
     }
-    replace(collisions.front()->span, std::move(elements));
-    for (std::size_t i = 1; i < collisions.size(); ++i) {
-        remove(*collisions[i]);
+    replace(old.front()->span, std::move(elements));
+    for (std::size_t i = 1; i < old.size(); ++i) {
+        remove(*old[i]);
     }
 }
 
-void UrdfEditor::add_children(const Appended& appended) {
-    const xml::Element& parent = *appended.first;
+void Editor::add_children(const Appended& appended) {
+    const Element& parent = *appended.first;
     const std::string outer(line_start(text_, parent.span.begin));
     const std::string inner = !parent.children.empty()
                                   ? std::string(line_start(text_, parent.children.front()->span.begin))
@@ -94,7 +89,7 @@ void UrdfEditor::add_children(const Appended& appended) {
     replace({end, end}, std::move(elements));
 }
 
-std::string UrdfEditor::result() {
+std::string Editor::result() {
     std::stable_sort(appended_.begin(), appended_.end(),
                      [](const Appended& a, const Appended& b) { return a.first->span.begin < b.first->span.begin; });
     for (std::size_t i = 0; i < appended_.size();) { // those of one parent are one change
@@ -120,4 +115,4 @@ std::string UrdfEditor::result() {
     return result;
 }
 
-} // namespace foam
+} // namespace foam::xml

@@ -1,0 +1,152 @@
+#include "mjcf_edit.hpp"
+
+#include "attributes.hpp"
+#include "mjcf_geoms.hpp"
+
+#include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
+#include <foam/xml/editor.hpp>
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace foam::xml_models {
+namespace {
+
+class MjcfEdit {
+public:
+    MjcfEdit(const TextFile& into, const MjcfReplacement& what, Context& context)
+        : file_(into.file.string()), what_(what), context_(context),
+          root_(xml::parse(into.text, file_, ErrorCode::input)), editor_(into.text) {
+        if (root_->name != "mujoco" || root_->self_closing()) {
+            throw Error(ErrorCode::input, fmt::format("{}:{}: <{}> is not the <mujoco> of an MJCF file", file_,
+                                                      root_->line, root_->name));
+        }
+        for (const xml::Element* world : root_->children_named("worldbody")) {
+            add_bodies(*world);
+        }
+        for (const MjcfGeom& geom : geoms_of(*root_, file_)) {
+            geoms_[geom.body].push_back(geom);
+        }
+    }
+
+    void put(const std::vector<LinkSpheres>& links) {
+        for (const LinkSpheres& link : links) {
+            put(link, body_of(link.link));
+        }
+        if (others_ > 0) {
+            context_.log(Severity::warning,
+                         fmt::format("{} geom{} with contact {} no sphere{} and stay{}; remedy: collision: true to "
+                                     "replace them as well",
+                                     others_, others_ == 1 ? "" : "s", others_ == 1 ? "is" : "are",
+                                     others_ == 1 ? "" : "s", others_ == 1 ? "s" : ""));
+        }
+        if (!weighed_by_spheres_.empty()) {
+            context_.log(Severity::warning,
+                         fmt::format("these bodies have no <inertial>, so MuJoCo takes their mass from their geoms, "
+                                     "where overlaps of spheres count twice: {}",
+                                     fmt::join(weighed_by_spheres_, ", ")));
+        }
+    }
+
+    void put_pairs(const std::vector<IgnoredPair>& pairs) {
+        std::vector<std::string> lines;
+        for (const IgnoredPair& pair : pairs) {
+            if (bodies_.contains(pair.first) && bodies_.contains(pair.second)) { // MuJoCo refuses unknown names
+                lines.push_back(exclude_text(pair));
+            }
+        }
+        const xml::Element* first = root_->child("contact");
+        for (const xml::Element* contact : root_->children_named("contact")) {
+            editor_.replace_children(*contact, contact->children_named("exclude"),
+                                     contact == first ? lines : std::vector<std::string>{});
+        }
+        if (!first && !lines.empty()) {
+            editor_.append_child(*root_, fmt::format("<contact>{}</contact>", fmt::join(lines, "")));
+        }
+    }
+
+    std::string result() { return editor_.result(); }
+
+private:
+    void add_bodies(const xml::Element& parent) {
+        for (const xml::Element* body : parent.children_named("body")) {
+            if (const std::string* name = body->attribute("name")) {
+                bodies_[*name] = body;
+            }
+            add_bodies(*body);
+        }
+    }
+
+    const xml::Element& body_of(const std::string& link) const {
+        const auto found = bodies_.find(link);
+        if (found == bodies_.end()) {
+            std::vector<std::string> names;
+            for (const auto& [name, body] : bodies_) {
+                names.push_back(name);
+            }
+            const std::string near = nearest_word(link, names);
+            throw Error(ErrorCode::input,
+                        fmt::format("{}: there is no body '{}' for the link of that name{}; remedy: "
+                                    "rename the body, or leave the link out",
+                                    file_, shown(link),
+                                    near.empty() ? "" : fmt::format(" (there is '{}')", shown(near))));
+        }
+        return *found->second;
+    }
+
+    void put(const LinkSpheres& link, const xml::Element& body) {
+        std::vector<const xml::Element*> old;
+        for (const MjcfGeom& geom : geoms_[&body]) {
+            if (geom.collides && (geom.sphere || what_.all_collision)) {
+                old.push_back(geom.geom);
+            } else if (geom.collides) {
+                ++others_;
+            }
+        }
+        const bool weighed = body.child("inertial") != nullptr;
+        if (!weighed) {
+            weighed_by_spheres_.push_back(shown(link.link));
+        }
+        const std::string* own_class = old.empty() ? nullptr : old.front()->attribute("class");
+        const std::string kind = "<geom" + (own_class ? attribute_text("class", *own_class) : std::string()) +
+                                 attribute_text("type", "sphere") +
+                                 (own_class ? "" : R"( group="3" contype="1" conaffinity="1")") +
+                                 (weighed ? attribute_text("mass", "0") : "");
+        std::vector<std::string> geoms;
+        for (const Sphere& s : link.spheres) {
+            geoms.push_back(kind + attribute_text("pos", vector_text(s.center)) +
+                            attribute_text("size", numbers_text({&s.radius, 1})) + "/>");
+        }
+        editor_.replace_children(body, old, geoms);
+    }
+
+    std::string file_;
+    const MjcfReplacement& what_;
+    Context& context_;
+    std::unique_ptr<const xml::Element> root_;
+    xml::Editor editor_;
+    std::map<std::string, const xml::Element*> bodies_;
+    std::map<const xml::Element*, std::vector<MjcfGeom>> geoms_;
+    std::size_t others_ = 0;
+    std::vector<std::string> weighed_by_spheres_;
+};
+
+} // namespace
+
+std::string with_spheres(const TextFile& into, const std::vector<LinkSpheres>& links, const MjcfReplacement& what,
+                         Context& context) {
+    MjcfEdit edit(into, what, context);
+    edit.put(links);
+    if (what.pairs) {
+        edit.put_pairs(*what.pairs);
+    }
+    return edit.result();
+}
+
+std::string exclude_text(const IgnoredPair& pair) {
+    return "<exclude" + attribute_text("body1", pair.first) + attribute_text("body2", pair.second) + "/>";
+}
+
+} // namespace foam::xml_models
