@@ -94,7 +94,7 @@ std::map<std::string, ParameterValue> parameters_of(const std::vector<std::strin
         const auto value = value_of(text.substr(equals + 1), parameter);
         const std::string why =
             value ? why_invalid(parameter, *value)
-                  : fmt::format("expects {}, got '{}'", expectation(parameter), text.substr(equals + 1));
+                  : fmt::format("expects {}, got \"{}\"", expectation(parameter), shown(text.substr(equals + 1)));
         if (!why.empty()) {
             throw Error(ErrorCode::usage, fmt::format("--set: '{}' of {} {}", parameter.name, writer.name, why));
         }

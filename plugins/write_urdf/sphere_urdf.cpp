@@ -59,19 +59,17 @@ std::vector<std::string> sphere_elements(const std::vector<Sphere>& spheres, con
     return elements;
 }
 
-const std::string& source_of(const SphereModel& model, const std::string& writer) {
+std::unique_ptr<const xml::Element> urdf_of(const SphereModel& model, const std::string& writer) {
     if (!model.robot || model.robot->source.empty()) {
         throw Error(ErrorCode::output, writer + ": the robot has no URDF text to put the spheres into");
     }
-    return model.robot->source;
+    return xml::parse(model.robot->source, model.robot->file.string(), ErrorCode::output);
 }
 
 } // namespace
 
 SphereUrdf::SphereUrdf(const SphereModel& model, std::string writer)
-    : model_(model), writer_(std::move(writer)),
-      root_(xml::parse(source_of(model, writer_), model.robot->file.string(), ErrorCode::output)),
-      editor_(model.robot->source) {
+    : model_(model), writer_(std::move(writer)), root_(urdf_of(model, writer_)), editor_(model.robot->source) {
     for (const auto& child : root_->children) {
         if (const std::string* name = child->attribute("name")) {
             elements_.emplace(std::pair(child->name, *name), child.get());

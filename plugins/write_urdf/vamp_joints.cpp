@@ -72,7 +72,7 @@ Vec3 roll_pitch_yaw(const Pose& pose) {
     const auto& m = pose.rotation;
     // R = Rz(yaw) Ry(pitch) Rx(roll). Where the pitch is a right angle, any yaw goes with one roll: that of Rz(-yaw) R.
     const double yaw = std::atan2(m[1].x, m[0].x), s = std::sin(yaw), c = std::cos(yaw);
-    return {std::atan2(s * m[0].z - c * m[1].z, c * m[1].y - s * m[0].y), std::atan2(-m[2].x, c * m[0].x + s * m[1].x),
+    return {std::atan2(s * m[0].z - c * m[1].z, c * m[1].y - s * m[0].y), std::atan2(0 - m[2].x, c * m[0].x + s * m[1].x),
             yaw};
 }
 

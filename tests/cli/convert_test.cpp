@@ -188,9 +188,9 @@ TEST_F(CliConvert, SetsParametersOfTheWriter) {
     EXPECT_THAT(refusal(args + "-o out.yml --set versoin=0.7"),
                 HasSubstr("--set: write.curobo has no parameter 'versoin'; did you mean 'version'?"));
     EXPECT_THAT(refusal(args + "-o out.yml --set version=0.6"),
-                HasSubstr("--set: 'version' of write.curobo expects one of 0.8, 0.7, got '0.6'"));
+                HasSubstr("--set: 'version' of write.curobo expects one of 0.8, 0.7, got \"0.6\""));
     EXPECT_THAT(refusal(args + "-o out.yml --set pairs=maybe"),
-                HasSubstr("--set: 'pairs' of write.curobo expects true or false, got 'maybe'"));
+                HasSubstr("--set: 'pairs' of write.curobo expects true or false, got \"maybe\""));
     EXPECT_THAT(refusal(args + "-o out.yml --set version"), HasSubstr("--set expects KEY=VALUE, got 'version'"));
 }
 

@@ -62,13 +62,16 @@ inline std::shared_ptr<const Robot> chain_of(const std::vector<std::string>& lin
     return robot;
 }
 
-/// A robot whose only link with spheres turns on a base.
+/// A robot whose only link with spheres turns on a base without geometry.
 inline std::shared_ptr<const Robot> turning(const std::string& link) {
     auto robot = std::make_shared<Robot>(*chain_of({"base", link}));
     robot->joints[0].kind = Joint::Kind::revolute;
     robot->joints[0].lower = -1;
     robot->joints[0].upper = 2;
     robot->joints[0].origin = {}; // some formats have no poses
+    robot->links[0].collisions.clear();
+    const std::string element = "    <collision><geometry><box size=\"1 1 1\"/></geometry></collision>\n";
+    robot->source.erase(robot->source.find(element), element.size());
     const std::string away = "xyz=\"0 0 1\"";
     robot->source.replace(robot->source.find(away), away.size(), "xyz=\"0 0 0\"");
     robot->source.insert(
