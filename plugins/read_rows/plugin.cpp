@@ -59,10 +59,22 @@ void read_rows(const std::string& text, SphereFile& result) {
     result.format = columns == 5 ? "GPMP2 rows" : "rows of numbers";
 }
 
+/// Returns the first line that is neither blank nor a comment.
+std::string_view first_row(std::string_view text) {
+    for (;;) {
+        text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+        const std::string_view line = text.substr(0, text.find('\n'));
+        if (line.empty() || (line.front() != '%' && line.front() != '#')) {
+            return line;
+        }
+        text.remove_prefix(line.size());
+    }
+}
+
 class RowReader final : public ModelReader {
 public:
     bool recognises(std::string_view text) const override {
-        const std::string_view line = text.substr(0, text.find('\n'));
+        const std::string_view line = first_row(text);
         if (line.find_first_of(":{[<\"") != std::string_view::npos) {
             return false;
         }
