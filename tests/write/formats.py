@@ -39,10 +39,19 @@ def tool_of(urdf):
     return [joint.find("child").get("link") for joint in joints if joint.find("child").get("link") not in parents][-1]
 
 
+def parameters_of(name, urdf):
+    """What a writer needs beyond the facts of the robot."""
+    if name != "gpmp2":
+        return ""
+    links = [link.get("name") for link in xml.etree.ElementTree.parse(urdf).getroot().findall("link")]
+    return ", frames: " + json.dumps("; ".join(f"{link} {i} 0 0 0 0 0 0" for i, link in enumerate(links)))
+
+
 def recipe(urdf, formats):
     lines = ["foam: 1", "name: all", f"robot: {{urdf: [{json.dumps(str(urdf))}], tool_frames: [{json.dumps(tool_of(urdf))}]}}",
              "stages: [{spherize.cover: {effort: fast}}]", "budget: {spheres: 60}", "outputs:"]
-    lines += [f"  - write.{f['format']}: {{file: {f['format']}/model.{f['extensions'][0]}}}" for f in formats]
+    lines += [f"  - write.{f['format']}: {{file: {f['format']}/model.{f['extensions'][0]}{parameters_of(f['format'], urdf)}}}"
+              for f in formats]
     return "\n".join(lines) + "\n"
 
 
