@@ -90,7 +90,12 @@ private:
                              "write.gpmp2",
                              link.empty() ? "without number" : link, frame_->link, frame_->id));
         }
-        spheres_of(result, frame_->link).push_back({frame_->pose.inverse() * sphere.center, sphere.radius});
+        const Vec3 center = frame_->pose.inverse() * sphere.center;
+        if (!is_finite(center)) {
+            fail(fmt::format("the center is no finite point in the frame of '{}'; remedy: correct the frame or the row",
+                             frame_->link));
+        }
+        spheres_of(result, frame_->link).push_back({center, sphere.radius});
     }
 
     std::size_t columns_ = 0;
@@ -103,6 +108,14 @@ private:
 Sphere sphere_in(const DhFrame& frame, const Sphere& sphere) {
     const Vec3 center = frame.pose * sphere.center;
     const double moved = distance(frame.pose.inverse() * center, sphere.center);
+    constexpr double most = 1e-6; // of the radius
+    if (!(moved <= most * sphere.radius)) {
+        throw Error(
+            ErrorCode::output,
+            fmt::format("write.gpmp2: the frame of link '{}' is so far away that a center of it moves by {} m in "
+                        "rounding; remedy: correct '{}'",
+                        shown(frame.link), moved, shown(frame.text)));
+    }
     double radius = sphere.radius;
     if (moved > 0) {
         constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -25,9 +25,32 @@ SPHERES = {
 }
 
 
+WHOLE = {"id", "type", "action", "total_spheres", "links"}  # keys whose values are whole numbers
+
+
+def wrong_types(value, key=None):
+    """Values of another type than a reader expects: keys that are no texts, numbers that are texts or whole."""
+    if isinstance(value, dict):
+        for name, item in value.items():
+            yield from [] if isinstance(name, str) else [f"the key {name!r}"]
+            yield from wrong_types(item, name)
+    elif isinstance(value, list):
+        for item in value:
+            yield from wrong_types(item, key)
+    elif isinstance(value, str):
+        try:
+            float(value)
+            yield f"{key}: the text {value!r}"
+        except ValueError:
+            pass
+    elif value is None or (isinstance(value, int) and not isinstance(value, bool) and key not in WHOLE):
+        yield f"{key}: {value!r}"
+
+
 def check(folder, truth):
     for name, spheres_of in SPHERES.items():
         document = yaml.safe_load((folder / f"model.{name}").read_text())
+        assert not (wrong := list(wrong_types(document))), f"{name}: {wrong}"
         spheres = spheres_of(document)
         assert spheres == truth["spheres"], f"{name}: {spheres}"
         for link, rows in spheres.items():

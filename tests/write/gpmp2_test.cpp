@@ -101,6 +101,16 @@ TEST(WriteGpmp2, RefusesWhatItCannotKnow) {
                 HasSubstr("link 'a' is given twice; remedy: delete one"));
 }
 
+TEST(WriteGpmp2, FramesSoFarAwayThatDigitsAreLost) {
+    EXPECT_EQ(
+        refusal_of(arm(), "base 0 1e17 0 0 0 0 0; tool 1 0 0 0 0 0 0"),
+        "write.gpmp2: the frame of link 'base' is so far away that a center of it moves by 0.25 m in rounding; remedy: "
+        "correct 'base 0 1e17 0 0 0 0 0'");
+    EXPECT_THAT(refusal_of(arm(), "base 0 1e308 0 0 1 1 1; tool 1 0 0 0 0 0 0"), HasSubstr("so far away"));
+    EXPECT_EQ(gpmp2.message("% foam frame: l 0 1e308 1e308 1e308 0.5 0.5 0.5\n0 -1e308 -1e308 -1e308 1\n"),
+              "FILE:2: the center is no finite point in the frame of 'l'; remedy: correct the frame or the row");
+}
+
 TEST(WriteGpmp2, ReadsWhatIsLeftOfItsFiles) {
     const std::string text = gpmp2.text(arm(), {{"frames", "base 0 0 0 0 0 0 0; tool 1 0 0 0 0 0 0"}});
     gpmp2.expect_truncations(text);
