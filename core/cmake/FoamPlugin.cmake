@@ -53,10 +53,10 @@ function(foam_add_plugin NAME)
   install(TARGETS ${NAME} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/foam/plugins" COMPONENT ${ARG_COMPONENT})
 endfunction()
 
-# foam_test_plugin(NAME [SAMPLES file...] [SOURCES file...] [RECIPES file...])
+# foam_test_plugin(NAME [SAMPLES file...] [SET stage.parameter=value...] [SOURCES file...] [RECIPES file...])
 #
 # Tests for ctest: NAME.contract holds the plugin's stages to what their kinds promise (`foam test-plugin`); SAMPLES are files
-# that a loader is to read. NAME.test is a program of the author's own made of SOURCES, in which FOAM_TEST_PLUGIN is the path of
+# that a loader is to read, SET are parameters for a stage that does nothing with its defaults. NAME.test is a program of the author's own made of SOURCES, in which FOAM_TEST_PLUGIN is the path of
 # the plugin; it fails by its exit code. NAME.STEM runs RECIPES/STEM.yaml with the plugin.
 macro(foam_test_plugin)
   if(NOT DEFINED FOAM_TESTS OR FOAM_TESTS)
@@ -66,15 +66,18 @@ macro(foam_test_plugin)
 endmacro()
 
 function(foam_add_plugin_tests NAME)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SAMPLES;SOURCES;RECIPES")
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SAMPLES;SET;SOURCES;RECIPES")
   if(ARG_UNPARSED_ARGUMENTS OR NOT TARGET ${NAME})
-    message(FATAL_ERROR "foam_test_plugin(NAME [SAMPLES file...] [SOURCES file...] [RECIPES file...]) of a plugin NAME: "
-      "got ${NAME} ${ARGN}")
+    message(FATAL_ERROR "foam_test_plugin(NAME [SAMPLES file...] [SET stage.parameter=value...] [SOURCES file...] "
+      "[RECIPES file...]) of a plugin NAME: got ${NAME} ${ARGN}")
   endif()
   set(OPTIONS)
   foreach(SAMPLE IN LISTS ARG_SAMPLES)
     cmake_path(ABSOLUTE_PATH SAMPLE)
     list(APPEND OPTIONS --sample "${SAMPLE}")
+  endforeach()
+  foreach(PARAMETER IN LISTS ARG_SET)
+    list(APPEND OPTIONS --set "${PARAMETER}")
   endforeach()
   add_test(NAME ${NAME}.contract COMMAND foam::program test-plugin $<TARGET_FILE:${NAME}> ${OPTIONS})
   set(TESTS ${NAME}.contract)

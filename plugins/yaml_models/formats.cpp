@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <set>
 
 namespace foam::tree {
 namespace {
@@ -20,7 +22,8 @@ void read_links(const Value& spheres, Tree& tree) {
         }
     };
     if (spheres.is(Kind::null)) {
-        return; // a robot without spheres
+        tree.fail(spheres, "collision_spheres is null: there are no spheres in this file; remedy: `foam convert MODEL "
+                           "--into FILE -o OUT` writes those of a model into it");
     }
     if (spheres.is(Kind::text)) {
         tree.fail(spheres, fmt::format("the spheres are in another file, '{}'; remedy: give that one", spheres.text));
@@ -56,6 +59,64 @@ const Value& largest_key(const Value& map, std::string_view what, const Tree& tr
     return *best;
 }
 
+/// The geometry of an XRDF: named groups of spheres, which may clone others.
+class GeometryGroups {
+public:
+    GeometryGroups(const Value& groups, Tree& tree) : groups_(groups), tree_(tree) {}
+
+    /// Adds the spheres of a group and of those that it clones, each group once. Precondition: the group exists.
+    void add(const std::string& name) {
+        if (!added_.insert(name).second) {
+            return;
+        }
+        open_.push_back(name);
+        const Value& group = *groups_.find(name);
+        const Value* clone = group.is(Kind::map) ? group.find("clone") : nullptr;
+        const Value* spheres = group.is(Kind::map) ? group.find("spheres") : nullptr;
+        if (!clone && !spheres) {
+            tree_.fail(group,
+                       fmt::format("geometry '{}' has neither spheres nor clone; remedy: add one of them", name));
+        }
+        if (clone && clone->is(Kind::list)) {
+            std::for_each(clone->items.begin(), clone->items.end(), [&](const Value& item) { add_clone(item); });
+        } else if (clone) {
+            add_clone(*clone);
+        }
+        if (spheres) {
+            tree_.for_each(*spheres, [&](const std::string& link, const Value& value) { tree_.add(link, value); });
+        }
+        open_.pop_back();
+    }
+
+private:
+    void add_clone(const Value& name) {
+        if (!name.is(Kind::text)) {
+            tree_.fail(name, fmt::format("expected the name of a geometry, got {}", name.description()));
+        }
+        if (!groups_.find(name.text)) {
+            tree_.fail(name, fmt::format("'{}' is cloned, but there is no such geometry; there is {}", name.text,
+                                         fmt::join(names(), ", ")));
+        }
+        if (std::find(open_.begin(), open_.end(), name.text) != open_.end()) {
+            tree_.fail(name, fmt::format("geometry '{}' clones itself; remedy: delete this name", name.text));
+        }
+        add(name.text);
+    }
+
+    std::vector<std::string> names() const {
+        std::vector<std::string> all;
+        for (const yaml::Key& key : groups_.keys) {
+            all.push_back(key.text);
+        }
+        return all;
+    }
+
+    const Value& groups_;
+    Tree& tree_;
+    std::set<std::string> added_;
+    std::vector<std::string> open_; ///< groups that are being added, each cloned by the one before
+};
+
 /// Reads one object per depth, the last the finest.
 void read_depths(const Value& root, Tree& tree) {
     tree.result.format = "list of CoMMALab/foam";
@@ -83,26 +144,34 @@ void read_xrdf(const Value& root, Tree& tree) {
     if (const Value& format = tree.at(root, "format"); format.text != "xrdf") {
         tree.fail(format, fmt::format("expected the format xrdf, got {}", format.description()));
     }
-    const Value* collision = root.find("world_collision");
-    collision = collision ? collision : &tree.at(root, "collision");
-    const std::string name = tree.at(*collision, "geometry").text;
-    tree.note_buffer(*collision, "buffer_distance");
-    tree.for_each(tree.at(tree.at(tree.at(root, "geometry"), name), "spheres"),
-                  [&](const std::string& link, const Value& value) { tree.add(link, value); });
+    const bool is_new = root.find("world_collision") != nullptr;
+    const Value& collision = tree.at(root, is_new ? "world_collision" : "collision");
+    const std::string name = tree.at(collision, "geometry").text;
+    const Value& groups = tree.at(root, "geometry");
+    tree.at(groups, name);
+    GeometryGroups(groups, tree).add(name);
+    tree.note_buffer(collision, "buffer_distance");
+    const Value* self = root.find("self_collision");
+    const Value* own = self && self->is(Kind::map) ? self->find("geometry") : nullptr;
+    if (own && own->text != name) {
+        tree.result.notes.push_back(
+            fmt::format("self_collision (line {}) has a geometry of its own, '{}', which is not judged: '{}' of {} is",
+                        own->where.line, own->text, name, is_new ? "world_collision" : "collision"));
+    }
 }
 
 void read_curobo(const Value& root, Tree& tree) {
     tree.result.format = "cuRobo YAML";
     const Value* robot = root.is(Kind::map) ? root.find("robot_cfg") : nullptr;
     const Value& kinematics = tree.at(robot ? *robot : root, "kinematics");
-    tree.note_buffer(kinematics, "collision_sphere_buffer");
     read_links(tree.at(kinematics, "collision_spheres"), tree);
+    tree.note_buffer(kinematics, "collision_sphere_buffer");
 }
 
 void read_collision_spheres(const Value& root, Tree& tree) {
     tree.result.format = "collision_spheres YAML";
-    tree.note_buffer(root, "collision_sphere_buffer");
     read_links(tree.at(root, "collision_spheres"), tree);
+    tree.note_buffer(root, "collision_sphere_buffer");
 }
 
 void read_columns(const Value& root, Tree& tree) {

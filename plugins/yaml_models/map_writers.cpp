@@ -64,7 +64,8 @@ Value BubblifyWriter::document(const SphereModel&, const std::vector<LinkSpheres
                                               {"links", yaml::integer(static_cast<std::int64_t>(links.size()))}})}});
 }
 
-void BubblifyWriter::edit(yaml::Splice& file, const SphereModel&, const std::vector<LinkSpheres>& links) const {
+void BubblifyWriter::edit(yaml::Splice& file, const SphereModel&, const std::vector<LinkSpheres>& links,
+                          Context&) const {
     file.set({"collision_spheres"}, spheres_of_links(links));
 }
 
@@ -90,7 +91,8 @@ Value PlainmpWriter::document(const SphereModel& model, const std::vector<LinkSp
     return document;
 }
 
-void PlainmpWriter::edit(yaml::Splice& file, const SphereModel& model, const std::vector<LinkSpheres>& links) const {
+void PlainmpWriter::edit(yaml::Splice& file, const SphereModel& model, const std::vector<LinkSpheres>& links,
+                         Context&) const {
     file.set({"collision_spheres"}, rows_of_links(links));
     if (replaces_pairs_ && model.ignored_pairs) {
         file.set({"self_collision_pairs"}, checked_pairs(model, links));

@@ -13,7 +13,8 @@ public:
 private:
     yaml::Value document(const SphereModel& model, const std::vector<LinkSpheres>& links,
                          Context& context) const override;
-    void edit(yaml::Splice& file, const SphereModel& model, const std::vector<LinkSpheres>& links) const override;
+    void edit(yaml::Splice& file, const SphereModel& model, const std::vector<LinkSpheres>& links,
+              Context& context) const override;
 };
 
 /// collision_spheres: {link: {spheres: [[x, y, z, r]]}}, with the pairs that are checked.
@@ -24,7 +25,8 @@ public:
 private:
     yaml::Value document(const SphereModel& model, const std::vector<LinkSpheres>& links,
                          Context& context) const override;
-    void edit(yaml::Splice& file, const SphereModel& model, const std::vector<LinkSpheres>& links) const override;
+    void edit(yaml::Splice& file, const SphereModel& model, const std::vector<LinkSpheres>& links,
+              Context& context) const override;
 
     bool replaces_pairs_;
 };

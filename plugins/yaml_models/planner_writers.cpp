@@ -100,7 +100,8 @@ Value CuroboWriter::document(const SphereModel& model, const std::vector<LinkSph
     return yaml::map({{"robot_cfg", yaml::map({{"kinematics", std::move(kinematics)}})}});
 }
 
-void CuroboWriter::edit(yaml::Splice& file, const SphereModel& model, const std::vector<LinkSpheres>& links) const {
+void CuroboWriter::edit(yaml::Splice& file, const SphereModel& model, const std::vector<LinkSpheres>& links,
+                        Context&) const {
     std::vector<std::string_view> at{"robot_cfg", "kinematics"};
     if (!file.find(at)) {
         at = {"kinematics"};
@@ -152,7 +153,8 @@ Value XrdfWriter::document(const SphereModel& model, const std::vector<LinkSpher
     return document;
 }
 
-void XrdfWriter::edit(yaml::Splice& file, const SphereModel& model, const std::vector<LinkSpheres>& links) const {
+void XrdfWriter::edit(yaml::Splice& file, const SphereModel& model, const std::vector<LinkSpheres>& links,
+                      Context& context) const {
     const Value* collision = file.find({"world_collision"});
     collision = collision ? collision : file.find({"collision"});
     const Value* group = collision && collision->is(Value::Kind::map) ? collision->find("geometry") : nullptr;
@@ -160,6 +162,17 @@ void XrdfWriter::edit(yaml::Splice& file, const SphereModel& model, const std::v
         fail_without_key(model, "collision.geometry", "give an XRDF file");
     }
     const std::string name = group->text;
+    if (const Value* clone = file.find({"geometry", name, "clone"})) {
+        throw Error(ErrorCode::input,
+                    fmt::format("{}:{}:{}: geometry '{}' clones others, whose spheres would stay beside the new ones; "
+                                "remedy: delete 'clone'",
+                                model.into->file.string(), clone->where.line, clone->where.column, name));
+    }
+    if (const Value* own = file.find({"self_collision", "geometry"}); own && own->text != name) {
+        context.log(Severity::warning,
+                    fmt::format("{}:{}: self_collision has a geometry of its own, '{}', which stays as it is",
+                                model.into->file.string(), own->where.line, own->text));
+    }
     file.set({"geometry", name, "spheres"}, spheres_of_links(links));
     if (replaces_pairs_ && model.ignored_pairs) {
         file.set({"self_collision", "ignore"}, ignored_links(model));
@@ -201,7 +214,7 @@ Value LulaWriter::document(const SphereModel& model, const std::vector<LinkSpher
     return document;
 }
 
-void LulaWriter::edit(yaml::Splice& file, const SphereModel&, const std::vector<LinkSpheres>& links) const {
+void LulaWriter::edit(yaml::Splice& file, const SphereModel&, const std::vector<LinkSpheres>& links, Context&) const {
     file.set({"collision_spheres"}, spheres(links));
 }
 

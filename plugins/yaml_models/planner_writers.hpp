@@ -13,7 +13,8 @@ public:
 private:
     yaml::Value document(const SphereModel& model, const std::vector<LinkSpheres>& links,
                          Context& context) const override;
-    void edit(yaml::Splice& file, const SphereModel& model, const std::vector<LinkSpheres>& links) const override;
+    void edit(yaml::Splice& file, const SphereModel& model, const std::vector<LinkSpheres>& links,
+              Context& context) const override;
     yaml::Value cspace(const SphereModel& model, const PlannedJoints& joints) const;
 
     bool old_, replaces_pairs_;
@@ -29,7 +30,8 @@ public:
 private:
     yaml::Value document(const SphereModel& model, const std::vector<LinkSpheres>& links,
                          Context& context) const override;
-    void edit(yaml::Splice& file, const SphereModel& model, const std::vector<LinkSpheres>& links) const override;
+    void edit(yaml::Splice& file, const SphereModel& model, const std::vector<LinkSpheres>& links,
+              Context& context) const override;
 
     bool new_, replaces_pairs_;
 };
@@ -41,7 +43,8 @@ public:
 private:
     yaml::Value document(const SphereModel& model, const std::vector<LinkSpheres>& links,
                          Context& context) const override;
-    void edit(yaml::Splice& file, const SphereModel& model, const std::vector<LinkSpheres>& links) const override;
+    void edit(yaml::Splice& file, const SphereModel& model, const std::vector<LinkSpheres>& links,
+              Context& context) const override;
     /// Returns a list of maps with one link each.
     static yaml::Value spheres(const std::vector<LinkSpheres>& links);
 };

@@ -16,7 +16,7 @@ yaml::Value parse(const std::string& text, const std::filesystem::path& file);
 /// Fills a SphereFile from values of the tree. All functions throw Error(input) with the place of the value.
 class Tree {
 public:
-    explicit Tree(SphereFile& result) : result(result) {}
+    explicit Tree(SphereFile& file) : result(file) {}
 
     [[noreturn]] void fail(const yaml::Value& at, const std::string& why) const;
     /// Returns the value of a key of a map.
@@ -33,7 +33,8 @@ public:
     void add(const std::string& link, const yaml::Value& spheres);
     /// Adds `{centers: [[x, y, z]], radii: [r]}`.
     void add_columns(const std::string& link, const yaml::Value& value);
-    /// Notes a distance that a program adds to all radii. It is reported, not added.
+    /// Notes a distance that a program adds to all radii, or to those of each link. It is reported, not added; spheres
+    /// that only the distance switches on are left out. Call it after the spheres are added.
     void note_buffer(const yaml::Value& holder, std::string_view key);
 
     SphereFile& result;
@@ -41,6 +42,7 @@ public:
 private:
     void require_map(const yaml::Value& value) const;
     double number(const yaml::Value& value) const;
+    double buffer_of(const yaml::Value& buffer, const std::string& link) const;
     Vec3 point(const yaml::Value& value) const;
     Sphere sphere(const yaml::Value& value) const;
 };

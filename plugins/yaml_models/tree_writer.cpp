@@ -12,7 +12,7 @@ std::string TreeWriter::write(const SphereModel& model, Context& context) const 
         return text_of(document(model, links, context), model);
     }
     yaml::Splice file(model.into->text, model.into->file.string(), ErrorCode::input);
-    edit(file, model, links);
+    edit(file, model, links, context);
     return file.text();
 }
 
@@ -32,7 +32,7 @@ std::map<std::string, std::vector<Sphere>> TreeWriter::read(const std::string& b
     return result;
 }
 
-void TreeWriter::edit(yaml::Splice&, const SphereModel& model, const std::vector<LinkSpheres>&) const {
+void TreeWriter::edit(yaml::Splice&, const SphereModel& model, const std::vector<LinkSpheres>&, Context&) const {
     throw Error(ErrorCode::output, fmt::format("{}: {} writes whole files only; remedy: without 'into'",
                                                model.into->file.string(), name_));
 }

@@ -24,7 +24,8 @@ protected:
     virtual yaml::Value document(const SphereModel& model, const std::vector<LinkSpheres>& links,
                                  Context& context) const = 0;
     /// Replaces the spheres of a file of the user.
-    virtual void edit(yaml::Splice& file, const SphereModel& model, const std::vector<LinkSpheres>& links) const;
+    virtual void edit(yaml::Splice& file, const SphereModel& model, const std::vector<LinkSpheres>& links,
+                      Context& context) const;
     /// Returns the text of a whole file.
     virtual std::string text_of(const yaml::Value& document, const SphereModel& model) const;
     const std::string& name() const { return name_; }

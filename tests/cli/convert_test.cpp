@@ -115,6 +115,29 @@ TEST_F(CliConvert, IntoAFileKeepsEveryOtherByte) {
         "  </link_sphere_approximation>\n</robot>\n");
 }
 
+TEST_F(CliConvert, IntoAFileWithoutSpheres) {
+    write("null.yml", "kinematics:\n  collision_spheres: null\n  collision_link_names: null # none\n");
+    EXPECT_EQ(written("model.csv --format curobo --into null.yml", "out.yml"),
+              "kinematics:\n  collision_spheres: {base: [{center: [0.0, 0.0, 0.0], radius: 0.125}], upper: [{center: "
+              "[0.0, 0.0, 1.0e-05], radius: 0.25}, {center: [0.0, 0.0, 0.0], radius: 0.2109375}]}\n"
+              "  collision_link_names: [base, upper] # none\n");
+}
+
+TEST_F(CliConvert, IntoAnXrdfWithSeveralGeometries) {
+    const std::string begin =
+        "format: xrdf\nworld_collision: {geometry: g}\nself_collision: {geometry: s}\ngeometry:\n";
+    write("own.xrdf", begin + "  g: {spheres: {}}\n  s: {spheres: {}}\n");
+    const Outcome outcome = foam("convert model.csv --format xrdf --into own.xrdf -o a.xrdf");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err,
+                HasSubstr("own.xrdf:3: self_collision has a geometry of its own, 's', which stays as it is"));
+    EXPECT_THAT(contents(path() / "a.xrdf"), HasSubstr("  s: {spheres: {}}\n"));
+    write("clone.xrdf", begin + "  g:\n    clone: [s]\n    spheres: {}\n  s: {spheres: {}}\n");
+    EXPECT_THAT(refusal("model.csv -o out.yml --format xrdf --into clone.xrdf"),
+                HasSubstr("clone.xrdf:6:12: geometry 'g' clones others, whose spheres would stay beside the new ones; "
+                          "remedy: delete 'clone'"));
+}
+
 TEST_F(CliConvert, TheirOwnFilesKeepAllButTheSpheres) {
     const std::filesystem::path theirs = shared_folder() / "reference_formats";
     if (!std::filesystem::exists(theirs)) {

@@ -148,6 +148,16 @@ TEST_F(Cli, TestPluginNamesEveryPromiseAndExitsWithOne) {
                           "missing.any for a mesh\n"));
 }
 
+TEST_F(Cli, TestPluginSetsParameters) {
+    const std::string plugin = "test-plugin '" FOAM_TEST_PLUGINS "/read_rows.so' ";
+    EXPECT_THAT(foam(plugin).err, HasSubstr("write.gpmp2 needs the frames of the DH links"));
+    const Outcome set = foam(plugin + "--set 'write.gpmp2.frames=base 0 0 0 0 0 0 0; tool 1 0 0 0 1 0 0'");
+    EXPECT_EQ(set.code, 0) << set.err;
+    EXPECT_THAT(foam(plugin + "--set frames=1").err, HasSubstr("--set expects STAGE.PARAMETER=VALUE, got 'frames=1'"));
+    EXPECT_THAT(foam(plugin + "--set write.rows.frames=1").err, HasSubstr("the plugin has no stage 'write.rows'"));
+    EXPECT_THAT(foam(plugin + "--set write.gpmp2.frame=1").err, HasSubstr("write.gpmp2 has no parameter 'frame'"));
+}
+
 TEST_F(Cli, TestPluginRefusesWhatIsNone) {
     write("none.so", "no library at all");
     const Outcome outcome = foam("test-plugin none.so");

@@ -79,6 +79,29 @@ class Commands(Tiny):
         self.assertEqual(self.run_page("<!-- other -->\n```sh\n./foam fail 1\n```\n")[0], 1)
 
 
+class Python(Tiny):
+    def test_runs_where_its_modules_are(self):
+        text = "```sh\n./foam say 7 >file\n```\n\n```python\nimport json\nprint('read', json.load(open('file')){})\n```\n"
+        shown = "\n<!-- output -->\n```text\nread 7\n```\n"
+        self.assertEqual(self.run_page(text.format("") + shown), (0, "docs/page.md: as written\n"))
+        code, out = self.run_page(text.format(" / 0"))
+        self.assertEqual(code, 1)
+        self.assertIn("docs/page.md:6: exit code 1, expected 0: this python\n", out)
+        self.assertIn("ZeroDivisionError", out)
+
+    def test_says_what_is_not_run(self):
+        code, out = self.run_page("```python\nfrom no_such.module import a\nimport json\na / 0\n```\n")
+        self.assertEqual((code, out), (0, "docs/page.md:2: not run: no module no_such\ndocs/page.md: as written\n"))
+
+    def test_a_mistake_of_syntax_is_found_without_the_modules(self):
+        code, out = self.run_page("```python\nimport no_such\nno_such.call(\n```\n")
+        self.assertEqual(code, 1)
+        self.assertIn("docs/page.md:2: no Python: '(' was never closed", out)
+
+    def test_not_run(self):
+        self.assertEqual(self.run_page("<!-- not run: shows a mistake -->\n```python\n1 / 0\n```\n")[0], 0)
+
+
 class Contents(Tiny):
     def test_output(self):
         text = "```sh\n./foam say one; ./foam say two 3.5 s\n```\n\n<!-- output -->\n```text\n{}\n```\n"
@@ -103,7 +126,7 @@ class Contents(Tiny):
     def test_languages(self):
         code, out = self.run_page("```bash\n./foam fail 1\n```\n")
         self.assertEqual(code, 1)
-        self.assertEqual(out, "docs/page.md:2: a block of 'bash'; known are cmake, cpp, json, sh, text, yaml\n")
+        self.assertEqual(out, "docs/page.md:2: a block of 'bash'; known are cmake, cpp, json, python, sh, text, yaml\n")
 
     def test_files(self):
         text = "```yaml\n# mine.yaml\nfoam: 1\n```\n\n```sh\ngrep -c foam mine.yaml\n```\n"

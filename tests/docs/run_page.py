@@ -2,17 +2,21 @@
 
 run_page.py FOAM REPOSITORY PAGE
 """
+import ast
 import os
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
 
 import markdown
 
-LANGUAGES = {"", "cmake", "cpp", "json", "sh", "text", "yaml"}
+LANGUAGES = {"", "cmake", "cpp", "json", "python", "sh", "text", "yaml"}
+# Debian's Python has the modules of Debian's packages.
+PYTHON = shutil.which("python3", path="/usr/bin") or sys.executable
 EXITS = re.compile(r"#.*\bexits (\d+)\b")
 FILE_NAME = re.compile(r"^(?:#|//) *([\w.-]+\.\w+)$")
 
@@ -41,6 +45,39 @@ def commands_of(block):
     return commands
 
 
+def imported(text):
+    """The packages that a Python text imports."""
+    names = set()
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.Import):
+            names |= {alias.name.split(".")[0] for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            names.add(node.module.split(".")[0])
+    return names
+
+
+def why_not_python(block):
+    """Why a block of Python is not run; empty if it is."""
+    if block.remark.startswith("not run:"):
+        return block.remark
+    asked = "import importlib.util, sys; print(*[m for m in sys.argv[1:] if not importlib.util.find_spec(m)])"
+    missing = subprocess.run([PYTHON, "-c", asked, *sorted(imported(block.text))], capture_output=True, text=True)
+    return f"not run: no module {missing.stdout.strip().replace(' ', ', ')}" if missing.stdout.strip() else ""
+
+
+def python_findings(page, name):
+    """Syntax of Python, also of what is not run. Prints what is not run."""
+    for block in page.blocks:
+        if block.language == "python":
+            try:
+                ast.parse(block.text)
+            except SyntaxError as error:
+                yield f"{name}:{block.line}: no Python: {error.msg}"
+                continue
+            if why := why_not_python(block):
+                print(f"{name}:{block.line}: {why}")
+
+
 # Complains on descriptor 9 and stops the shell if the command before it ended otherwise.
 EXPECT = """
 expect() {
@@ -54,6 +91,9 @@ def script_of(page, name, outputs):
     """All commands of a page for one shell, so that `cd` and variables last. Block n prints to the file n."""
     script = "exec 9>&2" + EXPECT
     for index, block in enumerate(page.blocks):
+        if block.language == "python" and not why_not_python(block):
+            script += (f"exec >{shlex.quote(str(outputs / str(index)))} 2>&1\n{PYTHON} -c {shlex.quote(block.text)}\n"
+                       f"expect 0 {name}:{block.line} 'this python'\n")
         if block.language != "sh" or block.remark.startswith("not run:"):
             continue
         script += f"exec >{shlex.quote(str(outputs / str(index)))} 2>&1\n"
@@ -151,6 +191,9 @@ def language_findings(page, name):
 def run(foam, repository, path):
     name = str(path.relative_to(repository))
     page = markdown.read(path)
+    if wrong := list(python_findings(page, name)):
+        print("\n".join(wrong))
+        return 1
     with tempfile.TemporaryDirectory() as folder:
         room, outputs = pathlib.Path(folder, "room"), pathlib.Path(folder, "outputs")
         room.mkdir()

@@ -104,6 +104,12 @@ TEST_F(SphereFiles, CuRobo) {
               "FILE:3:24: the spheres are in another file, 'spheres/franka.yml'; remedy: give that one");
 }
 
+TEST_F(SphereFiles, CuRoboWithoutSpheres) {
+    EXPECT_EQ(refusal("kinematics:\n  collision_link_names: null\n  collision_spheres: null\n"),
+              "FILE:3:22: collision_spheres is null: there are no spheres in this file; remedy: `foam convert MODEL "
+              "--into FILE -o OUT` writes those of a model into it");
+}
+
 TEST_F(SphereFiles, ANegativeRadiusSwitchesASphereOff) {
     const SphereFile file =
         read("collision_spheres: {l: [{center: [0, 0, 0], radius: -1}, {center: [0, 0, 0], radius: -10}, "
@@ -148,6 +154,63 @@ TEST_F(SphereFiles, Xrdf) {
               "FILE:3:11: expected a map with the key 'g', got one without");
 }
 
+TEST_F(SphereFiles, XrdfClonesGeometry) {
+    const std::string begin = "format: xrdf\ncollision: {geometry: all}\ngeometry:\n";
+    expect_both_links(read(begin + "  arm: {spheres: {l: [{center: [0.1, 0.2, 0.3], radius: 0.05}]}}\n"
+                                   "  tip: {clone: arm, spheres: {l: [{center: [-1, 0, 2.5], radius: 0.25}]}}\n"
+                                   "  all: {clone: [tip, rest]}\n"
+                                   "  rest: {spheres: {m: [{center: [0.1, 0.2, 0.3], radius: 0.05}]}}\n"),
+                      "XRDF");
+    EXPECT_EQ(refusal(begin + "  all: {clone: [other]}\n"),
+              "FILE:4:17: 'other' is cloned, but there is no such geometry; there is all");
+    EXPECT_EQ(refusal(begin + "  all: {clone: [a]}\n  a: {clone: [all]}\n"),
+              "FILE:5:15: geometry 'all' clones itself; remedy: delete this name");
+    EXPECT_EQ(refusal(begin + "  all: {clone: [[a]]}\n  a: {}\n"),
+              "FILE:4:17: expected the name of a geometry, got a list");
+    EXPECT_EQ(refusal(begin + "  all: {boxes: {}}\n"),
+              "FILE:4:8: geometry 'all' has neither spheres nor clone; remedy: add one of them");
+    // Each name once, however often it is cloned.
+    EXPECT_THAT(
+        read(begin + "  all: {clone: [a, b]}\n  a: {clone: [c]}\n  b: {clone: [c]}\n  c: {spheres: " + lists + "}\n")
+            .links.at(0)
+            .spheres,
+        ElementsAre(one, two));
+}
+
+TEST_F(SphereFiles, XrdfWithSpheresForSelfCollisionAlone) {
+    const std::string geometry = "geometry:\n  g: {spheres: " + lists + "}\n  s: {clone: [g]}\n";
+    EXPECT_THAT(read("format: xrdf\nworld_collision: {geometry: g}\nself_collision: {geometry: s}\n" + geometry).notes,
+                ElementsAre("self_collision (line 3) has a geometry of its own, 's', which is not judged: 'g' of "
+                            "world_collision is"));
+    EXPECT_THAT(read("format: xrdf\ncollision: {geometry: g}\nself_collision: {geometry: g}\n" + geometry).notes,
+                ElementsAre());
+}
+
+TEST_F(SphereFiles, ABufferSwitchesSpheresOnAndOff) {
+    const std::string spheres = "{l: [{center: [0, 0, 0], radius: -0.01}, {center: [-1, 0, 2.5], radius: 0.25}], "
+                                "m: [{center: [0, 0, 0], radius: -0.01}]}";
+    const SphereFile xrdf = read("format: xrdf\ncollision:\n  geometry: g\n  buffer_distance: {l: 0.025, m: 0.01}\n"
+                                 "geometry: {g: {spheres: " +
+                                 spheres + "}}\n");
+    EXPECT_THAT(xrdf.links.at(0).spheres, ElementsAre(two));
+    EXPECT_THAT(xrdf.links.at(1).spheres, ElementsAre());
+    EXPECT_THAT(
+        xrdf.notes,
+        ElementsAre("buffer_distance (line 4) is not added to the radii: the spheres are judged as they stand",
+                    "buffer_distance switches 1 sphere on, which is left out here (link 'l', -0.01 m + 0.025 m); "
+                    "remedy: write its radius with the buffer",
+                    "1 sphere of a radius not above 0 is switched off and left out"));
+    const SphereFile curobo = read("kinematics:\n  collision_sphere_buffer: -0.3\n  collision_spheres: " + lists);
+    EXPECT_THAT(curobo.links.at(0).spheres, ElementsAre(one, two));
+    EXPECT_THAT(curobo.notes,
+                ElementsAre("collision_sphere_buffer (line 2) is not added to the radii: the spheres are judged as "
+                            "they stand",
+                            "collision_sphere_buffer switches 3 spheres off, which are judged here (the first: link "
+                            "'l', 0.05 m - 0.3 m)"));
+    EXPECT_EQ(refusal("kinematics: {collision_sphere_buffer: {l: x}, collision_spheres: " + lists + "}"),
+              "FILE:1:43: expected a finite number of metres, got the text 'x'");
+}
+
 TEST_F(SphereFiles, MorphItBallparkAndPyroki) {
     const std::string columns = R"({"centers": [[0.1, 0.2, 0.3], [-1, 0, 2.5]], "radii": [0.05, 0.25]})";
     expect_nameless(read(columns), "MorphIt JSON");
@@ -166,6 +229,9 @@ TEST_F(SphereFiles, BubblifyAndPlainmp) {
 
 TEST_F(SphereFiles, RowsOfNumbers) {
     expect_both_links(read("# GPMP2\nl 0.1 0.2 0.3 0.05\nl -1 0 2.5 0.25   % elbow\n\nm 0.1 0.2 0.3 0.05\n"),
+                      "GPMP2 rows");
+    expect_both_links(read("% sphere data [link x y z r]\n\n# more\n  % and more\nl 0.1 0.2 0.3 0.05\nl -1 0 2.5 0.25\n"
+                           "m 0.1 0.2 0.3 0.05\n"),
                       "GPMP2 rows");
     expect_nameless(read("0.1,0.2,0.3,0.05\n-1,0,2.5,0.25\n"), "rows of numbers");
     EXPECT_EQ(refusal("0 0 0 1\n0 0 0 1 1\n"),

@@ -19,3 +19,31 @@ expect_call "--output-on-failure -R mesh"
 run_foam version
 expect_calls ninja 2
 expect_calls cmake 2
+
+# Packages of consumers and of npm are installed, too; without them the tests go on.
+expect_call "install -y --no-install-recommends pack-c"
+node=$clone/build/release/tests/consumers/node
+mkdir -p "$node"
+touch "$node/package-lock.json"
+stand_in npm <<'END'
+[[ -z ${npm_fails:-} ]] || { echo "npm error network"; exit 1; }
+mkdir -p "${!#}/node_modules"
+touch "${!#}/node_modules/.package-lock.json"
+END
+npm_fails=1 run_foam test
+expect_code 0
+expect_err "npm could not install the packages for tests, which are skipped"
+FOAM_NO_INSTALL=1 run_foam test
+expect_code 0
+expect_err "npm ci --ignore-scripts --no-audit --no-fund --fetch-retries=1 --prefix $node"
+expect_calls npm 1
+touch -d '1 hour ago' "$node/package-lock.json"
+run_foam test
+expect_calls npm 2
+run_foam test
+expect_calls npm 2
+: >"$installed"
+printf '%s\n' pack-a pack-b pack-t >"$installed"
+FOAM_NO_INSTALL=1 run_foam test
+expect_code 0
+expect_err "the tests that need these packages are skipped"

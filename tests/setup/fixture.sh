@@ -12,7 +12,7 @@ mkdir -p "$clone"/{core,plugins,apps} "$tools"
 touch "$calls" "$installed"
 cp -- "$source_root/foam" "$clone/foam"
 printf '%s\n' '# No group yet' 'not-one' '## run: what it is' 'pack-a' '# more' 'pack-b   # why' '' '## tests: of it' pack-t \
-    '## docs: of it' pack-d >"$clone/dependencies.txt"
+    '## consumers: of it' pack-c '## docs: of it' pack-d >"$clone/dependencies.txt"
 touch "$clone/CMakeLists.txt"
 for tool in bash cat chmod dirname env find flock grep id mkdir mv nproc paste readlink rm sed sleep tail touch; do
     ln -s "$(command -v "$tool")" "$tools/$tool"

@@ -47,11 +47,20 @@ def locked(urdf):
     return {name: 0.01 for name in sorted(followed & moving)}
 
 
+def parameters_of(name, urdf):
+    """What a writer needs beyond the facts of the robot."""
+    if name != "gpmp2":
+        return ""
+    links = [link.get("name") for link in xml.etree.ElementTree.parse(urdf).getroot().findall("link")]
+    return ", frames: " + json.dumps("; ".join(f"{link} {i} 0 0 0 0 0 0" for i, link in enumerate(links)))
+
+
 def recipe(urdf, formats):
     lines = ["foam: 1", "name: all", f"robot: {{urdf: [{json.dumps(str(urdf))}], tool_frames: [{json.dumps(tool_of(urdf))}], "
              f"lock_joints: {json.dumps(locked(urdf))}}}",
              "stages: [{spherize.cover: {effort: fast}}]", "budget: {spheres: 60}", "outputs:"]
-    lines += [f"  - write.{f['format']}: {{file: {f['format']}/model.{f['extensions'][0]}}}" for f in formats]
+    lines += [f"  - write.{f['format']}: {{file: {f['format']}/model.{f['extensions'][0]}{parameters_of(f['format'], urdf)}}}"
+              for f in formats]
     return "\n".join(lines) + "\n"
 
 

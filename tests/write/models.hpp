@@ -19,6 +19,19 @@ inline std::unique_ptr<Writer> writer(const std::string& plugin, const std::stri
     return registry.make<Writer>(stage, parameters);
 }
 
+/// Parameters that a writer needs for links of these names.
+inline std::map<std::string, ParameterValue> needed_parameters(const std::string& stage,
+                                                               const std::vector<std::string>& links) {
+    if (stage != "write.gpmp2") {
+        return {};
+    }
+    std::string frames;
+    for (const std::string& link : links) {
+        frames += link + " 0 0 0 0 0 0 0\n";
+    }
+    return {{"frames", frames}};
+}
+
 /// A robot whose links have one collision element each, a chain of fixed joints in their order.
 inline std::shared_ptr<const Robot> chain_of(const std::vector<std::string>& links) {
     auto robot = std::make_shared<Robot>();

@@ -17,7 +17,7 @@ template <class Test> void for_each_writer(const Test& test) {
         }
         SCOPED_TRACE(name);
         ++count;
-        test(name, *registry.make<Writer>(name));
+        test(name, *registry.make<Writer>(name, needed_parameters(name, {"only"})));
         for (const Parameter& parameter : stage.info.parameters) {
             for (const std::string& choice : parameter.choices) {
                 SCOPED_TRACE(parameter.name + ": " + choice);

@@ -102,28 +102,30 @@ std::vector<ContractFinding> check_contract(const RegisteredStage& stage, const 
                                             const ContractOptions& options) {
     const std::string& name = stage.info.name;
     Promises promises(name, options);
+    const auto found = options.parameters.find(name);
+    const auto given = found == options.parameters.end() ? std::map<std::string, ParameterValue>{} : found->second;
     promises.check("declares its parameters well", [&] { check_declaration(stage.info); });
     promises.check("takes every value that it declares", [&] { check_construction(stage); });
     try {
         switch (stage.kind) {
         case StageKind::spherizer:
-            check_spherizer(*registry.make<Spherizer>(name), stage.info, promises);
+            check_spherizer(*registry.make<Spherizer>(name, given), stage.info, promises);
             check_objectives(stage, registry, promises);
             break;
         case StageKind::mesh_filter:
-            check_mesh_filter(*registry.make<MeshFilter>(name), promises);
+            check_mesh_filter(*registry.make<MeshFilter>(name, given), promises);
             break;
         case StageKind::mesh_loader:
-            check_mesh_loader(*registry.make<MeshLoader>(name), stage.info, options, promises);
+            check_mesh_loader(*registry.make<MeshLoader>(name, given), stage.info, options, promises);
             break;
         case StageKind::writer:
-            check_writer(*registry.make<Writer>(name), registry.find(name)->info.companions, promises);
+            check_writer(*registry.make<Writer>(name, given), registry.find(name)->info.companions, promises);
             break;
         case StageKind::model_reader:
-            check_model_reader(*registry.make<ModelReader>(name), options, promises);
+            check_model_reader(*registry.make<ModelReader>(name, given), options, promises);
             break;
         case StageKind::refiner:
-            check_refiner(*registry.make<Refiner>(name), promises);
+            check_refiner(*registry.make<Refiner>(name, given), promises);
             break;
         case StageKind::robot_loader:
         case StageKind::renderer: // their results cannot be checked without knowledge of the method

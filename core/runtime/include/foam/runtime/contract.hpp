@@ -24,13 +24,15 @@ struct ContractFinding {
 
 struct ContractOptions {
     /// Files that a loader or reader under test reads; without them only its rejections are checked.
-    std::vector<std::filesystem::path> samples;
+    std::vector<std::filesystem::path> samples{};
+    /// Parameters of stages by their names, where the defaults are not enough.
+    std::map<std::string, std::map<std::string, ParameterValue>> parameters{};
     /// Called before each promise is checked, so that a crash can be attributed.
-    std::function<void(const std::string& stage, const std::string& promise)> on_promise;
+    std::function<void(const std::string& stage, const std::string& promise)> on_promise{};
 };
 
-/// Runs a stage with its default parameters on built-in geometry. Never throws for what the stage does; returns the
-/// first violation of each promise.
+/// Runs a stage with its default parameters, or those of the options, on built-in geometry. Never throws for what the
+/// stage does; returns the first violation of each promise.
 std::vector<ContractFinding> check_contract(const RegisteredStage& stage, const Registry& registry,
                                             const ContractOptions& options = {});
 
