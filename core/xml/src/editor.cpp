@@ -29,7 +29,9 @@ void Editor::set_attribute(const Element& element, std::string_view key, const s
         return;
     }
     const std::size_t after_name = element.span.begin + 1 + element.name.size();
-    replace({after_name, after_name}, " " + std::string(key) + "=\"" + value + "\"");
+    std::string attribute(1, ' ');
+    attribute.append(key).append("=\"").append(value).append("\"");
+    replace({after_name, after_name}, std::move(attribute));
 }
 
 void Editor::remove(const Element& element) {
