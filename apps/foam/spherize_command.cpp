@@ -113,6 +113,7 @@ int run_quick(const SpherizeArguments& arguments, const Recipe& recipe, const Qu
     const fs::path directory = arguments.out.empty() ? scratch.path() / "run" : fs::path(arguments.out);
     ExecuteOptions options = arguments.execute;
     options.target = to_stdout(arguments) ? fs::path() : target;
+    options.report = !arguments.out.empty(); // the scratch folder is removed
     const RunResult result = execute(recipe, registry, directory, options);
     const fs::path made = directory / recipe.outputs.at(0).file;
     const std::string bytes = result_for(to_stdout(arguments) ? fs::path() : fs::absolute(beside), made, result,
