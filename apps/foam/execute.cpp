@@ -59,6 +59,7 @@ RunResult execute(const Recipe& recipe, const Registry& registry, const std::fil
     }
     run_options.out = directory;
     run_options.fresh = options.fresh;
+    run_options.report = options.report;
     run_options.threads = options.threads;
     run_options.accept = options.accept;
     run_options.inputs_known = [&](const std::vector<std::filesystem::path>& inputs) {

@@ -19,6 +19,7 @@ struct ExecuteOptions {
     bool verbose = false;
     bool say_which = true;            ///< of the recipe's candidates is the input
     bool force = false;               ///< replace inputs
+    bool report = true;               ///< of the run directory
     std::optional<double> time_limit; ///< s; instead of the recipe's
     std::vector<std::filesystem::path> targets; ///< where the result goes beside the run directory
     /// Looks at the manifest before anything is put in place; see RunOptions.

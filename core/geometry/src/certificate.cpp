@@ -33,8 +33,11 @@ public:
         for (const geometry::RoundPart& part : balls_.round_parts()) {
             std::fill(proved.begin() + part.begin, proved.begin() + part.end, balls_.held(part));
         }
+        const std::vector<char> held = balls_.held_triangles();
         for (std::uint32_t i = 0; i < balls_.piece_count(); ++i) {
-            if (!proved[i]) {
+            if (held[i]) {
+                ++certificate_.pieces;
+            } else if (!proved[i]) {
                 asking_.check();
                 examine_triangle(i);
             }

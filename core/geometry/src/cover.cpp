@@ -88,12 +88,8 @@ Balls::Balls(const Solid& solid, std::span<const Sphere> spheres, std::uint32_t 
     : origin_(solid.bounds().center()), extent_(0),
       unit_(std::numeric_limits<double>::epsilon() * (most_halvings + 8) * caution),
       placement_(8 * std::numeric_limits<double>::epsilon() * norm(origin_) * caution),
-      triangles_(&solid.surface().triangles) {
-    vertices_.reserve(solid.surface().vertices.size());
-    for (const Vec3& v : solid.surface().vertices) {
-        vertices_.push_back(v - origin_);
-        extent_ = std::max(extent_, norm(vertices_.back()));
-    }
+      triangles_(&solid.surface().triangles), vertices_(&solid.surface().vertices), runs_(&surface_runs(solid)) {
+    extent_ = runs_->extent();
     std::vector<Box> boxes(spheres.size());
     for (std::size_t i = 0; i < spheres.size(); ++i) {
         const Vec3 center = spheres[i].center - origin_;
@@ -221,8 +217,7 @@ bool Balls::holds(std::uint32_t i, const Piece& piece) const {
 }
 
 Piece Balls::piece(std::uint32_t i) const {
-    const auto& [a, b, c] = (*triangles_)[i];
-    Piece piece{.corners = {vertices_[a], vertices_[b], vertices_[c]}, .beneath = {}, .triangle = i};
+    Piece piece{.corners = corners(i), .beneath = {}, .triangle = i};
     if (!curved_.empty() && curved_[i]) {
         piece.curved = true;
         piece.beneath = beneath_[i];
@@ -230,52 +225,99 @@ Piece Balls::piece(std::uint32_t i) const {
     return piece;
 }
 
-void Balls::candidates(const Piece& piece, std::vector<std::uint32_t>& result) const {
-    if (bvh_.nodes().empty()) {
-        return;
-    }
-    const Middle middle = middle_of(piece);
+template <class Take> void Balls::visit_near(const Vec3& p, const double& limit, Take take) const {
+    struct Waiting {
+        double least_gap;
+        std::uint32_t node;
+    };
     const auto least_gap = [&](std::uint32_t n) {
-        return std::sqrt(squared_distance(bvh_.nodes()[n], middle.point)) - largest_[n];
+        return std::sqrt(squared_distance(bvh_.nodes()[n], p)) - largest_[n];
     };
-    const auto visit = [&](const double& limit, auto take) {
-        std::array<std::uint32_t, Bvh::max_depth> stack;
-        std::size_t size = 0;
-        stack[size++] = 0;
-        while (size > 0) {
-            const std::uint32_t n = stack[--size];
-            const BvhNode& node = bvh_.nodes()[n];
-            if (!(least_gap(n) <= limit)) {
-                continue;
-            }
-            for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-                take(bvh_.order()[k]);
-            }
-            if (!node.leaf()) {
-                const bool ordered = least_gap(node.first) <= least_gap(node.first + 1);
-                stack[size++] = node.first + (ordered ? 1 : 0);
-                stack[size++] = node.first + (ordered ? 0 : 1);
-            }
+    std::array<Waiting, Bvh::max_depth> stack;
+    std::size_t size = 0;
+    stack[size++] = {least_gap(0), 0};
+    while (size > 0) {
+        const Waiting next = stack[--size];
+        if (!(next.least_gap <= limit)) {
+            continue;
         }
-    };
+        const BvhNode& node = bvh_.nodes()[next.node];
+        for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+            take(bvh_.order()[k]);
+        }
+        if (!node.leaf()) {
+            Waiting near{least_gap(node.first), node.first}, far{least_gap(node.first + 1), node.first + 1};
+            if (!(near.least_gap <= far.least_gap)) {
+                std::swap(near, far);
+            }
+            stack[size++] = far;
+            stack[size++] = near;
+        }
+    }
+}
+
+std::uint32_t Balls::nearest_to(const Vec3& p) const {
     double nearest_gap = infinity;
-    std::uint32_t nearest = 0;
-    visit(nearest_gap, [&](std::uint32_t i) {
-        const double g = gap(i, middle.point);
+    auto nearest = static_cast<std::uint32_t>(size());
+    if (bvh_.nodes().empty()) {
+        return nearest;
+    }
+    visit_near(p, nearest_gap, [&](std::uint32_t i) {
+        const double g = gap(i, p);
         if (g < nearest_gap || (g == nearest_gap && i < nearest)) {
             nearest_gap = g;
             nearest = i;
         }
     });
-    if (nearest_gap == infinity) {
+    return nearest;
+}
+
+std::vector<char> Balls::held_triangles() const {
+    std::vector<char> held(piece_count(), 0);
+    if (bvh_.nodes().empty()) {
+        return held;
+    }
+    std::uint32_t last = 0; // ball that contained the run before
+    std::vector<std::uint32_t> near;
+    CancellationCounter asking(64);
+    for (std::size_t r = 0; r < runs_->size(); ++r) {
+        asking.check();
+        const SurfaceRuns::Run& run = (*runs_)[r];
+        if (!std::isfinite(run.radius)) {
+            continue;
+        }
+        bool whole = holds(last, run);
+        if (!whole) {
+            near.clear();
+            const double limit = run.radius; // a ball that comes less near contains no corner
+            visit_near(run.center, limit, [&](std::uint32_t i) {
+                if (!whole && gap(i, run.center) <= limit) {
+                    near.push_back(i);
+                    whole = holds(i, run);
+                    last = whole ? i : last;
+                }
+            });
+        }
+        for (const std::uint32_t t : runs_->triangles(r)) {
+            const auto contains = [&](std::uint32_t i) { return holds(i, corners(t)); };
+            held[t] = whole || std::any_of(near.begin(), near.end(), contains) ? 1 : 0;
+        }
+    }
+    return held;
+}
+
+void Balls::candidates(const Piece& piece, std::vector<std::uint32_t>& result) const {
+    const Middle middle = middle_of(piece);
+    const std::uint32_t nearest = nearest_to(middle.point);
+    if (nearest == size() || gap(nearest, middle.point) == infinity) {
         return;
     }
     result.push_back(nearest);
     if (holds(nearest, piece)) {
         return;
     }
-    const double limit = nearest_gap + 2.001 * middle.radius + unit_ * extent_;
-    visit(limit, [&](std::uint32_t i) {
+    const double limit = gap(nearest, middle.point) + 2.001 * middle.radius + unit_ * extent_;
+    visit_near(middle.point, limit, [&](std::uint32_t i) {
         if (i != nearest && gap(i, middle.point) <= limit) {
             result.push_back(i);
         }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <foam/geometry/internal/bvh.hpp>
+#include <foam/geometry/internal/surface_runs.hpp>
 #include <foam/geometry/internal/triangle.hpp>
 #include <foam/geometry/solid.hpp>
 #include <foam/geometry/sphere.hpp>
@@ -100,6 +101,15 @@ public:
     /// Appends the same, choosing from result[begin, end).
     void candidates(const Piece& piece, std::size_t begin, std::size_t end, std::vector<std::uint32_t>& result) const;
 
+    /// Returns whether ball `i` contains all triangles of a run: holds() of each is true then.
+    bool holds(std::uint32_t i, const SurfaceRuns::Run& run) const {
+        constexpr double rounding = 1e-12; // more than that of the distances here and in the test of each corner
+        return distance(run.center, centers_[i]) + run.radius <= radii_[i] * (1 - rounding) && limit(i) > 0;
+    }
+    /// Returns for each triangle whether one ball contains it; not for those of curved primitives.
+    std::vector<char> held_triangles() const;
+    const SurfaceRuns& runs() const { return *runs_; }
+
     /// Returns triangle `i` of the surface, relative to the centre.
     Piece piece(std::uint32_t i) const;
     std::size_t piece_count() const { return triangles_->size(); }
@@ -109,6 +119,15 @@ public:
 private:
     double slack(double center_norm, double radius) const;
     double shrunk(std::uint32_t i, double full_radius) const;
+    Corners corners(std::uint32_t i) const {
+        const auto& [a, b, c] = (*triangles_)[i];
+        return {(*vertices_)[a] - origin_, (*vertices_)[b] - origin_, (*vertices_)[c] - origin_};
+    }
+    /// Returns the ball that comes nearest to a point; size() if there is none.
+    std::uint32_t nearest_to(const Vec3& p) const;
+    /// Calls take(i) for the balls whose gap at `p` may be at most `limit`, which take() may lower, the near ones
+    /// first.
+    template <class Take> void visit_near(const Vec3& p, const double& limit, Take take) const;
     void update_largest();
     void find_round_parts(const Solid& solid);
     void find_beneath(const Solid& solid, std::size_t part);
@@ -121,7 +140,8 @@ private:
     double unit_;      // 2u·(L + 8)·caution
     double placement_; // 16u·|o|·caution
     const std::vector<Triangle>* triangles_;
-    std::vector<Vec3> vertices_;
+    const std::vector<Vec3>* vertices_; // in the solid's frame
+    const SurfaceRuns* runs_;
     std::vector<Corners> beneath_; // of each triangle; empty if no part is curved
     std::vector<char> curved_;
     std::vector<Vec3> centers_;

@@ -44,12 +44,36 @@ struct Circle {
 /// Difference below which two caps are the same. A boundary that two caps share belongs to the first.
 constexpr double same = 1e-13;
 
+/// p · cap.axis − cap.height = depth + amplitude · cos(t − middle) along a circle, with amplitude (cos middle, sin
+/// middle) = (a, b).
+struct Heights {
+    double depth, a, b;
+};
+
+Heights heights_along(const Circle& circle, const Cap& cap) {
+    return {circle.height * dot(circle.axis, cap.axis) - cap.height, circle.width * dot(circle.u, cap.axis),
+            circle.width * dot(circle.v, cap.axis)};
+}
+
+/// Returns whether the depth exceeds the amplitude by more than rounding, as for most caps: the circle is entirely in
+/// the cap, or entirely outside. Lengths are slower to compute than squares.
+bool beyond_amplitude(double depth, double a, double b) {
+    constexpr double deep = 1e-3, rounding = 1e-12;
+    return std::abs(depth) > deep && depth * depth > (a * a + b * b) * (1 + rounding);
+}
+
+bool clearly_hides(const Cap& cap, const Circle& circle) {
+    const auto [depth, a, b] = heights_along(circle, cap);
+    return depth > 0 && beyond_amplitude(depth, a, b);
+}
+
 /// Adds the angles at which a cap hides the circle. Returns false if it hides the whole circle. `first`: of two equal
 /// caps, this one counts.
 bool add_hidden(const Circle& circle, const Cap& cap, bool first, std::vector<Interval>& hidden) {
-    // p · cap.axis − cap.height = depth + amplitude · cos(t − middle)
-    const double depth = circle.height * dot(circle.axis, cap.axis) - cap.height;
-    const double a = circle.width * dot(circle.u, cap.axis), b = circle.width * dot(circle.v, cap.axis);
+    const auto [depth, a, b] = heights_along(circle, cap);
+    if (beyond_amplitude(depth, a, b)) {
+        return depth < 0;
+    }
     const double amplitude = std::hypot(a, b);
     if (amplitude <= same && std::abs(depth) <= same) {
         return !(first && dot(circle.axis, cap.axis) > 0);
@@ -143,7 +167,7 @@ Exposed exposed_part(const std::vector<Cap>& caps) {
     for (std::size_t k = 0; k < caps.size(); ++k) {
         const Circle circle(caps[k]);
         hidden.clear();
-        bool seen = true;
+        bool seen = std::none_of(caps.begin(), caps.end(), [&](const Cap& cap) { return clearly_hides(cap, circle); });
         for (std::size_t j = 0; j < caps.size() && seen; ++j) {
             seen = j == k || add_hidden(circle, caps[j], j < k, hidden);
         }

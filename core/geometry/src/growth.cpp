@@ -32,8 +32,9 @@ public:
             close_round_part(part);
             std::fill(held.begin() + part.begin, held.begin() + part.end, balls_.held(part));
         }
+        const std::vector<char> in_one = balls_.held_triangles();
         for (std::uint32_t i = 0; i < balls_.piece_count(); ++i) {
-            if (!held[i]) {
+            if (!held[i] && !in_one[i]) {
                 asking_.check();
                 enqueue(balls_.piece(i));
             }

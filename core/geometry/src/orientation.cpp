@@ -5,6 +5,8 @@
 #include <foam/geometry/internal/triangle.hpp>
 #include <foam/geometry/internal/welding.hpp>
 
+#include <numeric>
+
 namespace foam::inline geometry {
 namespace {
 
@@ -154,17 +156,36 @@ private:
         return result;
     }
 
-    /// Returns the groups of two or more triangles with the same three corners.
-    std::vector<std::vector<std::uint32_t>> groups_of_copies() const {
-        std::vector<std::pair<Triangle, std::uint32_t>> by_corners;
+    /// Returns the triangles that count with their corners, in order of these. A counting sort by the lowest corner
+    /// leaves a few to sort at each.
+    std::vector<std::pair<Triangle, std::uint32_t>> sorted_by_corners() const {
+        std::vector<std::uint32_t> start(mesh_.vertices.size() + 1, 0);
+        for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+            if (facing_[i] != Facing::ignored) {
+                ++start[*std::min_element(triangles_[i].begin(), triangles_[i].end()) + 1];
+            }
+        }
+        std::partial_sum(start.begin(), start.end(), start.begin());
+        std::vector<std::pair<Triangle, std::uint32_t>> sorted(start.back());
+        std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
         for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
             if (facing_[i] != Facing::ignored) {
                 Triangle key = triangles_[i];
                 std::sort(key.begin(), key.end());
-                by_corners.emplace_back(key, i);
+                sorted[next[key[0]]++] = {key, i};
             }
         }
-        std::sort(by_corners.begin(), by_corners.end());
+        for (std::size_t v = 0; v + 1 < start.size(); ++v) {
+            if (start[v + 1] - start[v] > 1) {
+                std::sort(sorted.begin() + start[v], sorted.begin() + start[v + 1]);
+            }
+        }
+        return sorted;
+    }
+
+    /// Returns the groups of two or more triangles with the same three corners.
+    std::vector<std::vector<std::uint32_t>> groups_of_copies() const {
+        const std::vector<std::pair<Triangle, std::uint32_t>> by_corners = sorted_by_corners();
         std::vector<std::vector<std::uint32_t>> result;
         for (std::size_t k = 1; k < by_corners.size(); ++k) {
             if (by_corners[k].first != by_corners[k - 1].first) {

@@ -23,10 +23,15 @@ public:
     /// Returns the needed radius, ignoring the triangles with skip[i] != 0. When no looks remain, it is the limit.
     double run(const std::vector<char>& skip) {
         CancellationCounter asking(256);
-        for (std::uint32_t i = 0; i < balls_.piece_count(); ++i) {
+        for (std::size_t run = 0; run < balls_.runs().size(); ++run) {
             asking.check();
-            if (!skip[i]) {
-                push(balls_.piece(i), i);
+            if (beyond_limit(balls_.runs()[run])) {
+                continue;
+            }
+            for (const std::uint32_t i : balls_.runs().triangles(run)) {
+                if (!skip[i]) {
+                    push(balls_.piece(i), i);
+                }
             }
         }
         std::make_heap(queue_.begin(), queue_.end());
@@ -60,6 +65,12 @@ private:
     };
 
     Vec3 center() const { return balls_.center(ball_); }
+
+    /// Returns whether all triangles of a run are farther away than the limit.
+    bool beyond_limit(const SurfaceRuns::Run& run) const {
+        const double rounding = 1e-12 * (balls_.extent() + limit_);
+        return distance(center(), run.center) - run.radius > limit_ + rounding;
+    }
 
     /// Returns a lower bound of the distance of the piece from the ball's centre.
     double nearest(const Piece& piece) const {

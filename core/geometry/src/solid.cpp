@@ -51,19 +51,19 @@ void add_part(geometry::SolidData& data, std::size_t index) {
         data.offsets.push_back(data.offsets.back());
         return;
     }
-    Mesh mesh = *given;
+    const std::size_t first = data.surface.triangles.size();
+    data.first_triangles.push_back(first);
+    append(data.surface, *given);
     Box box;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        Triangle& t = mesh.triangles[i];
+    for (std::size_t i = 0; i < given->triangles.size(); ++i) {
+        Triangle& t = data.surface.triangles[first + i];
         for (const std::uint32_t corner : t) {
-            box.add(mesh.vertices[corner]);
+            box.add(data.surface.vertices[corner]);
         }
         if (reading.facing[i] == geometry::Facing::flipped) { // wound outwards where the outside is known
             std::swap(t[1], t[2]);
         }
     }
-    data.first_triangles.push_back(data.surface.triangles.size());
-    append(data.surface, mesh);
     data.offsets.push_back(static_cast<std::uint32_t>(data.surface.triangles.size()));
     data.box.add(box);
     std::optional<PrimitivePart> primitive;

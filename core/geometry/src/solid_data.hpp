@@ -6,6 +6,7 @@
 #include "part_index.hpp"
 #include "primitive.hpp"
 
+#include <foam/geometry/internal/surface_runs.hpp>
 #include <foam/geometry/solid.hpp>
 
 #include <atomic>
@@ -64,6 +65,8 @@ struct SolidData {
 
     mutable std::once_flag lines_once;
     mutable std::unique_ptr<const InsideLines> lines;
+    mutable std::once_flag runs_once;
+    mutable std::unique_ptr<const SurfaceRuns> runs;
 
     bool is_primitive() const { return queries.size() == 1 && queries[0].primitive; }
     /// Returns the same as Solid::inside_along().
@@ -90,4 +93,9 @@ inline constexpr std::array<Solid::Interval, 1> whole_line{
 
 namespace foam::inline geometry {
 struct Solid::Data : geometry::SolidData {};
+
+/// The way from a solid to its data.
+struct SolidAccess {
+    static const SolidData& data(const Solid& solid) { return *solid.data_; }
+};
 } // namespace foam::geometry

@@ -51,6 +51,18 @@ void check_triangles(const Mesh& mesh, const char* kind) {
     }
 }
 
+/// Scales a mesh in place: it may be large.
+void scale(Mesh& mesh, const Vec3& by) {
+    for (Vec3& v : mesh.vertices) {
+        v = {v.x * by.x + 0.0, v.y * by.y + 0.0, v.z * by.z + 0.0}; // -0 becomes 0
+    }
+    if (by.x * by.y * by.z < 0) {
+        for (Triangle& t : mesh.triangles) {
+            std::swap(t[1], t[2]);
+        }
+    }
+}
+
 std::vector<LinkWork> links_to_do(const Workspace& workspace, const Robot& robot) {
     std::vector<LinkWork> links;
     for (const Link& link : robot.links) {
@@ -122,9 +134,10 @@ void load(const Workspace& workspace, const std::vector<LinkWork>& links, LoadTa
     task.report.input = task.reference.uri;
     task.mesh = run_stage(workspace, loader->info.name, link, path.string(), task.file.digest, task.report,
                           [&](Context& context) {
-                              const Mesh mesh = call_loader(workspace, loader->info.name, path, context);
+                              Mesh mesh = call_loader(workspace, loader->info.name, path, context);
                               check_triangles(mesh, "loader");
-                              return std::make_shared<const Mesh>(transformed(mesh, {}, task.reference.scale));
+                              scale(mesh, task.reference.scale);
+                              return std::make_shared<const Mesh>(std::move(mesh));
                           });
     for (const Vec3& vertex : task.mesh->vertices) {
         if (!is_finite(vertex)) {

@@ -132,8 +132,10 @@ void write_record(const Workspace& workspace, const FinishedModel& finished, Run
         workspace.options.accept(manifest);
     }
     directory.write("manifest.json", manifest);
-    directory.write("report.html", report_html(workspace, finished, manifest, resolved, pictures));
-    result.files.emplace_back("report.html");
+    if (workspace.options.report) {
+        directory.write("report.html", report_html(workspace, finished, manifest, resolved, pictures));
+        result.files.emplace_back("report.html");
+    }
     workspace.journal.emit(Event::Kind::run_finished);
     directory.write("events.jsonl", workspace.journal.events_jsonl());
     workspace.check_cancelled();

@@ -24,7 +24,8 @@ static Solid::Part part_of(const Element& element, const Pose& pose, bool proces
         part.primitive = *primitive;
         part.pose = pose;
     } else {
-        part.mesh = std::make_shared<const Mesh>(transformed(processed ? *element.processed() : *element.raw, pose));
+        const std::shared_ptr<const Mesh> mesh = processed ? element.processed() : element.raw;
+        part.mesh = pose == Pose{} ? mesh : std::make_shared<const Mesh>(transformed(*mesh, pose));
     }
     return part;
 }
@@ -189,12 +190,14 @@ void build_shape(const Workspace& workspace, const std::vector<LinkWork>& links,
     const LinkWork& link = links[group.link];
     const bool raw_only = original_only(workspace, work.spherizer);
     std::vector<Solid::Part> original, processed;
-    bool filtered = false;
+    const bool filtered = !raw_only && std::any_of(group.elements.begin(), group.elements.end(),
+                                                   [&](std::size_t e) { return !link.elements[e].filtered.empty(); });
     for (const std::size_t e : group.elements) {
         const Pose pose = relative_pose(group, link, e);
         original.push_back(part_of(link.elements[e], pose, false));
-        processed.push_back(part_of(link.elements[e], pose, !raw_only));
-        filtered |= !raw_only && !link.elements[e].filtered.empty();
+        if (filtered) {
+            processed.push_back(part_of(link.elements[e], pose, true));
+        }
     }
     work.original = Solid::make(std::move(original));
     std::shared_ptr<const Solid> whole = filtered ? Solid::make(std::move(processed)) : work.original;

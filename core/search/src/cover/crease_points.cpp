@@ -1,11 +1,13 @@
 #include "crease_points.hpp"
 
 #include <foam/base/cancellation.hpp>
+#include <foam/geometry/internal/surface_runs.hpp>
 #include <foam/geometry/internal/triangle.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -16,6 +18,13 @@ namespace {
 
 using geometry::Corners;
 
+bool holds(const Sphere& s, const Vec3& p) {
+    return squared_norm(p - s.center) <= s.radius * s.radius;
+}
+bool holds(const Sphere& s, const Corners& t) {
+    return holds(s, t.a) && holds(s, t.b) && holds(s, t.c);
+}
+
 /// Subdivides the triangles that no single ball contains into small pieces, with the balls that may matter to each.
 class Walk {
 public:
@@ -24,16 +33,17 @@ public:
     /// Calls leaf(corners) for every small piece that no ball contains. Consecutive triangles are often close together:
     /// the candidate balls are selected for several at a time, and the ball that contained the last triangle is tested
     /// first.
-    template <class Leaf>
-    void run(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, Leaf leaf) {
+    template <class Leaf> void run(const std::vector<Vec3>& vertices, std::span<const Triangle> triangles, Leaf leaf) {
         constexpr std::size_t at_a_time = 32;
         stopped_ = false;
         last_holder_ = 0;
         for (std::size_t begin = 0; begin < triangles.size() && !stopped_; begin += at_a_time) {
-            const auto group = std::span(triangles).subspan(begin, std::min(at_a_time, triangles.size() - begin));
+            const auto group = triangles.subspan(begin, std::min(at_a_time, triangles.size() - begin));
             find_candidates(vertices, group);
             const std::size_t count = candidates_.size();
-            for (const auto& [a, b, c] : group) {
+            for (std::size_t k = 0; k < group.size(); ++k) {
+                const auto& [a, b, c] = group[k];
+                triangle_ = static_cast<std::uint32_t>(begin + k);
                 const Corners whole{vertices[a], vertices[b], vertices[c]};
                 if (spheres_.empty() || !holds(spheres_[last_holder_], whole)) {
                     visit(whole, 0, 0, count, leaf);
@@ -43,6 +53,8 @@ public:
     }
     /// Ends the walk from within leaf().
     void stop() { stopped_ = true; }
+    /// The place in the list of the triangle that is walked.
+    std::uint32_t triangle() const { return triangle_; }
 
 private:
     /// Numbers of candidates up to which selection is slower than testing all of them: in general, and if it is known
@@ -66,9 +78,6 @@ private:
         sift(box.center(), box.diagonal() / 2, 0, count);
         candidates_.erase(candidates_.begin(), candidates_.begin() + static_cast<std::ptrdiff_t>(count));
     }
-
-    static bool holds(const Sphere& s, const Vec3& p) { return squared_norm(p - s.center) <= s.radius * s.radius; }
-    static bool holds(const Sphere& s, const Corners& t) { return holds(s, t.a) && holds(s, t.b) && holds(s, t.c); }
 
     template <class Leaf> void visit(const Corners& t, int level, std::size_t begin, std::size_t end, Leaf& leaf) {
         if (stopped_) {
@@ -163,21 +172,29 @@ private:
     const std::vector<Sphere>& spheres_;
     double finest_;
     bool stopped_ = false;
-    std::uint32_t last_holder_ = 0;
+    std::uint32_t triangle_ = 0, last_holder_ = 0;
     std::vector<std::uint32_t> candidates_;
     std::vector<double> gaps_;
 };
 
+/// A piece of a triangle that no ball contains: the triangle's place in a list, and the piece's middle.
+struct OpenPiece {
+    std::uint32_t triangle;
+    Vec3 middle;
+};
+
 } // namespace
 
-/// Returns the middles of all pieces that no ball contains; nothing if there are too many.
-static std::optional<Points> open_points(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
-                                         const std::vector<Sphere>& spheres, double finest) {
+/// Returns the middles of all pieces that no ball contains, by their places in the list of triangles; nothing if there
+/// are too many.
+static std::optional<std::vector<OpenPiece>> open_points(const std::vector<Vec3>& vertices,
+                                                         std::span<const Triangle> triangles,
+                                                         const std::vector<Sphere>& spheres, double finest) {
     constexpr std::size_t too_many = 1'000'000;
-    Points points;
+    std::vector<OpenPiece> points;
     Walk walk(spheres, finest);
     walk.run(vertices, triangles, [&](const Corners& t) {
-        points.add((t.a + t.b + t.c) / 3);
+        points.push_back({walk.triangle(), (t.a + t.b + t.c) / 3});
         if (points.size() == too_many) {
             walk.stop();
         }
@@ -188,26 +205,83 @@ static std::optional<Points> open_points(const std::vector<Vec3>& vertices, cons
     return points;
 }
 
+/// Returns those of `balls` that come nearer to a place than their radius and `reach`.
+static void select_near(const std::vector<Sphere>& balls, const Vec3& place, double reach, std::vector<Sphere>& near) {
+    near.clear();
+    std::copy_if(balls.begin(), balls.end(), std::back_inserter(near), [&](const Sphere& s) {
+        const double most = s.radius + reach;
+        return squared_norm(s.center - place) <= most * most;
+    });
+}
+
+/// Returns the triangles that no single ball contains, close ones together. Where a ball contains a whole run, its
+/// triangles need no look.
+static std::vector<std::uint32_t> not_in_one(const Solid& solid, const Frame& frame,
+                                             const std::vector<Sphere>& spheres) {
+    constexpr std::size_t at_once = 32; // consecutive runs are close together
+    constexpr double rounding = 1e-9;   // units
+    const geometry::SurfaceRuns& runs = geometry::surface_runs(solid);
+    const Mesh& surface = solid.surface();
+    std::vector<std::uint32_t> open;
+    std::vector<Sphere> near, nearer;
+    for (std::size_t begin = 0; begin < runs.size(); begin += at_once) {
+        check_cancelled();
+        const std::size_t end = std::min(begin + at_once, runs.size());
+        Box box;
+        double largest = 0;
+        for (std::size_t r = begin; r < end; ++r) {
+            box.add(runs[r].center / frame.unit);
+            largest = std::max(largest, runs[r].radius / frame.unit);
+        }
+        select_near(spheres, box.center(), box.diagonal() / 2 + largest + rounding, near);
+        for (std::size_t r = begin; r < end; ++r) {
+            const Vec3 middle = runs[r].center / frame.unit;
+            const double radius = runs[r].radius / frame.unit + rounding;
+            if (std::any_of(near.begin(), near.end(), [&](const Sphere& s) {
+                    const double room = s.radius - radius;
+                    return room > 0 && squared_norm(s.center - middle) <= room * room;
+                })) {
+                continue;
+            }
+            select_near(near, middle, radius, nearer);
+            for (const std::uint32_t i : runs.triangles(r)) {
+                const auto& [a, b, c] = surface.triangles[i];
+                const Corners corners{frame.to_unit(surface.vertices[a]), frame.to_unit(surface.vertices[b]),
+                                      frame.to_unit(surface.vertices[c])};
+                if (std::none_of(nearer.begin(), nearer.end(), [&](const Sphere& s) { return holds(s, corners); })) {
+                    open.push_back(i);
+                }
+            }
+        }
+    }
+    return open;
+}
+
 Points crease_points(const Solid& solid, const Frame& frame, const Balls& balls, double finest, std::size_t most) {
     const Mesh& surface = solid.surface();
-    std::vector<Vec3> vertices;
-    vertices.reserve(surface.vertices.size());
-    for (const Vec3& vertex : surface.vertices) {
-        vertices.push_back(frame.to_unit(vertex));
-    }
     const std::vector<Sphere> spheres = unit_spheres(balls);
-    std::optional<Points> open;
-    while (!(open = open_points(vertices, surface.triangles, spheres, finest))) {
+    std::vector<Vec3> vertices;
+    std::vector<Triangle> triangles;
+    const std::vector<std::uint32_t> open_triangles = not_in_one(solid, frame, spheres);
+    for (const std::uint32_t i : open_triangles) {
+        const auto corner = static_cast<std::uint32_t>(vertices.size());
+        triangles.push_back({corner, corner + 1, corner + 2});
+        for (const std::uint32_t vertex : surface.triangles[i]) {
+            vertices.push_back(frame.to_unit(surface.vertices[vertex]));
+        }
+    }
+    std::optional<std::vector<OpenPiece>> open;
+    while (!(open = open_points(vertices, triangles, spheres, finest))) {
         check_cancelled();
         finest *= 2; // tiny balls leave nearly all of the surface open: a coarse result is enough
     }
-    const Points& points = *open;
-    if (points.size() <= most) {
-        return points;
-    }
+    std::stable_sort(open->begin(), open->end(), [&](const OpenPiece& a, const OpenPiece& b) {
+        return open_triangles[a.triangle] < open_triangles[b.triangle];
+    });
+    const std::size_t count = std::min(most, open->size());
     Points some;
-    for (std::size_t i = 0; i < most; ++i) {
-        some.add(points, i * points.size() / most);
+    for (std::size_t i = 0; i < count; ++i) {
+        some.add((*open)[i * open->size() / count].middle);
     }
     return some;
 }

@@ -16,11 +16,26 @@ Ball bounds_of(const Vec3& a, const Vec3& b, const Vec3& c) {
 } // namespace
 
 IndexedSurface::IndexedSurface(const Mesh& surface, const Frame& frame) {
+    add_faces(surface, frame);
+    add_edges();
+}
+
+IndexedSurface::IndexedSurface(const Mesh& surface, const Frame& frame, std::size_t most, int resolution) {
+    add_faces(surface, frame);
+    if (points.size() > most) {
+        if (IndexedSurface less = clustered(resolution); !less.faces.empty()) {
+            *this = std::move(less);
+        }
+    }
+    add_edges();
+}
+
+void IndexedSurface::add_faces(const Mesh& surface, const Frame& frame) {
     const std::vector<std::uint32_t> name = name_places(surface, frame);
+    faces.reserve(surface.triangles.size());
     for (const Triangle& t : surface.triangles) {
         faces.push_back({{name[t[0]], name[t[1]], name[t[2]]}, {}, {}});
     }
-    add_edges();
 }
 
 void IndexedSurface::add_edges() {
@@ -29,6 +44,7 @@ void IndexedSurface::add_edges() {
         std::size_t k;
     };
     std::vector<Side> sides;
+    sides.reserve(3 * faces.size());
     for (std::size_t f = 0; f < faces.size(); ++f) {
         Face& face = faces[f];
         face.bounds = bounds_of(points.at(face.corners[0]), points.at(face.corners[1]), points.at(face.corners[2]));
@@ -75,6 +91,15 @@ std::vector<std::uint32_t> IndexedSurface::name_places(const Mesh& surface, cons
 }
 
 IndexedSurface IndexedSurface::coarse(int resolution) const {
+    IndexedSurface result = clustered(resolution);
+    if (result.faces.empty()) {
+        return *this;
+    }
+    result.add_edges();
+    return result;
+}
+
+IndexedSurface IndexedSurface::clustered(int resolution) const {
     Box bounds;
     for (std::size_t i = 0; i < points.size(); ++i) {
         bounds.add(points.at(i));
@@ -112,10 +137,6 @@ IndexedSurface IndexedSurface::coarse(int resolution) const {
             result.faces.push_back({c, {}, {}});
         }
     }
-    if (result.faces.empty()) {
-        return *this;
-    }
-    result.add_edges();
     return result;
 }
 

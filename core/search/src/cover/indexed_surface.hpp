@@ -24,6 +24,8 @@ struct IndexedSurface {
     std::vector<Face> faces;
 
     IndexedSurface(const Mesh& surface, const Frame& frame);
+    /// Makes the coarse skin at once if there are more than `most` points.
+    IndexedSurface(const Mesh& surface, const Frame& frame, std::size_t most, int resolution);
     /// Returns a coarse skin: of the points in each cell of a lattice, cells of about 1/`resolution` of the longest
     /// extent, one represents all (Rossignac and Borrel 1993). It lies on the surface, but the surface may extend
     /// beyond it between points.
@@ -31,7 +33,10 @@ struct IndexedSurface {
 
 private:
     IndexedSurface() = default;
+    void add_faces(const Mesh& surface, const Frame& frame);
     void add_edges();
+    /// Returns the coarse skin; without faces if it has none.
+    IndexedSurface clustered(int resolution) const;
     /// Returns the point at the place of each vertex in use.
     std::vector<std::uint32_t> name_places(const Mesh& surface, const Frame& frame);
 };

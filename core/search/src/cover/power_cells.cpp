@@ -1,5 +1,6 @@
 #include "power_cells.hpp"
 
+#include "rivals.hpp"
 #include "wide_vectors.hpp"
 
 #include <algorithm>
@@ -36,43 +37,70 @@ Vec3 exposed_tilt(const Balls& balls, std::size_t i, const Points& directions, E
 
 } // namespace
 
+/// Finds the least power, and whose it is, for the points from `begin` to `end`.
 FOAM_FOR_WIDE_VECTORS
-void Owners::find(const Points& points, const Balls& balls) {
+static void find_least_powers(const Points& points, std::size_t begin, std::size_t end, const Rivals& rivals,
+                              float* power, std::uint32_t* owner) {
     // Hot loop of the search, vectorised by hand: eight points at a time.
     using Lanes = float __attribute__((vector_size(32)));
     using Names = std::int32_t __attribute__((vector_size(32)));
     constexpr std::size_t lanes = 8;
     constexpr float far = 1e30f;
-    power.assign(points.size(), far);
-    owner.assign(points.size(), 0);
+    const float *bx = rivals.centers.x.data(), *by = rivals.centers.y.data(), *bz = rivals.centers.z.data(),
+                *radius = rivals.radius.data();
     const auto load = [](const float* values, Lanes& result) { std::memcpy(&result, values, sizeof result); };
-    const std::size_t whole = points.size() / lanes * lanes;
-    for (std::size_t p = 0; p < whole; p += lanes) {
+    const std::size_t whole = begin + (end - begin) / lanes * lanes, count = rivals.size();
+    for (std::size_t p = begin; p < whole; p += lanes) {
         Lanes x, y, z;
         load(&points.x[p], x);
         load(&points.y[p], y);
         load(&points.z[p], z);
         Lanes least = Lanes{} + far;
         Names who{};
-        for (std::size_t i = 0; i < balls.size(); ++i) {
-            const Ball& ball = balls[i];
-            const Lanes dx = x - ball.x, dy = y - ball.y, dz = z - ball.z;
-            const Lanes here = dx * dx + dy * dy + dz * dz - ball.r * ball.r;
+        for (std::size_t i = 0; i < count; ++i) {
+            const Lanes dx = x - bx[i], dy = y - by[i], dz = z - bz[i];
+            const Lanes here = dx * dx + dy * dy + dz * dz - radius[i] * radius[i];
             const Names nearer = here < least;
-            who = (nearer & static_cast<std::int32_t>(i)) | (~nearer & who);
+            who = (nearer & rivals.index[i]) | (~nearer & who);
             least = here < least ? here : least;
         }
         std::memcpy(&power[p], &least, sizeof least);
         std::memcpy(&owner[p], &who, sizeof who);
     }
-    for (std::size_t p = whole; p < points.size(); ++p) {
-        for (std::uint32_t i = 0; i < balls.size(); ++i) {
-            const Ball& ball = balls[i];
-            const float here = ball.squared_distance(points.x[p], points.y[p], points.z[p]) - ball.r * ball.r;
+    for (std::size_t p = whole; p < end; ++p) {
+        power[p] = far;
+        owner[p] = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            const float dx = points.x[p] - bx[i], dy = points.y[p] - by[i], dz = points.z[p] - bz[i];
+            const float here = dx * dx + dy * dy + dz * dz - radius[i] * radius[i];
             if (here < power[p]) {
                 power[p] = here;
-                owner[p] = i;
+                owner[p] = static_cast<std::uint32_t>(rivals.index[i]);
             }
+        }
+    }
+}
+
+void Owners::find(const Points& points, const Balls& balls) {
+    constexpr std::size_t few = 24; // balls, all of which are compared
+    power.resize(points.size());
+    owner.resize(points.size());
+    const Rivals all = all_rivals(balls);
+    if (balls.size() <= few) {
+        find_least_powers(points, 0, points.size(), all, power.data(), owner.data());
+        return;
+    }
+    // Consecutive points are often close together: few balls matter to them.
+    constexpr std::size_t at_once = 64, many_at_once = 1024;
+    RivalSearch search;
+    Rivals some, few_of_them;
+    for (std::size_t group = 0; group < points.size(); group += many_at_once) {
+        const std::size_t group_end = std::min(group + many_at_once, points.size());
+        search.find(all, points, group, group_end, some);
+        for (std::size_t begin = group; begin < group_end; begin += at_once) {
+            const std::size_t end = std::min(begin + at_once, group_end);
+            search.find(some, points, begin, end, few_of_them);
+            find_least_powers(points, begin, end, few_of_them, power.data(), owner.data());
         }
     }
 }

@@ -19,11 +19,6 @@ constexpr ExchangePlan plan{.split = {12, 5, 2, 30}, .evaluations = 0, .rounds =
 constexpr std::size_t most_points = 4000;
 constexpr int coarse_resolution = 32;
 
-IndexedSurface skin_of(const Solid& solid, const Frame& frame) {
-    IndexedSurface skin(solid.surface(), frame);
-    return skin.points.size() > most_points ? skin.coarse(coarse_resolution) : skin;
-}
-
 /// Returns the spheres of the balls. Spheres that have not moved keep all their digits.
 std::vector<Sphere> spheres_of(const Improvement& improvement, double unit, const Balls& balls, const Balls& before,
                                const std::vector<Sphere>& cover) {
@@ -45,7 +40,8 @@ std::vector<Sphere> spheres_of(const Improvement& improvement, double unit, cons
 struct Splitting::Data {
     explicit Data(const Solid& solid)
         : problem(solid, occupancy_resolution, sampled_points, 0),
-          improvement(problem, sampled_directions, first_points), skin(skin_of(solid, problem.frame)) {}
+          improvement(problem, sampled_directions, first_points),
+          skin(solid.surface(), problem.frame, most_points, coarse_resolution) {}
 
     Problem problem;
     Improvement improvement;

@@ -65,6 +65,35 @@ void lloyd(const Points& points, Balls& balls, int rounds) {
     tighten(points, balls);
 }
 
+/// Returns the points that lie deepest in ball `i`; of equal balls the first counts. Balls near it are compared first:
+/// most points lie deeper in one of them.
+Points deepest_in(const Balls& balls, std::size_t i, const Points& points) {
+    std::vector<std::uint32_t> others;
+    for (std::uint32_t k = 0; k < balls.size(); ++k) {
+        if (k != i) {
+            others.push_back(k);
+        }
+    }
+    std::sort(others.begin(), others.end(), [&](std::uint32_t a, std::uint32_t b) {
+        const float to_a = squared_distance(balls[i], balls[a]), to_b = squared_distance(balls[i], balls[b]);
+        return to_a != to_b ? to_a < to_b : a < b;
+    });
+    Points owned;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        const auto outside = [&](std::size_t k) {
+            return std::sqrt(balls[k].squared_distance(points.x[p], points.y[p], points.z[p])) - balls[k].r;
+        };
+        const float own = outside(i);
+        if (std::none_of(others.begin(), others.end(), [&](std::uint32_t k) {
+                const float other = outside(k);
+                return other < own || (other == own && k < i);
+            })) {
+            owned.add(points, p);
+        }
+    }
+    return owned;
+}
+
 Vec3 along(const Vec3& p, const std::array<Vec3, 3>& axes) {
     return {dot(p, axes[0]), dot(p, axes[1]), dot(p, axes[2])};
 }
@@ -155,14 +184,7 @@ std::array<Vec3, 3> axes_of(const Points& points) {
 }
 
 Balls split(const Balls& balls, std::size_t i, const Points& points, Random& random) {
-    Deepest owners;
-    find_owners(points, balls, owners);
-    Points owned;
-    for (std::size_t p = 0; p < points.size(); ++p) {
-        if (owners.ball[p] == i) {
-            owned.add(points, p);
-        }
-    }
+    const Points owned = deepest_in(balls, i, points);
     Balls result = balls;
     if (owned.size() < 2) {
         return result;

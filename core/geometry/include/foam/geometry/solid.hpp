@@ -87,6 +87,7 @@ public:
     double missing_volume(std::span<const Sphere> spheres) const;
 
 private:
+    friend struct SolidAccess; ///< foam::geometry's own
     struct Data;
     explicit Solid(std::unique_ptr<const Data> data);
     std::unique_ptr<const Data> data_;

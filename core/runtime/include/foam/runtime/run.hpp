@@ -54,6 +54,7 @@ struct Unresponsive {
 struct RunOptions {
     std::filesystem::path out; ///< run directory; empty: nothing is written, the model is only returned
     bool fresh = false;        ///< neither read nor write the cache
+    bool report = true;        ///< write report.html; for a run directory that is removed, it would be wasted
     std::size_t threads = 0;   ///< 0: all cores
     const std::atomic<bool>* cancel = nullptr;
     /// Ends the search for better spheres: the best spheres so far are written, if that takes at most 1.5 s. If there
