@@ -113,17 +113,13 @@ int run_quick(const SpherizeArguments& arguments, const Recipe& recipe, const Qu
     const ScratchFolder scratch = to_stdout(arguments) ? ScratchFolder() : ScratchFolder(beside);
     const fs::path directory = arguments.out.empty() ? scratch.path() / "run" : fs::path(arguments.out);
     ExecuteOptions options = arguments.execute;
-<<<<<<< HEAD
     const OutputCall& output = recipe.outputs.at(0);
     const StageInfo& writer = registry.find(output.writer.stage)->info;
     if (to_stdout(arguments) && !writer.companions.empty()) {
         throw Error(ErrorCode::usage, fmt::format("{} writes several files; remedy: -o FILE", writer.name));
     }
     options.targets = to_stdout(arguments) ? std::vector<fs::path>{} : files_of(writer, target);
-=======
-    options.target = to_stdout(arguments) ? fs::path() : target;
     options.report = !arguments.out.empty(); // the scratch folder is removed
->>>>>>> w_search
     const RunResult result = execute(recipe, registry, directory, options);
     const std::vector<WrittenFile> files =
         result_for(to_stdout(arguments) ? fs::path() : target, directory / output.file, result, output, registry);

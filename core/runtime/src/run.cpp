@@ -203,7 +203,7 @@ RunResult run_in(const Workspace& preparing, std::optional<RunDirectory>& direct
     if (directory) {
         pictures = write_model(workspace, finished, *directory, files, result);
     }
-    if (directory) {
+    if (directory && preparing.options.report) {
         journal.begin("visual geometry");
         measure_visual_gaps(workspace, finished, links);
     }

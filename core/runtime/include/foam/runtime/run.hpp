@@ -54,7 +54,7 @@ struct Unresponsive {
 struct RunOptions {
     std::filesystem::path out; ///< run directory; empty: nothing is written, the model is only returned
     bool fresh = false;        ///< neither read nor write the cache
-    bool report = true;        ///< write report.html; for a run directory that is removed, it would be wasted
+    bool report = true;        ///< write report.html, with gaps to visual geometry; wasted if the directory is removed
     std::size_t threads = 0;   ///< 0: all cores
     const std::atomic<bool>* cancel = nullptr;
     /// Ends the search for better spheres: the best spheres so far are written, if that takes at most 1.5 s. If there
@@ -115,7 +115,7 @@ struct LinkReport {
     std::optional<Measures> unpadded; ///< the measures before the padding, if there is any
     std::vector<PlaneReach> clip; ///< of the recipe's half-space constraints for this link
     bool skipped = false;         ///< by the recipe
-    /// With a run directory: of links with spheres and visual geometry that is not to be covered.
+    /// With a report: of links with spheres and visual geometry that is not to be covered.
     std::optional<VisualGap> visual_gap;
     std::string error;            ///< why the link failed; empty if it did not
 };
