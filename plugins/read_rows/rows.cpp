@@ -36,7 +36,7 @@ public:
             throw Error(ErrorCode::input, fmt::format("{}: there is no row of numbers", result.file.string()));
         }
         result.format = columns_ == 5 ? "GPMP2 rows" : "rows of numbers";
-        if (unknown_frames_) {
+        if (numbered_ && !frame_) {
             result.notes.push_back(
                 "links are numbers: centers of GPMP2 are in the frames of DH links, which the file does "
                 "not state; they are taken as they stand");
@@ -81,7 +81,7 @@ private:
 
     void add(const std::string& link, const Sphere& sphere) {
         if (!frame_) {
-            unknown_frames_ = unknown_frames_ || parse_number(link);
+            numbered_ = numbered_ && parse_number(link);
             spheres_of(result, link).push_back(sphere);
             return;
         }
@@ -101,7 +101,7 @@ private:
     std::size_t columns_ = 0;
     int line_ = 0;
     std::optional<DhFrame> frame_;
-    bool unknown_frames_ = false;
+    bool numbered_ = true; ///< so far, all links are numbers
 };
 
 /// Returns the sphere in the DH frame, so large that it contains the sphere of the link when it is read back.

@@ -59,6 +59,28 @@ const Value& largest_key(const Value& map, std::string_view what, const Tree& tr
     return *best;
 }
 
+/// Leaves out the links that cuRobo's list does not name, with a note.
+void keep_named_links(const Value& kinematics, Tree& tree) {
+    const Value* named = kinematics.find("collision_link_names");
+    if (!named || !named->is(Kind::list)) {
+        return;
+    }
+    const auto is_named = [&](const LinkSpheres& link) {
+        return std::any_of(named->items.begin(), named->items.end(),
+                           [&](const Value& name) { return name.text == link.link; });
+    };
+    for (const LinkSpheres& link : tree.result.links) {
+        if (!is_named(link)) {
+            tree.result.notes.push_back(fmt::format(
+                "{} sphere{} of link '{}' {} left out: collision_link_names (line {}) does not name it, so that cuRobo "
+                "does not use that link",
+                link.spheres.size(), link.spheres.size() == 1 ? "" : "s", link.link,
+                link.spheres.size() == 1 ? "is" : "are", named->where.line));
+        }
+    }
+    std::erase_if(tree.result.links, [&](const LinkSpheres& link) { return !is_named(link); });
+}
+
 /// The geometry of an XRDF: named groups of spheres, which may clone others.
 class GeometryGroups {
 public:
@@ -165,6 +187,7 @@ void read_curobo(const Value& root, Tree& tree) {
     const Value* robot = root.is(Kind::map) ? root.find("robot_cfg") : nullptr;
     const Value& kinematics = tree.at(robot ? *robot : root, "kinematics");
     read_links(tree.at(kinematics, "collision_spheres"), tree);
+    keep_named_links(kinematics, tree);
     tree.note_buffer(kinematics, "collision_sphere_buffer");
 }
 

@@ -1,5 +1,6 @@
 // sdformat, which Gazebo reads robots and objects with: the URDF of write.urdf, and the SDF of write.sdf.
 #include "robots.hpp"
+#include "support/shared_folder.hpp"
 
 #include <sdf/sdf.hh>
 
@@ -194,6 +195,55 @@ TEST(Sdformat, DropsLinksWithoutMass) {
     ASSERT_TRUE(root.Model());
     EXPECT_TRUE(root.Model()->LinkByName("panda_leftfinger"));
     EXPECT_FALSE(root.Model()->LinkByName("panda_rightfinger"));
+}
+
+/// Expects every sphere of the model in a link of the other one, at the same place with all joints at zero.
+void expect_all_spheres(const SphereModel& model, const Read& read) {
+    std::vector<Sphere> missing;
+    const auto zero = link_poses(*model.robot, [&] {
+        JointValues values;
+        for (const Joint& joint : model.robot->joints) {
+            if (joint.kind != Joint::Kind::fixed) {
+                values[joint.name] = 0;
+            }
+        }
+        return values;
+    }());
+    for (const SphereGroup& group : model.groups) {
+        for (const Sphere& s : group.tree.finest()) {
+            missing.push_back({zero.at(group.link) * s.center, s.radius});
+        }
+    }
+    for (const std::string& name : read.links()) {
+        const Pose pose = pose_of(read.model(), name, {});
+        for (const Sphere& s : spheres_of(*read.model().LinkByName(name))) {
+            const auto same = std::find_if(missing.begin(), missing.end(), [&](const Sphere& other) {
+                return s.radius == other.radius && distance(pose * s.center, other.center) < 1e-9;
+            });
+            ASSERT_NE(same, missing.end()) << name;
+            missing.erase(same);
+        }
+    }
+    EXPECT_THAT(missing, IsEmpty());
+}
+
+TEST(Sdformat, ReadsTheRobotsOfOthers) {
+    const std::filesystem::path robots = shared_folder() / "robots";
+    if (!std::filesystem::is_directory(robots)) {
+        GTEST_SKIP() << "FOAM_SHARED has no robots";
+    }
+    for (const char* file : {"panda/foam_variant/panda.urdf", "fetch/fetch_description/fetch_foam.urdf",
+                             "ur5/example-robot-data/robots/ur_description/urdf/ur5_robot.urdf",
+                             "jaco/kinova_description/urdf/j2s7s300.urdf"}) {
+        SCOPED_TRACE(file);
+        const SphereModel model = with_decimals(spheres_on(robot_of(robots / file)));
+        expect_all_spheres(model, Read(urdf_of(model)));
+    }
+    // The first link of this iiwa has a mass of 0: it is dropped, and all others with it.
+    sdf::Root root;
+    const sdf::Errors errors = root.LoadSdfString(urdf_of(spheres_on(robot_of(robots / "iiwa/model.urdf"))));
+    ASSERT_FALSE(errors.empty());
+    EXPECT_EQ(errors.front().Message(), "A model must have at least one link.");
 }
 
 TEST(Sdformat, ReadsObjects) {

@@ -1,5 +1,6 @@
 // Every format that is read, by a minimal example; and what is said of files that are wrong.
 #include "evaluate/files.hpp"
+#include "support/shared_folder.hpp"
 
 #include <gmock/gmock.h>
 
@@ -102,6 +103,17 @@ TEST_F(SphereFiles, CuRobo) {
                     "stand"));
     EXPECT_EQ(refusal("robot_cfg:\n  kinematics:\n    collision_spheres: spheres/franka.yml\n"),
               "FILE:3:24: the spheres are in another file, 'spheres/franka.yml'; remedy: give that one");
+}
+
+TEST_F(SphereFiles, CuRoboUsesOnlyTheLinksThatItNames) {
+    const SphereFile file = read("kinematics:\n  collision_link_names: [m]\n  collision_spheres: " + lists + "\n");
+    ASSERT_EQ(file.links.size(), 1U);
+    EXPECT_EQ(file.links[0].link, "m");
+    EXPECT_THAT(file.notes,
+                ElementsAre("2 spheres of link 'l' are left out: collision_link_names (line 2) does not name "
+                            "it, so that cuRobo does not use that link"));
+    expect_both_links(read("kinematics:\n  collision_link_names: [m, l]\n  collision_spheres: " + lists + "\n"),
+                      "cuRobo YAML");
 }
 
 TEST_F(SphereFiles, CuRoboWithoutSpheres) {
@@ -302,6 +314,37 @@ TEST_F(SphereFiles, KeysWithinTextsAndListsAreNoKeys) {
 {"l": [[0.1, 0.2, 0.3, 0.05], [-1, 0, 2.5, 0.25]], "m": [[0.1, 0.2, 0.3, 0.05]]}})"),
         "spheres by link");
     expect_both_links(read("'a:b': 1\n# collision_spheres:\nurl: http://x\n\"spheres\" : " + lists + "\n"), "spheres by link");
+}
+
+TEST_F(SphereFiles, FilesOfTheirPrograms) {
+    const std::filesystem::path theirs = shared_folder() / "reference_formats";
+    if (!std::filesystem::exists(theirs)) {
+        GTEST_SKIP() << theirs << " is not there";
+    }
+    struct Expected {
+        const char* file;
+        const char* format;
+        std::size_t links, spheres, notes;
+    };
+    for (const Expected& expected :
+         {Expected{"curobo/ur10e_v0.8.yml", "cuRobo YAML", 7, 19, 2}, Expected{"xrdf/ur10e_1.0.xrdf", "XRDF", 7, 19, 2},
+          Expected{"xrdf/ur10_2.0.xrdf", "XRDF", 4, 36, 1},
+          Expected{"lula/ur5e_robot_description.yaml", "Lula YAML", 6, 39, 0},
+          Expected{"bubblify/xarm6_rs_spherized.yml", "collision_spheres YAML", 2, 9, 0},
+          Expected{"plainmp/panda.yaml", "plainmp YAML", 9, 72, 0},
+          Expected{"morphit/fanuc_m20ia_link_1.json", "MorphIt JSON", 1, 20, 0},
+          Expected{"gpmp2/wam_arm_rows.txt", "GPMP2 rows", 6, 16, 1}}) {
+        SCOPED_TRACE(expected.file);
+        const SphereFile file = read_sphere_file(theirs / expected.file, registry);
+        std::size_t spheres = 0;
+        for (const LinkSpheres& link : file.links) {
+            spheres += link.spheres.size();
+        }
+        EXPECT_EQ(file.format, expected.format);
+        EXPECT_EQ(file.links.size(), expected.links);
+        EXPECT_EQ(spheres, expected.spheres);
+        EXPECT_THAT(file.notes, ::testing::SizeIs(expected.notes));
+    }
 }
 
 TEST_F(SphereFiles, AFileThatIsNotThere) {

@@ -9,6 +9,9 @@ expect_code 0
 expect_out "ran <version>"
 expect_err "this is not Debian"
 expect_err "  pack-a pack-b"
+run_foam test
+expect_code 0
+[[ $err != *pack-c* ]] || fail "packages that tests can do without are not asked for"
 rm -r "$clone/build" "$tools/ninja"
 run_foam version
 expect_code 2
