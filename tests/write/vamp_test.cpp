@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
+#include <urdf_parser/urdf_parser.h>
 
 #include <fstream>
 #include <numbers>
@@ -220,6 +221,32 @@ TEST_F(WriteVamp, ThereIsAlwaysAnSrdf) { // 5
 TEST_F(WriteVamp, SpheresKeepTheirOrder) { // 6
     QuietContext context;
     EXPECT_EQ(vamp()->read(vamp()->write(model_, context)), spheres_of(model_));
+}
+
+TEST_F(WriteVamp, UrdfdomReadsIt) { // Pinocchio's parser
+    written();
+    const auto robot = urdf::parseURDF(text_);
+    ASSERT_TRUE(robot);
+    std::vector<std::string> planned;
+    for (const auto& [name, joint] : robot->joints_) {
+        EXPECT_TRUE(joint->type == urdf::Joint::FIXED || joint->type == urdf::Joint::REVOLUTE) << name;
+        EXPECT_FALSE(joint->mimic) << name;
+        if (joint->type != urdf::Joint::FIXED) {
+            planned.push_back(name);
+        }
+    }
+    EXPECT_THAT(planned, ElementsAre("lift", "roll"));
+    EXPECT_EQ(robot->getJoint("roll")->limits->upper, std::numbers::pi);
+    for (const auto& [link, spheres] : spheres_of(model_)) {
+        const auto& read = robot->getLink(link)->collision_array;
+        ASSERT_EQ(read.size(), spheres.size());
+        for (std::size_t i = 0; i < spheres.size(); ++i) {
+            const auto* sphere = dynamic_cast<const urdf::Sphere*>(read[i]->geometry.get());
+            ASSERT_TRUE(sphere) << link;
+            const auto& at = read[i]->origin.position;
+            EXPECT_EQ((Sphere{{at.x, at.y, at.z}, sphere->radius}), spheres[i]);
+        }
+    }
 }
 
 TEST_F(WriteVamp, TheProofIsAlsoMadeInSinglePrecision) { // 8
