@@ -27,7 +27,7 @@ const char* const gripper = R"(<robot name="gripper-2">
   <joint name="lift" type="revolute">
     <parent link="base"/>
     <child link="arm"/>
-    <origin xyz="0.1 0.2 0.3" rpy="0.4 1.5707963267948966 -2"/>
+    <origin xyz="0.10 +0.2 .3" rpy="0.4 1.5707963267948966 -2"/>
     <axis xyz="0 0.6 0.8"/>
     <limit lower="-1" upper="2" effort="1" velocity="1"/>
   </joint>
@@ -143,7 +143,7 @@ TEST_F(WriteVamp, AnOriginThatDoesNotChangeKeepsItsBytes) {
     EXPECT_THAT(text_, HasSubstr(R"(  <joint name="lift" type="fixed">
     <parent link="base"/>
     <child link="arm"/>
-    <origin xyz="0.1 0.2 0.3" rpy="0.4 1.5707963267948966 -2"/>
+    <origin xyz="0.10 +0.2 .3" rpy="0.4 1.5707963267948966 -2"/>
     <axis xyz="0 0.6 0.8"/>
   </joint>
 )"));
