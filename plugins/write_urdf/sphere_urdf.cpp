@@ -61,7 +61,8 @@ std::vector<std::string> sphere_elements(const std::vector<Sphere>& spheres, con
 
 std::unique_ptr<const xml::Element> urdf_of(const SphereModel& model, const std::string& writer) {
     if (!model.robot || model.robot->source.empty()) {
-        throw Error(ErrorCode::output, writer + ": the robot has no URDF text to put the spheres into");
+        throw Error(ErrorCode::output,
+                    writer + ": the robot has no URDF text to put the spheres into; remedy: give its URDF");
     }
     return xml::parse(model.robot->source, model.robot->file.string(), ErrorCode::output);
 }

@@ -78,6 +78,19 @@ TEST(Mass, OfPartsIsThatOfTheirUnion) {
                 whole, 2e-2);
 }
 
+TEST(Mass, IsThatAboutTheCenterOfMass) {
+    const auto at = [](double x, double length) {
+        return Solid::Part{nullptr, Primitive{.kind = Primitive::Kind::box, .size = {length, 1, 1}},
+                           Pose{Pose{}.rotation, {x, 1, 0}}};
+    };
+    MassProperties expected;
+    expected.mass = 3 * density;
+    expected.center = {8.0 / 3, 1, 0};
+    const double around = density * (64.0 / 9 + 2 * 16.0 / 9), across = density * (2 + 2 * 5) / 12;
+    expected.inertia = {density * 3 * 2 / 12, across + around, across + around, 0, 0, 0};
+    expect_near(mass_properties(*Solid::make({at(0, 1), at(4, 2)}), density), expected, 1e-12);
+}
+
 TEST(Mass, ACavityCountsAsEmpty) {
     const Mesh shell = together(box({-1, -1, -1}, {1, 1, 1}), flipped(box({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5})));
     MassProperties expected = of_box({2, 2, 2}, {});

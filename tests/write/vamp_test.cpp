@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
+#include <urdf_parser/urdf_parser.h>
 
 #include <fstream>
 #include <numbers>
@@ -26,7 +27,7 @@ const char* const gripper = R"(<robot name="gripper-2">
   <joint name="lift" type="revolute">
     <parent link="base"/>
     <child link="arm"/>
-    <origin xyz="0.1 0.2 0.3" rpy="0.4 1.5707963267948966 -2"/>
+    <origin xyz="0.10 +0.2 .3" rpy="0.4 1.5707963267948966 -2"/>
     <axis xyz="0 0.6 0.8"/>
     <limit lower="-1" upper="2" effort="1" velocity="1"/>
   </joint>
@@ -142,7 +143,7 @@ TEST_F(WriteVamp, AnOriginThatDoesNotChangeKeepsItsBytes) {
     EXPECT_THAT(text_, HasSubstr(R"(  <joint name="lift" type="fixed">
     <parent link="base"/>
     <child link="arm"/>
-    <origin xyz="0.1 0.2 0.3" rpy="0.4 1.5707963267948966 -2"/>
+    <origin xyz="0.10 +0.2 .3" rpy="0.4 1.5707963267948966 -2"/>
     <axis xyz="0 0.6 0.8"/>
   </joint>
 )"));
@@ -220,6 +221,32 @@ TEST_F(WriteVamp, ThereIsAlwaysAnSrdf) { // 5
 TEST_F(WriteVamp, SpheresKeepTheirOrder) { // 6
     QuietContext context;
     EXPECT_EQ(vamp()->read(vamp()->write(model_, context)), spheres_of(model_));
+}
+
+TEST_F(WriteVamp, UrdfdomReadsIt) { // Pinocchio's parser
+    written();
+    const auto robot = urdf::parseURDF(text_);
+    ASSERT_TRUE(robot);
+    std::vector<std::string> planned;
+    for (const auto& [name, joint] : robot->joints_) {
+        EXPECT_TRUE(joint->type == urdf::Joint::FIXED || joint->type == urdf::Joint::REVOLUTE) << name;
+        EXPECT_FALSE(joint->mimic) << name;
+        if (joint->type != urdf::Joint::FIXED) {
+            planned.push_back(name);
+        }
+    }
+    EXPECT_THAT(planned, ElementsAre("lift", "roll"));
+    EXPECT_EQ(robot->getJoint("roll")->limits->upper, std::numbers::pi);
+    for (const auto& [link, spheres] : spheres_of(model_)) {
+        const auto& read = robot->getLink(link)->collision_array;
+        ASSERT_EQ(read.size(), spheres.size());
+        for (std::size_t i = 0; i < spheres.size(); ++i) {
+            const auto* sphere = dynamic_cast<const urdf::Sphere*>(read[i]->geometry.get());
+            ASSERT_TRUE(sphere) << link;
+            const auto& at = read[i]->origin.position;
+            EXPECT_EQ((Sphere{{at.x, at.y, at.z}, sphere->radius}), spheres[i]);
+        }
+    }
 }
 
 TEST_F(WriteVamp, TheProofIsAlsoMadeInSinglePrecision) { // 8

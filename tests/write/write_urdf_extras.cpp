@@ -26,6 +26,7 @@ public:
 
 const char* const arm = R"(<robot name="arm">
   <link name="base"><collision><geometry><box size="1 2 3"/></geometry></collision></link>
+  <link name="foot"><collision><geometry><box size="1 1 1"/></geometry></collision></link>
   <link name="upper">
     <collision><geometry><box size="1 2 3"/></geometry></collision>
   </link>
@@ -34,6 +35,7 @@ const char* const arm = R"(<robot name="arm">
   <link name="bare"/>
   <joint name="turn" type="revolute"><parent link="base"/><child link="upper"/><axis xyz="0 0 1"/>
     <limit lower="0" upper="2" effort="1" velocity="1"/></joint>
+  <joint name="stand" type="fixed"><parent link="base"/><child link="foot"/></joint>
   <joint name="weld" type="fixed"><parent link="upper"/><child link="tool"/></joint>
   <joint name="mark" type="fixed"><parent link="upper"/><child link="frame"/></joint>
   <joint name="spin" type="continuous"><parent link="upper"/><child link="bare"/></joint>
@@ -79,7 +81,7 @@ const std::string inertial = "<inertial><origin xyz=\"0 0 0\" rpy=\"0 0 0\"/><ma
 
 TEST_F(WriteUrdfExtras, MovingLinksGetTheInertiaOfTheirGeometry) {
     const std::string text = written({{"inertial", "moving"}});
-    EXPECT_EQ(text.find("<inertial><origin"), text.rfind("<inertial><origin")) << "the base does not move";
+    EXPECT_EQ(text.find("<inertial><origin"), text.rfind("<inertial><origin")) << "base and foot do not move";
     EXPECT_THAT(text, HasSubstr("\n    " + inertial + "\n  </link>\n  <link name=\"tool\">"));
     EXPECT_THAT(text, HasSubstr("<link name=\"tool\"><inertial><mass value=\"5\"/></inertial></link>"));
     EXPECT_THAT(
@@ -92,7 +94,7 @@ TEST_F(WriteUrdfExtras, MovingLinksGetTheInertiaOfTheirGeometry) {
 TEST_F(WriteUrdfExtras, AllLinksWithGeometryGetItForGazebo) {
     const std::string text = written({{"inertial", "all"}, {"density", 2000.0}});
     EXPECT_THAT(text, HasSubstr("</collision><inertial><origin xyz=\"0 0 0\" rpy=\"0 0 0\"/><mass value=\"12000\"/>"));
-    EXPECT_THAT(context_.said.front(), HasSubstr("at 2000 kg/m³ is written for base, upper"));
+    EXPECT_THAT(context_.said.front(), HasSubstr("at 2000 kg/m³ is written for base, foot, upper"));
     EXPECT_THAT(context_.said.back(), Not(HasSubstr("frame"))) << "a frame needs none";
 }
 
