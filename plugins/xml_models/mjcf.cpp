@@ -12,7 +12,10 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
+
 #include <cmath>
+#include <numbers>
 
 namespace foam::xml_models {
 namespace {
@@ -49,9 +52,9 @@ std::string pose_text(const Pose& pose) {
            (turned ? attribute_text("quat", numbers_text(quaternion(pose))) : "");
 }
 
-/// Returns the <inertial> of a URDF's link as MuJoCo takes it: in the link's frame, because fullinertia allows no
-/// orientation; the order of fullinertia is xx yy zz xy xz yz.
-std::string inertial_text(const xml::Element& inertial, const std::string& file) {
+/// Returns the mass properties that a URDF's <inertial> states, in the link's frame: fullinertia of MJCF allows no
+/// orientation.
+MassProperties stated_mass(const xml::Element& inertial, const std::string& file) {
     const xml::Element* mass = inertial.child("mass");
     const xml::Element* inertia = inertial.child("inertia");
     if (!mass || !inertia) {
@@ -76,12 +79,24 @@ std::string inertial_text(const xml::Element& inertial, const std::string& file)
         const Vec3& b = origin.rotation[static_cast<std::size_t>(j)];
         return dot(a, {dot(rows[0], b), dot(rows[1], b), dot(rows[2], b)});
     };
-    const std::array full{turned(0, 0), turned(1, 1), turned(2, 2), turned(0, 1), turned(0, 2), turned(1, 2)};
-    return "<inertial" + attribute_text("pos", vector_text(origin.translation)) +
-           attribute_text("mass", numbers_text(numbers_of(*mass, "value", 1, file))) +
-           attribute_text("fullinertia", numbers_text(full)) + "/>";
+    return {.mass = numbers_of(*mass, "value", 1, file).front(),
+            .center = origin.translation,
+            .inertia = {turned(0, 0), turned(1, 1), turned(2, 2), turned(0, 1), turned(0, 2), turned(1, 2)}};
 }
 
+/// Returns whether MuJoCo accepts the mass of a body: positive, and moments of inertia that are positive and of which
+/// none is larger than the sum of the others (user_objects.cc of 2.2.2 and 3.14).
+bool is_of_a_body(const MassProperties& mass) {
+    constexpr double least = 1e-14; // mjMINVAL is 1e-15
+    const auto& [xx, yy, zz, xy, xz, yz] = mass.inertia;
+    Eigen::Matrix3d inertia;
+    inertia << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+    const Eigen::Vector3d moments =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues(); // ascending
+    return mass.mass > least && moments[0] > least && moments[0] + moments[1] >= moments[2] * (1 - 1e-9);
+}
+
+/// The order of fullinertia is xx yy zz xy xz yz.
 std::string inertial_text(const MassProperties& mass) {
     return "<inertial" + attribute_text("pos", vector_text(mass.center)) +
            attribute_text("mass", numbers_text({&mass.mass, 1})) +
@@ -113,6 +128,8 @@ MassProperties of_spheres(const std::vector<Sphere>& spheres, double density) {
     return result;
 }
 
+constexpr const char* world = "world"; ///< MuJoCo's name of the body that everything stands on
+
 /// Writes the tree of bodies.
 class Bodies {
 public:
@@ -136,7 +153,24 @@ public:
     }
 
     std::string text() {
-        add_body(base_link(model_), {}, nullptr, 2);
+        const std::string base = base_link(model_);
+        for (const Link& link : model_.robot->links) {
+            if (link.name == world && (link.name != base || free_ || !spheres_[world].empty())) {
+                throw Error(ErrorCode::output, "write.mjcf: a link is called 'world', which is MuJoCo's own body; "
+                                               "remedy: rename the link, unless it is a fixed base without spheres");
+            }
+        }
+        if (base == world) {
+            add_children(base, 2);
+        } else {
+            add_body(base, {}, nullptr, 2);
+        }
+        if (!impossible_.empty()) {
+            context_.log(Severity::warning,
+                         fmt::format("MuJoCo refuses the inertia that the URDF states for {}: no body has it; the mass "
+                                     "stays, centre and inertia are those of the geometry; remedy: correct <inertial>",
+                                     fmt::join(impossible_, ", ")));
+        }
         tell(from_geometry_, "the collision geometry");
         tell(from_open_, "the collision geometry, whose meshes are not closed: the winding number decides what lies "
                          "inside,");
@@ -149,7 +183,7 @@ private:
     void tell(const std::vector<std::string>& links, const std::string& source) {
         if (!links.empty()) {
             context_.log(Severity::warning,
-                         fmt::format("no <inertial>: {} at {} kg/m³ gives that of {}; remedy: add <inertial> to the "
+                         fmt::format("no <inertial> with a mass: {} at {} kg/m³ gives that of {}; remedy: add <inertial> to the "
                                      "URDF",
                                      source, numbers_text({&density_, 1}), fmt::join(links, ", ")));
         }
@@ -171,24 +205,38 @@ private:
             line(depth + 1, "<geom class=\"sphere\"" + attribute_text("pos", vector_text(s.center)) +
                                 attribute_text("size", numbers_text({&s.radius, 1})) + "/>");
         }
+        add_children(link, depth + 1);
+        line(depth, "</body>");
+    }
+
+    void add_children(const std::string& link, std::size_t depth) {
         for (const Joint& child : model_.robot->joints) {
             if (child.parent == link) {
                 const auto held = locked_.find(child.name);
                 add_body(child.child,
                          held == locked_.end() ? child.origin : child.origin * joint_motion(child, held->second),
-                         &child, depth + 1);
+                         &child, depth);
             }
         }
-        line(depth, "</body>");
     }
 
     /// The spheres have no mass, as their overlaps would count twice; so every body that moves needs an <inertial>.
     void add_inertial(const std::string& link, bool moves, std::size_t depth) {
         const auto known = inertials_.find(link);
+        std::optional<MassProperties> stated;
         if (known != inertials_.end() && known->second) {
-            line(depth, inertial_text(*known->second, model_.robot->file.string()));
-        } else if (const auto mass = mass_of(link)) {
-            line(depth, inertial_text(*mass));
+            stated = stated_mass(*known->second, model_.robot->file.string());
+        }
+        if (stated && is_of_a_body(*stated)) {
+            line(depth, inertial_text(*stated));
+        } else if (stated && stated->mass > 0) {
+            impossible_.push_back(link);
+            line(depth, inertial_text(mended(link, *stated)));
+        } else if (stated && !moves) {
+            return; // a body of the world needs no mass
+        } else if (const auto other = invented(link)) {
+            other->from->push_back(link);
+            line(depth, inertial_text(other->mass));
         } else if (moves) {
             throw Error(
                 ErrorCode::output,
@@ -198,19 +246,42 @@ private:
         }
     }
 
-    /// Returns the mass properties of the geometry, or of the spheres; nothing for a link without both.
-    std::optional<MassProperties> mass_of(const std::string& link) {
+    /// Returns the stated mass with the centre and inertia of the link's geometry; of a ball of water with that mass if
+    /// the link has none.
+    MassProperties mended(const std::string& link, const MassProperties& stated) {
+        MassProperties result;
+        if (const auto other = invented(link)) {
+            result = other->mass;
+            for (double& moment : result.inertia) {
+                moment *= stated.mass / result.mass;
+            }
+        } else {
+            const double radius = std::cbrt(3 * stated.mass / (4 * std::numbers::pi * 1000));
+            const double moment = 0.4 * stated.mass * radius * radius;
+            result.center = stated.center;
+            result.inertia = {moment, moment, moment, 0, 0, 0};
+        }
+        result.mass = stated.mass;
+        return result;
+    }
+
+    /// Mass properties of a link that the URDF does not state, and the list of the links that have theirs from there.
+    struct Invented {
+        MassProperties mass;
+        std::vector<std::string>* from = nullptr;
+    };
+
+    /// Returns those of the geometry, or else of the spheres; nothing for a link without both.
+    std::optional<Invented> invented(const std::string& link) {
         if (const auto geometry = model_.geometry.find(link); geometry != model_.geometry.end()) {
             if (const auto mass = mass_properties(*geometry->second, density_)) {
-                (geometry->second->closed() ? from_geometry_ : from_open_).push_back(link);
-                return mass;
+                return Invented{*mass, geometry->second->closed() ? &from_geometry_ : &from_open_};
             }
         }
         if (spheres_[link].empty()) {
             return {};
         }
-        from_spheres_.push_back(link);
-        return of_spheres(spheres_[link], density_);
+        return Invented{of_spheres(spheres_[link], density_), &from_spheres_};
     }
 
     std::string joint_text(const Joint& joint) const {
@@ -239,6 +310,7 @@ private:
     std::map<std::string, std::vector<Sphere>> spheres_;
     std::unique_ptr<const xml::Element> urdf_;
     std::map<std::string, const xml::Element*> inertials_;
+    std::vector<std::string> impossible_; ///< links whose stated inertia no body has
     std::vector<std::string> from_geometry_, from_open_, from_spheres_; ///< links by what their mass is made of
     JointValues locked_;
     std::string text_;
@@ -269,7 +341,9 @@ std::string equality_text(const SphereModel& model) {
 std::string contact_text(const SphereModel& model) {
     std::string text;
     for (const IgnoredPair& pair : model.ignored_pairs.value_or(std::vector<IgnoredPair>{})) {
-        text += "    " + exclude_text(pair) + "\n";
+        if (pair.first != world && pair.second != world) { // excluding the world does nothing
+            text += "    " + exclude_text(pair) + "\n";
+        }
     }
     return text.empty() ? "" : "  <contact>\n" + text + "  </contact>\n";
 }

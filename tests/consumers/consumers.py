@@ -21,8 +21,6 @@ FORMATS = {"dart": ["urdf"], "ros": ["markers"], "pyyaml": ["curobo", "xrdf", "l
            "gltf": ["gltf"]}
 IN_PYTHON = {"dart", "ros", "pyyaml"}
 FEW_ROBOTS = {"pyyaml", "yaml", "tinyusdz"}  # of which the texts have little, and take seconds each for the pairs
-# Robots that a consumer refuses: MuJoCo bodies called world (UR5, Jaco), and inertias that no body has (the others).
-WITHOUT = {"mujoco": {"UR5", "Jaco", "Fetch", "Stretch", "Baxter"}}
 
 
 def make(folder, robot, urdf, formats, program, placed_spheres):
@@ -81,8 +79,7 @@ def main():
     there = (pathlib.Path(shared) / "robots").is_dir() if shared else False
     robots = list(ROBOTS)
     if there and consumer not in FEW_ROBOTS:
-        robots += [(name + " of others", pathlib.Path(shared) / "robots" / path) for name, path in SHARED_ROBOTS
-                   if name not in WITHOUT.get(consumer, ())]
+        robots += [(name + " of others", pathlib.Path(shared) / "robots" / path) for name, path in SHARED_ROBOTS]
     with tempfile.TemporaryDirectory() as room:
         for number, (robot, urdf) in enumerate(robots):
             folder = pathlib.Path(room) / f"{number} {robot}"
