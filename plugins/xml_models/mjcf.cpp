@@ -168,7 +168,8 @@ public:
         if (!impossible_.empty()) {
             context_.log(Severity::warning,
                          fmt::format("MuJoCo refuses the inertia that the URDF states for {}: no body has it; the mass "
-                                     "stays, centre and inertia are those of the geometry; remedy: correct <inertial>",
+                                     "stays, and centre and inertia are those of the geometry, or of a ball of water where "
+                                     "there is none; remedy: correct <inertial>",
                                      fmt::join(impossible_, ", ")));
         }
         tell(from_geometry_, "the collision geometry");
