@@ -27,7 +27,7 @@ struct ConvertArguments {
     std::string model, robot, output, format, reader, into, pad, base_link;
     std::vector<std::string> tool_frames, locks, pose, renames, settings;
     std::size_t threads = 0;
-    bool force = false;
+    bool force = false, verbose = false;
 };
 
 std::string ending_of_output(const std::string& output) {
@@ -245,7 +245,7 @@ int convert(Program& program, const ConvertArguments& arguments) {
         }
         model.into = TextFile{arguments.into, text_of_file(arguments.into)};
     }
-    Telling context;
+    Telling context(arguments.verbose);
     const std::vector<WrittenFile> files = written_files(*writer, format.info, model, arguments.output, context);
     require_equal(model, *writer, files.front().bytes);
     for (const WrittenFile& written : files) {
@@ -311,6 +311,7 @@ void add_convert(Program& program) {
         ->expected(1)
         ->take_all();
     add_force(*command, arguments->force);
+    command->add_flag("-v,--verbose", arguments->verbose, "Also print notes of the writer, not only warnings");
     add_threads(*command, arguments->threads);
     command->callback(
         [&program, arguments] { program.action = [&program, arguments] { return convert(program, *arguments); }; });

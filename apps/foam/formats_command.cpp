@@ -42,6 +42,8 @@ nlohmann::ordered_json json_of_formats(const std::map<std::string, Format>& form
             entry["consumer"] = consumer.name;
             entry["into"] = consumer.edits;
             entry["pairs"] = consumer.pairs;
+            entry["pairs_if"] = consumer.pairs_if;
+            entry["companions"] = format.writes->companions;
             entry["float32"] = consumer.float32;
         }
         json.push_back(std::move(entry));
@@ -55,7 +57,10 @@ std::string table_of_formats(const std::map<std::string, Format>& formats) {
     for (const auto& [name, format] : formats) {
         const Consumer consumer = format.writes ? format.writes->consumer : Consumer{};
         table += fmt::format("{:<18} {:<5} {:<6} {:<5} {:<6} {}", name, format.reads ? "yes" : "-",
-                             format.writes ? "yes" : "-", consumer.edits ? "yes" : "-", consumer.pairs ? "yes" : "-",
+                             format.writes ? "yes" : "-", consumer.edits ? "yes" : "-",
+                             !consumer.pairs             ? "-"
+                             : consumer.pairs_if.empty() ? "yes"
+                                                         : consumer.pairs_if,
                              consumer.name);
         table.erase(table.find_last_not_of(' ') + 1);
         table += '\n';
@@ -71,7 +76,8 @@ void add_formats(Program& program) {
                                     "  foam formats --json\n"
                                     "\n"
                                     "into: spheres are replaced in a file of the user, the rest keeps its bytes.\n"
-                                    "pairs: the format lists the pairs of links that need no check.");
+                                    "pairs: the format lists the pairs of links that need no check; a word is the\n"
+                                    "parameter of the writer that switches them on.");
     auto json = std::make_shared<bool>(false);
     command->add_flag("--json", *json, "Print the formats as JSON");
     command->callback([&program, json] {

@@ -65,6 +65,7 @@ Json json_of_declared(const RegisteredStage& stage) {
               {"plugin_version", stage.plugin_version},
               {"license", stage.license},
               {"extensions", stage.info.extensions},
+              {"companions", stage.info.companions},
               {"original_only", stage.info.original_only},
               {"objective_parameter", stage.info.objective_parameter},
               {"isolation", json_of_declared(stage.info.isolation)},
@@ -98,7 +99,10 @@ std::string description(const RegisteredStage& stage) {
         text += fmt::format("After: {}\n", stage.info.reference);
     }
     if (!stage.info.extensions.empty()) {
-        text += fmt::format("Files: .{}\n", fmt::join(stage.info.extensions, " ."));
+        text += fmt::format("Files: .{}", fmt::join(stage.info.extensions, " ."));
+        text += stage.info.companions.empty()
+                    ? "\n"
+                    : fmt::format(", and under the same name .{}\n", fmt::join(stage.info.companions, " ."));
     }
     if (stage.info.last_resort) {
         text +=

@@ -10,13 +10,15 @@
 namespace foam {
 namespace {
 
-std::string inertial_element(const MassProperties& mass) {
+/// The comment says what a reader of the file cannot see: that nobody has measured the mass.
+std::string inertial_element(const MassProperties& mass, double density) {
     const auto& [xx, yy, zz, xy, xz, yz] = mass.inertia;
-    return fmt::format("<inertial><origin xyz=\"{} {} {}\" rpy=\"0 0 0\"/><mass value=\"{}\"/>"
+    return fmt::format("<inertial><!-- foam: collision geometry at {} kg/m3 --><origin xyz=\"{} {} {}\" rpy=\"0 0 "
+                       "0\"/><mass value=\"{}\"/>"
                        "<inertia ixx=\"{}\" ixy=\"{}\" ixz=\"{}\" iyy=\"{}\" iyz=\"{}\" izz=\"{}\"/></inertial>",
-                       number_text(mass.center.x), number_text(mass.center.y), number_text(mass.center.z),
-                       number_text(mass.mass), number_text(xx), number_text(xy), number_text(xz), number_text(yy),
-                       number_text(yz), number_text(zz));
+                       number_text(density), number_text(mass.center.x), number_text(mass.center.y),
+                       number_text(mass.center.z), number_text(mass.mass), number_text(xx), number_text(xy),
+                       number_text(xz), number_text(yy), number_text(yz), number_text(zz));
 }
 
 /// Whether a joint between the link and the root moves.
@@ -59,7 +61,7 @@ void add_inertials(SphereUrdf& urdf, InertialOf which, double density, Context& 
             }
             continue;
         }
-        urdf.editor().append_child(urdf.link(link.name), inertial_element(*mass));
+        urdf.editor().append_child(urdf.link(link.name), inertial_element(*mass, density));
         (geometry->second->closed() ? given : open).push_back(link.name);
     }
     const std::string of = fmt::format("<inertial> of the collision geometry at {} kg/m³", number_text(density));

@@ -39,6 +39,21 @@ std::string identifier_of(const std::string& name) {
     return identifier;
 }
 
+/// Puts a comment before the <robot>: the file is not the user's any more. It holds ASCII only, which every encoding
+/// has.
+void add_provenance(SphereUrdf& urdf) {
+    std::string text = urdf.model().provenance;
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    for (std::size_t at = 0; (at = text.find("--", at)) != text.npos;) {
+        text.replace(at, 2, "- -"); // "--" ends a comment
+    }
+    if (!text.empty()) {
+        const std::size_t before = urdf.root().span.begin;
+        urdf.editor().replace({before, before}, "<!-- " + text + " -->\n");
+    }
+}
+
 /// Throws Error(output) for collision geometry that is no sphere: cricket refuses the robot.
 void require_only_spheres(const SphereUrdf& urdf) {
     for (const Link& link : urdf.model().robot->links) {
@@ -107,6 +122,7 @@ std::string VampWriter::write(const SphereModel& model, Context& context) const 
     require_only_spheres(urdf);
     fix_joints(urdf, context);
     urdf.move_references(mesh_paths_, context);
+    add_provenance(urdf);
     report_bounding_spheres(links, context);
     return urdf.result();
 }

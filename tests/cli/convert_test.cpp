@@ -227,8 +227,10 @@ TEST_F(CliConvert, RenamesLinks) {
 }
 
 TEST_F(CliConvert, MassesComeFromTheGeometry) {
-    const Outcome outcome = foam("convert model.csv arm.urdf --format urdf --set inertial=moving -o heavy.urdf");
+    const Outcome outcome = foam("convert model.csv arm.urdf --format urdf --set inertial=moving -o heavy.urdf -v");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err,
+                HasSubstr("note: <inertial> of the collision geometry at 1000 kg/m³ is written for upper\n"));
     EXPECT_THAT(contents(path() / "heavy.urdf"), HasSubstr("<mass value=\"33.510321638291")) << "4/3 π 0.2³ 1000";
     EXPECT_THAT(written("model.csv arm.urdf --format mjcf --tool-frame tool --lock slide=0", "arm.mjcf"),
                 HasSubstr("mass=\"33.510321638291"));
@@ -270,6 +272,8 @@ TEST_F(CliConvert, FormatsAreListed) {
     EXPECT_TRUE((*curobo)["reads"] && (*curobo)["writes"] && (*curobo)["into"] && (*curobo)["pairs"] &&
                 (*curobo)["float32"]);
     EXPECT_THAT(foam("formats").out, HasSubstr("\ncurobo "));
+    EXPECT_THAT(foam("formats").out, HasSubstr("\nurdf               yes   yes    -     drake  urdfdom"));
+    EXPECT_THAT(foam("describe write.vamp").out, HasSubstr("Files: .urdf, and under the same name .srdf .json\n"));
 }
 
 } // namespace

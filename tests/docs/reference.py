@@ -85,7 +85,10 @@ def stage_page(stage):
     page += f"- kind: {stage['kind']}\n"
     page += f"- plugin: `{stage['plugin']}` {stage['plugin_version']}, licence {stage['license']}\n"
     if stage["extensions"]:
-        page += f"- files: {', '.join('`.' + extension + '`' for extension in stage['extensions'])}\n"
+        page += f"- files: {', '.join('`.' + extension + '`' for extension in stage['extensions'])}"
+        if stage["companions"]:
+            page += f", and under the same name {', '.join('`.' + ending + '`' for ending in stage['companions'])}"
+        page += "\n"
     if stage["last_resort"]:
         page += "- reads those that no other loader reads, or all if `loaders: {prefer: …}` names it\n"
     if stage["isolation"]:

@@ -218,6 +218,12 @@ TEST_F(WriteVamp, ThereIsAlwaysAnSrdf) { // 5
     EXPECT_THROW(alone->companion("srdf", model_, context), Error) << "no plugin has write.srdf";
 }
 
+TEST_F(WriteVamp, AnnotatesWhereTheUrdfIsFrom) {
+    model_.provenance = "foam 1; arm--\xC3\xA9.urdf\n";
+    written();
+    EXPECT_THAT(text_, testing::StartsWith("<!-- foam 1; arm- -??.urdf? -->\n<robot name=\"gripper-2\">\n"));
+}
+
 TEST_F(WriteVamp, SpheresKeepTheirOrder) { // 6
     QuietContext context;
     EXPECT_EQ(vamp()->read(vamp()->write(model_, context)), spheres_of(model_));

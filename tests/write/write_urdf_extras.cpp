@@ -76,12 +76,13 @@ protected:
     Hearing context_;
 };
 
-const std::string inertial = "<inertial><origin xyz=\"0 0 0\" rpy=\"0 0 0\"/><mass value=\"6000\"/><inertia "
+const std::string inertial = "<inertial><!-- foam: collision geometry at 1000 kg/m3 --><origin xyz=\"0 0 0\" rpy=\"0 0 "
+                             "0\"/><mass value=\"6000\"/><inertia "
                              "ixx=\"6500\" ixy=\"0\" ixz=\"0\" iyy=\"5000\" iyz=\"0\" izz=\"2500\"/></inertial>";
 
 TEST_F(WriteUrdfExtras, MovingLinksGetTheInertiaOfTheirGeometry) {
     const std::string text = written({{"inertial", "moving"}});
-    EXPECT_EQ(text.find("<inertial><origin"), text.rfind("<inertial><origin")) << "base and foot do not move";
+    EXPECT_EQ(text.find("<inertial><!-- foam"), text.rfind("<inertial><!-- foam")) << "base and foot do not move";
     EXPECT_THAT(text, HasSubstr("\n    " + inertial + "\n  </link>\n  <link name=\"tool\">"));
     EXPECT_THAT(text, HasSubstr("<link name=\"tool\"><inertial><mass value=\"5\"/></inertial></link>"));
     EXPECT_THAT(
@@ -93,7 +94,8 @@ TEST_F(WriteUrdfExtras, MovingLinksGetTheInertiaOfTheirGeometry) {
 
 TEST_F(WriteUrdfExtras, AllLinksWithGeometryGetItForGazebo) {
     const std::string text = written({{"inertial", "all"}, {"density", 2000.0}});
-    EXPECT_THAT(text, HasSubstr("</collision><inertial><origin xyz=\"0 0 0\" rpy=\"0 0 0\"/><mass value=\"12000\"/>"));
+    EXPECT_THAT(text, HasSubstr("</collision><inertial><!-- foam: collision geometry at 2000 kg/m3 --><origin xyz=\"0 "
+                                "0 0\" rpy=\"0 0 0\"/><mass value=\"12000\"/>"));
     EXPECT_THAT(context_.said.front(), HasSubstr("at 2000 kg/m³ is written for base, foot, upper"));
     EXPECT_THAT(context_.said.back(), Not(HasSubstr("frame"))) << "a frame needs none";
 }
@@ -102,18 +104,18 @@ TEST_F(WriteUrdfExtras, AMeshThatIsNotClosedIsTold) {
     Mesh open = enclosing_mesh({.kind = Primitive::Kind::box, .size = {1, 1, 1}});
     open.triangles.pop_back();
     model_.geometry["upper"] = Solid::make(open);
-    EXPECT_THAT(written({{"inertial", "moving"}}), HasSubstr("<inertial><origin"));
+    EXPECT_THAT(written({{"inertial", "moving"}}), HasSubstr("<inertial><!-- foam"));
     EXPECT_THAT(context_.said.front(),
                 HasSubstr("warning: <inertial> of the collision geometry at 1000 kg/m³ is written "
                           "for upper, whose meshes are not closed"));
     model_.geometry["upper"] = Solid::make(Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
-    EXPECT_THAT(written({{"inertial", "moving"}}), Not(HasSubstr("<inertial><origin")));
+    EXPECT_THAT(written({{"inertial", "moving"}}), Not(HasSubstr("<inertial><!-- foam")));
     EXPECT_THAT(context_.said, ElementsAre(HasSubstr("no <inertial> is written for upper, bare")));
 }
 
 TEST_F(WriteUrdfExtras, KeepChangesNothing) {
     const std::string text = written({});
-    EXPECT_THAT(text, Not(HasSubstr("<inertial><origin")));
+    EXPECT_THAT(text, Not(HasSubstr("<inertial><!-- foam")));
     EXPECT_THAT(text, Not(HasSubstr("drake")));
     EXPECT_THAT(context_.said, IsEmpty());
 }
