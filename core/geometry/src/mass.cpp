@@ -98,7 +98,7 @@ Moments of_parts(const Solid& solid, const Vec3& reference) {
 }
 
 /// Returns the moments of the part of a line inside, per area across the line.
-Moments along(const Solid::Interval& interval, const Vec3& origin, int axis) {
+Moments of_piece(const Solid::Interval& interval, const Vec3& origin, int axis) {
     const double from = origin[axis] + interval.enter, to = origin[axis] + interval.leave;
     Vec3 middle = origin;
     middle[axis] = (from + to) / 2;
@@ -121,12 +121,10 @@ Moments of_lines(const Solid& solid, const Vec3& reference) {
     Moments moments;
     for (int axis = 0; axis < 3; ++axis) {
         const LineGrid grid(solid.bounds(), axis, across, "mass");
-        Vec3 direction;
-        direction[axis] = 1;
         for (const Line& line : grid.lines) {
             check_cancelled();
-            for (const Solid::Interval& interval : solid.inside_along(line.origin(), direction)) {
-                moments.add(along(interval, line.origin() - reference, axis), grid.cell_area() / 3);
+            for (const Solid::Interval& interval : solid.inside_along(line.origin(), line.direction())) {
+                moments.add(of_piece(interval, line.origin() - reference, axis), grid.cell_area() / 3);
             }
         }
     }
