@@ -1,6 +1,5 @@
 #include "quick_search.hpp"
 
-#include "conditional_gradient.hpp"
 #include "directions.hpp"
 #include "ladder.hpp"
 #include "missing_volume.hpp"
@@ -15,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <iterator>
 
@@ -25,9 +23,6 @@ namespace {
 /// Number of balls above which they may leave a cavity in a solid.
 constexpr std::size_t few_balls = 16;
 constexpr int cells = 32; ///< along the longest extent of a solid, to separate inside and outside
-/// Of the search for many balls.
-constexpr int fine_cells = 48;
-constexpr std::size_t fine_directions = 64, first_fine_points = 500, fewest_points = 5000, points_a_ball = 32;
 constexpr QuickDescentPlan first_plan{.steps = 40, .first_step = 0.04f, .last_step = 0.003f, .refresh = 1000};
 /// The refinement after the first estimates. With fewer balls, starts are nearer to the optimum, and it helps to refine
 /// more of them.
@@ -69,10 +64,6 @@ double claim(const Balls& balls, const Occupancy* occupancy) {
 
 } // namespace
 
-QuickSearch::Fine::Fine(const Solid& solid, std::size_t number, std::uint64_t seed)
-    : points(number), problem(solid, fine_cells, points, seed),
-      improvement(problem, fine_directions, first_fine_points) {}
-
 QuickSearch::QuickSearch(const Solid& solid, const SpherizeOptions& options)
     : solid_(solid), options_(options), frame_(solid.bounds()) {}
 
@@ -89,7 +80,7 @@ QuickSearch::Rung QuickSearch::rung(std::size_t count) {
         const Balls one{smallest_ball(solid_, frame_)};
         return rungs_.emplace(1, Rung{one, proved(solid_, frame_, one)}).first->second;
     }
-    Rung best = rung(quick_count_before(count));
+    Rung best = rung(count_before(count));
     if (stopped()) {
         return best;
     }
@@ -129,9 +120,6 @@ std::vector<CoverCandidate> QuickSearch::found(std::size_t count, const Balls* b
         return {{0, {smallest_ball(solid_, frame_)}}};
     }
     const DescentSurface& surface = surface_for(count);
-    if (count > few_balls && surface.skin.fine) { // the occupancy misses needles
-        return found_many(count);
-    }
     const Occupancy* const occupancy = occupancy_for(count);
     std::vector<Balls> begin = starts(surface, occupancy, count, before);
     if (stopped()) {
@@ -147,35 +135,6 @@ std::vector<CoverCandidate> QuickSearch::found(std::size_t count, const Balls* b
     parallel_for(looks.size(), [&](std::size_t i) { looks[i] = refined(surface, occupancy, looks[i], count); });
     std::stable_sort(looks.begin(), looks.end(), has_less_volume);
     return looks;
-}
-
-QuickSearch::Fine& QuickSearch::fine_for(std::size_t count) {
-    const std::size_t points = std::max(fewest_points, points_a_ball * std::bit_ceil(count));
-    if (!fine_ || fine_->points != points) {
-        fine_ = std::make_unique<Fine>(solid_, points, options_.seed);
-    }
-    return *fine_;
-}
-
-/// Descends from clusters of points: far at first, then near the result, where balls meet. With many balls, the
-/// volume that the fits gain is in the creases between them.
-std::vector<CoverCandidate> QuickSearch::found_many(std::size_t count) {
-    constexpr DescentPlan far{.steps = 80, .first_step = 0.2f, .last_step = 0.01f};
-    constexpr DescentPlan near{.steps = 100, .first_step = 0.02f, .last_step = 0.001f};
-    constexpr int gradient_steps = 8;
-    constexpr std::size_t places_a_ball = 6; // fewer would make clusters of one point, balls without size
-    constexpr std::size_t fewest_places = 800;
-    const Fine& fine = fine_for(count);
-    Random random(derive_seed(options_.seed, "quick starts") + count);
-    Balls balls = clusters(body_points(fine.problem, std::max(fewest_places, places_a_ball * count)), count, random);
-    if (!stopped()) {
-        balls = fine.improvement.improved(std::move(balls), far, false);
-    }
-    if (!stopped()) {
-        balls = fine.improvement.improved(std::move(balls), near, true);
-    }
-    ConditionalGradient gradient(surface_for(count).skin, fine.problem.occupancy);
-    return {gradient.improved(std::move(balls), stopped() ? 1 : gradient_steps)};
 }
 
 std::vector<CoverCandidate> QuickSearch::candidates(std::size_t count, const Balls& before) {

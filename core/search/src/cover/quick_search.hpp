@@ -2,7 +2,6 @@
 #pragma once
 
 #include "cover_candidate.hpp"
-#include "improvement.hpp"
 #include "power_cells.hpp"
 #include "surface_descent.hpp"
 
@@ -42,18 +41,9 @@ private:
         Balls balls;
         Cover cover;
     };
-    /// What the search for many balls knows of the solid.
-    struct Fine {
-        Fine(const Solid& solid, std::size_t points, std::uint64_t seed);
-        std::size_t points; ///< on the surface, about
-        Problem problem;
-        Improvement improvement;
-    };
-    Fine& fine_for(std::size_t count);
     Rung rung(std::size_t count);
     /// Returns the occupancy of the solid if there are so many balls that they may leave a cavity in it.
     const Occupancy* occupancy_for(std::size_t count);
-    std::vector<CoverCandidate> found_many(std::size_t count);
     /// Returns the results, the best first, at least one. `before`: covering balls of a smaller count to start with, if
     /// any.
     std::vector<CoverCandidate> found(std::size_t count, const Balls* before);
@@ -70,7 +60,6 @@ private:
     std::size_t pieces_ = 0; ///< of the current surface
     std::unique_ptr<DescentSurface> surface_;
     std::unique_ptr<Occupancy> occupancy_;
-    std::unique_ptr<Fine> fine_;
     bool stopped_ = false;
     std::map<std::size_t, Rung> rungs_;
 };
