@@ -37,8 +37,8 @@ TEST_F(CliStatement, AllThatHasCollisionGeometryIsProved) {
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr(both_proved));
     EXPECT_TRUE(manifest()["certified"]);
-    EXPECT_EQ(manifest()["proof"], json::parse(R"({"links_with_geometry": 2, "links_proved": 2, "left_out": [],
-                                                   "visual_only": ["camera"]})"));
+    EXPECT_EQ(manifest()["proof"], json::parse(R"({"geometry": "collision", "links_with_geometry": 2, "links_proved": 2,
+                                                   "left_out": [], "visual_only": ["camera"], "collision_only": []})"));
     EXPECT_THAT(contents(path() / "runs/three/report.html"),
                 HasSubstr("Proved: the collision geometry of 2 of 2 links lies inside their spheres."));
     const Outcome certified = foam("certify three.urdf runs/three/out.urdf");
@@ -129,7 +129,7 @@ TEST_F(CliStatement, TimesOfPhasesAddUp) {
         phases.push_back(phase["phase"]);
     }
     EXPECT_EQ(phases, (std::vector<std::string>{"reading", "filters", "spheres", "growth", "measures", "writing",
-                                                "proof", "debug meshes", "pictures", "other"}));
+                                                "proof", "debug meshes", "pictures", "visual geometry", "other"}));
     EXPECT_NEAR(wall, execution["wall_seconds"].get<double>(), 1e-9);
     EXPECT_NEAR(cpu, execution["cpu_seconds"].get<double>(), 1e-9);
     const std::string report = contents(path() / "runs/three/report.html");

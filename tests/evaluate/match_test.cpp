@@ -44,7 +44,7 @@ TEST_F(Match, ByName) {
 TEST_F(Match, NothingIsLeftOutSilently) {
     const MatchedModel model = match(original(), read("base 0 0 0 0.2\nmid 0 0 0 1\nmid 0 0 1 1\nother 0 0 0 1\n"));
     EXPECT_THAT(model.spheres, ElementsAre(ElementsAre(Sphere{{}, 0.2}), IsEmpty()));
-    EXPECT_THAT(model.notes, ElementsAre("link 'mid' has 2 spheres, but no collision geometry to judge them by",
+    EXPECT_THAT(model.notes, ElementsAre("link 'mid' has 2 spheres, but no geometry to judge them by",
                                          "1 sphere of link 'other' is ignored: arm.urdf has no such link",
                                          "1 of 2 links with collision geometry have no spheres: tip"));
 }

@@ -26,7 +26,8 @@ INVISIBLE |= {"extends_missing", "extends_folder", "extends_circle", "extends_it
               "extends_no_version", "extends_unclosed", "extends_missing_plugin", "extends_two_inputs",
               "extends_without_stages", "extends_wrong_override"}
 # It is the value at a path, or it contradicts another value:
-INVISIBLE |= {"guarantee_inner", "idle_limits", "idle_weight", "clip_inner", "unit_of_robot", "variants_wrong_values", "variants_swept", "variants_same_name"}
+INVISIBLE |= {"guarantee_inner", "idle_limits", "idle_weight", "clip_inner", "inner_pad", "unit_of_robot", "variants_wrong_values",
+              "variants_swept", "variants_same_name"}
 
 
 class CoreLoader(yaml.SafeLoader):

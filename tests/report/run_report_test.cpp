@@ -102,7 +102,7 @@ TEST_F(ReportOfRun, SameBytesOnOneAndFourThreadsButForTimes) {
 TEST_F(ReportOfRun, ALinkThatIsLeftOutHasNoFigures) {
     const std::string html = report_of(recipe("stages: [spherize.grid]\nlinks: {tip: {skip: true}}\n"));
     EXPECT_THAT(
-        html, AllOf(HasSubstr("<th scope=\"row\">tip</th><td class=\"why\" colspan=\"9\">excluded by the recipe</td>"),
+        html, AllOf(HasSubstr("<th scope=\"row\">tip</th><td class=\"why\" colspan=\"10\">excluded by the recipe</td>"),
                     HasSubstr("<small>1 excluded by the recipe</small>"),
                     HasSubstr("Not part of the proof: tip (skip in the recipe).")));
     EXPECT_EQ(scene_of(html)["links"].size(), 1u);

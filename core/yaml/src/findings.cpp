@@ -104,7 +104,7 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& kn
     }
     std::vector<std::string> names;
     std::transform(known.begin(), known.end(), std::back_inserter(names), shown);
-    return !known.empty() && known.size() <= 30 ? fmt::format("; known: {}", fmt::join(names, ", ")) : "";
+    return !known.empty() && known.size() <= 40 ? fmt::format("; known: {}", fmt::join(names, ", ")) : "";
 }
 
 } // namespace foam::yaml
