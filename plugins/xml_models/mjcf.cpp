@@ -166,11 +166,12 @@ public:
             add_body(base, {}, nullptr, 2);
         }
         if (!impossible_.empty()) {
-            context_.log(Severity::warning,
-                         fmt::format("MuJoCo refuses the inertia that the URDF states for {}: no body has it; the mass "
-                                     "stays, and centre and inertia are those of the geometry, or of a ball of water where "
-                                     "there is none; remedy: correct <inertial>",
-                                     fmt::join(impossible_, ", ")));
+            context_.log(
+                Severity::warning,
+                fmt::format("MuJoCo refuses the inertia that the URDF states for {}: no body has it; the mass "
+                            "stays, centre and inertia are those of the geometry, of the spheres where it has no "
+                            "volume, or of a ball of water where there is neither; remedy: correct <inertial>",
+                            fmt::join(impossible_, ", ")));
         }
         tell(from_geometry_, "the collision geometry");
         tell(from_open_, "the collision geometry, whose meshes are not closed: the winding number decides what lies "

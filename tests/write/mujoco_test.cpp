@@ -170,6 +170,76 @@ TEST(MuJoCo, TakesTheMassAndInertiaOfTheGeometry) {
     }
 }
 
+/// Keeps the warnings of a stage.
+class WarningContext final : public QuietContext {
+public:
+    void log(Severity severity, std::string_view message) override {
+        if (severity == Severity::warning) {
+            warnings.emplace_back(message);
+        }
+    }
+    std::vector<std::string> warnings;
+};
+
+/// A robot of this URDF, and a sphere on the link `tip`.
+SphereModel sphere_on_tip(const std::string& urdf) {
+    Registry registry;
+    registry.load(FOAM_TEST_PLUGINS "/load_urdf.so");
+    QuietContext context;
+    SphereModel model;
+    model.name = "two";
+    model.robot =
+        std::make_shared<Robot>(registry.make<RobotLoader>("load.urdf")
+                                    ->load(urdf, "/none/two.urdf", ResourceResolver::from_environment(), context));
+    model.groups.push_back({"tip", {}, flat_tree({{{0, 0, 0}, 0.1}}), {}});
+    return model;
+}
+
+std::string two_links(const std::string& base, const std::string& inertial) {
+    return "<robot name=\"two\"><link name=\"" + base + "\"/><link name=\"tip\">" + inertial +
+           "</link><joint name=\"j\" type=\"continuous\"><parent link=\"" + base +
+           "\"/><child link=\"tip\"/><origin xyz=\"0 0 1\"/></joint></robot>";
+}
+
+std::string inertial_of(double mass, double ixx, double iyy, double izz) {
+    std::ostringstream text;
+    text << "<inertial><mass value=\"" << mass << "\"/><inertia ixx=\"" << ixx << "\" iyy=\"" << iyy << "\" izz=\""
+         << izz << "\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial>";
+    return text.str();
+}
+
+TEST(MuJoCo, RefusesInertiasThatNoBodyHasSoTheyAreMended) {
+    for (const auto& [ixx, iyy, izz] : {Vec3{0, 0, 0}, Vec3{1, 1, 5}, Vec3{-1, 1, 1}}) {
+        WarningContext context;
+        const SphereModel model = sphere_on_tip(two_links("base", inertial_of(3, ixx, iyy, izz)));
+        const Loaded mujoco(writer("xml_models", "write.mjcf")->write(model, context));
+        ASSERT_TRUE(mujoco.model);
+        EXPECT_EQ(mujoco.model->body_mass[mj_name2id(mujoco.model, mjOBJ_BODY, "tip")], 3) << "the mass stays";
+        ASSERT_EQ(context.warnings.size(), 1u);
+        EXPECT_EQ(context.warnings[0].find("MuJoCo refuses the inertia that the URDF states for tip"), 0u);
+    }
+    WarningContext context;
+    const SphereModel model = sphere_on_tip(two_links("base", inertial_of(3, 2, 3, 4)));
+    const Loaded mujoco(writer("xml_models", "write.mjcf")->write(model, context));
+    ASSERT_TRUE(mujoco.model);
+    EXPECT_EQ(mujoco.model->body_inertia[3 * mj_name2id(mujoco.model, mjOBJ_BODY, "tip")], 4) << "as stated";
+    EXPECT_TRUE(context.warnings.empty());
+}
+
+TEST(MuJoCo, ALinkCalledWorldIsTheWorld) {
+    QuietContext context;
+    SphereModel model = sphere_on_tip(two_links("world", inertial_of(3, 2, 3, 4)));
+    model.ignored_pairs = {{"tip", "world", ""}};
+    const Loaded mujoco(writer("xml_models", "write.mjcf")->write(model, context));
+    ASSERT_TRUE(mujoco.model);
+    EXPECT_EQ(mujoco.model->nbody, 2);
+    EXPECT_EQ(mujoco.model->body_parentid[mj_name2id(mujoco.model, mjOBJ_BODY, "tip")], 0);
+    EXPECT_EQ(mujoco.model->nexclude, 0);
+    model.groups.push_back({"world", {}, flat_tree({{{0, 0, 0}, 0.1}}), {}});
+    EXPECT_THROW(writer("xml_models", "write.mjcf")->write(model, context), Error)
+        << "the world's spheres are of a link";
+}
+
 TEST(MuJoCo, LockedAndMimickedJoints) {
     const auto robot = panda();
     SphereModel model = spheres_on(robot);
