@@ -9,6 +9,7 @@ void add_run(Program& program);
 void add_check(Program& program);
 void add_plan(Program& program);
 void add_spherize(Program& program);
+void add_batch(Program& program);
 void add_verify(Program& program);
 void add_bench(Program& program);
 void add_evaluate(Program& program);

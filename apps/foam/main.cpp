@@ -1,11 +1,15 @@
 #include "cli/entry.hpp"
 #include "commands.hpp"
 
+#include <foam/batch/worker.hpp>
+
 int main(int count, char** arguments) {
     using namespace foam::cli;
+    foam::serve_batch_worker(count, arguments);
     return run_main(count, arguments, [](Program& program) {
         add_run(program);
         add_spherize(program);
+        add_batch(program);
         add_verify(program);
         add_bench(program);
         add_evaluate(program);

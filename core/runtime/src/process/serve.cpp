@@ -3,17 +3,15 @@
 
 #include <foam/runtime/internal/bytes.hpp>
 #include <foam/runtime/internal/child.hpp>
+#include <foam/runtime/internal/child_process.hpp>
 #include <foam/runtime/isolation.hpp>
 #include <foam/sdk/registry.hpp>
 
-#include <sys/prctl.h>
-#include <sys/resource.h>
 #include <tbb/global_control.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <mutex>
@@ -27,24 +25,6 @@ bool serves = false;
 /// Ends the process: without a parent nobody reads the answer.
 [[noreturn]] void give_up() {
     _exit(1);
-}
-
-/// Makes the kernel end this process with the parent's thread that started it, which waits for the answer.
-void die_with_parent(std::int64_t parent) {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) { // the parent had died already
-        give_up();
-    }
-}
-
-/// Limits private memory only, so that the code of libraries does not count. Above the limit operator new throws.
-void limit_memory(std::uint64_t mebibytes) {
-    if (mebibytes > 0) {
-        const rlimit limit{mebibytes << 20, mebibytes << 20};
-        setrlimit(RLIMIT_DATA, &limit);
-    }
-    const rlimit no_core{0, 0}; // the crash is reported; a stage that crashes on every link would fill the disk
-    setrlimit(RLIMIT_CORE, &no_core);
 }
 
 /// Sends the reports of a stage to the parent, one message each.
@@ -156,11 +136,7 @@ std::string answer_to(const StageRequest& request, Context& context) {
         [[maybe_unused]] const auto written = write(STDERR_FILENO, why.data(), why.size());
         _exit(exit_code(ErrorCode::usage));
     }
-    // Ctrl-C in a terminal also reaches the children, but is meant for foam, which may use their result. Foam ends
-    // them.
-    std::signal(SIGINT, SIG_IGN);
-    die_with_parent(request.parent);
-    limit_memory(request.memory_limit);
+    begin_child(request.parent, request.memory_limit);
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                       std::max<std::size_t>(1, request.threads));
     RemoteContext context(request.seed);

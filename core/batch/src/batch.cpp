@@ -1,0 +1,192 @@
+#include <foam/batch/batch.hpp>
+
+#include "plan.hpp"
+#include "pool.hpp"
+#include "plan_for.hpp"
+#include "shard.hpp"
+
+#include <foam/base/error.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <thread>
+#include <unistd.h>
+
+namespace foam::inline batch {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+std::vector<std::string> plugin_files(const Registry& registry) {
+    std::vector<std::string> files;
+    for (const PluginRecord& plugin : registry.plugins()) {
+        if (plugin.loaded()) {
+            files.push_back(fs::absolute(plugin.file).string());
+        }
+    }
+    return files;
+}
+
+/// The work of one process on a folder.
+class Batch {
+public:
+    Batch(const Plan& plan, const Registry& registry, const BatchOptions& options, std::vector<std::size_t> shards)
+        : plan_(plan), options_(options), shards_(std::move(shards)), pool_(pool_options(plan, registry, options)) {
+        for (const std::size_t shard : shards_) {
+            outcome_.meshes += plan_.items_of(shard).size();
+        }
+    }
+
+    BatchOutcome work() {
+        while (!stop_asked()) {
+            pool_.turn([this] { return next_job(); }, [this](const Job& job, const std::string& line) { keep(job, line); });
+            for (auto& [shard, open] : open_) {
+                if (open.file->flush_due()) {
+                    open.file->flush();
+                }
+            }
+            tell_progress(false);
+            if (pool_.idle() && !current_ && next_shard_ == shards_.size()) {
+                break;
+            }
+        }
+        for (auto& [shard, open] : open_) {
+            open.file->flush();
+        }
+        tell_progress(true);
+        return outcome_;
+    }
+
+private:
+    struct Open {
+        std::unique_ptr<OpenShard> file;
+        std::size_t given = 0;
+    };
+
+    static PoolOptions pool_options(const Plan& plan, const Registry& registry, const BatchOptions& options) {
+        WorkerTask task{.parent = ::getpid(),
+                        .memory_limit = options.memory_limit,
+                        .plugins = plugin_files(registry),
+                        .recipe = plan.recipe,
+                        .recipe_digest = plan.recipe_digest};
+        const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+        return {options.program.empty() ? fs::path("/proc/self/exe") : options.program, std::move(task),
+                options.time_limit, options.workers > 0 ? options.workers : cores};
+    }
+
+    bool stop_asked() {
+        outcome_.stopped = options_.stop && options_.stop();
+        return outcome_.stopped;
+    }
+
+    /// Opens the next shard that has work left. Returns whether there is one.
+    bool open_next() {
+        while (next_shard_ < shards_.size()) {
+            const std::size_t shard = shards_[next_shard_++];
+            bool busy = false;
+            std::unique_ptr<OpenShard> file = OpenShard::open(plan_, shard, busy);
+            if (!file) {
+                outcome_.busy += busy ? 1 : 0;
+                done_ += busy ? 0 : plan_.items_of(shard).size();
+                continue;
+            }
+            done_ += file->done_before();
+            failed_ += file->failed_before();
+            if (file->complete()) { // all lines were there, but not the name
+                file->finish();
+                continue;
+            }
+            open_[shard].file = std::move(file);
+            current_ = shard;
+            return true;
+        }
+        return false;
+    }
+
+    std::optional<Job> next_job() {
+        if (!current_ && !open_next()) {
+            return {};
+        }
+        Open& open = open_.at(*current_);
+        const Job job{open.file->left()[open.given++], *current_};
+        if (open.given == open.file->left().size()) {
+            current_.reset();
+        }
+        return job;
+    }
+
+    void keep(const Job& job, const std::string& line) {
+        OpenShard& file = *open_.at(job.owner).file;
+        file.add(line);
+        ++done_;
+        ++done_here_;
+        failed_ += is_failure(line) ? 1 : 0;
+        if (file.complete()) {
+            file.finish();
+            open_.erase(job.owner);
+        }
+    }
+
+    void tell_progress(bool last) {
+        const auto now = Clock::now();
+        if (!options_.progress || (!last && now - told_ < std::chrono::milliseconds(200))) {
+            return;
+        }
+        told_ = now;
+        const double seconds = std::chrono::duration<double>(now - begin_).count();
+        options_.progress({outcome_.meshes, done_, failed_, static_cast<double>(done_here_) / std::max(seconds, 1e-3)});
+    }
+
+    const Plan& plan_;
+    const BatchOptions& options_;
+    std::vector<std::size_t> shards_;
+    Pool pool_;
+    BatchOutcome outcome_;
+    std::size_t next_shard_ = 0, done_ = 0, failed_ = 0, done_here_ = 0;
+    std::optional<std::size_t> current_; ///< the shard whose meshes are given to workers
+    std::map<std::size_t, Open> open_;
+    Clock::time_point begin_ = Clock::now(), told_{};
+};
+
+/// Returns the numbers of the shards of this process.
+std::vector<std::size_t> shards_of(const Plan& plan, const BatchOptions& options) {
+    std::vector<std::size_t> shards = options.only;
+    if (shards.empty() && options.tasks) {
+        shards = options.tasks(plan.shards);
+    } else if (shards.empty()) {
+        shards.resize(plan.shards);
+        std::iota(shards.begin(), shards.end(), std::size_t{0});
+    }
+    for (const std::size_t shard : shards) {
+        if (shard >= plan.shards) {
+            throw Error(ErrorCode::usage, fmt::format("there is no shard {}: {} has {}, numbered from 0", shard,
+                                                      plan.folder.string(), plan.shards));
+        }
+    }
+    return shards;
+}
+
+} // namespace
+
+BatchOutcome run_batch(const std::vector<BatchItem>& items, const Recipe& recipe, const Registry& registry,
+                       const BatchOptions& options) {
+    const Plan plan = plan_for(items, recipe, registry, options);
+    const std::vector<std::size_t> shards = shards_of(plan, options);
+    BatchOutcome outcome = Batch(plan, registry, options, shards).work();
+    std::size_t lines = 0;
+    for (const std::size_t shard : shards) {
+        for_each_result(plan, shard, [&](std::string_view line) {
+            ++lines;
+            outcome.failed += is_failure(line) ? 1 : 0;
+        });
+    }
+    outcome.missing = outcome.meshes - lines;
+    outcome.status = batch_status(options.folder);
+    return outcome;
+}
+
+} // namespace foam::batch

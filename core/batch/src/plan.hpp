@@ -1,0 +1,43 @@
+// What a folder of results is of: recipe, meshes, shards.
+#pragma once
+
+#include <foam/base/internal/digest.hpp>
+#include <foam/batch/list.hpp>
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace foam::inline batch {
+
+/// The work of a folder of results. It is written once, and the same in every process that works on the folder.
+struct Plan {
+    std::filesystem::path folder;
+    std::string recipe;    ///< YAML, with absolute paths
+    Digest recipe_digest;  ///< of the recipe and of foam's version
+    std::size_t shards = 1;
+    /// In the order of the work: large files first. Item i belongs to shard i modulo the number of shards, so that
+    /// neighbours in a list, which are alike, and large meshes spread.
+    std::vector<BatchItem> items;
+
+    /// Returns the items of a shard in the order of the work.
+    std::vector<const BatchItem*> items_of(std::size_t shard) const;
+    /// Returns the file of a finished shard.
+    std::filesystem::path shard_file(std::size_t shard) const;
+};
+
+/// Returns the file of a shard's results while they are not complete.
+std::filesystem::path part_of(const std::filesystem::path& shard_file);
+
+/// Opens the folder for this work, or makes it. Several processes may do so at the same time. `shards`: absent: as in
+/// the folder, or one for every thousand meshes. Throws Error(usage) if the folder is of another recipe, list, number of
+/// shards or version of foam.
+Plan open_plan(const std::filesystem::path& folder, const std::string& recipe, std::vector<BatchItem> items,
+               std::optional<std::size_t> shards);
+
+/// Reads the plan of a folder. Throws Error(input) if it has none.
+Plan read_plan(const std::filesystem::path& folder);
+
+} // namespace foam::batch

@@ -1,0 +1,14 @@
+// The plan of a call of run_batch().
+#pragma once
+
+#include "plan.hpp"
+
+#include <foam/batch/batch.hpp>
+
+namespace foam::inline batch {
+
+/// Opens or makes the plan. Throws Error(usage) for the recipe of a robot.
+Plan plan_for(const std::vector<BatchItem>& items, const Recipe& recipe, const Registry& registry,
+              const BatchOptions& options);
+
+} // namespace foam::batch

@@ -1,0 +1,76 @@
+// Worker processes that live on for many meshes.
+#pragma once
+
+#include "messages.hpp"
+
+#include <foam/runtime/internal/child_process.hpp>
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace foam::inline batch {
+
+/// Limits of a worker, and what it is started with.
+struct PoolOptions {
+    std::filesystem::path program;
+    WorkerTask task;
+    double time_limit = 60; ///< s; of one mesh
+    std::size_t workers = 1;
+};
+
+/// A mesh that a worker has.
+struct Job {
+    const BatchItem* item = nullptr;
+    std::size_t owner = 0; ///< of the caller
+    bool again = false;    ///< its worker has ended once
+};
+
+/// A few workers. They are started when they are needed, and replaced after a crash or a limit.
+class Pool {
+public:
+    explicit Pool(PoolOptions options);
+
+    /// Gives jobs to workers that are free, as long as `next` returns any, and waits for answers for at most 50 ms.
+    /// Calls `done` for each mesh with its line. Throws Error(internal) if no worker can be started.
+    void turn(const std::function<std::optional<Job>()>& next,
+              const std::function<void(const Job&, const std::string& line)>& done);
+    /// Returns whether no worker has a mesh.
+    bool idle() const;
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    /// One worker.
+    struct Worker {
+        explicit Worker(const PoolOptions& options);
+        void give(const Job& next);
+        /// Reads what has come.
+        void receive();
+        /// Returns the next complete line, if there is one.
+        std::optional<std::string> line();
+        /// Returns the first line that it wrote to stderr about its end.
+        std::string last_words() const;
+
+        Pipe requests, answers;
+        Descriptor errors;
+        std::unique_ptr<ChildProcess> process;
+        std::optional<Job> job;
+        Clock::time_point since;
+        std::string received;
+    };
+
+    void wait();
+    void read_answers(std::unique_ptr<Worker>& worker,
+                      const std::function<void(const Job&, const std::string&)>& done);
+    void end_of(std::unique_ptr<Worker>& worker, const std::function<void(const Job&, const std::string&)>& done);
+
+    PoolOptions options_;
+    std::vector<std::unique_ptr<Worker>> workers_;
+    std::vector<Job> again_;
+};
+
+} // namespace foam::batch

@@ -1,0 +1,146 @@
+#include "shard.hpp"
+
+#include "lines.hpp"
+
+#include <foam/base/error.hpp>
+#include <foam/base/internal/files.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <iterator>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace foam::inline batch {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::seconds flush_interval{5};
+constexpr std::size_t most_pending = 8 << 20;
+
+[[noreturn]] void fail_writing(const fs::path& file) {
+    throw Error(ErrorCode::output, fmt::format("{}: it cannot be written ({})", file.string(), std::strerror(errno)));
+}
+
+/// Locks the open file for this process, also on network file systems. Returns whether it could.
+bool lock(int descriptor) {
+    struct flock whole {};
+    whole.l_type = F_WRLCK;
+    whole.l_whence = SEEK_SET;
+    return fcntl(descriptor, F_OFD_SETLK, &whole) == 0;
+}
+
+/// Returns whether the name still means the open file: another process may have finished the shard meanwhile.
+bool is_still(int descriptor, const fs::path& file) {
+    struct stat open {}, named {};
+    return fstat(descriptor, &open) == 0 && stat(file.c_str(), &named) == 0 && open.st_ino == named.st_ino &&
+           open.st_dev == named.st_dev;
+}
+
+} // namespace
+
+OpenShard::OpenShard(int descriptor, fs::path file) : descriptor_(descriptor), file_(std::move(file)) {}
+
+OpenShard::~OpenShard() {
+    ::close(descriptor_);
+}
+
+std::unique_ptr<OpenShard> OpenShard::open(const Plan& plan, std::size_t shard, bool& busy) {
+    const fs::path file = plan.shard_file(shard), part = part_of(file);
+    busy = false;
+    if (fs::exists(file)) {
+        return nullptr;
+    }
+    const int descriptor = ::open(part.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor < 0) {
+        fail_writing(part);
+    }
+    std::unique_ptr<OpenShard> opened(new OpenShard(descriptor, file));
+    if (!lock(descriptor)) {
+        busy = true;
+        return nullptr;
+    }
+    if (!is_still(descriptor, part)) {
+        return nullptr; // finished between the two calls
+    }
+    if (fs::exists(file)) { // finished before this process made the part again
+        fs::remove(part);
+        return nullptr;
+    }
+    opened->read_results(plan, shard);
+    return opened;
+}
+
+void OpenShard::read_results(const Plan& plan, std::size_t shard) {
+    std::set<std::string> done;
+    const fs::path part = part_of(file_);
+    const std::size_t whole = for_each_line(read_file(part), [&](std::string_view line) {
+        const auto json = nlohmann::json::parse(line);
+        done.insert(json.at("id").get<std::string>());
+        failed_before_ += json.contains("error") ? 1 : 0;
+    });
+    done_before_ = done.size();
+    for (const BatchItem* item : plan.items_of(shard)) {
+        if (!done.contains(item->id)) {
+            left_.push_back(item);
+        }
+    }
+    if (ftruncate(descriptor_, static_cast<off_t>(whole)) != 0 || lseek(descriptor_, 0, SEEK_END) < 0) {
+        fail_writing(part);
+    }
+}
+
+void OpenShard::add(std::string_view line) {
+    pending_.append(line);
+    pending_ += '\n';
+    ++added_;
+    if (pending_.size() > most_pending) {
+        flush();
+    }
+}
+
+void OpenShard::flush() {
+    flushed_ = std::chrono::steady_clock::now();
+    if (pending_.empty()) {
+        return;
+    }
+    const std::string frame = frame_of(pending_);
+    for (std::size_t done = 0; done < frame.size();) {
+        const ssize_t n = write(descriptor_, frame.data() + done, frame.size() - done);
+        if (n < 0 && errno != EINTR) {
+            fail_writing(part_of(file_));
+        }
+        done += n > 0 ? static_cast<std::size_t>(n) : 0;
+    }
+    pending_.clear();
+}
+
+bool OpenShard::flush_due() const {
+    return !pending_.empty() && std::chrono::steady_clock::now() - flushed_ > flush_interval;
+}
+
+void OpenShard::finish() {
+    flush();
+    if (fsync(descriptor_) != 0 || std::rename(part_of(file_).c_str(), file_.c_str()) != 0) {
+        fail_writing(file_);
+    }
+}
+
+bool for_each_result(const Plan& plan, std::size_t shard, const std::function<void(std::string_view)>& on_line) {
+    const fs::path file = plan.shard_file(shard), part = part_of(file);
+    if (fs::exists(file)) {
+        for_each_line_of(file, on_line);
+        return true;
+    }
+    std::ifstream stream(part, std::ios::binary); // another process may be writing the next frame
+    for_each_line(std::string(std::istreambuf_iterator<char>(stream), {}), on_line);
+    return false;
+}
+
+} // namespace foam::batch

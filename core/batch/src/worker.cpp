@@ -1,0 +1,238 @@
+#include <foam/batch/worker.hpp>
+
+#include "archive.hpp"
+#include "messages.hpp"
+
+#include <foam/base/error.hpp>
+#include <foam/base/internal/files.hpp>
+#include <foam/recipe/recipe.hpp>
+#include <foam/runtime/crash.hpp>
+#include <foam/runtime/internal/child_process.hpp>
+#include <foam/runtime/run.hpp>
+#include <foam/runtime/scratch_folder.hpp>
+#include <foam/runtime/version.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <ctime>
+#include <deque>
+#include <iostream>
+#include <map>
+#include <unistd.h>
+
+namespace foam::inline batch {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+double cpu_now() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Results by the digest of what decides them: data sets hold many duplicates.
+class KnownResults {
+public:
+    const Json* find(const Digest& key) const {
+        const auto known = results_.find(key);
+        return known == results_.end() ? nullptr : &known->second;
+    }
+    void add(const Digest& key, const Json& result) {
+        constexpr std::size_t most = 4096;
+        if (order_.size() == most) {
+            results_.erase(order_.front());
+            order_.pop_front();
+        }
+        order_.push_back(key);
+        results_[key] = result;
+    }
+
+private:
+    std::map<Digest, Json> results_;
+    std::deque<Digest> order_;
+};
+
+/// Replaces the place where a member of an archive was unpacked by its path, and the absolute path by the id: the same
+/// text in every process.
+std::string portable(std::string text, const std::string& real, const BatchItem& item) {
+    for (std::size_t at = 0; (at = text.find(real, at)) != std::string::npos; at += item.id.size()) {
+        text.replace(at, real.size(), item.id);
+    }
+    return text;
+}
+
+Json spheres_of(const SphereModel& model) {
+    Json spheres = Json::array();
+    for (const LinkSpheres& link : spheres_by_link(model)) {
+        for (const Sphere& s : link.spheres) {
+            spheres.push_back({s.center.x, s.center.y, s.center.z, s.radius});
+        }
+    }
+    return spheres;
+}
+
+Json result_of(const RunResult& run, const std::string& real, const BatchItem& item) {
+    const Vec3 size = run.input_size.box.size();
+    const Measures& total = run.total;
+    Json result{{"triangles", run.input_size.triangles},
+                {"size_m", {size.x, size.y, size.z}},
+                {"spheres", spheres_of(run.model)},
+                {"certified", run.certified},
+                {"excess", total.excess}, // JSON has no infinity: null
+                {"gap_m", total.gap},
+                {"protrusion_max_m", total.protrusion_max},
+                {"protrusion_mean_m", total.protrusion_mean}};
+    // The proof holds for the numbers that others read here.
+    if (Json::parse(result.at("spheres").dump()) != result.at("spheres")) {
+        throw Error(ErrorCode::internal, "the numbers of the spheres change when they are written");
+    }
+    for (const Finding& finding : run.findings) {
+        if (finding.severity >= Severity::warning) {
+            result["warnings"].push_back(
+                portable(finding.stage.empty() ? finding.message : finding.stage + ": " + finding.message, real, item));
+        }
+    }
+    return result;
+}
+
+class Worker {
+public:
+    explicit Worker(const WorkerTask& task) : recipe_digest_(task.recipe_digest) {
+        for (const std::string& plugin : task.plugins) {
+            if (const PluginRecord& record = registry_.load(plugin); !record.loaded()) {
+                throw Error(ErrorCode::plugin, "plugin " + plugin + " is refused: " + record.rejection);
+            }
+        }
+        RecipeResult read = parse_recipe(task.recipe, "recipe.yaml", registry_);
+        if (!read.ok() || read.recipes.size() != 1) {
+            throw Error(ErrorCode::recipe, "the recipe of the batch cannot be read");
+        }
+        recipe_ = std::move(read.recipes.front());
+    }
+
+    /// Returns the line of a mesh: its spheres, or why it has none.
+    std::string answer(const BatchItem& item) {
+        const double begin = cpu_now();
+        Digest input;
+        std::string real = item.path;
+        try {
+            Json line{{"id", item.id}};
+            const Json result = result_for(item, input, real);
+            line["digest"] = input;
+            line.update(result);
+            line["foam"] = version();
+            line["recipe"] = recipe_digest_;
+            line["cpu_seconds"] = cpu_now() - begin;
+            return line.dump(-1, ' ', false, Json::error_handler_t::replace);
+        } catch (const Error& error) {
+            return failure_line(item, recipe_digest_, input, to_string(error.code()),
+                                portable(error.what(), real, item), cpu_now() - begin);
+        } catch (const std::bad_alloc&) {
+            return failure_line(item, recipe_digest_, input, "memory limit",
+                                "the memory limit of the batch is too low for this mesh", cpu_now() - begin);
+        } catch (const std::exception& error) {
+            return failure_line(item, recipe_digest_, input, "internal", portable(error.what(), real, item),
+                                cpu_now() - begin);
+        }
+    }
+
+private:
+    Json result_for(const BatchItem& item, Digest& input, std::string& real) {
+        std::optional<ScratchFolder> unpacked;
+        std::string bytes;
+        if (const auto inside = archive_path(item.path)) {
+            bytes = archives_.at(inside->archive).read(inside->member);
+            const fs::path file = unpacked.emplace().path() / fs::path(inside->member).filename();
+            write_file(file, bytes);
+            real = file.string();
+        } else {
+            bytes = read_file(item.path);
+        }
+        input = digest_of(bytes);
+        Hasher hasher;
+        hasher.add(input).add(fs::path(real).extension().string());
+        hasher.add(item.unit.unit.value_or("")).add(item.unit.scale);
+        const Digest key = hasher.add(static_cast<std::uint64_t>(item.spheres.value_or(0))).finish();
+        if (const Json* known = results_.find(key)) {
+            return *known;
+        }
+        std::string().swap(bytes);
+        const Json result = result_of(run(recipe_for(item, real), registry_, options()), real, item);
+        if (!result.contains("warnings")) { // which may name this file
+            results_.add(key, result);
+        }
+        return result;
+    }
+
+    Recipe recipe_for(const BatchItem& item, const std::string& real) const {
+        Recipe recipe = recipe_;
+        recipe.mesh = {real};
+        if (item.unit.unit) {
+            recipe.mesh_unit.unit = item.unit.unit;
+        }
+        recipe.mesh_unit.scale *= item.unit.scale;
+        recipe.budget_spheres = item.spheres ? item.spheres : recipe.budget_spheres;
+        return recipe;
+    }
+
+    static RunOptions options() {
+        RunOptions options;
+        options.fresh = true; // a data set would fill the cache
+        options.report = false;
+        options.threads = 1; // a mesh a process: better than threads within a mesh at this size
+        options.program = "/proc/self/exe";
+        return options;
+    }
+
+    Registry registry_;
+    Recipe recipe_;
+    Digest recipe_digest_;
+    Archives archives_;
+    KnownResults results_;
+};
+
+void send_line(const std::string& line) {
+    const std::string bytes = line + '\n';
+    for (std::size_t done = 0; done < bytes.size();) {
+        const ssize_t n = write(answer_descriptor, bytes.data() + done, bytes.size() - done);
+        if (n < 0 && errno != EINTR) {
+            _exit(1);
+        }
+        done += n > 0 ? static_cast<std::size_t>(n) : 0;
+    }
+}
+
+[[noreturn]] void serve_batch() {
+    try {
+        std::string line;
+        if (!std::getline(std::cin, line)) {
+            throw Error(ErrorCode::usage, "this command is for foam itself");
+        }
+        const WorkerTask task = worker_task_of(line);
+        begin_child(task.parent, task.memory_limit);
+        report_crashes();
+        Worker worker(task);
+        while (std::getline(std::cin, line)) {
+            send_line(worker.answer(item_of_request(line)));
+        }
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "foam: {}\n", error.what());
+        std::fflush(stderr);
+        _exit(exit_code(ErrorCode::usage));
+    }
+    _exit(0);
+}
+
+} // namespace
+
+void serve_batch_worker(int count, char** arguments) {
+    if (count == 2 && std::string_view(arguments[1]) == worker_command) {
+        serve_batch();
+    }
+}
+
+} // namespace foam::batch
