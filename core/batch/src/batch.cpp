@@ -34,8 +34,9 @@ std::vector<std::string> plugin_files(const Registry& registry) {
 /// The work of one process on a folder.
 class Batch {
 public:
-    Batch(const Plan& plan, const Registry& registry, const BatchOptions& options, std::vector<std::size_t> shards)
-        : plan_(plan), options_(options), shards_(std::move(shards)), pool_(pool_options(plan, registry, options)) {
+    Batch(const Plan& plan, const Recipe& recipe, const Registry& registry, const BatchOptions& options,
+          std::vector<std::size_t> shards)
+        : plan_(plan), options_(options), shards_(std::move(shards)), pool_(pool_options(plan, recipe, registry, options)) {
         for (const std::size_t shard : shards_) {
             outcome_.meshes += plan_.items_of(shard).size();
         }
@@ -67,11 +68,12 @@ private:
         std::size_t given = 0;
     };
 
-    static PoolOptions pool_options(const Plan& plan, const Registry& registry, const BatchOptions& options) {
+    static PoolOptions pool_options(const Plan& plan, const Recipe& recipe, const Registry& registry,
+                                    const BatchOptions& options) {
         WorkerTask task{.parent = ::getpid(),
                         .memory_limit = options.memory_limit,
                         .plugins = plugin_files(registry),
-                        .recipe = plan.recipe,
+                        .recipe = worker_recipe(recipe, registry),
                         .recipe_digest = plan.recipe_digest};
         const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
         return {options.program.empty() ? fs::path("/proc/self/exe") : options.program, std::move(task),
@@ -176,7 +178,7 @@ BatchOutcome run_batch(const std::vector<BatchItem>& items, const Recipe& recipe
                        const BatchOptions& options) {
     const Plan plan = plan_for(items, recipe, registry, options);
     const std::vector<std::size_t> shards = shards_of(plan, options);
-    BatchOutcome outcome = Batch(plan, registry, options, shards).work();
+    BatchOutcome outcome = Batch(plan, recipe, registry, options, shards).work();
     std::size_t lines = 0;
     for (const std::size_t shard : shards) {
         for_each_result(plan, shard, [&](std::string_view line) {

@@ -15,7 +15,7 @@ namespace foam::inline batch {
 /// The work of a folder of results. It is written once, and the same in every process that works on the folder.
 struct Plan {
     std::filesystem::path folder;
-    std::string recipe;    ///< YAML, with absolute paths
+    std::string recipe;    ///< YAML, with paths as written
     Digest recipe_digest;  ///< of the recipe and of foam's version
     std::size_t shards = 1;
     /// In the order of the work: large files first. Item i belongs to shard i modulo the number of shards, so that
@@ -33,7 +33,7 @@ std::filesystem::path part_of(const std::filesystem::path& shard_file);
 
 /// Opens the folder for this work, or makes it. Several processes may do so at the same time. `shards`: absent: as in
 /// the folder, or one for every thousand meshes. Throws Error(usage) if the folder is of another recipe, list, number of
-/// shards or version of foam.
+/// shards or version of foam. `recipe`: YAML with paths as written, so that the folder can move.
 Plan open_plan(const std::filesystem::path& folder, const std::string& recipe, std::vector<BatchItem> items,
                std::optional<std::size_t> shards);
 

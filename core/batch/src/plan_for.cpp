@@ -5,14 +5,14 @@
 namespace foam::inline batch {
 namespace {
 
-/// Returns the recipe as it is given to workers: with a mesh that plays no part, and nothing to write but spheres.
-std::string recipe_text(Recipe recipe, const Registry& registry) {
-    recipe.mesh = {"mesh.stl"};
+/// Returns the recipe with a mesh that plays no part, and nothing to write but spheres.
+Recipe plain_recipe(Recipe recipe) {
+    recipe.mesh = {"/mesh.stl"};
     recipe.name = "mesh";
     recipe.outputs.clear();
     recipe.snapshots = recipe.debug_meshes = recipe.debug_snapshots = false;
     recipe.variant.clear();
-    return to_yaml(recipe, registry, true);
+    return recipe;
 }
 
 } // namespace
@@ -22,7 +22,11 @@ Plan plan_for(const std::vector<BatchItem>& items, const Recipe& recipe, const R
     if (!recipe.urdf.empty()) {
         throw Error(ErrorCode::usage, "the recipe is for a robot; remedy: a recipe with `mesh:`, whose file plays no part");
     }
-    return open_plan(options.folder, recipe_text(recipe, registry), items, options.shards);
+    return open_plan(options.folder, to_yaml(plain_recipe(recipe), registry), items, options.shards);
+}
+
+std::string worker_recipe(const Recipe& recipe, const Registry& registry) {
+    return to_yaml(plain_recipe(recipe), registry, true);
 }
 
 } // namespace foam::batch

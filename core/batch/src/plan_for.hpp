@@ -11,4 +11,7 @@ namespace foam::inline batch {
 Plan plan_for(const std::vector<BatchItem>& items, const Recipe& recipe, const Registry& registry,
               const BatchOptions& options);
 
+/// Returns the recipe as workers get it: YAML with absolute paths.
+std::string worker_recipe(const Recipe& recipe, const Registry& registry);
+
 } // namespace foam::batch

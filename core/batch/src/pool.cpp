@@ -80,7 +80,8 @@ std::string Pool::Worker::last_words() const {
     for (const std::string_view before : {"\n", "foam: "}) {
         words.remove_prefix(words.starts_with(before) ? before.size() : 0);
     }
-    return std::string(words.substr(0, words.find('\n')));
+    words = words.substr(0, words.find('\n'));
+    return std::string(words.substr(0, words.find(", input '"))); // where a member of an archive was unpacked differs
 }
 
 void Pool::turn(const std::function<std::optional<Job>()>& next,

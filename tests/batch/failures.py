@@ -1,0 +1,42 @@
+"""Meshes that crash, hang or eat memory are failures with a name, and the others have their spheres."""
+import json
+import pathlib
+import sys
+import tempfile
+
+from data_set import Foam, expect
+
+WISHES = {"well": None, "again": None, "segv": "crash", "abort": "crash", "exit": "crash", "loop": "time limit",
+          "eat": "geometry", "error": "geometry", "exception": "plugin", "overflow": "crash"}
+
+
+def main():
+    with tempfile.TemporaryDirectory() as scratch:
+        foam = Foam(sys.argv[1], scratch, plugin=sys.argv[2])
+        folder = pathlib.Path(scratch, "set")
+        folder.mkdir()
+        for wish in WISHES:
+            (folder / f"{wish}.ill").write_text(wish + "\n")
+        for _ in range(2):  # the second time from what was written
+            foam("set", "-n", 1, "--out", "out", "--time-limit", 2, "--memory-limit", 1000, "-j", 2, code=4)
+        results = foam.results("out")
+        expect(set(results) == {f"{wish}.ill" for wish in WISHES}, sorted(results))
+        for wish, code in WISHES.items():
+            line = results[f"{wish}.ill"]
+            if code is None:
+                expect(line["certified"] and len(line["spheres"]) == 1, line)
+            else:
+                print(wish, line["error"])
+                expect(code == line["error"]["code"], f"{wish}: {line}")
+        expect(results["eat.ill"]["error"]["reason"].endswith("not enough memory"), results["eat.ill"])
+        expect("SIGSEGV" in results["segv.ill"]["error"]["reason"] and
+               "load.ill" in results["segv.ill"]["error"]["reason"], results["segv.ill"])
+        out, _ = foam("status", "out", "--json")
+        status = json.loads(out)
+        expect((status["meshes"], status["done"], status["failed"]) == (len(WISHES), len(WISHES), 8), out)
+        expect(sum(status["failures"].values()) == 8, out)
+        page = pathlib.Path(scratch, "out", "index.html").read_text()
+        expect(page.count("<tr><th scope") == len(WISHES) and page.count("<circle") == 2, "the page shows all")
+
+
+main()

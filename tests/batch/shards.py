@@ -1,0 +1,68 @@
+"""The same bytes for any number of shards, workers and restarts; a second run does nothing."""
+import signal
+import sys
+import tempfile
+import pathlib
+import time
+
+from data_set import Foam, expect, write_boxes
+
+MESHES = 60
+
+
+def cut(foam, results, how):
+    """Starts the work again and again, and ends it while it is at work."""
+    for delay in (0.05, 0.1, 0.15, 0.2, 0.3):
+        process = foam.start("boxes", "-n", 4, "--out", results, "-j", 1, "--shards", 2)
+        time.sleep(delay)
+        process.send_signal(how)
+        process.communicate()
+        if process.returncode == 4:
+            break  # it was faster
+        expected = 130 if how == signal.SIGTERM else -how
+        expect(process.returncode == expected, f"{how}: exit code {process.returncode}")
+    foam("boxes", "-n", 4, "--out", results, "--shards", 2, code=4)
+
+
+def main():
+    with tempfile.TemporaryDirectory() as scratch:
+        foam = Foam(sys.argv[1], scratch)
+        write_boxes(pathlib.Path(scratch, "boxes"), MESHES)
+        out, _ = foam("boxes", "-n", 4, "--out", "one", code=4)
+        expect(out == f"{MESHES} meshes: 50 with spheres, 10 failed, 0 without a result yet\n", out)
+        truth = foam.table("one")
+        expect(len(truth.splitlines()) == MESHES, "a line a mesh")
+        for line in foam.results("one").values():
+            expect(("error" in line) != ("spheres" in line and line["certified"]), line)
+
+        for shards, workers in ((1, 2), (2, 1), (7, 3)):
+            name = f"of{shards}"
+            foam("boxes", "-n", 4, "--out", name, "--shards", shards, "-j", workers, code=4)
+            expect(foam.table(name) == truth, f"{shards} shards: other bytes")
+        for shard in range(7):  # one process a shard, as a cluster does
+            foam("boxes", "-n", 4, "--out", "single", "--shards", 7, "--shard", shard, code=4)
+        expect(foam.table("single") == truth, "one process a shard: other bytes")
+        for task in range(3):
+            foam("boxes", "-n", 4, "--out", "array", "--shards", 7, code=4,
+                 env={"SLURM_ARRAY_TASK_ID": str(5 + 2 * task), "SLURM_ARRAY_TASK_MIN": "5",
+                      "SLURM_ARRAY_TASK_STEP": "2", "SLURM_ARRAY_TASK_COUNT": "3"})
+        expect(foam.table("array") == truth, "tasks of an array: other bytes")
+        for how in (signal.SIGKILL, signal.SIGTERM):
+            cut(foam, f"cut{how}", how)
+            expect(foam.table(f"cut{how}") == truth, f"after {how}: other bytes")
+
+        files = sorted(pathlib.Path(scratch, "one").glob("shard-*"))
+        before = [(file.name, file.stat().st_mtime_ns) for file in files]
+        foam("boxes", "-n", 4, "--out", "one", code=4)
+        expect(before == [(file.name, file.stat().st_mtime_ns) for file in files], "a second run does nothing")
+        moved = Foam(sys.argv[1], "/")
+        moved(pathlib.Path(scratch, "boxes"), "-n", 4, "--out", pathlib.Path(scratch, "one"), code=4)
+        for other, what in ((("boxes", "-n", 5), "recipe"), (("boxes/box00*.obj", "-n", 4), "list of meshes"),
+                            (("boxes", "-n", 4, "--shards", 9), "number of shards")):
+            _, err = foam(*other, "--out", "one", code=2)
+            expect(f"one: its results are of another {what} (" in err, err)
+        expect(foam.table("one") == truth, "refused, and nothing was changed")
+        print(f"{MESHES} meshes: the same {len(truth)} bytes in every way")
+
+
+main()
