@@ -81,7 +81,7 @@ std::string readme_text(const Plan& plan, const std::vector<std::string>& comman
                        "Work on it with one of\n\n"
                        "    {}\n"
                        "    sbatch {}/foam.sbatch\n"
-                       "    seq 0 {} | parallel {} -j 1 --shard {{}}\n"
+                       "    seq 0 {} | parallel -q {} -j 1 --shard {{}}\n"
                        "    snakemake -s Snakefile --cores all      # in this folder\n\n"
                        "and look at it with\n\n"
                        "    foam batch status {}\n"
