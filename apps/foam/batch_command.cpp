@@ -226,9 +226,8 @@ void add_batch_work(CLI::App& command, BatchArguments& arguments) {
         ->capture_default_str();
     command
         .add_option("--memory-limit", arguments.batch.memory_limit,
-                    "Limit of the memory of one worker in MiB; 0: none")
-        ->type_name("N")
-        ->capture_default_str();
+                    "Limit of the memory of one worker in MiB; 0: none; default: 4096")
+        ->type_name("N");
     command.add_flag("--slurm", arguments.slurm,
                      "Write foam.sbatch, Snakefile and README.md into DIR, and work on nothing");
 }

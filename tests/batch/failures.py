@@ -17,8 +17,13 @@ def main():
         folder.mkdir()
         for wish in WISHES:
             (folder / f"{wish}.ill").write_text(wish + "\n")
+        limits = ("--time-limit", 6, "--memory-limit", 300)
+        if "sanitizer" in foam.start("set", "-n", 1, "--out", "none", *limits).communicate()[1]:
+            limits = limits[:2]  # it cannot enforce a limit of memory
+            (folder / "eat.ill").unlink()
+            del WISHES["eat"]
         for _ in range(2):  # the second time from what was written
-            foam("set", "-n", 1, "--out", "out", "--time-limit", 2, "--memory-limit", 1000, "-j", 2, code=4)
+            foam("set", "-n", 1, "--out", "out", *limits, "-j", 2, code=4)
         results = foam.results("out")
         expect(set(results) == {f"{wish}.ill" for wish in WISHES}, sorted(results))
         for wish, code in WISHES.items():
@@ -28,13 +33,14 @@ def main():
             else:
                 print(wish, line["error"])
                 expect(code == line["error"]["code"], f"{wish}: {line}")
-        expect(results["eat.ill"]["error"]["reason"].endswith("not enough memory"), results["eat.ill"])
+        if "eat" in WISHES:
+            expect(results["eat.ill"]["error"]["reason"].endswith("not enough memory"), results["eat.ill"])
         expect("SIGSEGV" in results["segv.ill"]["error"]["reason"] and
                "load.ill" in results["segv.ill"]["error"]["reason"], results["segv.ill"])
         out, _ = foam("status", "out", "--json")
         status = json.loads(out)
-        expect((status["meshes"], status["done"], status["failed"]) == (len(WISHES), len(WISHES), 8), out)
-        expect(sum(status["failures"].values()) == 8, out)
+        expect((status["meshes"], status["done"], status["failed"]) == (len(WISHES), len(WISHES), len(WISHES) - 2), out)
+        expect(sum(status["failures"].values()) == len(WISHES) - 2, out)
         page = pathlib.Path(scratch, "out", "index.html").read_text()
         expect(page.count("<tr><th scope") == len(WISHES) and page.count("<circle") == 2, "the page shows all")
 

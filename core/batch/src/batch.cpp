@@ -6,6 +6,7 @@
 #include "shard.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/sdk/abi.hpp>
 
 #include <fmt/format.h>
 
@@ -29,6 +30,16 @@ std::vector<std::string> plugin_files(const Registry& registry) {
         }
     }
     return files;
+}
+
+constexpr bool sanitized = std::string_view(FOAM_ABI_SANITIZER) != "none";
+
+std::size_t memory_limit_of(const BatchOptions& options) {
+    if (sanitized && options.memory_limit.value_or(0) > 0) {
+        throw Error(ErrorCode::usage,
+                    "a foam built with a sanitizer cannot enforce a memory limit; remedy: leave it out");
+    }
+    return sanitized ? 0 : options.memory_limit.value_or(default_memory_limit);
 }
 
 /// The work of one process on a folder.
@@ -71,7 +82,7 @@ private:
     static PoolOptions pool_options(const Plan& plan, const Recipe& recipe, const Registry& registry,
                                     const BatchOptions& options) {
         WorkerTask task{.parent = ::getpid(),
-                        .memory_limit = options.memory_limit,
+                        .memory_limit = memory_limit_of(options),
                         .plugins = plugin_files(registry),
                         .recipe = worker_recipe(recipe, registry),
                         .recipe_digest = plan.recipe_digest};

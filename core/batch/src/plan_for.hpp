@@ -7,6 +7,8 @@
 
 namespace foam::inline batch {
 
+inline constexpr std::size_t default_memory_limit = 4096; ///< MiB; of one worker
+
 /// Opens or makes the plan. Throws Error(usage) for the recipe of a robot.
 Plan plan_for(const std::vector<BatchItem>& items, const Recipe& recipe, const Registry& registry,
               const BatchOptions& options);

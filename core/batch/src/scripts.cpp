@@ -53,7 +53,7 @@ std::string sbatch_text(const Plan& plan, const BatchOptions& options, const std
         "#SBATCH --open-mode=append\n"
         "#SBATCH --output={}/log-%a.txt\n"
         "exec {} -j 1\n",
-        tasks - 1, options.memory_limit + 1024, logs, shell_words(command));
+        tasks - 1, options.memory_limit.value_or(default_memory_limit) + 1024, logs, shell_words(command));
 }
 
 std::string snakefile_text(const Plan& plan, const std::vector<std::string>& command) {

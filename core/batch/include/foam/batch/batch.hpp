@@ -31,7 +31,8 @@ struct BatchOptions {
     std::function<std::vector<std::size_t>(std::size_t shards)> tasks;
     std::size_t workers = 0;             ///< processes; 0: one a core
     double time_limit = 60;              ///< s; of one mesh
-    std::size_t memory_limit = 4096;     ///< MiB; of one worker
+    /// MiB; of one worker; 0: none. Absent: 4096, and none in a foam built with a sanitizer, which cannot enforce one.
+    std::optional<std::size_t> memory_limit;
     std::filesystem::path program;       ///< its main() calls serve_batch_worker(); empty: this program
     std::function<bool()> stop;          ///< asked about twenty times a second; empty: never
     std::function<void(const BatchProgress&)> progress; ///< called a few times a second
