@@ -11,17 +11,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// of themselves to underflow. Other balls contain nothing.
 constexpr double smallest_ball = 1e-140, largest_ball = 1e150;
 
-struct Middle {
-    Vec3 point;
-    double radius; // of the piece about the point
-};
-
-Middle middle_of(const Piece& piece) {
-    const Corners& t = piece.corners;
-    const Vec3 point = (t.a + t.b + t.c) / 3;
-    return {point, reach(point, piece)};
-}
-
 double squared_reach(const Vec3& center, const Corners& t) {
     return std::max({squared_norm(t.a - center), squared_norm(t.b - center), squared_norm(t.c - center)});
 }
@@ -57,6 +46,12 @@ PiecePoints::PiecePoints(const Piece& piece)
 double reach(const Vec3& center, const Piece& piece) {
     const double top = squared_reach(center, piece.corners);
     return std::sqrt(piece.curved ? std::max(top, squared_reach(center, piece.beneath)) : top);
+}
+
+PieceMiddle middle_of(const Piece& piece) {
+    const Corners& t = piece.corners;
+    const Vec3 point = (t.a + t.b + t.c) / 3;
+    return {point, reach(point, piece)};
 }
 
 double size_of(const Piece& piece) {
@@ -306,27 +301,28 @@ std::vector<char> Balls::held_triangles() const {
     return held;
 }
 
-void Balls::candidates(const Piece& piece, std::vector<std::uint32_t>& result) const {
-    const Middle middle = middle_of(piece);
+double Balls::candidates(const Piece& piece, std::vector<std::uint32_t>& result) const {
+    const PieceMiddle middle = middle_of(piece);
     const std::uint32_t nearest = nearest_to(middle.point);
     if (nearest == size() || gap(nearest, middle.point) == infinity) {
-        return;
+        return infinity;
     }
     result.push_back(nearest);
-    if (holds(nearest, piece)) {
-        return;
-    }
     const double limit = gap(nearest, middle.point) + 2.001 * middle.radius + unit_ * extent_;
+    if (holds(nearest, piece)) {
+        return limit;
+    }
     visit_near(middle.point, limit, [&](std::uint32_t i) {
         if (i != nearest && gap(i, middle.point) <= limit) {
             result.push_back(i);
         }
     });
+    return limit;
 }
 
-void Balls::candidates(const Piece& piece, std::size_t begin, std::size_t end,
-                       std::vector<std::uint32_t>& result) const {
-    const Middle middle = middle_of(piece);
+double Balls::candidates(const Piece& piece, std::size_t begin, std::size_t end,
+                         std::vector<std::uint32_t>& result) const {
+    const PieceMiddle middle = middle_of(piece);
     double nearest_gap = infinity;
     std::size_t nearest = begin;
     for (std::size_t k = begin; k < end; ++k) {
@@ -344,6 +340,7 @@ void Balls::candidates(const Piece& piece, std::size_t begin, std::size_t end,
             result.push_back(result[k]);
         }
     }
+    return limit;
 }
 
 } // namespace foam::geometry

@@ -25,6 +25,12 @@ struct Piece {
 /// Returns the two halves, cut at the middle of the longest edge (Rivara 1984: the angles stay bounded). A prism that
 /// is higher than that edge is cut at half its height.
 std::pair<Piece, Piece> halves(const Piece& piece);
+/// The middle of a piece's triangle, and the radius of the piece about it.
+struct PieceMiddle {
+    Vec3 point;
+    double radius;
+};
+PieceMiddle middle_of(const Piece& piece);
 /// Returns the longest edge, or the height if that is greater.
 double size_of(const Piece& piece);
 /// Returns an upper bound of the distance between two points of the piece.
@@ -96,10 +102,11 @@ public:
 
     /// Appends to `result` the balls that may be nearest to some point of the piece, or may contain it. Ball i is left
     /// out only if another ball j is so much nearer (|p - c_j| - r_j < |p - c_i| - r_i for every p of the piece) that j
-    /// contains everything that i contains. The ball nearest to the piece's middle comes first.
-    void candidates(const Piece& piece, std::vector<std::uint32_t>& result) const;
-    /// Appends the same, choosing from result[begin, end).
-    void candidates(const Piece& piece, std::size_t begin, std::size_t end, std::vector<std::uint32_t>& result) const;
+    /// contains everything that i contains. The ball nearest to the piece's middle comes first. Returns the largest gap
+    /// at the piece's middle of a ball that is not left out.
+    double candidates(const Piece& piece, std::vector<std::uint32_t>& result) const;
+    /// Appends the same, choosing from result[begin, end), which is not empty.
+    double candidates(const Piece& piece, std::size_t begin, std::size_t end, std::vector<std::uint32_t>& result) const;
 
     /// Returns whether ball `i` contains all triangles of a run: holds() of each is true then.
     bool holds(std::uint32_t i, const SurfaceRuns::Run& run) const {

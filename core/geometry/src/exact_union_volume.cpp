@@ -7,7 +7,9 @@
 #include <foam/geometry/union_volume.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <numbers>
 
@@ -229,21 +231,80 @@ UnionParts UnionParts::with(std::vector<Sphere> balls) const {
     return result;
 }
 
-double UnionParts::volume() const {
+/// `ball`, `part`: of each index.
+template <class BallAt, class PartAt> double UnionParts::volume_of(std::size_t count, BallAt ball, PartAt part) {
     Vec3 middle{};
-    for (const Sphere& ball : balls_) {
-        middle += ball.center;
+    for (std::size_t i = 0; i < count; ++i) {
+        middle += ball(i).center;
     }
-    middle = middle / static_cast<double>(std::max<std::size_t>(balls_.size(), 1));
+    middle = middle / static_cast<double>(std::max<std::size_t>(count, 1));
     double volume = 0;
-    for (std::size_t i = 0; i < balls_.size(); ++i) {
-        if (parts_[i]) {
+    for (std::size_t i = 0; i < count; ++i) {
+        if (const std::optional<ExposedPart>& shows = part(i)) {
             // V = ⅓ ∮ x · n dA with x = c + r n
-            const double r = balls_[i].radius;
-            volume += r * r * (dot(askew(balls_[i].center - middle), parts_[i]->normal) + r * parts_[i]->area) / 3;
+            const double r = ball(i).radius;
+            volume += r * r * (dot(askew(ball(i).center - middle), shows->normal) + r * shows->area) / 3;
         }
     }
     return volume;
+}
+
+double UnionParts::volume() const {
+    return volume_of(
+        balls_.size(), [&](std::size_t i) -> const Sphere& { return balls_[i]; },
+        [&](std::size_t i) -> const std::optional<ExposedPart>& { return parts_[i]; });
+}
+
+double UnionParts::volume_with(Split& split) const {
+    constexpr std::uint32_t last = UINT32_MAX; // the second ball
+    const std::size_t count = balls_.size() + 1;
+    std::vector<Sphere> balls; // made on first use
+    std::vector<std::pair<std::uint32_t, std::optional<ExposedPart>>> changed;
+    auto known = split.known.cbegin();
+    const auto need = [&](std::uint32_t name) {
+        while (known != split.known.cend() && known->first < name) {
+            ++known;
+        }
+        if (known != split.known.cend() && known->first == name) {
+            changed.push_back(*known);
+            return;
+        }
+        if (balls.empty()) {
+            balls = balls_;
+            balls[split.ball] = split.first;
+            balls.push_back(split.second);
+        }
+        changed.emplace_back(name, part_of(balls, name == last ? count - 1 : name));
+    };
+    const std::array moved{balls_[split.ball], split.first, split.second};
+    for (std::uint32_t i = 0; i < balls_.size(); ++i) {
+        if (i == split.ball ||
+            std::any_of(moved.begin(), moved.end(), [&](const Sphere& s) { return meet(balls_[i], s); })) {
+            need(i);
+        }
+    }
+    need(last);
+    split.known = std::move(changed);
+    auto next = split.known.cbegin();
+    return volume_of(
+        count,
+        [&](std::size_t i) -> const Sphere& {
+            return i == split.ball ? split.first : i < balls_.size() ? balls_[i] : split.second;
+        },
+        [&](std::size_t i) -> const std::optional<ExposedPart>& {
+            if (next->first == i || i == balls_.size()) {
+                return next++->second;
+            }
+            return parts_[i];
+        });
+}
+
+void UnionParts::Split::forget(const UnionParts& now, std::span<const Sphere> changed) {
+    std::erase_if(known, [&](const auto& entry) {
+        const std::uint32_t i = entry.first;
+        const Sphere& own = i == ball ? first : i < now.balls_.size() ? now.balls_[i] : second;
+        return std::any_of(changed.begin(), changed.end(), [&](const Sphere& s) { return meet(own, s); });
+    });
 }
 
 double exact_union_volume(std::span<const Sphere> spheres) {

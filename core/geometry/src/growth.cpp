@@ -8,6 +8,8 @@
 #include <foam/base/error.hpp>
 #include <foam/geometry/measure.hpp>
 
+#include <algorithm>
+#include <memory>
 #include <queue>
 
 namespace foam::inline geometry {
@@ -15,7 +17,6 @@ namespace {
 
 /// Share of the growth for the whole piece that an uncovered corner needs at least, so that one ball gets the piece.
 constexpr double fine_enough = 0.8;
-/// Share of the extent below which pieces are not split: growing by their size adds next to nothing.
 /// Number of nearest balls that are compared by the excess volume they would add.
 constexpr std::size_t compared = 4;
 
@@ -36,7 +37,8 @@ public:
         for (std::uint32_t i = 0; i < balls_.piece_count(); ++i) {
             if (!held[i] && !in_one[i]) {
                 asking_.check();
-                enqueue(balls_.piece(i));
+                const Piece piece = balls_.piece(i);
+                enqueue(piece, near(piece));
             }
         }
         for (std::size_t looks = 0; !queue_.empty(); ++looks) {
@@ -46,12 +48,12 @@ public:
             asking_.check();
             const Entry entry = queue_.top();
             queue_.pop();
-            const Bounds now = bounds(entry.piece);
+            const Bounds now = bounds(entry.piece, *entry.near);
             if (now.held) {
                 continue;
             }
             if (now.upper < entry.gap && !queue_.empty() && now.upper < queue_.top().gap) {
-                push(entry.piece, now.upper); // other pieces are worse by now
+                queue_.push({now.upper, made_++, entry.piece, entry.near}); // other pieces are worse by now
                 continue;
             }
             const bool small =
@@ -61,17 +63,25 @@ public:
                 continue;
             }
             const auto [first, second] = halves(entry.piece);
-            enqueue(first);
-            enqueue(second);
+            enqueue(first, near(first, entry.near));
+            enqueue(second, near(second, entry.near));
         }
         return true;
     }
 
 private:
+    /// The balls that may be nearest to a point of a piece or contain it; its parts have no others.
+    struct Near {
+        Vec3 middle;
+        double limit; // a ball whose gap at the middle is larger does not matter
+        std::vector<std::uint32_t> balls;
+        std::size_t growths = 0; // that are taken into account
+    };
     struct Entry {
         double gap;
         std::uint64_t number; // creation number: equal gaps are processed in order
         Piece piece;
+        std::shared_ptr<Near> near;
         bool operator<(const Entry& other) const { return gap != other.gap ? gap < other.gap : number > other.number; }
     };
     struct Bounds {
@@ -79,12 +89,46 @@ private:
         double lower, upper; // bounds of the gap
     };
 
-    void push(const Piece& piece, double gap) { queue_.push({gap, made_++, piece}); }
-
-    void enqueue(const Piece& piece) {
-        const Bounds b = bounds(piece);
+    void enqueue(const Piece& piece, std::shared_ptr<Near> near) {
+        const Bounds b = bounds(piece, *near);
         if (!b.held) {
-            push(piece, b.upper);
+            queue_.push({b.upper, made_++, piece, std::move(near)});
+        }
+    }
+
+    std::shared_ptr<Near> near(const Piece& piece) {
+        auto result = std::make_shared<Near>();
+        result->limit = balls_.candidates(piece, result->balls);
+        result->middle = middle_of(piece).point;
+        result->growths = grown_.size();
+        return result;
+    }
+
+    /// Returns those of a part of a piece: those of the whole if they are few.
+    std::shared_ptr<Near> near(const Piece& piece, const std::shared_ptr<Near>& of_whole) {
+        constexpr std::size_t few = 12;
+        update(*of_whole);
+        if (of_whole->balls.size() <= few) {
+            return of_whole;
+        }
+        auto result = std::make_shared<Near>();
+        const std::size_t count = of_whole->balls.size();
+        scratch_ = of_whole->balls;
+        result->limit = balls_.candidates(piece, 0, count, scratch_);
+        result->balls.assign(scratch_.begin() + static_cast<std::ptrdiff_t>(count), scratch_.end());
+        result->middle = middle_of(piece).point;
+        result->growths = grown_.size();
+        return result;
+    }
+
+    /// Adds the balls that have grown near. What is nearest is not farther than before.
+    void update(Near& near) const {
+        for (; near.growths < grown_.size(); ++near.growths) {
+            const std::uint32_t i = grown_[near.growths];
+            if (balls_.gap(i, near.middle) <= near.limit &&
+                std::find(near.balls.begin(), near.balls.end(), i) == near.balls.end()) {
+                near.balls.push_back(i);
+            }
         }
     }
 
@@ -108,15 +152,14 @@ private:
         }
     }
 
-    Bounds bounds(const Piece& piece) {
-        candidates_.clear();
-        balls_.candidates(piece, candidates_);
+    Bounds bounds(const Piece& piece, Near& near) {
+        update(near);
         constexpr double infinity = std::numeric_limits<double>::infinity();
         const PiecePoints corners(piece);
         std::array<double, 6> corner_gap;
         corner_gap.fill(infinity);
         Bounds result{false, 0, infinity};
-        for (const std::uint32_t i : candidates_) {
+        for (const std::uint32_t i : near.balls) {
             if (balls_.holds(i, piece)) {
                 return {true, 0, 0};
             }
@@ -160,6 +203,7 @@ private:
         }
         spheres_[best].radius = best_radius;
         balls_.set_radius(best, best_radius);
+        grown_.push_back(best);
     }
 
     double radius_to_hold(std::uint32_t i, const Piece& piece) const {
@@ -173,7 +217,8 @@ private:
     GrowthCost cost_;
     std::priority_queue<Entry> queue_;
     std::uint64_t made_ = 0;
-    std::vector<std::uint32_t> candidates_;
+    std::vector<std::uint32_t> grown_; ///< in order
+    std::vector<std::uint32_t> scratch_;
 };
 
 } // namespace

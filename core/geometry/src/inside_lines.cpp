@@ -6,6 +6,10 @@
 #include <foam/base/cancellation.hpp>
 #include <foam/base/parallel.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
 namespace foam::inline geometry {
 namespace {
 
@@ -157,43 +161,74 @@ InsideLines::InsideLines(const SolidData& data)
     volume_ = {std::max(0.0, exact - overlaps.value - holes.value), std::hypot(overlaps.error, holes.error)};
 }
 
+double InsideLines::share(std::size_t row) const {
+    const int u = (axis_of(row) + 1) % 3, v = (axis_of(row) + 2) % 3;
+    const Vec3 size = box_.size();
+    return size[u] * size[v] / static_cast<double>(across_ * across_) / 3; // each axis is an estimate
+}
+
+bool InsideLines::reaches(std::size_t row, const Sphere& ball) const {
+    const int u = (axis_of(row) + 1) % 3;
+    const double cell = box_.size()[u] / static_cast<double>(across_);
+    const double from = box_.low[u] + cell * static_cast<double>(row % across_);
+    return reaches_between(ball, u, from, from + cell);
+}
+
+void InsideLines::balls_at(std::size_t row, std::span<const Sphere> balls, std::vector<Sphere>& result) const {
+    result.clear();
+    std::copy_if(balls.begin(), balls.end(), std::back_inserter(result),
+                 [&](const Sphere& ball) { return reaches(row, ball); });
+}
+
+bool InsideLines::meets_any(std::size_t row, std::size_t line, std::span<const Sphere> balls) const {
+    const int u = (axis_of(row) + 1) % 3, v = (axis_of(row) + 2) % 3;
+    const Vec3& origin = rows_[row].origins[line];
+    return std::any_of(balls.begin(), balls.end(), [&](const Sphere& s) {
+        const double du = s.center[u] - origin[u], dv = s.center[v] - origin[v];
+        return du * du + dv * dv <= s.radius * s.radius;
+    });
+}
+
+double InsideLines::length_outside(std::size_t row, std::size_t line, std::span<const Sphere> balls,
+                                   Scratch& scratch) const {
+    const Row& lines = rows_[row];
+    const std::size_t begin = line == 0 ? 0 : lines.ends[line - 1], end = lines.ends[line];
+    if (begin == end) {
+        return 0;
+    }
+    const auto inside = std::span(lines.inside).subspan(begin, end - begin);
+    const Vec3& origin = lines.origins[line];
+    if (one_holds(balls, origin, axis_of(row), inside.front().enter, inside.back().leave)) {
+        return 0;
+    }
+    balls_along(balls, origin, axis_of(row), scratch.in_balls);
+    without(inside, scratch.in_balls, noise * box_.diagonal(), scratch.pieces);
+    return length(scratch.pieces);
+}
+
 double InsideLines::outside(std::span<const Sphere> spheres) const {
     std::vector<Sphere> balls;
     std::copy_if(spheres.begin(), spheres.end(), std::back_inserter(balls),
                  [](const Sphere& s) { return is_finite(s.center) && std::isfinite(s.radius) && s.radius > 0; });
     const double shortest = noise * box_.diagonal();
     constexpr std::size_t at_once = 8; // consecutive lines of a row
-    const Vec3 size = box_.size();
     double sum = 0;
     std::vector<Sphere> near, nearer;
-    Intervals in_balls, pieces;
-    for (std::size_t task = 0; task < rows_.size(); ++task) {
+    Scratch scratch;
+    for (std::size_t row = 0; row < rows_.size(); ++row) {
         check_cancelled();
-        const Row& row = rows_[task];
-        const int axis = static_cast<int>(task / across_), u = (axis + 1) % 3, v = (axis + 2) % 3;
-        const double share = size[u] * size[v] / static_cast<double>(across_ * across_) / 3; // each axis is an estimate
-        const double cell = size[u] / static_cast<double>(across_);
-        const double from = box_.low[u] + cell * static_cast<double>(task % across_);
-        balls_between(balls, u, from, from + cell, near);
+        const int v = (axis_of(row) + 2) % 3;
+        const double width = box_.size()[v] / static_cast<double>(across_);
+        balls_at(row, balls, near);
         double outside = 0;
-        for (std::size_t k = 0, begin = 0; k < row.ends.size(); begin = row.ends[k++]) {
+        for (std::size_t k = 0; k < across_; ++k) {
             if (k % at_once == 0) {
-                const double width = size[v] / static_cast<double>(across_);
                 const double first = box_.low[v] + width * static_cast<double>(k);
                 balls_between(near, v, first - shortest, first + width * at_once + shortest, nearer);
             }
-            if (begin == row.ends[k]) {
-                continue;
-            }
-            const auto inside = std::span(row.inside).subspan(begin, row.ends[k] - begin);
-            if (one_holds(nearer, row.origins[k], axis, inside.front().enter, inside.back().leave)) {
-                continue;
-            }
-            balls_along(nearer, row.origins[k], axis, in_balls);
-            without(inside, in_balls, shortest, pieces);
-            outside += length(pieces);
+            outside += length_outside(row, k, nearer, scratch);
         }
-        sum += share * outside;
+        sum += share(row) * outside;
     }
     return sum;
 }

@@ -67,7 +67,7 @@ double length(std::span<const Solid::Interval> intervals) {
 void balls_between(std::span<const Sphere> balls, int axis, double from, double to, std::vector<Sphere>& result) {
     result.clear();
     for (const Sphere& s : balls) {
-        if (s.center[axis] + s.radius >= from && s.center[axis] - s.radius <= to) {
+        if (reaches_between(s, axis, from, to)) {
             result.push_back(s);
         }
     }

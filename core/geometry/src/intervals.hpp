@@ -18,6 +18,10 @@ Intervals common(std::span<const Solid::Interval> a, std::span<const Solid::Inte
 void without(std::span<const Solid::Interval> a, std::span<const Solid::Interval> b, double noise, Intervals& result);
 double length(std::span<const Solid::Interval> intervals);
 
+/// Returns whether a ball reaches between `from` and `to` of a coordinate.
+inline bool reaches_between(const Sphere& s, int axis, double from, double to) {
+    return s.center[axis] + s.radius >= from && s.center[axis] - s.radius <= to;
+}
 /// Returns in `result` the balls that reach between `from` and `to` of a coordinate.
 void balls_between(std::span<const Sphere> balls, int axis, double from, double to, std::vector<Sphere>& result);
 /// Returns the unit vector of an axis.

@@ -256,4 +256,8 @@ Shape::Shape(std::string name, std::shared_ptr<const Solid> processed, std::shar
 Shape::~Shape() = default;
 Shape::Shape(const Shape&) = default;
 
+const geometry::InsideLines& inside_lines(const Solid& solid) {
+    return lines_of(SolidAccess::data(solid));
+}
+
 } // namespace foam::geometry

@@ -4,7 +4,9 @@
 #include <foam/geometry/sphere.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -15,16 +17,27 @@ Sphere sphere_of(const Ball& ball) {
     return {{ball.x, ball.y, ball.z}, ball.r};
 }
 
-bool meet(const Ball& a, const Ball& b) {
-    const float sum = a.r + b.r;
-    return squared_distance(a, b) < sum * sum;
-}
-
 } // namespace
 
 Exchange::Exchange(const Problem& problem, const IndexedSurface& skin, const ExchangePlan& plan, Balls balls)
     : skin_(skin), plan_(plan), balls_(std::move(balls)), home_(skin.faces.size(), none), remainder_(skin),
-      outside_(problem.occupancy, plan.cells), moved_(balls_.size(), 1) {
+      outside_(problem.occupancy, plan.cells), moved_(balls_.size()) {
+    std::iota(moved_.begin(), moved_.end(), 0u);
+    find_homes();
+}
+
+void Exchange::take(const Balls& balls) {
+    if (balls.size() < balls_.size()) {
+        std::fill(home_.begin(), home_.end(), none);
+        balls_.clear();
+    }
+    moved_.clear();
+    for (std::uint32_t i = 0; i < balls.size(); ++i) {
+        if (i >= balls_.size() || balls_[i] != balls[i]) {
+            moved_.push_back(i);
+        }
+    }
+    balls_ = balls;
     find_homes();
 }
 
@@ -40,66 +53,89 @@ bool Exchange::holds(const Ball& ball, const IndexedSurface::Face& face) const {
     });
 }
 
+std::uint32_t Exchange::home_of(const IndexedSurface::Face& face, std::span<const std::uint32_t> balls) const {
+    const auto first = std::find_if(balls.begin(), balls.end(), [&](std::uint32_t i) { return holds(balls_[i], face); });
+    return first == balls.end() ? none : *first;
+}
+
 /// Finds the home of each face. Consecutive faces are often close together: the balls near several of them are found at
 /// once. A face whose ball has not moved keeps it, and one without a ball may get one that moved.
 void Exchange::find_homes() {
     constexpr std::size_t at_once = 32;
+    std::vector<char> moved(balls_.size(), 0);
+    for (const std::uint32_t i : moved_) {
+        moved[i] = 1;
+    }
     for (std::size_t begin = 0; begin < home_.size(); begin += at_once) {
         const auto faces = std::span(skin_.faces).subspan(begin, std::min(at_once, home_.size() - begin));
-        near_.clear();
+        bool near_known = false, moved_known = false;
         for (std::size_t k = 0; k < faces.size(); ++k) {
             std::uint32_t& home = home_[begin + k];
-            if (home == none || (moved_[home] && !holds(balls_[home], faces[k]))) {
-                if (near_.empty()) {
-                    find_near(faces);
+            if (home == none) {
+                if (!std::exchange(moved_known, true)) {
+                    find_near(faces, moved_, moved_near_);
                 }
-                const auto first = std::find_if(near_.begin(), near_.end(), [&](auto i) {
-                    return (home != none || moved_[i]) && holds(balls_[i], faces[k]);
-                });
-                home = first == near_.end() ? none : *first;
+                home = home_of(faces[k], moved_near_);
+            } else if (moved[home] && !holds(balls_[home], faces[k])) {
+                if (!std::exchange(near_known, true)) {
+                    all_.resize(balls_.size());
+                    std::iota(all_.begin(), all_.end(), 0u);
+                    find_near(faces, all_, near_);
+                }
+                home = home_of(faces[k], near_);
             }
         }
     }
-    moved_.assign(balls_.size(), 0);
+    moved_.clear();
 }
 
-/// Finds the balls that may contain one of the faces, in order.
-void Exchange::find_near(std::span<const IndexedSurface::Face> faces) {
+/// Finds those of the balls that may contain one of the faces, in order.
+void Exchange::find_near(std::span<const IndexedSurface::Face> faces, const std::vector<std::uint32_t>& from,
+                         std::vector<std::uint32_t>& near) const {
     constexpr float rounding = 1.001f;
     Box box;
     for (const auto& [corners, edges, bounds] : faces) {
         box.add(Vec3{bounds.x, bounds.y, bounds.z});
     }
     const Ball middle = ball_of({box.center(), box.diagonal() / 2});
-    near_.clear();
-    for (std::uint32_t i = 0; i < balls_.size(); ++i) {
+    near.clear();
+    for (const std::uint32_t i : from) {
         const float reach = (balls_[i].r + middle.r) * rounding;
         if (squared_distance(balls_[i], middle) <= reach * reach) {
-            near_.push_back(i);
+            near.push_back(i);
         }
     }
 }
 
 void Exchange::look_at(std::size_t i, std::size_t j, const Ball& region) {
-    if (std::any_of(moved_.begin(), moved_.end(), [](char moved) { return moved; })) {
+    constexpr float rounding = 1.0001f;
+    if (!moved_.empty()) {
         find_homes();
     }
     faces_.clear();
+    reach_ = region;
     for (std::uint32_t f = 0; f < home_.size(); ++f) {
         const Ball& bounds = skin_.faces[f].bounds;
         const auto near = [&](std::size_t k) {
             const float sum = balls_[k].r + bounds.r;
             return squared_distance(balls_[k], bounds) <= sum * sum;
         };
-        if (home_[f] == i || home_[f] == j || (home_[f] == none && (near(i) || near(j)))) {
+        const bool own = home_[f] == i || home_[f] == j;
+        if (!own && !near(i) && (i == j || !near(j))) {
+            continue;
+        }
+        reach_.r = std::max(reach_.r, std::sqrt(squared_distance(region, bounds)) + bounds.r);
+        if (own || home_[f] == none) {
             faces_.push_back(f);
         }
     }
+    reach_.r *= rounding;
     // Balls that meet neither of the two may contain parts of a face that reaches far beyond both.
-    others_ = balls_;
-    others_.erase(others_.begin() + static_cast<std::ptrdiff_t>(std::max(i, j)));
-    if (i != j) {
-        others_.erase(others_.begin() + static_cast<std::ptrdiff_t>(std::min(i, j)));
+    others_.clear();
+    for (std::size_t k = 0; k < balls_.size(); ++k) {
+        if (k != i && k != j && cover::meet(balls_[k], reach_)) {
+            others_.push_back(balls_[k]);
+        }
     }
     remainder_.find(faces_, others_, content_);
     std::erase_if(others_,
@@ -107,35 +143,44 @@ void Exchange::look_at(std::size_t i, std::size_t j, const Ball& region) {
     outside_.look(others_, region);
 }
 
+Exchange::Look Exchange::look_at_splits(std::size_t ball) {
+    look_at(ball, ball, balls_[ball]);
+    Look look{-std::numeric_limits<double>::infinity(), {}, reach_};
+    if (content_.points.size() >= 2) {
+        look.starts = TwoBallSearch(content_, outside_).anywhere(plan_.split);
+        look.gain = outside_.of({&balls_[ball], 1}) - look.starts.front().volume;
+    }
+    return look;
+}
+
+std::optional<std::array<Ball, 2>> Exchange::best_split(std::size_t ball, const std::vector<TwoBalls>& starts) {
+    look_at(ball, ball, balls_[ball]);
+    const TwoBalls best = TwoBallSearch(content_, outside_).improved(starts, plan_.split);
+    if (!(best.balls[0].r > 0 && best.balls[1].r > 0)) {
+        return std::nullopt;
+    }
+    return best.balls;
+}
+
 bool Exchange::split(const std::vector<std::size_t>& candidates) {
-    std::vector<TwoBalls> starts;
+    Look best{-std::numeric_limits<double>::infinity(), {}, {}};
     std::size_t chosen = balls_.size();
-    double most = -std::numeric_limits<double>::infinity();
     for (const std::size_t i : candidates) {
-        look_at(i, i, balls_[i]);
-        if (content_.points.size() < 2) {
-            continue;
-        }
-        std::vector<TwoBalls> found = TwoBallSearch(content_, outside_).anywhere(plan_.split);
-        const double gain = outside_.of({&balls_[i], 1}) - found.front().volume;
-        if (gain > most) {
-            most = gain;
-            starts = std::move(found);
+        if (Look look = look_at_splits(i); look.gain > best.gain) {
+            best = std::move(look);
             chosen = i;
         }
     }
     if (chosen == balls_.size()) {
         return false;
     }
-    look_at(chosen, chosen, balls_[chosen]);
-    const TwoBalls best = TwoBallSearch(content_, outside_).improved(starts, plan_.split);
-    if (!(best.balls[0].r > 0 && best.balls[1].r > 0)) {
+    const auto two = best_split(chosen, best.starts);
+    if (!two) {
         return false;
     }
-    balls_[chosen] = best.balls[0];
-    balls_.push_back(best.balls[1]);
-    moved_[chosen] = 1;
-    moved_.push_back(1);
+    balls_[chosen] = two->front();
+    moved_ = {static_cast<std::uint32_t>(chosen), static_cast<std::uint32_t>(balls_.size())};
+    balls_.push_back(two->back());
     return true;
 }
 
@@ -151,7 +196,8 @@ bool Exchange::exchange(std::size_t i, std::size_t j) {
     }
     balls_[i] = two.balls[0];
     balls_[j] = two.balls[1];
-    moved_[i] = moved_[j] = 1;
+    const auto [first, second] = std::minmax(i, j);
+    moved_ = {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(second)};
     return true;
 }
 

@@ -4,6 +4,8 @@
 #include "problem.hpp"
 #include "two_balls.hpp"
 
+#include <optional>
+
 namespace foam::inline search::cover {
 
 struct ExchangePlan {
@@ -21,6 +23,18 @@ public:
     Exchange(const Problem& problem, const IndexedSurface& skin, const ExchangePlan& plan, Balls balls);
 
     const Balls& balls() const { return balls_; }
+    /// Replaces the balls; where few of them change, little is computed again.
+    void take(const Balls& balls);
+    /// A look at the splits of a ball.
+    struct Look {
+        double gain;                  ///< of the best one, units³; infinitely bad if there is none
+        std::vector<TwoBalls> starts; ///< the best first
+        /// The look is the same while no ball comes or goes that meets this one.
+        Ball reach;
+    };
+    Look look_at_splits(std::size_t ball);
+    /// Returns the best split of a ball after a look with starts; nothing if there is none.
+    std::optional<std::array<Ball, 2>> best_split(std::size_t ball, const std::vector<TwoBalls>& starts);
     /// Splits the one of the named balls whose split gains most. Returns false if none can be split.
     bool split(const std::vector<std::size_t>& candidates);
     /// Exchanges pieces until nothing changes, or for the plan's rounds.
@@ -34,20 +48,23 @@ private:
     void look_at(std::size_t i, std::size_t j, const Ball& region);
     bool exchange(std::size_t i, std::size_t j);
     void find_homes();
-    void find_near(std::span<const IndexedSurface::Face> faces);
+    std::uint32_t home_of(const IndexedSurface::Face& face, std::span<const std::uint32_t> balls) const;
+    void find_near(std::span<const IndexedSurface::Face> faces, const std::vector<std::uint32_t>& from,
+                   std::vector<std::uint32_t>& near) const;
     bool holds(const Ball& ball, const IndexedSurface::Face& face) const;
 
     const IndexedSurface& skin_;
     ExchangePlan plan_;
     Balls balls_;
     std::vector<std::uint32_t> home_; ///< for each face a ball that contains it alone, or none
-    std::vector<std::uint32_t> near_; ///< balls
+    std::vector<std::uint32_t> all_, near_, moved_near_; ///< balls
     Remainder remainder_;
     OutsideVolume outside_;
-    std::vector<char> moved_; ///< for each ball, whether it moved since homes were found
+    std::vector<std::uint32_t> moved_; ///< balls that moved since homes were found, ascending
     Content content_;
     std::vector<std::uint32_t> faces_;
     Balls others_;
+    Ball reach_{}; ///< of the last look: around the balls and all faces that they meet
 };
 
 } // namespace foam::search::cover

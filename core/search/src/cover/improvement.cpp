@@ -7,6 +7,7 @@
 #include "waiting_points.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace foam::inline search::cover {
 namespace {
@@ -33,6 +34,14 @@ float mean_radius(const Balls& balls) {
 }
 
 } // namespace
+
+std::vector<std::size_t> by_falling(const std::vector<double>& values) {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return values[a] != values[b] ? values[a] > values[b] : a < b; });
+    return order;
+}
 
 Improvement::Improvement(const Problem& problem, std::size_t directions, std::size_t first_points)
     : problem_(problem), first_points_(first_points) {
@@ -98,30 +107,29 @@ void Improvement::put_idle_to_use(Balls& balls, const Points& points) const {
     }
 }
 
-std::vector<std::size_t> Improvement::by_waste(const Balls& balls) const {
+double Improvement::waste(const Balls& balls, std::size_t i) const {
     Exposed exposed;
     const Points& directions = directions_[0];
-    std::vector<std::pair<double, std::size_t>> waste;
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-        const Ball& ball = balls[i];
-        double outside = 0;
-        if (exposed.look(balls, i, directions)) {
-            for (std::size_t k = 0; k < directions.size(); ++k) {
-                if (exposed.depth()[k] > 0) {
-                    outside +=
-                        problem_.occupancy.outside(ball.x + ball.r * directions.x[k], ball.y + ball.r * directions.y[k],
-                                                   ball.z + ball.r * directions.z[k]);
-                }
+    const Ball& ball = balls[i];
+    double outside = 0;
+    if (exposed.look(balls, i, directions)) {
+        for (std::size_t k = 0; k < directions.size(); ++k) {
+            if (exposed.depth()[k] > 0) {
+                outside +=
+                    problem_.occupancy.outside(ball.x + ball.r * directions.x[k], ball.y + ball.r * directions.y[k],
+                                               ball.z + ball.r * directions.z[k]);
             }
         }
-        waste.push_back({-outside * ball.r * ball.r * ball.r, i});
     }
-    std::sort(waste.begin(), waste.end());
-    std::vector<std::size_t> order;
-    for (const auto& [volume, i] : waste) {
-        order.push_back(i);
+    return outside * ball.r * ball.r * ball.r;
+}
+
+std::vector<std::size_t> Improvement::by_waste(const Balls& balls) const {
+    std::vector<double> wastes;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        wastes.push_back(waste(balls, i));
     }
-    return order;
+    return by_falling(wastes);
 }
 
 std::vector<Sphere> Improvement::spheres_of(const Balls& balls) const {

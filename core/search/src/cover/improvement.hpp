@@ -5,6 +5,9 @@
 
 namespace foam::inline search::cover {
 
+/// Returns the indices of the values, that of the largest first, of equal ones in order.
+std::vector<std::size_t> by_falling(const std::vector<double>& values);
+
 class Improvement {
 public:
     /// `directions`: per ball. The problem must outlive this.
@@ -13,6 +16,8 @@ public:
     /// Returns the refined balls. `creases`: include points between balls. The balls contain the points of the last
     /// update, not yet the whole surface.
     Balls improved(Balls balls, const DescentPlan& plan, bool creases) const;
+    /// Returns a measure of the excess volume of a ball outside the others. Only balls that meet it matter.
+    double waste(const Balls& balls, std::size_t i) const;
     /// Returns the indices of the balls, the one with most excess volume first.
     std::vector<std::size_t> by_waste(const Balls& balls) const;
     std::vector<Sphere> spheres_of(const Balls& balls) const;

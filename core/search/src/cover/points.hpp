@@ -91,5 +91,10 @@ inline std::vector<Sphere> unit_spheres(const Balls& balls) {
 inline float squared_distance(const Ball& a, const Ball& b) {
     return a.squared_distance(b.x, b.y, b.z);
 }
+/// Returns whether the interiors of two balls meet.
+inline bool meet(const Ball& a, const Ball& b) {
+    const float sum = a.r + b.r;
+    return squared_distance(a, b) < sum * sum;
+}
 
 } // namespace foam::search::cover
