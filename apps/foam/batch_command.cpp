@@ -219,7 +219,10 @@ void add_batch_work(CLI::App& command, BatchArguments& arguments) {
                     "Work on this shard alone, numbered from 0; repeatable; default: all, or those of the task of a "
                     "Slurm job array")
         ->type_name("I");
-    add_threads(command, arguments.batch.workers);
+    command
+        .add_option("-j,--workers", arguments.batch.workers, "Worker processes, one mesh each; default: one per core")
+        ->type_name("N")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1024}).description(""));
     command.add_option("--time-limit", arguments.batch.time_limit, "Limit of the time of one mesh in seconds")
         ->type_name("S")
         ->check(CLI::Validator(CLI::PositiveNumber).description(""))

@@ -51,6 +51,12 @@ def main():
             cut(foam, f"cut{how}", how)
             expect(foam.table(f"cut{how}") == truth, f"after {how}: other bytes")
 
+        together = [foam.start("boxes", "-n", 4, "--out", "together", "--shards", 3, "-j", 1) for _ in range(3)]
+        texts = [process.communicate()[1] for process in together]
+        expect(all(process.returncode == 4 for process in together), texts)
+        expect(all(text == "" or "left out: other processes work on them" in text for text in texts), texts)
+        expect(foam.table("together") == truth, "three processes at once: other bytes")
+
         files = sorted(pathlib.Path(scratch, "one").glob("shard-*"))
         before = [(file.name, file.stat().st_mtime_ns) for file in files]
         foam("boxes", "-n", 4, "--out", "one", code=4)

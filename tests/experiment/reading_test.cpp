@@ -53,11 +53,11 @@ TEST_F(Reading, NoExperiment) {
               "x.yaml:1:1: error[missing-key]: this is a recipe; remedy: run it by `foam run`\n");
     EXPECT_EQ(findings("foam_experiment: 1\nname: x\n"),
               "x.yaml:1:1: error[missing-key]: 'kind' is missing; remedy: write kind: time_against_triangles\n");
-    EXPECT_EQ(
-        findings("foam_experiment: 1\nkind: time_against_triangle\n"),
-        "x.yaml:2:7: error[unknown-choice]: 'kind' expects one of time_against_triangles, quality_against_spheres, "
-        "collision_queries, fidelity, throughput, got the text 'time_against_triangle'; did you mean "
-        "'time_against_triangles'?\n");
+    EXPECT_EQ(findings("foam_experiment: 1\nkind: time_against_triangle\n"),
+              "x.yaml:2:7: error[unknown-choice]: 'kind' expects one of time_against_triangles, program_against_size, "
+              "quality_against_spheres, "
+              "collision_queries, fidelity, throughput, got the text 'time_against_triangle'; did you mean "
+              "'time_against_triangles'?\n");
 }
 
 TEST_F(Reading, AllThatIsMissing) {

@@ -29,6 +29,7 @@ struct Kind {
 std::span<const Kind> kinds();
 
 std::unique_ptr<Experiment> read_time_against_triangles(const reading::Value& root, const reading::Checking& checking);
+std::unique_ptr<Experiment> read_program_against_size(const reading::Value& root, const reading::Checking& checking);
 std::unique_ptr<Experiment> read_quality_against_spheres(const reading::Value& root, const reading::Checking& checking);
 std::unique_ptr<Experiment> read_collision_queries(const reading::Value& root, const reading::Checking& checking);
 std::unique_ptr<Experiment> read_fidelity(const reading::Value& root, const reading::Checking& checking);

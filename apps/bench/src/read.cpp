@@ -118,7 +118,8 @@ ExperimentReading finish(std::unique_ptr<Experiment> experiment, const std::stri
 } // namespace
 
 std::span<const Kind> kinds() {
-    static constexpr std::array<Kind, 5> all{{{"time_against_triangles", read_time_against_triangles},
+    static constexpr std::array<Kind, 6> all{{{"time_against_triangles", read_time_against_triangles},
+                                              {"program_against_size", read_program_against_size},
                                               {"quality_against_spheres", read_quality_against_spheres},
                                               {"collision_queries", read_collision_queries},
                                               {"fidelity", read_fidelity},

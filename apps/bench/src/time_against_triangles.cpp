@@ -1,5 +1,6 @@
 // kind: time_against_triangles. CPU time of stages and chains of stages on one mesh in ever more triangles.
 #include "bench.hpp"
+#include "input_mesh.hpp"
 #include "kinds.hpp"
 #include "power_law.hpp"
 #include "reference.hpp"
@@ -10,7 +11,6 @@
 #include <foam/base/internal/files.hpp>
 #include <foam/recipe/internal/extend.hpp>
 #include <foam/runtime/internal/cover.hpp>
-#include <foam/runtime/run.hpp>
 
 #include <fmt/format.h>
 
@@ -110,26 +110,8 @@ public:
 private:
     /// The mesh of the experiment in each number of triangles.
     std::vector<SizedMesh> make_meshes(const Bench& bench, std::string& chosen) const {
-        Recipe input;
-        input.file = file;
-        input.mesh = candidates;
-        input.input_where = candidates_where;
-        const std::filesystem::path path = resolve_input(input, &chosen).path;
-        const std::string extension = path.extension().string();
-        const RegisteredStage* loader =
-            bench.registry().find_for_extension(StageKind::mesh_loader, extension.substr(extension.empty() ? 0 : 1));
-        if (!loader) {
-            throw Error(ErrorCode::input,
-                        fmt::format("{}: no loader reads files that end in '{}'", path.string(), extension));
-        }
-        if (loader->info.isolation.process.value_or(false)) {
-            throw Error(ErrorCode::input,
-                        fmt::format("{}: {} reads it in a process of its own, experiments read meshes in this one; "
-                                    "remedy: convert it to STL, OBJ, PLY, DAE, OFF or GLB",
-                                    path.string(), loader->info.name));
-        }
         LimitedContext context(bench, std::numeric_limits<double>::infinity());
-        Mesh raw = bench.registry().make<MeshLoader>(loader->info.name)->load(path, context);
+        Mesh raw = input_mesh(bench, *this, {candidates, candidates_where}, chosen);
         for (const StageCall& call : prepare) {
             raw = bench.registry().make<MeshFilter>(call.stage, call.given)->apply(raw, context);
         }

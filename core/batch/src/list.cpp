@@ -186,11 +186,17 @@ bool is_mesh_name(const std::string& name, const Registry& registry) {
 
 std::vector<BatchItem> items_of_folder(const fs::path& folder, const Registry& registry) {
     std::vector<BatchItem> items;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-        const std::string inside = entry.path().lexically_relative(folder).string();
-        if (entry.is_regular_file() && is_mesh_name(inside, registry)) {
-            items.push_back({inside, absolute_in(fs::current_path(), entry.path().string()), {}, {}});
+    try {
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+            const std::string inside = entry.path().lexically_relative(folder).string();
+            if (is_mesh_name(inside, registry) && entry.is_regular_file()) {
+                items.push_back({inside, absolute_in(fs::current_path(), entry.path().string()), {}, {}});
+            }
         }
+    } catch (const fs::filesystem_error& error) {
+        throw Error(ErrorCode::input, fmt::format("{}: it cannot be read whole ({}: {}); remedy: a list of the files that "
+                                                  "can be read",
+                                                  folder.string(), error.path1().string(), error.code().message()));
     }
     return items;
 }

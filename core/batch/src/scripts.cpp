@@ -51,7 +51,7 @@ std::string sbatch_text(const Plan& plan, const BatchOptions& options, const std
         "#SBATCH --requeue\n"
         "#SBATCH --signal=TERM@60\n"
         "#SBATCH --open-mode=append\n"
-        "#SBATCH --output={}/log-%a.txt\n"
+        "#SBATCH --output=\"{}/log-%a.txt\"\n"
         "exec {} -j 1\n",
         tasks - 1, options.memory_limit.value_or(default_memory_limit) + 1024, logs, shell_words(command));
 }
@@ -84,9 +84,10 @@ std::string readme_text(const Plan& plan, const std::vector<std::string>& comman
                        "    seq 0 {} | parallel -q {} -j 1 --shard {{}}\n"
                        "    snakemake -s Snakefile --cores all      # in this folder\n\n"
                        "and look at it with\n\n"
-                       "    foam batch status {}\n"
-                       "    foam batch collect {} -o spheres.jsonl.zst\n",
-                       plan.items.size(), plan.shards, words, words, folder, plan.shards - 1, words, folder, folder);
+                       "    {} batch status {}\n"
+                       "    {} batch collect {} -o spheres.jsonl.zst\n",
+                       plan.items.size(), plan.shards, words, words, folder, plan.shards - 1, words,
+                       shell_word(command.front()), folder, shell_word(command.front()), folder);
 }
 
 } // namespace
