@@ -21,7 +21,7 @@ namespace foam::inline batch {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 const std::vector<std::string> known_keys{"id", "path", "scale", "unit", "spheres"};
 

@@ -17,7 +17,7 @@
 namespace foam::inline batch {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_rows = 1000;
 

@@ -10,7 +10,7 @@
 namespace foam::inline batch {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 /// Returns a reason without what differs from mesh to mesh: its id in front, names in quotes, numbers, the remedy.
 std::string kind_of_reason(const std::string& id, std::string reason) {
