@@ -4,11 +4,11 @@ FROM debian:12-slim
 WORKDIR /opt/foam
 COPY dependencies.txt .
 RUN apt-get update \
-    && awk '/^## /{group = $2} !/^#/ && group == "run:" {print $1}' dependencies.txt \
+    && awk '/^## /{group = $2} !/^#/ && (group == "run:" || group == "python:") {print $1}' dependencies.txt \
     | xargs apt-get install -y --no-install-recommends \
     && rm -rf /var/lib/apt/lists/*
 
 COPY . .
-RUN FOAM_NO_INSTALL=1 ./foam version
+RUN FOAM_NO_INSTALL=1 ./foam version && ./foam python -c 'import foam'
 
 ENTRYPOINT ["/opt/foam/build/release/bin/foam"]

@@ -17,6 +17,7 @@ import markdown
 LANGUAGES = {"", "cmake", "cpp", "json", "python", "sh", "text", "yaml"}
 # Debian's Python has the modules of Debian's packages.
 PYTHON = shutil.which("python3", path="/usr/bin") or sys.executable
+FOAM = sys.argv[1] if len(sys.argv) == 4 else ""
 EXITS = re.compile(r"#.*\bexits (\d+)\b")
 FILE_NAME = re.compile(r"^(?:#|//) *([\w.-]+\.\w+)$")
 
@@ -56,12 +57,19 @@ def imported(text):
     return names
 
 
+def package_path():
+    """Where Python finds the package foam, if it was built: beside the program."""
+    folder = pathlib.Path(FOAM).parent.parent / "python"
+    return {"PYTHONPATH": str(folder)} if FOAM and any(folder.glob("foam/_core.*.so")) else {}
+
+
 def why_not_python(block):
     """Why a block of Python is not run; empty if it is."""
     if block.remark.startswith("not run:"):
         return block.remark
     asked = "import importlib.util, sys; print(*[m for m in sys.argv[1:] if not importlib.util.find_spec(m)])"
-    missing = subprocess.run([PYTHON, "-c", asked, *sorted(imported(block.text))], capture_output=True, text=True)
+    missing = subprocess.run([PYTHON, "-c", asked, *sorted(imported(block.text))], capture_output=True, text=True,
+                             env=os.environ | package_path())
     return f"not run: no module {missing.stdout.strip().replace(' ', ', ')}" if missing.stdout.strip() else ""
 
 
@@ -121,7 +129,7 @@ def environment(room):
     own = ("FOAM_", "XDG_", "ROS_PACKAGE_PATH", "AMENT_PREFIX_PATH")
     kept = {name: value for name, value in os.environ.items() if not name.startswith(own)}
     python = str(pathlib.Path(sys.executable).parent)
-    return kept | {"HOME": str(room), "PATH": os.pathsep.join([str(room), python, kept.get("PATH", os.defpath)])}
+    return kept | package_path() | {"HOME": str(room), "PATH": os.pathsep.join([str(room), python, kept.get("PATH", os.defpath)])}
 
 
 def recipes_findings(page, name, room):

@@ -21,7 +21,7 @@ expect_calls ninja 2
 expect_calls cmake 2
 
 # Packages of consumers and of npm are installed, too; without them the tests go on.
-expect_call "install -y --no-install-recommends pack-c"
+expect_call "install -y --no-install-recommends pack-p pack-q pack-c"
 node=$clone/build/release/tests/consumers/node
 mkdir -p "$node"
 touch "$node/package-lock.json"

@@ -13,7 +13,7 @@ import tempfile
 
 PAGE = "docs/dev/architecture.md"
 INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]', re.M)
-SOURCES = ("core", "plugins", "apps")
+SOURCES = ("core", "plugins", "apps", "python")
 USERS_OF_INTERNALS = ("core/", "apps/bench")
 
 

@@ -1,0 +1,162 @@
+"""Spheres of a mesh: foam.spherize() and its relatives."""
+
+from __future__ import annotations
+
+import operator
+from typing import Any, Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+from ._mesh import Mesh, mesh_of
+from .errors import UsageError
+
+_MOST_SPHERES = 1_000_000
+
+
+class Cover:
+    """Spheres that cover a mesh, with the proof.
+
+    Equal covers have equal spheres. Covers can be pickled.
+    """
+
+    __slots__ = ("spheres", "certified", "volume", "_mesh", "_excess")
+
+    spheres: NDArray[np.float64]  #: (n, 4) float64, read-only: x, y, z, r in metres, in the mesh's frame
+    certified: bool  #: whether the spheres are proved to cover the whole surface
+    volume: float  #: of the union of the spheres, m³
+
+    def __init__(self, spheres: Any, certified: bool, volume: float, mesh: Mesh | None, excess: float | None = None):
+        self.spheres = np.asarray(spheres)
+        self.spheres.flags.writeable = False
+        self.certified = certified
+        self.volume = volume
+        self._mesh = mesh
+        self._excess = excess
+
+    @property
+    def centers(self) -> NDArray[np.float64]:
+        """The centres: (n, 3), metres; a view of `spheres`."""
+        return self.spheres[:, :3]
+
+    @property
+    def radii(self) -> NDArray[np.float64]:
+        """The radii: (n,), metres; a view of `spheres`."""
+        return self.spheres[:, 3]
+
+    @property
+    def excess(self) -> float:
+        """The volume of the spheres outside the mesh / the volume of the mesh; inf for a mesh without inside.
+
+        Computed when it is first read, to about 0.1 % of the volume.
+        """
+        if self._excess is None:
+            assert self._mesh is not None
+            self._excess = _core.excess(self._mesh._core, self.spheres, self.volume)
+            self._mesh = None
+        return self._excess
+
+    def __len__(self) -> int:
+        return len(self.spheres)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Cover):
+            return NotImplemented
+        return np.array_equal(self.spheres, other.spheres)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Cover, (np.array(self.spheres), self.certified, self.volume, None, self.excess)
+
+    def __repr__(self) -> str:
+        return f"<foam.Cover: {len(self)} spheres, {'certified' if self.certified else 'not certified'}>"
+
+
+def _count(spheres: Any) -> int:
+    count = operator.index(spheres)
+    if not 1 <= count <= _MOST_SPHERES:
+        raise UsageError(f"spheres: 1 to {_MOST_SPHERES} are possible, got {count}")
+    return count
+
+
+def _seed(seed: Any) -> int:
+    number = operator.index(seed)
+    if not 0 <= number < 2**64:
+        raise UsageError(f"seed: 0 to 2**64 - 1 is possible, got {number}")
+    return number
+
+
+def _limit(seconds: Any) -> float | None:
+    if seconds is None:
+        return None
+    limit = float(seconds)
+    if not limit > 0:
+        raise UsageError(f"time_limit: seconds above 0 are expected, got {seconds}")
+    return limit
+
+
+def spherize(
+    mesh: Any,
+    spheres: int,
+    *,
+    effort: str = "normal",
+    objective: str = "excess",
+    seed: int = 0,
+    time_limit: float | None = None,
+) -> Cover:
+    """Return at most `spheres` spheres that cover the surface of a mesh, proved.
+
+    The function is that of C++, `foam::spherize()`: the result is the same, bit for bit, on any number of threads.
+
+    Args:
+        mesh: a path, (vertices, faces), or an object with vertices and faces (foam.Mesh, trimesh) or triangles
+            (Open3D); metres, any frame.
+        spheres: the greatest number of spheres, at least 1.
+        effort: "fast" (milliseconds), "normal" or "best".
+        objective: what is minimised: "excess" (volume outside the mesh), "protrusion" or "radius".
+        seed: of the search.
+        time_limit: seconds; the best spheres by then, certified like any others, but not the same in each call. The
+            first spheres are always waited for: some milliseconds, seconds for thousands of spheres.
+
+    Raises:
+        InputError: the mesh cannot be read; its arrays have another shape, numbers that are not finite, indices out
+            of range.
+        GeometryError: the mesh has no triangle.
+        UsageError: an option is wrong.
+        KeyboardInterrupt: Ctrl-C ends the search.
+    """
+    given = mesh_of(mesh)
+    rows, certified, volume = _core.spherize(
+        given._core, _count(spheres), effort, objective, _seed(seed), _limit(time_limit)
+    )
+    return Cover(rows, certified, volume, given.copy())
+
+
+def spherize_each(
+    mesh: Any,
+    counts: Iterable[int],
+    *,
+    effort: str = "normal",
+    objective: str = "excess",
+    seed: int = 0,
+    time_limit: float | None = None,
+) -> list[Cover]:
+    """Return the covers for several counts by one search. Arguments and errors are those of spherize().
+
+    More spheres are never worse by the objective.
+    """
+    given = mesh_of(mesh)
+    results = _core.spherize_each(
+        given._core, [_count(count) for count in counts], effort, objective, _seed(seed), _limit(time_limit)
+    )
+    return [Cover(*result, given.copy()) for result in results]
+
+
+def spheres_inside(mesh: Any, spheres: int, *, time_limit: float | None = None) -> NDArray[np.float64]:
+    """Return at most `spheres` spheres inside a mesh, proved, that contain much of its volume.
+
+    The result has shape (n, 4), read-only: x, y, z, r in metres; n is 0 if no ball fits. Errors as of spherize().
+    """
+    return np.asarray(_core.spheres_inside(mesh_of(mesh)._core, _count(spheres), _limit(time_limit)))

@@ -1,0 +1,28 @@
+// foam._core: what foam/*.py stands on. Arrays come and go by the buffer protocol, so that any NumPy will do.
+#include "errors.hpp"
+#include "mesh.hpp"
+#include "search.hpp"
+#include "stages.hpp"
+
+#include <foam/base/parallel.hpp>
+#include <foam/judge/evaluate.hpp>
+#include <foam/runtime/version.hpp>
+
+#include <memory>
+
+PYBIND11_MODULE(_core, module) {
+    namespace py = pybind11;
+    using namespace foam::python;
+    add_errors(module);
+    add_mesh(module);
+    add_search(module);
+    add_stages(module);
+    module.def("version", &foam::version);
+    module.def("thread_count", &foam::thread_count);
+    // Left to the end of the process: there is none of oneTBB to limit after its own end.
+    static auto* const limit = new std::unique_ptr<foam::ThreadLimit>;
+    module.def("limit_threads", [](std::size_t count) {
+        limit->reset(); // of several limits the smallest counts
+        *limit = std::make_unique<foam::ThreadLimit>(count);
+    });
+}

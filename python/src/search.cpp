@@ -1,0 +1,101 @@
+#include "search.hpp"
+
+#include "mesh.hpp"
+#include "work.hpp"
+
+#include <foam/base/error.hpp>
+#include <foam/search/spherize.hpp>
+
+#include <pybind11/stl.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace foam::python {
+namespace {
+
+Effort effort_named(const std::string& word) {
+    if (word == "fast" || word == "normal" || word == "best") {
+        return word == "fast" ? Effort::fast : word == "best" ? Effort::best : Effort::normal;
+    }
+    throw Error(ErrorCode::usage, fmt::format("unknown effort '{}'; there are: fast, normal, best", word));
+}
+
+SpherizeOptions options_of(const std::string& effort, const std::string& objective, std::uint64_t seed) {
+    const std::optional<Objective> known = objective_named(objective);
+    if (!known) {
+        throw Error(ErrorCode::usage,
+                    fmt::format("unknown objective '{}'; there are: excess, protrusion, radius", objective));
+    }
+    return {.effort = effort_named(effort), .objective = *known, .seed = seed};
+}
+
+/// Returns what ends a search: the time limit, or Python.
+std::function<bool()> stop_of(const Signals& signals, std::optional<double> time_limit) {
+    using Clock = std::chrono::steady_clock;
+    if (!time_limit || *time_limit > 1e9) { // longer than anything runs
+        return [&signals] { return signals.asked(); };
+    }
+    const auto end =
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*time_limit));
+    return [&signals, end] { return signals.asked() || Clock::now() > end; };
+}
+
+py::tuple tuple_of(Cover cover) {
+    return py::make_tuple(rows_of(std::move(cover.spheres)), cover.certificate.holds, cover.volume);
+}
+
+py::tuple spherized(const HeldMesh& mesh, std::size_t count, const std::string& effort, const std::string& objective,
+                    std::uint64_t seed, std::optional<double> time_limit) {
+    SpherizeOptions options = options_of(effort, objective, seed);
+    return tuple_of(worked([&](const Signals& signals) {
+        options.stop = stop_of(signals, time_limit);
+        return spherize(*mesh.solid(), count, options);
+    }));
+}
+
+py::list spherized_each(const HeldMesh& mesh, const std::vector<std::size_t>& counts, const std::string& effort,
+                        const std::string& objective, std::uint64_t seed, std::optional<double> time_limit) {
+    SpherizeOptions options = options_of(effort, objective, seed);
+    std::vector<Cover> covers = worked([&](const Signals& signals) {
+        options.stop = stop_of(signals, time_limit);
+        return spherize_each(*mesh.solid(), counts, options);
+    });
+    py::list list;
+    for (Cover& cover : covers) {
+        list.append(tuple_of(std::move(cover)));
+    }
+    return list;
+}
+
+/// vol(U \ S) / vol(S) of covering spheres with the union's volume.
+double excess_of(const HeldMesh& mesh, const py::buffer& rows, double volume) {
+    const std::vector<Sphere> spheres = spheres_of(rows);
+    return worked([&](const Signals&) {
+        const auto solid = mesh.solid();
+        const double own = solid->volume();
+        return own > 0 ? (volume - own + solid->missing_volume(spheres)) / own
+                       : std::numeric_limits<double>::infinity();
+    });
+}
+
+} // namespace
+
+void add_search(py::module_& module) {
+    module.def("spherize", &spherized, py::arg("mesh"), py::arg("spheres"), py::arg("effort"), py::arg("objective"),
+               py::arg("seed"), py::arg("time_limit"));
+    module.def("spherize_each", &spherized_each, py::arg("mesh"), py::arg("counts"), py::arg("effort"),
+               py::arg("objective"), py::arg("seed"), py::arg("time_limit"));
+    module.def(
+        "spheres_inside",
+        [](const HeldMesh& mesh, std::size_t count, std::optional<double> time_limit) {
+            return rows_of(worked([&](const Signals& signals) {
+                return spheres_inside(*mesh.solid(), count, stop_of(signals, time_limit));
+            }));
+        },
+        py::arg("mesh"), py::arg("spheres"), py::arg("time_limit"));
+    module.def("excess", &excess_of, py::arg("mesh"), py::arg("spheres"), py::arg("volume"));
+}
+
+} // namespace foam::python

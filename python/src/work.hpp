@@ -1,0 +1,61 @@
+// Work of foam called from Python: without the interpreter's lock, ended by Ctrl-C, refused after fork().
+#pragma once
+
+#include <foam/base/cancellation.hpp>
+
+#include <pybind11/pybind11.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+namespace foam::python {
+
+namespace py = pybind11;
+
+/// Asks Python now and then whether a signal has raised an exception (Ctrl-C). Only Python's main thread handles
+/// signals, so calls from other threads are not ended by them. Make it with the interpreter's lock.
+class Signals final : public StopRequest {
+public:
+    Signals();
+    ~Signals() override;
+    Signals(const Signals&) = delete;
+    Signals& operator=(const Signals&) = delete;
+
+    bool asked() const override;
+    bool overdue() const override { return asked(); }
+    /// Throws Python's exception if there was one. Call it with the interpreter's lock.
+    void raise_if_asked();
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    std::thread::id home_ = std::this_thread::get_id();
+    bool main_thread_;
+    mutable std::atomic<bool> raised_{false};
+    mutable Clock::time_point next_ = Clock::now();
+    mutable PyObject *type_ = nullptr, *value_ = nullptr, *trace_ = nullptr;
+};
+
+/// Throws Error(usage) in a child of fork() whose parent has worked: oneTBB's threads do not exist there.
+void refuse_after_fork();
+
+/// Returns work(signals), called without the interpreter's lock and under the signals as its stop request.
+template <class Work> auto worked(Work work) {
+    refuse_after_fork();
+    Signals signals;
+    try {
+        auto result = [&] {
+            const py::gil_scoped_release released;
+            const StopScope scope(&signals);
+            return work(static_cast<const Signals&>(signals));
+        }();
+        signals.raise_if_asked();
+        return result;
+    } catch (...) {
+        signals.raise_if_asked(); // the request was the cause
+        throw;
+    }
+}
+
+} // namespace foam::python

@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# shellcheck source=tests/setup/fixture.sh
+source "$(dirname "$0")/fixture.sh"
+
+# ./foam python builds the package beside the program and starts Python with it; it needs its own packages, not those of tests.
+# shellcheck disable=SC2016  # expanded when it runs
+stand_in python3 <<<'echo "path $PYTHONPATH"; printf " <%s>" "$@"'
+printf '%s\n' pack-a pack-b >"$installed"
+run_foam version
+expect_no_call "^apt-get"
+run_foam python -c "a b"
+expect_code 0
+expect_call "install -y --no-install-recommends pack-p"
+expect_no_call "^apt-get.*pack-[tqcd]"
+expect_call "core/all plugins/all apps/foam/all python/all"
+expect_out "path $clone/build/release/python
+ <-c> <a b>"
+# The package is then up to date until one of its files changes; the program is not built for that.
+run_foam python
+expect_calls ninja 2
+sleep 0.02
+touch "$clone/python/new.py"
+run_foam version
+expect_calls ninja 2
+run_foam python
+expect_calls ninja 3
