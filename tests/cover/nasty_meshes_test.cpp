@@ -1,9 +1,11 @@
 // foam::spherize() on geometry that no tool likes: the cover is proved, whatever the mesh.
 #include "geometry/shapes.hpp"
 
+#include <foam/base/error.hpp>
 #include <foam/runtime/contract.hpp>
 #include <foam/search/spherize.hpp>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace {
@@ -52,6 +54,26 @@ TEST(NastyMeshes, SliversAndPoints) {
 
 TEST(NastyMeshes, OnePoint) {
     expect_covered({{{1, 2, 3}}, {{0, 0, 0}}});
+}
+
+TEST(NastyMeshes, OnePointTooFarAwayIsRefused) {
+    expect_covered({{{1, -1e9, 3}}, {{0, 0, 0}}});
+    for (const double far : {1.1e9, 1e155, -1e308}) {
+        try {
+            spherize(Mesh{{{1, far, 3}}, {{0, 0, 0}}}, 3, {.effort = Effort::fast});
+            ADD_FAILURE() << far;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::geometry);
+            EXPECT_THAT(error.what(), testing::HasSubstr("its only point is "));
+        }
+    }
+}
+
+TEST(NastyMeshes, VerticesOfNoTriangle) {
+    Mesh mesh = test::box({0, 0, 0}, {1, 1, 1});
+    const Cover cover = spherize(mesh, 1);
+    mesh.vertices.push_back({0, 0, 1e100});
+    EXPECT_EQ(spherize(mesh, 1).spheres, cover.spheres);
 }
 
 TEST(NastyMeshes, OpenBox) {

@@ -126,7 +126,7 @@ class Contents(Tiny):
     def test_languages(self):
         code, out = self.run_page("```bash\n./foam fail 1\n```\n")
         self.assertEqual(code, 1)
-        self.assertEqual(out, "docs/page.md:2: a block of 'bash'; known are cmake, cpp, json, python, sh, text, yaml\n")
+        self.assertEqual(out, "docs/page.md:2: a block of 'bash'; known are c, cmake, cpp, json, python, sh, text, yaml\n")
 
     def test_files(self):
         text = "```yaml\n# mine.yaml\nfoam: 1\n```\n\n```sh\ngrep -c foam mine.yaml\n```\n"

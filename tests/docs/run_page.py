@@ -14,7 +14,7 @@ import tempfile
 
 import markdown
 
-LANGUAGES = {"", "cmake", "cpp", "json", "python", "sh", "text", "yaml"}
+LANGUAGES = {"", "c", "cmake", "cpp", "json", "python", "sh", "text", "yaml"}
 # Debian's Python has the modules of Debian's packages.
 PYTHON = shutil.which("python3", path="/usr/bin") or sys.executable
 FOAM = sys.argv[1] if len(sys.argv) == 4 else ""

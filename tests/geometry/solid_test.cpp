@@ -117,6 +117,21 @@ TEST(Solid, DegenerateTrianglesAreSurfaceAndDoNoHarm) {
     EXPECT_TRUE(solid->contains({0.5, 0.5, 0.5}));
 }
 
+TEST(Solid, VerticesOfNoTriangleDoNotCount) {
+    const Mesh used = box({0, 0, 0}, {1, 1, 1});
+    Mesh mesh = used;
+    mesh.vertices.insert(mesh.vertices.begin() + 3, {0, 0, 1e155});
+    mesh.vertices.push_back({5, 6, 7});
+    for (Triangle& triangle : mesh.triangles) {
+        for (std::uint32_t& corner : triangle) {
+            corner += corner >= 3 ? 1 : 0;
+        }
+    }
+    const auto solid = Solid::make(mesh);
+    EXPECT_EQ(solid->surface(), Solid::make(used)->surface());
+    EXPECT_EQ(*solid->parts()[0].mesh, used);
+}
+
 TEST(Solid, SamplesAreUniformByAreaAndRepeatable) {
     const auto solid = Solid::make(box({0, 0, 0}, {1, 2, 3}));
     const auto points = solid->sample_surface(22'000, 5);

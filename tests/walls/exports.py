@@ -31,11 +31,12 @@ def main():
         print("skipped: there is no nm (package binutils)")
         return SKIPPED
     library, folder = sys.argv[1:]
-    text = "\n".join(path.read_text() for path in pathlib.Path(folder).rglob("*.hpp"))
+    text = "\n".join(path.read_text() for path in pathlib.Path(folder).rglob("*.h*"))
     declared = set(re.findall(r"\w+", text))
     symbols = exported(library)
     odd = [symbol for symbol in symbols
-           if not symbol.startswith(("foam::", "vtable for foam::", "typeinfo", "non-virtual thunk", "virtual thunk", "VTT for"))
+           if not (symbol in declared and symbol.startswith("foam_")) # C
+           and not symbol.startswith(("foam::", "vtable for foam::", "typeinfo", "non-virtual thunk", "virtual thunk", "VTT for"))
            or any(name not in declared for name in identifiers(symbol))]
     for symbol in odd:
         print(f"{library} exports {symbol}, which no header declares; remedy: an unnamed namespace, or a private header")

@@ -5,12 +5,13 @@
 
 #include <tbb/task_arena.h>
 
+#include <algorithm>
+#include <limits>
 #include <string>
 #include <tuple>
 
 namespace foam::inline geometry {
 namespace {
-
 
 void check_mesh(const Mesh& mesh, std::size_t part) {
     const std::string where = "part " + std::to_string(part) + " of the solid";
@@ -27,6 +28,31 @@ void check_mesh(const Mesh& mesh, std::size_t part) {
     }
 }
 
+/// Returns the mesh without the vertices of no triangle, which would count where vertices stand for the surface.
+std::shared_ptr<const Mesh> with_used_vertices(std::shared_ptr<const Mesh> mesh) {
+    constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> name(mesh->vertices.size(), unused);
+    for (const Triangle& t : mesh->triangles) {
+        for (const std::uint32_t corner : t) {
+            name[corner] = 0;
+        }
+    }
+    if (std::find(name.begin(), name.end(), unused) == name.end()) {
+        return mesh;
+    }
+    Mesh result;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        if (name[i] != unused) {
+            name[i] = static_cast<std::uint32_t>(result.vertices.size());
+            result.vertices.push_back(mesh->vertices[i]);
+        }
+    }
+    for (const Triangle& t : mesh->triangles) {
+        result.triangles.push_back({name[t[0]], name[t[1]], name[t[2]]});
+    }
+    return std::make_shared<const Mesh>(std::move(result));
+}
+
 /// Returns the part as a mesh in the solid's frame.
 std::pair<std::shared_ptr<const Mesh>, geometry::Reading> part_mesh(const Solid::Part& part, std::size_t index) {
     if (part.primitive) {
@@ -41,12 +67,17 @@ std::pair<std::shared_ptr<const Mesh>, geometry::Reading> part_mesh(const Solid:
                                              " of the solid is neither a mesh nor a primitive; give it one of them");
     }
     check_mesh(*part.mesh, index);
-    return {part.mesh, geometry::read_as_solid(*part.mesh)};
+    std::shared_ptr<const Mesh> mesh = with_used_vertices(part.mesh);
+    geometry::Reading reading = geometry::read_as_solid(*mesh);
+    return {std::move(mesh), std::move(reading)};
 }
 
 void add_part(geometry::SolidData& data, std::size_t index) {
-    const Solid::Part& part = data.parts[index];
+    Solid::Part& part = data.parts[index];
     auto [given, reading] = part_mesh(part, index);
+    if (!part.primitive) {
+        part.mesh = given;
+    }
     if (given->triangles.empty()) {
         data.offsets.push_back(data.offsets.back());
         return;

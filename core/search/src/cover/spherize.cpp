@@ -6,7 +6,10 @@
 #include <foam/geometry/internal/own_frame.hpp>
 #include <foam/geometry/union_volume.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <variant>
 
 namespace foam::inline search {
@@ -15,8 +18,7 @@ namespace foam::inline search {
 class WorkedOn {
 public:
     explicit WorkedOn(const Solid& solid) : given_(solid), frame_(geometry::own_frame(solid)) {
-        const bool is_point = geometry::size_of(solid.bounds()) == 0; // then a tiny sphere is enough
-        if (const std::string why = geometry::why_out_of_bounds(solid.bounds()); !is_point && !why.empty()) {
+        if (const std::string why = why_not(solid.bounds()); !why.empty()) {
             throw Error(ErrorCode::geometry, "spherize: the solid cannot be covered: " + why);
         }
         if (!frame_.is_given()) {
@@ -35,6 +37,20 @@ public:
     }
 
 private:
+    /// Returns why spheres cannot be computed for geometry in the box; empty if they can.
+    static std::string why_not(const Box& box) {
+        if (geometry::size_of(box) > 0) {
+            return geometry::why_out_of_bounds(box);
+        }
+        // For a point a tiny sphere is enough.
+        const double away = std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.low.z)});
+        return away <= geometry::largest_size
+                   ? ""
+                   : fmt::format("its only point is {:.3g} m from the origin of its frame, more than {:g} m; remedy: "
+                                 "check its unit and scale",
+                                 away, geometry::largest_size);
+    }
+
     const Solid& given_;
     geometry::OwnFrame frame_;
     std::shared_ptr<const Solid> own_;

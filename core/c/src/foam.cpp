@@ -1,0 +1,303 @@
+#include <foam.h>
+
+#include <foam/base/cancellation.hpp>
+#include <foam/base/error.hpp>
+#include <foam/search/spherize.hpp>
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <iterator>
+#include <limits>
+#include <new>
+#include <string_view>
+#include <thread>
+
+namespace {
+
+using foam::Error;
+using foam::ErrorCode;
+using Clock = std::chrono::steady_clock;
+
+Error usage(const std::string& message) {
+    return Error(ErrorCode::usage, message);
+}
+
+void check(const foam_options& options) {
+    if (options.size != sizeof(foam_options)) {
+        throw usage(fmt::format("options->size is {}, not {}; remedy: set .size = sizeof(foam_options), and compile "
+                                "with the foam.h of this library, version " FOAM_VERSION,
+                                options.size, sizeof(foam_options)));
+    }
+    if (options.effort < FOAM_NORMAL || options.effort > FOAM_BEST) {
+        throw usage(fmt::format("options->effort is {}; remedy: FOAM_NORMAL, FOAM_FAST or FOAM_BEST", options.effort));
+    }
+    if (options.objective < FOAM_EXCESS || options.objective > FOAM_RADIUS) {
+        throw usage(fmt::format("options->objective is {}; remedy: FOAM_EXCESS, FOAM_PROTRUSION or FOAM_RADIUS",
+                                options.objective));
+    }
+    if (!(options.time_limit >= 0)) {
+        throw usage(
+            fmt::format("options->time_limit is {}; remedy: seconds above 0, or 0 for no limit", options.time_limit));
+    }
+    constexpr std::uint32_t most_threads = 4096;
+    if (options.threads > most_threads) {
+        throw usage(fmt::format("options->threads is {}; remedy: at most {}, or 0 for one per core", options.threads,
+                                most_threads));
+    }
+    if (options.reserved != 0) {
+        throw usage(fmt::format("options->reserved is {}; remedy: initialise the struct, all of it", options.reserved));
+    }
+}
+
+void check_arrays(const double* vertices, std::size_t vertex_count, const std::uint32_t* triangles,
+                  std::size_t triangle_count) {
+    constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
+    if (!vertices || !triangles) {
+        throw usage(
+            fmt::format("{} is NULL; remedy: an array of three numbers each", vertices ? "triangles" : "vertices"));
+    }
+    if (vertex_count > most || triangle_count > most) {
+        throw usage(fmt::format("{} vertices and {} triangles; remedy: at most {} of each", vertex_count,
+                                triangle_count, most));
+    }
+    if (triangle_count == 0) {
+        throw Error(ErrorCode::geometry, "the mesh has no triangle; remedy: a mesh with a surface");
+    }
+}
+
+foam::Mesh mesh_of(const double* vertices, std::size_t vertex_count, const std::uint32_t* triangles,
+                   std::size_t triangle_count) {
+    check_arrays(vertices, vertex_count, triangles, triangle_count);
+    foam::Mesh mesh;
+    mesh.triangles.resize(triangle_count);
+    for (std::size_t t = 0; t < triangle_count; ++t) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            mesh.triangles[t][k] = triangles[3 * t + k];
+            if (mesh.triangles[t][k] >= vertex_count) {
+                throw Error(ErrorCode::geometry,
+                            fmt::format("triangle {} has the corner {}, but there are {} vertices; remedy: indices "
+                                        "from 0 to vertex_count - 1",
+                                        t, mesh.triangles[t][k], vertex_count));
+            }
+        }
+    }
+    mesh.vertices.resize(vertex_count);
+    for (std::size_t v = 0; v < vertex_count; ++v) {
+        const double* const p = vertices + 3 * v;
+        if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) {
+            throw Error(ErrorCode::geometry,
+                        fmt::format("vertex {} is ({}, {}, {}); remedy: finite coordinates", v, p[0], p[1], p[2]));
+        }
+        mesh.vertices[v] = {p[0], p[1], p[2]};
+    }
+    return mesh;
+}
+
+/// The caller's request to end the search or the call: its time limit and its callback, which its thread alone calls.
+class Poll final : public foam::StopRequest {
+public:
+    explicit Poll(const foam_options& options) : options_(options) {}
+
+    bool used() const { return options_.poll || options_.time_limit > 0; }
+    /// Returns whether the search should end, with or without a result.
+    bool finish() {
+        look();
+        ended_search_ = ended_search_ || finish_;
+        return finish_ || cancel_;
+    }
+    bool asked() const override {
+        look();
+        return cancel_;
+    }
+    bool ended_search() const { return ended_search_; }
+    /// Throws what went wrong in the callback.
+    void check() const {
+        if (error_) {
+            std::rethrow_exception(error_);
+        }
+    }
+
+private:
+    void look() const {
+        if (std::this_thread::get_id() != caller_ || cancel_) {
+            return;
+        }
+        const auto now = Clock::now();
+        if (options_.time_limit > 0 && std::chrono::duration<double>(now - start_).count() >= options_.time_limit) {
+            finish_ = true;
+        }
+        if (!options_.poll || now < next_) {
+            return;
+        }
+        try { // not from here: any loop may be above
+            obey(options_.poll(options_.user));
+        } catch (...) {
+            error_ = std::current_exception();
+            cancel_ = true;
+        }
+        next_ = Clock::now() + std::chrono::milliseconds(2);
+    }
+    void obey(int answer) const {
+        if (answer == FOAM_FINISH) {
+            finish_ = true;
+        } else if (answer == FOAM_CANCEL) {
+            cancel_ = true;
+        } else if (answer != FOAM_CONTINUE) {
+            throw usage(
+                fmt::format("options->poll returned {}; remedy: FOAM_CONTINUE, FOAM_FINISH or FOAM_CANCEL", answer));
+        }
+    }
+
+    const foam_options& options_;
+    const std::thread::id caller_ = std::this_thread::get_id();
+    const Clock::time_point start_ = Clock::now();
+    mutable Clock::time_point next_ = start_;
+    bool ended_search_ = false;
+    mutable bool finish_ = false;              ///< of the calling thread
+    mutable std::atomic<bool> cancel_ = false; ///< which all threads read
+    mutable std::exception_ptr error_;
+};
+
+foam::Effort effort_of(const foam_options& options) {
+    return options.effort == FOAM_FAST   ? foam::Effort::fast
+           : options.effort == FOAM_BEST ? foam::Effort::best
+                                         : foam::Effort::normal;
+}
+
+foam::Objective objective_of(const foam_options& options) {
+    return options.objective == FOAM_PROTRUSION ? foam::Objective::protrusion
+           : options.objective == FOAM_RADIUS   ? foam::Objective::radius
+                                                : foam::Objective::excess;
+}
+
+foam::Cover search(const foam::Mesh& mesh, std::size_t count, const foam_options& options, Poll& poll) {
+    foam::SpherizeOptions settings{
+        .effort = effort_of(options), .objective = objective_of(options), .seed = options.seed};
+    if (!poll.used()) {
+        return foam::spherize(mesh, count, settings);
+    }
+    settings.stop = [&] { return poll.finish(); };
+    const foam::StopScope scope(&poll);
+    return foam::spherize(mesh, count, settings);
+}
+
+foam::Cover search_on_threads(const foam::Mesh& mesh, std::size_t count, const foam_options& options, Poll& poll) {
+    if (options.threads == 0) {
+        return search(mesh, count, options, poll);
+    }
+    const std::size_t cores = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    tbb::task_arena arena(static_cast<int>(std::min<std::size_t>(options.threads, cores))); // TBB warns about more
+    return arena.execute([&] { return search(mesh, count, options, poll); });
+}
+
+void spherize(const foam::Mesh& mesh, std::size_t count, const foam_options& options, double* spheres,
+              foam_report& report) {
+    Poll poll(options);
+    foam::Cover cover;
+    try {
+        cover = search_on_threads(mesh, count, options, poll);
+    } catch (...) {
+        poll.check();
+        throw;
+    }
+    poll.check();
+    for (std::size_t i = 0; i < cover.spheres.size(); ++i) {
+        const foam::Sphere& sphere = cover.spheres[i];
+        const double row[] = {sphere.center.x, sphere.center.y, sphere.center.z, sphere.radius};
+        std::copy(std::begin(row), std::end(row), spheres + 4 * i);
+    }
+    report.spheres = cover.spheres.size();
+    report.volume = cover.volume;
+    report.certified = cover.certificate.holds ? 1 : 0;
+    report.finished_early = poll.ended_search() ? 1 : 0;
+}
+
+void check_and_spherize(const double* vertices, std::size_t vertex_count, const std::uint32_t* triangles,
+                        std::size_t triangle_count, std::size_t count, const foam_options* given, double* spheres,
+                        foam_report& report) {
+    foam_options defaults{};
+    defaults.size = sizeof(foam_options);
+    const foam_options& options = given ? *given : defaults;
+    check(options);
+    if (count == 0 || count > FOAM_MAX_SPHERES) {
+        throw usage(fmt::format("count is {}; remedy: 1 to {} spheres", count, FOAM_MAX_SPHERES));
+    }
+    if (!spheres) {
+        throw usage("spheres is NULL; remedy: an array of 4 * count numbers");
+    }
+    spherize(mesh_of(vertices, vertex_count, triangles, triangle_count), count, options, spheres, report);
+}
+
+int status_of(ErrorCode code) {
+    switch (code) {
+    case ErrorCode::usage:
+        return FOAM_USAGE;
+    case ErrorCode::input:
+    case ErrorCode::geometry:
+        return FOAM_GEOMETRY;
+    case ErrorCode::cancelled:
+        return FOAM_CANCELLED;
+    default:
+        return FOAM_INTERNAL;
+    }
+}
+
+/// Writes a text that a caller can print: one line, cut between characters.
+void tell(foam_report& report, std::string_view text) noexcept {
+    std::size_t length = std::min(text.size(), sizeof report.error - 1);
+    while (length < text.size() && length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0) == 0x80) {
+        --length;
+    }
+    std::copy_n(text.data(), length, report.error);
+    std::replace(report.error, report.error + length, '\n', ' ');
+    report.error[length] = 0;
+}
+
+/// Describes the exception that is being handled.
+int told(foam_report& report) noexcept {
+    try {
+        throw;
+    } catch (const Error& error) {
+        tell(report, error.what());
+        return status_of(error.code());
+    } catch (const std::bad_alloc&) {
+        tell(report, "there is not enough memory; remedy: fewer triangles or spheres");
+        return FOAM_MEMORY;
+    } catch (const std::exception& error) {
+        tell(report, error.what());
+    } catch (...) {
+        tell(report, "an exception of an unknown type; remedy: let no exception leave options->poll");
+    }
+    return FOAM_INTERNAL;
+}
+
+} // namespace
+
+extern "C" {
+
+int foam_spherize(const double* vertices, size_t vertex_count, const uint32_t* triangles, size_t triangle_count,
+                  size_t count, const foam_options* options, double* spheres, foam_report* report) {
+    if (!report || report->size != sizeof(foam_report)) {
+        return FOAM_USAGE; // there is no place for a text
+    }
+    *report = foam_report{};
+    report->size = sizeof(foam_report);
+    try {
+        check_and_spherize(vertices, vertex_count, triangles, triangle_count, count, options, spheres, *report);
+        return FOAM_OK;
+    } catch (...) {
+        return told(*report);
+    }
+}
+
+const char* foam_version(void) {
+    return FOAM_VERSION;
+}
+}
