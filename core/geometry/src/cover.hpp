@@ -135,6 +135,9 @@ private:
     /// Calls take(i) for the balls whose gap at `p` may be at most `limit`, which take() may lower, the near ones
     /// first.
     template <class Take> void visit_near(const Vec3& p, const double& limit, Take take) const;
+    /// Returns whether one ball contains a run; `last`: the one that contained the run before, tried first. `near`: if
+    /// none does, the balls that may contain some of it.
+    bool any_holds(const SurfaceRuns::Run& run, std::uint32_t& last, std::vector<std::uint32_t>& near) const;
     void update_largest();
     void find_round_parts(const Solid& solid);
     void find_beneath(const Solid& solid, std::size_t part);

@@ -48,6 +48,7 @@ bool clip(const Box& box, const Vec3& origin, const Vec3& direction, double& fro
 double MeshPart::winding_at_most(const Box& region, double enough) const {
     constexpr double near_share = 1.0 / 64; // nodes that may contribute more are opened
     const std::vector<BvhNode>& nodes = bvh_.nodes();
+    const std::vector<Moments>& moments = this->moments();
     double sum = 0;
     std::array<std::uint32_t, Bvh::max_depth> stack;
     std::size_t size = 0;
@@ -57,7 +58,7 @@ double MeshPart::winding_at_most(const Box& region, double enough) const {
         const std::uint32_t n = stack[--size];
         const BvhNode& node = nodes[n];
         const double d2 = squared_distance(node, region);
-        const double most = d2 > 0 ? moments_[n].area / (4 * std::numbers::pi * d2) : 1e300;
+        const double most = d2 > 0 ? moments[n].area / (4 * std::numbers::pi * d2) : 1e300;
         if (most <= near_share * enough) {
             sum += most;
         } else if (node.leaf()) {

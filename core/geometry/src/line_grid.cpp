@@ -85,7 +85,7 @@ class Rows {
 public:
     explicit Rows(const LineGrid& grid)
         : u_((grid.axis + 1) % 3), v_((grid.axis + 2) % 3), across_(grid.across), rows_(grid, u_), places_(grid, v_),
-          margin_(Cells::margin * rows_.size()) {}
+          margin_(Cells::margin * rows_.size()), beside_(1e-9 * grid.box.diagonal()), lines_(grid.lines) {}
 
     template <class Visit> void for_each_line_near(const Corners& triangle, Visit visit) const {
         constexpr std::size_t few = 2; // rows: a closer look is not needed
@@ -95,10 +95,16 @@ public:
             along.add((*corner)[v_]);
         }
         const auto [first, last] = rows_.of(across);
+        const auto misses = [&](const Vec3& origin) {
+            return origin[u_] < across.low - beside_ || origin[u_] > across.high + beside_ ||
+                   origin[v_] < along.low - beside_ || origin[v_] > along.high + beside_;
+        };
         for (std::size_t row = first; row < last; ++row) {
             const auto [begin, end] = places_.of(last - first <= few ? along : within(triangle, row));
             for (std::size_t k = begin; k < end; ++k) {
-                visit(row * across_ + k);
+                if (!misses(lines_[row * across_ + k].origin())) {
+                    visit(row * across_ + k);
+                }
             }
         }
     }
@@ -119,6 +125,8 @@ private:
     std::size_t across_;
     Cells rows_, places_;
     double margin_;
+    double beside_; ///< far more than rounding
+    std::span<const Line> lines_;
 };
 
 /// Replaces a line by one beside it where rounding at several edges at once leaves a nonzero sum of changes. `first`:

@@ -9,17 +9,21 @@ namespace {
 
 /// Largest ratio of closing triangles to those that count. Above it the surface itself is queried for winding numbers.
 constexpr double most_closing = 0.5;
+constexpr std::uint32_t leaf_size_of_many = 16;
 
 } // namespace
 
-MeshPart::MeshPart(const Mesh& mesh, const Reading& reading) : MeshPart(mesh, reading, Unclosed{}) {
+MeshPart::MeshPart(const Mesh& mesh, const Reading& reading)
+    : MeshPart(mesh, reading, mesh.triangles.size() > many ? Triangles::referred_to : Triangles::copied) {
     if (closed_) {
         return;
     }
     const Mesh closing = closing_surface(mesh, reading);
     const Reading closing_reading{std::vector(closing.triangles.size(), Facing::as_given), false};
-    closing_.reset(new MeshPart(closing, closing_reading, Unclosed{}));
-    const auto counting = std::count_if(items_.begin(), items_.end(), [](const Item& item) { return item.counts; });
+    closing_.reset(new MeshPart(closing, closing_reading, Triangles::copied));
+    const auto counting =
+        reading.facing.size() -
+        static_cast<std::size_t>(std::count(reading.facing.begin(), reading.facing.end(), Facing::ignored));
     quick_closing_ = static_cast<double>(closing.triangles.size()) <= most_closing * static_cast<double>(counting);
     const Vec3 center = box_.center();
     for (const auto& [a, b, c] : closing.triangles) {
@@ -28,7 +32,7 @@ MeshPart::MeshPart(const Mesh& mesh, const Reading& reading) : MeshPart(mesh, re
     }
 }
 
-MeshPart::MeshPart(const Mesh& mesh, const Reading& reading, Unclosed) : closed_(reading.closed) {
+MeshPart::MeshPart(const Mesh& mesh, const Reading& reading, Triangles triangles) : closed_(reading.closed) {
     const std::size_t count = mesh.triangles.size();
     std::vector<Box> boxes(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -38,8 +42,33 @@ MeshPart::MeshPart(const Mesh& mesh, const Reading& reading, Unclosed) : closed_
         box_.add(boxes[i]);
     }
     const Vec3 center = box_.center();
-    bvh_ = Bvh(boxes);
-    items_.reserve(count);
+    if (triangles == Triangles::referred_to) {
+        bvh_ = Bvh::quick(boxes, leaf_size_of_many);
+        mesh_ = &mesh;
+        facing_ = reading.facing;
+    } else {
+        bvh_ = Bvh(boxes);
+        copy_triangles(mesh, reading);
+    }
+    for_each_closed(
+        [&](const Corners& t) { signed_volume_ += dot(t.a - center, cross(t.b - center, t.c - center)) / 6; });
+    double largest = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        largest = std::max({largest, std::abs(box_.low[axis]), std::abs(box_.high[axis])});
+    }
+    tolerance_ = 8 * std::numeric_limits<double>::epsilon() * largest;
+    if (NeedleIndex::pays(boxes, box_)) {
+        std::vector<Corners> needles;
+        Corners scratch;
+        for (std::uint32_t k = 0; k < count; ++k) {
+            needles.push_back(corners(k, scratch));
+        }
+        needles_.emplace(needles, center);
+    }
+}
+
+void MeshPart::copy_triangles(const Mesh& mesh, const Reading& reading) {
+    items_.reserve(mesh.triangles.size());
     CancellationCounter asking(4096);
     for (const std::uint32_t i : bvh_.order()) {
         asking.check();
@@ -50,34 +79,15 @@ MeshPart::MeshPart(const Mesh& mesh, const Reading& reading, Unclosed) : closed_
         }
         items_.push_back(item);
     }
-    for (const Item& item : items_) {
-        if (item.counts) {
-            signed_volume_ += dot(item.corners.a - center, cross(item.corners.b - center, item.corners.c - center)) / 6;
-        }
-    }
-    double largest = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        largest = std::max({largest, std::abs(box_.low[axis]), std::abs(box_.high[axis])});
-    }
-    tolerance_ = 8 * std::numeric_limits<double>::epsilon() * largest;
-    if (NeedleIndex::pays(boxes, box_)) {
-        std::vector<Corners> triangles;
-        for (const Item& item : items_) {
-            triangles.push_back(item.corners);
-        }
-        needles_.emplace(triangles, center);
-    }
-    if (!closed_) {
-        compute_moments();
-    }
 }
 
 void MeshPart::closest(const Vec3& p, Nearest& nearest) const {
+    Corners scratch;
     const auto look_at = [&](std::uint32_t k) {
-        const Vec3 q = closest_on_triangle(items_[k].corners, p);
+        const Vec3 q = closest_on_triangle(corners(k, scratch), p);
         const double d2 = squared_norm(q - p);
         if (d2 < nearest.squared_distance) {
-            nearest = {d2, q, items_[k].index};
+            nearest = {d2, q, bvh_.order()[k]};
         }
     };
     if (needles_) {
@@ -125,10 +135,11 @@ double MeshPart::winding(const Vec3& p) const {
 }
 
 template <class Visit> void MeshPart::visit_line(const Line& line, Visit visit) const {
-    const auto cross_triangle = [&](std::uint32_t i) {
+    Corners scratch;
+    const auto cross_triangle = [&](std::uint32_t k) {
         double t = 0;
-        if (items_[i].counts) {
-            if (const int change = line.cross(items_[i].corners, t); change != 0) {
+        if (counts(k)) {
+            if (const int change = line.cross(corners(k, scratch), t); change != 0) {
                 visit(t, change);
             }
         }

@@ -11,6 +11,7 @@
 #include <foam/geometry/solid.hpp>
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
@@ -28,7 +29,10 @@ struct Nearest {
 /// (except crossings()).
 class MeshPart {
 public:
-    /// `reading`: of the mesh, from read_as_solid().
+    /// Number of triangles above which the mesh is not copied, and the hierarchy is quick to build.
+    static constexpr std::size_t many = 100'000;
+
+    /// `reading`: of the mesh, from read_as_solid(). The mesh must outlive this.
     MeshPart(const Mesh& mesh, const Reading& reading);
 
     /// Returns whether the triangles that count bound a solid without holes.
@@ -53,9 +57,10 @@ public:
 
     /// Calls visit(corners) for each triangle of the surface that counts, and of its closing surface.
     template <class Visit> void for_each_closed(Visit visit) const {
-        for (const Item& item : items_) {
-            if (item.counts) {
-                visit(item.corners);
+        Corners scratch;
+        for (std::uint32_t k = 0; k < bvh_.order().size(); ++k) {
+            if (counts(k)) {
+                visit(corners(k, scratch));
             }
         }
         if (closing_) {
@@ -75,6 +80,7 @@ private:
         std::uint32_t index;
         bool counts;
     };
+    enum class Triangles { copied, referred_to };
     /// Far-field expansion of a node (winding.cpp).
     struct Moments {
         Vec3 center{};                  ///< centre of the moments
@@ -95,9 +101,24 @@ private:
         double value;
         bool on_triangle; ///< the point lies on one or so near that rounding decides on which side
     };
-    struct Unclosed {};
-    MeshPart(const Mesh& mesh, const Reading& reading, Unclosed);
+    /// Makes a part without closing surface.
+    MeshPart(const Mesh& mesh, const Reading& reading, Triangles triangles);
 
+    void copy_triangles(const Mesh& mesh, const Reading& reading);
+    /// The triangle at place `k` in bvh_.order(): whether it counts, and its corners, which may be put into `scratch`.
+    bool counts(std::uint32_t k) const {
+        return items_.empty() ? facing_[bvh_.order()[k]] != Facing::ignored : items_[k].counts;
+    }
+    const Corners& corners(std::uint32_t k, Corners& scratch) const {
+        if (!items_.empty()) {
+            return items_[k].corners;
+        }
+        const std::uint32_t i = bvh_.order()[k];
+        const auto& [a, b, c] = mesh_->triangles[i];
+        const bool flipped = facing_[i] == Facing::flipped;
+        const std::vector<Vec3>& v = mesh_->vertices;
+        return scratch = {v[a], v[flipped ? c : b], v[flipped ? b : c]};
+    }
     template <class Visit> void visit_line(const Line& line, Visit visit) const;
     /// Computes the winding number of the surface and its closing surface.
     bool winding_by_line(const Vec3& p, int axis, int& winding) const;
@@ -116,13 +137,19 @@ private:
     /// there, of the surface and its closing surface.
     void inside_stretch(const Vec3& origin, const Vec3& direction, double enter, double leave, int winding,
                         std::vector<Solid::Interval>& result) const;
-    void compute_moments();
+    /// Returns the moments of the nodes; none if closed. They are computed on first use: seldom are both sides of a
+    /// surface with small holes in doubt. Safe from any number of threads.
+    const std::vector<Moments>& moments() const;
+    std::vector<Moments> computed_moments() const;
     double radius_about(const Vec3& center, std::uint32_t begin, std::uint32_t end) const;
 
     Bvh bvh_;
-    std::vector<Item> items_;
+    std::vector<Item> items_;                 // in the order of bvh_; copied triangles only
+    const Mesh* mesh_ = nullptr;              // of triangles that are referred to
+    std::vector<Facing> facing_;              // likewise, of each triangle of the mesh
     std::optional<NeedleIndex> needles_;      // of meshes for which bvh_ separates too little
-    std::vector<Moments> moments_;            // of open meshes only
+    mutable std::once_flag moments_once_;
+    mutable std::vector<Moments> moments_;    // of open meshes only
     std::unique_ptr<const MeshPart> closing_; // of open meshes only: the closing surface
     bool quick_closing_ = false;              // the closing surface is quicker to query than the surface
     Box box_;

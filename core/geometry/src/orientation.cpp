@@ -49,18 +49,24 @@ private:
         }
     }
 
-    /// Returns the sides of the triangles that count, as they face.
-    std::vector<Side> sides(bool with_flat = true) const {
-        std::vector<Side> result;
-        result.reserve(all_sides_.size());
-        for (Side side : all_sides_) {
-            const std::uint32_t i = side.triangle();
-            if (facing_[i] != Facing::ignored && (with_flat || area(i) > 0)) {
-                side.forward ^= facing_[i] == Facing::flipped;
-                result.push_back(side);
+    /// Calls visit(sides) for each edge of the triangles that count with its sides, as they face, until it returns
+    /// false. Without `with_flat`, triangles without area do not count.
+    template <class Visit> void for_each_counting_edge(Visit visit, bool with_flat = true) const {
+        std::vector<Side> edge;
+        for (auto side = all_sides_.begin(); side != all_sides_.end();) {
+            edge.clear();
+            const Side first = *side;
+            for (; side != all_sides_.end() && side->same_edge(first); ++side) {
+                const std::uint32_t i = side->triangle();
+                if (facing_[i] != Facing::ignored && (with_flat || area(i) > 0)) {
+                    edge.push_back(*side);
+                    edge.back().forward ^= facing_[i] == Facing::flipped;
+                }
+            }
+            if (!edge.empty() && !visit(std::span<const Side>(edge))) {
+                return;
             }
         }
-        return result;
     }
 
     double area(std::size_t i) const {
@@ -100,20 +106,26 @@ private:
 
     bool balanced(bool with_flat) const {
         bool result = true;
-        for_each_edge(sides(with_flat), [&](std::span<const Side> edge) {
+        const auto visit = [&](std::span<const Side> edge) {
             std::ptrdiff_t sum = 0;
             for (const Side& side : edge) {
                 sum += side.forward ? 1 : -1;
             }
-            result = result && sum == 0;
-        });
+            return result = sum == 0;
+        };
+        for_each_counting_edge(visit, with_flat);
         return result;
     }
 
     /// Resolves equal faces: once, cancelled, or (double-sided components) one of each pair.
     void resolve_copies() {
-        const std::vector<std::uint32_t> component = components();
         const std::vector<std::vector<std::uint32_t>> copies = groups_of_copies();
+        if (copies.empty()) {
+            reset();
+            orient_patches();
+            return;
+        }
+        const std::vector<std::uint32_t> component = components();
         std::vector<char> keep_one = mostly_double_sided(component, copies);
         while (true) {
             check_cancelled();
@@ -124,10 +136,11 @@ private:
             orient_patches();
             // A double-sided component that does not become closed that way is not a solid.
             std::vector<char> open(triangles_.size(), 0);
-            for_each_edge(sides(), [&](std::span<const Side> edge) {
+            for_each_counting_edge([&](std::span<const Side> edge) {
                 if (edge.size() != 2 || edge[0].forward == edge[1].forward) {
                     open[component[edge[0].triangle()]] = 1;
                 }
+                return true;
             });
             bool changed = false;
             for (std::size_t i = 0; i < open.size(); ++i) {
@@ -144,10 +157,11 @@ private:
 
     std::vector<std::uint32_t> components() const {
         DisjointSets sets(triangles_.size());
-        for_each_edge(sides(), [&](std::span<const Side> edge) {
+        for_each_counting_edge([&](std::span<const Side> edge) {
             for (const Side& side : edge.subspan(1)) {
                 sets.unite(edge[0].triangle(), side.triangle());
             }
+            return true;
         });
         std::vector<std::uint32_t> result(triangles_.size());
         for (std::uint32_t i = 0; i < result.size(); ++i) {
@@ -244,20 +258,25 @@ private:
 
     /// The triangles adjacent to a triangle's sides, and whether they are wound against it.
     struct Neighbours {
-        std::size_t count = 0;
-        std::array<std::pair<std::uint32_t, bool>, 3> list;
+        std::array<std::uint32_t, 3> triangle;
+        std::array<bool, 3> against;
+        std::uint8_t count = 0;
 
-        void add(std::uint32_t triangle, bool against) { list[count++] = {triangle, against}; }
+        void add(std::uint32_t other, bool wound_against) {
+            triangle[count] = other;
+            against[count++] = wound_against;
+        }
     };
 
     std::vector<Neighbours> neighbours_in_patches() const {
         std::vector<Neighbours> result(triangles_.size());
-        for_each_edge(sides(), [&](std::span<const Side> edge) {
+        for_each_counting_edge([&](std::span<const Side> edge) {
             if (edge.size() == 2 && edge[0].triangle() != edge[1].triangle()) {
                 const bool against = edge[0].forward == edge[1].forward;
                 result[edge[0].triangle()].add(edge[1].triangle(), against);
                 result[edge[1].triangle()].add(edge[0].triangle(), against);
             }
+            return true;
         });
         return result;
     }
@@ -281,9 +300,10 @@ private:
                 const std::uint32_t i = patch[k];
                 patch_of_[i] = seed;
                 (turned[i] ? area_turned : area_kept) += area(i);
-                for (std::size_t n = 0; n < neighbours[i].count; ++n) {
-                    const auto [j, against] = neighbours[i].list[n];
-                    const auto wanted = static_cast<signed char>(turned[i] ^ static_cast<int>(against));
+                const Neighbours& around = neighbours[i];
+                for (std::size_t n = 0; n < around.count; ++n) {
+                    const std::uint32_t j = around.triangle[n];
+                    const auto wanted = static_cast<signed char>(turned[i] ^ static_cast<int>(around.against[n]));
                     if (turned[j] < 0) {
                         turned[j] = wanted;
                         patch.push_back(j);
@@ -350,10 +370,11 @@ private:
                 shell.box.add(mesh_.vertices[corner]);
             }
         }
-        for_each_edge(sides(), [&](std::span<const Side> edge) {
+        for_each_counting_edge([&](std::span<const Side> edge) {
             for (const Side& side : edge) {
                 result[shell_of[patch_of_[side.triangle()]]].closed &= edge.size() == 2;
             }
+            return true;
         });
         return result;
     }

@@ -2,6 +2,7 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
+#include <foam/geometry/internal/own_frame.hpp>
 
 #include <tbb/task_arena.h>
 
@@ -72,7 +73,37 @@ std::pair<std::shared_ptr<const Mesh>, geometry::Reading> part_mesh(const Solid:
     return {std::move(mesh), std::move(reading)};
 }
 
-void add_part(geometry::SolidData& data, std::size_t index) {
+/// The surface of a solid as its parts are added. A single mesh as given is shared: it may be large.
+class SurfaceOfParts {
+public:
+    const Mesh& mesh() const { return own_ ? *own_ : *shared_; }
+    std::shared_ptr<const Mesh> take() { return own_ ? std::move(own_) : std::move(shared_); }
+
+    /// Adds a mesh with triangles, wound outwards where the outside is known.
+    void add(const std::shared_ptr<const Mesh>& given, const std::vector<geometry::Facing>& facing) {
+        const bool as_given = std::find(facing.begin(), facing.end(), geometry::Facing::flipped) == facing.end();
+        if (as_given && mesh().triangles.empty()) {
+            shared_ = given;
+            return;
+        }
+        if (!own_) {
+            own_ = std::make_shared<Mesh>(*shared_);
+        }
+        const std::size_t first = own_->triangles.size();
+        append(*own_, *given);
+        for (std::size_t i = 0; i < facing.size(); ++i) {
+            if (Triangle& t = own_->triangles[first + i]; facing[i] == geometry::Facing::flipped) {
+                std::swap(t[1], t[2]);
+            }
+        }
+    }
+
+private:
+    std::shared_ptr<const Mesh> shared_ = std::make_shared<const Mesh>();
+    std::shared_ptr<Mesh> own_;
+};
+
+void add_part(geometry::SolidData& data, SurfaceOfParts& surface, std::size_t index) {
     Solid::Part& part = data.parts[index];
     auto [given, reading] = part_mesh(part, index);
     if (!part.primitive) {
@@ -82,20 +113,10 @@ void add_part(geometry::SolidData& data, std::size_t index) {
         data.offsets.push_back(data.offsets.back());
         return;
     }
-    const std::size_t first = data.surface.triangles.size();
-    data.first_triangles.push_back(first);
-    append(data.surface, *given);
-    Box box;
-    for (std::size_t i = 0; i < given->triangles.size(); ++i) {
-        Triangle& t = data.surface.triangles[first + i];
-        for (const std::uint32_t corner : t) {
-            box.add(data.surface.vertices[corner]);
-        }
-        if (reading.facing[i] == geometry::Facing::flipped) { // wound outwards where the outside is known
-            std::swap(t[1], t[2]);
-        }
-    }
-    data.offsets.push_back(static_cast<std::uint32_t>(data.surface.triangles.size()));
+    data.first_triangles.push_back(data.offsets.back());
+    surface.add(given, reading.facing);
+    const Box box = geometry::bounds_of_corners(*given);
+    data.offsets.push_back(static_cast<std::uint32_t>(surface.mesh().triangles.size()));
     data.box.add(box);
     std::optional<PrimitivePart> primitive;
     if (part.primitive) {
@@ -181,14 +202,16 @@ std::shared_ptr<const Solid> Solid::make(std::vector<Part> parts) {
     auto data = std::make_unique<Data>();
     data->parts = std::move(parts);
     data->offsets.push_back(0);
+    SurfaceOfParts surface;
     for (std::size_t i = 0; i < data->parts.size(); ++i) {
         check_cancelled();
-        add_part(*data, i);
+        add_part(*data, surface, i);
     }
-    if (data->surface.triangles.empty()) {
+    data->surface = surface.take();
+    if (data->surface->triangles.empty()) {
         throw Error(ErrorCode::geometry, "there is no triangle: a solid needs a mesh with triangles or a primitive");
     }
-    data->area = surface_area(data->surface);
+    data->area = surface_area(*data->surface);
     index_parts(*data);
     return std::shared_ptr<const Solid>(new Solid(std::move(data)));
 }
@@ -201,7 +224,7 @@ const std::vector<Solid::Part>& Solid::parts() const {
     return data_->parts;
 }
 const Mesh& Solid::surface() const {
-    return data_->surface;
+    return *data_->surface;
 }
 std::span<const std::uint32_t> Solid::part_offsets() const {
     return data_->offsets;
@@ -246,8 +269,8 @@ SurfacePoint Solid::closest(const Vec3& point) const {
             triangle = data_->offsets[part] + nearest.triangle;
         }
     }
-    const auto& [a, b, c] = data_->surface.triangles[triangle];
-    const std::vector<Vec3>& v = data_->surface.vertices;
+    const auto& [a, b, c] = data_->surface->triangles[triangle];
+    const std::vector<Vec3>& v = data_->surface->vertices;
     return {nearest.point, normalized(cross(v[b] - v[a], v[c] - v[a])), triangle};
 }
 

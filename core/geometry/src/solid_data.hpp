@@ -54,7 +54,7 @@ struct PartQueries {
 
 struct SolidData {
     std::vector<Solid::Part> parts;
-    Mesh surface;
+    std::shared_ptr<const Mesh> surface = std::make_shared<const Mesh>(); ///< of a single mesh as given: that mesh
     std::vector<std::uint32_t> offsets;
     Box box;
     double area = 0;

@@ -53,12 +53,25 @@ std::vector<std::uint32_t> order_by(const std::vector<std::uint32_t>& codes) {
     return order;
 }
 
+/// Returns a ball around balls.
+SurfaceRuns::Run around(std::span<const SurfaceRuns::Run> runs) {
+    Box box;
+    for (const SurfaceRuns::Run& run : runs) {
+        box.add(run.center);
+    }
+    SurfaceRuns::Run all{box.center(), 0};
+    for (const SurfaceRuns::Run& run : runs) {
+        all.radius = std::max(all.radius, distance(all.center, run.center) + run.radius);
+    }
+    return all;
+}
+
 } // namespace
 
 SurfaceRuns::SurfaceRuns(const SolidData& data)
-    : order_(order_by(morton_codes(data.surface, data.box))), runs_((order_.size() + length - 1) / length) {
+    : order_(order_by(morton_codes(*data.surface, data.box))), runs_((order_.size() + length - 1) / length) {
     const Vec3 origin = data.box.center();
-    const std::vector<Vec3>& vertices = data.surface.vertices;
+    const std::vector<Vec3>& vertices = data.surface->vertices;
     for (const Vec3& v : vertices) {
         extent_ = std::max(extent_, norm(v - origin));
     }
@@ -72,14 +85,14 @@ SurfaceRuns::SurfaceRuns(const SolidData& data)
     for (std::size_t run = 0; run < runs_.size(); ++run) {
         Box box;
         for (const std::uint32_t i : triangles(run)) {
-            for (const std::uint32_t corner : data.surface.triangles[i]) {
+            for (const std::uint32_t corner : data.surface->triangles[i]) {
                 box.add(vertices[corner] - origin);
             }
         }
         const Vec3 center = box.center();
         double squared = 0;
         for (const std::uint32_t i : triangles(run)) {
-            for (const std::uint32_t corner : data.surface.triangles[i]) {
+            for (const std::uint32_t corner : data.surface->triangles[i]) {
                 squared = std::max(squared, squared_norm(vertices[corner] - origin - center));
             }
             if (!curved.empty() && curved[i]) {
@@ -87,6 +100,9 @@ SurfaceRuns::SurfaceRuns(const SolidData& data)
             }
         }
         runs_[run] = {center, std::sqrt(squared)};
+    }
+    for (std::size_t first = 0; first < runs_.size(); first += group_length) {
+        groups_.push_back(around(std::span(runs_).subspan(first, std::min(group_length, runs_.size() - first))));
     }
 }
 

@@ -104,36 +104,45 @@ double MeshPart::Moments::winding(const Vec3& r, double r2) const {
 /// Returns the radius about `center` of the items that count; negative if there is none.
 double MeshPart::radius_about(const Vec3& center, std::uint32_t begin, std::uint32_t end) const {
     double squared = -1;
+    Corners scratch;
     for (std::uint32_t i = begin; i < end; ++i) {
-        if (items_[i].counts) {
-            const auto& [a, b, c] = items_[i].corners;
+        if (counts(i)) {
+            const auto& [a, b, c] = corners(i, scratch);
             squared = std::max({squared, squared_norm(a - center), squared_norm(b - center), squared_norm(c - center)});
         }
     }
     return squared < 0 ? -1 : std::sqrt(squared);
 }
 
+const std::vector<MeshPart::Moments>& MeshPart::moments() const {
+    if (!closed_) {
+        std::call_once(moments_once_, [&] { moments_ = computed_moments(); });
+    }
+    return moments_;
+}
+
 /// Computes the moments of leaves from their triangles, of other nodes from their children.
-void MeshPart::compute_moments() {
+std::vector<MeshPart::Moments> MeshPart::computed_moments() const {
     struct Below {
         std::uint32_t begin, end; // items
         double area = 0;          // twice that of the items that count
     };
     const std::vector<BvhNode>& nodes = bvh_.nodes();
-    moments_.assign(nodes.size(), {});
+    std::vector<Moments> result(nodes.size());
+    Corners scratch;
     std::vector<Below> below(nodes.size());
     CancellationCounter asking(1024);
     for (std::size_t n = nodes.size(); n-- > 0;) { // children come after their parents
         asking.check();
         const BvhNode& node = nodes[n];
-        Moments& moments = moments_[n];
+        Moments& moments = result[n];
         const Vec3 middle = (node.low + node.high) * 0.5;
         Vec3 sum{}; // of centroids about the middle, weighted by area
         if (node.leaf()) {
             below[n] = {node.first, node.first + node.count};
             for (std::uint32_t i = below[n].begin; i < below[n].end; ++i) {
-                const auto& [a, b, c] = items_[i].corners;
-                const double area = items_[i].counts ? norm(cross(b - a, c - a)) : 0;
+                const auto& [a, b, c] = corners(i, scratch);
+                const double area = counts(i) ? norm(cross(b - a, c - a)) : 0;
                 below[n].area += area;
                 sum += ((a - middle) + (b - middle) + (c - middle)) * (area / 3);
             }
@@ -141,44 +150,46 @@ void MeshPart::compute_moments() {
             below[n] = {below[node.first].begin, below[node.first + 1].end};
             for (const std::uint32_t child : {node.first, node.first + 1}) {
                 below[n].area += below[child].area;
-                sum += (moments_[child].center - middle) * below[child].area;
+                sum += (result[child].center - middle) * below[child].area;
             }
         }
         moments.area = below[n].area / 2;
         moments.center = below[n].area > 0 ? middle + sum / below[n].area : middle;
         moments.radius = radius_about(moments.center, below[n].begin, below[n].end);
         if (!node.leaf()) {
-            moments.add(moments_[node.first]);
-            moments.add(moments_[node.first + 1]);
+            moments.add(result[node.first]);
+            moments.add(result[node.first + 1]);
             continue;
         }
         for (std::uint32_t i = below[n].begin; i < below[n].end; ++i) {
-            if (items_[i].counts) {
-                moments.add(items_[i].corners);
+            if (counts(i)) {
+                moments.add(corners(i, scratch));
             }
         }
     }
+    return result;
 }
 
-/// Calls far(node, r, r²) for the distant clusters, r being the vector to their centre, and near(node) for the leaves
-/// that are not distant, until one call returns false.
+/// Calls far(moments, r, r²) for the distant clusters, r being the vector to their centre, and near(node) for the
+/// leaves that are not distant, until one call returns false.
 template <class Far, class Near> void MeshPart::visit_clusters(const Vec3& p, Far far, Near near) const {
     const std::vector<BvhNode>& nodes = bvh_.nodes();
+    const std::vector<Moments>& moments = this->moments();
     std::array<std::uint32_t, Bvh::max_depth> stack;
     std::size_t size = 0;
     stack[size] = 0;
     size += !nodes.empty();
     while (size > 0) {
         const std::uint32_t n = stack[--size];
-        if (!moments_.empty()) {
-            const Moments& m = moments_[n];
+        if (!moments.empty()) {
+            const Moments& m = moments[n];
             const Vec3 r = m.center - p;
             const double r2 = squared_norm(r);
             if (m.radius < 0) {
                 continue;
             }
             if (r2 > far_factor * far_factor * m.radius * m.radius) {
-                if (!far(n, r, r2)) {
+                if (!far(m, r, r2)) {
                     return;
                 }
                 continue;
@@ -197,16 +208,17 @@ MeshPart::Winding MeshPart::winding_by_expansion(const Vec3& p) const {
     AngleSum near; // half the solid angles
     double far = 0;
     bool on_triangle = false;
+    Corners scratch;
     visit_clusters(
         p,
-        [&](std::uint32_t n, const Vec3& r, double r2) {
-            far += moments_[n].winding(r, r2);
+        [&](const Moments& m, const Vec3& r, double r2) {
+            far += m.winding(r, r2);
             return true;
         },
         [&](const BvhNode& leaf) {
             for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
-                if (items_[i].counts) {
-                    const HalfSolidAngle angle(items_[i].corners, p);
+                if (counts(i)) {
+                    const HalfSolidAngle angle(corners(i, scratch), p);
                     on_triangle = on_triangle || angle.on_triangle();
                     near.add(angle);
                 }
@@ -220,6 +232,7 @@ MeshPart::Winding MeshPart::winding_by_expansion(const Vec3& p) const {
 MeshPart::Variation MeshPart::winding_around(const Vec3& center, double radius, double most) const {
     AngleSum near;
     double far = 0, variation = 0;
+    Corners scratch;
     const auto add_variation = [&](double area, double distance) {
         const double d = distance - radius;
         variation += d > 0 ? area * radius / (2 * std::numbers::pi * d * d * d) : most;
@@ -227,14 +240,14 @@ MeshPart::Variation MeshPart::winding_around(const Vec3& center, double radius, 
     };
     visit_clusters(
         center,
-        [&](std::uint32_t n, const Vec3& r, double r2) {
-            far += moments_[n].winding(r, r2);
-            return add_variation(moments_[n].area, std::sqrt(r2) - moments_[n].radius);
+        [&](const Moments& m, const Vec3& r, double r2) {
+            far += m.winding(r, r2);
+            return add_variation(m.area, std::sqrt(r2) - m.radius);
         },
         [&](const BvhNode& leaf) {
             for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
-                if (items_[i].counts) {
-                    const Corners& t = items_[i].corners;
+                if (counts(i)) {
+                    const Corners& t = corners(i, scratch);
                     near.add(HalfSolidAngle(t, center));
                     const double area = norm(cross(t.b - t.a, t.c - t.a)) / 2;
                     if (!add_variation(area, distance(closest_on_triangle(t, center), center))) {

@@ -31,6 +31,10 @@ public:
         const std::size_t begin = run * length;
         return std::span(order_).subspan(begin, std::min(length, order_.size() - begin));
     }
+    /// The ball around `group_length` runs in order, or fewer at the end.
+    static constexpr std::size_t group_length = 16;
+    std::size_t group_count() const { return groups_.size(); }
+    const Run& group(std::size_t index) const { return groups_[index]; }
     /// Largest distance of a vertex from the middle of the bounds.
     double extent() const { return extent_; }
 
@@ -38,7 +42,7 @@ private:
     static constexpr std::size_t length = 16;
 
     std::vector<std::uint32_t> order_;
-    std::vector<Run> runs_;
+    std::vector<Run> runs_, groups_;
     double extent_ = 0;
 };
 
