@@ -1,5 +1,5 @@
 # What `cmake --install` puts where, and the packages that `cpack -G DEB` makes of it. Components: runtime (program, core,
-# plugins, recipes), sdk (headers, find_package(foam), templates of plugins), gpl (plugins under the GPL), bench (the program of `foam bench`, without collision engines).
+# plugins, recipes), sdk (headers, find_package(foam), templates of plugins), gpl (plugins under the GPL), bench (the program of `foam bench`, without collision engines), python (the package foam).
 # The build folder serves as an SDK too: CMAKE_PREFIX_PATH=<build folder>.
 
 set(FOAM_SDK_INSTALLED "${CMAKE_INSTALL_LIBDIR}/cmake/foam")
@@ -23,6 +23,16 @@ set(CPACK_PACKAGE_VENDOR "The foam authors")
 set(CPACK_PACKAGE_CONTACT "${CPACK_PACKAGE_VENDOR} <foam@localhost>")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL runtime sdk gpl bench)
+if(TARGET foam_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "foam in Python: import foam")
+  set(CPACK_COMPONENT_PYTHON_DEPENDS runtime)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-foam)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  math(EXPR FOAM_NEXT_PYTHON "${FOAM_PYTHON_MINOR} + 1") # a module is for one version of Python
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${FOAM_PYTHON_MINOR}), python3 (<< 3.${FOAM_NEXT_PYTHON}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA "${CMAKE_SOURCE_DIR}/python/debian/postinst;${CMAKE_SOURCE_DIR}/python/debian/prerm")
+endif()
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Turns robots and objects into spheres, with a proof that the geometry is inside")
 set(CPACK_COMPONENT_SDK_DESCRIPTION "Headers and CMake files for plugins of foam")
 set(CPACK_COMPONENT_GPL_DESCRIPTION "Plugins of foam that use CGAL's GPL packages: spherize.medial, repair.wrap")

@@ -21,6 +21,19 @@ if [[ -f $(package foam-plugins-gpl) ]]; then
     dpkg-deb -x "$(package foam-plugins-gpl)" "$room/root"
     expect "GPL-3.0-or-later" "$room/root/usr/bin/foam" plugins
 fi
+if [[ -f $(package python3-foam) ]]; then
+    expect "python3 (<< 3." dpkg-deb -f "$(package python3-foam)" Depends
+    expect "python3-numpy" dpkg-deb -f "$(package python3-foam)" Depends
+    expect "foam (= " dpkg-deb -f "$(package python3-foam)" Depends
+    dpkg-deb -x "$(package python3-foam)" "$room/root"
+    if /usr/bin/python3 -c 'import numpy' 2>/dev/null; then
+        write_part "$room/part.obj"
+        cd "$room"
+        expect "$room/root/usr/lib/python3/dist-packages/foam/__init__.py True" \
+            env PYTHONPATH="$room/root/usr/lib/python3/dist-packages" /usr/bin/python3 -c \
+            'import foam; print(foam.__file__, foam.spherize("part.obj", 6).certified)'
+    fi
+fi
 if [[ -x $FOAM_TEST_BUILD/bin/foam-bench ]]; then
     expect "foam (= " dpkg-deb -f "$(package foam-bench)" Depends
     dpkg-deb -x "$(package foam-bench)" "$room/root"

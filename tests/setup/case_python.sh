@@ -11,7 +11,7 @@ expect_no_call "^apt-get"
 run_foam python -c "a b"
 expect_code 0
 expect_call "install -y --no-install-recommends pack-p"
-expect_no_call "^apt-get.*pack-[tqcd]"
+expect_no_call "^apt-get.*pack-[tqcdw]"
 expect_call "core/all plugins/all apps/foam/all python/all"
 expect_out "path $clone/build/release/python
  <-c> <a b>"
@@ -24,3 +24,13 @@ run_foam version
 expect_calls ninja 2
 run_foam python
 expect_calls ninja 3
+
+# ./foam wheel needs patchelf as well, and hands the build folder on.
+run_foam wheel
+expect_code 0
+expect_call "install -y --no-install-recommends pack-w"
+expect_out "path ${PYTHONPATH:-}
+ <-B> <$clone/python/wheel/foam_wheel.py> <$clone/build/release> <$clone/build/release/wheels>"
+run_foam wheel "$room/a folder"
+expect_out "path ${PYTHONPATH:-}
+ <-B> <$clone/python/wheel/foam_wheel.py> <$clone/build/release> <$room/a folder>"

@@ -1,0 +1,70 @@
+"""The shared libraries that a wheel carries along: which, under which names, with which licences."""
+import hashlib
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+# What every Linux with this glibc has: PEP 600's list, as far as foam needs it.
+OF_THE_SYSTEM = re.compile(r"(ld-linux.*|lib(c|m|dl|pthread|rt|gcc_s|stdc\+\+))\.so\b.*")
+
+
+def run(*command):
+    try:
+        return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    except FileNotFoundError:
+        raise SystemExit(f"foam: error: there is no {command[0]}; remedy: apt-get install {command[0]}") from None
+
+
+def libraries_of(path):
+    """Name and path of every library that a library needs, directly or not, without those of the system."""
+    found = {}
+    for name, target in re.findall(r"^\s*(\S+) => (not found|\S+)", run("ldd", path), re.M):
+        if OF_THE_SYSTEM.fullmatch(name):
+            continue
+        if target == "not found":
+            raise SystemExit(f"foam: error: {path.name} needs {name}, which is missing; remedy: install its package")
+        found[name] = pathlib.Path(target).resolve()
+    return found
+
+
+def unique_names(libraries):
+    """A name for each library of others, with a digest: a library of another package may bear the same name."""
+    names = {}
+    for name, path in libraries.items():
+        stem, _, version = name.partition(".so")
+        names[name] = f"{stem}-{hashlib.sha256(path.read_bytes()).hexdigest()[:8]}.so{version}"
+    return names
+
+
+def patch(library, run_path, names, soname=None):
+    """Makes a library look for others in the run path, under their new names. One change a call: patchelf 0.14 writes broken libraries
+    if it makes several at once."""
+    needed = run("patchelf", "--print-needed", library).split()
+    changes = [("--replace-needed", name, names[name]) for name in needed if name in names]
+    changes += [("--set-soname", soname)] if soname else []
+    for change in [*changes, ("--set-rpath", run_path)]:
+        run("patchelf", *change, library)
+
+
+def package_of(path):
+    """The Debian package of a file, None if there is none. /lib is /usr/lib, and packages may name either."""
+    for name in (str(path), str(path).removeprefix("/usr")):
+        asked = subprocess.run(["dpkg", "-S", name], capture_output=True, text=True) if shutil.which("dpkg") else None
+        if asked and asked.returncode == 0:
+            return asked.stdout.partition(":")[0]
+    return None
+
+
+def licences(libraries):
+    """The file with the licence of each Debian package with one of the libraries, by the name it is to have."""
+    texts = {}
+    for path in libraries:
+        package = package_of(path)
+        text = pathlib.Path("/usr/share/doc", package or "", "copyright")
+        if package and text.is_file():
+            texts[f"{package}.txt"] = text
+        else:
+            print(f"foam: warning: {path} comes without its licence text; remedy: add it before you publish the wheel", file=sys.stderr)
+    return texts

@@ -1,0 +1,60 @@
+"""Writes a wheel: the zip archive of PEP 427, the same bytes from the same files."""
+import base64
+import hashlib
+import pathlib
+import sys
+import sysconfig
+import zipfile
+
+EPOCH = (1980, 1, 1, 0, 0, 0) # the earliest of a zip archive
+
+
+def tag():
+    """Python, ABI and platform that the libraries are for; pybind11 has no stable ABI."""
+    python = f"cp{sys.version_info.major}{sys.version_info.minor}"
+    return f"{python}-{python}-{sysconfig.get_platform().replace('-', '_').replace('.', '_')}"
+
+
+def metadata(project, version):
+    lines = ["Metadata-Version: 2.1", f"Name: {project['name']}", f"Version: {version}", f"Summary: {project['description']}",
+             f"License: {project['license']['text']}", f"Requires-Python: {project['requires-python']}"]
+    return "\n".join(lines + [f"Requires-Dist: {needed}" for needed in project["dependencies"]]) + "\n"
+
+
+def entry_points(project):
+    return "[console_scripts]\n" + "".join(f"{name} = {call}\n" for name, call in sorted(project["scripts"].items()))
+
+
+def information(project, version, licences):
+    """The texts of the folder .dist-info, without its list of files."""
+    texts = {
+        "METADATA": metadata(project, version),
+        "WHEEL": f"Wheel-Version: 1.0\nGenerator: foam\nRoot-Is-Purelib: false\nTag: {tag()}\n",
+    }
+    if project.get("scripts"):
+        texts["entry_points.txt"] = entry_points(project)
+    return texts | {f"licenses/{name}": file.read_text() for name, file in sorted(licences.items())}
+
+
+def recorded(name, data):
+    digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
+    return f"{name},sha256={digest},{len(data)}\n"
+
+
+def write(out, folder, project, version, licences):
+    """Writes the wheel with the files of a folder into the folder `out`; returns its path."""
+    stem = f"{project['name'].replace('-', '_')}-{version}"
+    files = {path.relative_to(folder).as_posix(): path.read_bytes() for path in sorted(folder.rglob("*"))
+             if path.is_file() and "__pycache__" not in path.parts}
+    files |= {f"{stem}.dist-info/{name}": text.encode() for name, text in information(project, version, licences).items()}
+    record = f"{stem}.dist-info/RECORD"
+    files[record] = ("".join(recorded(name, data) for name, data in files.items()) + f"{record},,\n").encode()
+    out = pathlib.Path(out)
+    out.mkdir(parents=True, exist_ok=True)
+    wheel = out / f"{stem}-{tag()}.whl"
+    with zipfile.ZipFile(wheel, "w") as archive:
+        for name, data in files.items():
+            entry = zipfile.ZipInfo(name, EPOCH)
+            entry.external_attr = (0o100755 if ".so" in name else 0o100644) << 16
+            archive.writestr(entry, data, zipfile.ZIP_DEFLATED, 6)
+    return wheel
