@@ -2,13 +2,13 @@
 #include "batch_progress.hpp"
 #include "commands.hpp"
 #include "execute.hpp"
-#include "quick_recipe.hpp"
 
 #include "cli/interrupt.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/batch/batch.hpp>
+#include <foam/recipe/quick_recipe.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -41,26 +41,6 @@ std::string table_of_proofs(const Original& original, const MatchedModel& model,
     return table;
 }
 
-nlohmann::ordered_json json_of_proofs(const Original& original, const std::vector<LinkProof>& proofs, bool outer) {
-    auto links = nlohmann::ordered_json::array();
-    for (std::size_t i = 0; i < proofs.size(); ++i) {
-        nlohmann::ordered_json link{{"link", original.links[i].link}, {"certified", proofs[i].holds}};
-        if (outer) {
-            link["triangles"] = proofs[i].triangles;
-            link["pieces"] = proofs[i].pieces;
-            link["halvings"] = proofs[i].halvings;
-        }
-        if (!proofs[i].holds) {
-            link[outer ? "growth_m" : "excess_m"] = json_number(proofs[i].growth);
-            link[outer ? "triangle" : "sphere"] = outer ? proofs[i].triangle : proofs[i].sphere;
-            const Vec3& p = proofs[i].witness;
-            link[outer ? "witness_m" : "center_m"] = {p.x, p.y, p.z};
-        }
-        links.push_back(std::move(link));
-    }
-    return links;
-}
-
 int certify_spheres(Program& program, const CertifyArguments& arguments) {
     const ThreadLimit limit(arguments.judge.threads);
     const bool outer = arguments.guarantee == "outer";
@@ -81,7 +61,7 @@ int certify_spheres(Program& program, const CertifyArguments& arguments) {
                                           {"certified", failed == 0},
                                           {"proof", json_of_proof<nlohmann::ordered_json>(proved)},
                                           {"notes", model.notes},
-                                          {"links", json_of_proofs(original, proofs, outer)}};
+                                          {"links", json_of_proofs<nlohmann::ordered_json>(original, proofs, outer)}};
         print_json(json);
     } else if (failed == 0) {
         print(fmt::format("Certified ({}): {} on {} link{}, {} sphere{}.\n", arguments.guarantee,

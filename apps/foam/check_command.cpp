@@ -2,12 +2,11 @@
 #include "commands.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/recipe/findings_json.hpp>
 #include <foam/runtime/plan.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <set>
 
 namespace foam::cli {
 namespace {
@@ -18,44 +17,12 @@ struct CheckArguments {
     bool json = false;
 };
 
-nlohmann::ordered_json json_of_findings(const RecipeResult& read) {
-    nlohmann::ordered_json json{{"ok", read.ok()},
-                                {"runs", nlohmann::ordered_json::array()},
-                                {"variants", read.variants},
-                                {"findings", nlohmann::ordered_json::array()}};
-    for (const Recipe& recipe : read.recipes) {
-        json["runs"].push_back(recipe.name);
-    }
-    for (const Diagnostic& finding : read.diagnostics) {
-        json["findings"].push_back({{"level", finding.level == Diagnostic::Level::error ? "error" : "warning"},
-                                    {"code", finding.code},
-                                    {"file", finding.where.file},
-                                    {"line", finding.where.line},
-                                    {"column", finding.where.column},
-                                    {"message", finding.message}});
-    }
-    return json;
-}
-
-/// What the recipe says of links and joints, held against the robot where there is one. Points of a sweep share most of
-/// it.
-void add_unknown_names(RecipeResult& read, const Registry& registry) {
-    std::set<std::string> told;
-    for (const Recipe& recipe : read.recipes) {
-        for (Diagnostic& finding : unknown_names(recipe, registry)) {
-            if (told.insert(finding.text()).second) {
-                read.diagnostics.push_back(std::move(finding));
-            }
-        }
-    }
-}
-
 int check_recipe(Program& program, const CheckArguments& arguments) {
     RecipeResult read =
         read_recipe(arguments.recipe, program.registry(), settings_of(arguments.settings), arguments.variants);
     add_unknown_names(read, program.registry());
     if (arguments.json) {
-        print_json(json_of_findings(read));
+        print_json(json_of_findings<nlohmann::ordered_json>(read));
     } else {
         std::string text;
         for (const Diagnostic& finding : read.diagnostics) {

@@ -79,7 +79,8 @@ nlohmann::ordered_json json_of(const Comparison& comparison) {
     nlohmann::ordered_json json{{"original", comparison.original.file.string()},
                                 {"models", nlohmann::ordered_json::array()}};
     for (const JudgedModel& judged : comparison.models) {
-        json["models"].push_back(json_of(comparison.original, judged.model, judged.evaluation));
+        json["models"].push_back(
+            json_of_evaluation<nlohmann::ordered_json>(comparison.original, judged.model, judged.evaluation));
     }
     return json;
 }

@@ -1,7 +1,6 @@
 // foam convert: a sphere model from any format that is read to any that is written.
 #include "commands.hpp"
 #include "judge.hpp"
-#include "quick_recipe.hpp"
 #include "telling.hpp"
 #include "written_files.hpp"
 
@@ -11,8 +10,9 @@
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>
 #include <foam/base/text.hpp>
-#include <foam/collision/self_collision.hpp>
 #include <foam/geometry/length.hpp>
+#include <foam/judge/written_model.hpp>
+#include <foam/recipe/quick_recipe.hpp>
 #include <foam/runtime/version.hpp>
 
 #include <fmt/format.h>
@@ -51,113 +51,6 @@ std::string text_of_file(const std::string& file) {
     return std::move(contents.bytes);
 }
 
-/// Returns a robot that is only the names of the model's links.
-std::shared_ptr<const Robot> links_alone(const SphereFile& file) {
-    auto robot = std::make_shared<Robot>();
-    robot->name = file.file.stem().string();
-    for (const LinkSpheres& link : file.links) {
-        robot->links.push_back({link.link, {}, {}});
-    }
-    robot->root = robot->links.empty() ? "" : robot->links.front().name;
-    return robot;
-}
-
-/// Names the link of a format without link names.
-void name_only_link(SphereFile& file, const Original* original) {
-    for (LinkSpheres& link : file.links) {
-        if (!link.link.empty()) {
-            continue;
-        }
-        if (original && original->links.size() != 1) {
-            throw Error(
-                ErrorCode::input,
-                fmt::format("{}: its spheres name no link, and {} has {} links with collision geometry; remedy: "
-                            "a model by link",
-                            file.file.string(), original->file.string(), original->links.size()));
-        }
-        link.link = original ? original->links.front().link : file.file.stem().string();
-    }
-}
-
-void require_links(const SphereFile& file, const Robot& robot) {
-    std::vector<std::string> known;
-    for (const Link& link : robot.links) {
-        known.push_back(link.name);
-    }
-    for (const LinkSpheres& link : file.links) {
-        if (!robot.find_link(link.link)) {
-            const std::string near = nearest_word(link.link, known);
-            throw Error(ErrorCode::input, fmt::format("{}: link '{}' is no link of {}{}", file.file.string(),
-                                                      shown(link.link), robot.file.filename().string(),
-                                                      near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
-        }
-    }
-}
-
-SphereModel sphere_model_of(const SphereFile& file, std::shared_ptr<const Robot> robot) {
-    SphereModel model;
-    model.name = file.file.stem().string();
-    model.robot = std::move(robot);
-    for (const Link& link : model.robot->links) {
-        for (const LinkSpheres& spheres : file.links) {
-            if (spheres.link == link.name && !spheres.spheres.empty()) {
-                model.groups.push_back({link.name, {}, flat_tree(spheres.spheres), {}});
-            }
-        }
-    }
-    if (model.groups.empty()) {
-        throw Error(ErrorCode::input, fmt::format("{}: there are no spheres to write", file.file.string()));
-    }
-    return model;
-}
-
-SphereFile in_single_precision(SphereFile file) {
-    const auto single = [](double value) { return static_cast<double>(static_cast<float>(value)); };
-    for (LinkSpheres& link : file.links) {
-        for (Sphere& s : link.spheres) {
-            s = {{single(s.center.x), single(s.center.y), single(s.center.z)}, single(s.radius)};
-        }
-    }
-    return file;
-}
-
-/// Returns a sentence: for how many links the geometry is proved to lie inside the spheres.
-std::string proof_of(const Original& original, const SphereFile& file, bool float32) {
-    const auto count = [&](const SphereFile& spheres) {
-        const std::vector<LinkProof> proofs = prove(original, match(original, spheres), Guarantee::outer);
-        return static_cast<std::size_t>(
-            std::count_if(proofs.begin(), proofs.end(), [](const LinkProof& proof) { return proof.holds; }));
-    };
-    std::size_t proved = count(file);
-    proved = float32 ? std::min(proved, count(in_single_precision(file))) : proved;
-    const std::size_t all = original.links.size();
-    return fmt::format("{}: the collision geometry of {} of {} link{} lies inside {} spheres{}",
-                       proved == all ? "proved"
-                       : proved > 0  ? "proved in part"
-                                     : "not proved",
-                       proved, all, all == 1 ? "" : "s", all == 1 ? "its" : "their",
-                       float32 ? ", also in single precision" : "");
-}
-
-std::vector<IgnoredPair> pairs_of(const SphereModel& model, const ConvertArguments& arguments) {
-    CollisionModel spheres;
-    spheres.robot = model.robot;
-    spheres.spheres.resize(model.robot->links.size());
-    spheres.sources.resize(model.robot->links.size());
-    for (std::size_t i = 0; i < model.robot->links.size(); ++i) {
-        for (const SphereGroup& group : model.groups) {
-            if (group.link == model.robot->links[i].name) {
-                spheres.spheres[i] = group.tree.finest();
-                spheres.sources[i] = CollisionModel::Source::given;
-            }
-        }
-    }
-    SelfCollisionOptions options;
-    options.reference = positions_of(arguments.pose, "--pose");
-    options.cancel = &stop_on_interrupt();
-    return ignored_pairs(*model.robot, self_collision_matrix(Kinematics(model.robot), spheres, options));
-}
-
 /// Adds the padding to all radii; tells the excess before and after.
 void pad(SphereFile& file, const std::string& text, const Original* original) {
     const double padding = length_of(text, "--pad");
@@ -173,17 +66,6 @@ void pad(SphereFile& file, const std::string& text, const Original* original) {
     }
     if (original) {
         tell(fmt::format("padding of {} m: excess {:.3f} before, {:.3f} after", to_text(padding), before, excess()));
-    }
-}
-
-/// Throws Error(internal) if the writer's file gives other spheres than the model.
-void require_equal(const SphereModel& model, const Writer& writer, const std::string& bytes) {
-    auto read = writer.read(bytes);
-    for (const LinkSpheres& link : spheres_by_link(model)) {
-        if (read[link.link] != link.spheres) {
-            throw Error(ErrorCode::internal,
-                        fmt::format("link '{}': the written file gives other spheres than the model", link.link));
-        }
     }
 }
 
@@ -227,8 +109,8 @@ int convert(Program& program, const ConvertArguments& arguments) {
                    .default_pose = positions_of(arguments.pose, "--pose"),
                    .acceleration = {},
                    .jerk = {}};
-    const std::string proof =
-        original ? proof_of(*original, file, format.info.consumer.float32) : "nothing is proved without the robot";
+    const std::string proof = original ? proof_statement(*original, file, format.info.consumer.float32)
+                                       : "nothing is proved without the robot";
     std::size_t spheres = 0;
     for (const SphereGroup& group : model.groups) {
         spheres += group.tree.finest().size();
@@ -236,7 +118,7 @@ int convert(Program& program, const ConvertArguments& arguments) {
     model.provenance = fmt::format("foam {}; {}, {}; {} sphere{}; {}", version(), file.file.filename().string(),
                                    file.format, spheres, spheres == 1 ? "" : "s", proof);
     if (lists_pairs(format.info, parameters) && original && model.groups.size() > 1) {
-        model.ignored_pairs = pairs_of(model, arguments);
+        model.ignored_pairs = ignored_pairs_of(model, positions_of(arguments.pose, "--pose"), &stop_on_interrupt());
     }
     if (!arguments.into.empty()) {
         if (!format.info.consumer.edits) {
@@ -247,7 +129,7 @@ int convert(Program& program, const ConvertArguments& arguments) {
     }
     Telling context(arguments.verbose);
     const std::vector<WrittenFile> files = written_files(*writer, format.info, model, arguments.output, context);
-    require_equal(model, *writer, files.front().bytes);
+    require_written(model, *writer, files.front().bytes);
     for (const WrittenFile& written : files) {
         write_whole_file(written.file, written.bytes);
     }

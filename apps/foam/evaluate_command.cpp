@@ -106,7 +106,7 @@ nlohmann::ordered_json planes_json(const std::vector<LinkPlane>& planes, const O
         json.push_back({{"link", original.links[link].link},
                         {"normal", {plane.normal.x, plane.normal.y, plane.normal.z}},
                         {"offset_m", plane.offset},
-                        {"reached_m", json_number(reach_beyond(plane, model.spheres[link]))}});
+                        {"reached_m", json_number<nlohmann::ordered_json>(reach_beyond(plane, model.spheres[link]))}});
     }
     return json;
 }
@@ -122,7 +122,7 @@ int evaluate_spheres(Program& program, const EvaluateArguments& arguments) {
     const Evaluation evaluation = evaluate(original, model, arguments.seed);
     if (arguments.json) {
         nlohmann::ordered_json json{{"original", arguments.judge.original}, {"seed", arguments.seed}};
-        json.update(json_of(original, model, evaluation));
+        json.update(json_of_evaluation<nlohmann::ordered_json>(original, model, evaluation));
         if (!planes.empty()) {
             json["clip"] = planes_json(planes, original, model);
         }

@@ -4,23 +4,15 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
-#include <foam/geometry/measure_names.hpp>
 
 #include <fmt/format.h>
 
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 
 namespace foam::cli {
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-} // namespace
-
 Renames renames_of(const std::vector<std::string>& texts) {
     Renames renames;
     for (const std::string& text : texts) {
@@ -139,38 +131,9 @@ void require_renames(const std::vector<std::string>& renames, const std::vector<
     }
 }
 
-namespace {
-
-constexpr const char* proof_fails = "the proof does not hold";
-
-} // namespace
-
 std::string not_judged_text(ProvedLinks links) {
     std::erase_if(links.left_out, [](const ProvedLinks::LeftOut& link) { return link.reason == proof_fails; });
     return omissions_of(links);
-}
-
-ProvedLinks proved_links(const Original& original, const std::vector<bool>& proved, Guarantee guarantee) {
-    ProvedLinks links;
-    links.guarantee = guarantee;
-    links.geometry = original.geometry;
-    links.visual_only = visual_only_links(*original.robot);
-    links.collision_only = original.collision_only;
-    std::size_t next = 0; // of those that are judged, in the robot's order
-    for (const Link& link : original.robot->links) {
-        if (link.collisions.empty()) {
-            continue;
-        }
-        ++links.with_geometry;
-        if (next == original.links.size() || original.links[next].link != link.name) {
-            links.left_out.push_back({link.name, "excluded by --link"});
-        } else if (proved[next++]) {
-            ++links.proved;
-        } else {
-            links.left_out.push_back({link.name, proof_fails});
-        }
-    }
-    return links;
 }
 
 void write_whole_file(const std::filesystem::path& file, const std::string& text) {
@@ -193,42 +156,6 @@ void write_whole_file(const std::filesystem::path& file, const std::string& text
 
 std::string millimetres(double metres, int digits) {
     return figure_text(1000 * metres, digits);
-}
-
-Json json_number(double value) {
-    return std::isfinite(value) ? Json(value) : Json();
-}
-
-Json json_of(const Figures& figures) {
-    const Measures& m = figures.measures;
-    Json json = json_of_measures<Json>(m);
-    json["covered_standard_error"] = figures.covered_error;
-    json["volume_ratio"] = json_number(1 + m.excess - m.missing);
-    return json;
-}
-
-std::vector<bool> certified_links(const Evaluation& evaluation) {
-    std::vector<bool> certified;
-    for (const Figures& figures : evaluation.links) {
-        certified.push_back(figures.measures.certified);
-    }
-    return certified;
-}
-
-Json json_of(const Original& original, const MatchedModel& model, const Evaluation& evaluation) {
-    Json json{{"model", model.file.file.string()},
-              {"format", model.file.format},
-              {"notes", model.notes},
-              {"proof", json_of_proof<Json>(proved_links(original, certified_links(evaluation), Guarantee::outer))},
-              {"total", json_of(evaluation.total)},
-              {"with_spheres", json_of(evaluation.with_spheres)},
-              {"links", Json::array()}};
-    for (std::size_t i = 0; i < original.links.size(); ++i) {
-        Json link{{"link", original.links[i].link}};
-        link.update(json_of(evaluation.links[i]));
-        json["links"].push_back(std::move(link));
-    }
-    return json;
 }
 
 std::size_t sphere_count(const MatchedModel& model) {

@@ -3,8 +3,7 @@
 
 #include "cli/program.hpp"
 
-#include <foam/judge/evaluate.hpp>
-#include <foam/robot/proved_links.hpp>
+#include <foam/judge/judge_json.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -47,22 +46,12 @@ MatchedModel model_of(Program& program, const JudgeOptions& options, const Origi
 void require_renames(const std::vector<std::string>& renames, const std::vector<const SphereFile*>& files);
 /// Sentences about the links that are not judged; those whose proof fails stand in tables.
 std::string not_judged_text(ProvedLinks links);
-/// What is proved of the original's robot. `proved`: of each link that is judged.
-ProvedLinks proved_links(const Original& original, const std::vector<bool>& proved, Guarantee guarantee);
 
 /// In one step, so that a reader never sees half of it. Throws Error(output).
 void write_whole_file(const std::filesystem::path& file, const std::string& text);
 
 /// Lengths for people: millimetres; "inf" for what has no end.
 std::string millimetres(double metres, int digits = 2);
-/// A number, or null if it is not finite.
-nlohmann::ordered_json json_number(double value);
-/// The names are those of manifest.json.
-nlohmann::ordered_json json_of(const Figures& figures);
-/// Of each link that is judged.
-std::vector<bool> certified_links(const Evaluation& evaluation);
-/// File, format, notes and figures of one model.
-nlohmann::ordered_json json_of(const Original& original, const MatchedModel& model, const Evaluation& evaluation);
 /// The number of spheres that are judged.
 std::size_t sphere_count(const MatchedModel& model);
 

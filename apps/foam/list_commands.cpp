@@ -3,6 +3,7 @@
 #include "commands.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/recipe/stage_json.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,71 +12,6 @@ namespace foam::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json json_of_declared(const ParameterValue& value) {
-    return std::visit([](const auto& v) { return Json(v); }, value);
-}
-
-Json json_of_declared(const Parameter& p) {
-    Json json{{"name", p.name},
-              {"type", to_string(p.type)},
-              {"default", json_of_declared(p.default_value)},
-              {"doc", p.doc_text}};
-    if (!p.unit_text.empty()) {
-        json["unit"] = p.unit_text;
-    }
-    if (p.low) {
-        json["low"] = *p.low;
-    }
-    if (p.high) {
-        json["high"] = *p.high;
-    }
-    if (!p.choices.empty()) {
-        json["choices"] = p.choices;
-    }
-    if (!p.source_text.empty()) {
-        json["source"] = p.source_text;
-    }
-    json["affects_output"] = p.affects_output;
-    return json;
-}
-
-/// By the keys of recipes; those that the stage leaves to the recipe are left out.
-Json json_of_declared(const Isolation& isolation) {
-    Json json = Json::object();
-    if (isolation.process) {
-        json["isolate"] = *isolation.process ? "process" : "none";
-    }
-    if (isolation.time_limit) {
-        json["time_limit"] = *isolation.time_limit;
-    }
-    if (isolation.memory_limit) {
-        json["memory_limit"] = *isolation.memory_limit;
-    }
-    return json;
-}
-
-Json json_of_declared(const RegisteredStage& stage) {
-    Json json{{"name", stage.info.name},
-              {"kind", to_string(stage.kind)},
-              {"summary", stage.info.summary},
-              {"reference", stage.info.reference},
-              {"revision", stage.info.revision},
-              {"plugin", stage.plugin},
-              {"plugin_version", stage.plugin_version},
-              {"license", stage.license},
-              {"extensions", stage.info.extensions},
-              {"companions", stage.info.companions},
-              {"original_only", stage.info.original_only},
-              {"objective_parameter", stage.info.objective_parameter},
-              {"isolation", json_of_declared(stage.info.isolation)},
-              {"last_resort", stage.info.last_resort},
-              {"parameters", Json::array()}};
-    for (const Parameter& p : stage.info.parameters) {
-        json["parameters"].push_back(json_of_declared(p));
-    }
-    return json;
-}
 
 std::string limits(const Parameter& p) {
     if (p.type == Parameter::Type::choice) {
@@ -108,7 +44,7 @@ std::string description(const RegisteredStage& stage) {
         text +=
             "Reads the files that no other loader reads, or all of these formats if 'loaders: {prefer: …}' names it.\n";
     }
-    if (const Json isolation = json_of_declared(stage.info.isolation); !isolation.empty()) {
+    if (const Json isolation = json_of_isolation<Json>(stage.info.isolation); !isolation.empty()) {
         text += "Default isolation:";
         for (const auto& [key, value] : isolation.items()) {
             text += fmt::format(" {}: {},", key, value.is_string() ? value.get<std::string>() : value.dump());
@@ -138,7 +74,7 @@ int list_stages(Program& program, bool as_json) {
     Json json = Json::array();
     std::string text;
     for (const auto& [name, stage] : registry.stages()) {
-        json.push_back(json_of_declared(stage));
+        json.push_back(json_of_stage<Json>(stage));
         text += fmt::format("{:<22} {:<13} {}\n", name, to_string(stage.kind), stage.info.summary);
     }
     if (as_json) {
@@ -159,7 +95,7 @@ int describe_stage(Program& program, const std::string& name, bool as_json) {
                                                                : fmt::format("; did you mean '{}'?", near)));
     }
     if (as_json) {
-        print_json(json_of_declared(*stage));
+        print_json(json_of_stage<Json>(*stage));
     } else {
         print(description(*stage));
     }
@@ -172,13 +108,8 @@ int list_plugins(Program& program, bool why, bool as_json) {
     std::string text;
     std::size_t refused = 0;
     for (const PluginRecord& record : registry.plugins()) {
-        Json entry{{"file", record.file.string()}, {"loaded", record.loaded()}, {"name", record.name},
-                   {"version", record.version},    {"license", record.license}, {"stages", record.stages}};
-        if (!record.loaded()) {
-            entry["rejection"] = record.rejection;
-            ++refused;
-        }
-        json.push_back(std::move(entry));
+        refused += record.loaded() ? 0 : 1;
+        json.push_back(json_of_plugin<Json>(record));
         if (record.loaded()) {
             text += fmt::format("{:<20} {:<8} {:<18} {}\n", record.name, record.version, record.license,
                                 fmt::join(record.stages, ", "));

@@ -3,9 +3,11 @@
 #include "summary.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/runtime/run_json.hpp>
 #include <foam/runtime/verify.hpp>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <optional>
 
@@ -76,7 +78,7 @@ int run_recipe(Program& program, RunArguments arguments) {
         const RunResult result = execute(recipe, registry, directory, arguments.execute);
         code = std::max(code, exit_code_of(result));
         if (arguments.json) {
-            runs.push_back(json_of(result, recipe, directory));
+            runs.push_back(json_of_run<nlohmann::ordered_json>(result, recipe, directory));
         } else {
             print(table_of(result, recipe.guarantee) + files_text(recipe, result, directory));
         }

@@ -9,7 +9,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
-#include <foam/judge/collision_model.hpp>
+#include <foam/judge/judge_json.hpp>
 
 #include <fmt/format.h>
 
@@ -145,54 +145,6 @@ std::string table_of_pairs(const SelfCollisionArguments& arguments, const Collis
     return text + summary(matrix);
 }
 
-Json json_of_links(const CollisionModel& model) {
-    Json links = Json::array();
-    for (std::size_t i = 0; i < model.spheres.size(); ++i) {
-        if (!model.spheres[i].empty()) {
-            links.push_back({{"link", model.robot->links[i].name},
-                             {"spheres", model.spheres[i].size()},
-                             {"certified_cover", model.sources[i] == CollisionModel::Source::cover}});
-        }
-    }
-    return links;
-}
-
-Json json_of_pairs(const CollisionModel& model, const SelfCollisionMatrix& matrix) {
-    Json pairs = Json::array();
-    for (const LinkPair& pair : matrix.pairs) {
-        Json json{{"link1", model.robot->links[pair.first].name},
-                  {"link2", model.robot->links[pair.second].name},
-                  {"ignored", pair.reason != PairReason::none},
-                  {"reason", pair.reason == PairReason::none ? Json() : Json(to_string(pair.reason))},
-                  {"proved", pair.proved}};
-        if (pair.samples > 0) {
-            json["samples"] = pair.samples;
-            json["touching"] = pair.touching;
-        }
-        pairs.push_back(std::move(json));
-    }
-    return pairs;
-}
-
-Json json_of_pairs(const SelfCollisionArguments& arguments, const Kinematics& kinematics, const CollisionModel& model,
-                   const SelfCollisionMatrix& matrix) {
-    Json reference = Json::object();
-    for (std::size_t i = 0; i < matrix.reference.size(); ++i) {
-        reference[kinematics.freedoms()[i].joint] = matrix.reference[i];
-    }
-    return {{"robot", arguments.urdf},
-            {"model", model_text(arguments, model)},
-            {"seed", arguments.options.seed},
-            {"samples", matrix.samples},
-            {"confidence", matrix.confidence},
-            {"rate_bound", matrix.samples > 0 ? Json(matrix.rate_bound()) : Json()},
-            {"joint_rate_bound", matrix.samples > 0 ? Json(matrix.joint_rate_bound()) : Json()},
-            {"reference", std::move(reference)},
-            {"notes", model.notes},
-            {"links", json_of_links(model)},
-            {"pairs", json_of_pairs(model, matrix)}};
-}
-
 /// Pairs that are about another robot, or misspelt.
 void tell_unknown_links(const Agreement& agreement, const Robot& robot) {
     std::set<std::string> unknown;
@@ -226,7 +178,8 @@ int self_collision(Program& program, SelfCollisionArguments& arguments) {
     if (!arguments.curobo.empty()) {
         write_whole_file(arguments.curobo, curobo_text(*model.robot, matrix));
     }
-    Json json = json_of_pairs(arguments, kinematics, model, matrix);
+    Json json = json_of_matrix<Json>(arguments.urdf, model_text(arguments, model), arguments.options.seed, kinematics,
+                                     model, matrix);
     std::string text = table_of_pairs(arguments, model, matrix);
     if (!arguments.against.empty()) {
         const Agreement found = agreement(arguments.against, *model.robot, matrix);

@@ -1,16 +1,18 @@
 #include "commands.hpp"
 #include "execute.hpp"
 #include "judge.hpp"
-#include "quick_recipe.hpp"
 #include "summary.hpp"
 #include "telling.hpp"
 #include "written_files.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/recipe/quick_recipe.hpp>
+#include <foam/runtime/run_json.hpp>
 #include <foam/runtime/scratch_folder.hpp>
 #include <foam/sdk/stage.hpp>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <fstream>
 #include <iterator>
@@ -132,7 +134,7 @@ int run_quick(const SpherizeArguments& arguments, const Recipe& recipe, const Qu
         deliver(file.bytes, scratch.path(), file.file);
     }
     if (arguments.json) {
-        auto json = json_of(result, recipe, arguments.out);
+        auto json = json_of_run<nlohmann::ordered_json>(result, recipe, arguments.out);
         json["files"] = file_names(files);
         print_json(json);
     } else {

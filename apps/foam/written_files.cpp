@@ -51,30 +51,6 @@ const Parameter& parameter_of(const std::string& name, const StageInfo& writer) 
 
 } // namespace
 
-std::vector<std::filesystem::path> files_of(const StageInfo& writer, const std::filesystem::path& target) {
-    std::vector<std::filesystem::path> files{target};
-    for (const std::string& ending : writer.companions) {
-        files.push_back(companion_of(target, ending));
-        if (files.back() == target) {
-            throw Error(ErrorCode::usage, fmt::format("{} writes other files beside {}, one of them under the same "
-                                                      "name; remedy: a file that ends in .{}",
-                                                      writer.name, target.string(), writer.extensions.front()));
-        }
-    }
-    return files;
-}
-
-std::vector<WrittenFile> written_files(const Writer& writer, const StageInfo& info, SphereModel model,
-                                       const std::filesystem::path& target, Context& context) {
-    model.folder = target.empty() ? target : std::filesystem::absolute(target).parent_path();
-    model.file = target.filename().string();
-    std::vector<WrittenFile> files{{target, writer.write(model, context)}};
-    for (const std::string& ending : info.companions) {
-        files.push_back({companion_of(target, ending), writer.companion(ending, model, context)});
-    }
-    return files;
-}
-
 std::vector<std::string> file_names(const std::vector<WrittenFile>& files) {
     std::vector<std::string> names;
     for (const WrittenFile& file : files) {

@@ -22,38 +22,88 @@ except ImportError as error:
 from .errors import Cancelled, Error, GeometryError, InputError, UsageError
 
 if TYPE_CHECKING:
+    from ._batch import BatchEntry, read_batch
     from ._cover import Cover, spheres_inside, spherize, spherize_each
+    from ._judge import certify, describe, evaluate, plugins, self_collision, stages
     from ._mesh import Mesh, read_mesh
+    from ._model import SphereModel, read_spheres
+    from ._results import Certificate, Evaluation, Figures, SelfCollision
+    from ._robot import Joint, Robot, load
+    from ._runs import Event, Finding, Run, check, run
     from ._threads import set_threads, thread_count, threads
 
 __version__: str = _core.version()
 
 #: The module of each public name.
 _HOMES = {
+    "BatchEntry": "_batch",
+    "Certificate": "_results",
     "Cover": "_cover",
+    "Evaluation": "_results",
+    "Event": "_runs",
+    "Figures": "_results",
+    "Finding": "_runs",
+    "Joint": "_robot",
     "Mesh": "_mesh",
+    "Robot": "_robot",
+    "Run": "_runs",
+    "SelfCollision": "_results",
+    "SphereModel": "_model",
+    "certify": "_judge",
+    "check": "_runs",
+    "describe": "_judge",
+    "evaluate": "_judge",
+    "load": "_robot",
+    "plugins": "_judge",
+    "read_batch": "_batch",
     "read_mesh": "_mesh",
+    "read_spheres": "_model",
+    "run": "_runs",
+    "self_collision": "_judge",
     "set_threads": "_threads",
     "spheres_inside": "_cover",
     "spherize": "_cover",
     "spherize_each": "_cover",
+    "stages": "_judge",
     "thread_count": "_threads",
     "threads": "_threads",
 }
 
 __all__ = [
+    "BatchEntry",
     "Cancelled",
+    "Certificate",
     "Cover",
     "Error",
+    "Evaluation",
+    "Event",
+    "Figures",
+    "Finding",
     "GeometryError",
     "InputError",
+    "Joint",
     "Mesh",
+    "Robot",
+    "Run",
+    "SelfCollision",
+    "SphereModel",
     "UsageError",
+    "certify",
+    "check",
+    "describe",
+    "evaluate",
+    "load",
+    "plugins",
+    "read_batch",
     "read_mesh",
+    "read_spheres",
+    "run",
+    "self_collision",
     "set_threads",
     "spheres_inside",
     "spherize",
     "spherize_each",
+    "stages",
     "thread_count",
     "threads",
 ]

@@ -1,6 +1,7 @@
 // foam._core: what foam/*.py stands on. Arrays come and go by the buffer protocol, so that any NumPy will do.
 #include "errors.hpp"
 #include "mesh.hpp"
+#include "robot.hpp"
 #include "search.hpp"
 #include "stages.hpp"
 
@@ -17,6 +18,10 @@ PYBIND11_MODULE(_core, module) {
     add_mesh(module);
     add_search(module);
     add_stages(module);
+    add_robot(module);
+    add_judge(module);
+    add_writing(module);
+    add_runs(module);
     module.def("version", &foam::version);
     module.def("thread_count", &foam::thread_count);
     // Left to the end of the process: there is none of oneTBB to limit after its own end.

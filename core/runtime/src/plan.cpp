@@ -8,6 +8,7 @@
 #include <foam/runtime/internal/input.hpp>
 
 #include <algorithm>
+#include <set>
 
 namespace foam::inline runtime {
 namespace {
@@ -157,6 +158,17 @@ std::vector<Diagnostic> unknown_names(const Recipe& recipe, const Registry& regi
     const Cache cache({});
     const Workspace workspace{recipe, registry, options, journal, cache};
     return unknown_names(recipe, *load_input(workspace).robot);
+}
+
+void add_unknown_names(RecipeResult& read, const Registry& registry) {
+    std::set<std::string> told;
+    for (const Recipe& recipe : read.recipes) {
+        for (Diagnostic& finding : unknown_names(recipe, registry)) {
+            if (told.insert(finding.text()).second) {
+                read.diagnostics.push_back(std::move(finding));
+            }
+        }
+    }
 }
 
 } // namespace foam::runtime

@@ -36,8 +36,12 @@ void choose(Recipe& recipe, const Robot& robot, const std::vector<std::string>& 
 } // namespace
 
 Original load_original(const std::filesystem::path& file, const Registry& registry,
-                       const std::vector<std::string>& links, const MeshUnit& unit, CoveredGeometry geometry) {
+                       const std::vector<std::string>& links, const MeshUnit& unit, CoveredGeometry geometry,
+                       const std::vector<std::filesystem::path>& package_path) {
     Recipe recipe;
+    for (const std::filesystem::path& folder : package_path) {
+        recipe.package_path.push_back(std::filesystem::absolute(folder).string());
+    }
     recipe.mesh_unit = unit;
     recipe.cover = geometry;
     const std::string reference = std::filesystem::absolute(file).string();

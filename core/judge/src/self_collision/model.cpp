@@ -30,7 +30,8 @@ public:
     std::vector<std::string> warnings;
 };
 
-CollisionModel load_robot(const std::filesystem::path& urdf, const Registry& registry) {
+CollisionModel load_robot(const std::filesystem::path& urdf, const Registry& registry,
+                          const std::vector<std::filesystem::path>& package_path = {}) {
     if (registry.find_for_extension(StageKind::mesh_loader, extension_of(urdf))) {
         throw Error(ErrorCode::input, fmt::format("{}: a mesh has no joints; remedy: give a URDF", urdf.string()));
     }
@@ -43,7 +44,8 @@ CollisionModel load_robot(const std::filesystem::path& urdf, const Registry& reg
     CollisionModel model;
     model.robot = std::make_shared<const Robot>(
         registry.make<RobotLoader>(stage->info.name)
-            ->load(read_file(urdf, most_robot_bytes), urdf, ResourceResolver::from_environment(), listener));
+            ->load(read_file(urdf, most_robot_bytes), urdf,
+                   ResourceResolver::from_environment().preceded_by(package_path), listener));
     model.notes = std::move(listener.warnings);
     model.spheres.resize(model.robot->links.size());
     model.sources.resize(model.robot->links.size(), CollisionModel::Source::none);
@@ -80,8 +82,9 @@ void require_pairs(const CollisionModel& model) {
 } // namespace
 
 CollisionModel load_collision_model(const std::filesystem::path& urdf, const Registry& registry,
-                                    std::size_t spheres_per_link) {
-    CollisionModel model = load_robot(urdf, registry);
+                                    std::size_t spheres_per_link,
+                                    const std::vector<std::filesystem::path>& package_path) {
+    CollisionModel model = load_robot(urdf, registry, package_path);
     std::vector<std::string> others;
     for (std::size_t i = 0; i < model.spheres.size(); ++i) {
         const Link& link = model.robot->links[i];
@@ -92,7 +95,7 @@ CollisionModel load_collision_model(const std::filesystem::path& urdf, const Reg
         }
     }
     if (!others.empty()) {
-        const Original original = load_original(urdf, registry, others);
+        const Original original = load_original(urdf, registry, others, {}, CoveredGeometry::collision, package_path);
         model.notes = original.notes;
         const auto spherizer = registry.make<Spherizer>("spherize.cover", {{"effort", "fast"}});
         for (const OriginalLink& link : original.links) {
@@ -107,22 +110,29 @@ CollisionModel load_collision_model(const std::filesystem::path& urdf, const Reg
     return model;
 }
 
-CollisionModel load_collision_model(const std::filesystem::path& urdf, const std::filesystem::path& spheres,
-                                    const Registry& registry, const Renames& renames, const std::string& reader) {
-    CollisionModel model = load_robot(urdf, registry);
-    const Original original = load_original(urdf, registry);
-    MatchedModel matched = match(original, read_sphere_file(spheres, registry, reader), renames);
+CollisionModel collision_model_of(const Original& original, const MatchedModel& matched) {
+    CollisionModel model;
+    model.robot = original.robot;
+    model.spheres.resize(model.robot->links.size());
+    model.sources.resize(model.robot->links.size(), CollisionModel::Source::none);
     model.notes = original.notes;
     model.notes.insert(model.notes.end(), matched.notes.begin(), matched.notes.end());
     for (std::size_t i = 0; i < original.links.size(); ++i) {
         const std::size_t link = index_of(*model.robot, original.links[i].link);
-        model.spheres[link] = std::move(matched.spheres[i]);
+        model.spheres[link] = matched.spheres[i];
         if (!model.spheres[link].empty()) {
             model.sources[link] = CollisionModel::Source::given;
         }
     }
     require_pairs(model);
     return model;
+}
+
+CollisionModel load_collision_model(const std::filesystem::path& urdf, const std::filesystem::path& spheres,
+                                    const Registry& registry, const Renames& renames, const std::string& reader) {
+    load_robot(urdf, registry); // refuses a mesh
+    const Original original = load_original(urdf, registry);
+    return collision_model_of(original, match(original, read_sphere_file(spheres, registry, reader), renames));
 }
 
 } // namespace foam::judge

@@ -6,6 +6,7 @@
 #include <foam/judge/sphere_file.hpp>
 #include <foam/recipe/mesh_unit.hpp>
 #include <foam/robot/covered_geometry.hpp>
+#include <foam/robot/proved_links.hpp>
 #include <foam/robot/robot.hpp>
 
 #include <cstdint>
@@ -50,10 +51,12 @@ private:
 
 /// Reads a URDF, or a mesh if a mesh loader reads the file's ending. `links`: globs of the links to read; none: all.
 /// Throws Error(input) if the file or a mesh of it cannot be read, if no link remains to evaluate, or if a glob matches
-/// no link; Error(usage) for a unit of a file that states its own.
+/// no link; Error(usage) for a unit of a file that states its own. `package_path`: folders with packages, searched
+/// before those of the environment.
 Original load_original(const std::filesystem::path& file, const Registry& registry,
                        const std::vector<std::string>& links = {}, const MeshUnit& unit = {},
-                       CoveredGeometry geometry = CoveredGeometry::collision);
+                       CoveredGeometry geometry = CoveredGeometry::collision,
+                       const std::vector<std::filesystem::path>& package_path = {});
 
 /// Old and new beginning of link names: a link called `first` is renamed to `second`; of the others, those that begin
 /// with `first` begin with `second` instead. "" is the link of a format without link names.
@@ -105,6 +108,13 @@ struct LinkProof {
 /// Returns one result per link of the original. For `outer` a link without spheres is not covered; for `inner` it
 /// passes. Throws Error(usage) for Guarantee::fitted, for which there is no proof.
 std::vector<LinkProof> prove(const Original& original, const MatchedModel& model, Guarantee guarantee);
+
+/// The reason in ProvedLinks for a link whose proof does not hold.
+inline constexpr const char* proof_fails = "the proof does not hold";
+/// Returns what is proved of the original's robot. `proved`: of each link of the original.
+ProvedLinks proved_links(const Original& original, const std::vector<bool>& proved, Guarantee guarantee);
+/// Returns, for each link of the original, whether it is proved to be covered.
+std::vector<bool> certified_links(const Evaluation& evaluation);
 
 } // namespace judge
 } // namespace foam

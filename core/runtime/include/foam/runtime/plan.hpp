@@ -57,6 +57,8 @@ Plan plan(const Recipe& recipe, const Registry& registry, const RunOptions& opti
 /// Empty if the recipe has no such names, or none of its inputs resolves. Throws Error as run() does if the robot
 /// cannot be read.
 std::vector<Diagnostic> unknown_names(const Recipe& recipe, const Registry& registry);
+/// Adds the findings of unknown_names() for all runs of a recipe, each once: points of a sweep share most of them.
+void add_unknown_names(RecipeResult& read, const Registry& registry);
 
 } // namespace runtime
 } // namespace foam

@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-namespace foam::cli {
+namespace foam {
+inline namespace [[gnu::visibility("default")]] recipe {
 
 /// What 'budget' says; nothing: the spherizer's own parameters rule.
 struct QuickBudget {
@@ -38,4 +39,5 @@ const RegisteredStage& writer_for(const std::string& format, const Registry& reg
 /// Whether the registry can load it as a mesh; otherwise it is taken for a robot. Throws Error(usage) if it is neither.
 bool is_mesh(const std::filesystem::path& input, const Registry& registry);
 
-} // namespace foam::cli
+} // namespace recipe
+} // namespace foam

@@ -1,7 +1,6 @@
-#include "quick_recipe.hpp"
-
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
+#include <foam/recipe/quick_recipe.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -9,7 +8,7 @@
 #include <algorithm>
 #include <set>
 
-namespace foam::cli {
+namespace foam::inline recipe {
 namespace {
 
 std::string ending_of(const std::filesystem::path& file) {
@@ -167,4 +166,4 @@ QuickRecipe quick_recipe(const std::filesystem::path& input, const std::string& 
     return recipe;
 }
 
-} // namespace foam::cli
+} // namespace foam::inline recipe

@@ -1,0 +1,121 @@
+// Figures, proofs and pairs of links as JSON objects, of a class such as nlohmann's.
+#pragma once
+
+#include <foam/geometry/measure_names.hpp>
+#include <foam/judge/collision_model.hpp>
+#include <foam/judge/evaluate.hpp>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace foam {
+inline namespace [[gnu::visibility("default")]] judge {
+
+/// Returns a number, or null if it is not finite.
+template <class Json> Json json_number(double value) {
+    return std::isfinite(value) ? Json(value) : Json();
+}
+
+/// Returns the figures under the names of manifest.json.
+template <class Json> Json json_of_figures(const Figures& figures) {
+    const Measures& m = figures.measures;
+    Json json = json_of_measures<Json>(m);
+    json["covered_standard_error"] = figures.covered_error;
+    json["volume_ratio"] = json_number<Json>(1 + m.excess - m.missing);
+    return json;
+}
+
+/// Returns file, format, notes and figures of one model.
+template <class Json>
+Json json_of_evaluation(const Original& original, const MatchedModel& model, const Evaluation& evaluation) {
+    Json json{{"model", model.file.file.string()},
+              {"format", model.file.format},
+              {"notes", model.notes},
+              {"proof", json_of_proof<Json>(proved_links(original, certified_links(evaluation), Guarantee::outer))},
+              {"total", json_of_figures<Json>(evaluation.total)},
+              {"with_spheres", json_of_figures<Json>(evaluation.with_spheres)},
+              {"links", Json::array()}};
+    for (std::size_t i = 0; i < original.links.size(); ++i) {
+        Json link{{"link", original.links[i].link}};
+        link.update(json_of_figures<Json>(evaluation.links[i]));
+        json["links"].push_back(std::move(link));
+    }
+    return json;
+}
+
+/// Returns the proof of each link.
+template <class Json> Json json_of_proofs(const Original& original, const std::vector<LinkProof>& proofs, bool outer) {
+    Json links = Json::array();
+    for (std::size_t i = 0; i < proofs.size(); ++i) {
+        Json link{{"link", original.links[i].link}, {"certified", proofs[i].holds}};
+        if (outer) {
+            link["triangles"] = proofs[i].triangles;
+            link["pieces"] = proofs[i].pieces;
+            link["halvings"] = proofs[i].halvings;
+        }
+        if (!proofs[i].holds) {
+            link[outer ? "growth_m" : "excess_m"] = json_number<Json>(proofs[i].growth);
+            link[outer ? "triangle" : "sphere"] = outer ? proofs[i].triangle : proofs[i].sphere;
+            const Vec3& p = proofs[i].witness;
+            link[outer ? "witness_m" : "center_m"] = {p.x, p.y, p.z};
+        }
+        links.push_back(std::move(link));
+    }
+    return links;
+}
+
+/// Returns the links with spheres.
+template <class Json> Json json_of_links(const CollisionModel& model) {
+    Json links = Json::array();
+    for (std::size_t i = 0; i < model.spheres.size(); ++i) {
+        if (!model.spheres[i].empty()) {
+            links.push_back({{"link", model.robot->links[i].name},
+                             {"spheres", model.spheres[i].size()},
+                             {"certified_cover", model.sources[i] == CollisionModel::Source::cover}});
+        }
+    }
+    return links;
+}
+
+/// Returns all pairs of links with spheres.
+template <class Json> Json json_of_pairs(const CollisionModel& model, const SelfCollisionMatrix& matrix) {
+    Json pairs = Json::array();
+    for (const LinkPair& pair : matrix.pairs) {
+        Json json{{"link1", model.robot->links[pair.first].name},
+                  {"link2", model.robot->links[pair.second].name},
+                  {"ignored", pair.reason != PairReason::none},
+                  {"reason", pair.reason == PairReason::none ? Json() : Json(to_string(pair.reason))},
+                  {"proved", pair.proved}};
+        if (pair.samples > 0) {
+            json["samples"] = pair.samples;
+            json["touching"] = pair.touching;
+        }
+        pairs.push_back(std::move(json));
+    }
+    return pairs;
+}
+
+/// Returns the whole matrix. `words`: where the spheres are from.
+template <class Json>
+Json json_of_matrix(const std::string& robot, const std::string& words, std::uint64_t seed,
+                    const Kinematics& kinematics, const CollisionModel& model, const SelfCollisionMatrix& matrix) {
+    Json reference = Json::object();
+    for (std::size_t i = 0; i < matrix.reference.size(); ++i) {
+        reference[kinematics.freedoms()[i].joint] = matrix.reference[i];
+    }
+    return {{"robot", robot},
+            {"model", words},
+            {"seed", seed},
+            {"samples", matrix.samples},
+            {"confidence", matrix.confidence},
+            {"rate_bound", matrix.samples > 0 ? Json(matrix.rate_bound()) : Json()},
+            {"joint_rate_bound", matrix.samples > 0 ? Json(matrix.joint_rate_bound()) : Json()},
+            {"reference", std::move(reference)},
+            {"notes", model.notes},
+            {"links", json_of_links<Json>(model)},
+            {"pairs", json_of_pairs<Json>(model, matrix)}};
+}
+
+} // namespace gnu::visibility("default")]]judge
+} // namespace foam

@@ -1,0 +1,48 @@
+// From the spheres of a file or of a caller to the files of a writer.
+#pragma once
+
+#include <foam/judge/evaluate.hpp>
+#include <foam/sdk/stage.hpp>
+
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace foam {
+inline namespace [[gnu::visibility("default")]] judge {
+
+/// Returns a robot that is only the names of the file's links.
+std::shared_ptr<const Robot> links_alone(const SphereFile& file);
+/// Names the link of a format without link names: after the only link of the original, or the file. Throws Error(input)
+/// if the original has several.
+void name_only_link(SphereFile& file, const Original* original);
+/// Throws Error(input) for a link of the file that the robot does not have.
+void require_links(const SphereFile& file, const Robot& robot);
+/// Returns the file's spheres as the input of writers, in the order of the robot's links. Throws Error(input) if there
+/// are none.
+SphereModel sphere_model_of(const SphereFile& file, std::shared_ptr<const Robot> robot);
+/// Returns a sentence: for how many links the geometry is proved to lie inside the spheres. `float32`: also for the
+/// numbers in single precision.
+std::string proof_statement(const Original& original, const SphereFile& file, bool float32);
+/// Returns the pairs of links that need no collision check. `reference`: joint positions of the reference pose.
+std::vector<IgnoredPair> ignored_pairs_of(const SphereModel& model, const JointValues& reference,
+                                          const std::atomic<bool>* cancel);
+
+struct WrittenFile {
+    std::filesystem::path file;
+    std::string bytes;
+};
+
+/// Returns the files that an output consists of. Throws Error(usage) if two of them have one name.
+std::vector<std::filesystem::path> files_of(const StageInfo& writer, const std::filesystem::path& target);
+/// Returns these files with their bytes, that of Writer::write() first; nothing is written. `target`: where they are to
+/// lie; empty: the standard output.
+std::vector<WrittenFile> written_files(const Writer& writer, const StageInfo& info, SphereModel model,
+                                       const std::filesystem::path& target, Context& context);
+/// Throws Error(internal) if the writer's bytes give other spheres than the model.
+void require_written(const SphereModel& model, const Writer& writer, const std::string& bytes);
+
+} // namespace gnu::visibility("default")]]judge
+} // namespace foam

@@ -1,0 +1,154 @@
+#include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
+#include <foam/collision/self_collision.hpp>
+#include <foam/judge/written_model.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foam::inline judge {
+namespace {
+
+SphereFile in_single_precision(SphereFile file) {
+    const auto single = [](double value) { return static_cast<double>(static_cast<float>(value)); };
+    for (LinkSpheres& link : file.links) {
+        for (Sphere& s : link.spheres) {
+            s = {{single(s.center.x), single(s.center.y), single(s.center.z)}, single(s.radius)};
+        }
+    }
+    return file;
+}
+
+} // namespace
+
+std::shared_ptr<const Robot> links_alone(const SphereFile& file) {
+    auto robot = std::make_shared<Robot>();
+    robot->name = file.file.stem().string();
+    for (const LinkSpheres& link : file.links) {
+        robot->links.push_back({link.link, {}, {}});
+    }
+    robot->root = robot->links.empty() ? "" : robot->links.front().name;
+    return robot;
+}
+
+void name_only_link(SphereFile& file, const Original* original) {
+    for (LinkSpheres& link : file.links) {
+        if (!link.link.empty()) {
+            continue;
+        }
+        if (original && original->links.size() != 1) {
+            throw Error(
+                ErrorCode::input,
+                fmt::format("{}: its spheres name no link, and {} has {} links with collision geometry; remedy: "
+                            "a model by link",
+                            file.file.string(), original->file.string(), original->links.size()));
+        }
+        link.link = original ? original->links.front().link : file.file.stem().string();
+    }
+}
+
+void require_links(const SphereFile& file, const Robot& robot) {
+    std::vector<std::string> known;
+    for (const Link& link : robot.links) {
+        known.push_back(link.name);
+    }
+    for (const LinkSpheres& link : file.links) {
+        if (!robot.find_link(link.link)) {
+            const std::string near = nearest_word(link.link, known);
+            throw Error(ErrorCode::input, fmt::format("{}: link '{}' is no link of {}{}", file.file.string(),
+                                                      shown(link.link), robot.file.filename().string(),
+                                                      near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
+        }
+    }
+}
+
+SphereModel sphere_model_of(const SphereFile& file, std::shared_ptr<const Robot> robot) {
+    SphereModel model;
+    model.name = file.file.stem().string();
+    model.robot = std::move(robot);
+    for (const Link& link : model.robot->links) {
+        for (const LinkSpheres& spheres : file.links) {
+            if (spheres.link == link.name && !spheres.spheres.empty()) {
+                model.groups.push_back({link.name, {}, flat_tree(spheres.spheres), {}});
+            }
+        }
+    }
+    if (model.groups.empty()) {
+        throw Error(ErrorCode::input, fmt::format("{}: there are no spheres to write", file.file.string()));
+    }
+    return model;
+}
+
+std::string proof_statement(const Original& original, const SphereFile& file, bool float32) {
+    const auto count = [&](const SphereFile& spheres) {
+        const std::vector<LinkProof> proofs = prove(original, match(original, spheres), Guarantee::outer);
+        return static_cast<std::size_t>(
+            std::count_if(proofs.begin(), proofs.end(), [](const LinkProof& proof) { return proof.holds; }));
+    };
+    std::size_t proved = count(file);
+    proved = float32 ? std::min(proved, count(in_single_precision(file))) : proved;
+    const std::size_t all = original.links.size();
+    return fmt::format("{}: the collision geometry of {} of {} link{} lies inside {} spheres{}",
+                       proved == all ? "proved"
+                       : proved > 0  ? "proved in part"
+                                     : "not proved",
+                       proved, all, all == 1 ? "" : "s", all == 1 ? "its" : "their",
+                       float32 ? ", also in single precision" : "");
+}
+
+std::vector<IgnoredPair> ignored_pairs_of(const SphereModel& model, const JointValues& reference,
+                                          const std::atomic<bool>* cancel) {
+    CollisionModel spheres;
+    spheres.robot = model.robot;
+    spheres.spheres.resize(model.robot->links.size());
+    spheres.sources.resize(model.robot->links.size());
+    for (std::size_t i = 0; i < model.robot->links.size(); ++i) {
+        for (const SphereGroup& group : model.groups) {
+            if (group.link == model.robot->links[i].name) {
+                spheres.spheres[i] = group.tree.finest();
+                spheres.sources[i] = CollisionModel::Source::given;
+            }
+        }
+    }
+    SelfCollisionOptions options;
+    options.reference = reference;
+    options.cancel = cancel;
+    return ignored_pairs(*model.robot, self_collision_matrix(Kinematics(model.robot), spheres, options));
+}
+
+std::vector<std::filesystem::path> files_of(const StageInfo& writer, const std::filesystem::path& target) {
+    std::vector<std::filesystem::path> files{target};
+    for (const std::string& ending : writer.companions) {
+        files.push_back(companion_of(target, ending));
+        if (files.back() == target) {
+            throw Error(ErrorCode::usage, fmt::format("{} writes other files beside {}, one of them under the same "
+                                                      "name; remedy: a file that ends in .{}",
+                                                      writer.name, target.string(), writer.extensions.front()));
+        }
+    }
+    return files;
+}
+
+std::vector<WrittenFile> written_files(const Writer& writer, const StageInfo& info, SphereModel model,
+                                       const std::filesystem::path& target, Context& context) {
+    model.folder = target.empty() ? target : std::filesystem::absolute(target).parent_path();
+    model.file = target.filename().string();
+    std::vector<WrittenFile> files{{target, writer.write(model, context)}};
+    for (const std::string& ending : info.companions) {
+        files.push_back({companion_of(target, ending), writer.companion(ending, model, context)});
+    }
+    return files;
+}
+
+void require_written(const SphereModel& model, const Writer& writer, const std::string& bytes) {
+    auto read = writer.read(bytes);
+    for (const LinkSpheres& link : spheres_by_link(model)) {
+        if (read[link.link] != link.spheres) {
+            throw Error(ErrorCode::internal,
+                        fmt::format("link '{}': the written file gives other spheres than the model", link.link));
+        }
+    }
+}
+
+} // namespace foam::inline judge

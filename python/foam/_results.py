@@ -1,0 +1,165 @@
+"""What evaluate, certify and self_collision return."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+class Figures:
+    """The figures of a link or of the whole robot, under the names of `foam evaluate --json`.
+
+    Lengths in metres, areas in m², volumes in m³; ratios have no unit. Figures that are infinite are inf. The glossary
+    of the documentation defines them.
+    """
+
+    __slots__ = ("_values",)
+
+    excess: float
+    missing: float
+    gap_m: float
+    covered: float
+    spheres: int
+    certified: bool
+
+    def __init__(self, values: Mapping[str, Any]) -> None:
+        self._values = dict(values)
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_") or name not in self._values:
+            raise AttributeError(f"there is no figure '{name}'; there are: {', '.join(self._values)}")
+        value = self._values[name]
+        return math.inf if value is None else value
+
+    def __dir__(self) -> list[str]:
+        return sorted(self._values)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the figures as numbers for JSON; those that are infinite are None."""
+        return dict(self._values)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Figures, (self._values,)
+
+    def __eq__(self, other: object) -> bool:
+        return self._values == other._values if isinstance(other, Figures) else NotImplemented
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return f"<foam.Figures: {self.spheres} spheres, excess {self.excess:.3g}, gap {self.gap_m:.3g} m>"
+
+
+class _Result:
+    """A result that is a dictionary for JSON underneath."""
+
+    def __init__(self, values: dict[str, Any]) -> None:
+        self._values = values
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return what the command line prints with --json."""
+        return self._values
+
+    @property
+    def notes(self) -> list[str]:
+        """What was left out or is remarkable."""
+        return list(self._values["notes"])
+
+
+class Evaluation(_Result):
+    """The figures of a sphere model."""
+
+    @property
+    def total(self) -> Figures:
+        """The figures of the whole robot."""
+        return Figures(self._values["total"])
+
+    @property
+    def with_spheres(self) -> Figures:
+        """The figures of the links that have spheres."""
+        return Figures(self._values["with_spheres"])
+
+    @property
+    def links(self) -> dict[str, Figures]:
+        """The figures by link, in the order of the URDF."""
+        return {link["link"]: Figures({k: v for k, v in link.items() if k != "link"}) for link in self._values["links"]}
+
+    @property
+    def certified(self) -> bool:
+        """Whether every link is proved to lie inside its spheres."""
+        return all(link["certified"] for link in self._values["links"])
+
+    def __repr__(self) -> str:
+        return f"<foam.Evaluation: {len(self._values['links'])} links, {self.total!r}>"
+
+
+class Certificate(_Result):
+    """The proof that spheres cover a geometry (or lie inside it), or where it fails."""
+
+    @property
+    def holds(self) -> bool:
+        """Whether the proof holds for every link."""
+        return bool(self._values["certified"])
+
+    def __bool__(self) -> bool:
+        return self.holds
+
+    @property
+    def links(self) -> dict[str, bool]:
+        """Whether the proof holds, by link."""
+        return {link["link"]: link["certified"] for link in self._values["links"]}
+
+    @property
+    def witnesses(self) -> dict[str, NDArray[np.float64]]:
+        """Where it fails, by link: a point of the geometry outside the spheres (inner: the centre of a sphere that
+        protrudes); (3,), metres, in the link's frame."""
+        key = "witness_m" if self._values["guarantee"] == "outer" else "center_m"
+        return {link["link"]: np.array(link[key], float) for link in self._values["links"] if not link["certified"]}
+
+    def __repr__(self) -> str:
+        return f"<foam.Certificate: {'holds' if self.holds else 'fails for ' + ', '.join(self.witnesses)}>"
+
+
+class SelfCollision(_Result):
+    """The pairs of links that never need a collision check, and why."""
+
+    def __init__(self, values: dict[str, Any], srdf: str, curobo: str) -> None:
+        super().__init__(values)
+        self._srdf, self._curobo = srdf, curobo
+
+    @property
+    def pairs(self) -> list[dict[str, Any]]:
+        """All pairs of links with spheres: link1, link2, ignored, reason, proved, samples, touching."""
+        return list(self._values["pairs"])
+
+    def ignored(self) -> list[tuple[str, str, str]]:
+        """Return the pairs that need no check: (link, link, "Adjacent", "Always", "Default" or "Never")."""
+        return [(p["link1"], p["link2"], p["reason"]) for p in self._values["pairs"] if p["ignored"]]
+
+    def checked(self) -> list[tuple[str, str]]:
+        """Return the pairs that need a check."""
+        return [(p["link1"], p["link2"]) for p in self._values["pairs"] if not p["ignored"]]
+
+    def to_srdf(self) -> str:
+        """Return an SRDF with <disable_collisions>, for MoveIt."""
+        return self._srdf
+
+    def to_curobo(self) -> str:
+        """Return `self_collision_ignore` (YAML) of cuRobo's robot files."""
+        return self._curobo
+
+    def to_xrdf(self) -> dict[str, Any]:
+        """Return the section `self_collision` of an XRDF: {"ignore": {link: [links]}}."""
+        ignore: dict[str, list[str]] = {}
+        for first, second, _ in self.ignored():
+            ignore.setdefault(first, []).append(second)
+        return {"ignore": ignore}
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return SelfCollision, (self._values, self._srdf, self._curobo)
+
+    def __repr__(self) -> str:
+        return f"<foam.SelfCollision: {len(self.ignored())} of {len(self.pairs)} pairs need no check>"

@@ -1,0 +1,190 @@
+"""Recipes: foam.run() and foam.check()."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple, Optional
+
+import numpy as np
+
+from . import _core
+from ._cover import _limit
+from ._model import SphereModel
+from ._plugins import registry
+from ._results import Figures
+from ._robot import warn_of
+from .errors import InputError, UsageError
+
+
+class Event(NamedTuple):
+    """An event of a run, for progress callbacks."""
+
+    kind: str  #: run_started, input_loaded, task_started, task_finished, progress, finding or run_finished
+    link: str  #: empty: the whole run
+    stage: str
+    done: float  #: share of the whole run, 0 to 1
+    seconds: float  #: since the start
+    seconds_left: Optional[float]  #: if it is known
+    message: str
+    severity: str  #: of a finding: debug, info, warning or error
+    cached: bool  #: task_finished: taken from the cache
+
+    def __str__(self) -> str:
+        words = [f"{100 * self.done:3.0f} %", self.kind.replace("_", " "), self.stage, self.link, self.message]
+        return " ".join(word for word in words if word)
+
+
+class Finding(NamedTuple):
+    """A finding of foam.check()."""
+
+    level: str  #: error or warning
+    file: str
+    line: int
+    column: int
+    message: str
+
+    def __str__(self) -> str:
+        return f"{self.file}:{self.line}:{self.column}: {self.level}: {self.message}"
+
+
+class Run:
+    """A run of a recipe."""
+
+    def __init__(self, summary: dict[str, Any], model: SphereModel, out: Path | None) -> None:
+        self.name: str = summary["name"]
+        self.summary = summary  #: as `foam run --json` prints it
+        self.model = model
+        self.directory = out  #: the run directory; None: nothing was written
+
+    @property
+    def certified(self) -> bool:
+        """Whether the guarantee is proved for all links."""
+        return bool(self.summary["certified"])
+
+    @property
+    def total(self) -> Figures:
+        """The figures of the whole robot."""
+        return Figures(self.summary["total"])
+
+    @property
+    def outputs(self) -> list[Path]:
+        """The files of the run."""
+        return [] if self.directory is None else [self.directory / file for file in self.summary["files"]]
+
+    @property
+    def manifest(self) -> dict[str, Any]:
+        """The content of manifest.json. Raises UsageError if nothing was written."""
+        if self.directory is None:
+            raise UsageError("this run has written nothing; remedy: foam.run(…, out=\"folder\")")
+        return json.loads((self.directory / "manifest.json").read_text())
+
+    def __repr__(self) -> str:
+        return f"<foam.Run '{self.name}': {self.model!r}>"
+
+
+def settings_of(values: Mapping[str, Any]) -> list[tuple[str, str]]:
+    """Return settings as texts of YAML, as --set takes them."""
+    return [(key, value if isinstance(value, str) else json.dumps(_plain(value))) for key, value in values.items()]
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        return {str(key): _plain(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(item) for item in value]
+    if isinstance(value, (np.ndarray, np.generic)):
+        return value.tolist()
+    return os.fspath(value) if isinstance(value, os.PathLike) else value
+
+
+def _program() -> str:
+    """The program that runs isolated stages in child processes: that of the same installation."""
+    plugins = Path(_core.plugin_folders()[-1])
+    for folder in (*list(plugins.parents)[1:4], Path(__file__).parent):
+        if (folder / "bin" / "foam").is_file():
+            return str(folder / "bin" / "foam")
+    return shutil.which("foam") or ""
+
+
+def run_all(
+    recipes: _core.Recipes,
+    out: Path | None,
+    fresh: bool,
+    time_limit: float | None,
+    progress: Callable[[Any], object] | None,
+    cache: Path | None,
+) -> list[Run]:
+    """Run checked recipes one after the other."""
+    told = None if progress is None else lambda *event: progress(Event(*event))
+    names, runs = recipes.names(), []
+    for index, name in enumerate(names):
+        folder = out if out is None or len(names) == 1 else out / name
+        text, links, held = recipes.run(
+            index, None if folder is None else str(folder), fresh, time_limit, _program(), cache and str(cache), told
+        )
+        summary = json.loads(text)
+        warn_of(
+            [f["message"] for f in summary["findings"] if f["severity"] in ("warning", "error")], summary["input_file"]
+        )
+        model = SphereModel({link: np.asarray(rows) for link, rows in links}, name=name, summary=summary)
+        model._of_run = held
+        runs.append(Run(summary, model, folder))
+    return runs
+
+
+def _source(recipe: Any) -> tuple[str | None, str]:
+    """A recipe's file, or its text."""
+    if isinstance(recipe, Mapping):
+        return None, json.dumps(_plain(recipe))
+    if isinstance(recipe, str) and "\n" in recipe:
+        return None, recipe
+    if not Path(recipe).is_file():
+        raise InputError(f"{recipe}: there is no such file")
+    return str(recipe), ""
+
+
+def run(
+    recipe: Any,
+    *,
+    set: Mapping[str, Any] | None = None,
+    variants: Sequence[str] = (),
+    out: str | os.PathLike[str] | None = None,
+    fresh: bool = False,
+    time_limit: float | None = None,
+    progress: Callable[[Any], object] | None = None,
+    cache: str | os.PathLike[str] | None = None,
+) -> Any:
+    """Run a recipe, as `foam run` does. Return a Run; for a sweep or several variants a list of Runs.
+
+    Args:
+        recipe: a YAML file, its text (several lines), or a dictionary of the same keys.
+        set: values to change, by key: {"budget.spheres": 60}.
+        variants: names of variants.
+        out: the run directory, for a sweep the folder of these; None: nothing is written, `.model` is the result.
+        fresh: neither read nor write the cache.
+        time_limit: seconds.
+        progress: is called with each foam.Event, in this thread; an exception of it ends the run.
+        cache: the folder of the cache.
+
+    Raises:
+        UsageError: all errors of the recipe, each with file, line and column. Error: a stage failed.
+        KeyboardInterrupt: Ctrl-C; nothing is written.
+    """
+    file, text = _source(recipe)
+    recipes = _core.Recipes(registry(), file, text, "recipe.yaml", settings_of(set or {}), list(variants))
+    runs = run_all(
+        recipes, None if out is None else Path(out), fresh, _limit(time_limit), progress,
+        None if cache is None else Path(cache),
+    )  # fmt: skip
+    return runs[0] if len(runs) == 1 else runs
+
+
+def check(recipe: Any, *, set: Mapping[str, Any] | None = None, variants: Sequence[str] = ()) -> list[Finding]:
+    """Return all findings of a recipe, as `foam check` lists them; none: it is right. Arguments as of run()."""
+    file, text = _source(recipe)
+    found = json.loads(_core.check(registry(), file, text, settings_of(set or {}), list(variants)))
+    return [Finding(f["level"], f["file"], f["line"], f["column"], f["message"]) for f in found["findings"]]

@@ -1,0 +1,126 @@
+#include "robot.hpp"
+
+#include <foam/base/error.hpp>
+#include <foam/judge/sphere_file.hpp>
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foam::python {
+namespace {
+
+constexpr const char* words_of_joints[] = {"fixed", "revolute", "continuous", "prismatic", "planar", "floating"};
+
+std::shared_ptr<HeldRobot> loaded_robot(const std::filesystem::path& file, std::shared_ptr<Registry> registry,
+                                        const std::optional<std::string>& unit, double scale,
+                                        const std::string& geometry, const std::vector<std::string>& links,
+                                        const std::vector<std::filesystem::path>& package_path) {
+    const std::vector<std::string>& words = words_of_covered_geometry();
+    const auto word = std::find(words.begin(), words.end(), geometry);
+    if (word == words.end()) {
+        throw Error(ErrorCode::usage,
+                    fmt::format("unknown geometry '{}'; there are: {}", geometry, fmt::join(words, ", ")));
+    }
+    return worked([&](const Signals&) {
+        auto held = std::make_shared<HeldRobot>();
+        held->registry = std::move(registry);
+        held->unit = {.unit = unit, .scale = scale};
+        held->package_path = package_path;
+        held->original = load_original(file, *held->registry, links, held->unit,
+                                       static_cast<CoveredGeometry>(word - words.begin()), package_path);
+        return held;
+    });
+}
+
+py::list joints_of(const HeldRobot& held) {
+    py::list joints;
+    for (const Joint& joint : held.original.robot->joints) {
+        const auto row = [](const Vec3& v) { return py::make_tuple(v.x, v.y, v.z); };
+        const auto& rotation = joint.origin.rotation;
+        joints.append(py::make_tuple(joint.name, words_of_joints[static_cast<std::size_t>(joint.kind)], joint.parent,
+                                     joint.child, row(joint.origin.translation),
+                                     py::make_tuple(row(rotation[0]), row(rotation[1]), row(rotation[2])),
+                                     row(joint.axis), joint.lower, joint.upper));
+    }
+    return joints;
+}
+
+std::vector<std::string> names_of(const HeldRobot& held, bool with_geometry) {
+    std::vector<std::string> names;
+    if (with_geometry) {
+        for (const OriginalLink& link : held.original.links) {
+            names.push_back(link.link);
+        }
+    } else {
+        for (const Link& link : held.original.robot->links) {
+            names.push_back(link.name);
+        }
+    }
+    return names;
+}
+
+std::shared_ptr<HeldMesh> mesh_of_link(const HeldRobot& held, const std::string& name) {
+    for (const OriginalLink& link : held.original.links) {
+        if (link.link == name) {
+            return std::make_shared<HeldMesh>(link.solid);
+        }
+    }
+    throw Error(ErrorCode::usage,
+                fmt::format("{}: no link '{}' with {}; there are: {}", held.original.file.string(), name,
+                            to_string(held.original.geometry), fmt::join(names_of(held, true), ", ")));
+}
+
+SphereFile file_of(const std::vector<std::pair<std::string, py::buffer>>& links, const std::string& name) {
+    SphereFile file;
+    file.file = name;
+    file.format = "foam";
+    for (const auto& [link, rows] : links) {
+        file.links.push_back({link, spheres_of(rows)});
+    }
+    return file;
+}
+
+py::list links_of(const SphereFile& file) {
+    py::list links;
+    for (const LinkSpheres& link : file.links) {
+        links.append(py::make_tuple(link.link, rows_of(link.spheres)));
+    }
+    return links;
+}
+
+} // namespace
+
+void add_robot(py::module_& module) {
+    py::class_<HeldRobot, std::shared_ptr<HeldRobot>>(module, "Robot")
+        .def(py::init(&loaded_robot), py::arg("file"), py::arg("registry"), py::arg("unit"), py::arg("scale"),
+             py::arg("geometry"), py::arg("links"), py::arg("package_path"))
+        .def("name", [](const HeldRobot& held) { return held.original.robot->name; })
+        .def("root", [](const HeldRobot& held) { return held.original.robot->root; })
+        .def("source", [](const HeldRobot& held) { return held.original.robot->source; })
+        .def("notes", [](const HeldRobot& held) { return held.original.notes; })
+        .def("links", &names_of, py::arg("with_geometry"))
+        .def("joints", &joints_of)
+        .def("mesh", &mesh_of_link, py::arg("link"));
+    py::class_<SphereFile, std::shared_ptr<SphereFile>>(module, "SphereFile")
+        .def(py::init(&file_of), py::arg("links"), py::arg("name"))
+        .def("links", &links_of)
+        .def("format", [](const SphereFile& file) { return file.format; })
+        .def("notes", [](const SphereFile& file) { return file.notes; });
+    module.def(
+        "read_spheres",
+        [](const std::filesystem::path& file, const Registry& registry, const std::string& reader,
+           const Renames& renames) {
+            return worked([&](const Signals&) {
+                auto read = std::make_shared<SphereFile>(read_sphere_file(file, registry, reader));
+                rename_links(*read, renames);
+                return read;
+            });
+        },
+        py::arg("file"), py::arg("registry"), py::arg("reader"), py::arg("rename"));
+}
+
+} // namespace foam::python

@@ -1,0 +1,142 @@
+// Runs of recipes.
+#include "aside.hpp"
+#include "robot.hpp"
+
+#include <foam/base/error.hpp>
+#include <foam/batch/batch.hpp>
+#include <foam/recipe/quick_recipe.hpp>
+#include <foam/runtime/run_json.hpp>
+
+#include <nlohmann/json.hpp>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foam::python {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Checked recipes.
+struct HeldRecipes {
+    std::shared_ptr<Registry> registry;
+    std::vector<Recipe> recipes;
+};
+
+std::string findings_text(const RecipeResult& read, bool errors) {
+    std::string text;
+    for (const Diagnostic& finding : read.diagnostics) {
+        if ((finding.level == Diagnostic::Level::error) == errors) {
+            text += (text.empty() ? "" : "\n") + finding.text();
+        }
+    }
+    return text;
+}
+
+std::shared_ptr<HeldRecipes> read_recipes(std::shared_ptr<Registry> registry,
+                                          const std::optional<std::filesystem::path>& file, const std::string& text,
+                                          const std::string& name, const std::vector<Setting>& settings,
+                                          const std::vector<std::string>& variants) {
+    return worked([&](const Signals&) {
+        RecipeResult read = file ? read_recipe(*file, *registry, settings, variants)
+                                 : parse_recipe(text, name, *registry, settings, variants);
+        if (!read.ok()) {
+            throw Error(ErrorCode::recipe, findings_text(read, true));
+        }
+        auto held = std::make_shared<HeldRecipes>();
+        held->registry = std::move(registry);
+        held->recipes = std::move(read.recipes);
+        return held;
+    });
+}
+
+const char* word_of_kind(Event::Kind kind) {
+    constexpr const char* words[] = {"run_started", "input_loaded", "task_started", "task_finished",
+                                     "progress",    "finding",      "run_finished"};
+    return words[static_cast<std::size_t>(kind)];
+}
+
+/// Hands the events on to Python.
+void tell(Events& events, const py::object& progress) {
+    for (const Event& event : events.take()) {
+        if (!progress.is_none()) {
+            progress(word_of_kind(event.kind), event.link, event.stage, event.done, event.seconds, event.seconds_left,
+                     event.message, word_of(event.severity), event.cached);
+        }
+    }
+}
+
+py::tuple ran(const HeldRecipes& held, std::size_t index, const std::optional<std::filesystem::path>& out, bool fresh,
+              std::optional<double> time_limit, const std::filesystem::path& program,
+              const std::optional<std::filesystem::path>& cache, const py::object& progress) {
+    const Recipe& recipe = held.recipes.at(index);
+    Events events;
+    RunOptions options;
+    options.out = out.value_or("");
+    options.fresh = fresh;
+    options.time_limit = time_limit;
+    options.program = program;
+    options.cache = cache.value_or("");
+    options.observer = &events;
+    RunResult result;
+    work_aside(
+        [&](const std::atomic<bool>& cancel) {
+            options.cancel = &cancel;
+            result = run(recipe, *held.registry, options);
+        },
+        [&] { tell(events, progress); });
+    auto model = std::make_shared<HeldModel>();
+    model->registry = held.registry;
+    model->of_run = true;
+    std::vector<LinkSpheres> spheres = spheres_by_link(result.model);
+    std::string json = json_text(json_of_run<Json>(result, recipe, out.value_or("")));
+    model->model = std::move(result.model);
+    py::list links;
+    for (LinkSpheres& link : spheres) {
+        links.append(py::make_tuple(link.link, rows_of(std::move(link.spheres))));
+    }
+    return py::make_tuple(json, links, model);
+}
+
+py::tuple quick(const std::filesystem::path& input, const std::string& method, const std::string& ending,
+                std::optional<std::size_t> spheres, std::optional<double> excess, std::optional<double> max_protrusion,
+                const std::optional<std::string>& unit, double scale, const std::string& geometry,
+                const Registry& registry) {
+    const QuickRecipe made =
+        quick_recipe(input, method, ending, {.spheres = spheres, .excess = excess, .max_protrusion = max_protrusion},
+                     {.unit = unit, .scale = scale}, geometry, registry);
+    return py::make_tuple(made.name, made.text, made.left_out);
+}
+
+} // namespace
+
+void add_runs(py::module_& module) {
+    py::class_<HeldModel, std::shared_ptr<HeldModel>>(module, "Model");
+    py::class_<HeldRecipes, std::shared_ptr<HeldRecipes>>(module, "Recipes")
+        .def(py::init(&read_recipes), py::arg("registry"), py::arg("file"), py::arg("text"), py::arg("name"),
+             py::arg("settings"), py::arg("variants"))
+        .def("names",
+             [](const HeldRecipes& held) {
+                 std::vector<std::string> names;
+                 for (const Recipe& recipe : held.recipes) {
+                     names.push_back(recipe.name);
+                 }
+                 return names;
+             })
+        .def("run", &ran, py::arg("index"), py::arg("out"), py::arg("fresh"), py::arg("time_limit"), py::arg("program"),
+             py::arg("cache"), py::arg("progress"));
+    module.def(
+        "collect_batch",
+        [](const std::filesystem::path& folder, const std::filesystem::path& table) {
+            worked([&](const Signals&) { return collect_batch(folder, table, {}).lines; });
+        },
+        py::arg("folder"), py::arg("table"));
+    module.def("quick_recipe", &quick, py::arg("input"), py::arg("method"), py::arg("ending"), py::arg("spheres"),
+               py::arg("excess"), py::arg("max_protrusion"), py::arg("unit"), py::arg("scale"), py::arg("geometry"),
+               py::arg("registry"));
+}
+
+} // namespace foam::python

@@ -1,0 +1,133 @@
+// From spheres to the files of writers.
+#include "aside.hpp"
+#include "robot.hpp"
+
+#include <foam/base/error.hpp>
+#include <foam/judge/written_model.hpp>
+#include <foam/recipe/quick_recipe.hpp>
+#include <foam/runtime/version.hpp>
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foam::python {
+namespace {
+
+using Given = std::map<std::string, ParameterValue>;
+
+/// Keeps what a writer warns of.
+class Warnings final : public QuietContext {
+public:
+    void log(Severity severity, std::string_view message) override {
+        if (severity >= Severity::warning) {
+            said.emplace_back(message);
+        }
+    }
+    std::vector<std::string> said;
+};
+
+std::size_t count_of(const SphereModel& model) {
+    std::size_t count = 0;
+    for (const SphereGroup& group : model.groups) {
+        count += group.tree.finest().size();
+    }
+    return count;
+}
+
+/// Makes the model of spheres from elsewhere as complete as `foam convert` does.
+void complete(SphereModel& model, const SphereFile& spheres, const Original* original, const StageInfo& writer,
+              const Given& parameters, const std::atomic<bool>& cancel) {
+    const std::string proof =
+        original ? proof_statement(*original, spheres, writer.consumer.float32) : "nothing is proved without the robot";
+    const std::size_t count = count_of(model);
+    model.provenance = fmt::format("foam {}; {}, {}; {} sphere{}; {}", version(), spheres.file.filename().string(),
+                                   spheres.format, count, count == 1 ? "" : "s", proof);
+    if (lists_pairs(writer, parameters) && original && model.groups.size() > 1) {
+        model.ignored_pairs = ignored_pairs_of(model, model.facts.default_pose, &cancel);
+    }
+}
+
+/// Returns the files with their bytes, and what the writer warns of; nothing is written.
+py::tuple written(const std::shared_ptr<Registry>& registry, SphereFile spheres, const HeldRobot* robot,
+                  const HeldModel* of_run, const std::filesystem::path& file, const std::string& format,
+                  const std::optional<std::pair<std::filesystem::path, std::string>>& into, const Given& parameters,
+                  const RobotFacts& facts) {
+    const StageInfo& info =
+        writer_for(format.empty() ? file.extension().string().substr(file.has_extension()) : format, *registry).info;
+    if (into && !info.consumer.edits) {
+        throw Error(ErrorCode::usage, fmt::format("{} writes whole files; remedy: without into", info.name));
+    }
+    for (const auto& [name, value] : parameters) {
+        const auto declared = std::find_if(info.parameters.begin(), info.parameters.end(),
+                                           [&, &key = name](const Parameter& p) { return p.name == key; });
+        if (declared == info.parameters.end()) {
+            throw Error(ErrorCode::usage, fmt::format("{} has no parameter '{}'; foam.describe(\"{}\") lists them",
+                                                      info.name, name, info.name));
+        }
+    }
+    std::vector<WrittenFile> files;
+    Warnings warnings;
+    work_aside(
+        [&](const std::atomic<bool>& cancel) {
+            const auto writer = registry->make<Writer>(info.name, parameters);
+            const Original* original = robot ? &robot->original : nullptr;
+            name_only_link(spheres, original);
+            SphereModel model;
+            if (of_run && !info.consumer.float32) {
+                model = of_run->model;
+            } else {
+                if (original) {
+                    require_links(spheres, *original->robot);
+                }
+                model = sphere_model_of(spheres, original ? original->robot : links_alone(spheres));
+                model.guarantee = Guarantee::fitted;
+            }
+            if (original) {
+                for (const OriginalLink& link : original->links) {
+                    model.geometry[link.link] = link.solid;
+                }
+            }
+            model.facts = facts;
+            if (!of_run || info.consumer.float32 || lists_pairs(info, parameters)) {
+                complete(model, spheres, original, info, parameters, cancel);
+            }
+            if (into) {
+                model.into = TextFile{into->first, into->second};
+            }
+            files = written_files(*writer, info, model, file, warnings);
+            require_written(model, *writer, files.front().bytes);
+        },
+        [] {});
+    py::list list;
+    for (const WrittenFile& one : files) {
+        list.append(py::make_tuple(one.file, py::bytes(one.bytes)));
+    }
+    return py::make_tuple(list, warnings.said);
+}
+
+RobotFacts facts_of(const std::string& base_link, const std::vector<std::string>& tool_frames,
+                    const JointValues& locked, const JointValues& pose) {
+    return {.base_link = base_link,
+            .tool_frames = tool_frames,
+            .lock_joints = locked,
+            .default_pose = pose,
+            .acceleration = {},
+            .jerk = {}};
+}
+
+} // namespace
+
+void add_writing(py::module_& module) {
+    py::class_<RobotFacts>(module, "Facts")
+        .def(py::init(&facts_of), py::arg("base_link"), py::arg("tool_frames"), py::arg("lock_joints"),
+             py::arg("default_pose"));
+    module.def("written", &written, py::arg("registry"), py::arg("spheres"), py::arg("robot").none(true),
+               py::arg("of_run").none(true), py::arg("file"), py::arg("format"), py::arg("into"), py::arg("parameters"),
+               py::arg("facts"));
+}
+
+} // namespace foam::python
