@@ -67,6 +67,8 @@ struct SolidData {
     mutable std::unique_ptr<const InsideLines> lines;
     mutable std::once_flag runs_once;
     mutable std::unique_ptr<const SurfaceRuns> runs;
+    mutable std::once_flag coarse_once;
+    mutable std::shared_ptr<const Solid> coarse;
 
     bool is_primitive() const { return queries.size() == 1 && queries[0].primitive; }
     /// Returns the same as Solid::inside_along().

@@ -8,9 +8,7 @@ Ball smallest_ball(const Solid& solid, const Frame& frame) {
     return unit_ball(minimum_enclosing_sphere(solid.surface().vertices), frame);
 }
 
-/// Enlarges balls slightly. Balls of a search contain their parts to some millionths; with the overlap the proof needs
-/// no growth.
-static std::vector<Sphere> with_a_hair_of_overlap(const Frame& frame, const Balls& balls) {
+std::vector<Sphere> with_a_hair_of_overlap(const Frame& frame, const Balls& balls) {
     constexpr double overlap = 2e-5;         // share of the radius
     const double margin = 2e-6 * frame.unit; // rounding of centres when they are written is less
     std::vector<Sphere> spheres;

@@ -65,9 +65,17 @@ Plan plan_for(Effort effort) {
             .skin_resolution = 16};
 }
 
-Search::Search(const Solid& solid, const SpherizeOptions& options)
-    : solid_(solid), options_(options), plan_(plan_for(options.effort)),
-      problem_(solid, plan_.resolution, plan_.points, options.seed), skin_(solid.surface(), problem_.frame),
+Plan plan_for_coarse(Effort effort) {
+    Plan plan = plan_for(effort);
+    if (effort == Effort::normal) {
+        plan.most_moves = plan_for(Effort::best).most_moves;
+    }
+    return plan;
+}
+
+Search::Search(const Solid& solid, const SpherizeOptions& options, const Plan& plan)
+    : solid_(solid), options_(options), plan_(plan), problem_(solid, plan_.resolution, plan_.points, options.seed),
+      skin_(solid.surface(), problem_.frame),
       coarse_skin_(skin_.points.size() > few_points ? skin_.coarse(plan_.skin_resolution) : skin_),
       body_(body_points(problem_, 800)), improvement_(problem_, plan_.directions, plan_.first_points),
       quick_(solid, options) {}

@@ -33,11 +33,15 @@ struct Plan {
     int skin_resolution; ///< of a finely meshed surface, for the search
 };
 Plan plan_for(Effort effort);
+/// Returns the plan for a coarse solid, on which a search takes little of the time of a run: fast searches as normal
+/// does, and normal moves balls of few as best does.
+Plan plan_for_coarse(Effort effort);
 
 class Search {
 public:
     /// The solid must outlive this.
-    Search(const Solid& solid, const SpherizeOptions& options);
+    Search(const Solid& solid, const SpherizeOptions& options) : Search(solid, options, plan_for(options.effort)) {}
+    Search(const Solid& solid, const SpherizeOptions& options, const Plan& plan);
     Search(const Search&) = delete; ///< its parts refer to each other
     Search& operator=(const Search&) = delete;
 

@@ -1,15 +1,21 @@
+#include "fine_fit.hpp"
+#include "ladder.hpp"
 #include "objective_search.hpp"
 #include "quick_search.hpp"
 #include "search.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/geometry/internal/coarse_solid.hpp>
 #include <foam/geometry/internal/own_frame.hpp>
+#include <foam/geometry/joint_volume.hpp>
 #include <foam/geometry/union_volume.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <variant>
 
 namespace foam::inline search {
@@ -82,10 +88,81 @@ private:
     std::variant<std::monostate, cover::QuickSearch, cover::Search, cover::ObjectiveSearch> search_;
 };
 
+/// Returns the solid on which a search works if the given one has so many triangles that they would take most of the
+/// time; else null. Not for other objectives, which the fit to the given solid would not keep.
+static std::shared_ptr<const Solid> coarse_to_search(const Solid& solid, const SpherizeOptions& options) {
+    return options.objective == Objective::excess ? geometry::coarse_solid(solid) : nullptr;
+}
+
+/// A search on a coarse solid, and fits of its results to the solid itself.
+class CoarseToFine {
+public:
+    CoarseToFine(const Solid& solid, std::shared_ptr<const Solid> coarse, const SpherizeOptions& options)
+        : solid_(solid), stop_(options.stop), coarse_(std::move(coarse)), fit_(solid, *coarse_, options.effort),
+          search_(*coarse_, options, cover::plan_for_coarse(options.effort)) {
+        if (options.effort == Effort::fast) {
+            quick_.emplace(*coarse_, options);
+        }
+    }
+    Cover cover(std::size_t count) { return fine(count).cover; }
+
+private:
+    struct Fine {
+        Cover cover;
+        double joint; ///< volume of the spheres and the solid together, m³
+    };
+    /// Returns the fit of the coarse cover, or that of the candidate count below if it is better. The result of a
+    /// stopped search is not kept.
+    Fine fine(std::size_t count) {
+        if (const auto known = fine_.find(count); known != fine_.end()) {
+            return known->second;
+        }
+        constexpr std::size_t few = 8; // spheres, for which the other search is quick on a coarse solid, and better
+        const Cover coarse = quick_ && count > few ? quick_->cover(count) : search_.cover(count);
+        Fine best{fit_.fitted(coarse.spheres), 0};
+        best.joint = geometry::joint_volume(solid_, best.cover.spheres);
+        const bool stopped = stop_ && stop_();
+        if (count > 1 && !stopped) {
+            if (Fine before = fine(cover::count_before(count)); before.joint <= best.joint) {
+                best = std::move(before);
+            }
+        }
+        if (!stopped) {
+            fine_.emplace(count, best);
+        }
+        return best;
+    }
+
+    const Solid& solid_;
+    std::function<bool()> stop_;
+    std::shared_ptr<const Solid> coarse_;
+    cover::FineFit fit_;
+    cover::Search search_;
+    std::optional<cover::QuickSearch> quick_; ///< effort fast
+    std::map<std::size_t, Fine> fine_;
+};
+
+/// The search on a solid in its frame, from coarse to fine if it has many triangles.
+class AnySearch {
+public:
+    AnySearch(const Solid& solid, const SpherizeOptions& options) {
+        if (std::shared_ptr<const Solid> coarse = coarse_to_search(solid, options)) {
+            from_coarse_.emplace(solid, std::move(coarse), options);
+        } else {
+            as_is_.emplace(solid, options);
+        }
+    }
+    Cover cover(std::size_t count) { return from_coarse_ ? from_coarse_->cover(count) : as_is_->cover(count); }
+
+private:
+    std::optional<CoarseToFine> from_coarse_;
+    std::optional<SearchAsIs> as_is_;
+};
+
 struct CoverSearch::Data {
     Data(const Solid& given, const SpherizeOptions& options) : work(given), search(work.solid(), options) {}
     WorkedOn work;
-    SearchAsIs search;
+    AnySearch search;
 };
 
 CoverSearch::CoverSearch(const Solid& solid, const SpherizeOptions& options)
@@ -132,7 +209,10 @@ static Cover quick_or_better(Quick quick, const Solid& solid, std::size_t count,
 
 static Cover spherize_as_is(const Solid& solid, std::size_t count, const SpherizeOptions& options) {
     if (options.effort != Effort::fast && !options.stop) {
-        return SearchAsIs(solid, options).cover(count);
+        return AnySearch(solid, options).cover(count);
+    }
+    if (const std::shared_ptr<const Solid> coarse = coarse_to_search(solid, options)) {
+        return cover::FineFit(solid, *coarse, options.effort).fitted(spherize_as_is(*coarse, count, options).spheres);
     }
     if (options.objective == Objective::excess) {
         return quick_or_better<cover::Search>(cover::QuickSearch(solid, options), solid, count, options,

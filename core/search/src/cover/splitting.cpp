@@ -4,6 +4,7 @@
 #include "improvement.hpp"
 
 #include <foam/base/cancellation.hpp>
+#include <foam/geometry/internal/coarse_solid.hpp>
 #include <foam/geometry/internal/missing_parts.hpp>
 #include <foam/geometry/internal/union_parts.hpp>
 
@@ -50,10 +51,11 @@ struct KnownSplits {
 
 struct [[gnu::visibility("hidden")]] Splitting::Data {
     explicit Data(const Solid& solid)
-        : problem(solid, occupancy_resolution, sampled_points, 0),
+        : coarse(geometry::coarse_solid(solid)),
+          problem(coarse ? *coarse : solid, occupancy_resolution, sampled_points, 0),
           improvement(problem, sampled_directions, first_points),
-          skin(solid.surface(), problem.frame, most_points, coarse_resolution), exchange(problem, skin, plan, {}),
-          missing(solid) {}
+          skin(problem.solid->surface(), problem.frame, most_points, coarse_resolution),
+          exchange(problem, skin, plan, {}), missing(solid) {}
 
     /// Replaces the spheres, and forgets what was known of splits near those that changed.
     void take(const std::vector<Sphere>& cover);
@@ -62,6 +64,7 @@ struct [[gnu::visibility("hidden")]] Splitting::Data {
     std::optional<std::size_t> best_of(std::span<const std::size_t> named);
     const Exchange::Look& look_at(std::size_t i);
 
+    std::shared_ptr<const Solid> coarse; ///< of a solid of many triangles
     Problem problem;
     Improvement improvement;
     IndexedSurface skin;
