@@ -69,6 +69,53 @@ _HOMES = {
     "threads": "_threads",
 }
 
+#: The names of CoMMALab/foam, which scripts get by `from foam import *`.
+_OLD = {
+    "model": [
+        "Sphere",
+        "SphereDecoder",
+        "SphereEncoder",
+        "Spherization",
+    ],
+    "utility": [
+        "Any",
+        "NDArray",
+        "Path",
+        "Scene",
+        "Trimesh",
+        "URDFMesh",
+        "URDFPrimitive",
+        "as_mesh",
+        "fix_mesh",
+        "get_urdf_meshes",
+        "get_urdf_primitives",
+        "get_urdf_spheres",
+        "load_mesh_file",
+        "load_urdf",
+        "np",
+        "save_urdf",
+        "set_urdf_spheres",
+        "smooth_mesh",
+        "tempmesh",
+    ],
+    "external": [
+        "ParallelSpherizer",
+        "SpherizationDatabase",
+        "SpherizationHelper",
+        "check_valid_for_spherization",
+        "compute_spheres",
+        "compute_spheres_helper",
+        "manifold",
+        "manifold_plus",
+        "read_spherization_file",
+        "simplify",
+        "simplify_manifold",
+        "smooth_manifold",
+        "spherize_mesh",
+    ],
+}
+_HOMES.update({name: home for home, names in _OLD.items() for name in names})
+
 __all__ = [
     "BatchEntry",
     "Cancelled",
@@ -107,9 +154,12 @@ __all__ = [
     "thread_count",
     "threads",
 ]
+__all__ += [name for names in _OLD.values() for name in names]
 
 
 def __getattr__(name: str) -> Any:
+    if name in ("model", "utility", "external"):
+        return importlib.import_module(f"foam.{name}")
     if name not in _HOMES:
         raise AttributeError(f"module 'foam' has no attribute '{name}'")
     value = getattr(importlib.import_module(f"foam.{_HOMES[name]}"), name)

@@ -22,6 +22,7 @@ PYBIND11_MODULE(_core, module) {
     add_judge(module);
     add_writing(module);
     add_runs(module);
+    add_old(module);
     module.def("version", &foam::version);
     module.def("thread_count", &foam::thread_count);
     // Left to the end of the process: there is none of oneTBB to limit after its own end.

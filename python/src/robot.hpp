@@ -40,5 +40,6 @@ void add_robot(py::module_& module);
 void add_judge(py::module_& module);
 void add_writing(py::module_& module);
 void add_runs(py::module_& module);
+void add_old(py::module_& module);
 
 } // namespace foam::python
