@@ -1,6 +1,6 @@
 """foam.h from Python: what is wrong raises, with a remedy, and Python threads work at once.
 
-by_ctypes.py LIBRARY
+by_ctypes.py LIBRARY [CSV]   CSV: the spheres of the box by a run of foam
 """
 import concurrent.futures
 import math
@@ -39,6 +39,14 @@ def main():
             assert example.spherize(library, points, corners, chance.randint(1, 4), effort=example.FOAM_FAST)
         except ValueError as error:
             assert str(error), (points, corners)
+
+    for file in sys.argv[2:]:
+        # A run rounds centres to a millionth of the size, and radii up.
+        written = [tuple(map(float, line.split(",")[1:])) for line in open(file).readlines()[1:]]
+        spheres = example.spherize(library, *BOX, 8)
+        assert len(spheres) == len(written) == 8
+        for ours, theirs in zip(spheres, written):
+            assert all(abs(a - b) < 2e-6 for a, b in zip(ours, theirs)), (ours, theirs)
 
     alone = example.spherize(library, *BOX, 6)
     with concurrent.futures.ThreadPoolExecutor(4) as pool:

@@ -35,5 +35,18 @@ if [[ -z $FOAM_TEST_SANITIZER ]] && command -v python3 >/dev/null; then
     "$room/build/c_interface" | head -8 >"$room/c.txt"
     python3 "$example/spherize.py" "$library" >"$room/python.txt"
     cmp "$room/c.txt" "$room/python.txt" || fail "Python has other spheres than C"
-    PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$example quietly python3 "$FOAM_TEST_SOURCE/tests/c/by_ctypes.py" "$library"
+    # A run writes them too, in short decimal numbers.
+    python3 - "$example" "$room" <<'PYTHON'
+import sys
+sys.path.insert(0, sys.argv[1]); sys.dont_write_bytecode = True
+import spherize
+with open(f"{sys.argv[2]}/box.obj", "w") as file:
+    file.writelines("v %r %r %r\n" % vertex for vertex in spherize.VERTICES)
+    file.writelines("f %d %d %d\n" % tuple(corner + 1 for corner in triangle) for triangle in spherize.TRIANGLES)
+with open(f"{sys.argv[2]}/box.yaml", "w") as file:
+    file.write("foam: 1\nname: box\nmesh: [box.obj]\nstages: [spherize.cover: {}]\nbudget: {spheres: 8}\n"
+               "guarantee: outer\noutputs: [write.csv: {file: box.csv}]\n")
+PYTHON
+    quietly "$prefix/bin/foam" run "$room/box.yaml" --out "$room/run"
+    PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$example quietly python3 "$FOAM_TEST_SOURCE/tests/c/by_ctypes.py" "$library" "$room/run/box.csv"
 fi
