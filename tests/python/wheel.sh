@@ -30,8 +30,9 @@ install() { quietly "$python" -m pip --python "$room/venv/bin/python" install --
 install "$main"
 mkdir "$room/elsewhere" && cd "$room/elsewhere"
 write_part part.obj
+panda=$FOAM_TEST_SOURCE/configs/panda_22.yaml
 clean=(env -i "HOME=$room" PYTHONDONTWRITEBYTECODE=1)
-quietly "${clean[@]}" "$room/venv/bin/python" "$FOAM_TEST_SOURCE/tests/python/from_wheel.py" part.obj spheres.bin
+quietly "${clean[@]}" "$room/venv/bin/python" "$FOAM_TEST_SOURCE/tests/python/from_wheel.py" part.obj spheres.bin "$panda"
 quietly "${clean[@]}" "PYTHONPATH=$FOAM_TEST_BUILD/python" "$python" -c \
     'import foam; open("clone.bin", "wb").write(foam.spherize("part.obj", 6).spheres.tobytes())'
 cmp spheres.bin clone.bin || fail "the wheel has other spheres than the clone"
@@ -43,5 +44,5 @@ if [[ -f $FOAM_TEST_BUILD/lib/foam/plugins/spherize_medial.so ]]; then
     expect "Requires-Dist: foam-spheres==$version" inside "$gpl" "foam_spheres_gpl-$version.dist-info/METADATA"
     expect "GNU GENERAL PUBLIC LICENSE" inside "$gpl" "foam_spheres_gpl-$version.dist-info/licenses/GPL-3"
     install "$gpl"
-    expect "spherize_medial" "${clean[@]}" "$room/venv/bin/python" "$FOAM_TEST_SOURCE/tests/python/from_wheel.py" part.obj spheres.bin
+    expect "spherize_medial" "${clean[@]}" "$room/venv/bin/python" "$FOAM_TEST_SOURCE/tests/python/from_wheel.py" part.obj spheres.bin "$panda"
 fi
