@@ -42,7 +42,8 @@ class Build:
 
 
 def gather(build, room):
-    """Installs foam; returns the folders of its package, its libraries, and its plugins under the GPL, if it has some."""
+    """Installs foam; returns its package, the module in it, the folder of its libraries, its program, and its plugins under the GPL,
+    if it has some."""
     libraries = build.install(room / "all", "runtime")
     build.install(room / "all", "python")
     package = room / "all/lib/python3/dist-packages/foam"
@@ -53,7 +54,7 @@ def gather(build, room):
     gpl = build.install(room / "gpl", "gpl") / "foam/plugins"
     # Beside the others they find foam's libraries.
     moved = [shutil.move(plugin, libraries / "foam/plugins") for plugin in sorted(gpl.glob("*.so"))]
-    return package, core, libraries, [pathlib.Path(plugin) for plugin in moved]
+    return package, core, libraries, room / "all/bin/foam", [pathlib.Path(plugin) for plugin in moved]
 
 
 def place(source, folder):
@@ -61,10 +62,10 @@ def place(source, folder):
     return pathlib.Path(shutil.copy(source, folder))
 
 
-def lay_out(package, core, libraries, gpl, room):
+def lay_out(package, core, libraries, program, gpl, room):
     """Fills the folders room/main and room/others with what the wheels hold."""
     plugins = sorted(path for path in (libraries / "foam/plugins").glob("*.so") if path not in gpl)
-    closures = {path: carried.libraries_of(path) for path in [core, *plugins, *gpl]}
+    closures = {path: carried.libraries_of(path) for path in [core, program, *plugins, *gpl]}
     own, main, others = {}, {}, {}
     for root, closure in closures.items():
         for name, path in closure.items():
@@ -86,7 +87,9 @@ def lay_out(package, core, libraries, gpl, room):
     # Pictures: its libraries (OpenCV, OSMesa and 150 that these bring) are those of the system, if it has them.
     for painter in (libraries / "foam/plugins").glob("*/*.so"):
         carried.patch(place(painter, room / "main/foam/lib/foam/plugins" / painter.parent.name), "$ORIGIN/../../..", names)
+    carried.patch(place(program, room / "main/foam/bin"), "$ORIGIN/../lib", names)
     shutil.copytree(package, room / "main/foam", dirs_exist_ok=True)
+    place(PYTHON / "wheel/_program.py", room / "main/foam")
     carried.patch(room / "main/foam" / core.name, "$ORIGIN/lib", names)
     return [*main.values()], [*others.values()]
 
@@ -99,8 +102,8 @@ def make_wheels(folder, out, with_gpl=True):
     wheels = []
     with tempfile.TemporaryDirectory() as name:
         room = pathlib.Path(name)
-        package, core, libraries, gpl = gather(build, room)
-        main, others = lay_out(package, core, libraries, gpl, room)
+        package, core, libraries, program, gpl = gather(build, room)
+        main, others = lay_out(package, core, libraries, program, gpl, room)
         apache = {"LICENSE": ROOT / "LICENSE"}
         wheels.append(wheel_file.write(out, room / "main", project["project"], version, apache | carried.licences(main)))
         if gpl and with_gpl:

@@ -44,8 +44,9 @@ def recorded(name, data):
 def write(out, folder, project, version, licences):
     """Writes the wheel with the files of a folder into the folder `out`; returns its path."""
     stem = f"{project['name'].replace('-', '_')}-{version}"
-    files = {path.relative_to(folder).as_posix(): path.read_bytes() for path in sorted(folder.rglob("*"))
+    paths = {path.relative_to(folder).as_posix(): path for path in sorted(folder.rglob("*"))
              if path.is_file() and "__pycache__" not in path.parts}
+    files = {name: path.read_bytes() for name, path in paths.items()}
     files |= {f"{stem}.dist-info/{name}": text.encode() for name, text in information(project, version, licences).items()}
     record = f"{stem}.dist-info/RECORD"
     files[record] = ("".join(recorded(name, data) for name, data in files.items()) + f"{record},,\n").encode()
@@ -55,6 +56,7 @@ def write(out, folder, project, version, licences):
     with zipfile.ZipFile(wheel, "w") as archive:
         for name, data in files.items():
             entry = zipfile.ZipInfo(name, EPOCH)
-            entry.external_attr = (0o100755 if ".so" in name else 0o100644) << 16
+            executable = name in paths and paths[name].stat().st_mode & 0o100
+            entry.external_attr = (0o100755 if executable else 0o100644) << 16
             archive.writestr(entry, data, zipfile.ZIP_DEFLATED, 6)
     return wheel

@@ -10,7 +10,7 @@ import foam
 
 PLACE = pathlib.Path(sys.prefix).resolve()
 PACKAGE = pathlib.Path(foam.__file__).resolve().parent
-CARRIED = re.compile(r"lib(foam|assimp|fmt|tbb|urdfdom|xxhash|yaml-cpp)[-_.]")
+CARRIED = re.compile(r"lib(foam|archive|assimp|fmt|tbb|urdfdom|xxhash|yaml-cpp)[-_.]")
 
 
 def main(mesh, out, recipe):

@@ -37,6 +37,10 @@ quietly "${clean[@]}" "PYTHONPATH=$FOAM_TEST_BUILD/python" "$python" -c \
     'import foam; open("clone.bin", "wb").write(foam.spherize("part.obj", 6).spheres.tobytes())'
 cmp spheres.bin clone.bin || fail "the wheel has other spheres than the clone"
 
+# The program that comes along, too.
+expect "foam           $version" "${clean[@]}" "$room/venv/bin/foam" version
+expect "Proved" "${clean[@]}" "$room/venv/bin/foam" spherize part.obj -n 6 -o part.json
+
 # What is under the GPL is in the second wheel alone.
 medial=$(find "$room/venv" -name spherize_medial.so)
 [[ -z $medial ]] || fail "a plugin under the GPL in the first wheel"
