@@ -39,6 +39,7 @@ cmp spheres.bin clone.bin || fail "the wheel has other spheres than the clone"
 
 # The program that comes along, too.
 expect "foam           $version" "${clean[@]}" "$room/venv/bin/foam" version
+expect "usage: foam-generate-spheres" "${clean[@]}" "$room/venv/bin/foam-generate-spheres" --help
 expect "Proved" "${clean[@]}" "$room/venv/bin/foam" spherize part.obj -n 6 -o part.json
 
 # What is under the GPL is in the second wheel alone.
