@@ -2,7 +2,9 @@
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/internal/bvh.hpp>
 
+#include <algorithm>
 #include <bit>
+#include <numeric>
 
 namespace foam::inline geometry {
 namespace {
@@ -29,6 +31,30 @@ std::uint64_t spread(std::uint64_t x) {
     return x;
 }
 
+/// Sorts items that are in order of their indices. Many are sorted digit by digit, which keeps equal ones in order.
+void sort_by_code(std::vector<Coded>& items) {
+    constexpr std::size_t many = 4096;
+    constexpr std::uint32_t digit_bits = 11, code_bits = 63;
+    if (items.size() < many) {
+        std::sort(items.begin(), items.end());
+        return;
+    }
+    std::vector<Coded> sorted(items.size());
+    for (std::uint32_t shift = 0; shift < code_bits; shift += digit_bits) {
+        const auto digit = [&](const Coded& item) { return item.code >> shift & ((1u << digit_bits) - 1); };
+        std::vector<std::uint32_t> next((1u << digit_bits) + 1, 0);
+        for (const Coded& item : items) {
+            ++next[digit(item) + 1];
+        }
+        std::partial_sum(next.begin(), next.end(), next.begin());
+        for (const Coded& item : items) {
+            sorted[next[digit(item)]++] = item;
+        }
+        std::swap(items, sorted);
+        check_cancelled();
+    }
+}
+
 std::vector<Coded> along_curve(std::span<const Box> boxes) {
     Box centers;
     for (const Box& box : boxes) {
@@ -46,7 +72,7 @@ std::vector<Coded> along_curve(std::span<const Box> boxes) {
         const Vec3 p = boxes[i].center() - centers.low;
         result.push_back({place(p.x) | place(p.y) << 1 | place(p.z) << 2, i});
     }
-    std::sort(result.begin(), result.end());
+    sort_by_code(result);
     return result;
 }
 

@@ -29,19 +29,20 @@ public:
 
     geometry::CoverProof run() {
         certificate_.holds = true;
-        std::vector<char> proved(balls_.piece_count(), 0);
+        std::vector<char> proved(balls_.round_parts().empty() ? 0 : balls_.piece_count(), 0);
         for (const geometry::RoundPart& part : balls_.round_parts()) {
             std::fill(proved.begin() + part.begin, proved.begin() + part.end, balls_.held(part));
         }
-        const std::vector<char> held = balls_.held_triangles();
-        for (std::uint32_t i = 0; i < balls_.piece_count(); ++i) {
-            if (held[i]) {
-                ++certificate_.pieces;
-            } else if (!proved[i]) {
+        std::size_t next = 0;
+        for (const std::uint32_t i : balls_.open_triangles()) {
+            certificate_.pieces += i - next; // those between lie in one ball each
+            next = i + std::size_t{1};
+            if (proved.empty() || !proved[i]) {
                 asking_.check();
                 examine_triangle(i);
             }
         }
+        certificate_.pieces += balls_.piece_count() - next;
         if (!certificate_.holds) {
             certificate_.growth = std::max(certificate_.growth, proved_gap_);
             certificate_.witness = balls_.to_solid(certificate_.witness);

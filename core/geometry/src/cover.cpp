@@ -268,11 +268,14 @@ std::uint32_t Balls::nearest_to(const Vec3& p) const {
 }
 
 bool Balls::any_holds(const SurfaceRuns::Run& run, std::uint32_t& last, std::vector<std::uint32_t>& near) const {
+    near.clear();
+    if (bvh_.nodes().empty()) {
+        return false;
+    }
     if (holds(last, run)) {
         return true;
     }
     bool whole = false;
-    near.clear();
     const double limit = run.radius; // a ball that comes less near contains no corner
     visit_near(run.center, limit, [&](std::uint32_t i) {
         if (!whole && gap(i, run.center) <= limit) {
@@ -284,31 +287,33 @@ bool Balls::any_holds(const SurfaceRuns::Run& run, std::uint32_t& last, std::vec
     return whole;
 }
 
-std::vector<char> Balls::held_triangles() const {
-    std::vector<char> held(piece_count(), 0);
-    if (bvh_.nodes().empty()) {
-        return held;
-    }
+std::vector<std::uint32_t> Balls::open_triangles() const {
+    std::vector<std::uint32_t> open;
     std::uint32_t last = 0; // ball that contained the run before
     std::vector<std::uint32_t> near;
     CancellationCounter asking(64);
     for (std::size_t g = 0; g < runs_->group_count(); ++g) {
         asking.check();
-        const bool group = std::isfinite(runs_->group(g).radius) && any_holds(runs_->group(g), last, near);
+        if (std::isfinite(runs_->group(g).radius) && any_holds(runs_->group(g), last, near)) {
+            continue;
+        }
         const std::size_t first = g * SurfaceRuns::group_length;
         for (std::size_t r = first; r < std::min(first + SurfaceRuns::group_length, runs_->size()); ++r) {
             const SurfaceRuns::Run& run = (*runs_)[r];
-            if (!std::isfinite(run.radius)) {
+            const bool flat = std::isfinite(run.radius);
+            if (flat && any_holds(run, last, near)) {
                 continue;
             }
-            const bool whole = group || any_holds(run, last, near);
             for (const std::uint32_t t : runs_->triangles(r)) {
                 const auto contains = [&](std::uint32_t i) { return holds(i, corners(t)); };
-                held[t] = whole || std::any_of(near.begin(), near.end(), contains) ? 1 : 0;
+                if (!flat || std::none_of(near.begin(), near.end(), contains)) {
+                    open.push_back(t);
+                }
             }
         }
     }
-    return held;
+    std::sort(open.begin(), open.end());
+    return open;
 }
 
 double Balls::candidates(const Piece& piece, std::vector<std::uint32_t>& result) const {

@@ -113,8 +113,9 @@ public:
         constexpr double rounding = 1e-12; // more than that of the distances here and in the test of each corner
         return distance(run.center, centers_[i]) + run.radius <= radii_[i] * (1 - rounding) && limit(i) > 0;
     }
-    /// Returns for each triangle whether one ball contains it; not for those of curved primitives.
-    std::vector<char> held_triangles() const;
+    /// Returns the triangles that no single ball contains, and all of curved primitives, ascending. What the balls
+    /// contain in whole runs takes no time.
+    std::vector<std::uint32_t> open_triangles() const;
     const SurfaceRuns& runs() const { return *runs_; }
 
     /// Returns triangle `i` of the surface, relative to the centre.

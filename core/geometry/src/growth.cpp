@@ -28,14 +28,13 @@ public:
 
     /// Returns false once it has examined more than `most_looks` pieces: some may then be uncovered.
     bool run(std::size_t most_looks) {
-        std::vector<char> held(balls_.piece_count(), 0);
+        std::vector<char> held(balls_.round_parts().empty() ? 0 : balls_.piece_count(), 0);
         for (const RoundPart& part : balls_.round_parts()) {
             close_round_part(part);
             std::fill(held.begin() + part.begin, held.begin() + part.end, balls_.held(part));
         }
-        const std::vector<char> in_one = balls_.held_triangles();
-        for (std::uint32_t i = 0; i < balls_.piece_count(); ++i) {
-            if (!held[i] && !in_one[i]) {
+        for (const std::uint32_t i : balls_.open_triangles()) {
+            if (held.empty() || !held[i]) {
                 asking_.check();
                 const Piece piece = balls_.piece(i);
                 enqueue(piece, near(piece));

@@ -95,21 +95,37 @@ public:
             along.add((*corner)[v_]);
         }
         const auto [first, last] = rows_.of(across);
-        const auto misses = [&](const Vec3& origin) {
-            return origin[u_] < across.low - beside_ || origin[u_] > across.high + beside_ ||
-                   origin[v_] < along.low - beside_ || origin[v_] > along.high + beside_;
-        };
         for (std::size_t row = first; row < last; ++row) {
             const auto [begin, end] = places_.of(last - first <= few ? along : within(triangle, row));
             for (std::size_t k = begin; k < end; ++k) {
-                if (!misses(lines_[row * across_ + k].origin())) {
+                if (!misses(lines_[row * across_ + k].origin(), across, along)) {
                     visit(row * across_ + k);
                 }
             }
         }
     }
 
+    /// Returns whether any line may meet the box.
+    bool any_near(const Box& box) const {
+        const Range across{box.low[u_], box.high[u_]}, along{box.low[v_], box.high[v_]};
+        const auto [first, last] = rows_.of(across);
+        const auto [begin, end] = places_.of(along);
+        for (std::size_t row = first; row < last; ++row) {
+            for (std::size_t k = begin; k < end; ++k) {
+                if (!misses(lines_[row * across_ + k].origin(), across, along)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
 private:
+    bool misses(const Vec3& origin, const Range& across, const Range& along) const {
+        return origin[u_] < across.low - beside_ || origin[u_] > across.high + beside_ ||
+               origin[v_] < along.low - beside_ || origin[v_] > along.high + beside_;
+    }
+
     /// Returns the extent of the triangle in a row.
     Range within(const Corners& triangle, std::size_t row) const {
         const auto& [a, b, c] = triangle;
@@ -192,7 +208,8 @@ GridCrossings::GridCrossings(const MeshPart& part, const LineGrid& grid) {
     std::vector<int> sums(count);
     const Rows rows(grid);
     CancellationCounter asking(1024);
-    part.for_each_closed([&](const Corners& triangle) {
+    const auto wanted = [&](const Box& box) { return rows.any_near(box); };
+    part.for_each_closed(wanted, [&](const Corners& triangle) {
         asking.check();
         rows.for_each_line_near(triangle, [&](std::size_t line) {
             double t = 0;

@@ -57,14 +57,29 @@ public:
 
     /// Calls visit(corners) for each triangle of the surface that counts, and of its closing surface.
     template <class Visit> void for_each_closed(Visit visit) const {
+        for_each_closed([](const Box&) { return true; }, visit);
+    }
+    /// Calls visit(corners) for these triangles. Of many it may leave out those in boxes for which wanted(box) is
+    /// false.
+    template <class Wanted, class Visit> void for_each_closed(Wanted wanted, Visit visit) const {
+        for (const Item& item : items_) {
+            if (item.counts) {
+                visit(item.corners);
+            }
+        }
         Corners scratch;
-        for (std::uint32_t k = 0; k < bvh_.order().size(); ++k) {
-            if (counts(k)) {
-                visit(corners(k, scratch));
+        for (const BvhNode& node : bvh_.nodes()) {
+            if (!items_.empty() || !node.leaf() || !wanted(Box{node.low, node.high})) {
+                continue;
+            }
+            for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+                if (counts(k)) {
+                    visit(corners(k, scratch));
+                }
             }
         }
         if (closing_) {
-            closing_->for_each_closed(visit);
+            closing_->for_each_closed(wanted, visit);
         }
     }
 
