@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 
 namespace foam::load_mesh {
@@ -58,6 +59,14 @@ void MeshBuilder::expect_triangles(std::uint64_t count) const {
         throw source_.error(
             fmt::format("more than {} triangles; remedy: simplify the mesh, or raise max_triangles of load.mesh",
                         limits_.max_triangles));
+    }
+}
+
+void MeshBuilder::reserve_triangles(std::size_t count) {
+    mesh_.triangles.reserve(count);
+    mesh_.vertices.reserve(count / 2 + count / 16 + 8);
+    if (mesh_.vertices.empty()) {
+        table_.assign(std::max(table_.size(), std::bit_ceil(count + count / 8)), 0);
     }
 }
 

@@ -34,6 +34,9 @@ public:
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
     /// Throws if that many triangles in all are too many.
     void expect_triangles(std::uint64_t count) const;
+    /// Makes room for that many triangles of a surface, which usually has half as many vertices. Precondition: the file
+    /// is long enough for them.
+    void reserve_triangles(std::size_t count);
     /// Adds a plane polygon of at least three corners, convex or not.
     void polygon(std::span<const std::uint32_t> corners);
 

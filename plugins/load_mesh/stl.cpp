@@ -37,6 +37,7 @@ void read_binary(const Source& source, std::uint32_t promised, MeshBuilder& buil
                         promised, needed, bytes.size()));
     }
     builder.expect_triangles(promised);
+    builder.reserve_triangles(promised);
     if (bytes.size() > needed) {
         context.log(Severity::warning,
                     fmt::format("{}: {} bytes after the {} triangles that the binary STL promises are ignored",

@@ -1,7 +1,9 @@
 // Whole files, of whatever kind and size.
 #include "support/temporary_folder.hpp"
 
+#include <foam/base/error.hpp>
 #include <foam/base/file.hpp>
+#include <foam/base/internal/files.hpp>
 
 #include <gtest/gtest.h>
 
@@ -37,6 +39,34 @@ TEST_F(ReadRegularFile, GivesTheBytes) {
     EXPECT_EQ(read_regular_file(write("empty", ""), 0, "").problem, "");
     fs::create_symlink("file", folder_.path() / "link");
     EXPECT_EQ(read_regular_file(folder_.path() / "link", 5, "").bytes, bytes);
+}
+
+TEST_F(ReadRegularFile, GivesPiecesOfLargeFiles) {
+    std::string bytes;
+    for (std::size_t i = 0; i < 700'000; ++i) {
+        bytes.push_back(static_cast<char>(i * i >> 3));
+    }
+    const fs::path file = write("large", bytes);
+    std::string pieces;
+    std::size_t count = 0, longest = 0;
+    const auto take = [&](std::string_view piece) {
+        pieces += piece;
+        longest = std::max(longest, piece.size());
+        ++count;
+    };
+    const FileContents contents = read_regular_file(file, bytes.size(), "", take);
+    EXPECT_EQ(contents.problem, "");
+    EXPECT_EQ(contents.bytes, "");
+    EXPECT_EQ(pieces, bytes);
+    EXPECT_GT(count, 1u);
+    EXPECT_LE(longest, std::size_t{1} << 18);
+    EXPECT_EQ(read_regular_file(file, bytes.size() - 1, "take another", take).why_not(),
+              "it has 700000 bytes, more than 699999; remedy: take another");
+    const DigestedFile digested = digest_of_file(file);
+    EXPECT_EQ(digested.digest, digest_of(bytes));
+    EXPECT_EQ(digested.bytes, bytes.size());
+    EXPECT_EQ(digest_of_file(write("empty", "")).digest, digest_of(""));
+    EXPECT_THROW(digest_of_file(folder_.path() / "none"), Error);
 }
 
 TEST_F(ReadRegularFile, RefusesWhatIsNoRegularFile) {

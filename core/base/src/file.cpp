@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -65,10 +66,10 @@ ssize_t read_up_to(int descriptor, char* target, std::size_t size) {
     return static_cast<ssize_t>(done);
 }
 
-} // namespace
-
-FileContents read_regular_file(const std::filesystem::path& file, std::uintmax_t most_bytes,
-                               std::string_view if_too_large) {
+/// Opens a regular file and calls read(descriptor, size, bytes), which returns how much it read, -1 on an error.
+template <class Read>
+FileContents read_by(const std::filesystem::path& file, std::uintmax_t most_bytes, std::string_view if_too_large,
+                     Read read) {
     struct stat status {};
     if (stat(file.c_str(), &status) != 0) {
         return errno == ENOENT || errno == ENOTDIR ? problem("there is no such file", "check the path")
@@ -89,8 +90,7 @@ FileContents read_regular_file(const std::filesystem::path& file, std::uintmax_t
         return problem(fmt::format("it has {} bytes, more than {}", size, most_bytes), if_too_large);
     }
     FileContents result;
-    result.bytes.resize(size);
-    const ssize_t got = read_up_to(descriptor.number(), result.bytes.data(), size);
+    const ssize_t got = read(descriptor.number(), size, result.bytes);
     if (got < 0) {
         return cannot_be_read(errno);
     }
@@ -99,6 +99,35 @@ FileContents read_regular_file(const std::filesystem::path& file, std::uintmax_t
         return problem("it changed while it was read", "wait until it is written");
     }
     return result;
+}
+
+} // namespace
+
+FileContents read_regular_file(const std::filesystem::path& file, std::uintmax_t most_bytes,
+                               std::string_view if_too_large) {
+    return read_by(file, most_bytes, if_too_large, [](int descriptor, std::uintmax_t size, std::string& bytes) {
+        bytes.resize(size);
+        return read_up_to(descriptor, bytes.data(), size);
+    });
+}
+
+FileContents read_regular_file(const std::filesystem::path& file, std::uintmax_t most_bytes,
+                               std::string_view if_too_large, const std::function<void(std::string_view)>& take) {
+    return read_by(file, most_bytes, if_too_large, [&](int descriptor, std::uintmax_t size, std::string&) {
+        constexpr std::size_t at_once = std::size_t{1} << 18;
+        std::string piece(std::min<std::uintmax_t>(at_once, size), '\0');
+        ssize_t done = 0;
+        while (static_cast<std::uintmax_t>(done) < size) {
+            const auto left = std::min<std::uintmax_t>(piece.size(), size - static_cast<std::uintmax_t>(done));
+            const ssize_t got = read_up_to(descriptor, piece.data(), left);
+            if (got <= 0) {
+                return got < 0 ? got : done;
+            }
+            take(std::string_view(piece).substr(0, static_cast<std::size_t>(got)));
+            done += got;
+        }
+        return done;
+    });
 }
 
 std::string extension_of(const std::filesystem::path& file) {

@@ -22,6 +22,19 @@ std::string read_file(const fs::path& file, std::uintmax_t most, std::string_vie
     return std::move(contents.bytes);
 }
 
+DigestedFile digest_of_file(const fs::path& file, std::uintmax_t most, std::string_view if_too_large) {
+    Hasher hasher;
+    std::size_t bytes = 0;
+    const FileContents contents = read_regular_file(file, most, if_too_large, [&](std::string_view piece) {
+        hasher.bytes(piece.data(), piece.size());
+        bytes += piece.size();
+    });
+    if (!contents.problem.empty()) {
+        throw Error(ErrorCode::input, fmt::format("{}: {}", file.string(), contents.why_not()));
+    }
+    return {hasher.finish(), bytes};
+}
+
 void write_file(const fs::path& file, std::string_view bytes) {
     const auto fail = [&](const std::string& why) {
         throw Error(ErrorCode::output, fmt::format("{}: cannot be written: {}", file.string(), why));

@@ -1,8 +1,6 @@
 #include "closing_surface.hpp"
 
 #include <foam/base/cancellation.hpp>
-#include <foam/geometry/edges.hpp>
-#include <foam/geometry/internal/welding.hpp>
 
 #include <array>
 #include <map>
@@ -13,46 +11,9 @@ namespace {
 /// Limits below which two corners of the rim are joined: shares of the extent, and of the mean length of its edges.
 constexpr double crack_of_extent = 1.0 / 100, crack_of_edge = 1.0 / 2;
 
-/// An edge that the triangles pass `times` more often from `from` to `to` than back.
-struct RimEdge {
-    std::uint32_t from, to;
-    std::ptrdiff_t times;
-};
-
-std::vector<Triangle> counting_triangles(const Mesh& mesh, const Reading& reading) {
-    const std::vector<std::uint32_t> welded = welded_indices(mesh);
-    std::vector<Triangle> result;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        if (reading.facing[i] != Facing::ignored) {
-            const auto& [a, b, c] = mesh.triangles[i];
-            result.push_back({welded[a], welded[b], welded[c]});
-            if (reading.facing[i] == Facing::flipped) {
-                std::swap(result.back()[1], result.back()[2]);
-            }
-        }
-    }
-    return result;
-}
-
-std::vector<RimEdge> rim_of(const Mesh& mesh, const Reading& reading) {
-    std::vector<RimEdge> rim;
-    const std::vector<Side> sides = sides_by_edge(counting_triangles(mesh, reading), mesh.vertices.size());
-    for_each_edge(sides, [&](std::span<const Side> edge) {
-        std::ptrdiff_t sum = 0;
-        for (const Side& side : edge) {
-            sum += side.forward ? 1 : -1;
-        }
-        const std::uint32_t low = edge[0].low, high = edge[0].high;
-        if (sum != 0 && low != high) {
-            rim.push_back(sum > 0 ? RimEdge{low, high, sum} : RimEdge{high, low, -sum});
-        }
-    });
-    return rim;
-}
-
 class Closing {
 public:
-    Closing(const Mesh& mesh, const Reading& reading) : mesh_(mesh), rim_(rim_of(mesh, reading)) {}
+    Closing(const Mesh& mesh, const Reading& reading) : mesh_(mesh), rim_(reading.rim) {}
 
     Mesh run() {
         draw_together();
@@ -175,7 +136,7 @@ private:
     }
 
     const Mesh& mesh_;
-    std::vector<RimEdge> rim_;
+    const std::vector<RimEdge>& rim_;
     std::map<std::uint32_t, std::uint32_t> drawn_; // a corner of the rim, and its target
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::ptrdiff_t> left_;
     Mesh result_;

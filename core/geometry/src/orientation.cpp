@@ -34,6 +34,9 @@ public:
         Reading result;
         result.closed = clean || balanced(true) || balanced(false);
         turn_outwards();
+        if (!result.closed) {
+            result.rim = rim();
+        }
         result.facing = std::move(facing_);
         return result;
     }
@@ -318,6 +321,22 @@ private:
                 }
             }
         }
+    }
+
+    std::vector<RimEdge> rim() const {
+        std::vector<RimEdge> result;
+        for_each_counting_edge([&](std::span<const Side> edge) {
+            std::ptrdiff_t sum = 0;
+            for (const Side& side : edge) {
+                sum += side.forward ? 1 : -1;
+            }
+            const std::uint32_t low = edge[0].low, high = edge[0].high;
+            if (sum != 0) {
+                result.push_back(sum > 0 ? RimEdge{low, high, sum} : RimEdge{high, low, -sum});
+            }
+            return true;
+        });
+        return result;
     }
 
     struct Shell {

@@ -3,6 +3,8 @@
 
 #include <foam/geometry/mesh.hpp>
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace foam::inline geometry {
@@ -14,12 +16,20 @@ enum class Facing : signed char {
     ignored,  ///< does not count: degenerate, a copy, or one of two that cancel
 };
 
+/// An edge that the triangles pass `times` more often from `from` to `to` than back. Of corners at one place, the first
+/// vertex names both.
+struct RimEdge {
+    std::uint32_t from, to;
+    std::ptrdiff_t times;
+};
+
 /// The interpretation of a raw mesh as a solid.
 struct Reading {
     std::vector<Facing> facing; ///< one per triangle
     /// Whether the triangles that count bound a solid without holes: every edge is passed as often one way as the
     /// other, so the winding number is a whole number everywhere off the surface.
     bool closed = false;
+    std::vector<RimEdge> rim{}; ///< around the triangles that count, in order of the edges; empty if closed
 };
 
 /// Interprets a mesh as its author must have meant it:

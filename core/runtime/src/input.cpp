@@ -83,12 +83,12 @@ const RegisteredStage* mesh_loader_of(const Workspace& workspace, const fs::path
                                                  workspace.recipe.preferred_loader);
 }
 
-std::string read_mesh_file(const Workspace& workspace, const fs::path& file) {
+DigestedFile digest_of_mesh_file(const Workspace& workspace, const fs::path& file) {
     const RegisteredStage* loader = mesh_loader_of(workspace, file);
     const auto limit = loader ? max_bytes(workspace.recipe, *loader) : std::nullopt;
-    return limit ? read_file(file, static_cast<std::uintmax_t>(*limit),
-                             fmt::format("simplify the mesh, or raise max_bytes of {}", loader->info.name))
-                 : read_file(file);
+    return limit ? digest_of_file(file, static_cast<std::uintmax_t>(*limit),
+                                  fmt::format("simplify the mesh, or raise max_bytes of {}", loader->info.name))
+                 : digest_of_file(file);
 }
 
 bool input_resolves(const Recipe& recipe) {
@@ -133,16 +133,19 @@ Input load_input(const Workspace& workspace) {
         !why.empty()) {
         throw Error(ErrorCode::usage, why);
     }
-    const std::string text = mesh ? read_mesh_file(workspace, input.file) : read_file(input.file, most_robot_bytes);
-    input.digest = digest_of(text);
-    input.bytes = text.size();
     input.report.input = input.file.filename().string();
     if (mesh) {
+        const DigestedFile digested = digest_of_mesh_file(workspace, input.file);
+        input.digest = digested.digest;
+        input.bytes = digested.bytes;
         input.robot = std::make_shared<const Robot>(
             robot_of_mesh(input.file, portable_reference(input), workspace.recipe.mesh_unit.factor()));
         input.report.output = digest_of_content(*input.robot);
         return input;
     }
+    const std::string text = read_file(input.file, most_robot_bytes);
+    input.digest = digest_of(text);
+    input.bytes = text.size();
     const RegisteredStage* loader = workspace.registry.find_for_extension(
         StageKind::robot_loader, extension_of(input.file), workspace.recipe.preferred_loader);
     if (!loader) {

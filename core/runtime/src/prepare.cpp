@@ -110,8 +110,8 @@ std::vector<LoadTask> load_tasks(const std::vector<LinkWork>& links) {
 }
 
 InputFile input_file(const Workspace& workspace, const MeshReference& reference) {
-    const std::string bytes = read_mesh_file(workspace, reference.path);
-    return {reference.uri, reference.path, digest_of(bytes), bytes.size()};
+    const DigestedFile digested = digest_of_mesh_file(workspace, reference.path);
+    return {reference.uri, reference.path, digested.digest, digested.bytes};
 }
 
 void load(const Workspace& workspace, const std::vector<LinkWork>& links, LoadTask& task) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,11 @@ struct FileContents {
 /// file above `most_bytes`.
 FileContents read_regular_file(const std::filesystem::path& file, std::uintmax_t most_bytes,
                                std::string_view if_too_large);
+
+/// Reads the same piece by piece, so that a large file takes no memory: calls take(bytes) in order. `bytes` of the
+/// result stays empty.
+FileContents read_regular_file(const std::filesystem::path& file, std::uintmax_t most_bytes,
+                               std::string_view if_too_large, const std::function<void(std::string_view)>& take);
 
 /// Returns a file's extension without its dot, in lower case (ASCII); empty if there is none. Stages declare theirs so.
 std::string extension_of(const std::filesystem::path& file);

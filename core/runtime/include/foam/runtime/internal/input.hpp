@@ -1,6 +1,7 @@
 // The input: from the recipe's candidates to a robot.
 #pragma once
 
+#include <foam/base/internal/files.hpp>
 #include <foam/robot/robot.hpp>
 #include <foam/runtime/internal/workspace.hpp>
 
@@ -23,8 +24,9 @@ struct Input {
 
 /// Returns the loader for a mesh file by its extension; null if there is none.
 const RegisteredStage* mesh_loader_of(const Workspace& workspace, const std::filesystem::path& file);
-/// Returns the bytes of a mesh file, at most as many as its loader's parameter max_bytes allows. Throws Error(input).
-std::string read_mesh_file(const Workspace& workspace, const std::filesystem::path& file);
+/// Returns the digest of a mesh file of at most as many bytes as its loader's parameter max_bytes allows. Throws
+/// Error(input).
+DigestedFile digest_of_mesh_file(const Workspace& workspace, const std::filesystem::path& file);
 
 /// Loads the first candidate that resolves. Throws Error(input) with every place tried, or with the error in the file.
 Input load_input(const Workspace& workspace);
