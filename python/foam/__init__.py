@@ -22,11 +22,13 @@ except ImportError as error:
 from .errors import Cancelled, Error, GeometryError, InputError, UsageError
 
 if TYPE_CHECKING:
+    from ._adapters import from_trimesh
     from ._batch import BatchEntry, read_batch
     from ._cover import Cover, spheres_inside, spherize, spherize_each
     from ._judge import certify, describe, evaluate, plugins, self_collision, stages
     from ._mesh import Mesh, read_mesh
     from ._model import SphereModel, read_spheres
+    from ._own_stages import Budget, Shape, spherizer
     from ._results import Certificate, Evaluation, Figures, SelfCollision
     from ._robot import Joint, Robot, load
     from ._runs import Event, Finding, Run, check, run
@@ -36,6 +38,10 @@ __version__: str = _core.version()
 
 #: The module of each public name.
 _HOMES = {
+    "Budget": "_own_stages",
+    "Shape": "_own_stages",
+    "spherizer": "_own_stages",
+    "from_trimesh": "_adapters",
     "BatchEntry": "_batch",
     "Certificate": "_results",
     "Cover": "_cover",
@@ -117,6 +123,10 @@ _OLD = {
 _HOMES.update({name: home for home, names in _OLD.items() for name in names})
 
 __all__ = [
+    "Budget",
+    "Shape",
+    "spherizer",
+    "from_trimesh",
     "BatchEntry",
     "Cancelled",
     "Certificate",

@@ -57,6 +57,12 @@ class Cover:
             self._mesh = None
         return self._excess
 
+    def to_trimesh(self) -> Any:
+        """Return the spheres as one trimesh.Trimesh, for pictures."""
+        from . import _adapters
+
+        return _adapters.trimesh_of(_adapters.mesh_of_spheres(self.spheres))
+
     def __len__(self) -> int:
         return len(self.spheres)
 

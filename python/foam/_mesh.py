@@ -94,6 +94,12 @@ class Mesh:
         file.write_bytes(writer(self))
         return file
 
+    def to_trimesh(self) -> Any:
+        """Return the mesh as a trimesh.Trimesh. Raises UsageError if trimesh is not installed."""
+        from . import _adapters
+
+        return _adapters.trimesh_of(self)
+
     def __iter__(self) -> Iterator[NDArray[Any]]:
         return iter((self.vertices, self.faces))
 
@@ -153,7 +159,8 @@ def read_mesh(path: str | os.PathLike[str], *, unit: str | None = None, scale: f
 def mesh_of(mesh: Any, what: str = "mesh") -> Mesh:
     """Return what the user calls a mesh as a Mesh: a path, (vertices, faces), or an object that has them.
 
-    Objects: with `vertices` and `faces` (trimesh, foam.Mesh) or `triangles` (Open3D).
+    Objects: with `vertices` and `faces` (trimesh, foam.Mesh) or `triangles` (Open3D), with `points` and `faces` (PyVista),
+    or a Scene of trimesh.
     """
     if isinstance(mesh, Mesh):
         return mesh
@@ -161,8 +168,14 @@ def mesh_of(mesh: Any, what: str = "mesh") -> Mesh:
         return read_mesh(mesh)
     if isinstance(mesh, (tuple, list)) and len(mesh) == 2:
         return Mesh(mesh[0], mesh[1])
+    if isinstance(getattr(mesh, "geometry", None), dict):  # a scene of trimesh
+        from .utility import as_mesh
+
+        mesh = as_mesh(mesh)
     vertices = getattr(mesh, "vertices", None)
     faces = getattr(mesh, "faces", None)
+    if vertices is None and getattr(mesh, "points", None) is not None and faces is not None:  # PyVista
+        return Mesh(mesh.points, _unpadded(faces, what))
     if faces is None:
         faces = getattr(mesh, "triangles", None)
     if vertices is None or faces is None:
@@ -171,3 +184,13 @@ def mesh_of(mesh: Any, what: str = "mesh") -> Mesh:
             "or an object with vertices and faces"
         )
     return Mesh(vertices, faces)
+
+
+def _unpadded(faces: Any, what: str) -> NDArray[Any]:
+    """PyVista's faces: 3, a, b, c, 3, …."""
+    array = np.asarray(faces)
+    if array.ndim == 2:
+        return array
+    if array.ndim != 1 or array.size % 4 or (array.reshape(-1, 4)[:, 0] != 3).any():
+        raise InputError(f"{what}: not all faces are triangles; remedy: mesh.triangulate()")
+    return array.reshape(-1, 4)[:, 1:]

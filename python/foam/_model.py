@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _arrays, _core
+from . import _adapters, _arrays, _core
 from ._plugins import registry
 from ._results import Figures
 from ._robot import Robot, load, warn_of
@@ -40,6 +40,7 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
         self.notes: list[str] = []
         self._file: _core.SphereFile | None = None
         self._of_run: _core.Model | None = None
+        self._recipes: _core.Recipes | None = None
 
     @property
     def robot(self) -> Robot | None:
@@ -139,6 +140,61 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
         for file, content in files:
             _write_whole(Path(file), content)
         return [Path(file) for file, _ in files]
+
+    def to_pyroki(self) -> dict[str, dict[str, Any]]:
+        """Return the dictionary that pyroki's RobotCollision.create_sphere_collision takes: that of to_dict()."""
+        return self.to_dict()
+
+    def to_curobo(
+        self, *, tool_frames: Iterable[str] = (), base_link: str = "", lock_joints: Mapping[str, float] | None = None,
+        default_pose: Mapping[str, float] | None = None, set: Mapping[str, Any] | None = None,
+    ) -> dict[str, Any]:
+        """Return a robot file of cuRobo as a dictionary: spheres, ignored pairs, locked joints. Arguments as of save().
+
+        Needs PyYAML, as cuRobo does.
+        """
+        facts = {"tool_frames": tool_frames, "base_link": base_link, "lock_joints": lock_joints, "default_pose": default_pose}
+        text = _adapters.files_of(self, "curobo", f"{self.name}.yml", facts, set)[f"{self.name}.yml"]
+        return _adapters._module("yaml", "PyYAML").safe_load(text)
+
+    def to_vamp(
+        self, *, tool_frames: Iterable[str] = (), base_link: str = "", lock_joints: Mapping[str, float] | None = None,
+        set: Mapping[str, Any] | None = None,
+    ) -> dict[str, str]:
+        """Return the files of a robot of VAMP by name: sphere URDF, SRDF, and the job of cricket. Arguments as of save()."""
+        facts = {"tool_frames": tool_frames, "base_link": base_link, "lock_joints": lock_joints}
+        return _adapters.files_of(self, "vamp", f"{self.name}.urdf", facts, set)
+
+    def to_mujoco(
+        self, spec: Any = None, *, bodies: Mapping[str, str] | None = None, group: int = 3, pairs: Any = None
+    ) -> Any:
+        """Add the spheres to the bodies of a mujoco.MjSpec as geoms without mass; return their number.
+
+        Without a spec: return an MJCF text of the robot. `bodies`: the body of each link, where the names differ.
+        `pairs`: pairs of links that are excluded, such as foam.self_collision(…).ignored().
+        """
+        if spec is None:
+            return _adapters.files_of(self, "mjcf", f"{self.name}.xml", {}, None)[f"{self.name}.xml"]
+        return _adapters.to_mujoco(self, spec, bodies, group, pairs)
+
+    def to_trimesh(self) -> dict[str, Any]:
+        """Return the spheres of each link as one trimesh.Trimesh, in the frame of the link, for pictures."""
+        return {link: _adapters.trimesh_of(_adapters.mesh_of_spheres(rows)) for link, rows in self._spheres.items()}
+
+    def picture(self, width: int = 960, height: int = 720) -> bytes:
+        """Return a PNG: the geometry, translucent, over the spheres."""
+        return _adapters.picture(self, width, height)
+
+    def show(self, path: str | os.PathLike[str] | None = None, *, browse: bool = True) -> Path:
+        """Open a page about the model in the browser; return its file.
+
+        For a model of a run it is the report of that run, which is repeated from the cache. `path`: write a page with
+        the table and the picture of Jupyter there instead. browse=False: only write it.
+        """
+        return _adapters.show(self, path, browse)
+
+    def _repr_html_(self) -> str:
+        return _adapters.page_of(self)
 
     def _sphere_file(self) -> _core.SphereFile:
         if self._file is not None:

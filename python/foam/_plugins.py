@@ -17,3 +17,10 @@ def registry() -> _core.Registry:
         if _registry is None:
             _registry = _core.Registry([])
         return _registry
+
+
+def forget() -> None:
+    """Make the next use of the registry a new one, with the stages of this process."""
+    global _registry
+    with _lock:
+        _registry = None

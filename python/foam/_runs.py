@@ -132,6 +132,7 @@ def run_all(
         )
         model = SphereModel({link: np.asarray(rows) for link, rows in links}, name=name, summary=summary)
         model._of_run = held
+        model._recipes = recipes if len(names) == 1 else None
         runs.append(Run(summary, model, folder))
     return runs
 

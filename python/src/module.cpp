@@ -1,6 +1,7 @@
 // foam._core: what foam/*.py stands on. Arrays come and go by the buffer protocol, so that any NumPy will do.
 #include "errors.hpp"
 #include "mesh.hpp"
+#include "own_stages.hpp"
 #include "robot.hpp"
 #include "search.hpp"
 #include "stages.hpp"
@@ -23,6 +24,8 @@ PYBIND11_MODULE(_core, module) {
     add_writing(module);
     add_runs(module);
     add_old(module);
+    add_picture(module);
+    add_own_stages(module);
     module.def("version", &foam::version);
     module.def("thread_count", &foam::thread_count);
     // Left to the end of the process: there is none of oneTBB to limit after its own end.

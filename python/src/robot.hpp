@@ -41,5 +41,6 @@ void add_judge(py::module_& module);
 void add_writing(py::module_& module);
 void add_runs(py::module_& module);
 void add_old(py::module_& module);
+void add_picture(py::module_& module);
 
 } // namespace foam::python

@@ -1,6 +1,7 @@
 #include "stages.hpp"
 
 #include "mesh.hpp"
+#include "own_stages.hpp"
 #include "work.hpp"
 
 #include <foam/base/error.hpp>
@@ -20,6 +21,12 @@ std::shared_ptr<Registry> loaded(const std::vector<std::filesystem::path>& folde
         auto registry = std::make_shared<Registry>();
         for (const std::filesystem::path& folder : plugin_directories(folders)) {
             registry->load_directory(folder);
+        }
+        if (has_own_stages()) {
+            const PluginRecord& record = registry->load(own_file());
+            if (!record.loaded()) {
+                throw Error(ErrorCode::plugin, fmt::format("the stages of Python are refused: {}", record.rejection));
+            }
         }
         return registry;
     });

@@ -1,0 +1,153 @@
+"""Sphere models in the objects of other packages, which are imported only when they are asked for."""
+
+from __future__ import annotations
+
+import base64
+import html
+import importlib
+import sys
+import tempfile
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._mesh import Mesh, mesh_of
+from ._plugins import registry
+from .errors import Error, UsageError
+
+if TYPE_CHECKING:
+    from ._model import SphereModel
+
+
+def _module(name: str, package: str) -> Any:
+    try:
+        return importlib.import_module(name)
+    except ImportError:
+        raise UsageError(f"the package {package} is not installed; remedy: pip install {package}") from None
+
+
+def files_of(model: SphereModel, format: str, name: str, facts: dict[str, Any], set: Mapping[str, Any] | None) -> dict[str, str]:
+    """Return the texts of a writer by file name; nothing is written."""
+    made = _core.Facts(
+        facts.get("base_link") or "", list(facts.get("tool_frames") or ()), dict(facts.get("lock_joints") or {}),
+        dict(facts.get("default_pose") or {}),
+    )  # fmt: skip
+    files, said = _core.written(
+        registry(), model._sphere_file(), model._robot and model._robot._core, model._of_run, name, format, None,
+        dict(set or {}), made,
+    )  # fmt: skip
+    from ._robot import warn_of
+
+    warn_of(said, name)
+    return {Path(file).name: content.decode() for file, content in files}
+
+
+def to_mujoco(model: SphereModel, spec: Any, bodies: Mapping[str, str] | None, group: int, pairs: Any) -> int:
+    """Add the spheres to the bodies of an MjSpec."""
+    mujoco = _module(type(spec).__module__.split(".")[0], "mujoco")
+    names = {link: (bodies or {}).get(link, link) for link in model}
+    known = {body.name: body for body in spec.bodies}
+    missing = [link for link, body in names.items() if body not in known]
+    if missing:
+        raise UsageError(f"the MjSpec has no body for {', '.join(missing)}; there are: {', '.join(known)}; remedy: bodies={{…}}")
+    count = 0
+    for link, rows in model.items():
+        for x, y, z, r in rows.tolist():
+            known[names[link]].add_geom(
+                name=f"{link}_sphere_{count}", type=mujoco.mjtGeom.mjGEOM_SPHERE, pos=[x, y, z], size=[r, 0, 0], group=group,
+                mass=0,
+            )  # fmt: skip
+            count += 1
+    for first, second, *_ in pairs or ():
+        if first in names and second in names:
+            spec.add_exclude(bodyname1=names[first], bodyname2=names[second])
+    return count
+
+
+def _ball(subdivisions: int = 2) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+    """A subdivided octahedron of radius 1."""
+    points = [np.array(p, float) for p in ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))]
+    faces = [(0, 2, 4), (2, 1, 4), (1, 3, 4), (3, 0, 4), (2, 0, 5), (1, 2, 5), (3, 1, 5), (0, 3, 5)]
+    for _ in range(subdivisions):
+        middles: dict[tuple[int, int], int] = {}
+
+        def middle(a: int, b: int) -> int:
+            key = (min(a, b), max(a, b))
+            if key not in middles:
+                point = points[a] + points[b]
+                points.append(point / np.linalg.norm(point))
+                middles[key] = len(points) - 1
+            return middles[key]
+
+        faces = [t for a, b, c in faces for ab, bc, ca in [(middle(a, b), middle(b, c), middle(c, a))]
+                 for t in ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))]  # fmt: skip
+    return np.array(points), np.array(faces)
+
+
+def mesh_of_spheres(rows: ArrayLike) -> Mesh:
+    """Return spheres as one mesh of 128 triangles each, for pictures."""
+    spheres = np.asarray(rows, dtype=np.float64).reshape(-1, 4)
+    points, faces = _ball()
+    vertices = spheres[:, None, :3] + points[None] * spheres[:, None, 3:]
+    all_faces = faces[None] + (np.arange(len(spheres)) * len(points))[:, None, None]
+    return Mesh(vertices.reshape(-1, 3), all_faces.reshape(-1, 3))
+
+
+def trimesh_of(mesh: Mesh) -> Any:
+    """Return a foam.Mesh as a trimesh.Trimesh."""
+    return _module("trimesh", "trimesh").Trimesh(vertices=np.array(mesh.vertices), faces=np.array(mesh.faces), process=False)
+
+
+def from_trimesh(mesh: Any) -> Mesh:
+    """Return a foam.Mesh of a Trimesh or a Scene of trimesh, or of any object that foam takes for a mesh."""
+    return mesh_of(mesh)
+
+
+def picture(model: SphereModel, width: int = 480, height: int = 360) -> bytes:
+    """Return a PNG of the geometry over the spheres. Raises Error if no plugin draws."""
+    robot = model._robot
+    return _core.picture(registry(), model._sphere_file(), robot and robot._core, "", width, height)
+
+
+def page_of(model: SphereModel) -> str:
+    """A small table and a picture, as HTML."""
+    figures = {one["link"]: one for one in (model.summary or {}).get("links", [])}
+    head = "<tr><th style='text-align:left'>link</th><th>spheres</th><th>largest radius</th>" + ("<th>excess</th>" if figures else "")
+    rows = []
+    for link, spheres in model.items():
+        radius = f"{1000 * spheres[:, 3].max():.1f} mm" if len(spheres) else ""
+        excess = figures.get(link, {}).get("excess")
+        cell = f"<td>{'' if excess is None else f'{excess:.2f}'}</td>" if figures else ""
+        rows.append(f"<tr><td style='text-align:left'>{html.escape(link)}</td><td>{len(spheres)}</td><td>{radius}</td>{cell}</tr>")
+    proof = "; proved to cover the geometry" if model.certified else ""
+    words = f"<b>{html.escape(model.name)}</b>: {model.count} spheres of {len(model)} links{proof}"
+    try:
+        image = base64.b64encode(picture(model)).decode()
+        drawn = f"<img alt='the spheres' src='data:image/png;base64,{image}' width='480'>"
+    except Error as error:  # e.g. without the plugin that draws
+        drawn = f"<p>no picture: {html.escape(str(error))}</p>"
+    return f"<div><p>{words}</p><table>{head}</tr>{''.join(rows)}</table>{drawn}</div>"
+
+
+def show(model: SphereModel, path: Any, browse: bool) -> Path:
+    """Write the page of a model; open it."""
+    import webbrowser
+
+    if model._recipes is not None and path is None:
+        folder = Path(tempfile.mkdtemp(prefix="foam-"))
+        from ._runs import _program
+
+        model._recipes.run(0, str(folder / "run"), False, None, _program(), None, None)
+        page = folder / "run" / "report.html"
+    else:
+        page = Path(path) if path is not None else Path(tempfile.mkdtemp(prefix="foam-")) / "model.html"
+        page.write_text(f"<!doctype html><meta charset='utf-8'><title>{html.escape(model.name)}</title>{page_of(model)}\n")
+    if browse:
+        webbrowser.open(page.absolute().as_uri())
+    else:
+        print(page, file=sys.stderr)
+    return page
