@@ -37,7 +37,7 @@ def files_of(model: SphereModel, format: str, name: str, facts: dict[str, Any], 
         dict(facts.get("default_pose") or {}),
     )  # fmt: skip
     files, said = _core.written(
-        registry(), model._sphere_file(), model._robot and model._robot._core, model._of_run, name, format, None,
+        registry(), model._sphere_file(), None if model._robot is None else model._robot._core, model._of_run, name, format, None,
         dict(set or {}), made,
     )  # fmt: skip
     from ._robot import warn_of
@@ -110,7 +110,7 @@ def from_trimesh(mesh: Any) -> Mesh:
 def picture(model: SphereModel, width: int = 480, height: int = 360) -> bytes:
     """Return a PNG of the geometry over the spheres. Raises Error if no plugin draws."""
     robot = model._robot
-    return _core.picture(registry(), model._sphere_file(), robot and robot._core, "", width, height)
+    return _core.picture(registry(), model._sphere_file(), None if robot is None else robot._core, "", width, height)
 
 
 def page_of(model: SphereModel) -> str:

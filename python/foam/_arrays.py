@@ -14,7 +14,7 @@ MOST = 20_000_000
 
 
 def _array(value: Any, what: str) -> NDArray[Any]:
-    if isinstance(value, np.ma.MaskedArray) and np.ma.is_masked(value):
+    if isinstance(value, np.ma.MaskedArray) and np.any(np.ma.getmaskarray(value)):  # type: ignore[no-untyped-call]
         raise InputError(f"{what}: the array has masked values; remedy: leave these rows out")
     try:
         array = np.asarray(value)

@@ -1,6 +1,7 @@
 # The C++ module; private. The public functions are those of foam.
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,3 +32,129 @@ def excess(mesh: Mesh, spheres: NDArray[np.float64], volume: float) -> float: ..
 def version() -> str: ...
 def thread_count() -> int: ...
 def limit_threads(count: int) -> None: ...
+
+class Robot:
+    def __init__(
+        self,
+        file: str,
+        registry: Registry,
+        unit: str | None,
+        scale: float,
+        geometry: str,
+        links: Sequence[str],
+        package_path: Sequence[str],
+    ) -> None: ...
+    def name(self) -> str: ...
+    def root(self) -> str: ...
+    def source(self) -> str: ...
+    def notes(self) -> list[str]: ...
+    def links(self, with_geometry: bool) -> list[str]: ...
+    def joints(self) -> list[tuple[Any, ...]]: ...
+    def mesh(self, link: str) -> Mesh: ...
+
+class SphereFile:
+    def __init__(self, links: Sequence[tuple[str, NDArray[np.float64]]], name: str) -> None: ...
+    def links(self) -> list[tuple[str, Rows]]: ...
+    def format(self) -> str: ...
+    def notes(self) -> list[str]: ...
+
+class Model: ...
+
+class Facts:
+    def __init__(
+        self,
+        base_link: str,
+        tool_frames: Sequence[str],
+        lock_joints: Mapping[str, float],
+        default_pose: Mapping[str, float],
+    ) -> None: ...
+
+class Recipes:
+    def __init__(
+        self,
+        registry: Registry,
+        file: str | None,
+        text: str,
+        name: str,
+        settings: Sequence[tuple[str, str]],
+        variants: Sequence[str],
+    ) -> None: ...
+    def names(self) -> list[str]: ...
+    def run(
+        self,
+        index: int,
+        out: str | None,
+        fresh: bool,
+        time_limit: float | None,
+        program: str,
+        cache: str | None,
+        progress: Callable[..., object] | None,
+    ) -> tuple[str, list[tuple[str, Rows]], Model]: ...
+
+def read_spheres(file: str, registry: Registry, reader: str, rename: Sequence[tuple[str, str]]) -> SphereFile: ...
+def evaluate(robot: Robot, spheres: SphereFile, rename: Sequence[tuple[str, str]], seed: int) -> str: ...
+def certify(robot: Robot, spheres: SphereFile, rename: Sequence[tuple[str, str]], outer: bool) -> str: ...
+def self_collision(
+    robot: Robot,
+    spheres: SphereFile | None,
+    per_link: int,
+    words: str,
+    reference: Mapping[str, float],
+    samples: int,
+    confidence: float,
+    seed: int,
+    proof_boxes: int,
+) -> tuple[str, str, str]: ...
+def check(
+    registry: Registry, file: str | None, text: str, settings: Sequence[tuple[str, str]], variants: Sequence[str]
+) -> str: ...
+def stages(registry: Registry) -> str: ...
+def plugins(registry: Registry) -> str: ...
+def plugin_folders() -> list[os.PathLike[str]]: ...
+def written(
+    registry: Registry,
+    spheres: SphereFile,
+    robot: Robot | None,
+    of_run: Model | None,
+    file: str,
+    format: str,
+    into: tuple[str, str] | None,
+    parameters: Mapping[str, Any],
+    facts: Facts,
+) -> tuple[list[tuple[os.PathLike[str], bytes]], list[str]]: ...
+def quick_recipe(
+    input: str,
+    method: str,
+    ending: str,
+    spheres: int | None,
+    excess: float | None,
+    max_protrusion: float | None,
+    unit: str | None,
+    scale: float,
+    geometry: str,
+    registry: Registry,
+) -> tuple[str, str, list[str]]: ...
+def collect_batch(folder: str, table: str) -> None: ...
+def levels_by(
+    mesh: Mesh,
+    processed: Mesh | None,
+    registry: Registry,
+    stage: str,
+    parameters: Mapping[str, Any],
+    counts: Sequence[int],
+    seed: int,
+) -> list[tuple[Rows, bool, float, float, float]]: ...
+def filtered(mesh: Mesh, registry: Registry, stage: str, parameters: Mapping[str, Any]) -> Mesh: ...
+def resolve(reference: str, base: str) -> tuple[os.PathLike[str], list[os.PathLike[str]]]: ...
+def picture(
+    registry: Registry, spheres: SphereFile, robot: Robot | None, title: str, width: int, height: int
+) -> bytes: ...
+def declare_spherizer(
+    name: str,
+    summary: str,
+    function: Callable[..., Any],
+    original_only: bool,
+    revision: int,
+    parameters: Mapping[str, Any],
+) -> None: ...
+def own_stages() -> list[str]: ...

@@ -101,4 +101,5 @@ def describe(stage: str) -> dict[str, Any]:
 
 def plugins() -> list[dict[str, Any]]:
     """Return the plugin files: name, version, license, stages, and why one was refused."""
-    return json.loads(_core.plugins(registry()))
+    found: list[dict[str, Any]] = json.loads(_core.plugins(registry()))
+    return found

@@ -101,7 +101,8 @@ class Mesh:
         return _adapters.trimesh_of(self)
 
     def __iter__(self) -> Iterator[NDArray[Any]]:
-        return iter((self.vertices, self.faces))
+        yield self.vertices
+        yield self.faces
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Mesh):
@@ -124,7 +125,7 @@ def _stl(mesh: Mesh) -> bytes:
     lengths = np.linalg.norm(normals, axis=1, keepdims=True)
     rows["normal"] = np.divide(normals, lengths, out=np.zeros_like(normals), where=lengths > 0)
     rows["corners"] = corners
-    return b"foam".ljust(80) + np.uint32(len(corners)).astype("<u4").tobytes() + rows.tobytes()
+    return b"".join([b"foam".ljust(80), len(corners).to_bytes(4, "little"), rows.tobytes()])
 
 
 def _obj(mesh: Mesh) -> bytes:
@@ -142,7 +143,7 @@ def _ply(mesh: Mesh) -> bytes:
     rows = np.zeros(len(mesh.faces), dtype=[("count", "u1"), ("corners", "<u4", 3)])
     rows["count"] = 3
     rows["corners"] = mesh.faces
-    return header.encode() + mesh.vertices.astype("<f8").tobytes() + rows.tobytes()
+    return b"".join([header.encode(), mesh.vertices.astype("<f8").tobytes(), rows.tobytes()])
 
 
 _WRITERS = {".stl": _stl, ".obj": _obj, ".ply": _ply}

@@ -133,7 +133,7 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
             raise InputError(f"{source}: there is no such file")
         facts = _core.Facts(base_link, list(tool_frames), dict(lock_joints or {}), dict(default_pose or {}))
         files, said = _core.written(
-            registry(), self._sphere_file(), self._robot and self._robot._core, self._of_run, str(target), format or "",
+            registry(), self._sphere_file(), None if self._robot is None else self._robot._core, self._of_run, str(target), format or "",
             None if source is None else (str(source), source.read_text()), dict(set or {}), facts,
         )  # fmt: skip
         warn_of(said, str(target))
@@ -155,7 +155,8 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
         """
         facts = {"tool_frames": tool_frames, "base_link": base_link, "lock_joints": lock_joints, "default_pose": default_pose}
         text = _adapters.files_of(self, "curobo", f"{self.name}.yml", facts, set)[f"{self.name}.yml"]
-        return _adapters._module("yaml", "PyYAML").safe_load(text)
+        robot: dict[str, Any] = _adapters._module("yaml", "PyYAML").safe_load(text)
+        return robot
 
     def to_vamp(
         self, *, tool_frames: Iterable[str] = (), base_link: str = "", lock_joints: Mapping[str, float] | None = None,

@@ -45,7 +45,9 @@ class Figures:
         return Figures, (self._values,)
 
     def __eq__(self, other: object) -> bool:
-        return self._values == other._values if isinstance(other, Figures) else NotImplemented
+        if not isinstance(other, Figures):
+            return NotImplemented
+        return self._values == other._values
 
     __hash__ = None  # type: ignore[assignment]
 

@@ -80,7 +80,8 @@ class Run:
         """The content of manifest.json. Raises UsageError if nothing was written."""
         if self.directory is None:
             raise UsageError("this run has written nothing; remedy: foam.run(…, out=\"folder\")")
-        return json.loads((self.directory / "manifest.json").read_text())
+        manifest: dict[str, Any] = json.loads((self.directory / "manifest.json").read_text())
+        return manifest
 
     def __repr__(self) -> str:
         return f"<foam.Run '{self.name}': {self.model!r}>"
@@ -124,7 +125,7 @@ def run_all(
     for index, name in enumerate(names):
         folder = out if out is None or len(names) == 1 else out / name
         text, links, held = recipes.run(
-            index, None if folder is None else str(folder), fresh, time_limit, _program(), cache and str(cache), told
+            index, None if folder is None else str(folder), fresh, time_limit, _program(), None if cache is None else str(cache), told
         )
         summary = json.loads(text)
         warn_of(

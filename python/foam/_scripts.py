@@ -100,7 +100,7 @@ def generate_sphere_urdf(
     urdf = load_urdf(filename)
     factors = _factors(_flags, [link["@name"] for link in urdf["robot"]["link"]], filename)
     helper = SpherizationHelper(database, int(threads))
-    parts = [*get_urdf_meshes(urdf, shrinkage), *get_urdf_primitives(urdf, shrinkage)]
+    parts: list[Any] = [*get_urdf_meshes(urdf, shrinkage), *get_urdf_primitives(urdf, shrinkage)]
     budgets: dict[str, int] = {}
     for part in parts:
         budget = float(branch)

@@ -126,12 +126,12 @@ def _levels(
     counts = [] if stage == "spherize.medial" and depth >= 2 else [branch**level for level in range(depth + 1)]
     if not counts:
         parameters |= {"depth": depth, "branch": branch}
-    levels = _core.levels_by(mesh._core, processed and processed._core, registry(), stage, parameters, counts, 0)
+    levels = _core.levels_by(mesh._core, None if processed is None else processed._core, registry(), stage, parameters, counts, 0)
     return [_spherization(*level) for level in levels]
 
 
 def _spherization(rows: Any, certified: bool, mean: float, best: float, worst: float) -> Spherization:
-    return Spherization([Sphere(*row) for row in np.asarray(rows).tolist()], mean, best, worst, certified)
+    return Spherization([Sphere(x, y, z, r) for x, y, z, r in np.asarray(rows).tolist()], mean, best, worst, certified)
 
 
 def compute_spheres_helper(mesh: Any, command: Any, method: str) -> list[Spherization]:
@@ -155,7 +155,7 @@ def read_spherization_file(filename: Any, offset: ArrayLike = (0.0, 0.0, 0.0)) -
         for count in counts:
             rows = [row for row in numbers[at : at + count] if row[3] > 0]
             errors = [row[4] for row in rows if len(row) > 4] or [0.0]
-            spheres = [Sphere(*row[:4], offset) for row in rows]
+            spheres = [Sphere(row[0], row[1], row[2], row[3], offset) for row in rows]
             result.append(Spherization(spheres, float(np.mean(errors)), min(errors), max(errors)))
             at += count
         return result

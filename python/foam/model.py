@@ -103,7 +103,8 @@ class SphereDecoder(JSONDecoder):
     @staticmethod
     def _made(values: dict[str, Any]) -> Any:
         if "origin" in values and "radius" in values:
-            return Sphere(*values["origin"], values["radius"])
+            x, y, z = values["origin"]
+            return Sphere(x, y, z, values["radius"])
         if "spheres" in values and "mean" in values:
             return Spherization(values["spheres"], values["mean"], values["best"], values["worst"])
         return values

@@ -20,9 +20,9 @@ from .errors import Error, InputError
 from .model import Spherization
 
 try:
-    from trimesh import Scene, Trimesh
+    from trimesh import Scene, Trimesh  # type: ignore[import]
 except ImportError:  # trimesh is optional
-    Trimesh = Mesh  # type: ignore[assignment, misc]
+    Trimesh = Mesh
 
     class Scene:  # type: ignore[no-redef]
         """Meshes by name: what scripts use of trimesh's Scene."""
@@ -264,7 +264,8 @@ def get_urdf_spheres(urdf: dict[str, Any]) -> Iterator[tuple[float, float, float
         sphere = (collision.get("geometry") or {}).get("sphere")
         if sphere is not None:
             xyz, _rpy = _placed(collision, name)
-            yield (*map(float, xyz), float(sphere["@radius"]))
+            x, y, z = map(float, xyz)
+            yield x, y, z, float(sphere["@radius"])
 
 
 def set_urdf_spheres(urdf: dict[str, Any], spheres: dict[str, Spherization]) -> None:
