@@ -1,0 +1,72 @@
+// The memory of large meshes. The figures are bounds per triangle: copies of the mesh would exceed them.
+#include "program.hpp"
+
+#include "geometry/shapes.hpp"
+
+#include <foam/sdk/abi.hpp>
+
+#include <array>
+#include <cstring>
+#include <spawn.h>
+#include <string_view>
+#include <sys/resource.h>
+#include <vector>
+
+namespace foam::test {
+namespace {
+
+class CliMemory : public Cli {
+protected:
+    /// Writes a mesh as binary STL, in which every triangle has its own corners.
+    void write_stl(const std::string& name, const Mesh& mesh) const {
+        std::string bytes(80, ' ');
+        const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
+        bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
+        for (const Triangle& t : mesh.triangles) {
+            std::array<float, 12> values{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Vec3& p = mesh.vertices[t[k]];
+                values[3 + 3 * k] = static_cast<float>(p.x);
+                values[4 + 3 * k] = static_cast<float>(p.y);
+                values[5 + 3 * k] = static_cast<float>(p.z);
+            }
+            bytes.append(reinterpret_cast<const char*>(values.data()), sizeof values).append(2, '\0');
+        }
+        write(name, bytes);
+    }
+
+    /// Runs the program; returns the most memory that was resident, in bytes.
+    double memory_of(std::vector<std::string> arguments) const {
+        arguments.insert(arguments.begin(), FOAM_TEST_BINARY);
+        std::vector<char*> pointers;
+        for (std::string& argument : arguments) {
+            pointers.push_back(argument.data());
+        }
+        pointers.push_back(nullptr);
+        pid_t child = 0;
+        EXPECT_EQ(posix_spawn(&child, FOAM_TEST_BINARY, nullptr, nullptr, pointers.data(), environ), 0);
+        int status = 0;
+        rusage use{};
+        EXPECT_EQ(wait4(child, &status, 0, &use), child);
+        EXPECT_EQ(status, 0);
+        return 1024.0 * static_cast<double>(use.ru_maxrss);
+    }
+};
+
+TEST_F(CliMemory, OfALargeMesh) {
+    if (std::string_view(FOAM_ABI_SANITIZER) != "none") {
+        GTEST_SKIP() << "a sanitizer needs memory of its own";
+    }
+    const Mesh large = sample::torus(0.1, 0.04, 500, 500), small = sample::torus(0.1, 0.04, 20, 20);
+    write_stl("large.stl", large);
+    write_stl("small.stl", small);
+    const auto memory = [&](const std::string& mesh) {
+        return memory_of({"spherize", path() / mesh, "-n", "4", "-j", "1", "--fresh", "-o", path() / "spheres.json",
+                          "--set", "stages.spherize.cover.effort=fast"});
+    };
+    const double more = memory("large.stl") - memory("small.stl");
+    EXPECT_LT(more / static_cast<double>(large.triangles.size()), 200) << "bytes per triangle";
+}
+
+} // namespace
+} // namespace foam::test
