@@ -6,13 +6,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
+#include <fstream>
 #include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 namespace foam::inline bench::experiment {
@@ -45,6 +49,18 @@ pid_t start(const fs::path& program, const std::vector<std::string>& arguments, 
     return id;
 }
 
+/// Returns the most memory of a process that was resident so far, bytes; 0 if it has ended. The figure of wait4() would
+/// not be less than that of this process, from which the child was started.
+double most_resident(pid_t id) {
+    std::ifstream status(fmt::format("/proc/{}/status", id));
+    for (std::string word; status >> word;) {
+        if (double kilobytes = 0; word == "VmHWM:" && status >> kilobytes) {
+            return 1024 * kilobytes;
+        }
+    }
+    return 0;
+}
+
 } // namespace
 
 fs::path foam_program() {
@@ -65,11 +81,19 @@ MeasuredProgram run_measured(const fs::path& program, const std::vector<std::str
     prlimit(id, RLIMIT_CPU, &cpu, nullptr);
     int status = 0;
     rusage used{};
-    while (wait4(id, &status, 0, &used) < 0 && errno == EINTR) {
+    double memory = 0;
+    for (pid_t ended = 0; ended != id;) {
+        constexpr auto between_looks = std::chrono::milliseconds(2);
+        memory = std::max(memory, most_resident(id));
+        std::this_thread::sleep_for(between_looks);
+        ended = wait4(id, &status, WNOHANG, &used);
+        if (ended < 0 && errno != EINTR) {
+            throw Error(ErrorCode::internal, fmt::format("{} is lost ({})", program.string(), std::strerror(errno)));
+        }
     }
     MeasuredProgram result;
     result.cpu_seconds = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
-    result.memory = 1024.0 * static_cast<double>(used.ru_maxrss);
+    result.memory = memory;
     result.over_limit = WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL);
     result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     result.output = read_file(output);
