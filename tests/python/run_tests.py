@@ -3,7 +3,9 @@
 run_tests.py FILE   0: passed; 1: failed; 77: a module that it needs is missing
 """
 import importlib.util
+import os
 import sys
+import tempfile
 
 SKIPPED = 77
 NEEDED = {"arrays_test.py": ["hypothesis"]}
@@ -17,4 +19,7 @@ if __name__ == "__main__":
         sys.exit(SKIPPED)
     import pytest
 
-    sys.exit(pytest.main(["-q", "-rs", "-p", "no:cacheprovider", "--durations=3", file]))
+    with tempfile.TemporaryDirectory() as folder:  # nothing of the home folder, nothing left beside the tests
+        os.environ |= {"XDG_CACHE_HOME": folder, "HYPOTHESIS_STORAGE_DIRECTORY": folder}
+        code = pytest.main(["-q", "-rs", "-p", "no:cacheprovider", "--durations=3", "--basetemp", f"{folder}/tests", file])
+    sys.exit(code)
