@@ -88,6 +88,24 @@ TEST(ExactUnionVolume, ClosedForms) {
     }
 }
 
+// Only balls near each other along x are compared: sizes of every order, and groups far apart.
+TEST(ExactUnionVolume, OfGroupsApartIsTheSumOfTheirs) {
+    Random random(7);
+    std::vector<Sphere> all;
+    double sum = 0;
+    for (int group = 0; group < 12; ++group) {
+        const Vec3 middle{40.0 * (group % 3), 40.0 * (group / 3 % 2), 40.0 * (group / 6)};
+        std::vector<Sphere> balls;
+        for (int i = 0; i < 30; ++i) {
+            const Vec3 offset{random.uniform(-4, 4), random.uniform(-4, 4), random.uniform(-4, 4)};
+            balls.push_back({middle + offset, std::pow(10, random.uniform(-3, 0.9))});
+        }
+        sum += exact_union_volume(balls);
+        all.insert(all.begin() + static_cast<std::ptrdiff_t>(random.below(all.size() + 1)), balls.begin(), balls.end());
+    }
+    EXPECT_NEAR(exact_union_volume(all), sum, 1e-9 * sum);
+}
+
 TEST(ExactUnionVolume, DegenerateArrangements) {
     // A row of three of which the middle one lies between the circles of the others; three that share a circle.
     const double lens = pi * 5 / 12; // of unit balls at distance 1

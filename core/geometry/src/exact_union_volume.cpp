@@ -134,15 +134,46 @@ bool meet(const Sphere& a, const Sphere& b) {
     return squared_norm(b.center - a.center) < sum * sum;
 }
 
+/// Finds the balls that a ball meets: those far away along x are never looked at.
+class Neighbours {
+public:
+    explicit Neighbours(std::span<const Sphere> balls) : balls_(balls) {
+        for (std::uint32_t i = 0; i < balls.size(); ++i) {
+            by_x_.emplace_back(balls[i].center.x, i);
+            largest_ = std::max(largest_, balls[i].radius);
+        }
+        std::sort(by_x_.begin(), by_x_.end());
+    }
+    std::span<const Sphere> balls() const { return balls_; }
+    /// Returns the indices of the other balls that meet ball `i`, ascending.
+    std::vector<std::uint32_t> of(std::size_t i) const {
+        constexpr double rounding = 1 + 1e-12;
+        const Sphere& ball = balls_[i];
+        const double reach = (ball.radius + largest_) * rounding + std::abs(ball.center.x) * (rounding - 1);
+        auto other = std::lower_bound(by_x_.begin(), by_x_.end(), std::pair{ball.center.x - reach, std::uint32_t{0}});
+        std::vector<std::uint32_t> result;
+        for (; other != by_x_.end() && other->first <= ball.center.x + reach; ++other) {
+            if (other->second != i && meet(ball, balls_[other->second])) {
+                result.push_back(other->second);
+            }
+        }
+        std::sort(result.begin(), result.end());
+        return result;
+    }
+
+private:
+    std::span<const Sphere> balls_;
+    std::vector<std::pair<double, std::uint32_t>> by_x_;
+    double largest_ = 0;
+};
+
 /// Returns the caps of ball `i` that others hide; nothing if one contains the whole ball.
-std::optional<std::vector<Cap>> caps_of(std::span<const Sphere> balls, std::size_t i) {
+std::optional<std::vector<Cap>> caps_of(const Neighbours& neighbours, std::size_t i) {
+    const std::span<const Sphere> balls = neighbours.balls();
     const Sphere& ball = balls[i];
     std::vector<Cap> caps;
-    for (std::size_t j = 0; j < balls.size(); ++j) {
+    for (const std::uint32_t j : neighbours.of(i)) {
         const Sphere& other = balls[j];
-        if (j == i || !meet(ball, other)) {
-            continue;
-        }
         const Vec3 way = other.center - ball.center;
         const double square = squared_norm(way), length = std::sqrt(square);
         if (length + ball.radius <= other.radius) {
@@ -191,17 +222,18 @@ Exposed exposed_part(const std::vector<Cap>& caps) {
     return part;
 }
 
-std::optional<ExposedPart> part_of(std::span<const Sphere> balls, std::size_t i) {
-    const std::optional<std::vector<Cap>> caps = caps_of(balls, i);
+std::optional<ExposedPart> part_of(const Neighbours& neighbours, std::size_t i) {
+    const std::optional<std::vector<Cap>> caps = caps_of(neighbours, i);
     return caps ? std::optional<ExposedPart>(exposed_part(*caps)) : std::nullopt;
 }
 
 } // namespace
 
 UnionParts::UnionParts(std::vector<Sphere> balls) : balls_(std::move(balls)) {
+    const Neighbours neighbours(balls_);
     for (std::size_t i = 0; i < balls_.size(); ++i) {
         check_cancelled();
-        parts_.push_back(part_of(balls_, i));
+        parts_.push_back(part_of(neighbours, i));
     }
 }
 
@@ -221,12 +253,13 @@ UnionParts UnionParts::with(std::vector<Sphere> balls) const {
             changed.push_back(result.balls_[i]);
         }
     }
+    const Neighbours neighbours(result.balls_);
     for (std::size_t i = 0; i < result.balls_.size(); ++i) {
         check_cancelled();
         const Sphere& ball = result.balls_[i];
         const bool kept = i < balls_.size() && balls_[i] == ball &&
                           std::none_of(changed.begin(), changed.end(), [&](const Sphere& s) { return meet(ball, s); });
-        result.parts_.push_back(kept ? parts_[i] : part_of(result.balls_, i));
+        result.parts_.push_back(kept ? parts_[i] : part_of(neighbours, i));
     }
     return result;
 }
@@ -259,6 +292,7 @@ double UnionParts::volume_with(Split& split) const {
     constexpr std::uint32_t last = UINT32_MAX; // the second ball
     const std::size_t count = balls_.size() + 1;
     std::vector<Sphere> balls; // made on first use
+    std::optional<Neighbours> neighbours;
     std::vector<std::pair<std::uint32_t, std::optional<ExposedPart>>> changed;
     auto known = split.known.cbegin();
     const auto need = [&](std::uint32_t name) {
@@ -273,8 +307,9 @@ double UnionParts::volume_with(Split& split) const {
             balls = balls_;
             balls[split.ball] = split.first;
             balls.push_back(split.second);
+            neighbours.emplace(balls);
         }
-        changed.emplace_back(name, part_of(balls, name == last ? count - 1 : name));
+        changed.emplace_back(name, part_of(*neighbours, name == last ? count - 1 : name));
     };
     const std::array moved{balls_[split.ball], split.first, split.second};
     for (std::uint32_t i = 0; i < balls_.size(); ++i) {

@@ -118,8 +118,12 @@ std::vector<std::size_t> next_rungs(std::size_t explored, std::size_t least, std
 std::vector<std::size_t> counts_alone(std::size_t least, std::size_t most) {
     constexpr std::size_t each = 8; // up to here every count
     std::vector<std::size_t> counts;
-    for (std::size_t count = least; count <= most; count = count < each ? count + 1 : 2 * std::bit_floor(count)) {
+    for (std::size_t count = least; count <= std::min(most, most_between);
+         count = count < each ? count + 1 : 2 * std::bit_floor(count)) {
         counts.push_back(count);
+    }
+    if (counts.empty() || most > most_between) {
+        counts.push_back(most);
     }
     return counts;
 }

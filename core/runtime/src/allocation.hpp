@@ -72,8 +72,13 @@ private:
 /// allocate.
 std::vector<std::size_t> next_rungs(std::size_t explored, std::size_t least, std::size_t most);
 
-/// Returns the counts that are requested for a shape with the fixed count `most`: 1, 2, 3, 4, 5, 6, 7, 8, 16, 32… from
-/// `least`, which is the first, up to `most`. Precondition: 1 <= least <= most.
+/// Largest count between which and the next candidate count spheres are added one by one. More spheres would take a
+/// time that grows with the square of their number.
+constexpr std::size_t most_between = 64;
+
+/// Returns the counts that are requested for a shape with the fixed count `most`: 1, 2, 3, 4, 5, 6, 7, 8, 16, 32, 64
+/// from `least`, which is the first, up to `most`; then `most` itself if it is larger. Precondition: 1 <= least <=
+/// most.
 std::vector<std::size_t> counts_alone(std::size_t least, std::size_t most);
 
 } // namespace foam::runtime

@@ -67,21 +67,28 @@ void refine_up_to(const Workspace& workspace, ShapeWork& work, std::size_t limit
     }
 }
 
-/// Returns the best tree with at most `most` spheres. The best tree of a count, and the trees that are refined from it,
-/// do not depend on `most`. So a larger `most` never gives a worse tree.
+/// Returns the best tree with at most `most` spheres. Up to most_between spheres, the best tree of a count, and the
+/// trees that are refined from it, do not depend on `most`. So a larger `most` never gives a worse tree; above, it
+/// never gives a worse one than most_between.
 SphereTree with_more_between(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts,
                              std::size_t most) {
-    constexpr double little_less = 0.97;
+    constexpr double little_less = 0.97, mostly = 0.75;
     std::vector<Candidate> asked = candidates(workspace, work, counts);
     Candidate best = std::move(asked.front());
     for (std::size_t i = 0; i < counts.size(); ++i) {
-        if (i > 0 && asked[i].volume > little_less * best.volume) {
+        const bool few = counts[i] <= most_between;
+        if (i > 0 && few && asked[i].volume > little_less * best.volume) {
             refine_up_to(workspace, work, counts[i], best); // the spherizer itself gains little here
         }
         if (i > 0 && asked[i].volume < best.volume) {
             best = std::move(asked[i]);
         }
-        refine_up_to(workspace, work, i + 1 < counts.size() ? counts[i + 1] - 1 : most, best);
+        const std::size_t next = i + 1 < counts.size() ? counts[i + 1] - 1 : most;
+        if (few) {
+            refine_up_to(workspace, work, std::min(next, most_between), best);
+        } else if (best.tree.finest().size() < mostly * static_cast<double>(most)) {
+            refine_up_to(workspace, work, most, best); // the spherizer gives far less than requested
+        }
     }
     return std::move(best.tree);
 }
@@ -118,7 +125,7 @@ std::vector<std::size_t> computed(const Workspace& workspace, ShapeWork& work, s
 }
 
 Digest best_key(const Workspace& workspace, const ShapeWork& work, std::size_t most) {
-    return Hasher().add("best of at most, refined").add(tree_key(workspace, work, most)).finish();
+    return Hasher().add("best of at most, refined up to 64").add(tree_key(workspace, work, most)).finish();
 }
 
 } // namespace

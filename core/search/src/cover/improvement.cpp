@@ -51,7 +51,8 @@ Improvement::Improvement(const Problem& problem, std::size_t directions, std::si
 }
 
 Balls Improvement::improved(Balls balls, const DescentPlan& plan, bool creases) const {
-    constexpr std::size_t points_per_ball = 25, crease_points_at_most = 500;
+    constexpr std::size_t points_per_ball = 25, crease_points_per_ball = 6, fewest_crease_points = 500;
+    const std::size_t most_crease_points = std::max(fewest_crease_points, crease_points_per_ball * balls.size());
     constexpr float long_step = 0.02f;
     const float size = mean_radius(balls);
     Points points, base = prefix(problem_.surface, first_points_ + points_per_ball * balls.size());
@@ -64,7 +65,7 @@ Balls Improvement::improved(Balls balls, const DescentPlan& plan, bool creases) 
         active = base;
         if (creases) {
             const float finest = std::max(finest_crease * size, crease_steps * length);
-            active.append(crease_points(*problem_.solid, problem_.frame, balls, finest, crease_points_at_most));
+            active.append(crease_points(*problem_.solid, problem_.frame, balls, finest, most_crease_points));
         }
     });
     return balls;

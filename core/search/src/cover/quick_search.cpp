@@ -2,6 +2,7 @@
 
 #include "directions.hpp"
 #include "ladder.hpp"
+#include "many_search.hpp"
 #include "missing_volume.hpp"
 #include "plane_splits.hpp"
 #include "proved.hpp"
@@ -80,7 +81,7 @@ QuickSearch::Rung QuickSearch::rung(std::size_t count) {
         const Balls one{smallest_ball(solid_, frame_)};
         return rungs_.emplace(1, Rung{one, proved(solid_, frame_, one)}).first->second;
     }
-    Rung best = rung(count_before(count));
+    Rung best = rung(quick_count_before(count));
     if (stopped()) {
         return best;
     }
@@ -120,6 +121,9 @@ std::vector<CoverCandidate> QuickSearch::found(std::size_t count, const Balls* b
         return {{0, {smallest_ball(solid_, frame_)}}};
     }
     const DescentSurface& surface = surface_for(count);
+    if (count > few_balls && surface.skin.fine) {
+        return many(surface, count);
+    }
     const Occupancy* const occupancy = occupancy_for(count);
     std::vector<Balls> begin = starts(surface, occupancy, count, before);
     if (stopped()) {
@@ -135,6 +139,25 @@ std::vector<CoverCandidate> QuickSearch::found(std::size_t count, const Balls* b
     parallel_for(looks.size(), [&](std::size_t i) { looks[i] = refined(surface, occupancy, looks[i], count); });
     std::stable_sort(looks.begin(), looks.end(), has_less_volume);
     return looks;
+}
+
+std::vector<CoverCandidate> QuickSearch::many(const DescentSurface& surface, std::size_t count) {
+    if (stopped()) {
+        return {{0, PowerCells(surface.skin).fitted(divided(surface.some, {}, count), directions_of_fits())}};
+    }
+    SpherizeOptions fast = options_;
+    fast.effort = Effort::fast;
+    if (!problem_ || std::max(problem_count_, count) > ManySearch::same_problem) {
+        problem_.emplace(ManySearch::problem_for(solid_, count, options_.seed));
+        problem_count_ = count;
+    }
+    std::vector<CoverCandidate> result;
+    for (Balls& balls : ManySearch(*problem_, count, fast).found(surface, [&] { return stopped(); })) {
+        const double volume = geometry::joint_volume(solid_, proved(solid_, frame_, balls).spheres);
+        result.push_back({volume, std::move(balls)});
+    }
+    std::stable_sort(result.begin(), result.end(), has_less_volume);
+    return result;
 }
 
 std::vector<CoverCandidate> QuickSearch::candidates(std::size_t count, const Balls& before) {

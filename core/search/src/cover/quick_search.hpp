@@ -3,12 +3,14 @@
 
 #include "cover_candidate.hpp"
 #include "power_cells.hpp"
+#include "problem.hpp"
 #include "surface_descent.hpp"
 
 #include <foam/search/spherize.hpp>
 
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace foam::inline search::cover {
 
@@ -47,6 +49,8 @@ private:
     /// Returns the results, the best first, at least one. `before`: covering balls of a smaller count to start with, if
     /// any.
     std::vector<CoverCandidate> found(std::size_t count, const Balls* before);
+    /// Returns the results for many balls, the best first, by the volume of balls and solid together, m³.
+    std::vector<CoverCandidate> many(const DescentSurface& surface, std::size_t count);
     std::vector<Balls> starts(const DescentSurface& surface, const Occupancy* occupancy, std::size_t count,
                               const Balls* before) const;
     CoverCandidate first_look(const DescentSurface& surface, const Occupancy* occupancy, Balls balls) const;
@@ -60,6 +64,8 @@ private:
     std::size_t pieces_ = 0; ///< of the current surface
     std::unique_ptr<DescentSurface> surface_;
     std::unique_ptr<Occupancy> occupancy_;
+    std::optional<Problem> problem_; ///< of many balls
+    std::size_t problem_count_ = 0;  ///< the count it was made for
     bool stopped_ = false;
     std::map<std::size_t, Rung> rungs_;
 };

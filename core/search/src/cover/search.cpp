@@ -2,6 +2,7 @@
 
 #include "conditional_gradient.hpp"
 #include "ladder.hpp"
+#include "many_search.hpp"
 #include "missing_volume.hpp"
 #include "proved.hpp"
 #include "starts.hpp"
@@ -35,7 +36,6 @@ Plan plan_for(Effort effort) {
                 .fine_steps = 160,
                 .most_split = 12,
                 .most_moves = 3,
-                .most_grown = 64,
                 .most_quick = 16,
                 .most_exchanged = 16,
                 .first_gradient_steps = 4,
@@ -56,7 +56,6 @@ Plan plan_for(Effort effort) {
             .fine_steps = 120,
             .most_split = 8,
             .most_moves = 0,
-            .most_grown = 64,
             .most_quick = 16,
             .most_exchanged = 8,
             .first_gradient_steps = 4,
@@ -99,6 +98,12 @@ Search::Model Search::model(std::size_t count) {
             best = std::move(model);
         }
     };
+    if (count > most_growing) {
+        for (const Balls& balls : found_of_many(count)) {
+            take(balls);
+        }
+        return stopped_ ? best : models_.emplace(count, std::move(best)).first->second;
+    }
     if (count <= plan_.most_split) {
         take(settled(quick_.surface_for(count), one_more(before.balls), plan_.last_gradient_steps).balls);
         if (stopped()) {
@@ -110,7 +115,7 @@ Search::Model Search::model(std::size_t count) {
         take(quick_.candidates(count, before.balls).front().balls);
     }
     if (count > 2) {
-        const Balls more = count > plan_.most_split && count <= plan_.most_grown ? grown(before, count) : Balls{};
+        const Balls more = count > plan_.most_split ? grown(before, count) : Balls{};
         if (!more.empty()) {
             take(more);
         }
@@ -137,6 +142,11 @@ Search::Model Search::model(std::size_t count) {
         return best;
     }
     return models_.emplace(count, std::move(best)).first->second;
+}
+
+std::vector<Balls> Search::found_of_many(std::size_t count) {
+    const Problem problem = ManySearch::problem_for(solid_, count, options_.seed);
+    return ManySearch(problem, count, options_).found(quick_.surface_for(count), [&] { return stopped(); });
 }
 
 std::vector<Balls> Search::moved(const Balls& cover) {

@@ -23,9 +23,9 @@ struct Plan {
     std::size_t restarts, starts; ///< random starts: for counts of the quick search, and for larger ones
     std::size_t kept_of_few, kept_of_some, kept_of_many; ///< refined starts for counts up to 4, up to most_quick, above
     int coarse_steps, fine_steps;
-    std::size_t most_split;     ///< counts up to this start from splits too; two balls from them alone
+    std::size_t most_split;     ///< counts up to this start from splits too; two balls from them alone. Larger ones
+                                ///< start from those before with balls split one by one
     int most_moves;             ///< rounds of moves of those, each of every ball
-    std::size_t most_grown;     ///< larger counts, up to this, start from those before with balls split one by one
     std::size_t most_quick;     ///< counts up to this start with the results of the quick search
     std::size_t most_exchanged; ///< counts up to this exchange pieces
     int first_gradient_steps, last_gradient_steps; ///< of each start, and of those that are kept
@@ -62,6 +62,8 @@ private:
     Model model(std::size_t count);
     /// Returns one ball more: a plane splits one of those with most excess volume.
     Balls one_more(const Balls& cover) const;
+    /// Returns sets of balls for a count above most_growing.
+    std::vector<Balls> found_of_many(std::size_t count);
     /// Returns sets of as many balls: for each ball in turn, the ball is removed, and one with most excess volume is
     /// split.
     std::vector<Balls> moved(const Balls& cover);
