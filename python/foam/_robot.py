@@ -174,8 +174,12 @@ class Robot:
             settings[f"stages.{stage}.effort"] = effort
         if objective is not None:
             settings[f"stages.{stage}.objective"] = objective
-        if links is not None:
-            settings["links"] = {link: dict(values) for link, values in links.items()}
+        own = {link: dict(values) for link, values in (links or {}).items()}
+        if globs:  # of load(): the other links keep their geometry
+            chosen = self.links_with_geometry
+            own |= {link: {"skip": True} for link in self.links if link not in chosen}
+        if own:
+            settings["links"] = own
         settings.update(set or {})
         recipes = _core.Recipes(registry(), None, text, f"{name}.yaml", _runs.settings_of(settings), [])
         (run,) = _runs.run_all(recipes, None, fresh, _limit(time_limit), progress, None)
@@ -203,7 +207,7 @@ def load(
             searched as FOAM_PACKAGE_PATH and ROS_PACKAGE_PATH say, and around the URDF.
         unit, scale: of a mesh whose format states no unit ("mm", "in"…).
         geometry: what spheres are to cover and are judged by: "collision", "visual" or "both".
-        links: globs of the links to read; none: all.
+        links: globs of the links to read, to spherize and to judge; none: all.
 
     Raises:
         InputError: the file or a mesh of it cannot be read; the message names it, and where it was searched.

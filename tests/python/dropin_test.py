@@ -114,6 +114,18 @@ def test_a_wrapper_around_the_helper(two, tmp_path):
     assert len(uncovered(corners, rows)) == 0
 
 
+def test_a_result_is_found_by_its_name_whatever_its_budget(two, tmp_path):
+    """The original's script asks for `branch` where it has started a smaller budget, also of 0."""
+    helper = foam.SpherizationHelper(tmp_path / "db.json")
+    (mesh, *_) = foam.get_urdf_meshes(foam.load_urdf(two))
+    for budget in (0, 3):
+        helper.spherize_mesh(mesh.name, mesh.mesh, mesh.scale, mesh.xyz, "octree", mesh.rpy, depth=1, branch=budget)
+    assert 1 <= len(helper.get_spherization(mesh.name, 1, 8)) <= 3
+    assert helper.db.exists(mesh.name, 8, 0) and helper.db.exists(mesh.name, 8, 1)
+    with pytest.raises(foam.Error, match="other: there is no spherization of branch 8 and depth 1"):
+        helper.get_spherization("other")
+
+
 def test_an_older_order_of_arguments_is_explained(tmp_path):
     helper = foam.SpherizationHelper(tmp_path / "db.json")
     with pytest.raises(foam.UsageError, match="`method` stands before `orientation`"):

@@ -73,6 +73,13 @@ def test_a_robot_has_its_links_joints_and_meshes(arm):
     assert foam.self_collision(arm).ignored()[0] == ("base", "upper", "Adjacent")
 
 
+def test_chosen_links_alone_are_spherized_and_judged():
+    robot = foam.load(PANDA, links=["panda_link[56]", "panda_hand"])
+    model = robot.spherize(9, effort="fast")
+    assert list(model) == robot.links_with_geometry == ["panda_link5", "panda_link6", "panda_hand"]
+    assert foam.certify(robot, model) and list(foam.evaluate(robot, model).links) == list(model)
+
+
 def test_packages_are_named_in_errors(tmp_path):
     file = tmp_path / "arm.urdf"
     file.write_text(ARM)
