@@ -124,7 +124,7 @@ def spherize(
         objective: what is minimised: "excess" (volume outside the mesh), "protrusion" or "radius".
         seed: of the search.
         time_limit: seconds; the best spheres by then, certified like any others, but not the same in each call. The
-            first spheres are always waited for: some milliseconds, seconds for thousands of spheres.
+            first spheres are always waited for: some milliseconds, a second for tens of thousands of spheres.
 
     Raises:
         InputError: the mesh cannot be read; its arrays have another shape, numbers that are not finite, indices out

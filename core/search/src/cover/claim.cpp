@@ -1,5 +1,7 @@
 #include "claim.hpp"
 
+#include <foam/base/cancellation.hpp>
+
 #include <cmath>
 #include <limits>
 
@@ -25,7 +27,9 @@ void Deepest::offer(const Points& points, std::size_t begin, std::size_t end, co
 
 void find_owners(const Points& points, const Balls& balls, Deepest& owners) {
     owners.clear(points.size());
+    CancellationCounter often(16);
     for (std::uint32_t i = 0; i < balls.size(); ++i) {
+        often.check();
         owners.offer(points, 0, points.size(), balls, i);
     }
 }

@@ -35,7 +35,9 @@ void Descent::run(Points& points, Balls& balls, const DescentPlan& plan, const R
 
 void Descent::add_exposed_areas(const Balls& balls, const Points& directions) {
     Exposed exposed;
+    CancellationCounter often(64);
     for (std::size_t i = 0; i < balls.size(); ++i) {
+        often.check();
         if (!exposed.look(balls, i, directions)) {
             continue;
         }
@@ -71,7 +73,9 @@ void Descent::find_doubtful(const Points& points, const Balls& balls, float slac
     first_.erase(first_.begin());
     first_.push_back(doubtful_index_.size());
     deepest_.clear(doubtful_.size());
+    CancellationCounter often(64);
     for (std::uint32_t i = 0; i < balls.size(); ++i) {
+        often.check();
         const std::size_t begin = first_[i], end = first_[i + 1];
         deepest_.offer(doubtful_, begin, end, balls, i);
         float most = -balls[i].r;

@@ -1,5 +1,6 @@
 #include "fine_surface.hpp"
 
+#include <foam/base/cancellation.hpp>
 #include <foam/geometry/internal/welding.hpp>
 
 #include <algorithm>
@@ -63,7 +64,9 @@ bool FineSurface::halve_long_edges(double longest, std::size_t most_faces) {
         const float dx = points.x[a] - points.x[b], dy = points.y[a] - points.y[b], dz = points.z[a] - points.z[b];
         return dx * dx + dy * dy + dz * dz;
     };
+    CancellationCounter often(10'000);
     for (std::size_t f = 0; f < faces.size();) {
+        often.check();
         auto [a, b, c] = faces[f];
         const float ab = squared(a, b), bc = squared(b, c), ca = squared(c, a), far = std::max({ab, bc, ca});
         if (!(far > most)) {

@@ -6,6 +6,8 @@
 #include "starts.hpp"
 #include "waiting_points.hpp"
 
+#include <foam/base/cancellation.hpp>
+
 #include <algorithm>
 #include <numeric>
 
@@ -73,7 +75,9 @@ Balls Improvement::improved(Balls balls, const DescentPlan& plan, bool creases) 
 
 void Improvement::put_idle_to_use(Balls& balls, const Points& points) const {
     std::vector<char> needed(balls.size(), 0);
+    CancellationCounter some(64);
     for (std::size_t p = 0; p < points.size(); ++p) {
+        some.check();
         std::size_t holders = 0, last = 0;
         for (std::size_t i = 0; i < balls.size() && holders < 2; ++i) {
             if (balls[i].squared_distance(points.x[p], points.y[p], points.z[p]) <= balls[i].r * balls[i].r) {

@@ -3,6 +3,7 @@
 #include "conditional_gradient.hpp"
 #include "plane_splits.hpp"
 #include "starts.hpp"
+#include "unless_stopped.hpp"
 
 #include <foam/base/parallel.hpp>
 #include <foam/base/random.hpp>
@@ -77,16 +78,27 @@ Balls ManySearch::refine(const DescentSurface& surface, CoverCandidate& candidat
     return descended;
 }
 
-std::vector<Balls> ManySearch::found(const DescentSurface& surface, const std::function<bool()>& stopped) const {
+ManySearch::Found ManySearch::found(const DescentSurface& surface, const std::function<bool()>& stop) const {
     constexpr float longest_step = 0.02f, shorter = 0.6f;
-    std::vector<CoverCandidate> candidates = started(surface);
-    std::vector<Balls> result;
-    float step = longest_step;
-    for (std::size_t round = 0; round < plan_.rounds.of(count_) && !stopped(); ++round, step *= shorter) {
-        result.assign(candidates.size(), {});
-        parallel_for(candidates.size(), [&](std::size_t i) { result[i] = refine(surface, candidates[i], step); });
+    std::vector<CoverCandidate> candidates;
+    if (!completed_unless_stopped(stop, [&] { candidates = started(surface); })) {
+        return {{}, true};
     }
-    std::ranges::transform(candidates, std::back_inserter(result), &CoverCandidate::balls);
+    Found result;
+    float step = longest_step;
+    for (std::size_t round = 0; round < plan_.rounds.of(count_); ++round, step *= shorter) {
+        std::vector<Balls> descended(candidates.size());
+        const bool completed = completed_unless_stopped(stop, [&] {
+            parallel_for(candidates.size(),
+                         [&](std::size_t i) { descended[i] = refine(surface, candidates[i], step); });
+        });
+        if (!completed) {
+            result.stopped = true;
+            break;
+        }
+        result.sets = std::move(descended);
+    }
+    std::ranges::transform(candidates, std::back_inserter(result.sets), &CoverCandidate::balls);
     return result;
 }
 

@@ -36,9 +36,12 @@ public:
     static Problem problem_for(const Solid& solid, std::size_t count, std::uint64_t seed);
     static constexpr std::size_t same_problem = 100;
 
-    /// Returns sets of at most `count` balls that cover the surface or nearly do, at least one. stopped() is called
-    /// between steps, in the calling thread; true ends the search.
-    std::vector<Balls> found(const DescentSurface& surface, const std::function<bool()>& stopped) const;
+    struct Found {
+        std::vector<Balls> sets; ///< at most `count` balls each, which cover the surface or nearly do
+        bool stopped = false;    ///< only then there may be no set
+    };
+    /// Searches. stop() is called now and then, in the calling thread; true ends the search.
+    Found found(const DescentSurface& surface, const std::function<bool()>& stop) const;
 
 private:
     std::vector<CoverCandidate> started(const DescentSurface& surface) const;

@@ -7,6 +7,7 @@
 #include "plane_splits.hpp"
 #include "proved.hpp"
 #include "starts.hpp"
+#include "unless_stopped.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/parallel.hpp>
@@ -100,8 +101,8 @@ QuickSearch::Rung QuickSearch::rung(std::size_t count) {
 const DescentSurface& QuickSearch::surface_for(std::size_t count) {
     const std::size_t pieces = DescentSurface::pieces_for(count);
     if (pieces != pieces_) {
-        pieces_ = pieces;
         surface_ = std::make_unique<DescentSurface>(solid_, frame_, count);
+        pieces_ = pieces;
     }
     return *surface_;
 }
@@ -120,10 +121,22 @@ std::vector<CoverCandidate> QuickSearch::found(std::size_t count, const Balls* b
     if (count == 1) {
         return {{0, {smallest_ball(solid_, frame_)}}};
     }
-    const DescentSurface& surface = surface_for(count);
-    if (count > few_balls && surface.skin.fine) {
-        return many(surface, count);
+    if (count > few_balls) {
+        std::vector<CoverCandidate> result = many(count);
+        if (result.empty() && !stopped_) {
+            stopped_ = !completed_unless_stopped(options_.stop, [&] { result = found_quickly(count, before); });
+        }
+        if (!result.empty()) {
+            return result;
+        }
+        constexpr std::size_t most_at_once = 64; // these take milliseconds
+        count = std::min(count, most_at_once);
     }
+    return found_quickly(count, before);
+}
+
+std::vector<CoverCandidate> QuickSearch::found_quickly(std::size_t count, const Balls* before) {
+    const DescentSurface& surface = surface_for(count);
     const Occupancy* const occupancy = occupancy_for(count);
     std::vector<Balls> begin = starts(surface, occupancy, count, before);
     if (stopped()) {
@@ -141,18 +154,24 @@ std::vector<CoverCandidate> QuickSearch::found(std::size_t count, const Balls* b
     return looks;
 }
 
-std::vector<CoverCandidate> QuickSearch::many(const DescentSurface& surface, std::size_t count) {
-    if (stopped()) {
-        return {{0, PowerCells(surface.skin).fitted(divided(surface.some, {}, count), directions_of_fits())}};
-    }
+std::vector<CoverCandidate> QuickSearch::many(std::size_t count) {
     SpherizeOptions fast = options_;
     fast.effort = Effort::fast;
-    if (!problem_ || std::max(problem_count_, count) > ManySearch::same_problem) {
-        problem_.emplace(ManySearch::problem_for(solid_, count, options_.seed));
-        problem_count_ = count;
+    bool needles = false;
+    const bool prepared = completed_unless_stopped(options_.stop, [&] {
+        needles = !surface_for(count).skin.fine;
+        if (!needles && (!problem_ || std::max(problem_count_, count) > ManySearch::same_problem)) {
+            problem_.emplace(ManySearch::problem_for(solid_, count, options_.seed));
+            problem_count_ = count;
+        }
+    });
+    ManySearch::Found found{{}, !prepared};
+    if (prepared && !needles) {
+        found = ManySearch(*problem_, count, fast).found(*surface_, options_.stop);
     }
+    stopped_ = stopped_ || found.stopped;
     std::vector<CoverCandidate> result;
-    for (Balls& balls : ManySearch(*problem_, count, fast).found(surface, [&] { return stopped(); })) {
+    for (Balls& balls : found.sets) {
         const double volume = geometry::joint_volume(solid_, proved(solid_, frame_, balls).spheres);
         result.push_back({volume, std::move(balls)});
     }

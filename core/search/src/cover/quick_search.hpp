@@ -49,8 +49,10 @@ private:
     /// Returns the results, the best first, at least one. `before`: covering balls of a smaller count to start with, if
     /// any.
     std::vector<CoverCandidate> found(std::size_t count, const Balls* before);
-    /// Returns the results for many balls, the best first, by the volume of balls and solid together, m³.
-    std::vector<CoverCandidate> many(const DescentSurface& surface, std::size_t count);
+    std::vector<CoverCandidate> found_quickly(std::size_t count, const Balls* before);
+    /// Returns the results for many balls, the best first, by the volume of balls and solid together, m³. None around
+    /// needles, which the occupancy misses, and if the search was stopped before there were any.
+    std::vector<CoverCandidate> many(std::size_t count);
     std::vector<Balls> starts(const DescentSurface& surface, const Occupancy* occupancy, std::size_t count,
                               const Balls* before) const;
     CoverCandidate first_look(const DescentSurface& surface, const Occupancy* occupancy, Balls balls) const;

@@ -6,6 +6,7 @@
 #include "missing_volume.hpp"
 #include "proved.hpp"
 #include "starts.hpp"
+#include "unless_stopped.hpp"
 
 #include <foam/base/parallel.hpp>
 #include <foam/geometry/joint_volume.hpp>
@@ -145,8 +146,17 @@ Search::Model Search::model(std::size_t count) {
 }
 
 std::vector<Balls> Search::found_of_many(std::size_t count) {
-    const Problem problem = ManySearch::problem_for(solid_, count, options_.seed);
-    return ManySearch(problem, count, options_).found(quick_.surface_for(count), [&] { return stopped(); });
+    std::optional<Problem> problem;
+    const bool prepared = completed_unless_stopped(options_.stop, [&] {
+        quick_.surface_for(count);
+        problem.emplace(ManySearch::problem_for(solid_, count, options_.seed));
+    });
+    ManySearch::Found found{{}, !prepared};
+    if (prepared) {
+        found = ManySearch(*problem, count, options_).found(quick_.surface_for(count), options_.stop);
+    }
+    stopped_ = stopped_ || found.stopped;
+    return std::move(found.sets);
 }
 
 std::vector<Balls> Search::moved(const Balls& cover) {

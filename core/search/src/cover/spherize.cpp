@@ -123,7 +123,8 @@ private:
         best.joint = geometry::joint_volume(solid_, best.cover.spheres);
         const bool stopped = stop_ && stop_();
         if (count > 1 && !stopped) {
-            if (Fine before = fine(cover::count_before(count)); before.joint <= best.joint) {
+            if (Fine before = fine(quick_ ? cover::quick_count_before(count) : cover::count_before(count));
+                before.joint <= best.joint) {
                 best = std::move(before);
             }
         }

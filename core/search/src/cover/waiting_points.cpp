@@ -1,5 +1,7 @@
 #include "waiting_points.hpp"
 
+#include <foam/base/cancellation.hpp>
+
 namespace foam::inline search::cover {
 
 WaitingPoints::WaitingPoints(const Points& all, std::size_t begin) : all_(all) {
@@ -10,7 +12,9 @@ WaitingPoints::WaitingPoints(const Points& all, std::size_t begin) : all_(all) {
 
 void WaitingPoints::add_outside(const Balls& balls, Points& active) {
     std::size_t left = 0;
+    CancellationCounter often(256);
     for (const Waiting& w : waiting_) {
+        often.check();
         if (const auto owner = owner_of(w, balls)) {
             waiting_[left++] = {w.point, *owner};
         } else {
