@@ -117,5 +117,5 @@ Json json_of_matrix(const std::string& robot, const std::string& words, std::uin
             {"pairs", json_of_pairs<Json>(model, matrix)}};
 }
 
-} // namespace gnu::visibility("default")]]judge
+} // namespace judge
 } // namespace foam

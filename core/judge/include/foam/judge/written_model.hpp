@@ -44,5 +44,5 @@ std::vector<WrittenFile> written_files(const Writer& writer, const StageInfo& in
 /// Throws Error(internal) if the writer's bytes give other spheres than the model.
 void require_written(const SphereModel& model, const Writer& writer, const std::string& bytes);
 
-} // namespace gnu::visibility("default")]]judge
+} // namespace judge
 } // namespace foam

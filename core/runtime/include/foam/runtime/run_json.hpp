@@ -116,5 +116,5 @@ Json json_of_run(const RunResult& result, const Recipe& recipe, const std::files
     return json;
 }
 
-} // namespace gnu::visibility("default")]]runtime
+} // namespace runtime
 } // namespace foam
