@@ -76,7 +76,8 @@ const std::vector<std::string>& require_tool_frames(const SphereModel& model, co
     if (model.facts.tool_frames.empty()) {
         throw Error(ErrorCode::output,
                     fmt::format("{} needs the links that a planner moves to a goal; remedy: robot: {{tool_frames: "
-                                "[LINK]}} in the recipe, --set robot.tool_frames=[LINK], or --tool-frame LINK",
+                                "[LINK]}} in the recipe, --set robot.tool_frames=[LINK], --tool-frame LINK, or "
+                                "tool_frames=[\"LINK\"] in Python",
                                 writer));
     }
     for (const std::string& frame : model.facts.tool_frames) {
