@@ -33,7 +33,7 @@ std::size_t points_for(std::size_t count) {
 ManyPlan many_plan_for(Effort effort) {
     switch (effort) {
     case Effort::fast:
-        return {.starts = {4, 128}, .kept = {1, 1}, .rounds = {2, 512}};
+        return {.starts = {2, 128}, .kept = {1, 1}, .rounds = {2, 512}};
     case Effort::normal:
         return {.starts = {4, 512}, .kept = {2, 256}, .rounds = {3, 1024}};
     case Effort::best:

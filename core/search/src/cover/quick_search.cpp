@@ -121,7 +121,9 @@ std::vector<CoverCandidate> QuickSearch::found(std::size_t count, const Balls* b
     if (count == 1) {
         return {{0, {smallest_ball(solid_, frame_)}}};
     }
-    if (count > few_balls) {
+    // An allocation asks for many counts: between those on which others build, the quicker search is enough.
+    const bool between = before && quick_count_before(count + 1) != count && count <= most_growing;
+    if (count > few_balls && !between) {
         std::vector<CoverCandidate> result = many(count);
         if (result.empty() && !stopped_) {
             stopped_ = !completed_unless_stopped(options_.stop, [&] { result = found_quickly(count, before); });
