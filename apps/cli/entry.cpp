@@ -1,15 +1,17 @@
 #include "entry.hpp"
 
 #include "interrupt.hpp"
+#include "suggestion.hpp"
 
-#include <foam/base/text.hpp>
 #include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
 #include <foam/runtime/crash.hpp>
 #include <foam/runtime/isolation.hpp>
 
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 
 namespace foam::cli {
 namespace {
@@ -18,11 +20,6 @@ namespace {
 const CLI::App& current(const CLI::App& app) {
     const auto chosen = app.get_subcommands();
     return chosen.empty() ? app : *chosen.front();
-}
-
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
-    const std::string near = nearest_word(word, known);
-    return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
 }
 
 std::vector<std::string> option_names(const CLI::App& app) {
@@ -37,6 +34,22 @@ std::vector<std::string> option_names(const CLI::App& app) {
     return names;
 }
 
+/// Returns whether the word names a file: one that exists, or a name with an ending.
+bool looks_like_a_file(const std::string& word) {
+    std::error_code error;
+    const std::filesystem::path path(word);
+    return path.has_extension() || path.has_parent_path() || std::filesystem::is_regular_file(path, error);
+}
+
+/// Returns what one usually does with such a file.
+std::string commands_for(const std::string& file) {
+    const std::string ending = std::filesystem::path(file).extension().string();
+    if (ending == ".yaml" || ending == ".yml") {
+        return fmt::format("foam run {}", file);
+    }
+    return fmt::format("foam spherize {0} -n 20, or foam info {0}", file);
+}
+
 /// CLI11's own message, or a better one for a word that is not known.
 std::string explain(const CLI::App& app, const CLI::ParseError& error) {
     const std::vector<std::string> rest = app.remaining(true);
@@ -46,12 +59,15 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
             const std::string name = word.substr(0, word.find('='));
             return fmt::format("unknown option '{}'{}", name, did_you_mean(name, option_names(app)));
         }
+        if (no_command && looks_like_a_file(word)) {
+            return fmt::format("'{}' is a file, not a command; remedy: {}", word, commands_for(word));
+        }
         if (no_command) {
             std::vector<std::string> commands;
             for (const CLI::App* command : app.get_subcommands(nullptr)) {
                 commands.push_back(command->get_name());
             }
-            return fmt::format("unknown command '{}'{}", word, did_you_mean(word, commands));
+            return unknown_command(word, commands);
         }
         return fmt::format("'{}' is one argument too many", word);
     }

@@ -42,7 +42,8 @@ void on_signal(int signal) {
     alarm(time_to_stop);
 }
 
-/// What was asked to stop goes on. Runs have a watchdog of their own; this one is for commands and phases without a run.
+/// What was asked to stop goes on. Runs have a watchdog of their own; this one is for commands and phases without a
+/// run.
 void on_alarm(int) {
     write_text("foam: stopped; the program ends with these stages, which do not respond:\n");
     write_activities(STDERR_FILENO);

@@ -1,5 +1,6 @@
 #include "program.hpp"
 
+#include "build_text.hpp"
 #include "help.hpp"
 
 #include <foam/base/error.hpp>
@@ -16,7 +17,7 @@
 namespace foam::cli {
 
 Program::Program() : app("foam approximates robots and objects by spheres that are proved to enclose them.", "foam") {
-    app.set_version_flag("--version", "foam " + version(), "Print the version");
+    app.set_version_flag("--version", fmt::format("foam {} ({})", version(), build_text()), "Print the version");
     app.set_help_flag("-h,--help", "Print this help");
     app.fallthrough();
     app.require_subcommand(1);

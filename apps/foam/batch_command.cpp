@@ -40,19 +40,22 @@ int batch_status_command(const BatchArguments& arguments) {
                     {"failed", status.failed},
                     {"shards", status.shards},
                     {"finished_shards", status.finished_shards},
+                    {"shards_worked_on", status.worked_on},
+                    {"meshes_per_core_second", status.rate_of_core()},
                     {"cpu_seconds", status.cpu_seconds},
                     {"cpu_seconds_left", status.cpu_seconds_left()},
                     {"failures", status.reasons}});
         return 0;
     }
-    std::string text = fmt::format("{} of {} meshes done, {} of them failed; {} of {} shards finished\n", status.done,
-                                   status.meshes, status.failed, status.finished_shards, status.shards);
+    std::string text = fmt::format("{} of {} meshes done, {} of them failed; {} of {} shards finished{}\n", status.done,
+                                   status.meshes, status.failed, status.finished_shards, status.shards,
+                                   status.worked_on > 0 ? fmt::format(", {} worked on now", status.worked_on) : "");
     for (const auto& [reason, count] : status.reasons) {
         text += fmt::format("{:8}  {}\n", count, shown(reason));
     }
     if (status.done > 0 && status.done < status.meshes) {
-        text += fmt::format("{} of work on one core are left, by the mean of those that are done\n",
-                            span_text(status.cpu_seconds_left()));
+        text += fmt::format("{:.2g} meshes a second on one core; {} of work on one core are left\n",
+                            status.rate_of_core(), span_text(status.cpu_seconds_left()));
     }
     print(text);
     return 0;
@@ -78,7 +81,8 @@ Recipe recipe_of_batch(const BatchArguments& arguments, Registry& registry) {
     std::vector<Setting> settings = settings_of(arguments.settings);
     RecipeResult read;
     if (arguments.recipe.empty()) {
-        const QuickRecipe quick = quick_recipe(any_mesh, arguments.method, "json", arguments.budget, {}, "collision", registry);
+        const QuickRecipe quick =
+            quick_recipe(any_mesh, arguments.method, "json", arguments.budget, {}, "collision", registry);
         for (const std::string& stage : quick.left_out) {
             tell(fmt::format("warning: no plugin offers {}; it is skipped", stage));
         }
@@ -89,8 +93,8 @@ Recipe recipe_of_batch(const BatchArguments& arguments, Registry& registry) {
     }
     require_ok(read, arguments.recipe.empty() ? "foam batch" : arguments.recipe);
     if (read.recipes.size() != 1) {
-        throw Error(ErrorCode::usage, fmt::format("{}: {} runs; remedy: a recipe without sweep", arguments.recipe,
-                                                  read.recipes.size()));
+        throw Error(ErrorCode::usage,
+                    fmt::format("{}: {} runs; remedy: a recipe without sweep", arguments.recipe, read.recipes.size()));
     }
     return read.recipes.front();
 }
@@ -128,21 +132,24 @@ std::vector<std::string> task_command(const BatchArguments& arguments, char** gi
             continue;
         }
         std::error_code error;
-        const bool is_path = (text == arguments.what || text == arguments.out || text == arguments.recipe) && text != "-";
+        const bool is_path =
+            (text == arguments.what || text == arguments.out || text == arguments.recipe) && text != "-";
         words.push_back(is_path ? fs::absolute(text).lexically_normal().string() : text);
     }
     return words;
 }
 
-int prepare_command(const BatchArguments& arguments, const std::vector<BatchItem>& items, const Recipe& recipe,
+int prepare_command(const BatchArguments& arguments, std::vector<BatchItem> items, const Recipe& recipe,
                     Program& program) {
     if (arguments.what == "-") {
         throw Error(ErrorCode::usage, "--slurm needs a list that the tasks can read again, not the standard input");
     }
-    prepare_batch(items, recipe, program.registry(), arguments.batch, task_command(arguments, program.arguments));
+    prepare_batch(std::move(items), recipe, program.registry(), arguments.batch,
+                  task_command(arguments, program.arguments));
     const BatchStatus status = batch_status(arguments.out);
-    print(fmt::format("{} meshes in {} shards\nWritten: {}/foam.sbatch, Snakefile, README.md\nNext: sbatch {}/foam.sbatch\n",
-                      status.meshes, status.shards, arguments.out, arguments.out));
+    print(fmt::format(
+        "{} meshes in {} shards\nWritten: {}/foam.sbatch, Snakefile, README.md\nNext: sbatch {}/foam.sbatch\n",
+        status.meshes, status.shards, arguments.out, arguments.out));
     return 0;
 }
 
@@ -160,13 +167,13 @@ int batch_command(Program& program, BatchArguments& arguments) {
         throw Error(ErrorCode::usage, "foam batch needs --out DIR, the folder of the results");
     }
     Registry& registry = program.registry();
-    const std::vector<BatchItem> items = read_batch_list(arguments.what, registry);
+    std::vector<BatchItem> items = read_batch_list(arguments.what, registry);
     const Recipe recipe = recipe_of_batch(arguments, registry);
     BatchOptions& options = arguments.batch;
     options.folder = arguments.out;
     options.shards = arguments.shards;
     if (arguments.slurm) {
-        return prepare_command(arguments, items, recipe, program);
+        return prepare_command(arguments, std::move(items), recipe, program);
     }
     BatchProgressBar bar;
     options.stop = [] { return interrupted(); };
@@ -174,29 +181,28 @@ int batch_command(Program& program, BatchArguments& arguments) {
     if (in_slurm_array()) {
         options.tasks = shards_of_slurm;
     }
-    const BatchOutcome outcome = run_batch(items, recipe, registry, options);
+    const BatchOutcome outcome = run_batch(std::move(items), recipe, registry, options);
     bar.clear();
     if (outcome.busy > 0) {
         tell(fmt::format("{} shards are left out: other processes work on them", outcome.busy));
     }
-    if (outcome.status.done == outcome.status.meshes) {
+    if (outcome.complete && (outcome.added > 0 || !fs::exists(options.folder / "index.html"))) {
         write_batch_page(arguments.out);
     }
     print(fmt::format("{} meshes: {} with spheres, {} failed, {} without a result yet\n", outcome.meshes,
                       outcome.meshes - outcome.failed - outcome.missing, outcome.failed, outcome.missing));
-    return outcome.stopped                              ? exit_code(ErrorCode::cancelled)
+    return outcome.stopped                             ? exit_code(ErrorCode::cancelled)
            : outcome.failed > 0 || outcome.missing > 0 ? some_failed
-                                                        : 0;
+                                                       : 0;
 }
 
 void add_batch_work(CLI::App& command, BatchArguments& arguments) {
     command.add_option("--out", arguments.out, "Folder of the results; a second run goes on with what is left")
         ->type_name("DIR");
-    CLI::Option* recipe =
-        command
-            .add_option("--recipe", arguments.recipe,
-                        "The recipe for each mesh; its own mesh, outputs and pictures play no part")
-            ->type_name("FILE");
+    CLI::Option* recipe = command
+                              .add_option("--recipe", arguments.recipe,
+                                          "The recipe for each mesh; its own mesh, outputs and pictures play no part")
+                              ->type_name("FILE");
     command
         .add_option("-n,--spheres", arguments.budget.spheres,
                     "Maximum number of spheres of each mesh, instead of a recipe")
@@ -261,8 +267,9 @@ void add_batch(Program& program) {
     command->add_flag("--failures", arguments->failures, "collect: only the meshes that failed");
     command->add_flag("--no-times", arguments->no_times, "collect: without times; equal work gives equal bytes");
     command->add_flag("--json", arguments->json, "status: print the state as JSON");
-    command->callback(
-        [&program, arguments] { program.action = [&program, arguments] { return batch_command(program, *arguments); }; });
+    command->callback([&program, arguments] {
+        program.action = [&program, arguments] { return batch_command(program, *arguments); };
+    });
 }
 
 } // namespace foam::cli

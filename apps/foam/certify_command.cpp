@@ -30,7 +30,7 @@ std::string table_of_proofs(const Original& original, const MatchedModel& model,
         if (proofs[i].holds) {
             continue;
         }
-        if (outer && model.spheres[i].empty()) {
+        if (outer && model.of(i).empty()) {
             table += padded(original.links[i].link, width) + "  it has no spheres\n";
             continue;
         }
@@ -64,10 +64,12 @@ int certify_spheres(Program& program, const CertifyArguments& arguments) {
                                           {"links", json_of_proofs<nlohmann::ordered_json>(original, proofs, outer)}};
         print_json(json);
     } else if (failed == 0) {
-        print(fmt::format("Certified ({}): {} on {} link{}, {} sphere{}.\n", arguments.guarantee,
-                          outer ? "the geometry lies inside the spheres" : "the spheres lie inside the geometry",
-                          proofs.size(), proofs.size() == 1 ? "" : "s", sphere_count(model),
-                          sphere_count(model) == 1 ? "" : "s") +
+        const KindCounts kinds = kinds_of_model(model);
+        print(fmt::format("Certified ({}): {} on {} link{}, {}.\n", arguments.guarantee,
+                          !outer                ? "the spheres lie inside the geometry"
+                          : spheres_alone(kinds) ? "the geometry lies inside the spheres"
+                                                : "the geometry lies inside the elements",
+                          proofs.size(), proofs.size() == 1 ? "" : "s", counts_text(kinds)) +
               not_judged_text(proved));
     } else {
         print(table_of_proofs(original, model, proofs, outer) +

@@ -3,6 +3,7 @@
 #include "table.hpp"
 
 #include <foam/robot/robot.hpp>
+#include <foam/runtime/shown_elements.hpp>
 
 #include <fmt/format.h>
 
@@ -30,7 +31,7 @@ std::string table_of_links(const Comparison& comparison) {
     std::string first = fmt::format("{:<{}}", "", width), second = fmt::format("{:<{}}", "link", width);
     for (const JudgedModel& judged : comparison.models) {
         first += fmt::format("  |  {:<24}", judged.label);
-        second += fmt::format("  |{:>8}{:>9}{:>9}", "spheres", "excess", "gap mm");
+        second += fmt::format("  |{:>8}{:>9}{:>9}", noun_of_elements(comparison), "excess", "gap mm");
     }
     std::string table = first + "\n" + second + "\n";
     for (std::size_t i = 0; i < comparison.original.links.size(); ++i) {
@@ -52,14 +53,19 @@ Figure empty_figure(const Comparison& comparison, int width, int height) {
 }
 
 /// `pose`: from the link's frame to the panel's.
-void add_link(Panel& panel, const OriginalLink& link, const std::vector<Sphere>& spheres, const Pose& pose) {
+void add_link(Panel& panel, const OriginalLink& link, const ElementsView& elements, const Pose& pose) {
     panel.meshes.push_back({std::shared_ptr<const Mesh>(link.solid, &link.solid->surface()), pose, true});
-    for (const Sphere& sphere : spheres) {
-        panel.spheres.push_back({pose * sphere.center, sphere.radius});
-    }
+    add_elements(panel, elements, pose);
 }
 
 } // namespace
+
+const char* noun_of_elements(const Comparison& comparison) {
+    const bool spheres = std::all_of(comparison.models.begin(), comparison.models.end(), [](const JudgedModel& judged) {
+        return spheres_alone(kinds_of_model(judged.model));
+    });
+    return spheres ? "spheres" : "elements";
+}
 
 std::string table_of(const Comparison& comparison) {
     std::string table;
@@ -67,7 +73,7 @@ std::string table_of(const Comparison& comparison) {
         table +=
             fmt::format("{:<3} {} ({})\n", judged.label, judged.model.file.file.string(), judged.model.file.format);
     }
-    table += fmt::format("\n{:<5}  {:>7}  {:>9}  {:>8}  {:>8}  {:>8}  {:>8}  {:>8}  {:>9}\n", "model", "spheres",
+    table += fmt::format("\n{:<5}  {:>7}  {:>9}  {:>8}  {:>8}  {:>8}  {:>8}  {:>8}  {:>9}\n", "model", noun_of_elements(comparison),
                          "covered %", "gap mm", "excess", "missing", "out max", "mean mm", "certified");
     for (const JudgedModel& judged : comparison.models) {
         table += total_row(judged.label, judged.evaluation.total);
@@ -90,11 +96,11 @@ Figure figure_of(const Comparison& comparison) {
     Figure figure = empty_figure(comparison, 640, 720);
     for (const JudgedModel& judged : comparison.models) {
         Panel panel;
-        panel.caption = fmt::format("{}: {} spheres", judged.label, sphere_count(judged.model));
+        panel.caption = fmt::format("{}: {}", judged.label, counts_text(kinds_of_model(judged.model)));
         for (std::size_t i = 0; i < comparison.original.links.size(); ++i) {
             const auto pose = poses.find(comparison.original.links[i].link);
             if (pose != poses.end()) {
-                add_link(panel, comparison.original.links[i], judged.model.spheres[i], pose->second);
+                add_link(panel, comparison.original.links[i], judged.model.of(i), pose->second);
             }
         }
         figure.panels.push_back(std::move(panel));
@@ -105,10 +111,10 @@ Figure figure_of(const Comparison& comparison) {
 Figure figure_of_link(const Comparison& comparison, std::size_t link) {
     Figure figure = empty_figure(comparison, 400, 320);
     for (const JudgedModel& judged : comparison.models) {
-        const std::vector<Sphere>& spheres = judged.model.spheres[link];
+        const ElementsView elements = judged.model.of(link);
         Panel panel;
-        panel.caption = fmt::format("{}: {} sphere{}", judged.label, spheres.size(), spheres.size() == 1 ? "" : "s");
-        add_link(panel, comparison.original.links[link], spheres, Pose{});
+        panel.caption = fmt::format("{}: {}", judged.label, counts_text(kinds_of(elements)));
+        add_link(panel, comparison.original.links[link], elements, Pose{});
         figure.panels.push_back(std::move(panel));
     }
     return figure;

@@ -36,4 +36,7 @@ struct Pictures {
 /// A page that needs no other file.
 std::string html_of(const Comparison& comparison, const Pictures& pictures);
 
+/// The heading of the numbers of elements: "spheres" where all models have spheres alone, else "elements".
+const char* noun_of_elements(const Comparison& comparison);
+
 } // namespace foam::cli

@@ -24,7 +24,9 @@ std::string certified(bool yes) {
 
 std::string total_table(const Comparison& comparison) {
     std::string html =
-        "<div class=\"wide\"><table><thead><tr><th>model</th><th class=\"why\">file</th><th>format</th><th>spheres</th>"
+        "<div class=\"wide\"><table><thead><tr><th>model</th><th class=\"why\">file</th><th>format</th><th>" +
+        std::string(noun_of_elements(comparison)) +
+        "</th>"
         "<th>covered %</th><th>gap mm</th><th>excess</th><th>missing</th><th>out max mm</th>"
         "<th>out mean mm</th><th>certified</th></tr></thead><tbody>\n";
     for (const JudgedModel& judged : comparison.models) {
@@ -65,7 +67,7 @@ std::string link_table(const Comparison& comparison) {
     }
     html += "</tr><tr><th>link</th>";
     for (std::size_t i = 0; i < comparison.models.size(); ++i) {
-        html += "<th class=\"first\">spheres</th><th>excess</th><th>gap mm</th>";
+        html += fmt::format("<th class=\"first\">{}</th><th>excess</th><th>gap mm</th>", noun_of_elements(comparison));
     }
     html += "</tr></thead><tbody>\n";
     const BarScale scale = excess_scale(comparison);

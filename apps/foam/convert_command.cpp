@@ -14,6 +14,7 @@
 #include <foam/judge/written_model.hpp>
 #include <foam/recipe/quick_recipe.hpp>
 #include <foam/runtime/version.hpp>
+#include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>
 
@@ -63,6 +64,9 @@ void pad(SphereFile& file, const std::string& text, const Original* original) {
         for (Sphere& s : link.spheres) {
             s.radius += padding;
         }
+        for (Element& element : link.others) {
+            element = grown(element, padding);
+        }
     }
     if (original) {
         tell(fmt::format("padding of {} m: excess {:.3f} before, {:.3f} after", to_text(padding), before, excess()));
@@ -111,12 +115,12 @@ int convert(Program& program, const ConvertArguments& arguments) {
                    .jerk = {}};
     const std::string proof = original ? proof_statement(*original, file, format.info.consumer.float32)
                                        : "nothing is proved without the robot";
-    std::size_t spheres = 0;
+    KindCounts kinds{};
     for (const SphereGroup& group : model.groups) {
-        spheres += group.tree.finest().size();
+        kinds = sum_of(kinds, kinds_of(group.tree.elements()));
     }
-    model.provenance = fmt::format("foam {}; {}, {}; {} sphere{}; {}", version(), file.file.filename().string(),
-                                   file.format, spheres, spheres == 1 ? "" : "s", proof);
+    model.provenance = fmt::format("foam {}; {}, {}; {}; {}", version(), file.file.filename().string(), file.format,
+                                   counts_text(kinds), proof);
     if (lists_pairs(format.info, parameters) && original && model.groups.size() > 1) {
         model.ignored_pairs = ignored_pairs_of(model, positions_of(arguments.pose, "--pose"), &stop_on_interrupt());
     }
@@ -129,12 +133,13 @@ int convert(Program& program, const ConvertArguments& arguments) {
     }
     Telling context(arguments.verbose);
     const std::vector<WrittenFile> files = written_files(*writer, format.info, model, arguments.output, context);
-    require_written(model, *writer, files.front().bytes);
-    for (const WrittenFile& written : files) {
-        write_whole_file(written.file, written.bytes);
+    require_written(model, *writer, files);
+    for (std::size_t i = files.size(); i-- > 0;) { // files beside the one first
+        make_folder_of(files[i]);
+        write_whole_file(files[i].file, files[i].bytes);
     }
-    print(fmt::format("Read: {}, {}, {} sphere{} of {} link{}\nWritten: {} by {}\n{}{}.\n", arguments.model,
-                      file.format, spheres, spheres == 1 ? "" : "s", model.groups.size(),
+    print(fmt::format("Read: {}, {}, {} of {} link{}\nWritten: {} by {}\n{}{}.\n", arguments.model, file.format,
+                      counts_text(kinds), model.groups.size(),
                       model.groups.size() == 1 ? "" : "s", fmt::join(file_names(files), ", "), format.info.name,
                       static_cast<char>(std::toupper(proof.front())), proof.substr(1)));
     return 0;

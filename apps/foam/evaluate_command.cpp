@@ -1,12 +1,14 @@
 // foam evaluate: every figure of a sphere model, anybody's.
 #include "commands.hpp"
 #include "judge.hpp"
+#include "poses_text.hpp"
 #include "table.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/clip_plane.hpp>
 #include <foam/geometry/length.hpp>
+#include <foam/runtime/shown_elements.hpp>
 
 #include <fmt/format.h>
 
@@ -19,9 +21,14 @@ struct EvaluateArguments {
     JudgeOptions judge;
     std::string spheres;
     std::vector<std::string> clips;
+    PoseOptions poses;
     std::uint64_t seed = 0;
     bool json = false;
 };
+
+bool in_poses(const EvaluateArguments& arguments) {
+    return arguments.poses.random > 0 || !arguments.poses.file.empty();
+}
 
 std::string with_error(double value, double error, int digits) {
     return std::isfinite(value) ? fmt::format("{} ±{}", figure_text(value, digits), figure_text(error, digits)) : "inf";
@@ -35,10 +42,10 @@ std::string row(const std::string& name, std::size_t width, const Figures& figur
                        millimetres(m.protrusion_max), millimetres(m.protrusion_mean), m.certified ? "yes" : "no");
 }
 
-std::string table_of_figures(const Original& original, const Evaluation& evaluation) {
+std::string table_of_figures(const Original& original, const Evaluation& evaluation, const char* noun) {
     const std::size_t width = column_width("total", original.links, &OriginalLink::link);
     std::string table =
-        fmt::format("{:<{}}  {:>7}  {:>13}  {:>9}  {:>13}  {:>13}  {:>9}  {:>9}  {:>9}\n", "link", width, "spheres",
+        fmt::format("{:<{}}  {:>7}  {:>13}  {:>9}  {:>13}  {:>13}  {:>9}  {:>9}  {:>9}\n", "link", width, noun,
                     "covered %", "gap mm", "excess", "missing", "out max", "mean mm", "certified");
     bool bare = false;
     for (std::size_t i = 0; i < original.links.size(); ++i) {
@@ -46,7 +53,7 @@ std::string table_of_figures(const Original& original, const Evaluation& evaluat
         bare = bare || evaluation.links[i].measures.spheres == 0;
     }
     if (bare) {
-        table += row("links with spheres", width, evaluation.with_spheres);
+        table += row(fmt::format("links with {}", noun), width, evaluation.with_spheres);
     }
     return table + row("total", width, evaluation.total);
 }
@@ -91,10 +98,10 @@ LinkPlane plane_of(const std::string& text, const Original& original) {
 std::string planes_text(const std::vector<LinkPlane>& planes, const Original& original, const MatchedModel& model) {
     std::string text;
     for (const auto& [link, plane] : planes) {
-        text += model.spheres[link].empty()
+        text += model.of(link).empty()
                     ? fmt::format("{}: has no spheres\n", shown(original.links[link].link))
                     : fmt::format("{}: {} mm beyond the plane with {}\n", shown(original.links[link].link),
-                                  millimetres(reach_beyond(plane, model.spheres[link]), 3), text_of(plane));
+                                  millimetres(reached({plane}, model.of(link)).front().reached, 3), text_of(plane));
     }
     return text;
 }
@@ -106,7 +113,7 @@ nlohmann::ordered_json planes_json(const std::vector<LinkPlane>& planes, const O
         json.push_back({{"link", original.links[link].link},
                         {"normal", {plane.normal.x, plane.normal.y, plane.normal.z}},
                         {"offset_m", plane.offset},
-                        {"reached_m", json_number<nlohmann::ordered_json>(reach_beyond(plane, model.spheres[link]))}});
+                        {"reached_m", json_number<nlohmann::ordered_json>(reached({plane}, model.of(link)).front().reached)}});
     }
     return json;
 }
@@ -120,21 +127,59 @@ int evaluate_spheres(Program& program, const EvaluateArguments& arguments) {
     }
     const MatchedModel model = model_of(program, arguments.judge, original, arguments.spheres);
     const Evaluation evaluation = evaluate(original, model, arguments.seed);
+    std::optional<Consequences> consequences;
+    if (in_poses(arguments)) {
+        PoseOptions options = arguments.poses;
+        options.seed = arguments.seed;
+        consequences = judged_in_poses(original, model, options);
+    }
     if (arguments.json) {
         nlohmann::ordered_json json{{"original", arguments.judge.original}, {"seed", arguments.seed}};
         json.update(json_of_evaluation<nlohmann::ordered_json>(original, model, evaluation));
         if (!planes.empty()) {
             json["clip"] = planes_json(planes, original, model);
         }
+        if (consequences) {
+            json["consequences"] = json_of_consequences<nlohmann::ordered_json>(*original.robot, *consequences);
+        }
         print_json(json);
     } else {
-        print(fmt::format("{} ({}): {} sphere{} for {}\n", arguments.spheres, model.file.format, sphere_count(model),
-                          sphere_count(model) == 1 ? "" : "s", arguments.judge.original) +
-              table_of_figures(original, evaluation) +
+        const KindCounts kinds = kinds_of_model(model);
+        print(fmt::format("{} ({}): {} for {}\n", arguments.spheres, model.file.format, counts_text(kinds),
+                          arguments.judge.original) +
+              table_of_figures(original, evaluation, spheres_alone(kinds) ? "spheres" : "elements") +
               not_judged_text(proved_links(original, certified_links(evaluation), Guarantee::outer)) +
-              planes_text(planes, original, model));
+              planes_text(planes, original, model) +
+              (consequences ? "\n" + poses_text(*original.robot, *consequences) : ""));
     }
     return 0;
+}
+
+void add_pose_options(CLI::App& command, PoseOptions& options) {
+    CLI::Option* random =
+        command
+            .add_option("--poses", options.random,
+                        "Count missed contacts and falsely refused poses in N random poses, at most 1000000, beside the "
+                        "original geometry")
+            ->type_name("N")
+            ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}).description(""));
+    CLI::Option* given =
+        command
+            .add_option("--pose-file", options.file,
+                        "Do so in the poses of FILE (YAML or JSON): a list of maps from joint to position, rad or m")
+            ->type_name("FILE");
+    command
+        .add_option_function<std::string>(
+            "--srdf",
+            [&options, random, given](const std::string& file) {
+                if (random->count() == 0 && given->count() == 0) {
+                    throw Error(ErrorCode::usage, "--srdf excludes pairs of links in poses; remedy: --poses 1000");
+                }
+                options.ignored = file;
+            },
+            "Pairs of links that are not checked in poses: an SRDF, a cuRobo file or an XRDF; default: neighbours, and "
+            "pairs that touch in the zero pose")
+        ->type_name("FILE");
 }
 
 } // namespace
@@ -145,6 +190,7 @@ void add_evaluate(Program& program) {
                                     "  foam evaluate panda.urdf franka.yml --json    cuRobo, Lula, XRDF, MorphIt, …\n"
                                     "  foam evaluate part.stl part.json\n"
                                     "  foam evaluate iiwa.urdf drake.urdf --rename iiwa_link_=lbr_iiwa_link_\n"
+                                    "  foam evaluate robot.urdf model.urdf --poses 1000   false and missed contacts\n"
                                     "\n"
                                     "foam recognises formats by the content of the file. Columns of the table:\n"
                                     "  covered    share of the surface inside the spheres\n"
@@ -164,6 +210,7 @@ void add_evaluate(Program& program) {
         ->type_name("LINK=NX,NY,NZ,OFFSET")
         ->expected(1)
         ->take_all();
+    add_pose_options(*command, arguments->poses);
     command->add_option("--seed", arguments->seed, "Seed of the samples; default: 0")->type_name("N");
     command->add_flag("--json", arguments->json, "Print the figures as JSON, in metres instead of millimetres");
     command->callback([&program, arguments] {

@@ -35,7 +35,10 @@ void add_execute_options(CLI::App& command, ExecuteOptions& options) {
         ->type_name("S")
         ->check(CLI::Validator(CLI::PositiveNumber).description(""));
     add_force(command, options.force);
-    command.add_flag("-v,--verbose", options.verbose, "Also print notes, not only warnings and errors");
+    CLI::Option* verbose =
+        command.add_flag("-v,--verbose", options.verbose, "Also print notes, not only warnings and errors");
+    command.add_flag("-q,--quiet", options.quiet, "Print only warnings and errors: no progress, no table")
+        ->excludes(verbose);
 }
 
 void require_ok(const RecipeResult& read, const std::string& what) {
@@ -54,7 +57,7 @@ RunResult execute(const Recipe& recipe, const Registry& registry, const std::fil
     run_options.stop = &stop_on_interrupt();
     run_options.on_unresponsive = give_up;
     run_options.time_limit = options.time_limit;
-    if (options.say_which) {
+    if (options.say_which && !options.quiet) {
         tell_input(recipe);
     }
     run_options.out = directory;
@@ -69,7 +72,7 @@ RunResult execute(const Recipe& recipe, const Registry& registry, const std::fil
         refuse_replacing(directory, inputs, options.force);
     };
     run_options.inputs_known({resolve_input(recipe).path});
-    Progress progress(options.verbose);
+    Progress progress(options.verbose, options.quiet);
     run_options.observer = &progress;
     return run(recipe, registry, run_options);
 }

@@ -17,6 +17,7 @@ struct ExecuteOptions {
     std::size_t threads = 0; ///< 0: all cores
     bool fresh = false;
     bool verbose = false;
+    bool quiet = false;               ///< only warnings and errors: no size of the input, bar, table or names of files
     bool say_which = true;            ///< of the recipe's candidates is the input
     bool force = false;               ///< replace inputs
     bool report = true;               ///< of the run directory
@@ -26,7 +27,7 @@ struct ExecuteOptions {
     std::function<void(const std::string& manifest)> accept;
 };
 
-/// `-j`, `--fresh`, `--time-limit` and `-v`.
+/// `-j`, `--fresh`, `--time-limit`, `-v` and `-q`.
 void add_execute_options(CLI::App& command, ExecuteOptions& options);
 /// Tells the findings; throws Error(recipe) if there is an error among them.
 void require_ok(const RecipeResult& read, const std::string& what);

@@ -1,8 +1,8 @@
 // A self-collision matrix held against the pairs that a file of others leaves out.
 #pragma once
 
-#include <foam/judge/ignored_pairs.hpp>
 #include <foam/collision/self_collision.hpp>
+#include <foam/judge/ignored_pairs.hpp>
 
 #include <nlohmann/json.hpp>
 

@@ -158,12 +158,12 @@ std::string millimetres(double metres, int digits) {
     return figure_text(1000 * metres, digits);
 }
 
-std::size_t sphere_count(const MatchedModel& model) {
-    std::size_t count = 0;
-    for (const std::vector<Sphere>& spheres : model.spheres) {
-        count += spheres.size();
+KindCounts kinds_of_model(const MatchedModel& model) {
+    KindCounts kinds{};
+    for (std::size_t link = 0; link < model.spheres.size(); ++link) {
+        kinds = sum_of(kinds, kinds_of(model.of(link)));
     }
-    return count;
+    return kinds;
 }
 
 } // namespace foam::cli

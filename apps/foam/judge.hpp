@@ -52,7 +52,7 @@ void write_whole_file(const std::filesystem::path& file, const std::string& text
 
 /// Lengths for people: millimetres; "inf" for what has no end.
 std::string millimetres(double metres, int digits = 2);
-/// The number of spheres that are judged.
-std::size_t sphere_count(const MatchedModel& model);
+/// The numbers of elements that are judged, by kind.
+KindCounts kinds_of_model(const MatchedModel& model);
 
 } // namespace foam::cli

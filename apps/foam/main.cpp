@@ -9,12 +9,15 @@ int main(int count, char** arguments) {
     return run_main(count, arguments, [](Program& program) {
         add_run(program);
         add_spherize(program);
+        add_approximate(program);
         add_batch(program);
         add_verify(program);
         add_bench(program);
+        add_info(program);
         add_evaluate(program);
         add_certify(program);
         add_compare(program);
+        add_view(program);
         add_convert(program);
         add_formats(program);
         add_self_collision(program);
@@ -28,6 +31,9 @@ int main(int count, char** arguments) {
         add_sdk(program);
         add_new_plugin(program);
         add_test_plugin(program);
+        add_help(program);
+        add_completion(program);
+        add_manual(program);
         add_version(program);
     });
 }

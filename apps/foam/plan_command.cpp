@@ -49,7 +49,11 @@ const std::string& word_of(Share share) {
 std::string budget_text(const Recipe& recipe) {
     std::vector<std::string> parts;
     if (recipe.budget_spheres) {
-        parts.push_back(fmt::format("{} spheres", *recipe.budget_spheres));
+        parts.push_back(
+            fmt::format("{} {}", *recipe.budget_spheres, recipe.budget_in_elements ? "elements" : "spheres"));
+    }
+    if (recipe.budget_cost) {
+        parts.push_back(fmt::format("cost of at most {}", to_text(*recipe.budget_cost)));
     }
     if (recipe.budget_excess) {
         parts.push_back(fmt::format("excess of at most {}", to_text(*recipe.budget_excess)));
@@ -239,7 +243,10 @@ Json json_of_planned(const Plan& plan, const Recipe& recipe) {
         json["stages"].push_back(json_of_planned(stage, false));
     }
     if (recipe.budget_spheres) {
-        json["budget"]["spheres"] = *recipe.budget_spheres;
+        json["budget"][recipe.budget_in_elements ? "elements" : "spheres"] = *recipe.budget_spheres;
+    }
+    if (recipe.budget_cost) {
+        json["budget"]["cost"] = *recipe.budget_cost;
     }
     if (recipe.budget_excess) {
         json["budget"]["excess"] = *recipe.budget_excess;

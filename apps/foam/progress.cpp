@@ -66,7 +66,7 @@ std::string place_of(const Event& event) {
 
 } // namespace
 
-Progress::Progress(bool verbose) : verbose_(verbose) {
+Progress::Progress(bool verbose, bool quiet) : verbose_(verbose), quiet_(quiet) {
     const char* terminal = std::getenv("TERM");
     terminal_ = isatty(STDERR_FILENO) == 1 && terminal && std::string_view(terminal) != "dumb";
 }
@@ -81,6 +81,8 @@ void Progress::on(const Event& event) {
             clear();
             tell(fmt::format("{}: {}{}", word_for(event.severity), place_of(event), event.message));
         }
+    } else if (quiet_) {
+        return;
     } else if (event.kind == Event::Kind::input_loaded) {
         clear();
         tell(event.message);

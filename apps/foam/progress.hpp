@@ -8,10 +8,10 @@
 namespace foam::cli {
 
 /// On stderr: the size of the input first. The bar is drawn on a terminal only; warnings and errors always, notes if
-/// `verbose`.
+/// `verbose`. `quiet`: warnings and errors alone.
 class Progress final : public Observer {
 public:
-    explicit Progress(bool verbose);
+    explicit Progress(bool verbose, bool quiet = false);
     ~Progress() override;
     void on(const Event& event) override;
 
@@ -19,7 +19,7 @@ private:
     void draw(const Event& event);
     void clear();
 
-    bool verbose_, terminal_, drawn_ = false;
+    bool verbose_, quiet_, terminal_, drawn_ = false;
     double last_drawn_ = -1;
     std::string task_;
 };

@@ -79,7 +79,7 @@ int run_recipe(Program& program, RunArguments arguments) {
         code = std::max(code, exit_code_of(result));
         if (arguments.json) {
             runs.push_back(json_of_run<nlohmann::ordered_json>(result, recipe, directory));
-        } else {
+        } else if (!arguments.execute.quiet) {
             print(table_of(result, recipe.guarantee) + files_text(recipe, result, directory));
         }
         if (result.cut == Cut::stop) {

@@ -6,14 +6,17 @@
 #include "written_files.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
 #include <foam/recipe/quick_recipe.hpp>
 #include <foam/runtime/run_json.hpp>
 #include <foam/runtime/scratch_folder.hpp>
+#include <foam/sdk/kinds.hpp>
 #include <foam/sdk/stage.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -23,7 +26,11 @@ namespace {
 namespace fs = std::filesystem;
 
 struct SpherizeArguments {
-    std::string input, method = "cover", output, format, out;
+    bool elements = false; ///< of any kind: foam approximate
+    std::string input, method, output, format, out;
+    std::vector<std::string> kinds, costs;
+    std::string objective, effort;
+    std::optional<std::uint64_t> seed;
     QuickBudget budget;
     std::string max_protrusion, geometry = "collision";
     MeshUnit unit;
@@ -36,7 +43,7 @@ bool to_stdout(const SpherizeArguments& arguments) {
     return arguments.output == "-";
 }
 
-/// Where the result goes: what -o says, or beside nothing: <stem>_spheres in the current folder.
+/// Where the result goes: what -o says, or <stem>_spheres or <stem>_elements in the current folder.
 fs::path output_file(const SpherizeArguments& arguments, const QuickRecipe& recipe) {
     return arguments.output.empty() ? fs::path(recipe.output) : fs::path(arguments.output);
 }
@@ -65,7 +72,47 @@ QuickBudget budget_of(const SpherizeArguments& arguments) {
     if (!arguments.max_protrusion.empty()) {
         budget.max_protrusion = length_of(arguments.max_protrusion, "--max-protrusion");
     }
+    for (const std::string& text : arguments.costs) {
+        const std::size_t equals = text.find('=');
+        const auto cost = equals == text.npos ? std::nullopt : parse_number(text.substr(equals + 1));
+        if (!cost) {
+            throw Error(ErrorCode::usage,
+                        fmt::format("--costs expects KIND=NUMBER, such as capsule=2, got '{}'", text));
+        }
+        budget.costs[text.substr(0, equals)] = *cost;
+    }
     return budget;
+}
+
+QuickMethod method_of(const SpherizeArguments& arguments) {
+    if (!arguments.elements) {
+        QuickMethod spherizer(arguments.method);
+        spherizer.objective = arguments.objective;
+        return spherizer;
+    }
+    std::vector<Element::Kind> kinds = kinds_named(arguments.kinds, "--with");
+    if (kinds.empty() && arguments.method.empty()) {
+        kinds = {Element::Kind::sphere, Element::Kind::capsule, Element::Kind::box};
+    }
+    return {arguments.method, std::move(kinds), arguments.objective};
+}
+
+/// Returns the settings of --set, and those that other options stand for; --set has the last word.
+std::vector<std::string> all_settings(const SpherizeArguments& arguments, const StageInfo& stage) {
+    std::vector<std::string> settings;
+    if (!arguments.effort.empty()) {
+        const bool has = std::any_of(stage.parameters.begin(), stage.parameters.end(),
+                                     [](const Parameter& parameter) { return parameter.name == "effort"; });
+        if (!has) {
+            throw Error(ErrorCode::usage, fmt::format("{} has no effort; remedy: without --effort", stage.name));
+        }
+        settings.push_back(fmt::format("stages.{}.effort={}", stage.name, arguments.effort));
+    }
+    if (arguments.seed) {
+        settings.push_back(fmt::format("seed={}", *arguments.seed));
+    }
+    settings.insert(settings.end(), arguments.settings.begin(), arguments.settings.end());
+    return settings;
 }
 
 /// The result in one step, so that a reader never sees half of it.
@@ -97,9 +144,12 @@ std::vector<WrittenFile> result_for(const fs::path& target, const fs::path& made
     const auto writer = registry.make<Writer>(output.writer.stage, output.writer.given);
     Telling aloud;
     QuietContext quiet;
-    std::vector<WrittenFile> files = written_files(*writer, registry.find(output.writer.stage)->info, result.model,
-                                                   target, target.empty() ? static_cast<Context&>(aloud) : quiet);
-    if (writer->read(files.front().bytes) != writer->read(bytes_of(made))) {
+    const StageInfo& info = registry.find(output.writer.stage)->info;
+    std::vector<WrittenFile> files =
+        written_files(*writer, info, result.model, target, target.empty() ? static_cast<Context&>(aloud) : quiet);
+    std::vector<WrittenFile> in_run = written_files(*writer, info, result.model, made, quiet);
+    in_run.front().bytes = bytes_of(made);
+    if (read_back(*writer, files) != read_back(*writer, in_run)) {
         throw Error(ErrorCode::internal, fmt::format("{} gives other spheres in another folder", output.writer.stage));
     }
     return files;
@@ -127,17 +177,20 @@ int run_quick(const SpherizeArguments& arguments, const Recipe& recipe, const Qu
         result_for(to_stdout(arguments) ? fs::path() : target, directory / output.file, result, output, registry);
     if (to_stdout(arguments)) {
         print_data(files.front().bytes);
-        tell_text(table_of(result, recipe.guarantee));
+        if (!options.quiet) {
+            tell_text(table_of(result, recipe.guarantee));
+        }
         return exit_code_of(result);
     }
-    for (const WrittenFile& file : files) {
-        deliver(file.bytes, scratch.path(), file.file);
+    for (std::size_t i = files.size(); i-- > 0;) { // files beside the one first
+        make_folder_of(files[i]);
+        deliver(files[i].bytes, scratch.path(), files[i].file);
     }
     if (arguments.json) {
         auto json = json_of_run<nlohmann::ordered_json>(result, recipe, arguments.out);
         json["files"] = file_names(files);
         print_json(json);
-    } else {
+    } else if (!options.quiet) {
         print(table_of(result, recipe.guarantee) +
               fmt::format("Written: {} ({:.2f} s)\n", fmt::join(file_names(files), ", "), result.seconds));
     }
@@ -152,18 +205,105 @@ int spherize(Program& program, const SpherizeArguments& arguments) {
                                                   fs::exists(arguments.input, error) ? "it is not a regular file"
                                                                                      : "there is no such file"));
     }
-    const QuickRecipe quick = quick_recipe(arguments.input, arguments.method, output_ending(arguments, registry),
+    const QuickRecipe quick = quick_recipe(arguments.input, method_of(arguments), output_ending(arguments, registry),
                                            budget_of(arguments), arguments.unit, arguments.geometry, registry);
     for (const std::string& stage : quick.left_out) {
         tell(fmt::format("warning: no plugin offers {}; it is skipped", stage));
     }
-    const RecipeResult read = parse_recipe(quick.text, quick.name + ".yaml", registry, settings_of(arguments.settings));
+    const std::vector<std::string> settings = all_settings(arguments, registry.find(quick.stage)->info);
+    const RecipeResult read = parse_recipe(quick.text, quick.name + ".yaml", registry, settings_of(settings));
     require_ok(read, arguments.input);
     if (arguments.print_recipe) {
-        print_data(arguments.settings.empty() ? quick.text : to_yaml(read.recipes.at(0), registry, true));
+        print_data(settings.empty() ? quick.text : to_yaml(read.recipes.at(0), registry, true));
         return 0;
     }
     return run_quick(arguments, read.recipes.at(0), quick, registry);
+}
+
+/// Adds the options that both commands have.
+void add_common_options(CLI::App& command, Program& program, const std::shared_ptr<SpherizeArguments>& arguments) {
+    const std::string elements = arguments->elements ? "elements" : "spheres";
+    command.add_option("input", arguments->input, "A URDF or a mesh file")->type_name("INPUT")->required();
+    command
+        .add_option(arguments->elements ? "-n,--elements" : "-n,--spheres", arguments->budget.spheres,
+                    fmt::format("Maximum number of {} of the whole robot, at most 1000000; default: the method's own "
+                                "parameters decide",
+                                elements))
+        ->type_name("N")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}).description(""));
+    command
+        .add_option("--excess", arguments->budget.excess,
+                    fmt::format("Use the fewest {0} with an excess of at most X: volume of the {0} outside the robot / "
+                                "volume of the robot",
+                                elements))
+        ->type_name("X");
+    command
+        .add_option("--max-protrusion", arguments->max_protrusion,
+                    fmt::format("Limit how far {} extend beyond their link, as far as their number allows: 10mm, 1cm, "
+                                "0.4in, or a number of metres",
+                                elements))
+        ->type_name("M");
+    add_geometry(command, arguments->geometry,
+                 fmt::format("The geometry of a robot that the {} cover: collision, visual or both", elements));
+    add_mesh_unit(command, arguments->unit);
+    CLI::Option* method =
+        command
+            .add_option("-m,--method", arguments->method,
+                        arguments->elements
+                            ? "Stage, with or without the prefix 'approximate.'; default: the one for the kind of "
+                              "--with, mixed for several"
+                            : "Spherizer, with or without the prefix 'spherize.'")
+            ->type_name("METHOD");
+    if (!arguments->elements) {
+        method->capture_default_str();
+    }
+    command
+        .add_option("--effort", arguments->effort,
+                    "How long the method searches: fast, normal or best; default: normal")
+        ->type_name("WORD")
+        ->check(CLI::IsMember({"fast", "normal", "best"}).description(""));
+    command
+        .add_option("--objective", arguments->objective,
+                    "What is to be least: a word of the method's objective, such as excess or protrusion")
+        ->type_name("WORD");
+    command.add_option("--seed", arguments->seed, "Seed of the run; default: 0")->type_name("N");
+    command
+        .add_option("-o,--output", arguments->output,
+                    fmt::format("Output file; its extension selects the format; - is the standard output; default: the "
+                                "name of INPUT with _{}, as URDF or JSON",
+                                elements))
+        ->type_name("OUT");
+    command
+        .add_option("--format", arguments->format,
+                    "Format of OUT, regardless of its extension: urdf, json, csv, ply, …")
+        ->type_name("FORMAT");
+    command.add_option("--out", arguments->out, "Keep the whole run directory in this folder")->type_name("DIR");
+    command.add_flag("--print-recipe", arguments->print_recipe, "Print the equivalent recipe, and run nothing");
+    add_settings(command, arguments->settings);
+    add_strict(command, arguments->settings);
+    add_execute_options(command, arguments->execute);
+    command.add_flag("--json", arguments->json, "Print the summary as JSON");
+    command.callback(
+        [&program, arguments] { program.action = [&program, arguments] { return spherize(program, *arguments); }; });
+}
+
+void add_element_options(CLI::App& command, SpherizeArguments& arguments) {
+    command
+        .add_option("--with", arguments.kinds,
+                    "Kinds of elements: sphere, capsule, cylinder, box, swept_box, hull, separated by commas; default: "
+                    "sphere,capsule,box, or those of the method")
+        ->type_name("KIND[,KIND…]")
+        ->delimiter(',');
+    command
+        .add_option("--cost", arguments.budget.cost,
+                    "Maximum cost of checking all elements of the robot, instead of their number")
+        ->type_name("C");
+    command
+        .add_option("--costs", arguments.costs,
+                    "Cost of a check by kind, e.g. sphere=1,capsule=2,box=4,hull_vertex=0.1")
+        ->type_name("KIND=C[,…]")
+        ->delimiter(',')
+        ->needs("--cost");
 }
 
 } // namespace
@@ -177,46 +317,25 @@ void add_spherize(Program& program) {
                                     "  foam spherize robot.urdf -n 60 --print-recipe > robot.yaml");
     auto arguments = std::make_shared<SpherizeArguments>();
     arguments->execute.say_which = false; // the user did
-    command->add_option("input", arguments->input, "A URDF or a mesh file")->type_name("INPUT")->required();
-    command
-        ->add_option("-n,--spheres", arguments->budget.spheres,
-                     "Maximum number of spheres of the whole robot, at most 1000000; default: the method's own "
-                     "parameters decide")
-        ->type_name("N")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}).description(""));
-    command
-        ->add_option("--excess", arguments->budget.excess,
-                     "Use the fewest spheres with an excess of at most X: volume of the spheres outside the robot / "
-                     "volume of the robot")
-        ->type_name("X");
-    command
-        ->add_option("--max-protrusion", arguments->max_protrusion,
-                     "Limit how far spheres extend beyond their link, as far as their number allows: 10mm, 1cm, 0.4in, "
-                     "or a number of metres")
-        ->type_name("M");
-    add_geometry(*command, arguments->geometry,
-                 "The geometry of a robot that the spheres cover: collision, visual or both");
-    add_mesh_unit(*command, arguments->unit);
-    command->add_option("-m,--method", arguments->method, "Spherizer, with or without the prefix 'spherize.'")
-        ->type_name("METHOD")
-        ->capture_default_str();
-    command
-        ->add_option("-o,--output", arguments->output,
-                     "Output file; its extension selects the format; - is the standard output; default: the name of "
-                     "INPUT with _spheres, as URDF or JSON")
-        ->type_name("OUT");
-    command
-        ->add_option("--format", arguments->format,
-                     "Format of OUT, regardless of its extension: urdf, json, csv, ply, …")
-        ->type_name("FORMAT");
-    command->add_option("--out", arguments->out, "Keep the whole run directory in this folder")->type_name("DIR");
-    command->add_flag("--print-recipe", arguments->print_recipe, "Print the equivalent recipe, and run nothing");
-    add_settings(*command, arguments->settings);
-    add_strict(*command, arguments->settings);
-    add_execute_options(*command, arguments->execute);
-    command->add_flag("--json", arguments->json, "Print the summary as JSON");
-    command->callback(
-        [&program, arguments] { program.action = [&program, arguments] { return spherize(program, *arguments); }; });
+    arguments->method = "cover";
+    add_common_options(*command, program, arguments);
+}
+
+void add_approximate(Program& program) {
+    CLI::App* command = add_command(program, "approximate",
+                                    "Approximate a robot or a mesh by capsules, boxes and other convex elements",
+                                    "  foam approximate robot.urdf -n 20 --with capsule   writes robot_elements.urdf\n"
+                                    "  foam approximate part.stl -n 8 --with hull -o part.json\n"
+                                    "  foam approximate robot.urdf --cost 60 --with sphere,capsule,box\n"
+                                    "  foam approximate robot.urdf -n 20 --print-recipe > robot.yaml\n"
+                                    "\n"
+                                    "The elements are proved to enclose the geometry, on the numbers in the file.\n"
+                                    "`foam spherize` is for spheres alone.");
+    auto arguments = std::make_shared<SpherizeArguments>();
+    arguments->elements = true;
+    arguments->execute.say_which = false; // the user did
+    add_element_options(*command, *arguments);
+    add_common_options(*command, program, arguments);
 }
 
 } // namespace foam::cli

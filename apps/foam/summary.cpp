@@ -4,6 +4,7 @@
 
 #include <foam/base/text.hpp>
 #include <foam/runtime/run_json.hpp>
+#include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>
 
@@ -16,11 +17,10 @@ namespace {
 constexpr double mm_per_m = 1000;
 
 std::string row(const std::string& name, std::size_t width, const Measures& m, Guarantee guarantee,
-                const std::string& growth) {
-    return fmt::format("{}  {:>7}  {:>8}  {:>8}  {:>9}  {:>9}\n", padded(name, width), m.spheres,
+                const std::string& growth, int count_width) {
+    return fmt::format("{}  {:>{}}  {:>8}  {:>8}  {:>9}  {:>9}\n", padded(name, width), m.spheres, count_width,
                        figure_text(guarantee == Guarantee::inner ? m.missing : m.excess, 3),
-                       figure_text(m.gap * mm_per_m, 3),
-                       m.certified ? "yes" : "no", growth);
+                       figure_text(m.gap * mm_per_m, 3), m.certified ? "yes" : "no", growth);
 }
 
 std::string filter_table(const RunResult& result) {
@@ -61,7 +61,13 @@ std::string padding_text(const RunResult& result) {
 std::string table_of(const RunResult& result, Guarantee guarantee) {
     const std::size_t width = column_width("total", result.links, &LinkReport::link);
     std::string table = filter_table(result);
-    table += fmt::format("{:<{}}  {:>7}  {:>8}  {:>8}  {:>9}  {:>9}\n", "link", width, "spheres",
+    KindCounts kinds{};
+    for (const LinkReport& link : result.links) {
+        kinds = sum_of(kinds, link.kinds);
+    }
+    const bool spheres = spheres_alone(kinds);
+    table += fmt::format("{:<{}}  {:>{}}  {:>8}  {:>8}  {:>9}  {:>9}\n", "link", width,
+                         spheres ? "spheres" : "elements", spheres ? 7 : 8,
                          guarantee == Guarantee::inner ? "missing" : "excess", "gap mm", "certified", "growth mm");
     for (const LinkReport& link : result.links) {
         if (link.skipped) {
@@ -69,10 +75,14 @@ std::string table_of(const RunResult& result, Guarantee guarantee) {
         } else if (!link.error.empty() && link.measures.spheres == 0) {
             table += fmt::format("{}  failed: {}\n", padded(link.link, width), shown(link.error));
         } else {
-            table += row(link.link, width, link.measures, guarantee, figure_text(link.growth * mm_per_m, 3));
+            table += row(link.link, width, link.measures, guarantee, figure_text(link.growth * mm_per_m, 3),
+                         spheres ? 7 : 8);
         }
     }
-    table += row("total", width, result.total, guarantee, "");
+    table += row("total", width, result.total, guarantee, "", spheres ? 7 : 8);
+    if (!spheres) {
+        table += fmt::format("Elements: {}.\n", counts_text(kinds));
+    }
     if (const auto filled = std::count_if(result.links.begin(), result.links.end(),
                                           [](const LinkReport& link) { return link.filled > 0; });
         filled > 0) {
@@ -89,8 +99,7 @@ std::string table_of(const RunResult& result, Guarantee guarantee) {
                                  plane.plane.reach * mm_per_m);
         }
     }
-    table += verdict_of(result.proved) + omissions_of(result.proved);
-    return table;
+    return table + verdict_of(result.proved, spheres ? "spheres" : "elements") + omissions_of(result.proved);
 }
 
 } // namespace foam::cli

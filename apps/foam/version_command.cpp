@@ -1,4 +1,5 @@
 // What foam is and what its recipes may hold: version, schema.
+#include "cli/build_text.hpp"
 #include "cli/program.hpp"
 #include "commands.hpp"
 
@@ -13,7 +14,8 @@ namespace foam::cli {
 namespace {
 
 nlohmann::ordered_json about() {
-    nlohmann::ordered_json json{{"foam", version()}, {"abi", FOAM_ABI_FINGERPRINT}, {"compiler", __VERSION__}};
+    nlohmann::ordered_json json{
+        {"foam", version()}, {"build", build_text()}, {"abi", FOAM_ABI_FINGERPRINT}, {"compiler", __VERSION__}};
     auto libraries = library_versions();
     libraries["cli11"] = CLI11_VERSION;
     json["libraries"] = libraries;

@@ -59,6 +59,13 @@ std::vector<std::string> file_names(const std::vector<WrittenFile>& files) {
     return names;
 }
 
+void make_folder_of(const WrittenFile& file) {
+    if (file.beside) {
+        std::error_code error; // writing the file reports it
+        std::filesystem::create_directories(file.file.parent_path(), error);
+    }
+}
+
 std::map<std::string, ParameterValue> parameters_of(const std::vector<std::string>& texts, const StageInfo& writer) {
     std::map<std::string, ParameterValue> values;
     for (const std::string& text : texts) {

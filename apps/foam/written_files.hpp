@@ -15,4 +15,7 @@ std::vector<std::string> file_names(const std::vector<WrittenFile>& files);
 /// name or another type.
 std::map<std::string, ParameterValue> parameters_of(const std::vector<std::string>& texts, const StageInfo& writer);
 
+/// Makes the folder of a file that lies beside an output.
+void make_folder_of(const WrittenFile& file);
+
 } // namespace foam::cli

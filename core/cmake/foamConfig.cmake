@@ -1,5 +1,5 @@
 # find_package(foam [COMPONENTS library...]): the libraries foam::base, foam::geometry, foam::xml, foam::robot,
-# foam::collision, foam::search, foam::sdk, foam::yaml, foam::recipe, foam::report, foam::runtime, foam::judge and foam::batch, foam::c (foam.h, for projects in C), the program foam::program, foam_add_plugin() and foam_test_plugin().
+# foam::collision, foam::search, foam::sdk, foam::yaml, foam::recipe, foam::report, foam::runtime, foam::judge, foam::view and foam::batch, foam::c (foam.h, for projects in C), the program foam::program, foam_add_plugin() and foam_test_plugin().
 # A library brings those that it uses.
 if(NOT TARGET foam::base) # in foam's own tree they are there already
   include("${CMAKE_CURRENT_LIST_DIR}/foamTargets.cmake")

@@ -76,6 +76,10 @@ void MeshBuilder::triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         context_.check_cancelled();
     }
     mesh_.triangles.push_back({a, b, c});
+    if (colour_ != 0) {
+        colours_.resize(mesh_.triangles.size());
+        colours_.back() = colour_;
+    }
 }
 
 void MeshBuilder::polygon(std::span<const std::uint32_t> corners) {

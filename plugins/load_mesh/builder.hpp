@@ -6,6 +6,7 @@
 #include <foam/geometry/mesh.hpp>
 #include <foam/sdk/context.hpp>
 
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -37,6 +38,17 @@ public:
     /// Makes room for that many triangles of a surface, which usually has half as many vertices. Precondition: the file
     /// is long enough for them.
     void reserve_triangles(std::size_t count);
+    /// Sets the colour of the triangles that follow, 0xRRGGBBAA; 0: none.
+    void paint(std::uint32_t colour) { colour_ = colour; }
+    /// Colours by the names of materials, for readers whose files have them elsewhere.
+    void name_colours(std::map<std::string, std::uint32_t, std::less<>> colours) { named_ = std::move(colours); }
+    /// Returns the colour of a material; 0 if it is not known.
+    std::uint32_t colour_named(std::string_view material) const {
+        const auto known = named_.find(material);
+        return known == named_.end() ? 0 : known->second;
+    }
+    /// Returns the colour of each triangle so far; empty if none has one.
+    const std::vector<std::uint32_t>& colours() const { return colours_; }
     /// Adds a plane polygon of at least three corners, convex or not.
     void polygon(std::span<const std::uint32_t> corners);
 
@@ -54,7 +66,10 @@ private:
     Context& context_;
     std::size_t polygon_work_; ///< the remaining part of it
     Mesh mesh_;
-    std::vector<std::uint32_t> table_; ///< open addressing: index + 1 of a vertex, or 0
+    std::uint32_t colour_ = 0; ///< of the triangles that follow
+    std::map<std::string, std::uint32_t, std::less<>> named_;
+    std::vector<std::uint32_t> colours_; ///< of the triangles; as far as the last one with a colour
+    std::vector<std::uint32_t> table_;   ///< open addressing: index + 1 of a vertex, or 0
 };
 
 /// The vertices of a file by its numbers. A vertex that is not finite is an error only if a face uses it.

@@ -1,6 +1,7 @@
 // COLLADA 1.4.1 and 1.5: the geometries that the nodes of the scene show, in metres.
 //
 // RViz and the planners of ROS do not turn COLLADA coordinates: the unit is applied, the up-axis is not.
+#include "collada_colours.hpp"
 #include "collada_geometry.hpp"
 #include "collada_node.hpp"
 #include "readers.hpp"
@@ -74,7 +75,7 @@ private:
     void all_geometries(const Affine& unit) {
         for (const Element* library : document_.root().children_named("library_geometries")) {
             for (const Element* geometry : library->children_named("geometry")) {
-                place(part(*geometry), unit, builder_);
+                place(part(*geometry).part, unit, builder_);
             }
         }
     }
@@ -98,7 +99,8 @@ private:
                 } else if (const Element* node = instanced(*child, "instance_node", "node")) {
                     open.push_back({node, visit.pose * transform_of(document_, *node), visit.depth + 1});
                 } else if (const Element* shown = shown_geometry(*child)) {
-                    place(part(*shown), visit.pose, builder_);
+                    const ColladaGeometry& geometry = part(*shown);
+                    place(geometry.part, visit.pose, builder_, colours_of(document_, *child, geometry.materials));
                 }
             }
             std::reverse(open.begin() + static_cast<std::ptrdiff_t>(first), open.end()); // the first child is next
@@ -138,7 +140,7 @@ private:
         return target && target->name == "geometry" ? target : nullptr;
     }
 
-    const Part& part(const Element& geometry) {
+    const ColladaGeometry& part(const Element& geometry) {
         const auto [it, fresh] = parts_.try_emplace(&geometry);
         if (fresh) {
             it->second = read_geometry(document_, geometry, context_);
@@ -149,7 +151,7 @@ private:
     const ColladaDocument document_;
     MeshBuilder& builder_;
     Context& context_;
-    std::map<const Element*, Part> parts_;
+    std::map<const Element*, ColladaGeometry> parts_;
     bool skinned_ = false;
 };
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 namespace foam::load_mesh {
@@ -71,7 +72,7 @@ public:
     GeometryReader(const ColladaDocument& document, const Element& geometry, Context& context)
         : document_(document), geometry_(geometry), context_(context) {}
 
-    Part read() {
+    ColladaGeometry read() {
         for (const auto& child : geometry_.children) {
             if (child->name == "mesh" || child->name == "convex_mesh") {
                 mesh_ = child.get();
@@ -88,7 +89,7 @@ public:
             }
             return place->error(*this_file, i, name, what);
         };
-        return std::move(part_);
+        return {std::move(part_), std::move(materials_)};
     }
 
 private:
@@ -136,8 +137,20 @@ private:
             const auto kind = kinds.find(child->name);
             if (kind != kinds.end() && (child->child("p") || child->child("ph"))) {
                 (this->*kind->second)(*child, input(*child));
+                part_.materials.resize(part_.sizes.size(), material(*child));
             }
         }
+    }
+
+    /// Returns the number of a primitive's material.
+    std::uint32_t material(const Element& primitive) {
+        const std::string* name = primitive.attribute("material");
+        const auto known = std::find(materials_.begin(), materials_.end(), name ? *name : "");
+        if (known == materials_.end()) {
+            materials_.push_back(name ? *name : "");
+            return static_cast<std::uint32_t>(materials_.size() - 1);
+        }
+        return static_cast<std::uint32_t>(known - materials_.begin());
     }
 
     /// Returns the <input> of the positions, through <vertices> or directly.
@@ -357,13 +370,14 @@ private:
     Context& context_;
     const Element* mesh_ = nullptr;
     Part part_;
+    std::vector<std::string> materials_;
     std::vector<Place> places_;
     std::map<const Element*, std::pair<std::size_t, std::size_t>> sources_; ///< first point and number of points
 };
 
 } // namespace
 
-Part read_geometry(const ColladaDocument& document, const Element& geometry, Context& context) {
+ColladaGeometry read_geometry(const ColladaDocument& document, const Element& geometry, Context& context) {
     return GeometryReader(document, geometry, context).read();
 }
 

@@ -6,8 +6,14 @@
 
 namespace foam::load_mesh {
 
+/// A <geometry>: its part, and the names by which its materials are bound where it is shown.
+struct ColladaGeometry {
+    Part part;
+    std::vector<std::string> materials; ///< Part::materials are indices into them
+};
+
 /// Returns the triangles, polygons, strips and fans of a <geometry>, in its frame and unit, without lines. Logs
 /// surfaces that are left out (splines, holes) and suspicious contents.
-Part read_geometry(const ColladaDocument& document, const xml::Element& geometry, Context& context);
+ColladaGeometry read_geometry(const ColladaDocument& document, const xml::Element& geometry, Context& context);
 
 } // namespace foam::load_mesh

@@ -1,4 +1,5 @@
 // glTF 2.0: the meshes that the nodes of the scene show, in metres; the up-axis (y) is not turned, as with COLLADA.
+#include "colour.hpp"
 #include "gltf_accessor.hpp"
 #include "gltf_container.hpp"
 #include "gltf_extensions.hpp"
@@ -180,12 +181,28 @@ private:
             if (known == parts_.end()) {
                 known = parts_.emplace(primitive.path(), compacted(part(primitive, mode))).first;
             }
+            const std::array<std::uint32_t, 1> colour{colour_of(primitive)};
             for (const Affine& pose : known->second.sizes.empty() ? std::vector<Affine>{} : poses) {
                 context_.check_cancelled();
-                place(known->second, pose, builder_);
+                place(known->second, pose, builder_, colour);
             }
             deformed_ = deformed_ || primitive.find("targets");
         }
+    }
+
+    /// Returns the base colour of a primitive's material; 0 if it has none, or a texture.
+    std::uint32_t colour_of(const JsonPlace& primitive) const try {
+        const auto index = primitive.find("material");
+        const auto surface = index ? index->target(root_, "materials").find("pbrMetallicRoughness") : std::nullopt;
+        const auto factor =
+            surface && !surface->find("baseColorTexture") ? surface->find("baseColorFactor") : std::nullopt;
+        if (!factor) {
+            return 0;
+        }
+        const std::vector<double> shares = factor->numbers(4);
+        return colour_number({shares[0], shares[1], shares[2], shares[3]});
+    } catch (const Error&) {
+        return 0; // a material that is not there: the mesh is read without it
     }
 
     Part part(const JsonPlace& primitive, std::uint64_t mode) {

@@ -1,5 +1,6 @@
 #include "loader.hpp"
 
+#include "obj_colours.hpp"
 #include "readers.hpp"
 
 #include <foam/base/file.hpp>
@@ -24,7 +25,7 @@ Loader::Loader(const Parameters& parameters)
     : limits_{static_cast<std::size_t>(parameters.integer("max_triangles")),
               static_cast<std::uintmax_t>(parameters.integer("max_bytes"))} {}
 
-Mesh Loader::load(const std::filesystem::path& file, Context& context) const {
+Source Loader::source_of(const std::filesystem::path& file) const {
     Source source{file, {}};
     FileContents contents = read_regular_file(file, limits_.max_bytes, too_large_remedy);
     if (!contents.problem.empty()) {
@@ -34,6 +35,29 @@ Mesh Loader::load(const std::filesystem::path& file, Context& context) const {
     if (source.bytes.empty()) {
         throw source.error("the file is empty");
     }
+    return source;
+}
+
+std::vector<std::uint32_t> Loader::colours(const std::filesystem::path& file, Context& context) const {
+    const std::string ending = extension_of(file);
+    if (ending != "dae" && ending != "obj" && ending != "gltf" && ending != "glb") {
+        return {}; // the formats without colours, and those of which they are not read
+    }
+    const Source source = source_of(file);
+    MeshBuilder builder(source, limits_, context);
+    if (ending == "obj") {
+        builder.name_colours(obj_colours(source));
+    }
+    read_any(source, builder, context);
+    std::vector<std::uint32_t> colours = builder.colours();
+    if (!colours.empty()) {
+        colours.resize(builder.mesh().triangles.size());
+    }
+    return colours;
+}
+
+Mesh Loader::load(const std::filesystem::path& file, Context& context) const {
+    const Source source = source_of(file);
     MeshBuilder builder(source, limits_, context);
     try {
         read_any(source, builder, context);

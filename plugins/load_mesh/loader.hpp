@@ -4,21 +4,25 @@
 // shape. They trust no count or index of the file, and name the place of an error.
 //
 // A mesh has every triangle of the file, also degenerate ones, in the order of the file. Vertices with identical
-// coordinates become one. Normals, colours and texture coordinates are left out.
+// coordinates become one. Normals and texture coordinates are left out; colours are for pictures only (MeshColours).
 #pragma once
 
 #include "builder.hpp"
 
+#include <foam/sdk/mesh_colours.hpp>
 #include <foam/sdk/stage.hpp>
 
 namespace foam::load_mesh {
 
-class Loader final : public MeshLoader {
+class Loader final : public MeshLoader, public MeshColours {
 public:
     explicit Loader(const Parameters& parameters);
     Mesh load(const std::filesystem::path& file, Context& context) const override;
+    std::vector<std::uint32_t> colours(const std::filesystem::path& file, Context& context) const override;
 
 private:
+    Source source_of(const std::filesystem::path& file) const;
+
     Limits limits_;
 };
 

@@ -24,6 +24,8 @@ public:
                 vertex();
             } else if (keyword == "f" || keyword == "fo") {
                 face();
+            } else if (keyword == "usemtl") {
+                colour_ = builder_.colour_named(lines_.word());
             } else if (keyword == "surf" || keyword == "curv" || keyword == "curv2") {
                 ++free_forms_;
             }
@@ -52,6 +54,7 @@ private:
 
     struct Face {
         std::size_t line, end; ///< end: one past its last corner in corners_
+        std::uint32_t colour;
     };
 
     static constexpr std::int64_t zero = std::numeric_limits<std::int64_t>::min();
@@ -78,7 +81,7 @@ private:
             ++thin_faces_;
             return;
         }
-        faces_.push_back({lines_.line(), corners_.size()});
+        faces_.push_back({lines_.line(), corners_.size(), colour_});
     }
 
     void emit() {
@@ -92,6 +95,7 @@ private:
                 check(corners_[begin], face.line);
                 polygon.push_back(points_[static_cast<std::size_t>(corners_[begin])]);
             }
+            builder_.paint(face.colour);
             builder_.polygon(polygon);
         }
     }
@@ -117,6 +121,7 @@ private:
     std::vector<std::int64_t> corners_;
     std::vector<Face> faces_;
     std::size_t free_forms_ = 0, thin_faces_ = 0;
+    std::uint32_t colour_ = 0; ///< of the faces that follow
 };
 
 } // namespace

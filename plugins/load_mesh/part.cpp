@@ -43,14 +43,16 @@ Part compacted(Part part) {
     return part;
 }
 
-void place(const Part& part, const Affine& pose, MeshBuilder& builder) {
+void place(const Part& part, const Affine& pose, MeshBuilder& builder, std::span<const std::uint32_t> colours) {
     constexpr std::uint32_t unused = 0xFFFFFFFFu;
     std::vector<std::uint32_t> vertices(part.points.size(), unused), polygon;
     const bool mirrors = pose.mirrors();
     auto corner = part.corners.begin();
     CancellationCounter asking(4096);
-    for (const std::uint32_t size : part.sizes) {
+    for (std::size_t p = 0; p < part.sizes.size(); ++p) {
+        const std::uint32_t size = part.sizes[p], material = p < part.materials.size() ? part.materials[p] : 0;
         asking.check();
+        builder.paint(material < colours.size() ? colours[material] : 0);
         polygon.clear();
         for (const auto end = corner + size; corner != end; ++corner) {
             std::uint32_t& vertex = vertices[*corner];

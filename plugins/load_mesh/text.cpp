@@ -188,7 +188,8 @@ Lines::Lines(const Source& source, char comment, bool backslash_continues)
     : source_(source), rest_(source.bytes), comment_(comment), backslash_continues_(backslash_continues) {}
 
 std::string_view Lines::take_line() {
-    const std::size_t length = std::min(rest_.find_first_of("\r\n"), rest_.size());
+    const auto end = std::find_if(rest_.begin(), rest_.end(), [](char c) { return c == '\n' || c == '\r'; });
+    const auto length = static_cast<std::size_t>(end - rest_.begin());
     std::string_view text = rest_.substr(0, length);
     rest_.remove_prefix(length);
     if (rest_.starts_with("\r\n")) {

@@ -133,9 +133,10 @@ FOAM_PLUGIN("load_urdf", "1.0", "Apache-2.0") {
                                 "`foam evaluate` needs it for sphere models of others.")
                             .source("A robot that is to become spheres must be whole.")},
          .extensions = {"urdf"}});
-    enrol.add<foam::urdf::SphereReader>({.name = "read.urdf",
-                                         .summary = "Reads the spheres among the collision elements of a URDF.",
-                                         .reference = "http://wiki.ros.org/urdf/XML/link",
-                                         .extensions = {"urdf"},
-                                         .uses = {"load.urdf"}});
+    enrol.add<foam::urdf::SphereReader>(
+        {.name = "read.urdf",
+         .summary = "Reads the collision elements of a URDF: primitives, and meshes that are convex.",
+         .reference = "http://wiki.ros.org/urdf/XML/link",
+         .extensions = {"urdf"},
+         .uses = {"load.urdf", "load.mesh"}});
 }

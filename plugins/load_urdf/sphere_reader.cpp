@@ -1,5 +1,9 @@
 #include "sphere_reader.hpp"
 
+#include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
+#include <foam/geometry/element_forms.hpp>
+#include <foam/sdk/elements.hpp>
 #include <foam/xml/document.hpp>
 
 #include <fmt/format.h>
@@ -7,38 +11,59 @@
 #include <set>
 
 namespace foam::urdf {
-namespace {
 
-std::string kind_of(const Geometry& geometry) {
-    const auto* primitive = std::get_if<Primitive>(&geometry);
-    return primitive ? to_string(primitive->kind) : "mesh";
+/// Returns the hull that a mesh is; nothing with the reason if it is none.
+std::optional<Element> SphereReader::read_hull(const MeshReference& mesh, std::string& why, Context& context) const {
+    constexpr double most_triangles = 100'000; // of a convex piece
+    if (!meshes_ || mesh.path.empty()) {
+        why = mesh.path.empty() ? "a mesh that is not found" : "a mesh; no plugin has load.mesh";
+        return {};
+    }
+    try {
+        const Mesh loaded = transformed(meshes_->load(mesh.path, context), {}, mesh.scale);
+        if (static_cast<double>(loaded.triangles.size()) <= most_triangles) {
+            if (auto hull = hull_if_convex(loaded)) {
+                Element element{.kind = Element::Kind::hull};
+                element.hull = std::move(hull);
+                return element;
+            }
+        }
+        why = "a mesh that is not convex";
+    } catch (const Error& error) {
+        why = fmt::format("a mesh that cannot be read: {}", error.what());
+    }
+    return {};
 }
 
-void read_link(const Link& link, SphereFile& result) {
-    std::set<std::string> others;
-    std::vector<Sphere> spheres;
-    for (const GeometryElement& element : link.collisions) {
-        const auto* primitive = std::get_if<Primitive>(&element.geometry);
-        if (primitive && primitive->kind == Primitive::Kind::sphere) {
-            spheres.push_back({element.origin.translation, primitive->radius});
+void SphereReader::read_link(const Link& link, SphereFile& result, Context& context) const {
+    std::set<std::string> left_out;
+    Approximation::Level elements;
+    for (const GeometryElement& collision : link.collisions) {
+        if (const auto* primitive = std::get_if<Primitive>(&collision.geometry)) {
+            add(elements, element_of(*primitive, collision.origin));
+            continue;
+        }
+        std::string why;
+        if (auto hull = read_hull(std::get<MeshReference>(collision.geometry), why, context)) {
+            hull->pose = collision.origin;
+            add(elements, *hull);
         } else {
-            others.insert(kind_of(element.geometry));
+            left_out.insert(why);
         }
     }
-    if (!others.empty()) {
-        result.notes.push_back(
-            fmt::format("link '{}' has collision geometry other than spheres ({}), which is not judged", link.name,
-                        fmt::join(others, ", ")));
+    if (!left_out.empty()) {
+        result.notes.push_back(fmt::format("link '{}' has collision geometry that is no convex element ({}), which is "
+                                           "not judged",
+                                           link.name, fmt::join(left_out, ", ")));
     }
-    if (!spheres.empty()) {
-        result.links.push_back({link.name, std::move(spheres)});
+    if (elements.size() > 0) {
+        result.links.push_back({link.name, std::move(elements.spheres), std::move(elements.others)});
     }
 }
 
-} // namespace
-
 SphereReader::SphereReader(const Parameters&, const StageMaker& maker)
-    : loader_(maker.make<RobotLoader>("load.urdf", {{"lenient", true}})) {}
+    : loader_(maker.make<RobotLoader>("load.urdf", {{"lenient", true}})), meshes_(maker.make<MeshLoader>("load.mesh")) {
+}
 
 bool SphereReader::recognises(std::string_view text) const {
     // An SRDF also begins with <robot>.
@@ -51,7 +76,7 @@ SphereFile SphereReader::read(const std::string& text, const std::filesystem::pa
     result.file = file;
     result.format = "URDF";
     for (const Link& link : robot.links) {
-        read_link(link, result);
+        read_link(link, result, context);
     }
     for (const Joint& joint : robot.joints) {
         if (joint.kind == Joint::Kind::fixed) {

@@ -18,5 +18,6 @@ FOAM_PLUGIN("refine", "1.0", "Apache-2.0") {
     enrol.add<Split>({.name = "refine.split",
                       .summary = "Splits spheres while that reduces the excess volume, up to the budget.",
                       .reference = "Wang et al. 2006, Variational sphere set approximation for solid objects",
+                      .revision = 2,
                       .adds_spheres = true});
 }

@@ -1,15 +1,23 @@
-// write.csv: one sphere per row, "link,x,y,z,radius". Quoting of RFC 4180; lines end with "\n".
+// write.csv: one sphere per row, "link,x,y,z,radius". Where there are other elements, one element per row, with its
+// kind, its edges or its length along z, and its rotation by rows. Quoting of RFC 4180; lines end with "\n".
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
+#include <foam/sdk/elements.hpp>
 #include <foam/sdk/plugin.hpp>
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
 
 namespace foam {
 namespace {
 
 constexpr std::string_view header = "link,x,y,z,radius";
+constexpr std::string_view element_header =
+    "link,kind,x,y,z,radius,size_x,size_y,size_z,r11,r12,r13,r21,r22,r23,r31,r32,r33";
 
 std::string quoted(const std::string& field) {
     if (field.find_first_of(",\"\r\n") == std::string::npos) {
@@ -77,20 +85,61 @@ private:
     std::string_view rest_;
 };
 
-Sphere read_sphere(const std::vector<std::string>& row, std::size_t number) {
-    std::array<double, 4> values{};
-    if (row.size() != values.size() + 1) {
-        throw Error(ErrorCode::output, fmt::format("CSV: row {} has {} fields, not 5", number, row.size()));
+/// Returns the numbers of a row, from a field on to the end.
+template <std::size_t count>
+std::array<double, count> numbers_of(const std::vector<std::string>& row, std::size_t first, std::size_t number) {
+    std::array<double, count> values{};
+    if (row.size() != first + count) {
+        throw Error(ErrorCode::output,
+                    fmt::format("CSV: row {} has {} fields, not {}", number, row.size(), first + count));
     }
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const std::optional<double> value = parse_number(row[i + 1]);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::optional<double> value = parse_number(row[i + first]);
         if (!value) {
             throw Error(ErrorCode::output,
-                        fmt::format("CSV: row {}: '{}' is not a finite number", number, shown(row[i + 1])));
+                        fmt::format("CSV: row {}: '{}' is not a finite number", number, shown(row[i + first])));
         }
         values[i] = *value;
     }
+    return values;
+}
+
+Sphere read_sphere(const std::vector<std::string>& row, std::size_t number) {
+    const auto values = numbers_of<4>(row, 1, number);
     return {{values[0], values[1], values[2]}, values[3]};
+}
+
+Element read_element(const std::vector<std::string>& row, std::size_t number) {
+    const auto v = numbers_of<16>(row, 2, number);
+    const std::optional<Element::Kind> kind = element_kind_named(row[1]);
+    Element element;
+    if (kind && *kind != Element::Kind::hull) {
+        element = {.kind = *kind, .half = Vec3{v[4], v[5], v[6]} * 0.5, .radius = v[3]};
+        element.pose.translation = {v[0], v[1], v[2]};
+        element.pose.rotation = {Vec3{v[7], v[8], v[9]}, Vec3{v[10], v[11], v[12]}, Vec3{v[13], v[14], v[15]}};
+    }
+    if (!kind || !is_valid(element)) {
+        throw Error(ErrorCode::output,
+                    fmt::format("CSV: row {}: a '{}' with these numbers is no element", number, shown(row[1])));
+    }
+    return element;
+}
+
+std::string element_row(const std::string& name, const Element& element) {
+    if (element.kind == Element::Kind::hull) {
+        throw Error(ErrorCode::output, "write.csv: a row holds no hull; remedy: write.json");
+    }
+    std::string text = name + ',' + to_string(element.kind);
+    const auto append = [&](std::initializer_list<double> numbers) {
+        for (const double number : numbers) {
+            text += ',' + number_text(number);
+        }
+    };
+    const auto& [a, b, c] = element.pose.rotation;
+    const Vec3 &p = element.pose.translation, size = element.half * 2;
+    append({p.x, p.y, p.z, element.radius, size.x, size.y, size.z});
+    append({a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z});
+    return text + '\n';
 }
 
 class CsvWriter final : public Writer {
@@ -98,13 +147,24 @@ public:
     explicit CsvWriter(const Parameters& parameters) : level_(static_cast<int>(parameters.integer("level"))) {}
 
     std::string write(const SphereModel& model, Context&) const override {
-        std::string text(header);
+        const std::vector<LinkSpheres> links = elements_by_link(model, level_);
+        const bool others =
+            std::any_of(links.begin(), links.end(), [](const LinkSpheres& link) { return !link.others.empty(); });
+        std::string text(others ? element_header : header);
         text += '\n';
-        for (const LinkSpheres& link : spheres_by_link(model, level_)) {
+        for (const LinkSpheres& link : links) {
             const std::string name = quoted(link.link);
             CancellationCounter asking(1024);
+            for (const Element& element : link.others) {
+                asking.check();
+                text += element_row(name, element);
+            }
             for (const Sphere& s : link.spheres) {
                 asking.check();
+                if (others) {
+                    text += element_row(name, {.pose = {.translation = s.center}, .radius = s.radius});
+                    continue;
+                }
                 text += name + ',' + number_text(s.center.x) + ',' + number_text(s.center.y) + ',' +
                         number_text(s.center.z) + ',' + number_text(s.radius) + '\n';
             }
@@ -113,16 +173,31 @@ public:
     }
 
     std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override {
+        std::map<std::string, std::vector<Sphere>> result;
+        for (auto& [link, elements] : read_elements(bytes, {})) {
+            result[link] = std::move(elements.spheres);
+        }
+        return result;
+    }
+
+    std::map<std::string, Approximation::Level>
+    read_elements(const std::string& bytes, const std::map<std::string, std::string>&) const override {
         RowReader rows(bytes);
-        if (rows.at_end() || fmt::format("{}", fmt::join(rows.next(), ",")) != header) {
+        const std::string first = rows.at_end() ? "" : fmt::format("{}", fmt::join(rows.next(), ","));
+        const bool others = first == element_header;
+        if (!others && first != header) {
             throw Error(ErrorCode::output, fmt::format("CSV: the first row is not '{}'", header));
         }
-        std::map<std::string, std::vector<Sphere>> result;
+        std::map<std::string, Approximation::Level> result;
         CancellationCounter asking(1024);
         for (std::size_t number = 2; !rows.at_end(); ++number) {
             asking.check();
             const std::vector<std::string> row = rows.next();
-            result[row.front()].push_back(read_sphere(row, number));
+            if (others) {
+                add(result[row.front()], read_element(row, number));
+            } else {
+                result[row.front()].spheres.push_back(read_sphere(row, number));
+            }
         }
         return result;
     }
@@ -152,15 +227,19 @@ FOAM_PLUGIN("write_csv", "1.0", "Apache-2.0") {
     using foam::Parameter;
     enrol.add<foam::CsvWriter>(
         {.name = "write.csv",
-         .summary = "Writes a table of spheres: link, x, y, z, radius; metres, link frames.",
+         .summary =
+             "Writes a table of spheres: link, x, y, z, radius; metres, link frames. With elements of other kinds "
+             "also kind, size and rotation.",
          .reference = "RFC 4180",
          .parameters = {Parameter::integer("level", -1)
                             .bounds(-1, 32)
                             .doc("Level of the sphere trees that is written: 0 the bounding spheres, -1 the finest.")
                             .source("The finest level is the one that is measured and proved.")},
-         .extensions = {"csv"}});
+         .extensions = {"csv"},
+         .kinds = {foam::Element::Kind::sphere, foam::Element::Kind::capsule, foam::Element::Kind::cylinder,
+                   foam::Element::Kind::box, foam::Element::Kind::swept_box}});
     enrol.add<foam::CsvModelReader>({.name = "read.csv",
-                                     .summary = "Reads the table of write.csv: link, x, y, z, radius.",
+                                     .summary = "Reads the table of write.csv: spheres, or elements of several kinds.",
                                      .reference = "RFC 4180",
                                      .extensions = {"csv"},
                                      .uses = {"write.csv"}});

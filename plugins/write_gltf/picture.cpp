@@ -6,11 +6,13 @@
 #include <foam/base/error.hpp>
 #include <foam/base/markup.hpp>
 #include <foam/base/text.hpp>
+#include <foam/sdk/elements.hpp>
 #include <foam/sdk/planning.hpp>
 #include <foam/yaml/write.hpp>
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <map>
 
 namespace foam::gltf {
@@ -19,7 +21,7 @@ namespace {
 using yaml::Value;
 
 // Numbers that glTF gives to kinds of data.
-constexpr int array_buffer = 34962, element_buffer = 34963, type_float = 5126, type_uint16 = 5123;
+constexpr int array_buffer = 34962, element_buffer = 34963, type_float = 5126, type_uint16 = 5123, type_uint32 = 5125;
 
 Value whole(std::size_t number) {
     return yaml::integer(static_cast<std::int64_t>(number));
@@ -53,10 +55,24 @@ Value sphere_node(const Sphere& s) {
                       {"extras", yaml::map({{"radius", yaml::real(s.radius)}})}});
 }
 
-/// Returns the nodes: the root, the links, the spheres.
+/// Returns the node of an element that is no sphere, whose mesh is in the link's frame.
+Value element_node(const Element& element, std::size_t mesh) {
+    Value numbers = yaml::map({{"kind", yaml::text(to_string(element.kind))}});
+    for (const auto& [name, values] : numbers_of(element)) {
+        Value list = yaml::list();
+        for (const double value : values) {
+            list.items.push_back(yaml::real(value));
+        }
+        yaml::append(numbers, name, std::move(list));
+    }
+    return yaml::map({{"mesh", whole(mesh)}, {"extras", yaml::map({{"element", std::move(numbers)}})}});
+}
+
+/// Returns the nodes: the root, the links, the elements.
 Value nodes_of(const std::vector<LinkSpheres>& links, const std::map<std::string, Pose>& poses) {
     Value link_numbers = yaml::list(), link_nodes = yaml::list(), sphere_nodes = yaml::list();
     const std::size_t first_sphere = 1 + links.size();
+    std::size_t meshes = 0;
     for (const LinkSpheres& link : links) {
         require_name(link.link);
         Value children = yaml::list();
@@ -65,6 +81,11 @@ Value nodes_of(const std::vector<LinkSpheres>& links, const std::map<std::string
             asking.check();
             children.items.push_back(whole(first_sphere + sphere_nodes.items.size()));
             sphere_nodes.items.push_back(sphere_node(s));
+        }
+        for (const Element& element : link.others) {
+            asking.check();
+            children.items.push_back(whole(first_sphere + sphere_nodes.items.size()));
+            sphere_nodes.items.push_back(element_node(element, ++meshes)); // 0 is the sphere
         }
         Value node = yaml::map({{"name", yaml::text(link.link)}});
         const auto pose = poses.find(link.link);
@@ -95,9 +116,20 @@ Value accessor(int view, int type, std::size_t count, const std::string& kind) {
                       {"type", yaml::text(kind)}});
 }
 
-/// Adds the mesh of all spheres and its bytes.
-void append_mesh(Value& root, const Mesh& mesh) {
-    Vec3 low{1, 1, 1}, high{-1, -1, -1}; // of the numbers as they are in the buffer
+Value view(std::size_t offset, std::size_t length, int target) {
+    return yaml::map({{"buffer", yaml::integer(0)},
+                      {"byteOffset", whole(offset)},
+                      {"byteLength", whole(length)},
+                      {"target", yaml::integer(target)}});
+}
+
+/// Returns the accessor of corners, with their bounds as the numbers are in the buffer.
+Value positions_of(const Mesh& mesh, int view) {
+    Vec3 low{1, 1, 1}, high{-1, -1, -1};
+    if (view > 0) { // the unit sphere is the first
+        low = Vec3{1, 1, 1} * std::numeric_limits<double>::infinity();
+        high = -low;
+    }
     for (const Vec3& p : mesh.vertices) {
         for (int axis = 0; axis < 3; ++axis) {
             const double x = static_cast<double>(static_cast<float>(p[axis]));
@@ -105,40 +137,80 @@ void append_mesh(Value& root, const Mesh& mesh) {
             high[axis] = std::max(high[axis], x);
         }
     }
-    const std::string bytes = buffer_of(mesh);
-    const std::size_t corners = 12 * mesh.vertices.size();
-    Value positions = accessor(0, type_float, mesh.vertices.size(), "VEC3");
+    Value positions = accessor(view, type_float, mesh.vertices.size(), "VEC3");
     yaml::append(positions, "min", point(low));
     yaml::append(positions, "max", point(high));
-    const Value attributes = yaml::map({{"POSITION", yaml::integer(0)}, {"NORMAL", yaml::integer(1)}});
-    const Value primitive =
-        yaml::map({{"attributes", attributes}, {"indices", yaml::integer(2)}, {"material", yaml::integer(0)}});
+    return positions;
+}
+
+/// Meshes with their accessors, views and bytes in one buffer.
+struct Meshes {
+    Value meshes = yaml::list(), accessors = yaml::list(), views = yaml::list();
+    std::string bytes;
+
+    /// Adds the mesh of all spheres, whose corners are its normals.
+    void add_sphere(const Mesh& mesh) {
+        bytes = buffer_of(mesh);
+        const std::size_t corners = 12 * mesh.vertices.size();
+        accessors = yaml::list({positions_of(mesh, 0), accessor(0, type_float, mesh.vertices.size(), "VEC3"),
+                                accessor(1, type_uint16, 3 * mesh.triangles.size(), "SCALAR")});
+        views = yaml::list({yaml::map({{"buffer", yaml::integer(0)},
+                                       {"byteLength", whole(corners)},
+                                       {"byteStride", yaml::integer(12)}, // needed where two accessors share bytes
+                                       {"target", yaml::integer(array_buffer)}}),
+                            view(corners, bytes.size() - corners, element_buffer)});
+        add_mesh("sphere", yaml::map({{"POSITION", yaml::integer(0)}, {"NORMAL", yaml::integer(1)}}), 2);
+    }
+
+    /// Adds the mesh of an element. Without normals it is shown with flat sides.
+    void add_element(const Element& element) {
+        const Mesh mesh = enclosing_mesh(element, 24);
+        const std::size_t first = accessors.items.size(), corners = bytes.size();
+        bytes += corner_bytes(mesh);
+        const std::size_t indices = bytes.size();
+        bytes += index_bytes(mesh);
+        const int corner_view = static_cast<int>(views.items.size());
+        accessors.items.push_back(positions_of(mesh, corner_view));
+        accessors.items.push_back(accessor(corner_view + 1, type_uint32, 3 * mesh.triangles.size(), "SCALAR"));
+        views.items.push_back(view(corners, indices - corners, array_buffer));
+        views.items.push_back(view(indices, bytes.size() - indices, element_buffer));
+        add_mesh(to_string(element.kind), yaml::map({{"POSITION", whole(first)}}), first + 1);
+    }
+
+private:
+    void add_mesh(const char* name, Value attributes, std::size_t indices) {
+        meshes.items.push_back(yaml::map({{"name", yaml::text(name)},
+                                          {"primitives", yaml::list({yaml::map({{"attributes", std::move(attributes)},
+                                                                                {"indices", whole(indices)},
+                                                                                {"material", yaml::integer(0)}})})}}));
+    }
+};
+
+/// Adds the meshes of the elements and their bytes.
+void append_meshes(Value& root, const std::vector<LinkSpheres>& links) {
+    Meshes meshes;
+    meshes.add_sphere(unit_sphere(2)); // 320 triangles look round at the size of a robot link
+    for (const LinkSpheres& link : links) {
+        for (const Element& element : link.others) {
+            meshes.add_element(element);
+        }
+    }
     const Value colour = yaml::map({{"baseColorFactor", yaml::list({0.2, 0.5, 0.8, 1.0})},
                                     {"metallicFactor", yaml::real(0)},
                                     {"roughnessFactor", yaml::real(0.7)}});
-    yaml::append(root, "meshes",
-                 yaml::list({yaml::map({{"name", yaml::text("sphere")}, {"primitives", yaml::list({primitive})}})}));
+    yaml::append(root, "meshes", std::move(meshes.meshes));
     yaml::append(root, "materials", yaml::list({yaml::map({{"pbrMetallicRoughness", colour}})}));
-    yaml::append(root, "accessors",
-                 yaml::list({positions, accessor(0, type_float, mesh.vertices.size(), "VEC3"),
-                             accessor(1, type_uint16, 3 * mesh.triangles.size(), "SCALAR")}));
-    yaml::append(root, "bufferViews",
-                 yaml::list({yaml::map({{"buffer", yaml::integer(0)},
-                                        {"byteLength", whole(corners)},
-                                        {"byteStride", yaml::integer(12)}, // needed where two accessors share bytes
-                                        {"target", yaml::integer(array_buffer)}}),
-                             yaml::map({{"buffer", yaml::integer(0)},
-                                        {"byteOffset", whole(corners)},
-                                        {"byteLength", whole(bytes.size() - corners)},
-                                        {"target", yaml::integer(element_buffer)}})}));
-    const std::string uri = "data:application/octet-stream;base64," + base64(bytes);
+    yaml::append(root, "accessors", std::move(meshes.accessors));
+    yaml::append(root, "bufferViews", std::move(meshes.views));
+    const std::string uri = "data:application/octet-stream;base64," + base64(meshes.bytes);
     yaml::append(root, "buffers",
-                 yaml::list({yaml::map({{"byteLength", whole(bytes.size())}, {"uri", yaml::text(uri)}})}));
+                 yaml::list({yaml::map({{"byteLength", whole(meshes.bytes.size())}, {"uri", yaml::text(uri)}})}));
 }
 
 } // namespace
 
 std::string picture_text(const SphereModel& model) {
+    const std::vector<LinkSpheres> links = elements_by_link(model);
     Value extras = yaml::map({{"note", yaml::text("for pictures only: the triangles lie inside of the spheres; "
                                                   "extras.radius of nodes and their translation are exact")}});
     if (!model.provenance.empty()) {
@@ -149,8 +221,8 @@ std::string picture_text(const SphereModel& model) {
                                                  {"extras", std::move(extras)}})},
                             {"scene", yaml::integer(0)},
                             {"scenes", yaml::list({yaml::map({{"nodes", yaml::list({yaml::integer(0)})}})})},
-                            {"nodes", nodes_of(spheres_by_link(model), placed_links(model))}});
-    append_mesh(root, unit_sphere(2)); // 320 triangles look round at the size of a robot link
+                            {"nodes", nodes_of(links, placed_links(model))}});
+    append_meshes(root, links);
     return yaml::json_text(root);
 }
 

@@ -2,6 +2,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
+#include <foam/sdk/elements.hpp>
 #include <foam/yaml/value.hpp>
 
 #include <fmt/format.h>
@@ -17,19 +18,6 @@ using Kind = Value::Kind;
 
 constexpr yaml::TextKind gltf_file{.name = "glTF file", .most_bytes = 64'000'000};
 
-Value parse(const std::string& text, const std::filesystem::path& file) {
-    yaml::Findings findings(file.string());
-    std::optional<Value> root;
-    if (yaml::check_text(text, 0, findings, gltf_file)) {
-        root = yaml::read_yaml(text, 0, findings, gltf_file);
-    }
-    if (findings.any_error() || !root) {
-        const std::vector<yaml::Diagnostic> all = findings.take();
-        throw Error(ErrorCode::input, fmt::format("{}: {}", all.front().where.text(), all.front().message));
-    }
-    return std::move(*root);
-}
-
 /// Reads spheres of nodes.
 class NodeReader {
 public:
@@ -44,7 +32,8 @@ public:
             }
         }
         if (result.links.empty()) {
-            fail(nodes, "no node has a child with extras.radius; remedy: only files of write.gltf are read");
+            fail(nodes,
+                 "no node has a child with extras.radius or extras.element; remedy: only files of write.gltf are read");
         }
     }
 
@@ -82,19 +71,43 @@ private:
     }
 
     void read_link(const Value& node, const Value& children, const Value& nodes) {
-        std::vector<Sphere> spheres;
+        Approximation::Level elements;
         for (const Value& number : children.items) {
             const Value& child = child_of(number, nodes);
             const Value* extras = child.find("extras");
             const Value* radius = extras ? extras->find("radius") : nullptr;
+            const Value* element = extras ? extras->find("element") : nullptr;
             if (radius) {
-                spheres.push_back({translation(child), this->number(*radius)});
+                elements.spheres.push_back({translation(child), this->number(*radius)});
+            } else if (element && element->is(Kind::map)) {
+                add(elements, read_element(*element));
             }
         }
-        if (!spheres.empty()) {
+        if (elements.size() > 0) {
             const Value* name = node.find("name");
-            std::vector<Sphere>& target = spheres_of(result, name ? name->text : "");
-            target.insert(target.end(), spheres.begin(), spheres.end());
+            LinkSpheres& target = link_of(result, name ? name->text : "");
+            target.spheres.insert(target.spheres.end(), elements.spheres.begin(), elements.spheres.end());
+            target.others.insert(target.others.end(), elements.others.begin(), elements.others.end());
+        }
+    }
+
+    Element read_element(const Value& value) const {
+        std::string kind;
+        ElementNumbers numbers;
+        for (std::size_t i = 0; i < value.keys.size(); ++i) {
+            if (value.keys[i].text == "kind") {
+                kind = value.items[i].text;
+                continue;
+            }
+            std::vector<double>& values = numbers.emplace_back(value.keys[i].text, std::vector<double>{}).second;
+            for (const Value& item : list(&value.items[i], value, value.keys[i].text).items) {
+                values.push_back(number(item));
+            }
+        }
+        try {
+            return element_of(kind, numbers);
+        } catch (const Error& error) {
+            fail(value, error.what());
         }
     }
 
@@ -119,12 +132,13 @@ bool is_picture(std::string_view text) {
     }
     text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n", 1), text.size()));
     return text.starts_with("\"asset\"") && text.find("\"nodes\"") != text.npos &&
-           text.find("\"extras\"") != text.npos && text.find("\"radius\"") != text.npos;
+           text.find("\"extras\"") != text.npos &&
+           (text.find("\"radius\"") != text.npos || text.find("\"element\"") != text.npos);
 }
 
 SphereFile read_picture(const std::string& text, const std::filesystem::path& file) {
     NodeReader reader(file);
-    reader.read(parse(text, file));
+    reader.read(yaml::tree_of(text, file.string(), gltf_file));
     return std::move(reader.result);
 }
 

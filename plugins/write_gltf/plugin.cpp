@@ -2,6 +2,7 @@
 #include "picture.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/sdk/elements.hpp>
 #include <foam/sdk/plugin.hpp>
 
 namespace foam::gltf {
@@ -13,14 +14,19 @@ public:
 
     std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override {
         std::map<std::string, std::vector<Sphere>> result;
+        for (auto& [link, elements] : read_elements(bytes, {})) {
+            result[link] = std::move(elements.spheres);
+        }
+        return result;
+    }
+
+    std::map<std::string, Approximation::Level>
+    read_elements(const std::string& bytes, const std::map<std::string, std::string>&) const override {
         try {
-            for (LinkSpheres& link : read_picture(bytes, "glTF").links) {
-                result[link.link] = std::move(link.spheres);
-            }
+            return elements_of(read_picture(bytes, "glTF"));
         } catch (const Error& error) {
             throw Error(ErrorCode::output, error.what());
         }
-        return result;
     }
 };
 
@@ -44,9 +50,10 @@ FOAM_PLUGIN("write_gltf", "1.0", "Apache-2.0") {
          .summary = "Writes a glTF file to look at: the links at the robot's default pose, y up; pictures only.",
          .reference = reference,
          .extensions = {"gltf"},
+         .kinds = foam::every_kind(),
          .consumer = {.name = "glTF 2.0"}});
     enrol.add<GltfReader>({.name = "read.gltf",
-                           .summary = "Reads the file of write.gltf: spheres by link, from extras of nodes.",
+                           .summary = "Reads the file of write.gltf: elements by link, from extras of nodes.",
                            .reference = reference,
                            .extensions = {"gltf"}});
 }

@@ -57,13 +57,28 @@ Mesh unit_sphere(int subdivisions) {
     return mesh;
 }
 
-std::string buffer_of(const Mesh& mesh) {
+std::string corner_bytes(const Mesh& mesh) {
     std::string bytes;
     for (const Vec3& p : mesh.vertices) {
         for (const double x : {p.x, p.y, p.z}) {
             add_bytes(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(x)), 4);
         }
     }
+    return bytes;
+}
+
+std::string index_bytes(const Mesh& mesh) {
+    std::string bytes;
+    for (const Triangle& triangle : mesh.triangles) {
+        for (const std::uint32_t corner : triangle) {
+            add_bytes(bytes, corner, 4);
+        }
+    }
+    return bytes;
+}
+
+std::string buffer_of(const Mesh& mesh) {
+    std::string bytes = corner_bytes(mesh);
     for (const Triangle& triangle : mesh.triangles) {
         for (const std::uint32_t corner : triangle) {
             add_bytes(bytes, corner, 2);

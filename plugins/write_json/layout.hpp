@@ -14,12 +14,14 @@
 namespace foam {
 
 using Json = nlohmann::ordered_json; // keeps the order of a link's groups
-using SpheresByLink = std::map<std::string, std::vector<Sphere>>;
+using ElementsByLink = std::map<std::string, Approximation::Level>;
 
-/// Returns foam's layout: schemas/spheres.schema.json.
+/// Returns foam's layout: schemas/spheres.schema.json. Version 2 where there are elements other than spheres.
 std::string write_links_layout(const SphereModel& model);
-SpheresByLink read_links_layout(const Json& document);
+ElementsByLink read_links_layout(const Json& document);
 
+/// Throws Error(output) for elements other than spheres, which the layouts of CoMMALab/foam do not hold.
+void require_spheres(const SphereModel& model);
 /// Returns the database layout of Coumar et al. 2025: {"link::mesh": {"<branch>": {"<depth>": {mean, best, worst,
 /// spheres}}}}.
 std::string write_original_layout(const SphereModel& model);
@@ -27,7 +29,7 @@ std::string write_original_layout(const SphereModel& model);
 /// Error(output) if the model has more than one group.
 std::string write_original_mesh_layout(const SphereModel& model);
 /// Reads both of these layouts.
-SpheresByLink read_original_layout(const Json& document);
+ElementsByLink read_original_layout(const Json& document);
 
 /// Returns a JSON string; bytes that are not UTF-8 become U+FFFD.
 inline std::string json_text(const std::string& text) {

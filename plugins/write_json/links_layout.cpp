@@ -3,6 +3,7 @@
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
 #include <foam/geometry/measure_names.hpp>
+#include <foam/sdk/elements.hpp>
 
 #include <algorithm>
 
@@ -34,17 +35,68 @@ std::string measures_object(const Measures& measures) {
     return fmt::format("{{{}}}", fmt::join(members, ", "));
 }
 
+/// Returns the numbers in lists of three, where there are more; one number alone.
+std::string numbers_text(const std::string& name, const std::vector<double>& numbers) {
+    if (numbers.size() == 1) {
+        return number_text(numbers.front());
+    }
+    std::vector<std::string> points;
+    for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
+        points.push_back(json_point({numbers[i], numbers[i + 1], numbers[i + 2]}));
+    }
+    return name == "rotation" || name == "vertices" ? fmt::format("[{}]", fmt::join(points, ", ")) : points.front();
+}
+
+/// Returns an element; `more`: a last member, or empty.
+std::string element_object(const Element& element, const std::string& more) {
+    std::string text = fmt::format("{{\"kind\": \"{}\"", to_string(element.kind));
+    for (const auto& [name, numbers] : numbers_of(element)) {
+        text += fmt::format(", \"{}\": {}", name, numbers_text(name, numbers));
+    }
+    return text + more + "}";
+}
+
+void append_numbers(const Json& value, std::vector<double>& numbers) {
+    if (value.is_array()) {
+        for (const Json& item : value) {
+            append_numbers(item, numbers);
+        }
+        return;
+    }
+    numbers.push_back(value.get<double>());
+}
+
+Element read_element(const Json& object) {
+    std::string kind;
+    ElementNumbers numbers;
+    for (const auto& [name, value] : object.items()) {
+        if (name == "kind") {
+            kind = value.get<std::string>();
+        } else {
+            numbers.emplace_back(name, std::vector<double>{});
+            append_numbers(value, numbers.back().second);
+        }
+    }
+    return element_of(kind, numbers);
+}
+
 std::string level_array(const SphereTree::Level& level) {
-    std::vector<std::string> spheres;
+    std::vector<std::string> elements;
     CancellationCounter asking(1024);
+    const auto parent = [&](std::size_t i) {
+        return i < level.parents.size() ? fmt::format(", \"parent\": {}", level.parents[i]) : "";
+    };
     for (std::size_t i = 0; i < level.spheres.size(); ++i) {
         asking.check();
         const Sphere& s = level.spheres[i];
-        const std::string parent = i < level.parents.size() ? fmt::format(", \"parent\": {}", level.parents[i]) : "";
-        spheres.push_back(fmt::format("            {{\"center\": {}, \"radius\": {}{}}}", json_point(s.center),
-                                      number_text(s.radius), parent));
+        elements.push_back(fmt::format("            {{\"center\": {}, \"radius\": {}{}}}", json_point(s.center),
+                                       number_text(s.radius), parent(i)));
     }
-    return fmt::format("          [\n{}\n          ]", fmt::join(spheres, ",\n"));
+    for (std::size_t i = 0; i < level.others.size(); ++i) {
+        asking.check();
+        elements.push_back("            " + element_object(level.others[i], parent(level.spheres.size() + i)));
+    }
+    return fmt::format("          [\n{}\n          ]", fmt::join(elements, ",\n"));
 }
 
 std::string group_object(const SphereGroup& group) {
@@ -62,7 +114,10 @@ std::string group_object(const SphereGroup& group) {
 }
 
 std::string link_member(const LinkSpheres& link, const SphereModel& model) {
-    std::vector<std::string> spheres, groups;
+    std::vector<std::string> spheres, others, groups;
+    for (const Element& element : link.others) {
+        others.push_back("        " + element_object(element, ""));
+    }
     for (const Sphere& s : link.spheres) {
         spheres.push_back(fmt::format("        [{}, {}, {}, {}]", number_text(s.center.x), number_text(s.center.y),
                                       number_text(s.center.z), number_text(s.radius)));
@@ -72,8 +127,11 @@ std::string link_member(const LinkSpheres& link, const SphereModel& model) {
             groups.push_back(group_object(group));
         }
     }
-    return fmt::format("    {}: {{\n      \"spheres\": [\n{}\n      ],\n      \"groups\": [\n{}\n      ]\n    }}",
-                       json_text(link.link), fmt::join(spheres, ",\n"), fmt::join(groups, ",\n"));
+    const std::string elements =
+        others.empty() ? "" : fmt::format("      \"elements\": [\n{}\n      ],\n", fmt::join(others, ",\n"));
+    return fmt::format("    {}: {{\n      \"spheres\": [{}{}{}],\n{}      \"groups\": [\n{}\n      ]\n    }}",
+                       json_text(link.link), spheres.empty() ? "" : "\n", fmt::join(spheres, ",\n"),
+                       spheres.empty() ? "" : "\n      ", elements, fmt::join(groups, ",\n"));
 }
 
 } // namespace
@@ -81,28 +139,34 @@ std::string link_member(const LinkSpheres& link, const SphereModel& model) {
 std::string write_links_layout(const SphereModel& model) {
     require_writable(model);
     std::vector<std::string> links;
-    for (const LinkSpheres& link : spheres_by_link(model)) {
+    int version = 1;
+    for (const LinkSpheres& link : elements_by_link(model)) {
         links.push_back(link_member(link, model));
+        version = link.others.empty() ? version : 2;
     }
     const bool certified =
         !model.groups.empty() && std::all_of(model.groups.begin(), model.groups.end(),
                                              [](const SphereGroup& g) { return g.measures.certified; });
     return fmt::format(
-        "{{\n  \"foam_spheres\": 1,\n  \"name\": {},\n  \"robot\": {},\n  \"guarantee\": \"{}\",\n"
+        "{{\n  \"foam_spheres\": {},\n  \"name\": {},\n  \"robot\": {},\n  \"guarantee\": \"{}\",\n"
         "  \"certified\": {},\n  \"units\": \"m\",\n  \"frame\": \"link\",\n  \"links\": {{\n{}\n  }}\n}}\n",
-        json_text(model.name), json_text(model.robot ? model.robot->name : ""), guarantee_text(model.guarantee),
-        certified, fmt::join(links, ",\n"));
+        version, json_text(model.name), json_text(model.robot ? model.robot->name : ""),
+        guarantee_text(model.guarantee), certified, fmt::join(links, ",\n"));
 }
 
-SpheresByLink read_links_layout(const Json& document) {
-    if (document.at("foam_spheres") != 1) {
-        throw Error(ErrorCode::output, "JSON: foam_spheres is not 1: another version of the format");
+ElementsByLink read_links_layout(const Json& document) {
+    const Json& version = document.at("foam_spheres");
+    if (version != 1 && version != 2) {
+        throw Error(ErrorCode::output, "JSON: foam_spheres is neither 1 nor 2: another version of the format");
     }
-    SpheresByLink result;
+    ElementsByLink result;
     for (const auto& [name, link] : document.at("links").items()) {
         for (const Json& s : link.at("spheres")) {
-            result[name].push_back(
+            result[name].spheres.push_back(
                 {{s.at(0).get<double>(), s.at(1).get<double>(), s.at(2).get<double>()}, s.at(3).get<double>()});
+        }
+        for (const Json& element : link.value("elements", Json::array())) {
+            add(result[name], read_element(element));
         }
     }
     return result;

@@ -6,6 +6,7 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
+#include <foam/sdk/elements.hpp>
 
 #include <algorithm>
 
@@ -16,7 +17,11 @@ std::string depth_object(const SphereGroup& group, std::size_t depth, const std:
                          const std::string& indent) {
     std::vector<std::string> spheres;
     CancellationCounter asking(1024);
-    for (const Sphere& s : group.tree.levels[depth].spheres) {
+    Approximation::Level level = group.tree.levels[depth];
+    for (const Element& element : group.tree.levels[depth].others) { // all of kind sphere: require_spheres()
+        add(level, element);
+    }
+    for (const Sphere& s : level.spheres) {
         asking.check();
         spheres.push_back(
             fmt::format("{}  {{\"origin\": {}, \"radius\": {}}}", indent, json_point(s.center), number_text(s.radius)));
@@ -45,8 +50,24 @@ std::string geometry_of(const SphereGroup& group) {
 
 } // namespace
 
-std::string write_original_layout(const SphereModel& model) {
+void require_spheres(const SphereModel& model) {
     require_writable(model);
+    for (const SphereGroup& group : model.groups) {
+        for (const SphereTree::Level& level : group.tree.levels) {
+            for (const Element& element : level.others) {
+                if (element.kind != Element::Kind::sphere) {
+                    throw Error(ErrorCode::output,
+                                fmt::format("link '{}' has a {}, and the layouts of CoMMALab/foam hold spheres only; "
+                                            "remedy: layout: links",
+                                            group.link, to_string(element.kind)));
+                }
+            }
+        }
+    }
+}
+
+std::string write_original_layout(const SphereModel& model) {
+    require_spheres(model);
     std::map<std::string, int> uses;
     std::vector<std::string> members;
     for (const SphereGroup& group : model.groups) {
@@ -65,7 +86,7 @@ std::string write_original_layout(const SphereModel& model) {
 }
 
 std::string write_original_mesh_layout(const SphereModel& model) {
-    require_writable(model);
+    require_spheres(model);
     if (model.groups.size() != 1) {
         throw Error(
             ErrorCode::output,
@@ -80,12 +101,12 @@ std::string write_original_mesh_layout(const SphereModel& model) {
     return fmt::format("[\n{}\n]\n", fmt::join(depths, ",\n"));
 }
 
-SpheresByLink read_original_layout(const Json& document) {
-    SpheresByLink result;
+ElementsByLink read_original_layout(const Json& document) {
+    ElementsByLink result;
     const auto add = [&](const std::string& link, const Json& spheres) {
         for (const Json& s : spheres) {
             const Json& origin = s.at("origin");
-            result[link].push_back(
+            result[link].spheres.push_back(
                 {{origin.at(0).get<double>(), origin.at(1).get<double>(), origin.at(2).get<double>()},
                  s.at("radius").get<double>()});
         }

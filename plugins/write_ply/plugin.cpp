@@ -4,16 +4,22 @@
 // form: surface  element vertex and face: the spheres as icospheres, for viewers, the robot standing in its zero pose;
 //                element sphere: x, y, z, radius, link
 //
+// Elements of other kinds are the rows of a last element `other`: link, kind (0 sphere, 1 capsule, 2 cylinder, 3 box, 4
+// swept box, 5 hull) and a list of numbers: position, rotation by rows, length or edges, radius, or corners.
+//
 // `link` is an index into the "comment link INDEX NAME" lines; control characters and % in names are percent-encoded
 // there.
 #include "icosphere.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
+#include <foam/sdk/elements.hpp>
 #include <foam/sdk/plugin.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 
 namespace foam {
@@ -65,6 +71,62 @@ std::string sphere_rows(const std::vector<LinkSpheres>& links) {
     return text;
 }
 
+/// Returns the names of the numbers of a kind, and how many each has; 0: the rest.
+std::vector<std::pair<std::string, std::size_t>> columns_of(Element::Kind kind) {
+    using Kind = Element::Kind;
+    std::vector<std::pair<std::string, std::size_t>> columns{{"position", 3}, {"rotation", 9}};
+    if (kind == Kind::capsule || kind == Kind::cylinder) {
+        columns.emplace_back("length", 1);
+    } else if (kind == Kind::box || kind == Kind::swept_box) {
+        columns.emplace_back("size", 3);
+    }
+    if (kind == Kind::hull) {
+        columns.emplace_back("vertices", 0);
+    } else if (kind != Kind::box) {
+        columns.emplace_back("radius", 1);
+    }
+    return columns;
+}
+
+std::size_t count_others(const std::vector<LinkSpheres>& links) {
+    std::size_t result = 0;
+    for (const LinkSpheres& link : links) {
+        result += link.others.size();
+    }
+    return result;
+}
+
+/// Returns the declaration of the rows of other_rows(); empty if there are none.
+std::string other_header(const std::vector<LinkSpheres>& links) {
+    const std::size_t others = count_others(links);
+    return others == 0 ? ""
+                       : fmt::format("element other {}\nproperty int link\nproperty int kind\n"
+                                     "property list int double numbers\n",
+                                     others);
+}
+
+std::string other_rows(const std::vector<LinkSpheres>& links) {
+    std::string text;
+    for (std::size_t i = 0; i < links.size(); ++i) {
+        for (const Element& element : links[i].others) {
+            std::string numbers;
+            std::size_t count = 0;
+            const ElementNumbers all = numbers_of(element);
+            for (const auto& [name, size] : columns_of(element.kind)) {
+                const auto found = std::find_if(all.begin(), all.end(),
+                                                [&, &wanted = name](const auto& n) { return n.first == wanted; });
+                const std::vector<double> none{1, 0, 0, 0, 1, 0, 0, 0, 1}; // a rotation that is not stated
+                for (const double number : found == all.end() ? none : found->second) {
+                    numbers += ' ' + number_text(number);
+                    ++count;
+                }
+            }
+            text += fmt::format("{} {} {}{}\n", i, static_cast<int>(element.kind), count, numbers);
+        }
+    }
+    return text;
+}
+
 std::size_t count(const std::vector<LinkSpheres>& links) {
     std::size_t result = 0;
     for (const LinkSpheres& link : links) {
@@ -74,8 +136,9 @@ std::size_t count(const std::vector<LinkSpheres>& links) {
 }
 
 std::string as_points(const std::vector<LinkSpheres>& links) {
-    return header_of(links) + fmt::format("element vertex {}\n{}end_header\n", count(links), sphere_properties) +
-           sphere_rows(links);
+    return header_of(links) +
+           fmt::format("element vertex {}\n{}{}end_header\n", count(links), sphere_properties, other_header(links)) +
+           sphere_rows(links) + other_rows(links);
 }
 
 std::string as_surface(const std::vector<LinkSpheres>& links, const std::map<std::string, Pose>& poses,
@@ -83,27 +146,40 @@ std::string as_surface(const std::vector<LinkSpheres>& links, const std::map<std
     const Mesh unit = icosphere(subdivisions);
     const std::size_t spheres = count(links);
     std::string vertices, faces;
-    std::size_t first = 0;
+    std::size_t first = 0, triangles = spheres * unit.triangles.size();
+    const auto add_faces = [&](const Mesh& mesh) {
+        for (const auto& [a, b, c] : mesh.triangles) {
+            faces += fmt::format("3 {} {} {}\n", first + a, first + b, first + c);
+        }
+        first += mesh.vertices.size();
+    };
+    const auto add_vertex = [&](const Vec3& p) {
+        vertices += number_text(p.x) + ' ' + number_text(p.y) + ' ' + number_text(p.z) + '\n';
+    };
     for (const LinkSpheres& link : links) {
         context.check_cancelled();
         const auto pose = poses.find(link.link);
         for (const Sphere& s : link.spheres) {
             const Vec3 center = pose == poses.end() ? s.center : pose->second * s.center;
             for (const Vec3& direction : unit.vertices) {
-                const Vec3 p = center + direction * s.radius;
-                vertices += number_text(p.x) + ' ' + number_text(p.y) + ' ' + number_text(p.z) + '\n';
+                add_vertex(center + direction * s.radius);
             }
-            for (const auto& [a, b, c] : unit.triangles) {
-                faces += fmt::format("3 {} {} {}\n", first + a, first + b, first + c);
+            add_faces(unit);
+        }
+        for (const Element& element : link.others) {
+            const Mesh mesh = enclosing_mesh(element, 8 << subdivisions); // about as fine as the spheres
+            for (const Vec3& p : mesh.vertices) {
+                add_vertex(pose == poses.end() ? p : pose->second * p);
             }
-            first += unit.vertices.size();
+            add_faces(mesh);
+            triangles += mesh.triangles.size();
         }
     }
     return header_of(links) +
            fmt::format("element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
-                       "element face {}\nproperty list uchar int vertex_indices\nelement sphere {}\n{}end_header\n",
-                       spheres * unit.vertices.size(), spheres * unit.triangles.size(), spheres, sphere_properties) +
-           vertices + faces + sphere_rows(links);
+                       "element face {}\nproperty list uchar int vertex_indices\nelement sphere {}\n{}{}end_header\n",
+                       first, triangles, spheres, sphere_properties, other_header(links)) +
+           vertices + faces + sphere_rows(links) + other_rows(links);
 }
 
 /// Reads the files of write(): lines and words of an ASCII PLY.
@@ -111,14 +187,17 @@ class PlyReader {
 public:
     explicit PlyReader(std::string_view text) : rest_(text) {}
 
-    std::map<std::string, std::vector<Sphere>> read() {
+    std::map<std::string, Approximation::Level> read() {
         read_header();
-        std::map<std::string, std::vector<Sphere>> result;
-        for (const auto& [element, rows] : elements_) {
-            for (std::size_t row = 0; row < rows; ++row) {
+        std::map<std::string, Approximation::Level> result;
+        const std::size_t last = elements_.size() - (elements_.back().first == "other" && elements_.size() > 1 ? 2 : 1);
+        for (std::size_t i = 0; i < elements_.size(); ++i) {
+            for (std::size_t row = 0; row < elements_[i].second; ++row) {
                 const std::string_view text = line();
-                if (element == elements_.back().first) {
+                if (i == last) {
                     read_sphere(text, result);
+                } else if (i > last) {
+                    read_other(text, result);
                 }
             }
         }
@@ -157,7 +236,7 @@ private:
         return value;
     }
 
-    /// Reads the header. The spheres are the rows of the last element in both forms.
+    /// Reads the header. The spheres are the rows of the last element in both forms, but for `other`.
     void read_header() {
         if (line() != "ply" || line() != "format ascii 1.0") {
             fail("not an ASCII PLY file");
@@ -177,21 +256,57 @@ private:
         }
     }
 
-    void read_sphere(std::string_view text, std::map<std::string, std::vector<Sphere>>& result) const {
-        std::array<double, 4> values{};
-        for (double& value : values) {
-            const std::string_view number = word(text);
-            const std::optional<double> parsed = parse_number(number);
-            if (!parsed) {
-                fail(fmt::format("'{}' is not a finite number", shown(number)));
-            }
-            value = *parsed;
+    double number(std::string_view& text) const {
+        const std::string_view number = word(text);
+        const std::optional<double> parsed = parse_number(number);
+        if (!parsed) {
+            fail(fmt::format("'{}' is not a finite number", shown(number)));
         }
+        return *parsed;
+    }
+
+    const std::string& link_named(std::string_view text) const {
         const auto name = names_.find(whole_number(text));
         if (name == names_.end()) {
             fail(fmt::format("no comment names link {}", text));
         }
-        result[name->second].push_back({{values[0], values[1], values[2]}, values[3]});
+        return name->second;
+    }
+
+    void read_sphere(std::string_view text, std::map<std::string, Approximation::Level>& result) const {
+        std::array<double, 4> values{};
+        for (double& value : values) {
+            value = number(text);
+        }
+        result[link_named(text)].spheres.push_back({{values[0], values[1], values[2]}, values[3]});
+    }
+
+    void read_other(std::string_view text, std::map<std::string, Approximation::Level>& result) const {
+        const std::string& link = link_named(word(text));
+        const std::size_t kind = whole_number(word(text)), count = whole_number(word(text));
+        if (kind >= element_kinds) {
+            fail(fmt::format("there is no kind {}; the last is {}", kind, element_kinds - 1));
+        }
+        std::vector<double> values;
+        while (!text.empty()) {
+            values.push_back(number(text));
+        }
+        ElementNumbers numbers;
+        std::size_t at = 0;
+        for (const auto& [name, size] : columns_of(static_cast<Element::Kind>(kind))) {
+            const std::size_t end = size == 0 ? values.size() : at + size;
+            if (count != values.size() || end > values.size()) {
+                fail(fmt::format("the list has {} numbers", values.size()));
+            }
+            numbers.emplace_back(name, std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(at),
+                                                           values.begin() + static_cast<std::ptrdiff_t>(end)));
+            at = end;
+        }
+        try {
+            add(result[link], element_of(to_string(static_cast<Element::Kind>(kind)), numbers));
+        } catch (const Error& error) {
+            fail(error.what());
+        }
     }
 
     std::string_view rest_;
@@ -208,7 +323,7 @@ public:
           level_(static_cast<int>(parameters.integer("level"))) {}
 
     std::string write(const SphereModel& model, Context& context) const override {
-        const std::vector<LinkSpheres> links = spheres_by_link(model, level_);
+        const std::vector<LinkSpheres> links = elements_by_link(model, level_);
         if (!surface_) {
             return as_points(links);
         }
@@ -217,6 +332,15 @@ public:
     }
 
     std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override {
+        std::map<std::string, std::vector<Sphere>> result;
+        for (auto& [link, elements] : read_elements(bytes, {})) {
+            result[link] = std::move(elements.spheres);
+        }
+        return result;
+    }
+
+    std::map<std::string, Approximation::Level>
+    read_elements(const std::string& bytes, const std::map<std::string, std::string>&) const override {
         return PlyReader(bytes).read();
     }
 
@@ -246,8 +370,8 @@ FOAM_PLUGIN("write_ply", "1.0", "Apache-2.0") {
     using foam::Parameter;
     enrol.add<foam::PlyWriter>(
         {.name = "write.ply",
-         .summary =
-             "Writes the spheres of all links, each in its link's frame, as a PLY point set or as surfaces to look at.",
+         .summary = "Writes the elements of all links, each in its link's frame, as a PLY point set or as surfaces to "
+                    "look at.",
          .reference = "Turk 1994, The PLY polygon file format",
          .parameters = {Parameter::choice("form", {"points", "surface"}, "points")
                             .doc("points: one vertex with a radius a sphere; surface: triangles.")
@@ -260,9 +384,10 @@ FOAM_PLUGIN("write_ply", "1.0", "Apache-2.0") {
                             .bounds(-1, 32)
                             .doc("Level of the sphere trees that is written: 0 the bounding spheres, -1 the finest.")
                             .source("The finest level is the one that is measured and proved.")},
-         .extensions = {"ply"}});
+         .extensions = {"ply"},
+         .kinds = foam::every_kind()});
     enrol.add<foam::PlyModelReader>({.name = "read.ply",
-                                     .summary = "Reads the spheres of a file of write.ply.",
+                                     .summary = "Reads the spheres and other elements of a file of write.ply.",
                                      .reference = "Turk 1994, The PLY polygon file format",
                                      .extensions = {"ply"},
                                      .uses = {"write.ply"}});

@@ -5,7 +5,7 @@
 
 namespace foam::scene {
 
-std::array<double, 4> quaternion(const Pose& pose) {
+std::array<double, 4> message_quaternion(const Pose& pose) {
     const auto& [a, b, c] = pose.rotation;
     // The largest of the four components is computed by a root, the others from it: no digits cancel (Shepperd 1978).
     const std::array<double, 4> squares{1 + a.x - b.y - c.z, 1 - a.x + b.y - c.z, 1 - a.x - b.y + c.z,

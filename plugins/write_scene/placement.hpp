@@ -8,6 +8,6 @@
 namespace foam::scene {
 
 /// Returns the rotation as a unit quaternion x, y, z, w, with w >= 0.
-std::array<double, 4> quaternion(const Pose& pose);
+std::array<double, 4> message_quaternion(const Pose& pose);
 
 } // namespace foam::scene

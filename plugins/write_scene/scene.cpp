@@ -5,6 +5,9 @@
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
+#include <foam/geometry/element_forms.hpp>
+#include <foam/geometry/rotation.hpp>
+#include <foam/sdk/elements.hpp>
 #include <foam/sdk/planning.hpp>
 
 #include <fmt/format.h>
@@ -39,8 +42,32 @@ std::string point_text(const Vec3& p) {
     return number_text(p.x) + ' ' + number_text(p.y) + ' ' + number_text(p.z) + '\n';
 }
 
+constexpr const char* no_colour = "0 0 0 0\n";
+
+/// Returns a shape of MoveIt: what it is, its place and its colour.
+std::string shape_text(const Element& element) {
+    if (element.kind == Element::Kind::hull) {
+        const Mesh& mesh = element.hull->surface;
+        std::string text = fmt::format("mesh\n{} {}\n", mesh.vertices.size(), mesh.triangles.size());
+        for (const Vec3& p : mesh.vertices) {
+            text += point_text(p);
+        }
+        for (const auto& [a, b, c] : mesh.triangles) {
+            text += fmt::format("{} {} {}\n", a, b, c);
+        }
+        return text + point_text(element.pose.translation) + "0 0 0 1\n" + no_colour;
+    }
+    const auto [x, y, z, w] = message_quaternion(element.pose);
+    const Element stated = stated_at(element, from_quaternion(element.pose.translation, {w, x, y, z}));
+    return (stated.kind == Element::Kind::box
+                ? "box\n" + point_text(stated.half * 2)
+                : "cylinder\n" + number_text(stated.radius) + ' ' + number_text(2 * stated.half.z) + '\n') +
+           point_text(stated.pose.translation) +
+           fmt::format("{} {} {} {}\n", number_text(x), number_text(y), number_text(z), number_text(w)) + no_colour;
+}
+
 std::string pose_text(const Pose& pose) {
-    const auto [x, y, z, w] = quaternion(pose);
+    const auto [x, y, z, w] = message_quaternion(pose);
     return point_text(pose.translation) + number_text(x) + ' ' + number_text(y) + ' ' + number_text(z) + ' ' +
            number_text(w) + '\n';
 }
@@ -50,7 +77,7 @@ std::string pose_text(const Pose& pose) {
 std::string scene_text(const SphereModel& model, bool old_format) {
     const std::map<std::string, Pose> poses = placed_links(model);
     std::string text = first_line(model.name);
-    for (const LinkSpheres& link : spheres_by_link(model)) {
+    for (const LinkSpheres& link : in_known_kinds(elements_by_link(model), {.capsules = false})) {
         require_name(link.link);
         const auto found = poses.find(link.link);
         const Pose pose = found == poses.end() ? Pose{} : found->second;
@@ -62,11 +89,15 @@ std::string scene_text(const SphereModel& model, bool old_format) {
                             shown(link.link)));
         }
         text +=
-            "* " + link.link + '\n' + (old_format ? "" : pose_text(pose)) + std::to_string(link.spheres.size()) + '\n';
+            "* " + link.link + '\n' + (old_format ? "" : pose_text(pose)) + std::to_string(link.view().size()) + '\n';
         CancellationCounter asking(1024);
         for (const Sphere& s : link.spheres) {
             asking.check();
             text += "sphere\n" + number_text(s.radius) + '\n' + point_text(s.center) + "0 0 0 1\n0 0 0 0\n";
+        }
+        for (const Element& element : link.others) {
+            asking.check();
+            text += shape_text(element);
         }
         text += old_format ? "" : "0\n"; // subframes
     }

@@ -3,11 +3,15 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
+#include <foam/geometry/element_forms.hpp>
+#include <foam/geometry/rotation.hpp>
+#include <foam/sdk/elements.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
 #include <set>
 
 namespace foam::scene {
@@ -92,59 +96,92 @@ private:
     int line_ = 1;
 };
 
-Vec3 read_pose(Words& words) {
+Pose read_pose(Words& words) {
     const Vec3 position = words.point();
-    words.skip_numbers(4, "a quaternion");
-    return position;
+    const double x = words.number("a quaternion"), y = words.number("a quaternion"), z = words.number("a quaternion"),
+                 w = words.number("a quaternion");
+    const bool none = x == 0 && y == 0 && z == 0 && w == 0;
+    return none ? Pose{.translation = position} : from_quaternion(position, {w, x, y, z});
 }
 
-/// Reads the size of a shape that is no sphere.
-void skip_shape(std::string_view kind, Words& words) {
-    if (kind == "mesh") {
-        const std::size_t vertices = words.count("the number of vertices");
-        const std::size_t triangles = words.count("the number of triangles");
-        words.skip_numbers(3 * vertices, "a vertex");
-        words.skip_numbers(3 * triangles, "a triangle");
-        return;
+std::shared_ptr<const Polytope> read_mesh(Words& words) {
+    const std::size_t vertices = words.count("the number of vertices");
+    const std::size_t triangles = words.count("the number of triangles");
+    std::vector<Vec3> corners;
+    for (std::size_t i = 0; i < vertices; ++i) {
+        corners.push_back(words.point());
     }
-    const std::size_t sizes = kind == "box" ? 3 : kind == "plane" ? 4 : kind == "cylinder" || kind == "cone" ? 2 : 0;
+    Mesh mesh{std::move(corners), {}};
+    for (std::size_t i = 0; i < triangles; ++i) {
+        Triangle triangle{};
+        for (std::uint32_t& corner : triangle) {
+            corner = words.count("a corner");
+            if (corner >= vertices) {
+                words.fail(fmt::format("a triangle has corner {}, of {}", corner, vertices));
+            }
+        }
+        mesh.triangles.push_back(triangle);
+    }
+    return hull_if_convex(mesh);
+}
+
+/// Reads the size of a shape. Returns nothing for one that is no convex element.
+std::optional<Element> read_shape(std::string_view kind, Words& words) {
+    if (kind == "sphere") {
+        return Element{.kind = Element::Kind::sphere, .radius = words.number("a radius")};
+    }
+    if (kind == "box") {
+        return Element{.kind = Element::Kind::box, .half = words.point() * 0.5};
+    }
+    if (kind == "cylinder") {
+        const double radius = words.number("a size"), length = words.number("a size");
+        return Element{.kind = Element::Kind::cylinder, .half = {0, 0, length / 2}, .radius = radius};
+    }
+    if (kind == "mesh") {
+        Element element{.kind = Element::Kind::hull};
+        element.hull = read_mesh(words);
+        return element.hull ? std::optional(element) : std::nullopt;
+    }
+    const std::size_t sizes = kind == "plane" ? 4 : kind == "cone" ? 2 : 0;
     if (sizes == 0) {
         words.fail(fmt::format("unknown shape '{}'", kind));
     }
     words.skip_numbers(sizes, "a size");
+    return {};
 }
 
 void read_object(Words& words, bool old_format, SphereFile& result) {
     const std::string name(words.line());
     if (!old_format) {
-        read_pose(words); // spheres are asked for in the frame of their link, not in the world
+        read_pose(words); // elements are asked for in the frame of their link, not in the world
     }
-    std::set<std::string> others;
-    std::vector<Sphere> spheres;
+    std::set<std::string> left_out;
+    Approximation::Level elements;
     for (std::uint32_t left = words.count("the number of shapes"); left > 0; --left) {
         const std::string kind(words.word("a shape"));
-        const double radius = kind == "sphere" ? words.number("a radius") : 0;
-        if (kind != "sphere") {
-            skip_shape(kind, words);
-            others.insert(kind);
-        }
-        const Vec3 center = read_pose(words);
+        std::optional<Element> element = read_shape(kind, words);
+        const Pose pose = read_pose(words);
         words.skip_numbers(4, "a colour");
-        if (kind == "sphere") {
-            spheres.push_back({center, radius});
+        if (element) {
+            element->pose = pose;
+            add(elements, *element);
+        } else {
+            left_out.insert(kind);
         }
     }
     for (std::uint32_t left = old_format ? 0 : words.count("the number of subframes"); left > 0; --left) {
         words.word("a subframe");
         read_pose(words);
     }
-    if (!others.empty()) {
-        result.notes.push_back(fmt::format("object '{}' has shapes other than spheres ({}), which are not judged",
-                                           shown(name), fmt::join(others, ", ")));
+    if (!left_out.empty()) {
+        result.notes.push_back(fmt::format("object '{}' has shapes that are no convex elements ({}), which are not "
+                                           "judged",
+                                           shown(name), fmt::join(left_out, ", ")));
     }
-    if (!spheres.empty()) {
-        std::vector<Sphere>& target = spheres_of(result, name);
-        target.insert(target.end(), spheres.begin(), spheres.end());
+    if (elements.size() > 0) {
+        LinkSpheres& target = link_of(result, name);
+        target.spheres.insert(target.spheres.end(), elements.spheres.begin(), elements.spheres.end());
+        target.others.insert(target.others.end(), elements.others.begin(), elements.others.end());
     }
 }
 

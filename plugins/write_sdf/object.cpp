@@ -4,6 +4,8 @@
 #include <foam/base/error.hpp>
 #include <foam/base/markup.hpp>
 #include <foam/base/text.hpp>
+#include <foam/geometry/element_forms.hpp>
+#include <foam/geometry/rotation.hpp>
 
 #include <fmt/format.h>
 
@@ -38,10 +40,46 @@ std::string collision_text(std::size_t index, const Sphere& s) {
                        number_text(s.radius));
 }
 
+std::string vector_text(const Vec3& v) {
+    return number_text(v.x) + ' ' + number_text(v.y) + ' ' + number_text(v.z);
+}
+
+/// Returns the <geometry> of an element that is no sphere; `hull`: the reference to the mesh of a hull.
+std::string geometry_text(const Element& element, const std::string& hull) {
+    switch (element.kind) {
+    case Element::Kind::box:
+        return "<box><size>" + vector_text(element.half * 2) + "</size></box>";
+    case Element::Kind::hull:
+        return "<mesh><uri>" + markup_escaped(hull) + "</uri></mesh>";
+    default: // SDF's length, too, is without caps
+        return fmt::format("<{0}><radius>{1}</radius><length>{2}</length></{0}>", to_string(element.kind),
+                           number_text(element.radius), number_text(2 * element.half.z));
+    }
+}
+
+std::string collision_text(std::size_t index, const Element& element, const std::string& hull) {
+    Vec3 rpy;
+    Element stated = element;
+    if (element.kind != Element::Kind::hull) { // which has no rotation: float32_hull()
+        rpy = short_roll_pitch_yaw(element.pose);
+        stated = stated_at(element, Pose::from_xyz_rpy(element.pose.translation, rpy));
+    }
+    return fmt::format("      <collision name=\"{}_{}\">\n"
+                       "        <pose>{} {}</pose>\n"
+                       "        <geometry>{}</geometry>\n"
+                       "      </collision>\n",
+                       to_string(element.kind), index, vector_text(element.pose.translation), vector_text(rpy),
+                       geometry_text(stated, hull));
+}
+
 } // namespace
 
-std::string object_text(const SphereModel& model, bool is_static) {
-    const std::vector<LinkSpheres> links = spheres_by_link(model);
+std::string file_name_of(const SphereModel& model) {
+    return model.file.empty() ? model.name + ".sdf" : model.file;
+}
+
+std::string object_text(const SphereModel& model, bool is_static, const KnownKinds& known) {
+    const std::vector<LinkSpheres> links = in_known_kinds(elements_by_link(model), known);
     if (links.size() != 1) {
         throw Error(ErrorCode::output, fmt::format("write.sdf writes objects of one link, the model has {}; remedy: "
                                                    "write.urdf for a robot, Gazebo reads it",
@@ -59,6 +97,12 @@ std::string object_text(const SphereModel& model, bool is_static) {
     for (std::size_t i = 0; i < link.spheres.size(); ++i) {
         asking.check();
         text += collision_text(i, link.spheres[i]);
+    }
+    HullNames names(file_name_of(model));
+    for (std::size_t i = 0; i < link.others.size(); ++i) {
+        asking.check();
+        text += collision_text(link.spheres.size() + i, link.others[i],
+                               link.others[i].kind == Element::Kind::hull ? names.next(link.link) : "");
     }
     return text + "    </link>\n  </model>\n</sdf>\n";
 }

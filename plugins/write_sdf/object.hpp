@@ -1,19 +1,25 @@
 // SDF files of objects, as Gazebo reads them.
 #pragma once
 
-#include <foam/sdk/model.hpp>
+#include <foam/sdk/elements.hpp>
 
+#include <functional>
 #include <string>
 #include <string_view>
 
 namespace foam::sdf {
 
 /// Returns the file of a model with one link. Throws Error(output) for other models, and for names that SDF refuses.
-std::string object_text(const SphereModel& model, bool is_static);
+/// Hulls are meshes beside it, of hull_files().
+std::string object_text(const SphereModel& model, bool is_static, const KnownKinds& known);
+/// Returns the name of the file that is written, or one after the model where it is not known.
+std::string file_name_of(const SphereModel& model);
 
 /// Returns whether an XML text has the root element <sdf>.
 bool is_sdf(std::string_view text);
-/// Returns the spheres of all links of all models, in link frames. Throws Error(input) naming file, line and reason.
-SphereFile read_sdf(const std::string& text, const std::filesystem::path& file);
+/// Returns the text of a mesh of a hull by its URI; empty for any other.
+using MeshText = std::function<std::string(const std::string& uri)>;
+/// Returns the elements of all links of all models, in link frames. Throws Error(input) naming file, line and reason.
+SphereFile read_sdf(const std::string& text, const std::filesystem::path& file, const MeshText& mesh_text);
 
 } // namespace foam::sdf

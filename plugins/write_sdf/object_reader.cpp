@@ -2,23 +2,27 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
+#include <foam/geometry/rotation.hpp>
 #include <foam/xml/document.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
+#include <optional>
 #include <set>
 
 namespace foam::sdf {
 namespace {
 
-using xml::Element;
+using Node = xml::Element;
 
 /// Reads links of models within models.
 class Reader {
 public:
-    Reader(std::string_view text, const std::filesystem::path& file)
-        : text_(text), result_{.file = file, .format = "SDF", .links = {}, .fixed_joints = {}, .notes = {}} {}
+    Reader(std::string_view text, const std::filesystem::path& file, const MeshText& mesh_text)
+        : text_(text),
+          mesh_text_(mesh_text), result_{.file = file, .format = "SDF", .links = {}, .fixed_joints = {}, .notes = {}} {}
 
     SphereFile read() {
         const auto root = xml::parse(text_, result_.file.string(), ErrorCode::input);
@@ -26,11 +30,11 @@ public:
             fail(*root, fmt::format("the root element is <{}>, not <sdf>", root->name));
         }
         std::size_t models = root->children_named("model").size();
-        for (const Element* world : root->children_named("world")) {
+        for (const Node* world : root->children_named("world")) {
             models += world->children_named("model").size();
         }
         read_models(*root, "", models > 1);
-        for (const Element* world : root->children_named("world")) {
+        for (const Node* world : root->children_named("world")) {
             read_models(*world, "", models > 1);
         }
         if (models == 0) {
@@ -40,11 +44,11 @@ public:
     }
 
 private:
-    [[noreturn]] void fail(const Element& at, const std::string& why) const {
+    [[noreturn]] void fail(const Node& at, const std::string& why) const {
         throw Error(ErrorCode::input, fmt::format("{}:{}: {}", result_.file.string(), at.line, shown(why)));
     }
 
-    const std::string& name_of(const Element& element) const {
+    const std::string& name_of(const Node& element) const {
         const std::string* name = element.attribute("name");
         if (!name || name->empty()) {
             fail(element, fmt::format("<{}> has no name", element.name));
@@ -53,54 +57,96 @@ private:
     }
 
     /// Reads the models of an element; those within others, which are at most as deep as the parser allows.
-    void read_models(const Element& holder, const std::string& scope, bool scoped) {
-        for (const Element* model : holder.children_named("model")) {
+    void read_models(const Node& holder, const std::string& scope, bool scoped) {
+        for (const Node* model : holder.children_named("model")) {
             const std::string inner = scoped ? scope + name_of(*model) + "::" : scope;
-            for (const Element* link : model->children_named("link")) {
+            for (const Node* link : model->children_named("link")) {
                 read_link(*link, inner);
             }
             read_models(*model, inner, true);
         }
     }
 
-    void read_link(const Element& link, const std::string& scope) {
+    void read_link(const Node& link, const std::string& scope) {
         const std::string& own_name = name_of(link);
-        std::set<std::string> others;
-        std::vector<Sphere> spheres;
-        for (const Element* collision : link.children_named("collision")) {
-            const Element* geometry = collision->child("geometry");
-            const Element* sphere = geometry ? geometry->child("sphere") : nullptr;
-            const Element* pose = collision->child("pose");
-            if (!sphere) {
-                others.insert(geometry && !geometry->children.empty() ? geometry->children.front()->name : "none");
+        std::set<std::string> left_out;
+        Approximation::Level elements;
+        for (const Node* collision : link.children_named("collision")) {
+            const Node* geometry = collision->child("geometry");
+            const Node* shape = geometry && !geometry->children.empty() ? geometry->children.front().get() : nullptr;
+            std::optional<Element> element = shape ? read_shape(*shape) : std::nullopt;
+            if (!element) {
+                left_out.insert(shape ? shape->name : "none");
                 continue;
             }
+            const Node* pose = collision->child("pose");
             const std::string* frame = pose ? pose->attribute("relative_to") : nullptr;
             if (frame && !frame->empty() && *frame != own_name) {
-                fail(*pose,
-                     fmt::format("the sphere is placed in the frame '{}'; remedy: give its place in the frame of "
-                                 "its link, without relative_to",
-                                 *frame));
+                fail(*pose, fmt::format("the {} is placed in the frame '{}'; remedy: give its place in the frame of "
+                                        "its link, without relative_to",
+                                        to_string(element->kind), *frame));
             }
-            spheres.push_back({pose ? position(*pose) : Vec3{}, radius(*sphere)});
+            element->pose = pose ? read_pose(*pose) : Pose{};
+            add(elements, *element);
         }
-        if (!others.empty()) {
+        if (!left_out.empty()) {
             result_.notes.push_back(
-                fmt::format("link '{}' has collision geometry other than spheres ({}), which is not judged",
-                            scope + own_name, fmt::join(others, ", ")));
+                fmt::format("link '{}' has collision geometry that is no convex element ({}), which is not judged",
+                            scope + own_name, fmt::join(left_out, ", ")));
         }
-        if (!spheres.empty()) {
-            std::vector<Sphere>& target = spheres_of(result_, scope + own_name);
-            target.insert(target.end(), spheres.begin(), spheres.end());
+        if (elements.size() > 0) {
+            LinkSpheres& target = link_of(result_, scope + own_name);
+            target.spheres.insert(target.spheres.end(), elements.spheres.begin(), elements.spheres.end());
+            target.others.insert(target.others.end(), elements.others.begin(), elements.others.end());
         }
     }
 
-    std::vector<double> numbers(const Element& element) const {
+    /// Returns the element of a shape, at the origin; nothing for one that is no convex element.
+    std::optional<Element> read_shape(const Node& shape) const {
+        using Kind = Element::Kind;
+        if (shape.name == "sphere") {
+            return Element{.kind = Kind::sphere, .radius = number_in(shape, "radius")};
+        }
+        if (shape.name == "capsule" || shape.name == "cylinder") {
+            return Element{.kind = shape.name == "capsule" ? Kind::capsule : Kind::cylinder,
+                           .half = {0, 0, number_in(shape, "length") / 2},
+                           .radius = number_in(shape, "radius")};
+        }
+        if (shape.name == "box") {
+            const Node* size = shape.child("size");
+            const std::vector<double> values = size ? numbers(*size) : std::vector<double>{};
+            if (values.size() != 3) {
+                fail(size ? *size : shape, "a box needs a <size> of three numbers");
+            }
+            return Element{.kind = Kind::box, .half = Vec3{values[0], values[1], values[2]} * 0.5};
+        }
+        return shape.name == "mesh" ? read_hull(shape) : std::nullopt;
+    }
+
+    /// Returns the hull of a mesh file that is there, of foam's name.
+    std::optional<Element> read_hull(const Node& mesh) const {
+        const Node* uri = mesh.child("uri");
+        if (!uri || mesh.child("scale") || mesh.child("submesh")) {
+            return {};
+        }
+        const std::string_view content = content_of(*uri);
+        const std::string name(words(content).empty() ? std::string_view() : words(content).front());
+        const std::string text = mesh_text_(name);
+        try {
+            return text.empty() ? std::nullopt : std::optional(hull_of(text));
+        } catch (const Error& error) {
+            fail(*uri, fmt::format("{}: {}", name, error.what()));
+        }
+    }
+
+    std::string_view content_of(const Node& element) const {
+        return element.self_closing() ? std::string_view()
+                                      : text_.substr(element.start_tag.end, element.end_tag - element.start_tag.end);
+    }
+
+    std::vector<double> numbers(const Node& element) const {
         std::vector<double> result;
-        const std::string_view content =
-            element.self_closing() ? std::string_view()
-                                   : text_.substr(element.start_tag.end, element.end_tag - element.start_tag.end);
-        for (const std::string_view word : words(content)) {
+        for (const std::string_view word : words(content_of(element))) {
             const std::optional<double> value = parse_number(word);
             if (!value) {
                 fail(element, fmt::format("<{}>: '{}' is not a finite number", element.name, word));
@@ -110,24 +156,39 @@ private:
         return result;
     }
 
-    Vec3 position(const Element& pose) const {
-        const std::vector<double> values = numbers(pose);
-        if (!values.empty() && values.size() != 6 && values.size() != 7) { // 7: with a quaternion
-            fail(pose, fmt::format("<pose> has {} numbers; expected are 6", values.size()));
+    Pose read_pose(const Node& pose) const {
+        const std::vector<double> v = numbers(pose);
+        const std::string* format = pose.attribute("rotation_format");
+        const std::string* degrees = pose.attribute("degrees");
+        if (!v.empty() && v.size() != (format && *format == "quat_xyzw" ? 7 : 6)) {
+            fail(pose, fmt::format("<pose> has {} numbers; expected are 6, or 7 with rotation_format=\"quat_xyzw\"",
+                                   v.size()));
         }
-        return values.empty() ? Vec3{} : Vec3{values[0], values[1], values[2]};
+        if (v.empty()) {
+            return {};
+        }
+        const Vec3 place{v[0], v[1], v[2]};
+        if (v.size() == 7) {
+            if (v[3] == 0 && v[4] == 0 && v[5] == 0 && v[6] == 0) {
+                fail(pose, "a quaternion of zeros is no rotation");
+            }
+            return from_quaternion(place, {v[6], v[3], v[4], v[5]});
+        }
+        const double unit = degrees && (*degrees == "true" || *degrees == "1") ? std::numbers::pi / 180 : 1;
+        return Pose::from_xyz_rpy(place, Vec3{v[3], v[4], v[5]} * unit);
     }
 
-    double radius(const Element& sphere) const {
-        const Element* element = sphere.child("radius");
+    double number_in(const Node& shape, std::string_view name) const {
+        const Node* element = shape.child(name);
         const std::vector<double> values = element ? numbers(*element) : std::vector<double>{};
         if (values.size() != 1) {
-            fail(element ? *element : sphere, "a sphere needs one <radius>");
+            fail(element ? *element : shape, fmt::format("a {} needs one <{}>", shape.name, name));
         }
         return values.front();
     }
 
     std::string_view text_;
+    const MeshText& mesh_text_;
     SphereFile result_;
 };
 
@@ -137,8 +198,8 @@ bool is_sdf(std::string_view text) {
     return xml::root_name(text) == "sdf";
 }
 
-SphereFile read_sdf(const std::string& text, const std::filesystem::path& file) {
-    return Reader(text, file).read();
+SphereFile read_sdf(const std::string& text, const std::filesystem::path& file, const MeshText& mesh_text) {
+    return Reader(text, file, mesh_text).read();
 }
 
 } // namespace foam::sdf

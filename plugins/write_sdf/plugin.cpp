@@ -2,6 +2,7 @@
 #include "object.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/base/file.hpp>
 #include <foam/sdk/plugin.hpp>
 
 namespace foam::sdf {
@@ -9,10 +10,12 @@ namespace {
 
 class SdfWriter final : public Writer {
 public:
-    explicit SdfWriter(const Parameters& parameters) : static_(parameters.boolean("static")) {}
+    explicit SdfWriter(const Parameters& parameters) : static_(parameters.boolean("static")) {
+        known_.segments = segments_of(parameters, "write.sdf");
+    }
 
     std::string write(const SphereModel& model, Context& context) const override {
-        std::string text = object_text(model, static_);
+        std::string text = object_text(model, static_, known_);
         if (!static_) {
             context.log(Severity::warning,
                         "the link has no <inertial>, and Gazebo takes 1 kg; remedy: add it to the file");
@@ -22,17 +25,30 @@ public:
 
     std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override {
         std::map<std::string, std::vector<Sphere>> result;
-        try {
-            for (LinkSpheres& link : read_sdf(bytes, "SDF").links) {
-                result[link.link] = std::move(link.spheres);
-            }
-        } catch (const Error& error) {
-            throw Error(ErrorCode::output, error.what());
+        for (auto& [link, elements] : read_elements(bytes, {})) {
+            result[link] = std::move(elements.spheres);
         }
         return result;
     }
 
+    std::map<std::string, Approximation::Level>
+    read_elements(const std::string& bytes, const std::map<std::string, std::string>& beside) const override {
+        try {
+            return elements_of(read_sdf(bytes, "SDF", [&](const std::string& uri) {
+                const std::string* text = text_beside(beside, uri);
+                return text ? *text : std::string();
+            }));
+        } catch (const Error& error) {
+            throw Error(ErrorCode::output, error.what());
+        }
+    }
+
+    std::map<std::string, std::string> files_beside(const SphereModel& model, Context&) const override {
+        return hull_files(in_known_kinds(elements_by_link(model), known_), file_name_of(model));
+    }
+
 private:
+    KnownKinds known_;
     bool static_;
 };
 
@@ -41,7 +57,14 @@ public:
     bool recognises(std::string_view text) const override { return is_sdf(text); }
 
     SphereFile read(const std::string& text, const std::filesystem::path& file, Context&) const override {
-        return read_sdf(text, file);
+        return read_sdf(text, file, [&](const std::string& uri) -> std::string {
+            // A mesh is a hull if its folder says so, as those that write.sdf and write.urdf make.
+            constexpr std::uintmax_t most_bytes = 64'000'000;
+            const std::filesystem::path path(uri);
+            const bool named =
+                path.parent_path().filename().string().ends_with("_hulls") && uri.find("://") == uri.npos;
+            return named ? read_regular_file(file.parent_path() / path, most_bytes, "leave it out").bytes : "";
+        });
     }
 };
 
@@ -52,15 +75,17 @@ FOAM_PLUGIN("write_sdf", "1.0", "Apache-2.0") {
     using namespace foam::sdf;
     using foam::Parameter;
     const std::string reference = "http://sdformat.org/spec?ver=1.9&elem=collision";
-    enrol.add<SdfWriter>({.name = "write.sdf",
-                          .summary = "Writes an object of one link for Gazebo, SDF 1.9; robots go to Gazebo as URDF.",
-                          .reference = reference,
-                          .parameters = {Parameter::boolean("static", true)
-                                             .doc("The object does not move; else Gazebo needs its mass.")},
-                          .extensions = {"sdf"},
-                          .consumer = {.name = "Gazebo (sdformat 12.3)"}});
+    enrol.add<SdfWriter>(
+        {.name = "write.sdf",
+         .summary = "Writes an object of one link for Gazebo, SDF 1.9; robots go to Gazebo as URDF.",
+         .reference = reference,
+         .parameters = {Parameter::boolean("static", true).doc("The object does not move; else Gazebo needs its mass."),
+                        foam::segments_parameter()},
+         .extensions = {"sdf"},
+         .kinds = foam::every_kind(),
+         .consumer = {.name = "Gazebo (sdformat 12.3)"}});
     enrol.add<SdfReader>({.name = "read.sdf",
-                          .summary = "Reads the sphere collisions of an SDF file, by link.",
+                          .summary = "Reads the collisions of an SDF file that are convex elements, by link.",
                           .reference = reference,
                           .extensions = {"sdf", "world"}});
 }

@@ -1,8 +1,8 @@
 // Writers of robots in URDF.
 //
-// write.urdf: the robot's URDF text with spheres in place of its collision geometry. Everything else keeps its bytes:
-// comments, unknown elements, order, line ends, encoding. The exceptions: paths of the remaining meshes and textures
-// (visuals, links without spheres), and what parameters add.
+// write.urdf: the robot's URDF text with spheres and other elements in place of its collision geometry. Meshes of hulls
+// lie beside it. Everything else keeps its bytes: comments, unknown elements, order, line ends, encoding. The
+// exceptions: paths of the remaining meshes and textures (visuals, links without spheres), and what parameters add.
 //
 // write.vamp: the same for VAMP, whose planner takes every joint that is not fixed as its own.
 #include "drake.hpp"
@@ -26,7 +26,10 @@ public:
         : level_(static_cast<int>(parameters.integer("level"))), mesh_paths_(parameters.text("mesh_paths")),
           inertial_(inertial_of(parameters.text("inertial"))), density_(parameters.number("density")),
           drake_(parameters.boolean("drake")),
-          proximity_(proximity_properties(parameters.number("mu_static"), parameters.number("mesh_resolution_hint"))) {}
+          proximity_(proximity_properties(parameters.number("mu_static"), parameters.number("mesh_resolution_hint"))) {
+        known_.capsules = parameters.text("capsules") == "element";
+        known_.segments = segments_of(parameters, "write.urdf");
+    }
 
     std::string write(const SphereModel& model, Context& context) const override {
         if (!drake_ && !proximity_.empty()) {
@@ -34,7 +37,10 @@ public:
                                            "Drake reads; remedy: drake: true");
         }
         SphereUrdf urdf(model, "write.urdf");
-        urdf.put_spheres(spheres_by_link(model, level_), proximity_);
+        urdf.put_elements(
+            in_known_kinds(elements_by_link(model, level_), known_),
+            {.capsule = drake_ ? "drake:capsule" : "capsule", .declares_convex = drake_, .properties = proximity_},
+            mesh_paths_, context);
         urdf.move_references(mesh_paths_, context);
         if (inertial_ != InertialOf::none) {
             add_inertials(urdf, inertial_, density_, context);
@@ -50,6 +56,15 @@ public:
         return spheres_of_urdf(bytes);
     }
 
+    std::map<std::string, Approximation::Level>
+    read_elements(const std::string& bytes, const std::map<std::string, std::string>& beside) const override {
+        return elements_of_urdf(bytes, beside);
+    }
+
+    std::map<std::string, std::string> files_beside(const SphereModel& model, Context&) const override {
+        return hull_files(in_known_kinds(elements_by_link(model, level_), known_), file_name_of(model));
+    }
+
 private:
     int level_;
     std::string mesh_paths_;
@@ -57,13 +72,14 @@ private:
     double density_;
     bool drake_;
     std::string proximity_;
+    KnownKinds known_;
 };
 
 StageInfo info_of_urdf() {
     return {
         .name = "write.urdf",
-        .summary = "Writes the robot's URDF text with spheres in place of its collision geometry, and nothing else "
-                   "changed but relative paths.",
+        .summary = "Writes the robot's URDF text with spheres and other elements in place of its collision geometry, "
+                   "and nothing else changed but relative paths.",
         .reference = "http://wiki.ros.org/urdf/XML",
         .parameters =
             {Parameter::integer("level", -1)
@@ -71,6 +87,11 @@ StageInfo info_of_urdf() {
                  .doc("Level of the sphere trees that is written: 0 the bounding spheres, -1 the finest.")
                  .source("The finest level is the one that is measured and proved."),
              mesh_paths_parameter(),
+             Parameter::choice("capsules", {"element", "as_parts"}, "element")
+                 .doc("element: <capsule> of URDF 1.1, with drake: <drake:capsule>; as_parts: a cylinder and two "
+                      "spheres each, for readers without capsules.")
+                 .source("urdfdom reads <capsule> from 5.1 on, Pinocchio, Newton and Tesseract do, too."),
+             segments_parameter(),
              Parameter::choice("inertial", {"keep", "moving", "all"}, "keep")
                  .doc("keep: links without <inertial> stay so. moving: those that a joint moves get that of their "
                       "original collision geometry. all: all links that have geometry get it, for Gazebo, which "
@@ -93,6 +114,7 @@ StageInfo info_of_urdf() {
                  .doc("With drake: the length of edges for hydroelastic contact, about one to two times the radius "
                       "of a sphere; 0: none is written.")},
         .extensions = {"urdf"},
+        .kinds = every_kind(),
         .consumer = {.name = "urdfdom 3.0.1, Pinocchio 3.7, Drake (018bf81c12), Bullet, DART 6.12, Gazebo, Tesseract",
                      .pairs = true,
                      .pairs_if = "drake"}};

@@ -187,6 +187,24 @@ MovedReferences moved_references(const std::vector<Reference>& all, const std::s
     return result;
 }
 
+std::string uri_of_beside(const std::string& name, const std::string& mesh_paths, const SphereModel& model,
+                          Context& context) {
+    if (model.folder.empty() || (mesh_paths != "absolute" && mesh_paths != "package")) {
+        return name;
+    }
+    if (mesh_paths == "absolute") {
+        return (fs::absolute(model.folder) / name).string();
+    }
+    const std::string uri = package_uri(model.folder / name);
+    if (uri.empty()) {
+        context.log(Severity::warning,
+                    fmt::format("the mesh '{}' lies in no package, a folder with a package.xml, and its path stays "
+                                "relative",
+                                name));
+    }
+    return uri.empty() ? name : uri;
+}
+
 std::string attribute_text(std::string_view value, std::string_view text) {
     const bool utf8 = is_utf8(text);
     std::string result;

@@ -33,6 +33,11 @@ struct MovedReferences {
 MovedReferences moved_references(const std::vector<Reference>& references, const std::string& mesh_paths,
                                  const SphereModel& model);
 
+/// Returns the reference to a file beside the one that is written, as `mesh_paths` says: relative, absolute or package.
+/// `name`: relative to the folder of the written file. Logs where a package was asked for and there is none.
+std::string uri_of_beside(const std::string& name, const std::string& mesh_paths, const SphereModel& model,
+                          Context& context);
+
 /// Returns the value for an attribute, in any quotes and in the encoding of the text.
 std::string attribute_text(std::string_view value, std::string_view text);
 

@@ -7,57 +7,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace foam {
 namespace {
-
-[[noreturn]] void unreadable(const xml::Element& element, const std::string& why) {
-    throw Error(ErrorCode::output, fmt::format("URDF:{}: <{}> {}", element.line, element.name, why));
-}
-
-/// Returns the numbers of an attribute; `fallback` if it is absent.
-std::vector<double> read_numbers(const xml::Element& element, std::string_view attribute, std::size_t count,
-                                 std::string_view fallback) {
-    const std::string* text = element.attribute(attribute);
-    std::vector<double> numbers;
-    for (const std::string_view word : words(text ? std::string_view(*text) : fallback)) {
-        const std::optional<double> value = parse_number(word);
-        if (!value) {
-            unreadable(element, fmt::format("holds '{}', which is not a finite number", word));
-        }
-        numbers.push_back(*value);
-    }
-    if (numbers.size() != count) {
-        unreadable(element, fmt::format("holds {} numbers in {}, not {}", numbers.size(), attribute, count));
-    }
-    return numbers;
-}
-
-/// Returns the sphere of a <collision>; nothing if it has another geometry. The rotation of a sphere does not matter.
-std::optional<Sphere> read_sphere(const xml::Element& collision) {
-    const xml::Element* geometry = collision.child("geometry");
-    const xml::Element* sphere = geometry ? geometry->child("sphere") : nullptr;
-    if (!sphere) {
-        return {};
-    }
-    const double radius = read_numbers(*sphere, "radius", 1, "").front();
-    const xml::Element* origin = collision.child("origin");
-    if (!origin) {
-        return Sphere{{}, radius};
-    }
-    const std::vector<double> xyz = read_numbers(*origin, "xyz", 3, "0 0 0");
-    return Sphere{{xyz[0], xyz[1], xyz[2]}, radius};
-}
-
-std::vector<std::string> sphere_elements(const std::vector<Sphere>& spheres, const std::string& properties) {
-    std::vector<std::string> elements;
-    for (const Sphere& sphere : spheres) {
-        elements.push_back("<collision><origin xyz=\"" + number_text(sphere.center.x) + " " +
-                           number_text(sphere.center.y) + " " + number_text(sphere.center.z) +
-                           "\" rpy=\"0 0 0\"/><geometry><sphere radius=\"" + number_text(sphere.radius) +
-                           "\"/></geometry>" + properties + "</collision>");
-    }
-    return elements;
-}
 
 std::unique_ptr<const xml::Element> urdf_of(const SphereModel& model, const std::string& writer) {
     if (!model.robot || model.robot->source.empty()) {
@@ -98,12 +51,23 @@ std::string SphereUrdf::attribute_text(std::string_view value) const {
     return foam::attribute_text(value, model_.robot->source);
 }
 
-void SphereUrdf::put_spheres(const std::vector<LinkSpheres>& links, const std::string& properties) {
-    for (const LinkSpheres& spheres : links) {
-        const xml::Element& element = link(spheres.link);
+void SphereUrdf::put_elements(const std::vector<LinkSpheres>& links, const UrdfWords& words,
+                              const std::string& mesh_paths, Context& context) {
+    bool capsules = false;
+    HullNames names(file_name_of(model_));
+    for (const LinkSpheres& elements : links) {
+        const xml::Element& element = link(elements.link);
+        const auto uri_of_hull = [&] {
+            return attribute_text(uri_of_beside(names.next(elements.link), mesh_paths, model_, context));
+        };
         editor_.replace_children(element, element.children_named("collision"),
-                                 sphere_elements(spheres.spheres, properties));
-        replaced_.insert(spheres.link);
+                                 collision_elements(elements, words, uri_of_hull));
+        replaced_.insert(elements.link);
+        capsules = capsules || std::any_of(elements.others.begin(), elements.others.end(),
+                                           [](const Element& e) { return e.kind == Element::Kind::capsule; });
+    }
+    if (capsules && words.capsule == "capsule") {
+        editor_.set_attribute(*root_, "version", "1.1");
     }
     for (const std::string& name : model_.without_collision) {
         editor_.replace_children(link(name), link(name).children_named("collision"), {});
@@ -122,15 +86,34 @@ void SphereUrdf::move_references(const std::string& mesh_paths, Context& context
     }
 }
 
-std::map<std::string, std::vector<Sphere>> spheres_of_urdf(const std::string& bytes) {
+std::string file_name_of(const SphereModel& model) {
+    return model.file.empty() ? model.robot->name + ".urdf" : model.file;
+}
+
+std::map<std::string, Approximation::Level> elements_of_urdf(const std::string& bytes,
+                                                             const std::map<std::string, std::string>& beside) {
     const auto root = xml::parse(bytes, "URDF", ErrorCode::output);
-    std::map<std::string, std::vector<Sphere>> result;
+    std::map<std::string, Approximation::Level> result;
     for (const xml::Element* link : root->children_named("link")) {
         const std::string* name = link->attribute("name");
+        Approximation::Level elements;
         for (const xml::Element* collision : link->children_named("collision")) {
-            if (const std::optional<Sphere> sphere = read_sphere(*collision); name && sphere) {
-                result[*name].push_back(*sphere);
-            }
+            add_collision(*collision, beside, elements);
+        }
+        if (name && elements.size() > 0) {
+            Approximation::Level& all = result[*name];
+            all.spheres.insert(all.spheres.end(), elements.spheres.begin(), elements.spheres.end());
+            all.others.insert(all.others.end(), elements.others.begin(), elements.others.end());
+        }
+    }
+    return result;
+}
+
+std::map<std::string, std::vector<Sphere>> spheres_of_urdf(const std::string& bytes) {
+    std::map<std::string, std::vector<Sphere>> result;
+    for (auto& [link, elements] : elements_of_urdf(bytes, {})) {
+        if (!elements.spheres.empty()) {
+            result[link] = std::move(elements.spheres);
         }
     }
     return result;

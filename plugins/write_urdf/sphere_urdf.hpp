@@ -1,6 +1,8 @@
 // The robot's URDF text with spheres in place of its collision geometry: what the writers of this plugin share.
 #pragma once
 
+#include "shapes.hpp"
+
 #include <foam/sdk/stage.hpp>
 #include <foam/xml/editor.hpp>
 
@@ -31,9 +33,10 @@ public:
     /// Returns a text for an attribute, in any quotes and in the encoding of the text.
     std::string attribute_text(std::string_view value) const;
 
-    /// Replaces collision geometry by spheres, and removes that of SphereModel::without_collision. `properties`: elements
-    /// that each <collision> gets besides.
-    void put_spheres(const std::vector<LinkSpheres>& links, const std::string& properties = "");
+    /// Replaces collision geometry by elements of kinds that URDF knows, and removes that of
+    /// SphereModel::without_collision. `mesh_paths`: how the meshes of hulls are referred to, as in move_references().
+    void put_elements(const std::vector<LinkSpheres>& links, const UrdfWords& words, const std::string& mesh_paths,
+                      Context& context);
     /// Changes paths of meshes and textures, as `mesh_paths` says: rewrite, keep, absolute or package.
     void move_references(const std::string& mesh_paths, Context& context);
     std::string result() { return editor_.result(); }
@@ -49,6 +52,11 @@ private:
     xml::Editor editor_;
 };
 
+/// Returns the name of the file that is written, or one after the robot where it is not known.
+std::string file_name_of(const SphereModel& model);
+/// Returns the elements by link, without links whose collision geometry has none. Throws Error(output).
+std::map<std::string, Approximation::Level> elements_of_urdf(const std::string& bytes,
+                                                             const std::map<std::string, std::string>& beside);
 /// Returns the spheres by link, without links whose collision geometry has no sphere. Throws Error(output).
 std::map<std::string, std::vector<Sphere>> spheres_of_urdf(const std::string& bytes);
 

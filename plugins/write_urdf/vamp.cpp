@@ -118,7 +118,7 @@ VampWriter::VampWriter(const Parameters& parameters, const StageMaker& maker)
 std::string VampWriter::write(const SphereModel& model, Context& context) const {
     SphereUrdf urdf(model, "write.vamp");
     const std::vector<LinkSpheres> links = spheres_by_link(model);
-    urdf.put_spheres(links);
+    urdf.put_elements(links, {}, mesh_paths_, context);
     require_only_spheres(urdf);
     fix_joints(urdf, context);
     urdf.move_references(mesh_paths_, context);

@@ -2,6 +2,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
+#include <foam/geometry/rotation.hpp>
 #include <foam/robot/kinematics.hpp>
 #include <foam/sdk/planning.hpp>
 
@@ -67,14 +68,6 @@ void limit_to_one_turn(SphereUrdf& urdf, const Joint& joint) {
 }
 
 } // namespace
-
-Vec3 roll_pitch_yaw(const Pose& pose) {
-    const auto& m = pose.rotation;
-    // R = Rz(yaw) Ry(pitch) Rx(roll). Where the pitch is a right angle, any yaw goes with one roll: that of Rz(-yaw) R.
-    const double yaw = std::atan2(m[1].x, m[0].x), s = std::sin(yaw), c = std::cos(yaw);
-    return {std::atan2(s * m[0].z - c * m[1].z, c * m[1].y - s * m[0].y), std::atan2(0 - m[2].x, c * m[0].x + s * m[1].x),
-            yaw};
-}
 
 void fix_joints(SphereUrdf& urdf, Context& context) {
     const SphereModel& model = urdf.model();

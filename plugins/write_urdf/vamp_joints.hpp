@@ -5,10 +5,6 @@
 
 namespace foam {
 
-/// Returns roll, pitch and yaw of a rotation by the URDF convention (Pose::from_xyz_rpy), exact to rounding also where
-/// the pitch is a right angle.
-Vec3 roll_pitch_yaw(const Pose& pose);
-
 /// Turns locked joints, what mimics them, and planar and floating joints to fixed ones where they stand; continuous
 /// joints to revolute ones from -π to π. Throws Error(output) for a joint that mimics one that is planned, and if no
 /// joint is left to plan.

@@ -5,6 +5,8 @@
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
+#include <foam/geometry/element_forms.hpp>
+#include <foam/geometry/rotation.hpp>
 
 #include <fmt/format.h>
 
@@ -77,6 +79,79 @@ void write_sphere(LayerWriter& layer, std::size_t index, const Sphere& s) {
     layer.close();
 }
 
+std::string tuple(const Vec3& v) {
+    return fmt::format("({}, {}, {})", number_text(v.x), number_text(v.y), number_text(v.z));
+}
+
+/// Writes what all elements have: their extent, place and, unless it is none, rotation and scale.
+void write_place(LayerWriter& layer, const Vec3& half_extent, const Pose& pose, const Vec3& scale) {
+    layer.line(fmt::format("float3[] extent = [{}, {}]", tuple(half_extent * -1.0), tuple(half_extent)));
+    layer.line("uniform token purpose = \"guide\"");
+    layer.line("double3 xformOp:translate = " + tuple(pose.translation));
+    std::string order = "\"xformOp:translate\"";
+    if (pose.rotation != Pose{}.rotation) {
+        const auto [w, x, y, z] = quaternion(pose); // a quaternion of USD begins with its real part
+        layer.line(fmt::format("quatd xformOp:orient = ({}, {}, {}, {})", number_text(w), number_text(x),
+                               number_text(y), number_text(z)));
+        order += ", \"xformOp:orient\"";
+    }
+    if (scale != Vec3{1, 1, 1}) {
+        layer.line("double3 xformOp:scale = " + tuple(scale));
+        order += ", \"xformOp:scale\"";
+    }
+    layer.line("uniform token[] xformOpOrder = [" + order + "]");
+}
+
+void write_hull(LayerWriter& layer, const Element& hull) {
+    std::string counts, indices, points;
+    Vec3 extent;
+    for (const Vec3& p : hull.hull->surface.vertices) {
+        points += (points.empty() ? "" : ", ") + tuple(p);
+        extent = {std::max(extent.x, std::abs(p.x)), std::max(extent.y, std::abs(p.y)),
+                  std::max(extent.z, std::abs(p.z))};
+    }
+    for (const auto& [a, b, c] : hull.hull->surface.triangles) {
+        counts += counts.empty() ? "3" : ", 3";
+        indices += fmt::format("{}{}, {}, {}", indices.empty() ? "" : ", ", a, b, c);
+    }
+    layer.line("int[] faceVertexCounts = [" + counts + "]");
+    layer.line("int[] faceVertexIndices = [" + indices + "]");
+    layer.line("point3f[] points = [" + points + "]");
+    layer.line("uniform token subdivisionScheme = \"none\"");
+    layer.line("uniform token physics:approximation = \"convexHull\"");
+    write_place(layer, extent, hull.pose, {1, 1, 1});
+}
+
+/// Writes an element of a kind that USD knows and that is no sphere.
+void write_element(LayerWriter& layer, std::size_t index, const Element& element) {
+    using Kind = Element::Kind;
+    const char* type = element.kind == Kind::capsule    ? "Capsule"
+                       : element.kind == Kind::cylinder ? "Cylinder"
+                       : element.kind == Kind::box      ? "Cube"
+                                                        : "Mesh";
+    layer.open(fmt::format("def {} \"{}{}\"", type, to_string(element.kind), index),
+               element.kind == Kind::hull
+                   ? "prepend apiSchemas = [\"PhysicsCollisionAPI\", \"PhysicsMeshCollisionAPI\"]"
+                   : "prepend apiSchemas = [\"PhysicsCollisionAPI\"]");
+    if (element.kind == Kind::hull) {
+        write_hull(layer, element);
+        layer.close();
+        return;
+    }
+    const Element stated = stated_at(element, from_quaternion(element.pose.translation, quaternion(element.pose)));
+    if (element.kind == Kind::box) {
+        layer.line("double size = 2");
+        write_place(layer, {1, 1, 1}, element.pose, stated.half); // the extent is before the scale
+    } else {
+        const double caps = element.kind == Kind::capsule ? stated.radius : 0; // the height is without them
+        layer.line("uniform token axis = \"Z\"");
+        layer.line("double height = " + number_text(2 * stated.half.z));
+        layer.line("double radius = " + number_text(stated.radius));
+        write_place(layer, {stated.radius, stated.radius, stated.half.z + caps}, element.pose, {1, 1, 1});
+    }
+    layer.close();
+}
+
 void write_spheres(LayerWriter& layer, const LinkSpheres& link) {
     layer.open("def Scope \"foam_spheres\"");
     layer.line("custom string foam:link = " + literal(link.link)); // the prim's name may differ
@@ -84,6 +159,10 @@ void write_spheres(LayerWriter& layer, const LinkSpheres& link) {
     for (std::size_t i = 0; i < link.spheres.size(); ++i) {
         asking.check();
         write_sphere(layer, i, link.spheres[i]);
+    }
+    for (std::size_t i = 0; i < link.others.size(); ++i) {
+        asking.check();
+        write_element(layer, link.spheres.size() + i, link.others[i]);
     }
     layer.close();
 }
@@ -163,7 +242,7 @@ void write_link(LayerWriter& layer, const LinkSpheres& link, const std::vector<s
 
 std::string layer_text(const SphereModel& model, const LayerOptions& options) {
     require_options(options);
-    const std::vector<LinkSpheres> links = spheres_by_link(model);
+    const std::vector<LinkSpheres> links = in_known_kinds(elements_by_link(model), options.known);
     const std::map<std::string, std::string> names = prim_names(all_links(model, links));
     const std::string robot = model.robot && !model.robot->name.empty() ? model.robot->name : model.name;
     const PathPattern pattern(options.prim, robot, links.size() > 1);

@@ -1,7 +1,7 @@
-// Layers of USD as text (.usda) that put spheres over the links of another layer.
+// Layers of USD as text (.usda) that put spheres and other elements over the links of another layer.
 #pragma once
 
-#include <foam/sdk/model.hpp>
+#include <foam/sdk/elements.hpp>
 
 #include <string>
 #include <string_view>
@@ -14,6 +14,7 @@ struct LayerOptions {
     std::string sublayer;                 ///< layer below this one; empty: none
     std::string inactive;                 ///< child of each link's prim that is switched off; empty: none
     bool pairs = true;                    ///< write pairs of links that need no check
+    KnownKinds known{};
 };
 
 /// Returns the layer of a model. Throws Error(output) for options that no layer can hold.
@@ -21,7 +22,7 @@ std::string layer_text(const SphereModel& model, const LayerOptions& options);
 
 /// Returns whether a text is a layer; its first line is a comment, and may be missing.
 bool is_layer(std::string_view text);
-/// Returns the spheres of a layer of layer_text(), by link. Throws Error(input) naming file, line and reason.
+/// Returns the elements of a layer of layer_text(), by link. Throws Error(input) naming file, line and reason.
 SphereFile read_layer(std::string_view text, const std::filesystem::path& file);
 
 } // namespace foam::usd

@@ -5,6 +5,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
+#include <foam/geometry/rotation.hpp>
 
 #include <fmt/format.h>
 
@@ -18,10 +19,28 @@ namespace {
 struct Prim {
     std::string type, name;
     std::optional<std::string> link; ///< foam:link, of this prim or one above
-    std::optional<double> radius;
-    Vec3 center;
-    bool transformed = false; ///< by more than a translation
+    std::optional<double> radius, height, size;
+    std::string axis = "Z";
+    Vec3 center, scale{1, 1, 1};
+    std::array<double, 4> orient{1, 0, 0, 0}; ///< w, x, y, z
+    std::vector<Vec3> points;
+    bool transformed = false; ///< by more than a translation, a quaternion and a scale
 };
+
+/// Returns the kind of element that a type of prim is.
+std::optional<Element::Kind> kind_of(std::string_view type) {
+    using Kind = Element::Kind;
+    for (const auto& [name, kind] : {std::pair("Sphere", Kind::sphere),
+                                     {"Capsule", Kind::capsule},
+                                     {"Cylinder", Kind::cylinder},
+                                     {"Cube", Kind::box},
+                                     {"Mesh", Kind::hull}}) {
+        if (type == name) {
+            return kind;
+        }
+    }
+    return {};
+}
 
 class LayerReader {
 public:
@@ -44,7 +63,7 @@ public:
         }
         if (result_.links.empty()) {
             throw Error(ErrorCode::input,
-                        fmt::format("{}: no prim has spheres and the attribute foam:link; remedy: only layers of "
+                        fmt::format("{}: no prim has elements and the attribute foam:link; remedy: only layers of "
                                     "write.usd are read, write this one again",
                                     result_.file.string()));
         }
@@ -98,22 +117,65 @@ private:
     void end_prim() {
         const Prim prim = std::move(prims_.back());
         prims_.pop_back();
-        if (prim.type != "Sphere") {
-            return;
+        const std::optional<Element::Kind> kind = kind_of(prim.type);
+        if (!kind || (*kind != Element::Kind::sphere && !prim.link)) {
+            return; // a robot's own pictures
         }
         if (!prim.link) {
             ++strangers_;
             return;
         }
-        if (!prim.radius || prim.transformed) {
-            tokens_.fail(fmt::format("the sphere '{}' {}; remedy: write the layer again with write.usd", prim.name,
-                                     prim.radius ? "is turned or scaled" : "has no radius"));
-        }
-        if (result_.links.empty() || result_.links.back().link != *prim.link) { // nearly always the same link
-            spheres_of(result_, *prim.link).push_back({prim.center, *prim.radius});
+        const Element element = element_of(prim, *kind);
+        LinkSpheres& link = result_.links.empty() || result_.links.back().link != *prim.link
+                                ? link_of(result_, *prim.link)
+                                : result_.links.back(); // nearly always the same link
+        if (*kind == Element::Kind::sphere) {
+            link.spheres.push_back({prim.center, *prim.radius});
         } else {
-            result_.links.back().spheres.push_back({prim.center, *prim.radius});
+            link.others.push_back(element);
         }
+    }
+
+    [[noreturn]] void refuse(const Prim& prim, const std::string& why) const {
+        tokens_.fail(fmt::format("the {} '{}' {}; remedy: write the layer again with write.usd", lower_case(prim.type),
+                                 prim.name, why));
+    }
+
+    Element element_of(const Prim& prim, Element::Kind kind) const {
+        using Kind = Element::Kind;
+        const bool round = kind != Kind::box && kind != Kind::hull;
+        const bool turned = prim.orient != std::array<double, 4>{1, 0, 0, 0};
+        if (prim.transformed || (kind != Kind::box && prim.scale != Vec3{1, 1, 1}) ||
+            (kind == Kind::sphere && turned)) {
+            refuse(prim, "is turned or scaled");
+        }
+        if (round && !prim.radius) {
+            refuse(prim, "has no radius");
+        }
+        Element element{.kind = kind, .radius = round ? *prim.radius : 0};
+        element.pose = from_quaternion(prim.center, prim.orient);
+        if (kind == Kind::box) {
+            element.half = prim.scale * (prim.size.value_or(2) / 2);
+        } else if (kind == Kind::hull) {
+            try {
+                element.hull = convex_hull(prim.points);
+            } catch (const Error& error) {
+                refuse(prim, fmt::format("has no hull: {}", error.what()));
+            }
+        } else if (kind != Kind::sphere) {
+            if (!prim.height || (prim.axis != "X" && prim.axis != "Y" && prim.axis != "Z")) {
+                refuse(prim, prim.height ? fmt::format("has the axis '{}'", prim.axis) : "has no height");
+            }
+            element.half.z = *prim.height / 2;
+            Pose axis; // its z is the prim's axis
+            if (prim.axis == "X") {
+                axis.rotation = {Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
+            } else if (prim.axis == "Y") {
+                axis.rotation = {Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{1, 0, 0}};
+            }
+            element.pose = element.pose * axis;
+        }
+        return element;
     }
 
     /// Reads `[custom] [uniform] TYPE NAME [= VALUE]`, all but the value on one line.
@@ -140,13 +202,22 @@ private:
     void value(const std::string& name) {
         Prim outermost; // properties outside of prims mean nothing
         Prim& prim = prims_.empty() ? outermost : prims_.back();
-        const bool sphere = prim.type == "Sphere";
+        const bool shape = kind_of(prim.type).has_value();
         if (name == "foam:link" && tokens_.now().kind == Token::Kind::text) {
             prim.link = tokens_.take().value;
-        } else if (sphere && name == "radius") {
-            prim.radius = number();
-        } else if (sphere && name == "xformOp:translate") {
-            prim.center = point();
+        } else if (shape && (name == "radius" || name == "height" || name == "size")) {
+            (name == "radius" ? prim.radius : name == "height" ? prim.height : prim.size) = number();
+        } else if (shape && name == "axis" && tokens_.now().kind == Token::Kind::text) {
+            prim.axis = tokens_.take().value;
+        } else if (shape && (name == "xformOp:translate" || name == "xformOp:scale")) {
+            (name == "xformOp:scale" ? prim.scale : prim.center) = point();
+        } else if (shape && name == "xformOp:orient") {
+            prim.orient = numbers<4>();
+            if (prim.orient == std::array<double, 4>{}) {
+                refuse(prim, "has a quaternion of zeros");
+            }
+        } else if (prim.type == "Mesh" && name == "points") {
+            prim.points = points();
         } else {
             prim.transformed = prim.transformed || name.starts_with("xformOp:");
             tokens_.now().opens() ? tokens_.skip_group() : skip_value();
@@ -170,20 +241,40 @@ private:
         return *value;
     }
 
-    Vec3 point() {
-        std::array<double, 3> values{};
-        const auto expect = [&](char sign) {
-            if (!tokens_.now().is(sign)) {
-                tokens_.fail(fmt::format("expected '{}' of three numbers, got '{}'", sign, tokens_.now().value));
-            }
-            tokens_.take();
-        };
-        for (std::size_t i = 0; i < 3; ++i) {
-            expect(i == 0 ? '(' : ',');
+    void expect(char sign, const char* of) {
+        if (!tokens_.now().is(sign)) {
+            tokens_.fail(fmt::format("expected '{}' of {}, got '{}'", sign, of, tokens_.now().value));
+        }
+        tokens_.take();
+    }
+
+    template <std::size_t count> std::array<double, count> numbers() {
+        std::array<double, count> values{};
+        const char* of = count == 3 ? "three numbers" : "four numbers";
+        for (std::size_t i = 0; i < count; ++i) {
+            expect(i == 0 ? '(' : ',', of);
             values[i] = number();
         }
-        expect(')');
-        return {values[0], values[1], values[2]};
+        expect(')', of);
+        return values;
+    }
+
+    Vec3 point() {
+        const auto [x, y, z] = numbers<3>();
+        return {x, y, z};
+    }
+
+    std::vector<Vec3> points() {
+        std::vector<Vec3> result;
+        expect('[', "a list of points");
+        while (!tokens_.now().is(']')) {
+            if (!result.empty()) {
+                expect(',', "a list of points");
+            }
+            result.push_back(point());
+        }
+        tokens_.take();
+        return result;
     }
 
     Tokens tokens_;

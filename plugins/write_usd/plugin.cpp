@@ -13,20 +13,26 @@ public:
         : options_{.prim = parameters.text("prim"),
                    .sublayer = parameters.text("sublayer"),
                    .inactive = parameters.text("inactive"),
-                   .pairs = parameters.boolean("pairs")} {}
+                   .pairs = parameters.boolean("pairs"),
+                   .known = {.segments = segments_of(parameters, "write.usd")}} {}
 
     std::string write(const SphereModel& model, Context&) const override { return layer_text(model, options_); }
 
     std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override {
         std::map<std::string, std::vector<Sphere>> result;
+        for (auto& [link, elements] : read_elements(bytes, {})) {
+            result[link] = std::move(elements.spheres);
+        }
+        return result;
+    }
+
+    std::map<std::string, Approximation::Level>
+    read_elements(const std::string& bytes, const std::map<std::string, std::string>&) const override {
         try {
-            for (LinkSpheres& link : read_layer(bytes, "USD layer").links) {
-                result[link.link] = std::move(link.spheres);
-            }
+            return elements_of(read_layer(bytes, "USD layer"));
         } catch (const Error& error) {
             throw Error(ErrorCode::output, error.what());
         }
-        return result;
     }
 
 private:
@@ -51,8 +57,9 @@ FOAM_PLUGIN("write_usd", "1.0", "Apache-2.0") {
     const std::string reference = "https://openusd.org/release/api/usd_physics_page_front.html";
     enrol.add<UsdWriter>(
         {.name = "write.usd",
-         .summary =
-             "Writes a layer of USD that puts collision spheres over the links of a robot's own layer; in metres.",
+         .summary = "Writes a layer of USD that puts spheres and other collision elements over the links of a robot's "
+                    "own layer; "
+                    "in metres.",
          .reference = reference,
          .parameters =
              {Parameter::text("prim", "/{robot}/{link}")
@@ -62,11 +69,13 @@ FOAM_PLUGIN("write_usd", "1.0", "Apache-2.0") {
                   .doc("File with the robot that this layer lies over, such as ./panda.usd, in metres; empty: none."),
               Parameter::text("inactive", "")
                   .doc("Child of each link's prim that is switched off, such as collisions; empty: none."),
-              Parameter::boolean("pairs", true).doc("Write the pairs of links that need no check.")},
+              Parameter::boolean("pairs", true).doc("Write the pairs of links that need no check."),
+              foam::segments_parameter()},
          .extensions = {"usda"},
+         .kinds = foam::every_kind(),
          .consumer = {.name = "USD physics: Newton (41a5392c13), Isaac Sim", .float32 = true, .pairs = true}});
     enrol.add<UsdReader>({.name = "read.usd",
-                          .summary = "Reads the layer of write.usd: spheres by link.",
+                          .summary = "Reads the layer of write.usd: elements by link.",
                           .reference = reference,
                           .extensions = {"usda"}});
 }

@@ -3,9 +3,11 @@
 
 #include "attributes.hpp"
 #include "mjcf_edit.hpp"
+#include "mjcf_shapes.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/geometry/mass.hpp>
+#include <foam/geometry/rotation.hpp>
 #include <foam/geometry/union_volume.hpp>
 #include <foam/robot/kinematics.hpp>
 #include <foam/sdk/planning.hpp>
@@ -14,37 +16,12 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace foam::xml_models {
 namespace {
-
-/// Returns the unit quaternion (w, x, y, z) of a rotation (Shepperd 1978), with w >= 0.
-std::array<double, 4> quaternion(const Pose& pose) {
-    const auto& m = pose.rotation;
-    const double trace = m[0].x + m[1].y + m[2].z;
-    std::array<double, 4> q{};
-    if (trace > 0) {
-        const double s = 2 * std::sqrt(1 + trace);
-        q = {s / 4, (m[2].y - m[1].z) / s, (m[0].z - m[2].x) / s, (m[1].x - m[0].y) / s};
-    } else if (m[0].x >= m[1].y && m[0].x >= m[2].z) {
-        const double s = 2 * std::sqrt(1 + m[0].x - m[1].y - m[2].z);
-        q = {(m[2].y - m[1].z) / s, s / 4, (m[0].y + m[1].x) / s, (m[0].z + m[2].x) / s};
-    } else if (m[1].y >= m[2].z) {
-        const double s = 2 * std::sqrt(1 + m[1].y - m[0].x - m[2].z);
-        q = {(m[0].z - m[2].x) / s, (m[0].y + m[1].x) / s, s / 4, (m[1].z + m[2].y) / s};
-    } else {
-        const double s = 2 * std::sqrt(1 + m[2].z - m[0].x - m[1].y);
-        q = {(m[1].x - m[0].y) / s, (m[0].z + m[2].x) / s, (m[1].z + m[2].y) / s, s / 4};
-    }
-    if (q[0] < 0) {
-        for (double& value : q) {
-            value = -value;
-        }
-    }
-    return q;
-}
 
 std::string pose_text(const Pose& pose) {
     const bool moved = pose.translation != Vec3{}, turned = pose.rotation != Pose{}.rotation;
@@ -128,14 +105,28 @@ MassProperties of_spheres(const std::vector<Sphere>& spheres, double density) {
     return result;
 }
 
+/// Returns the mass properties of the union of the elements.
+std::optional<MassProperties> of_elements(const ElementsView& elements, double density) {
+    std::vector<Solid::Part> parts;
+    for (const Sphere& s : elements.spheres) {
+        parts.push_back(
+            {nullptr, Primitive{.kind = Primitive::Kind::sphere, .radius = s.radius}, Pose{.translation = s.center}});
+    }
+    for (const Element& element : elements.others) {
+        parts.push_back({std::make_shared<const Mesh>(enclosing_mesh(element)), std::nullopt, Pose{}});
+    }
+    return mass_properties(*Solid::make(std::move(parts)), density);
+}
+
 constexpr const char* world = "world"; ///< MuJoCo's name of the body that everything stands on
 
 /// Writes the tree of bodies.
 class Bodies {
 public:
-    Bodies(const SphereModel& model, bool free, double density, Context& context)
+    Bodies(const SphereModel& model, const KnownKinds& known, bool free, double density, Context& context)
         : model_(model), context_(context), kinematics_(model.robot), free_(free), density_(density) {
-        for (LinkSpheres& link : spheres_by_link(model)) {
+        for (LinkSpheres& link : in_known_kinds(elements_by_link(model), known)) {
+            others_[link.link] = std::move(link.others);
             spheres_[link.link] = std::move(link.spheres);
         }
         if (!model.robot->source.empty()) {
@@ -155,7 +146,8 @@ public:
     std::string text() {
         const std::string base = base_link(model_);
         for (const Link& link : model_.robot->links) {
-            if (link.name == world && (link.name != base || free_ || !spheres_[world].empty())) {
+            if (link.name == world &&
+                (link.name != base || free_ || !spheres_[world].empty() || !others_[world].empty())) {
                 throw Error(ErrorCode::output, "write.mjcf: a link is called 'world', which is MuJoCo's own body; "
                                                "remedy: rename the link, unless it is a fixed base without spheres");
             }
@@ -177,17 +169,31 @@ public:
         tell(from_open_, "the collision geometry, whose meshes are not closed: the winding number decides what lies "
                          "inside,");
         tell(from_spheres_, "the spheres, as the geometry is not known or has no volume,");
+        tell(from_elements_, "the elements, as the geometry is not known or has no volume,");
         return std::move(text_);
+    }
+
+    /// Returns the <asset> with the meshes of hulls; empty without hulls. Call it after text().
+    std::string assets() const {
+        std::string text;
+        for (const std::string& mesh : shapes_.meshes()) {
+            text += "    " + mesh + "\n";
+        }
+        return text.empty() ? "" : "  <asset>\n" + text + "  </asset>\n";
+    }
+    bool has_others() const {
+        return std::any_of(others_.begin(), others_.end(), [](const auto& link) { return !link.second.empty(); });
     }
 
 private:
     /// Says which links have an invented mass.
     void tell(const std::vector<std::string>& links, const std::string& source) {
         if (!links.empty()) {
-            context_.log(Severity::warning,
-                         fmt::format("no <inertial> with a mass: {} at {} kg/m³ gives that of {}; remedy: add <inertial> to the "
-                                     "URDF",
-                                     source, numbers_text({&density_, 1}), fmt::join(links, ", ")));
+            context_.log(
+                Severity::warning,
+                fmt::format("no <inertial> with a mass: {} at {} kg/m³ gives that of {}; remedy: add <inertial> to the "
+                            "URDF",
+                            source, numbers_text({&density_, 1}), fmt::join(links, ", ")));
         }
     }
 
@@ -206,6 +212,9 @@ private:
         for (const Sphere& s : spheres_[link]) {
             line(depth + 1, "<geom class=\"sphere\"" + attribute_text("pos", vector_text(s.center)) +
                                 attribute_text("size", numbers_text({&s.radius, 1})) + "/>");
+        }
+        for (const Element& element : others_[link]) {
+            line(depth + 1, "<geom class=\"element\"" + shapes_.attributes(element) + "/>");
         }
         add_children(link, depth + 1);
         line(depth, "</body>");
@@ -280,6 +289,11 @@ private:
                 return Invented{*mass, geometry->second->closed() ? &from_geometry_ : &from_open_};
             }
         }
+        if (!others_[link].empty()) {
+            if (const auto mass = of_elements({spheres_[link], others_[link]}, density_)) {
+                return Invented{*mass, &from_elements_};
+            }
+        }
         if (spheres_[link].empty()) {
             return {};
         }
@@ -310,10 +324,13 @@ private:
     bool free_;
     double density_; ///< kg/m³
     std::map<std::string, std::vector<Sphere>> spheres_;
+    std::map<std::string, std::vector<Element>> others_;
+    MjcfShapes shapes_;
     std::unique_ptr<const xml::Element> urdf_;
     std::map<std::string, const xml::Element*> inertials_;
     std::vector<std::string> impossible_; ///< links whose stated inertia no body has
-    std::vector<std::string> from_geometry_, from_open_, from_spheres_; ///< links by what their mass is made of
+    std::vector<std::string> from_geometry_, from_open_, from_spheres_,
+        from_elements_; ///< links by what their mass is made of
     JointValues locked_;
     std::string text_;
 };
@@ -354,12 +371,14 @@ std::string contact_text(const SphereModel& model) {
 
 MjcfWriter::MjcfWriter(const Parameters& parameters)
     : free_(parameters.text("base") == "free"), density_(parameters.number("density")),
-      replaces_collision_(parameters.boolean("collision")), replaces_pairs_(parameters.boolean("pairs")) {}
+      replaces_collision_(parameters.boolean("collision")), replaces_pairs_(parameters.boolean("pairs")) {
+    known_.segments = segments_of(parameters, "write.mjcf");
+}
 
 std::string MjcfWriter::write(const SphereModel& model, Context& context) const {
     if (model.into) {
         const bool pairs = replaces_pairs_ && model.ignored_pairs;
-        return with_spheres(*model.into, spheres_by_link(model),
+        return with_spheres(*model.into, in_known_kinds(elements_by_link(model), known_),
                             {.all_collision = replaces_collision_, .pairs = pairs ? &*model.ignored_pairs : nullptr},
                             context);
     }
@@ -367,26 +386,34 @@ std::string MjcfWriter::write(const SphereModel& model, Context& context) const 
         require_robot(model, "write.mjcf");
     }
     const std::string name = model.robot->name.empty() ? model.name : model.robot->name;
+    Bodies bodies(model, known_, free_, density_, context);
+    const std::string tree = bodies.text();
     return comment_text(model.provenance) + "<mujoco" + attribute_text("model", name) + ">\n" +
            "  <compiler angle=\"radian\" autolimits=\"true\"/>\n"
            "  <default>\n"
            "    <default class=\"sphere\"><geom type=\"sphere\" group=\"3\" mass=\"0\" contype=\"1\" "
-           "conaffinity=\"1\"/></default>\n"
-           "  </default>\n"
-           "  <worldbody>\n" +
-           Bodies(model, free_, density_, context).text() + "  </worldbody>\n" + equality_text(model) +
+           "conaffinity=\"1\"/></default>\n" +
+           (bodies.has_others() ? "    <default class=\"element\"><geom group=\"3\" mass=\"0\" contype=\"1\" "
+                                  "conaffinity=\"1\"/></default>\n"
+                                : "") +
+           "  </default>\n" + bodies.assets() + "  <worldbody>\n" + tree + "  </worldbody>\n" + equality_text(model) +
            contact_text(model) + "</mujoco>\n";
+}
+
+std::map<std::string, Approximation::Level> MjcfWriter::read_elements(const std::string& bytes,
+                                                                      const std::map<std::string, std::string>&) const {
+    try {
+        QuietContext context;
+        return elements_of(MjcfReader().read(bytes, "MJCF", context));
+    } catch (const Error& error) {
+        throw Error(ErrorCode::output, error.what());
+    }
 }
 
 std::map<std::string, std::vector<Sphere>> MjcfWriter::read(const std::string& bytes) const {
     std::map<std::string, std::vector<Sphere>> result;
-    try {
-        QuietContext context;
-        for (LinkSpheres& link : MjcfReader().read(bytes, "MJCF", context).links) {
-            result[link.link] = std::move(link.spheres);
-        }
-    } catch (const Error& error) {
-        throw Error(ErrorCode::output, error.what());
+    for (auto& [link, elements] : read_elements(bytes, {})) {
+        result[link] = std::move(elements.spheres);
     }
     return result;
 }

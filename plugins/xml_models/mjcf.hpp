@@ -1,6 +1,7 @@
 // MJCF, the format of MuJoCo: a body for each link, its spheres as geoms, its joint and inertia, pairs as <exclude>.
 #pragma once
 
+#include <foam/sdk/elements.hpp>
 #include <foam/sdk/stage.hpp>
 
 namespace foam::xml_models {
@@ -10,10 +11,13 @@ public:
     explicit MjcfWriter(const Parameters& parameters);
     std::string write(const SphereModel& model, Context& context) const override;
     std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override;
+    std::map<std::string, Approximation::Level>
+    read_elements(const std::string& bytes, const std::map<std::string, std::string>& beside) const override;
 
 private:
+    KnownKinds known_;
     bool free_;
-    double density_; ///< kg/m³
+    double density_;                           ///< kg/m³
     bool replaces_collision_, replaces_pairs_; ///< in a file of the user
 };
 

@@ -2,6 +2,7 @@
 
 #include "attributes.hpp"
 #include "mjcf_geoms.hpp"
+#include "mjcf_shapes.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
@@ -9,7 +10,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
 #include <map>
+#include <set>
 
 namespace foam::xml_models {
 namespace {
@@ -18,7 +22,7 @@ class MjcfEdit {
 public:
     MjcfEdit(const TextFile& into, const MjcfReplacement& what, Context& context)
         : file_(into.file.string()), what_(what), context_(context),
-          root_(xml::parse(into.text, file_, ErrorCode::input)), editor_(into.text) {
+          root_(xml::parse(into.text, file_, ErrorCode::input)), editor_(into.text), shapes_(next_number(*root_)) {
         if (root_->name != "mujoco" || root_->self_closing()) {
             throw Error(ErrorCode::input, fmt::format("{}:{}: <{}> is not the <mujoco> of an MJCF file", file_,
                                                       root_->line, root_->name));
@@ -67,9 +71,62 @@ public:
         }
     }
 
+    /// Puts the meshes of hulls, and removes those that only replaced geoms referred to.
+    void put_meshes() {
+        std::set<std::string> used;
+        for (const auto& [body, geoms] : geoms_) {
+            for (const MjcfGeom& geom : geoms) {
+                const std::string* mesh = geom.text("mesh");
+                if (mesh && !replaced_.contains(geom.geom)) {
+                    used.insert(*mesh);
+                }
+            }
+        }
+        for (const xml::Element* mesh : own_meshes(*root_)) {
+            if (!used.contains(*mesh->attribute("name"))) {
+                editor_.remove(*mesh);
+            }
+        }
+        const xml::Element* asset = root_->child("asset");
+        if (asset) {
+            for (const std::string& mesh : shapes_.meshes()) {
+                editor_.append_child(*asset, mesh);
+            }
+        } else if (!shapes_.meshes().empty()) {
+            editor_.append_child(*root_, fmt::format("<asset>{}</asset>", fmt::join(shapes_.meshes(), "")));
+        }
+    }
+
     std::string result() { return editor_.result(); }
 
 private:
+    /// Returns the mesh assets that foam has named.
+    static std::vector<const xml::Element*> own_meshes(const xml::Element& root) {
+        std::vector<const xml::Element*> meshes;
+        for (const xml::Element* asset : root.children_named("asset")) {
+            for (const xml::Element* mesh : asset->children_named("mesh")) {
+                const std::string* name = mesh->attribute("name");
+                if (name && name->starts_with(hull_prefix)) {
+                    meshes.push_back(mesh);
+                }
+            }
+        }
+        return meshes;
+    }
+
+    /// Returns a number above those in the names of foam's meshes.
+    static std::size_t next_number(const xml::Element& root) {
+        std::size_t next = 1;
+        for (const xml::Element* mesh : own_meshes(root)) {
+            const std::string_view digits =
+                std::string_view(*mesh->attribute("name")).substr(std::string_view(hull_prefix).size());
+            std::size_t number = 0;
+            std::from_chars(digits.data(), digits.data() + digits.size(), number);
+            next = std::max(next, number + 1);
+        }
+        return next;
+    }
+
     void add_bodies(const xml::Element& parent) {
         for (const xml::Element* body : parent.children_named("body")) {
             if (const std::string* name = body->attribute("name")) {
@@ -99,9 +156,10 @@ private:
     void put(const LinkSpheres& link, const xml::Element& body) {
         std::vector<const xml::Element*> old;
         for (const MjcfGeom& geom : geoms_[&body]) {
-            if (geom.collides && (geom.sphere || what_.all_collision)) {
+            if (geom.collides() && (geom.sphere() || what_.all_collision)) {
                 old.push_back(geom.geom);
-            } else if (geom.collides) {
+                replaced_.insert(geom.geom);
+            } else if (geom.collides()) {
                 ++others_;
             }
         }
@@ -110,14 +168,17 @@ private:
             weighed_by_spheres_.push_back(shown(link.link));
         }
         const std::string* own_class = old.empty() ? nullptr : old.front()->attribute("class");
-        const std::string kind = "<geom" + (own_class ? attribute_text("class", *own_class) : std::string()) +
-                                 attribute_text("type", "sphere") +
-                                 (own_class ? "" : R"( group="3" contype="1" conaffinity="1")") +
-                                 (weighed ? attribute_text("mass", "0") : "");
+        const std::string kind = "<geom" + (own_class ? attribute_text("class", *own_class) : std::string());
+        const std::string end = std::string(own_class ? "" : R"( group="3" contype="1" conaffinity="1")") +
+                                (weighed ? attribute_text("mass", "0") : "");
         std::vector<std::string> geoms;
         for (const Sphere& s : link.spheres) {
-            geoms.push_back(kind + attribute_text("pos", vector_text(s.center)) +
+            geoms.push_back(kind + attribute_text("type", "sphere") + end +
+                            attribute_text("pos", vector_text(s.center)) +
                             attribute_text("size", numbers_text({&s.radius, 1})) + "/>");
+        }
+        for (const Element& element : link.others) {
+            geoms.push_back(kind + end + shapes_.attributes(element) + "/>");
         }
         editor_.replace_children(body, old, geoms);
     }
@@ -131,6 +192,8 @@ private:
     std::map<const xml::Element*, std::vector<MjcfGeom>> geoms_;
     std::size_t others_ = 0;
     std::vector<std::string> weighed_by_spheres_;
+    MjcfShapes shapes_;
+    std::set<const xml::Element*> replaced_; ///< geoms
 };
 
 } // namespace
@@ -139,6 +202,7 @@ std::string with_spheres(const TextFile& into, const std::vector<LinkSpheres>& l
                          Context& context) {
     MjcfEdit edit(into, what, context);
     edit.put(links);
+    edit.put_meshes();
     if (what.pairs) {
         edit.put_pairs(*what.pairs);
     }

@@ -9,21 +9,14 @@
 namespace foam::xml_models {
 namespace {
 
-/// The attributes of the <geom> of a class, those of its parent class included.
-struct GeomClass {
-    std::string type = "sphere", contype = "1", conaffinity = "1";
-    const xml::Element* sized = nullptr;
+/// The elements that state the attributes of the <geom> of a class, those of its parent class included.
+using GeomClass = std::map<std::string, const xml::Element*, std::less<>>;
 
-    void take(const xml::Element& geom) {
-        for (const auto& [key, value] :
-             {std::pair("type", &type), {"contype", &contype}, {"conaffinity", &conaffinity}}) {
-            if (const std::string* given = geom.attribute(key)) {
-                *value = *given;
-            }
-        }
-        sized = geom.attribute("size") ? &geom : sized;
+void take(GeomClass& attributes, const xml::Element& geom) {
+    for (const auto& [key, value] : geom.attributes) {
+        attributes[key] = &geom;
     }
-};
+}
 
 class GeomWalk {
 public:
@@ -41,7 +34,7 @@ public:
 private:
     void add_classes(const xml::Element& element, GeomClass own, bool top) {
         if (const xml::Element* geom = element.child("geom")) {
-            own.take(*geom);
+            take(own, *geom);
         }
         const std::string* name = element.attribute("class");
         classes_[name ? *name : top ? "main" : ""] = own;
@@ -70,9 +63,8 @@ private:
         for (const auto& child : body.children) {
             if (child->name == "geom") {
                 GeomClass attributes = class_of(*child, own);
-                attributes.take(*child);
-                geoms.push_back({child.get(), &body, attributes.type == "sphere" && !child->attribute("mesh"),
-                                 attributes.contype != "0" || attributes.conaffinity != "0", attributes.sized});
+                take(attributes, *child);
+                geoms.push_back({child.get(), &body, std::move(attributes)});
             } else if (child->name == "body") {
                 walk(*child, own);
             }
@@ -84,6 +76,21 @@ private:
 };
 
 } // namespace
+
+const std::string* MjcfGeom::text(std::string_view attribute) const {
+    const auto found = stated.find(attribute);
+    return found == stated.end() ? nullptr : found->second->attribute(attribute);
+}
+
+bool MjcfGeom::sphere() const {
+    const std::string* type = text("type");
+    return (!type || *type == "sphere") && !geom->attribute("mesh");
+}
+
+bool MjcfGeom::collides() const {
+    const std::string *contype = text("contype"), *conaffinity = text("conaffinity");
+    return !contype || *contype != "0" || !conaffinity || *conaffinity != "0";
+}
 
 std::vector<MjcfGeom> geoms_of(const xml::Element& root, const std::string& file) {
     return GeomWalk(root, file).geoms;

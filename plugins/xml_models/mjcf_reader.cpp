@@ -1,5 +1,4 @@
-// The spheres of MJCF: geoms of bodies that take part in contacts.
-#include "attributes.hpp"
+// The elements of MJCF: geoms of bodies that take part in contacts.
 #include "mjcf.hpp"
 #include "mjcf_geoms.hpp"
 
@@ -7,22 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 namespace foam::xml_models {
-namespace {
-
-Sphere sphere_of(const MjcfGeom& geom, const std::string& file) {
-    if (!geom.sized) {
-        throw Error(ErrorCode::input, fmt::format("{}:{}: the sphere has no size", file, geom.geom->line));
-    }
-    Vec3 center;
-    if (geom.geom->attribute("pos")) {
-        const std::vector<double> pos = numbers_of(*geom.geom, "pos", 3, file);
-        center = {pos[0], pos[1], pos[2]};
-    }
-    return {center, numbers_of(*geom.sized, "size", 0, file).front()};
-}
-
-} // namespace
 
 bool MjcfReader::recognises(std::string_view text) const {
     return xml::root_name(text) == "mujoco";
@@ -37,23 +23,33 @@ SphereFile MjcfReader::read(const std::string& text, const std::filesystem::path
         throw Error(ErrorCode::input,
                     fmt::format("{}:{}: <{}> is not <mujoco>", file.string(), root->line, root->name));
     }
+    const MjcfElements elements(*root, file);
     std::size_t others = 0, visual = 0;
+    std::set<std::string> reasons;
     for (const MjcfGeom& geom : geoms_of(*root, file.string())) {
-        if (!geom.collides) {
+        std::string why;
+        if (!geom.collides()) {
             ++visual;
-        } else if (!geom.sphere) {
-            ++others;
+        } else if (const auto element = elements.element_of(geom, why)) {
+            LinkSpheres& link = link_of(result, name_of_body(*geom.body));
+            if (element->kind == Element::Kind::sphere) {
+                link.spheres.push_back({element->pose.translation, element->radius});
+            } else {
+                link.others.push_back(*element);
+            }
         } else {
-            spheres_of(result, name_of_body(*geom.body)).push_back(sphere_of(geom, file.string()));
+            ++others;
+            reasons.insert(why);
         }
     }
-    const auto note = [&](std::size_t count, const char* one, const char* many) {
-        if (count > 0) {
-            result.notes.push_back(fmt::format("{} geom{} and left out", count, count == 1 ? one : many));
-        }
-    };
-    note(others, " is no sphere", "s are no spheres");
-    note(visual, " is without contact", "s are without contact");
+    if (others > 0) {
+        result.notes.push_back(fmt::format("{} geom{} no convex element ({}) and left out", others,
+                                           others == 1 ? " is" : "s are", fmt::join(reasons, ", ")));
+    }
+    if (visual > 0) {
+        result.notes.push_back(
+            fmt::format("{} geom{} without contact and left out", visual, visual == 1 ? " is" : "s are"));
+    }
     return result;
 }
 

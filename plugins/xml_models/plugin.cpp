@@ -18,7 +18,7 @@ FOAM_PLUGIN("xml_models", "1.0", "Apache-2.0") {
              .name = "srdfdom (e23af6e63a), Pinocchio 3.7, Tesseract (c3f7109d07)", .pairs = true, .edits = true}});
     enrol.add<MjcfWriter>(
         {.name = "write.mjcf",
-         .summary = "Writes the robot as MJCF: bodies with their spheres, joints, inertias and pairs without contact.",
+         .summary = "Writes the robot as MJCF: bodies with their elements, joints, inertias and pairs without contact.",
          .reference = "https://mujoco.readthedocs.io/en/stable/XMLreference.html",
          .parameters = {Parameter::choice("base", {"fixed", "free"}, "fixed")
                             .doc("fixed: the base is part of the world; free: it moves freely, as an object does."),
@@ -27,18 +27,21 @@ FOAM_PLUGIN("xml_models", "1.0", "Apache-2.0") {
                             .unit("kg/m³")
                             .doc("Density of the geometry of links without <inertial>.")
                             .source("MuJoCo's own default."),
+                        foam::segments_parameter(),
                         Parameter::boolean("collision", false)
                             .doc("With 'into': also replace geoms with contact that are no spheres."),
                         Parameter::boolean("pairs", true)
                             .doc("With 'into': also replace the <exclude> elements: pairs of bodies without contact.")},
          .extensions = {"mjcf"},
+         .kinds = foam::every_kind(),
          .consumer = {.name = "MuJoCo 2.2.2 and 3.12 (a7255075b0)", .pairs = true, .edits = true}});
     enrol.add<SrdfReader>({.name = "read.srdf",
                            .summary = "Reads the spheres of links of an SRDF: link_sphere_approximation.",
                            .reference = "https://github.com/moveit/srdfdom",
                            .extensions = {"srdf"}});
-    enrol.add<MjcfReader>({.name = "read.mjcf",
-                           .summary = "Reads the spheres of an MJCF file: geoms of its bodies.",
-                           .reference = "https://mujoco.readthedocs.io/en/stable/XMLreference.html",
-                           .extensions = {"xml", "mjcf"}});
+    enrol.add<MjcfReader>(
+        {.name = "read.mjcf",
+         .summary = "Reads the spheres and other convex elements of an MJCF file: geoms of its bodies.",
+         .reference = "https://mujoco.readthedocs.io/en/stable/XMLreference.html",
+         .extensions = {"xml", "mjcf"}});
 }

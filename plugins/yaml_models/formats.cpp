@@ -154,11 +154,15 @@ void read_depths(const Value& root, Tree& tree) {
 
 void read_foam_json(const Value& root, Tree& tree) {
     tree.result.format = "foam JSON";
-    if (const Value& version = tree.at(root, "foam_spheres"); version.text != "1") {
-        tree.fail(version, fmt::format("foam_spheres is {}; this foam reads 1", version.description()));
+    if (const Value& version = tree.at(root, "foam_spheres"); version.text != "1" && version.text != "2") {
+        tree.fail(version, fmt::format("foam_spheres is {}; this foam reads 1 and 2", version.description()));
     }
-    tree.for_each(tree.at(root, "links"),
-                  [&](const std::string& link, const Value& value) { tree.add(link, tree.at(value, "spheres")); });
+    tree.for_each(tree.at(root, "links"), [&](const std::string& link, const Value& value) {
+        tree.add(link, tree.at(value, "spheres"));
+        if (const Value* elements = value.find("elements")) {
+            tree.add_elements(link, *elements);
+        }
+    });
 }
 
 void read_xrdf(const Value& root, Tree& tree) {

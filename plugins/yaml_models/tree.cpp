@@ -2,6 +2,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
+#include <foam/sdk/elements.hpp>
 
 #include <fmt/format.h>
 
@@ -40,16 +41,7 @@ struct Switched {
 } // namespace
 
 Value parse(const std::string& text, const std::filesystem::path& file) {
-    yaml::Findings findings(file.string());
-    std::optional<Value> root;
-    if (yaml::check_text(text, 0, findings, sphere_file)) {
-        root = yaml::read_yaml(text, 0, findings, sphere_file);
-    }
-    if (findings.any_error() || !root) {
-        const std::vector<yaml::Diagnostic> all = findings.take();
-        throw Error(ErrorCode::input, fmt::format("{}: {}", all.front().where.text(), all.front().message));
-    }
-    return std::move(*root);
+    return yaml::tree_of(text, file.string(), sphere_file);
 }
 
 void Tree::fail(const Value& at, const std::string& why) const {
@@ -114,6 +106,38 @@ void Tree::add(const std::string& link, const Value& spheres) {
     for (const Value& value : list(spheres, fmt::format("a list of spheres for link '{}'", link)).items) {
         target.push_back(sphere(value));
     }
+}
+
+void Tree::append_numbers(const Value& value, std::vector<double>& numbers) const {
+    if (!value.is(Kind::list)) {
+        numbers.push_back(number(value));
+        return;
+    }
+    for (const Value& item : value.items) { // at most as deep as the parser allows
+        append_numbers(item, numbers);
+    }
+}
+
+void Tree::add_elements(const std::string& link, const Value& elements) {
+    LinkSpheres& target = link_of(result, link);
+    Approximation::Level all{std::move(target.spheres), {}, std::move(target.others)};
+    for (const Value& object : list(elements, "a list of elements").items) {
+        const std::string kind = at(object, "kind").text;
+        ElementNumbers numbers;
+        for (std::size_t i = 0; i < object.keys.size(); ++i) {
+            if (object.keys[i].text != "kind") {
+                append_numbers(object.items[i],
+                               numbers.emplace_back(object.keys[i].text, std::vector<double>{}).second);
+            }
+        }
+        try {
+            foam::add(all, element_of(kind, numbers));
+        } catch (const Error& error) {
+            fail(object, error.what());
+        }
+    }
+    target.spheres = std::move(all.spheres);
+    target.others = std::move(all.others);
 }
 
 void Tree::add_columns(const std::string& link, const Value& value) {

@@ -31,6 +31,8 @@ public:
     }
     /// Adds a list of spheres: `[x, y, z, r]`, `{center, radius}` or `{origin, radius}`.
     void add(const std::string& link, const yaml::Value& spheres);
+    /// Adds elements of write.json: `{kind, position, …}`.
+    void add_elements(const std::string& link, const yaml::Value& elements);
     /// Adds `{centers: [[x, y, z]], radii: [r]}`.
     void add_columns(const std::string& link, const yaml::Value& value);
     /// Notes a distance that a program adds to all radii, or to those of each link. It is reported, not added; spheres
@@ -43,6 +45,7 @@ private:
     void require_map(const yaml::Value& value) const;
     double number(const yaml::Value& value) const;
     double buffer_of(const yaml::Value& buffer, const std::string& link) const;
+    void append_numbers(const yaml::Value& value, std::vector<double>& numbers) const;
     Vec3 point(const yaml::Value& value) const;
     Sphere sphere(const yaml::Value& value) const;
 };

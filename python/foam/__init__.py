@@ -24,7 +24,7 @@ from .errors import Cancelled, Error, GeometryError, InputError, UsageError
 if TYPE_CHECKING:
     from ._adapters import from_trimesh
     from ._batch import BatchEntry, read_batch
-    from ._cover import Cover, spheres_inside, spherize, spherize_each
+    from ._cover import ConvexCover, Cover, ProvedElement, approximate, proved_least, spheres_inside, spherize, spherize_each
     from ._judge import certify, describe, evaluate, plugins, self_collision, stages
     from ._mesh import Mesh, read_mesh
     from ._model import SphereModel, read_spheres
@@ -44,6 +44,7 @@ _HOMES = {
     "from_trimesh": "_adapters",
     "BatchEntry": "_batch",
     "Certificate": "_results",
+    "ConvexCover": "_cover",
     "Cover": "_cover",
     "Evaluation": "_results",
     "Event": "_runs",
@@ -55,12 +56,15 @@ _HOMES = {
     "Run": "_runs",
     "SelfCollision": "_results",
     "SphereModel": "_model",
+    "approximate": "_cover",
     "certify": "_judge",
     "check": "_runs",
     "describe": "_judge",
     "evaluate": "_judge",
     "load": "_robot",
     "plugins": "_judge",
+    "ProvedElement": "_cover",
+    "proved_least": "_cover",
     "read_batch": "_batch",
     "read_mesh": "_mesh",
     "read_spheres": "_model",
@@ -130,6 +134,7 @@ __all__ = [
     "BatchEntry",
     "Cancelled",
     "Certificate",
+    "ConvexCover",
     "Cover",
     "Error",
     "Evaluation",
@@ -145,6 +150,9 @@ __all__ = [
     "SelfCollision",
     "SphereModel",
     "UsageError",
+    "approximate",
+    "ProvedElement",
+    "proved_least",
     "certify",
     "check",
     "describe",

@@ -27,7 +27,7 @@ class BatchEntry(NamedTuple):
 
 
 def read_batch(path: str | os.PathLike[str]) -> list[BatchEntry]:
-    """Return the results of `foam batch`, sorted by id: those of its folder (finished or not), or of a table .jsonl.
+    """Return the results of `foam batch`, sorted by id: those of its folder (finished or not), or of a table .jsonl or .jsonl.zst.
 
     Raises InputError if it cannot be read.
     """
@@ -39,13 +39,16 @@ def read_batch(path: str | os.PathLike[str]) -> list[BatchEntry]:
             return list(_entries(table))
     if not file.is_file():
         raise InputError(f"{file}: there is no such file or folder")
-    if file.suffix != ".jsonl":
-        raise InputError(f"{file}: a folder of foam batch or a .jsonl is expected; remedy: foam batch collect -o X.jsonl")
+    if not file.name.endswith((".jsonl", ".jsonl.zst")):
+        raise InputError(
+            f"{file}: a folder of foam batch, a .jsonl or a .jsonl.zst is expected; remedy: foam batch collect -o X.jsonl"
+        )
     return list(_entries(file))
 
 
 def _entries(table: Path) -> Iterator[BatchEntry]:
-    for number, line in enumerate(table.read_text().splitlines(), 1):
+    lines = _core.read_batch_table(str(table)).split(b"\n")  # text has more line ends than JSON lines
+    for number, line in enumerate(lines[:-1] if not lines[-1] else lines, 1):
         try:
             values = json.loads(line)
             error = values.get("error")

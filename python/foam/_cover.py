@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import operator
-from typing import Any, Iterable
+from collections import Counter
+from typing import Any, Iterable, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -80,10 +81,54 @@ class Cover:
         return f"<foam.Cover: {len(self)} spheres, {'certified' if self.certified else 'not certified'}>"
 
 
-def _count(spheres: Any) -> int:
-    count = operator.index(spheres)
+class ConvexCover:
+    """Convex elements that cover a mesh, with the proof.
+
+    Equal covers have equal elements. Covers can be pickled.
+    """
+
+    __slots__ = ("elements", "certified", "volume", "excess")
+
+    elements: list[dict[str, Any]]  #: spheres first; the dictionaries are those of SphereModel.elements()
+    certified: bool  #: whether the elements are proved to cover the whole surface
+    volume: float  #: of the union of the elements, m³
+    excess: float  #: the volume of the elements outside the mesh / the volume of the mesh; inf for a mesh without inside
+
+    def __init__(self, elements: list[dict[str, Any]], certified: bool, volume: float, excess: float):
+        self.elements = elements
+        self.certified = certified
+        self.volume = volume
+        self.excess = excess
+
+    def to_trimesh(self) -> Any:
+        """Return meshes around the elements as one trimesh.Trimesh, for pictures."""
+        from . import _adapters
+
+        return _adapters.trimesh_of(Mesh._of(_core.mesh_of_elements(self.elements)))
+
+    def __len__(self) -> int:
+        return len(self.elements)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, ConvexCover):
+            return NotImplemented
+        return self.elements == other.elements
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return ConvexCover, (self.elements, self.certified, self.volume, self.excess)
+
+    def __repr__(self) -> str:
+        numbers = Counter(element["kind"] for element in self.elements)
+        kinds = ", ".join(f"{number} {kind}" for kind, number in numbers.items())
+        return f"<foam.ConvexCover: {kinds}, {'certified' if self.certified else 'not certified'}>"
+
+
+def _count(elements: Any, what: str = "spheres") -> int:
+    count = operator.index(elements)
     if not 1 <= count <= _MOST_SPHERES:
-        raise UsageError(f"spheres: 1 to {_MOST_SPHERES} are possible, got {count}")
+        raise UsageError(f"{what}: 1 to {_MOST_SPHERES} are possible, got {count}")
     return count
 
 
@@ -158,6 +203,66 @@ def spherize_each(
         given._core, [_count(count) for count in counts], effort, objective, _seed(seed), _limit(time_limit)
     )
     return [Cover(*result, given.copy()) for result in results]
+
+
+def approximate(
+    mesh: Any,
+    elements: int,
+    kinds: Iterable[str] | str = ("sphere", "capsule", "box"),
+    *,
+    effort: str = "normal",
+    objective: str = "excess",
+    max_vertices: int = 64,
+    axis_aligned: bool = False,
+    time_limit: float | None = None,
+) -> ConvexCover:
+    """Return at most `elements` convex elements that cover the surface of a mesh, proved.
+
+    The function is that of C++, `foam::approximate()`: the result is the same, bit for bit, on any number of threads.
+
+    Args:
+        mesh: as of spherize().
+        elements: the greatest number of elements, at least 1.
+        kinds: of elements: "sphere", "capsule", "cylinder", "box", "swept_box", "hull", one or several.
+        effort: "fast", "normal" or "best".
+        objective: what is minimised: "excess" (volume outside the mesh), "mean_protrusion" or "protrusion".
+        max_vertices: of a hull, at least 4.
+        axis_aligned: boxes have the axes of the mesh's frame.
+        time_limit: seconds; the best elements by then, certified like any others, but not the same in each call.
+
+    Raises:
+        As spherize(). UsageError: there is no such kind.
+    """
+    return ConvexCover(
+        *_core.approximate(
+            mesh_of(mesh)._core, _count(elements, "elements"), [kinds] if isinstance(kinds, str) else list(kinds),
+            effort, objective, operator.index(max_vertices), bool(axis_aligned), _limit(time_limit),
+        )
+    )  # fmt: skip
+
+
+class ProvedElement(NamedTuple):
+    """An element around a mesh, and a bound on all elements of its kind around it."""
+
+    element: dict[str, Any]  #: as in ConvexCover.elements
+    volume: float  #: of the element, m³
+    lower_bound: float  #: m³: no element of the kind that contains the mesh has less volume
+
+
+def proved_least(mesh: Any, kind: str, *, tolerance: float = 1e-3) -> ProvedElement:
+    """Return the element of least volume around a mesh, up to the share `tolerance`, proved by branch and bound.
+
+    The function is that of C++, `foam::proved_least()`. It takes seconds.
+
+    Args:
+        mesh: as of spherize().
+        kind: "capsule", "cylinder" or "box".
+        tolerance: above 0.
+
+    Raises:
+        As spherize(). UsageError: another kind or tolerance. GeometryError: a million cells were not enough.
+    """
+    return ProvedElement(*_core.proved_least(mesh_of(mesh)._core, kind, float(tolerance)))
 
 
 def spheres_inside(mesh: Any, spheres: int, *, time_limit: float | None = None) -> NDArray[np.float64]:

@@ -38,6 +38,7 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
         self.name = name
         self.summary = summary  #: of the run that made the model, as `foam run --json` prints it; else None
         self.notes: list[str] = []
+        self._elements: dict[str, list[dict[str, Any]]] = {}
         self._file: _core.SphereFile | None = None
         self._of_run: _core.Model | None = None
         self._recipes: _core.Recipes | None = None
@@ -58,8 +59,34 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
 
     @property
     def count(self) -> int:
-        """The number of all spheres."""
-        return sum(len(spheres) for spheres in self._spheres.values())
+        """The number of all elements; most models have spheres alone."""
+        return sum(len(spheres) for spheres in self._spheres.values()) + sum(map(len, self._elements.values()))
+
+    def elements(self, link: str) -> list[dict[str, Any]]:
+        """Return all elements of a link as dictionaries, spheres first. The arrays of the mapping have the spheres alone.
+
+        Each has "kind", "position" and what its kind needs, in metres: "radius" of a sphere; "length" (of the axis,
+        without caps) and "radius" of a capsule or cylinder along z; "size" of a box; "size" of the inner box and
+        "radius" of a swept_box; "vertices" of a hull. "rotation" has the rows of the matrix from the element's frame to
+        the link's.
+        """
+        spheres = [{"kind": "sphere", "position": row[:3].tolist(), "radius": float(row[3])} for row in self[link]]
+        return spheres + [dict(element) for element in self._elements.get(link, [])]
+
+    def _take_elements(self, file: _core.SphereFile) -> None:
+        """Keep the elements of other kinds than sphere; further calls of foam get them from the file."""
+        self._elements = dict(file.elements())
+        if self._elements:
+            self._file = file
+            none = np.zeros((0, 4))
+            none.flags.writeable = False
+            self._spheres |= {link: none for link in self._elements if link not in self._spheres}
+
+    def _require_spheres(self, what: str) -> None:
+        if self._elements:
+            kinds = sorted({element["kind"] for elements in self._elements.values() for element in elements})
+            raise UsageError(f"{what} takes spheres alone, and this model has other elements ({', '.join(kinds)}); "
+                             "remedy: a model of spheres, or save() in a format that holds them")
 
     @property
     def certified(self) -> bool:
@@ -78,6 +105,7 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
 
     def to_dict(self) -> dict[str, dict[str, Any]]:
         """Return {link: {"centers": [[x, y, z], …], "radii": […]}}: numbers for JSON, and for pyroki."""
+        self._require_spheres("to_dict()")
         return {
             link: {"centers": spheres[:, :3].tolist(), "radii": spheres[:, 3].tolist()}
             for link, spheres in self._spheres.items()
@@ -176,10 +204,12 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
         """
         if spec is None:
             return _adapters.files_of(self, "mjcf", f"{self.name}.xml", {}, None)[f"{self.name}.xml"]
+        self._require_spheres("to_mujoco() with a spec")
         return _adapters.to_mujoco(self, spec, bodies, group, pairs)
 
     def to_trimesh(self) -> dict[str, Any]:
         """Return the spheres of each link as one trimesh.Trimesh, in the frame of the link, for pictures."""
+        self._require_spheres("to_trimesh()")
         return {link: _adapters.trimesh_of(_adapters.mesh_of_spheres(rows)) for link, rows in self._spheres.items()}
 
     def picture(self, width: int = 960, height: int = 720) -> bytes:
@@ -204,18 +234,20 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
 
     def __reduce__(self) -> tuple[Any, ...]:
         spheres = {link: np.array(rows) for link, rows in self._spheres.items()}
-        return _restored, (spheres, self._robot, self.name, self.summary, self.notes)
+        return _restored, (spheres, self._robot, self.name, self.summary, self.notes, self._elements)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, SphereModel):
             return NotImplemented
-        return list(self) == list(other) and all(np.array_equal(self[link], other[link]) for link in self)
+        same = list(self) == list(other) and all(np.array_equal(self[link], other[link]) for link in self)
+        return same and self._elements == other._elements
 
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
         proof = ", certified" if self.certified else ""
-        return f"<foam.SphereModel '{self.name}': {self.count} spheres of {len(self)} links{proof}>"
+        noun = "elements" if self._elements else "spheres"
+        return f"<foam.SphereModel '{self.name}': {self.count} {noun} of {len(self)} links{proof}>"
 
 
 def _rows(value: ArrayLike, link: str) -> NDArray[np.float64]:
@@ -228,9 +260,13 @@ def _rows(value: ArrayLike, link: str) -> NDArray[np.float64]:
     return rows
 
 
-def _restored(spheres: Any, robot: Any, name: str, summary: Any, notes: list[str]) -> SphereModel:
+def _restored(
+    spheres: Any, robot: Any, name: str, summary: Any, notes: list[str], elements: Any = None
+) -> SphereModel:
     model = SphereModel(spheres, robot, name=name, summary=summary)
     model.notes = notes
+    if elements:
+        model._take_elements(_core.SphereFile(list(model._spheres.items()), name, list(elements.items())))
     return model
 
 
@@ -274,6 +310,7 @@ def read_spheres(
         spheres = {link: spheres[link] for link in sorted(spheres, key=_order_of(of.links))}
     model = SphereModel(spheres, name=file.stem)
     model._robot = of
+    model._take_elements(read)
     model._file = read
     model.notes = read.notes()
     return model

@@ -155,16 +155,63 @@ class Robot:
         Raises:
             UsageError: an argument is wrong. GeometryError, Error: a link failed. KeyboardInterrupt: Ctrl-C.
         """
+        return self._made(
+            method, None, spheres, excess, max_protrusion, None, {}, effort, objective, links, set, seed, time_limit,
+            fresh, progress,
+        )  # fmt: skip
+
+    def approximate(
+        self,
+        elements: int | None = None,
+        kinds: Iterable[str] | str = ("sphere", "capsule", "box"),
+        *,
+        cost: float | None = None,
+        costs: Mapping[str, float] | None = None,
+        excess: float | None = None,
+        max_protrusion: float | None = None,
+        effort: str | None = None,
+        objective: str | None = None,
+        links: Mapping[str, Mapping[str, Any]] | None = None,
+        set: Mapping[str, Any] | None = None,
+        seed: int | None = None,
+        time_limit: float | None = None,
+        fresh: bool = False,
+        progress: Callable[[Any], object] | None = None,
+    ) -> Any:
+        """Return a SphereModel of convex elements: those of all links, proved to cover them. It is `foam approximate`.
+
+        Args:
+            elements: the greatest number of elements of the whole robot.
+            kinds: of elements: "sphere", "capsule", "cylinder", "box", "swept_box", "hull", one or several.
+            cost: the greatest cost of checking all elements, instead of their number.
+            costs: of a check by kind: {"capsule": 2, "hull_vertex": 0.1}; only with `cost`.
+            objective: what is minimised: "excess", "mean_protrusion" or "protrusion".
+
+        The other arguments, and the errors, are those of spherize().
+        """
+        words = [kinds] if isinstance(kinds, str) else list(kinds)
+        return self._made(
+            "", words, elements, excess, max_protrusion, cost, costs or {}, effort, objective, links, set, seed,
+            time_limit, fresh, progress,
+        )  # fmt: skip
+
+    def _made(
+        self, method: str, kinds: list[str] | None, count: int | None, excess: float | None,
+        max_protrusion: float | None, cost: float | None, costs: Mapping[str, float], effort: str | None,
+        objective: str | None, links: Mapping[str, Mapping[str, Any]] | None, set: Mapping[str, Any] | None,
+        seed: int | None, time_limit: float | None, fresh: bool, progress: Callable[[Any], object] | None,
+    ) -> Any:  # fmt: skip
+        """Return the model that the recipe for these arguments makes; `kinds`: None for spheres alone."""
         from . import _runs
 
         _, unit, scale, geometry, globs, _ = self._arguments
         mesh = not self.urdf
-        name, text, left_out = _core.quick_recipe(
-            self._arguments[0], method, "json" if mesh else "urdf", None if spheres is None else _count(spheres), excess,
-            max_protrusion, unit, scale, geometry, registry(),
+        name, text, left_out, stage = _core.quick_recipe(
+            self._arguments[0], method, kinds, "json" if mesh else "urdf", None if count is None else _count(count),
+            excess, max_protrusion, None if cost is None else float(cost), costs,
+            objective or "" if kinds is not None else "", unit, scale, geometry, registry(),
         )  # fmt: skip
-        warn_of([f"no plugin offers {stage}; it is skipped" for stage in left_out], str(self.file))
-        stage = method if method.startswith("spherize.") else f"spherize.{method}"
+        warn_of([f"no plugin offers {missing}; it is skipped" for missing in left_out], str(self.file))
         settings: dict[str, Any] = {}
         if self._packages.folders:
             settings["package_path"] = self._packages.folders
@@ -172,7 +219,7 @@ class Robot:
             settings["seed"] = _seed(seed)
         if effort is not None:
             settings[f"stages.{stage}.effort"] = effort
-        if objective is not None:
+        if objective is not None and kinds is None:
             settings[f"stages.{stage}.objective"] = objective
         own = {link: dict(values) for link, values in (links or {}).items()}
         if globs:  # of load(): the other links keep their geometry

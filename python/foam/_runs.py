@@ -133,6 +133,7 @@ def run_all(
         )
         model = SphereModel({link: np.asarray(rows) for link, rows in links}, name=name, summary=summary)
         model._of_run = held
+        model._take_elements(held.spheres())
         model._recipes = recipes if len(names) == 1 else None
         runs.append(Run(summary, model, folder))
     return runs

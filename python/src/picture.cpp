@@ -1,6 +1,7 @@
 // Pictures of robots and their spheres.
 #include "robot.hpp"
 
+#include <foam/runtime/shown_elements.hpp>
 #include <foam/base/error.hpp>
 #include <foam/geometry/figure.hpp>
 #include <foam/sdk/stage.hpp>
@@ -25,9 +26,7 @@ py::bytes picture_of(const Registry& registry, const SphereFile& spheres, const 
         }
         for (const LinkSpheres& link : spheres.links) {
             const Pose& pose = poses[link.link];
-            for (const Sphere& sphere : link.spheres) {
-                panel.spheres.push_back({pose * sphere.center, sphere.radius});
-            }
+            add_elements(panel, link.view(), pose);
         }
         Figure figure;
         figure.title = title;

@@ -1,5 +1,7 @@
 #include "robot.hpp"
 
+#include "elements.hpp"
+
 #include <foam/base/error.hpp>
 #include <foam/judge/sphere_file.hpp>
 
@@ -74,12 +76,25 @@ std::shared_ptr<HeldMesh> mesh_of_link(const HeldRobot& held, const std::string&
                             to_string(held.original.geometry), fmt::join(names_of(held, true), ", ")));
 }
 
-SphereFile file_of(const std::vector<std::pair<std::string, py::buffer>>& links, const std::string& name) {
+using ElementsOfLinks = std::vector<std::pair<std::string, std::vector<py::dict>>>;
+
+SphereFile file_of(const std::vector<std::pair<std::string, py::buffer>>& links, const std::string& name,
+                   const ElementsOfLinks& elements) {
     SphereFile file;
     file.file = name;
     file.format = "foam";
     for (const auto& [link, rows] : links) {
-        file.links.push_back({link, spheres_of(rows)});
+        file.links.push_back({link, spheres_of(rows), {}});
+    }
+    for (const auto& [link, others] : elements) {
+        auto found = std::find_if(file.links.begin(), file.links.end(),
+                                  [&, &name_of_link = link](const LinkSpheres& l) { return l.link == name_of_link; });
+        if (found == file.links.end()) {
+            found = file.links.insert(found, {link, {}, {}});
+        }
+        for (const py::dict& other : others) {
+            found->others.push_back(element_of_dict(other));
+        }
     }
     return file;
 }
@@ -106,8 +121,9 @@ void add_robot(py::module_& module) {
         .def("joints", &joints_of)
         .def("mesh", &mesh_of_link, py::arg("link"));
     py::class_<SphereFile, std::shared_ptr<SphereFile>>(module, "SphereFile")
-        .def(py::init(&file_of), py::arg("links"), py::arg("name"))
+        .def(py::init(&file_of), py::arg("links"), py::arg("name"), py::arg("elements") = ElementsOfLinks())
         .def("links", &links_of)
+        .def("elements", &elements_of)
         .def("format", [](const SphereFile& file) { return file.format; })
         .def("notes", [](const SphereFile& file) { return file.notes; });
     module.def(

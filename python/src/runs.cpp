@@ -1,11 +1,13 @@
 // Runs of recipes.
 #include "aside.hpp"
+#include "elements.hpp"
 #include "robot.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/batch/batch.hpp>
 #include <foam/recipe/quick_recipe.hpp>
 #include <foam/runtime/run_json.hpp>
+#include <foam/sdk/kinds.hpp>
 
 #include <nlohmann/json.hpp>
 #include <pybind11/stl.h>
@@ -91,7 +93,7 @@ py::tuple ran(const HeldRecipes& held, std::size_t index, const std::optional<st
     auto model = std::make_shared<HeldModel>();
     model->registry = held.registry;
     model->of_run = true;
-    std::vector<LinkSpheres> spheres = spheres_by_link(result.model);
+    std::vector<LinkSpheres> spheres = file_of_model(result.model).links;
     std::string json = json_text(json_of_run<Json>(result, recipe, out.value_or("")));
     model->model = std::move(result.model);
     py::list links;
@@ -101,20 +103,26 @@ py::tuple ran(const HeldRecipes& held, std::size_t index, const std::optional<st
     return py::make_tuple(json, links, model);
 }
 
-py::tuple quick(const std::filesystem::path& input, const std::string& method, const std::string& ending,
-                std::optional<std::size_t> spheres, std::optional<double> excess, std::optional<double> max_protrusion,
+/// `kinds`: nothing for spheres alone, as `foam spherize`; else as `foam approximate`.
+py::tuple quick(const std::filesystem::path& input, const std::string& method,
+                const std::optional<std::vector<std::string>>& kinds, const std::string& ending,
+                std::optional<std::size_t> count, std::optional<double> excess, std::optional<double> max_protrusion,
+                std::optional<double> cost, const std::map<std::string, double>& costs, const std::string& objective,
                 const std::optional<std::string>& unit, double scale, const std::string& geometry,
                 const Registry& registry) {
+    const QuickMethod by = kinds ? QuickMethod(method, kinds_named(*kinds, "kinds"), objective) : QuickMethod(method);
+    const QuickBudget budget{count, excess, max_protrusion, cost, costs};
     const QuickRecipe made =
-        quick_recipe(input, method, ending, {.spheres = spheres, .excess = excess, .max_protrusion = max_protrusion},
-                     {.unit = unit, .scale = scale}, geometry, registry);
-    return py::make_tuple(made.name, made.text, made.left_out);
+        quick_recipe(input, by, ending, budget, {.unit = unit, .scale = scale}, geometry, registry);
+    return py::make_tuple(made.name, made.text, made.left_out, made.stage);
 }
 
 } // namespace
 
 void add_runs(py::module_& module) {
-    py::class_<HeldModel, std::shared_ptr<HeldModel>>(module, "Model");
+    py::class_<HeldModel, std::shared_ptr<HeldModel>>(module, "Model").def("spheres", [](const HeldModel& held) {
+        return std::make_shared<SphereFile>(file_of_model(held.model));
+    });
     py::class_<HeldRecipes, std::shared_ptr<HeldRecipes>>(module, "Recipes")
         .def(py::init(&read_recipes), py::arg("registry"), py::arg("file"), py::arg("text"), py::arg("name"),
              py::arg("settings"), py::arg("variants"))
@@ -134,9 +142,17 @@ void add_runs(py::module_& module) {
             worked([&](const Signals&) { return collect_batch(folder, table, {}).lines; });
         },
         py::arg("folder"), py::arg("table"));
-    module.def("quick_recipe", &quick, py::arg("input"), py::arg("method"), py::arg("ending"), py::arg("spheres"),
-               py::arg("excess"), py::arg("max_protrusion"), py::arg("unit"), py::arg("scale"), py::arg("geometry"),
-               py::arg("registry"));
+    module.def(
+        "read_batch_table",
+        [](const std::filesystem::path& table) {
+            std::string text;
+            worked([&](const Signals&) { return (text = read_batch_table(table)).size(); });
+            return py::bytes(text);
+        },
+        py::arg("table"));
+    module.def("quick_recipe", &quick, py::arg("input"), py::arg("method"), py::arg("kinds"), py::arg("ending"),
+               py::arg("count"), py::arg("excess"), py::arg("max_protrusion"), py::arg("cost"), py::arg("costs"),
+               py::arg("objective"), py::arg("unit"), py::arg("scale"), py::arg("geometry"), py::arg("registry"));
 }
 
 } // namespace foam::python

@@ -1,9 +1,13 @@
 #include "search.hpp"
 
+#include "elements.hpp"
 #include "mesh.hpp"
 #include "work.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/sdk/kinds.hpp>
+#include <foam/search/approximate.hpp>
+#include <foam/search/least_element.hpp>
 #include <foam/search/spherize.hpp>
 
 #include <pybind11/stl.h>
@@ -69,6 +73,54 @@ py::list spherized_each(const HeldMesh& mesh, const std::vector<std::size_t>& co
     return list;
 }
 
+ApproximateOptions approximate_options(const std::string& effort, const std::string& objective,
+                                       std::size_t max_vertices, bool axis_aligned) {
+    const std::optional<ApproximationObjective> known = approximation_objective_named(objective);
+    if (!known) {
+        throw Error(ErrorCode::usage,
+                    fmt::format("unknown objective '{}'; there are: excess, mean_protrusion, protrusion", objective));
+    }
+    return {.effort = effort_named(effort),
+            .objective = *known,
+            .max_vertices = max_vertices,
+            .axis_aligned = axis_aligned};
+}
+
+py::tuple approximated(const HeldMesh& mesh, std::size_t count, const std::vector<std::string>& words,
+                       const std::string& effort, const std::string& objective, std::size_t max_vertices,
+                       bool axis_aligned, std::optional<double> time_limit) {
+    const std::vector<Element::Kind> kinds = kinds_named(words, "kinds");
+    ApproximateOptions options = approximate_options(effort, objective, max_vertices, axis_aligned);
+    const ConvexCover cover = worked([&](const Signals& signals) {
+        options.stop = stop_of(signals, time_limit);
+        return approximate(*mesh.solid(), count, kinds, options);
+    });
+    py::list elements;
+    for (const Sphere& sphere : cover.elements.spheres) {
+        elements.append(dict_of({.pose = {.translation = sphere.center}, .radius = sphere.radius}));
+    }
+    for (const Element& element : cover.elements.others) {
+        elements.append(dict_of(element));
+    }
+    return py::make_tuple(elements, cover.certificate.holds, cover.volume, cover.excess);
+}
+
+py::tuple proved(const HeldMesh& mesh, const std::string& word, double tolerance) {
+    const std::vector<Element::Kind> kinds = kinds_named({word}, "kind");
+    const ProvedElement found = worked(
+        [&](const Signals&) { return proved_least(kinds.front(), mesh.solid()->surface().vertices, tolerance); });
+    return py::make_tuple(dict_of(found.element), found.volume, found.lower_bound);
+}
+
+/// Returns one mesh around elements, for pictures.
+std::shared_ptr<HeldMesh> mesh_of_elements(const std::vector<py::dict>& elements) {
+    Mesh all;
+    for (const py::dict& element : elements) {
+        append(all, enclosing_mesh(element_of_dict(element)));
+    }
+    return std::make_shared<HeldMesh>(std::move(all));
+}
+
 /// vol(U \ S) / vol(S) of covering spheres with the union's volume.
 double excess_of(const HeldMesh& mesh, const py::buffer& rows, double volume) {
     const std::vector<Sphere> spheres = spheres_of(rows);
@@ -87,6 +139,10 @@ void add_search(py::module_& module) {
                py::arg("seed"), py::arg("time_limit"));
     module.def("spherize_each", &spherized_each, py::arg("mesh"), py::arg("counts"), py::arg("effort"),
                py::arg("objective"), py::arg("seed"), py::arg("time_limit"));
+    module.def("approximate", &approximated, py::arg("mesh"), py::arg("elements"), py::arg("kinds"), py::arg("effort"),
+               py::arg("objective"), py::arg("max_vertices"), py::arg("axis_aligned"), py::arg("time_limit"));
+    module.def("proved_least", &proved, py::arg("mesh"), py::arg("kind"), py::arg("tolerance"));
+    module.def("mesh_of_elements", &mesh_of_elements, py::arg("elements"));
     module.def(
         "spheres_inside",
         [](const HeldMesh& mesh, std::size_t count, std::optional<double> time_limit) {

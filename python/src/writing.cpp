@@ -6,6 +6,7 @@
 #include <foam/judge/written_model.hpp>
 #include <foam/recipe/quick_recipe.hpp>
 #include <foam/runtime/version.hpp>
+#include <foam/sdk/kinds.hpp>
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -30,12 +31,12 @@ public:
     std::vector<std::string> said;
 };
 
-std::size_t count_of(const SphereModel& model) {
-    std::size_t count = 0;
+KindCounts kinds_of_model(const SphereModel& model) {
+    KindCounts kinds{};
     for (const SphereGroup& group : model.groups) {
-        count += group.tree.finest().size();
+        kinds = sum_of(kinds, kinds_of(group.tree.elements()));
     }
-    return count;
+    return kinds;
 }
 
 /// Makes the model of spheres from elsewhere as complete as `foam convert` does.
@@ -43,9 +44,8 @@ void complete(SphereModel& model, const SphereFile& spheres, const Original* ori
               const Given& parameters, const std::atomic<bool>& cancel) {
     const std::string proof =
         original ? proof_statement(*original, spheres, writer.consumer.float32) : "nothing is proved without the robot";
-    const std::size_t count = count_of(model);
-    model.provenance = fmt::format("foam {}; {}, {}; {} sphere{}; {}", version(), spheres.file.filename().string(),
-                                   spheres.format, count, count == 1 ? "" : "s", proof);
+    model.provenance = fmt::format("foam {}; {}, {}; {}; {}", version(), spheres.file.filename().string(),
+                                   spheres.format, counts_text(kinds_of_model(model)), proof);
     if (lists_pairs(writer, parameters) && original && model.groups.size() > 1) {
         model.ignored_pairs = ignored_pairs_of(model, model.facts.default_pose, &cancel);
     }
@@ -99,7 +99,7 @@ py::tuple written(const std::shared_ptr<Registry>& registry, SphereFile spheres,
                 model.into = TextFile{into->first, into->second};
             }
             files = written_files(*writer, info, model, file, warnings);
-            require_written(model, *writer, files.front().bytes);
+            require_written(model, *writer, files);
         },
         [] {});
     py::list list;

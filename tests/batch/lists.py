@@ -24,6 +24,12 @@ BAD = {
     "quote.csv": ('path\n"a.obj\n', "quote.csv:2: a quotation mark is not closed"),
     "column.csv": ("id,file\na,b\n", "column.csv:1: unknown key 'file'"),
     "kind.xyz": ("a.obj\n", "kind.xyz: not a list of meshes"),
+    "key_twice.jsonl": ('{"path": "a.obj", "path": "b.obj"}\n', "key_twice.jsonl:1: the key 'path' stands twice"),
+    "column_twice.csv": ("path,path\na,b\n", "column_twice.csv:1: the column 'path' stands twice"),
+    "zero.jsonl": ('{"path": "a.obj\\u0000.obj"}\n', "zero.jsonl:1: 'path' must not hold a zero byte"),
+    "infinite.csv": ("path,scale\na.obj,inf\n", "infinite.csv:2: "),
+    "bytes.csv": (b"path,scale\na.obj,\xff\n", "bytes.csv:2: 'scale' must be a number above 0, not \"\ufffd\""),
+    "bytes.txt": (b"\xff.obj\n", "bytes.txt: '\\xff.obj' is not UTF-8"),
 }
 
 
@@ -69,6 +75,9 @@ def main():
         table = foam.results("table")
         expect(table["one, two"]["spheres"] == table["large"]["spheres"] == truth["a.obj"], "scales")
         expect(len(table["few"]["spheres"]) == 1 and table["mm"]["size_m"] == [1e-3, 5e-4, 2.5e-4], table)
+        (folder / "spreadsheet.csv").write_text("\ufeffpath\nset/a.obj\n", encoding="utf-8")
+        foam("spreadsheet.csv", "-n", 3, "--out", "marked")
+        expect(spheres(foam.results("marked")) == {"set/a.obj": truth["a.obj"]}, "a byte order mark")
         foam("set/*.obj", "-n", 3, "--out", "glob")
         expect(spheres(foam.results("glob")) == {"set/a.obj": truth["a.obj"]}, "glob")
 
@@ -77,7 +86,7 @@ def main():
                                capture_output=True)
         expect(piped.returncode == 0 and set(foam.results("piped")) == {"0", "1", "2"}, piped.stderr)
         for name, (text, message) in BAD.items():
-            (folder / name).write_text(text)
+            (folder / name).write_bytes(text if isinstance(text, bytes) else text.encode())
             _, err = foam(name, "-n", 3, "--out", "bad", code=1)
             expect(message in err, f"{name}: {err}")
         expect(not (folder / "bad").exists(), "a bad list leaves no folder")

@@ -87,6 +87,23 @@ TEST_F(CliSpherize, AsFewSpheresAsAnExcessTakes) {
     EXPECT_FALSE(std::filesystem::exists(path() / "none.csv"));
 }
 
+TEST_F(CliSpherize, OptionsForEffortObjectiveAndSeedAreSettings) {
+    const std::string printed =
+        foam("spherize box.obj -n 3 --effort fast --objective protrusion --seed 7 --print-recipe").out;
+    EXPECT_THAT(printed, AllOf(HasSubstr("effort: fast"), HasSubstr("objective: protrusion"), HasSubstr("seed: 7")));
+    EXPECT_THAT(foam("spherize box.obj -n 3 -m grid --effort fast").err,
+                AllOf(HasSubstr("spherize.grid has no effort"), HasSubstr("remedy")));
+    EXPECT_EQ(foam("spherize box.obj -n 3 --effort slow").code, 2);
+}
+
+TEST_F(CliSpherize, QuietIsSilent) {
+    const Outcome outcome = foam("spherize box.obj -n 3 -q");
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.out + outcome.err, "");
+    EXPECT_TRUE(std::filesystem::exists(path() / "box_spheres.json"));
+    EXPECT_EQ(foam("spherize box.obj -n 3 -q -v").code, 2);
+}
+
 TEST_F(CliSpherize, ATimeLimitGivesWhatThereIs) {
     const Outcome outcome = foam("spherize box.obj -n 64 --method grid --fresh --time-limit 0.0001 -o out.json --json");
     EXPECT_EQ(outcome.code, 0) << outcome.err;

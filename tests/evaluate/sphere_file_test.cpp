@@ -57,16 +57,47 @@ TEST_F(SphereFiles, UrdfWithOtherGeometryAndSpheresOfNoSize) {
   </link>
 </robot>)");
     EXPECT_THAT(file.links.at(0).spheres, ElementsAre(two));
-    EXPECT_THAT(file.notes,
-                ElementsAre("link 'l' has collision geometry other than spheres (box, mesh), which is not judged",
-                            "1 sphere of a radius not above 0 is switched off and left out"));
+    ASSERT_EQ(file.links.at(0).others.size(), 1U);
+    EXPECT_EQ(file.links.at(0).others[0], (Element{.kind = Element::Kind::box, .half = {0.5, 0.5, 0.5}}));
+    EXPECT_THAT(
+        file.notes,
+        ElementsAre("link 'l' has collision geometry that is no convex element (a mesh that is not found), which "
+                    "is not judged",
+                    "1 sphere of a radius not above 0 is switched off and left out"));
+}
+
+TEST_F(SphereFiles, UrdfWithCapsulesAndCylinders) {
+    const SphereFile file = read(R"(<robot name="r" version="1.1">
+  <link name="l">
+    <collision><origin xyz="1 2 3" rpy="0.1 0.2 0.3"/><geometry><capsule radius="0.1" length="0.5"/></geometry></collision>
+    <collision><geometry><cylinder radius="0.25" length="2"/></geometry></collision>
+  </link>
+</robot>)");
+    const Pose pose = Pose::from_xyz_rpy({1, 2, 3}, {0.1, 0.2, 0.3});
+    EXPECT_EQ(file.links.at(0).others,
+              (std::vector<Element>{{.kind = Element::Kind::capsule, .pose = pose, .half = {0, 0, 0.25}, .radius = 0.1},
+                                    {.kind = Element::Kind::cylinder, .half = {0, 0, 1}, .radius = 0.25}}));
+}
+
+TEST_F(SphereFiles, FoamJsonWithElements) {
+    const SphereFile file = read(R"({"foam_spheres": 2, "name": "r", "links": {"l": {"spheres": [], "elements": [
+  {"kind": "box", "position": [1, 2, 3], "size": [2, 4, 6]},
+  {"kind": "hull", "position": [0, 0, 0], "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]}]}}})");
+    ASSERT_EQ(file.links.at(0).others.size(), 2U);
+    EXPECT_EQ(file.links[0].others[0],
+              (Element{.kind = Element::Kind::box, .pose = {.translation = {1, 2, 3}}, .half = {1, 2, 3}}));
+    EXPECT_EQ(file.links[0].others[1].hull->surface.vertices.size(), 4U);
+    EXPECT_THAT(
+        refusal(
+            R"({"foam_spheres": 2, "links": {"l": {"spheres": [], "elements": [{"kind": "box", "position": [0, 0, 0]}]}}})"),
+        ::testing::EndsWith("a box needs 'size'"));
 }
 
 TEST_F(SphereFiles, FoamJson) {
     expect_both_links(read(R"({"foam_spheres": 1, "name": "r", "links": {
   "l": {"spheres": [[0.1, 0.2, 0.3, 0.05], [-1, 0, 2.5, 0.25]], "groups": []}, "m": {"spheres": [[0.1, 0.2, 0.3, 0.05]]}}})"),
                       "foam JSON");
-    EXPECT_EQ(refusal(R"({"foam_spheres": 2, "links": {}})"), "FILE:1:18: foam_spheres is 2; this foam reads 1");
+    EXPECT_EQ(refusal(R"({"foam_spheres": 3, "links": {}})"), "FILE:1:18: foam_spheres is 3; this foam reads 1 and 2");
 }
 
 TEST_F(SphereFiles, CsvAndPly) {
@@ -131,9 +162,10 @@ TEST_F(SphereFiles, ANegativeRadiusSwitchesASphereOff) {
 }
 
 TEST_F(SphereFiles, RefusesNumbersThatNoFigureHolds) {
-    EXPECT_EQ(refusal("l 0 0 0 1e300\n"),
-              "FILE: the sphere [0, 0, 0, 1e+300] of link 'l' is farther away or larger than 1e+20 m, where figures and "
-              "proofs have no meaning; remedy: correct the file");
+    EXPECT_EQ(
+        refusal("l 0 0 0 1e300\n"),
+        "FILE: the sphere [0, 0, 0, 1e+300] of link 'l' is farther away or larger than 1e+20 m, where figures and "
+        "proofs have no meaning; remedy: correct the file");
     EXPECT_EQ(refusal("l 0 0 0 1\nm 0 -1e21 0 1\n"),
               "FILE: the sphere [0, -1e+21, 0, 1] of link 'm' is farther away or larger than 1e+20 m, where figures "
               "and proofs have no meaning; remedy: correct the file");
@@ -309,11 +341,11 @@ TEST_F(SphereFiles, AGivenReaderSaysWhatIsWrong) {
 }
 
 TEST_F(SphereFiles, KeysWithinTextsAndListsAreNoKeys) {
-    expect_both_links(
-        read(R"({"note": "collision_spheres: {", 'list': [{"spheres": 1}], "spheres":
+    expect_both_links(read(R"({"note": "collision_spheres: {", 'list': [{"spheres": 1}], "spheres":
 {"l": [[0.1, 0.2, 0.3, 0.05], [-1, 0, 2.5, 0.25]], "m": [[0.1, 0.2, 0.3, 0.05]]}})"),
-        "spheres by link");
-    expect_both_links(read("'a:b': 1\n# collision_spheres:\nurl: http://x\n\"spheres\" : " + lists + "\n"), "spheres by link");
+                      "spheres by link");
+    expect_both_links(read("'a:b': 1\n# collision_spheres:\nurl: http://x\n\"spheres\" : " + lists + "\n"),
+                      "spheres by link");
 }
 
 TEST_F(SphereFiles, FilesOfTheirPrograms) {

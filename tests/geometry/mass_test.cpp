@@ -1,5 +1,5 @@
 // Volume, centre and inertia of solids against formulas.
-#include "shapes.hpp"
+#include "plain_shapes.hpp"
 
 #include <foam/geometry/mass.hpp>
 

@@ -1,5 +1,5 @@
 // What a filter did: distances in both directions, volumes, defects.
-#include "shapes.hpp"
+#include "plain_shapes.hpp"
 
 #include <foam/geometry/mesh_change.hpp>
 

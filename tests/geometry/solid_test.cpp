@@ -38,6 +38,31 @@ double brute_distance(const Mesh& mesh, const Vec3& p) {
 
 } // namespace
 
+/// Returns two triangles, each many times, with their own corners or shared ones.
+Mesh copies_of_two(std::size_t times, bool shared) {
+    Mesh mesh;
+    for (std::size_t i = 0; i < times; ++i) {
+        if (i == 0 || !shared) {
+            mesh.vertices.insert(mesh.vertices.end(), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+        }
+        const auto first = static_cast<std::uint32_t>(shared ? 0 : 4 * i);
+        mesh.triangles.push_back({first, first + 1, first + 2});
+        mesh.triangles.push_back({first + 3, first + 1, first}); // not always from the same corner
+        std::rotate(mesh.triangles.back().begin(), mesh.triangles.back().begin() + i % 3, mesh.triangles.back().end());
+    }
+    return mesh;
+}
+
+TEST(Solid, LooksOnceAtEachOfManyCopiesOfATriangle) {
+    for (const bool shared : {false, true}) {
+        const auto solid = Solid::make(copies_of_two(2000, shared));
+        EXPECT_EQ(solid->surface().triangles.size(), 2u);
+        EXPECT_EQ(solid->closest({0.2, 0.2, 1}).point,
+                  Solid::make(copies_of_two(1, shared))->closest({0.2, 0.2, 1}).point);
+    }
+    EXPECT_EQ(Solid::make(copies_of_two(3, true))->surface().triangles.size(), 6u) << "few need no such look";
+}
+
 TEST(Solid, RefusesWhatIsNoSolid) {
     EXPECT_THROW(Solid::make(std::vector<Solid::Part>{}), Error);
     EXPECT_THROW(Solid::make(Mesh{}), Error);

@@ -98,6 +98,24 @@ def test_a_saved_model_has_the_bytes_of_the_command_line(tmp_path, model, ending
     assert (tmp_path / f"python.{ending}").read_bytes() == (tmp_path / f"program.{ending}").read_bytes()
 
 
+def test_elements_have_the_bytes_of_the_command_line(tmp_path, panda):
+    made = panda.approximate(11, "capsule", effort="fast", fresh=True)
+    assert made.certified and made.count == 11
+    assert {element["kind"] for link in made for element in made.elements(link)} == {"capsule"}
+    made.save(tmp_path / "ours.json")
+    command("approximate", PANDA, "-n", 11, "--with", "capsule", "--set", "stages.approximate.capsules.effort=fast",
+            "-o", tmp_path / "theirs.json", "--fresh")  # fmt: skip
+    assert (tmp_path / "ours.json").read_bytes() == (tmp_path / "theirs.json").read_bytes()
+    with pytest.raises(foam.UsageError, match="no kind 'ball'"):
+        panda.approximate(11, "ball")
+
+
+def test_elements_by_cost(panda):
+    made = panda.approximate(kinds=["sphere", "capsule"], cost=30, costs={"capsule": 3}, effort="fast")
+    words = [element["kind"] for link in made for element in made.elements(link)]
+    assert made.certified and sum({"sphere": 1, "capsule": 3}[word] for word in words) <= 30
+
+
 def test_a_mesh_is_a_robot_of_one_link(tmp_path):
     mesh = foam.Mesh(*box(60, 40, 200)).export(tmp_path / "part.stl")
     model = foam.load(mesh, unit="mm").spherize(5)
@@ -285,13 +303,15 @@ def test_stages_and_plugins():
 def test_results_of_data_sets_are_read(tmp_path):
     (tmp_path / "meshes").mkdir()
     foam.Mesh(*box()).export(tmp_path / "meshes/box.stl")
-    (tmp_path / "meshes/broken.stl").write_text("no mesh")
+    (tmp_path / "meshes/broken\u2028.stl").write_text("no mesh")  # a line end to str.splitlines()
     command("batch", tmp_path / "meshes", "-n", 3, "--out", tmp_path / "out", code=4)
     good, bad = foam.read_batch(tmp_path / "out")
     assert good.id == "box.stl" and good.certified and good.spheres.shape == (3, 4) and good.error is None
     assert bad.error and len(bad.spheres) == 0
     command("batch", "collect", tmp_path / "out", "-o", tmp_path / "table.jsonl")
-    assert foam.read_batch(tmp_path / "table.jsonl")[0].values == good.values
+    command("batch", "collect", tmp_path / "out", "-o", tmp_path / "table.jsonl.zst")
+    for table in "table.jsonl", "table.jsonl.zst":
+        assert [entry.values for entry in foam.read_batch(tmp_path / table)] == [good.values, bad.values]
     with pytest.raises(foam.InputError, match="collect"):
         foam.read_batch(tmp_path / "meshes/box.stl")
 

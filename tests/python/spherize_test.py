@@ -195,3 +195,56 @@ def test_the_import_takes_at_most_150_ms():
     times = [float(subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout)
              for _ in range(3)]
     assert min(times) <= 0.15
+
+
+def test_convex_elements_cover_the_mesh():
+    vertices, faces = box(1, 2, 3)
+    cover = foam.approximate((vertices, faces), 1, "box")
+    (element,) = cover.elements
+    assert element["kind"] == "box" and sorted(element["size"]) == pytest.approx([1, 2, 3], rel=1e-6)
+    assert cover.certified is True and cover.excess < 1e-3 and cover.volume == pytest.approx(6, rel=1e-3)
+    assert repr(cover) == "<foam.ConvexCover: 1 box, certified>"
+
+
+@pytest.mark.parametrize("kind", ["sphere", "capsule", "cylinder", "box", "swept_box", "hull"])
+def test_elements_of_each_kind(kind):
+    mesh = wavy(600)
+    cover = foam.approximate(mesh, 3, kind, effort="fast")
+    assert cover.certified and 1 <= len(cover) <= 3
+    assert {element["kind"] for element in cover.elements} == {kind}
+    with foam.threads(1):
+        assert foam.approximate(mesh, 3, [kind], effort="fast") == cover
+    assert pickle.loads(pickle.dumps(cover)) == cover
+
+
+def test_hulls_keep_the_limit_of_vertices():
+    cover = foam.approximate(wavy(600), 2, ["hull"], max_vertices=12, effort="fast")
+    assert all(len(element["vertices"]) <= 12 for element in cover.elements)
+
+
+def test_boxes_along_the_axes():
+    cover = foam.approximate(wavy(600), 2, "box", axis_aligned=True, effort="fast")
+    assert all(np.array_equal(element["rotation"], np.eye(3)) for element in cover.elements)
+
+
+def test_the_least_element_is_proved():
+    found = foam.proved_least(wavy(200), "box", tolerance=0.05)
+    assert found.element["kind"] == "box"
+    assert found.lower_bound <= found.volume <= 1.05 * found.lower_bound
+    cover = foam.approximate(wavy(200), 1, "box")
+    assert cover.volume >= found.lower_bound
+    with pytest.raises(foam.UsageError):
+        foam.proved_least(box(), "hull")
+
+
+def test_what_is_wrong_with_elements():
+    with pytest.raises(foam.UsageError, match="kinds: there is no kind 'ball'; there are: sphere, capsule"):
+        foam.approximate(box(), 2, "ball")
+    with pytest.raises(foam.UsageError, match="no kind"):
+        foam.approximate(box(), 2, [])
+    with pytest.raises(foam.UsageError, match="elements: 1 to"):
+        foam.approximate(box(), 0)
+    with pytest.raises(foam.UsageError, match="unknown objective 'volume'"):
+        foam.approximate(box(), 2, objective="volume")
+    with pytest.raises(foam.UsageError, match="at least 4 vertices"):
+        foam.approximate(box(), 2, "hull", max_vertices=3)

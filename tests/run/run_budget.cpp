@@ -46,6 +46,23 @@ TEST_F(Run, MoreSpheresForTheRobotNeverClaimMore) {
     EXPECT_LT(least, 0.6 * first);
 }
 
+/// Between 16, 32 and 64 spheres the runtime adds spheres one by one, unless the spherizer gains much by itself.
+TEST_F(Run, MoreSpheresForOneLinkNeverClaimMore) {
+    for (const std::string stage : {"spherize.grid", "spherize.octree", "spherize.cover: {effort: fast}"}) {
+        SCOPED_TRACE(stage);
+        double least = std::numeric_limits<double>::infinity(), error = 0;
+        for (const std::size_t most : {8, 15, 16, 17, 30, 31, 32, 33, 48, 62, 63, 64}) {
+            const RunResult result = run(recipe("stages: [" + stage + ", refine.split]\nlinks: {tip: {skip: true}}\n" +
+                                                "budget: {spheres: " + std::to_string(most) + "}\n"),
+                                         registry, options());
+            EXPECT_LE(result.total.spheres, most);
+            EXPECT_LE(result.total.excess, least + 1e-5 + 4 * (error + result.total.excess_error)) << most;
+            least = std::min(least, result.total.excess);
+            error = result.total.excess_error;
+        }
+    }
+}
+
 TEST_F(Run, TheFewestSpheresForAnExcess) {
     const auto made = [&](const std::string& budget) {
         return run(recipe("stages: [spherize.grid]\nbudget: " + budget + "\n"), registry, options());

@@ -17,6 +17,16 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using Read = std::map<std::string, std::vector<Sphere>>;
 
+/// Proves spheres alone.
+std::vector<WrittenProof> prove_spheres(const Read& read, const FinishedModel& finished, Guarantee guarantee,
+                                        Numbers numbers, const std::string& file) {
+    std::map<std::string, Approximation::Level> levels;
+    for (const auto& [link, spheres] : read) {
+        levels[link].spheres = spheres;
+    }
+    return prove_written(levels, finished, guarantee, numbers, file);
+}
+
 /// Two links with a cube each, of which the second may be one that is not proved.
 class WrittenProofs : public ::testing::Test {
 protected:
@@ -32,7 +42,7 @@ protected:
 
     std::string failure(const Read& read, Guarantee guarantee = Guarantee::outer) const {
         try {
-            prove_written(read, finished, guarantee, Numbers::float64, "out.csv");
+            prove_spheres(read, finished, guarantee, Numbers::float64, "out.csv");
         } catch (const Error& error) {
             EXPECT_EQ(error.code(), ErrorCode::internal);
             return error.what();
@@ -48,7 +58,7 @@ protected:
 TEST_F(WrittenProofs, TellWhatTheyTook) {
     const std::vector<Sphere> two{{{-0.5, 0, 0}, 1.6}, {{0.5, 0, 0}, 1.6}}, one{{{}, 2}};
     const std::vector<WrittenProof> proofs =
-        prove_written({{"base", two}, {"tip", one}}, finished, Guarantee::outer, Numbers::float64, "f");
+        prove_spheres({{"base", two}, {"tip", one}}, finished, Guarantee::outer, Numbers::float64, "f");
     ASSERT_EQ(proofs.size(), 2u);
     EXPECT_EQ(proofs[0].link, "base");
     EXPECT_EQ(proofs[0].spheres, 2u);
@@ -61,7 +71,7 @@ TEST_F(WrittenProofs, TellWhatTheyTook) {
     EXPECT_EQ(proofs[1].pieces, 12u);
     EXPECT_EQ(proofs[1].halvings, 0u);
     const std::vector<WrittenProof> inner =
-        prove_written({{"base", {{{}, 0.9}}}, {"tip", {{{}, 0.5}}}}, finished, Guarantee::inner, Numbers::float64, "f");
+        prove_spheres({{"base", {{{}, 0.9}}}, {"tip", {{{}, 0.5}}}}, finished, Guarantee::inner, Numbers::float64, "f");
     ASSERT_EQ(inner.size(), 2u);
     EXPECT_EQ(inner[0].triangles, 12u);
     EXPECT_EQ(inner[0].pieces, 0u);
@@ -100,11 +110,11 @@ TEST_F(WrittenProofs, NoLinkMayLackItsSpheres) {
 TEST_F(WrittenProofs, WhatWasNotProvedIsNotAskedFor) {
     works[0].report.measures.certified = false;
     const std::vector<WrittenProof> proofs =
-        prove_written({{"base", {{{}, 0.1}}}, {"tip", {{{}, 2}}}}, finished, Guarantee::outer, Numbers::float64, "f");
+        prove_spheres({{"base", {{{}, 0.1}}}, {"tip", {{{}, 2}}}}, finished, Guarantee::outer, Numbers::float64, "f");
     ASSERT_EQ(proofs.size(), 1u);
     EXPECT_EQ(proofs[0].link, "tip");
     works[1].report.measures.certified = false;
-    EXPECT_THAT(prove_written({{"base", {{{}, 0.1}}}, {"tip", {{{}, 0.1}}}}, finished, Guarantee::outer, Numbers::float64, "f"),
+    EXPECT_THAT(prove_spheres({{"base", {{{}, 0.1}}}, {"tip", {{{}, 0.1}}}}, finished, Guarantee::outer, Numbers::float64, "f"),
                 IsEmpty());
 }
 

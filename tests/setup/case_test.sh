@@ -42,6 +42,13 @@ run_foam test
 expect_calls npm 2
 run_foam test
 expect_calls npm 2
+# The folder of the browser's packages is another.
+browser=$clone/build/release/tests/view/browser
+mkdir -p "$browser"
+touch -d '1 hour ago' "$browser/package-lock.json"
+run_foam test
+expect_call "--prefix $browser"
+expect_calls npm 3
 : >"$installed"
 printf '%s\n' pack-a pack-b pack-t >"$installed"
 FOAM_NO_INSTALL=1 run_foam test

@@ -16,7 +16,7 @@ import tempfile
 import xml.etree.ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-ONE_BODY = {"morphit", "sdf"}
+ONE_BODY = {"curobo_scene", "morphit", "sdf", "vamp_world"}
 NO_SPHERES_ALONE = {"gltf"}  # pictures
 MADE = "<!-- Made by tests/write/formats.py: FOAM_TEST_UPDATE=1 ./foam test -R write.formats -->\n"
 ROBOTS = [("Panda (configs)", ROOT / "configs/robots/panda/panda.urdf")]

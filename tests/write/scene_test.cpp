@@ -75,8 +75,8 @@ TEST(ReadScene, ReadsTheScenesOfMoveIt) {
         EXPECT_TRUE(scene.reader()->recognises(text));
         const SphereFile read = scene.file(text);
         EXPECT_EQ(read.format, format);
-        EXPECT_TRUE(read.links.empty());
-        EXPECT_THAT(read.notes.at(0), HasSubstr("shapes other than spheres (box)"));
+        ASSERT_FALSE(read.links.empty());
+        EXPECT_EQ(read.links.at(0).others.at(0).kind, Element::Kind::box);
     }
 }
 
@@ -101,7 +101,30 @@ TEST(ReadMarkers, LeavesOutWhatIsNoSphere) {
                      "scale: {x: 1, y: 2, z: 1}}\n- {type: 7, " + rest + "scale: {x: 1, y: 1, z: 1}}\n");
     ASSERT_EQ(read.links.size(), 1U);
     EXPECT_EQ(read.links[0].spheres, (std::vector<Sphere>{{{1, 2, 3}, 0.5}}));
-    EXPECT_EQ(read.notes, std::vector<std::string>{"2 markers are no single spheres, and left out"});
+    EXPECT_EQ(read.notes, std::vector<std::string>{"2 markers are no single convex elements, and left out"});
+}
+
+TEST(ReadMarkers, LeavesOutTrianglesThatAreNoConvexSurface) {
+    const auto listed = [](const std::vector<std::array<int, 3>>& triangles) {
+        const std::array<const char*, 4> corners{"{x: 0, y: 0, z: 0}", "{x: 1, y: 0, z: 0}", "{x: 0, y: 1, z: 0}",
+                                                 "{x: 0, y: 0, z: 1}"};
+        std::string points;
+        for (const std::array<int, 3>& triangle : triangles) {
+            for (const int corner : triangle) {
+                points += std::string(points.empty() ? "" : ", ") + corners.at(static_cast<std::size_t>(corner));
+            }
+        }
+        return "markers:\n- {type: 11, header: {frame_id: a}, pose: {position: {x: 1, y: 2, z: 3}}, "
+               "scale: {x: 1, y: 1, z: 1}, points: [" +
+               points + "]}\n";
+    };
+    const SphereFile whole = markers.file(listed({{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}));
+    ASSERT_EQ(whole.links.size(), 1U);
+    EXPECT_EQ(whole.links[0].others.size(), 1U);
+    // A face is missing: all corners are there, but the triangles enclose nothing.
+    const SphereFile open = markers.file(listed({{0, 2, 1}, {0, 1, 3}, {1, 2, 3}}));
+    EXPECT_TRUE(open.links.empty());
+    EXPECT_EQ(open.notes, std::vector<std::string>{"1 marker is no single convex element, and left out"});
 }
 
 TEST(ReadMarkers, SaysWhatIsWrongAndWhere) {

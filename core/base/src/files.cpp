@@ -7,6 +7,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -33,6 +34,11 @@ DigestedFile digest_of_file(const fs::path& file, std::uintmax_t most, std::stri
         throw Error(ErrorCode::input, fmt::format("{}: {}", file.string(), contents.why_not()));
     }
     return {hasher.finish(), bytes};
+}
+
+bool is_within_folder(const fs::path& relative) {
+    return relative.is_relative() && relative.has_filename() &&
+           std::find(relative.begin(), relative.end(), "..") == relative.end();
 }
 
 void write_file(const fs::path& file, std::string_view bytes) {
@@ -65,4 +71,4 @@ void write_file(const fs::path& file, std::string_view bytes) {
     }
 }
 
-} // namespace foam::base
+} // namespace foam::inline base

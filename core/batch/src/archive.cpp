@@ -91,19 +91,26 @@ public:
                 refuse(file, fmt::format("not a tar archive that can be read ({})", text_of(*reader)));
             }
             const char* name = archive_entry_pathname(entry);
-            if (name && archive_entry_filetype(entry) == AE_IFREG) {
-                places_[name] = archive_read_header_position(reader.get());
-                members_.push_back({name, static_cast<std::uintmax_t>(archive_entry_size(entry))});
+            const char* linked = archive_entry_hardlink(entry);
+            if (name && (linked || archive_entry_filetype(entry) == AE_IFREG)) {
+                add(name, linked, static_cast<std::uintmax_t>(archive_entry_size(entry)),
+                    archive_read_header_position(reader.get()));
             }
         }
     }
-    std::vector<ArchiveMember> members() const override { return members_; }
+    std::vector<ArchiveMember> members() const override {
+        std::vector<ArchiveMember> members;
+        for (const auto& [name, place] : places_) {
+            members.push_back({name, place.bytes});
+        }
+        return members;
+    }
     std::string read(const std::string& member) override {
         const auto place = places_.find(member);
         if (place == places_.end()) {
             refuse_member(file_, member);
         }
-        const auto reader = read_from(place->second);
+        const auto reader = read_from(place->second.header);
         archive_entry* entry = nullptr;
         if (archive_read_next_header(reader.get(), &entry) < ARCHIVE_WARN) {
             refuse(file_, fmt::format("'{}' cannot be read ({})", member, text_of(*reader)));
@@ -124,6 +131,17 @@ private:
     };
     using Reader = std::unique_ptr<struct archive, Free>;
 
+    struct Place {
+        std::int64_t header = 0;
+        std::uintmax_t bytes = 0;
+    };
+
+    /// Keeps the place of a member. Of several with one name the last one counts, as tar itself unpacks them; a hard
+    /// link has the content of the member that it names.
+    void add(const std::string& name, const char* linked, std::uintmax_t bytes, std::int64_t header) {
+        const auto target = places_.find(linked ? linked : "");
+        places_[name] = target == places_.end() ? Place{header, bytes} : target->second;
+    }
     static std::string text_of(struct archive& reader) {
         const char* text = archive_error_string(&reader);
         return text ? text : "unknown error";
@@ -142,16 +160,16 @@ private:
 
     std::filesystem::path file_;
     std::unique_ptr<std::FILE, Free> stream_;
-    std::map<std::string, std::int64_t> places_;
-    std::vector<ArchiveMember> members_;
+    std::map<std::string, Place> places_;
 };
 
 } // namespace
 
 std::optional<ArchivePath> archive_path(std::string_view path) {
-    for (const std::string_view ending : {".zip::", ".tar::", ".ZIP::", ".TAR::"}) {
-        if (const std::size_t at = path.find(ending); at != std::string_view::npos) {
-            return ArchivePath{path.substr(0, at + 4), std::string(path.substr(at + ending.size()))};
+    constexpr std::string_view between = "::";
+    for (std::size_t at = 0; (at = path.find(between, at)) != std::string_view::npos; ++at) {
+        if (is_archive(path.substr(0, at))) {
+            return ArchivePath{path.substr(0, at), std::string(path.substr(at + between.size()))};
         }
     }
     return {};

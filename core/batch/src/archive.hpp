@@ -32,7 +32,7 @@ struct ArchiveMember {
 class Archive {
 public:
     virtual ~Archive() = default;
-    /// Returns the files in the order of the archive.
+    /// Returns the files, each once.
     virtual std::vector<ArchiveMember> members() const = 0;
     /// Returns the content of a file. Throws Error(input) if there is none of that name, or if it cannot be read. It
     /// reads that file alone.

@@ -1,8 +1,9 @@
 #include <foam/batch/batch.hpp>
 
 #include "plan.hpp"
-#include "pool.hpp"
 #include "plan_for.hpp"
+#include "pool.hpp"
+#include "result_line.hpp"
 #include "shard.hpp"
 
 #include <foam/base/error.hpp>
@@ -47,7 +48,8 @@ class Batch {
 public:
     Batch(const Plan& plan, const Recipe& recipe, const Registry& registry, const BatchOptions& options,
           std::vector<std::size_t> shards)
-        : plan_(plan), options_(options), shards_(std::move(shards)), pool_(pool_options(plan, recipe, registry, options)) {
+        : plan_(plan), options_(options), shards_(std::move(shards)),
+          pool_(pool_options(plan, recipe, registry, options)) {
         for (const std::size_t shard : shards_) {
             outcome_.meshes += plan_.items_of(shard).size();
         }
@@ -55,7 +57,8 @@ public:
 
     BatchOutcome work() {
         while (!stop_asked()) {
-            pool_.turn([this] { return next_job(); }, [this](const Job& job, const std::string& line) { keep(job, line); });
+            pool_.turn([this] { return next_job(); },
+                       [this](const Job& job, const std::string& line) { keep(job, line); });
             for (auto& [shard, open] : open_) {
                 if (open.file->flush_due()) {
                     open.file->flush();
@@ -70,6 +73,7 @@ public:
             open.file->flush();
         }
         tell_progress(true);
+        outcome_.added = done_here_;
         return outcome_;
     }
 
@@ -125,9 +129,25 @@ private:
             return {};
         }
         Open& open = open_.at(*current_);
-        const Job job{open.file->left()[open.given++], *current_};
+        Job job = job_from(open.file->left(), open.given);
+        job.owner = *current_;
+        open.given += job.items.size();
         if (open.given == open.file->left().size()) {
             current_.reset();
+        }
+        return job;
+    }
+
+    /// Returns the job that begins with an item: several if they can share a search.
+    Job job_from(const std::vector<const BatchItem*>& left, std::size_t begin) const {
+        constexpr std::size_t most = 64; // so that one worker does not get a whole shard
+        const std::span<const BatchItem> group = plan_.group_of(*left[begin]);
+        Job job{{left[begin]}, 0, plan_.has_scales(*left[begin])};
+        for (std::size_t i = begin + 1; job.one_search && i < left.size() && job.items.size() < most; ++i) {
+            if (left[i] > &group.back()) {
+                break;
+            }
+            job.items.push_back(left[i]);
         }
         return job;
     }
@@ -137,7 +157,7 @@ private:
         file.add(line);
         ++done_;
         ++done_here_;
-        failed_ += is_failure(line) ? 1 : 0;
+        failed_ += head_of(line).failed ? 1 : 0;
         if (file.complete()) {
             file.finish();
             open_.erase(job.owner);
@@ -174,6 +194,8 @@ std::vector<std::size_t> shards_of(const Plan& plan, const BatchOptions& options
         shards.resize(plan.shards);
         std::iota(shards.begin(), shards.end(), std::size_t{0});
     }
+    std::sort(shards.begin(), shards.end());
+    shards.erase(std::unique(shards.begin(), shards.end()), shards.end());
     for (const std::size_t shard : shards) {
         if (shard >= plan.shards) {
             throw Error(ErrorCode::usage, fmt::format("there is no shard {}: {} has {}, numbered from 0", shard,
@@ -185,20 +207,20 @@ std::vector<std::size_t> shards_of(const Plan& plan, const BatchOptions& options
 
 } // namespace
 
-BatchOutcome run_batch(const std::vector<BatchItem>& items, const Recipe& recipe, const Registry& registry,
+BatchOutcome run_batch(std::vector<BatchItem> items, const Recipe& recipe, const Registry& registry,
                        const BatchOptions& options) {
-    const Plan plan = plan_for(items, recipe, registry, options);
+    const Plan plan = plan_for(std::move(items), recipe, registry, options);
     const std::vector<std::size_t> shards = shards_of(plan, options);
     BatchOutcome outcome = Batch(plan, recipe, registry, options, shards).work();
     std::size_t lines = 0;
     for (const std::size_t shard : shards) {
         for_each_result(plan, shard, [&](std::string_view line) {
             ++lines;
-            outcome.failed += is_failure(line) ? 1 : 0;
+            outcome.failed += head_of(line).failed ? 1 : 0;
         });
     }
     outcome.missing = outcome.meshes - lines;
-    outcome.status = batch_status(options.folder);
+    outcome.complete = plan.complete();
     return outcome;
 }
 

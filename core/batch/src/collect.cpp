@@ -3,10 +3,12 @@
 #include "arrays.hpp"
 #include "lines.hpp"
 #include "plan.hpp"
+#include "result_line.hpp"
 #include "shard.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>
+#include <foam/base/internal/files.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -76,8 +78,8 @@ private:
         }
     }
     [[noreturn]] void fail() const {
-        throw Error(ErrorCode::output, fmt::format("{}: it cannot be written", file_.empty() ? "standard output"
-                                                                                             : file_.string()));
+        throw Error(ErrorCode::output,
+                    fmt::format("{}: it cannot be written", file_.empty() ? "standard output" : file_.string()));
     }
 
     fs::path file_, staged_;
@@ -86,14 +88,20 @@ private:
     std::string pending_;
 };
 
+std::string without_times(const std::string& line) {
+    Json json = Json::parse(line);
+    json.erase("cpu_seconds");
+    return json.dump();
+}
+
 /// Returns the results of the ids from `first` to `last`, by id.
 std::map<std::string, std::string> lines_between(const Plan& plan, const std::string& first, const std::string& last) {
     std::map<std::string, std::string> lines;
     for (std::size_t shard = 0; shard < plan.shards; ++shard) {
         for_each_result(plan, shard, [&](std::string_view line) {
-            const std::string id = nlohmann::json::parse(line).at("id");
+            std::string id = head_of(line).id;
             if (first <= id && id <= last) {
-                lines[id] = line;
+                lines[std::move(id)] = line;
             }
         });
     }
@@ -129,27 +137,32 @@ Collected collect_batch(const fs::path& folder, const fs::path& table, const Col
     std::optional<Arrays> numbers;
     arrays ? void(numbers.emplace()) : void(out.emplace(table));
     collected.missing = for_each_sorted(plan, [&](const std::string& line) {
-        Json json = Json::parse(line);
-        const bool failed = json.contains("error");
+        ResultHead head = head_of(line);
         ++collected.lines;
-        collected.failed += failed ? 1 : 0;
-        if (json.at("digest").is_string() && !digests.insert(json.at("digest")).second) {
+        collected.failed += head.failed ? 1 : 0;
+        if (!head.digest.empty() && !digests.insert(std::move(head.digest)).second) {
             ++collected.duplicates;
         }
-        if (options.failures && !failed) {
+        if (options.failures && !head.failed) {
             return;
         }
         if (numbers) {
-            numbers->add(json);
-            return;
+            numbers->add(Json::parse(line));
+        } else {
+            out->add(options.times ? line : without_times(line));
         }
-        if (!options.times) {
-            json.erase("cpu_seconds");
-        }
-        out->add(options.times ? line : json.dump());
     });
     numbers ? numbers->write(table) : out->finish();
     return collected;
+}
+
+std::string read_batch_table(const fs::path& table) {
+    if (extension_of(table) != "zst") {
+        return read_file(table);
+    }
+    std::string text;
+    for_each_line_of(table, [&](std::string_view line) { text.append(line) += '\n'; });
+    return text;
 }
 
 } // namespace foam::batch

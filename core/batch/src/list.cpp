@@ -13,9 +13,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <glob.h>
 #include <iostream>
 #include <iterator>
+#include <set>
 
 namespace foam::inline batch {
 namespace {
@@ -53,12 +55,17 @@ std::string absolute_in(const fs::path& folder, const std::string& path) {
     return fs::absolute(folder / path).lexically_normal().string();
 }
 
+/// Returns a value as JSON; bytes that are not UTF-8 become marks.
+std::string text_of(const Json& value) {
+    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 double number_of(const Json& value, const std::string& key, const Place& place) {
     const std::optional<double> number = value.is_number()   ? std::optional(value.get<double>())
                                          : value.is_string() ? parse_number(value.get<std::string>())
                                                              : std::nullopt;
     if (!number || !(*number > 0)) {
-        refuse_line(place, fmt::format("'{}' must be a number above 0, not {}", key, value.dump()));
+        refuse_line(place, fmt::format("'{}' must be a number above 0, not {}", key, text_of(value)));
     }
     return *number;
 }
@@ -76,13 +83,15 @@ BatchItem item_of(const Json& object, const fs::path& folder, const Place& place
         } else if (key == "spheres") {
             const double number = number_of(value, key, place);
             if (number != std::floor(number) || number > 1e6) {
-                refuse_line(place, fmt::format("'spheres' must be an integer of 1 to 1000000, not {}", value.dump()));
+                refuse_line(place, fmt::format("'spheres' must be an integer of 1 to 1000000, not {}", text_of(value)));
             }
             item.spheres = static_cast<std::size_t>(number);
         } else if (key == "id" && value.is_number_integer()) {
             item.id = value.dump();
         } else if (!value.is_string() || value.get<std::string>().empty()) {
-            refuse_line(place, fmt::format("'{}' must be a text that is not empty, not {}", key, value.dump()));
+            refuse_line(place, fmt::format("'{}' must be a text that is not empty, not {}", key, text_of(value)));
+        } else if (value.get<std::string>().find('\0') != std::string::npos) {
+            refuse_line(place, fmt::format("'{}' must not hold a zero byte", key));
         } else {
             (key == "id" ? item.id : key == "path" ? item.path : item.unit.unit.emplace()) = value.get<std::string>();
         }
@@ -116,13 +125,26 @@ template <class OnLine> void for_lines(const std::string& text, Place& place, co
     }
 }
 
+/// Returns the JSON of a line, in which no key stands twice.
+Json object_of(const std::string& line, const Place& place) {
+    std::set<std::string> keys;
+    const auto on_event = [&](int depth, Json::parse_event_t event, Json& key) {
+        if (event == Json::parse_event_t::key && depth == 1 && !keys.insert(key.get<std::string>()).second) {
+            refuse_line(place, fmt::format("the key '{}' stands twice", shown(key.get<std::string>())));
+        }
+        return true;
+    };
+    Json object = Json::parse(line, on_event, false);
+    if (object.is_discarded()) {
+        refuse_line(place, "not JSON; remedy: write one object a line, {\"id\": \"…\", \"path\": \"…\"}");
+    }
+    return object;
+}
+
 std::vector<BatchItem> items_of_json_lines(const std::string& text, const fs::path& folder, Place place) {
     std::vector<BatchItem> items;
     for_lines(text, place, [&](const std::string& line) {
-        const Json object = Json::parse(line, nullptr, false);
-        if (object.is_discarded()) {
-            refuse_line(place, "not JSON; remedy: write one object a line, {\"id\": \"…\", \"path\": \"…\"}");
-        }
+        const Json object = object_of(line, place);
         items.push_back(item_of(object, folder, place));
     });
     return items;
@@ -156,8 +178,13 @@ std::vector<BatchItem> items_of_table(const std::string& text, const fs::path& f
     for_lines(text, place, [&](const std::string& line) {
         const std::vector<std::string> fields = fields_of(line, place);
         if (columns.empty()) {
-            std::for_each(fields.begin(), fields.end(), [&](const std::string& key) { require_known(key, place); });
-            columns = fields;
+            for (const std::string& key : fields) {
+                require_known(key, place);
+                if (std::find(columns.begin(), columns.end(), key) != columns.end()) {
+                    refuse_line(place, fmt::format("the column '{}' stands twice", key));
+                }
+                columns.push_back(key);
+            }
             return;
         }
         if (fields.size() != columns.size()) {
@@ -184,19 +211,38 @@ bool is_mesh_name(const std::string& name, const Registry& registry) {
     return registry.find_for_extension(StageKind::mesh_loader, extension_of(name)) != nullptr;
 }
 
+/// Calls `on_file` with all that is no folder, also behind links; a link to a folder that contains it is not followed.
+void for_files_in(const fs::path& folder, const std::function<void(const fs::path&)>& on_file) {
+    std::vector<fs::path> within{fs::canonical(folder)}; // the folders that contain the current entry
+    const auto options = fs::directory_options::follow_directory_symlink;
+    for (fs::recursive_directory_iterator entry(folder, options), end; entry != end; ++entry) {
+        std::error_code broken_link;
+        if (!entry->is_directory(broken_link)) {
+            on_file(entry->path()); // a file that cannot be read becomes a failure with a name
+            continue;
+        }
+        within.resize(static_cast<std::size_t>(entry.depth()) + 1);
+        within.push_back(fs::canonical(entry->path()));
+        if (std::find(within.begin(), within.end() - 1, within.back()) != within.end() - 1) {
+            entry.disable_recursion_pending();
+        }
+    }
+}
+
 std::vector<BatchItem> items_of_folder(const fs::path& folder, const Registry& registry) {
     std::vector<BatchItem> items;
     try {
-        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-            const std::string inside = entry.path().lexically_relative(folder).string();
-            if (is_mesh_name(inside, registry) && entry.is_regular_file()) {
-                items.push_back({inside, absolute_in(fs::current_path(), entry.path().string()), {}, {}});
+        for_files_in(folder, [&](const fs::path& file) {
+            const std::string inside = file.lexically_relative(folder).string();
+            if (is_mesh_name(inside, registry)) {
+                items.push_back({inside, absolute_in(fs::current_path(), file.string()), {}, {}});
             }
-        }
+        });
     } catch (const fs::filesystem_error& error) {
-        throw Error(ErrorCode::input, fmt::format("{}: it cannot be read whole ({}: {}); remedy: a list of the files that "
-                                                  "can be read",
-                                                  folder.string(), error.path1().string(), error.code().message()));
+        throw Error(ErrorCode::input,
+                    fmt::format("{}: it cannot be read whole ({}: {}); remedy: a list of the files that "
+                                "can be read",
+                                folder.string(), error.path1().string(), error.code().message()));
     }
     return items;
 }
@@ -238,7 +284,10 @@ std::vector<BatchItem> items_of(const std::string& source, const Registry& regis
     if (fs::exists(file, error) && is_archive(file)) {
         return items_of_archive(file, registry);
     }
-    const std::string text = read_file(file), extension = extension_of(file);
+    std::string text = read_file(file);
+    const std::string extension = extension_of(file);
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // by which spreadsheets begin UTF-8
+    text.erase(0, text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);
     const fs::path folder = fs::absolute(file).parent_path();
     if (extension == "jsonl" || extension == "ndjson") {
         return items_of_json_lines(text, folder, {source});
@@ -276,12 +325,12 @@ std::vector<BatchItem> read_batch_list(const std::string& source, const Registry
     }
     const auto by_id = [](const BatchItem& a, const BatchItem& b) { return a.id < b.id; };
     std::sort(items.begin(), items.end(), by_id);
-    const auto twice = std::adjacent_find(items.begin(), items.end(), [](const BatchItem& a, const BatchItem& b) {
-        return a.id == b.id;
-    });
+    const auto twice = std::adjacent_find(items.begin(), items.end(),
+                                          [](const BatchItem& a, const BatchItem& b) { return a.id == b.id; });
     if (twice != items.end()) {
-        throw Error(ErrorCode::input, fmt::format("{}: the id '{}' occurs twice; remedy: give each mesh an id of its own",
-                                                  source, shown(twice->id)));
+        throw Error(ErrorCode::input,
+                    fmt::format("{}: the id '{}' occurs twice; remedy: give each mesh an id of its own", source,
+                                shown(twice->id)));
     }
     return items;
 }

@@ -26,18 +26,20 @@ std::string line_of(const WorkerTask& task) {
 
 WorkerTask worker_task_of(const std::string& line) {
     const Json json = Json::parse(line);
-    return {json.at("parent"), json.at("memory_limit"), json.at("plugins"), json.at("recipe"), json.at("recipe_digest")};
+    return {json.at("parent"), json.at("memory_limit"), json.at("plugins"), json.at("recipe"),
+            json.at("recipe_digest")};
 }
 
-std::string request_line(const BatchItem& item) {
+std::string request_line(const BatchItem& item, bool one_search) {
     return dumped({{"id", item.id},
                    {"path", item.path},
                    {"unit", item.unit.unit.value_or("")},
                    {"scale", item.unit.scale},
-                   {"spheres", item.spheres.value_or(0)}});
+                   {"spheres", item.spheres.value_or(0)},
+                   {"one_search", one_search}});
 }
 
-BatchItem item_of_request(const std::string& line) {
+Request request_of(const std::string& line) {
     const Json json = Json::parse(line);
     BatchItem item{.id = json.at("id"), .path = json.at("path"), .unit = {}, .spheres = {}, .bytes = 0};
     if (const std::string unit = json.at("unit"); !unit.empty()) {
@@ -47,7 +49,7 @@ BatchItem item_of_request(const std::string& line) {
     if (const std::size_t spheres = json.at("spheres"); spheres > 0) {
         item.spheres = spheres;
     }
-    return item;
+    return {std::move(item), json.at("one_search")};
 }
 
 std::string failure_line(const BatchItem& item, const Digest& recipe, const Digest& input, const std::string& code,
@@ -58,11 +60,6 @@ std::string failure_line(const BatchItem& item, const Digest& recipe, const Dige
                    {"foam", version()},
                    {"recipe", recipe},
                    {"cpu_seconds", cpu_seconds}});
-}
-
-bool is_failure(std::string_view line) {
-    const Json json = Json::parse(line, nullptr, false);
-    return !json.is_object() || json.contains("error");
 }
 
 } // namespace foam::batch

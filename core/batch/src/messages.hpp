@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace foam::inline batch {
@@ -25,14 +24,16 @@ struct WorkerTask {
 std::string line_of(const WorkerTask& task);
 WorkerTask worker_task_of(const std::string& line);
 
-/// Each further line is an item; the answer is a line with its result.
-std::string request_line(const BatchItem& item);
-BatchItem item_of_request(const std::string& line);
+/// The worker answers with an empty line. Each further line is an item; the answer is a line with its result.
+struct Request {
+    BatchItem item;
+    bool one_search = false; ///< for all scales of its mesh, if the recipe allows for it
+};
+std::string request_line(const BatchItem& item, bool one_search);
+Request request_of(const std::string& line);
 
 /// Returns the result of a mesh that has no spheres. `code`: of the error, or "crash" or "time limit".
 std::string failure_line(const BatchItem& item, const Digest& recipe, const Digest& input, const std::string& code,
                          const std::string& reason, double cpu_seconds);
-/// Whether the line is that of a failure.
-bool is_failure(std::string_view line);
 
 } // namespace foam::batch

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,15 +16,22 @@ namespace foam::inline batch {
 /// The work of a folder of results. It is written once, and the same in every process that works on the folder.
 struct Plan {
     std::filesystem::path folder;
-    std::string recipe;    ///< YAML, with paths as written
-    Digest recipe_digest;  ///< of the recipe and of foam's version
+    std::string recipe;   ///< YAML, with paths as written
+    Digest recipe_digest; ///< of the recipe and of foam's version
     std::size_t shards = 1;
-    /// In the order of the work: large files first. Item i belongs to shard i modulo the number of shards, so that
-    /// neighbours in a list, which are alike, and large meshes spread.
-    std::vector<BatchItem> items;
+    std::vector<BatchItem> items; ///< in the order of the work: large files first
+    /// Where groups of items begin, and the end: a group has the scales of one mesh. Group i belongs to shard i modulo
+    /// the number of shards, so that neighbours in a list, which are alike, and large meshes spread.
+    std::vector<std::size_t> groups;
 
     /// Returns the items of a shard in the order of the work.
     std::vector<const BatchItem*> items_of(std::size_t shard) const;
+    /// Returns the items that differ from an item of `items` in nothing but id and scale, with itself.
+    std::span<const BatchItem> group_of(const BatchItem& item) const;
+    /// Returns whether that group has different scales.
+    bool has_scales(const BatchItem& item) const;
+    /// Returns whether every shard is finished.
+    bool complete() const;
     /// Returns the file of a finished shard.
     std::filesystem::path shard_file(std::size_t shard) const;
 };
@@ -32,8 +40,8 @@ struct Plan {
 std::filesystem::path part_of(const std::filesystem::path& shard_file);
 
 /// Opens the folder for this work, or makes it. Several processes may do so at the same time. `shards`: absent: as in
-/// the folder, or one for every thousand meshes. Throws Error(usage) if the folder is of another recipe, list, number of
-/// shards or version of foam. `recipe`: YAML with paths as written, so that the folder can move.
+/// the folder, or one for every thousand meshes. Throws Error(usage) if the folder is of another recipe, list, number
+/// of shards or version of foam. `recipe`: YAML with paths as written, so that the folder can move.
 Plan open_plan(const std::filesystem::path& folder, const std::string& recipe, std::vector<BatchItem> items,
                std::optional<std::size_t> shards);
 

@@ -41,14 +41,14 @@ Pool::Worker::Worker(const PoolOptions& options) : errors(memory_file(""), "a fi
     write_line(requests.writing.value(), line_of(options.task));
 }
 
-void Pool::Worker::give(const Job& next) {
+void Pool::Worker::give(Job next) {
     // Child and parent share the place in the file: both begin again.
     if (ftruncate(errors.value(), 0) == 0) {
         lseek(errors.value(), 0, SEEK_SET);
     }
-    job = next;
     since = Clock::now();
-    write_line(requests.writing.value(), request_line(*next.item));
+    write_line(requests.writing.value(), request_line(next.item(), next.one_search));
+    job = std::move(next);
 }
 
 void Pool::Worker::receive() {
@@ -84,16 +84,15 @@ std::string Pool::Worker::last_words() const {
     return std::string(words.substr(0, words.find(", input '"))); // where a member of an archive was unpacked differs
 }
 
-void Pool::turn(const std::function<std::optional<Job>()>& next,
-                const std::function<void(const Job&, const std::string&)>& done) {
+void Pool::turn(const std::function<std::optional<Job>()>& next, const Done& done) {
     for (std::unique_ptr<Worker>& worker : workers_) {
         if (worker && worker->job) {
             continue;
         }
         std::optional<Job> job;
-        if (!again_.empty()) {
-            job = again_.back();
-            again_.pop_back();
+        if (!waiting_.empty()) {
+            job = std::move(waiting_.back());
+            waiting_.pop_back();
         } else {
             job = next();
         }
@@ -103,7 +102,7 @@ void Pool::turn(const std::function<std::optional<Job>()>& next,
         if (!worker) {
             worker = std::make_unique<Worker>(options_);
         }
-        worker->give(*job);
+        worker->give(std::move(*job));
     }
     wait();
     for (std::unique_ptr<Worker>& worker : workers_) {
@@ -124,50 +123,81 @@ void Pool::wait() {
     poll(ready.data(), ready.size(), ready.empty() ? 0 : tick);
 }
 
-void Pool::read_answers(std::unique_ptr<Worker>& worker,
-                        const std::function<void(const Job&, const std::string&)>& done) {
+void Pool::read_answers(std::unique_ptr<Worker>& worker, const Done& done) {
     const bool ended = worker->process->ended(); // asked first: everything that it wrote is in the pipe
     worker->receive();
-    if (const std::optional<std::string> line = worker->line()) {
-        const Job job = *worker->job;
-        worker->job.reset();
-        done(job, *line);
+    while (const std::optional<std::string> line = worker->line()) {
+        take_line(*worker, *line, done);
     }
     if (ended) {
         end_of(worker, done);
-    } else if (worker->job && std::chrono::duration<double>(Clock::now() - worker->since).count() > options_.time_limit) {
+    } else if (worker->job &&
+               std::chrono::duration<double>(Clock::now() - worker->since).count() > options_.time_limit) {
         const Job job = *worker->job;
         worker.reset(); // ends it
-        done(job, failure_line(*job.item, options_.task.recipe_digest, "", "time limit",
-                               fmt::format("the time limit of {:g} s a mesh is over; remedy: --time-limit",
-                                           options_.time_limit),
-                               options_.time_limit));
+        finish_item(job,
+                    failure_line(job.item(), options_.task.recipe_digest, "", "time limit",
+                                 fmt::format("the time limit of {:g} s a mesh is over; remedy: --time-limit",
+                                             options_.time_limit),
+                                 options_.time_limit),
+                    done);
     }
 }
 
-void Pool::end_of(std::unique_ptr<Worker>& worker, const std::function<void(const Job&, const std::string&)>& done) {
+void Pool::take_line(Worker& worker, const std::string& line, const Done& done) {
+    if (!worker.ready) { // its first line says so; starting is no part of a mesh's time
+        worker.ready = true;
+        worker.since = Clock::now();
+        return;
+    }
+    if (!worker.job) {
+        return; // a plugin's, not an answer
+    }
+    Job job = std::move(*worker.job);
+    worker.job.reset();
+    done(job, line);
+    job.again = false;
+    if (++job.at < job.items.size()) {
+        worker.give(std::move(job));
+    }
+}
+
+void Pool::finish_item(Job job, const std::string& line, const Done& done) {
+    done(job, line);
+    job.again = false;
+    if (++job.at < job.items.size()) {
+        waiting_.push_back(std::move(job));
+    }
+}
+
+void Pool::end_of(std::unique_ptr<Worker>& worker, const Done& done) {
     const ChildEnd end = worker->process->end();
     const std::string words = worker->last_words();
-    const std::optional<Job> job = worker->job;
+    const bool ready = worker->ready;
+    std::optional<Job> job = std::move(worker->job);
     worker.reset();
-    const std::string how = end.why == ChildEnd::Why::signalled ? signal_text(end.number)
-                                                                : fmt::format("exit code {}", end.number);
-    if (end.why == ChildEnd::Why::exited && end.number == exit_code(ErrorCode::usage)) {
+    const std::string how =
+        end.why == ChildEnd::Why::signalled ? signal_text(end.number) : fmt::format("exit code {}", end.number);
+    if (!ready && end.why == ChildEnd::Why::exited && end.number == exit_code(ErrorCode::usage)) {
         throw Error(ErrorCode::internal, fmt::format("a worker cannot start: {}", words));
     }
     if (!job) {
         return;
     }
     if (!job->again) { // the crash may be another program's doing
-        again_.push_back({job->item, job->owner, true});
+        job->again = true;
+        waiting_.push_back(std::move(*job));
         return;
     }
-    done(*job, failure_line(*job->item, options_.task.recipe_digest, "", "crash",
-                            fmt::format("its process ended twice ({}){}{}", how, words.empty() ? "" : ": ", words), 0));
+    const std::string line =
+        failure_line(job->item(), options_.task.recipe_digest, "", "crash",
+                     fmt::format("its process ended twice ({}){}{}", how, words.empty() ? "" : ": ", words), 0);
+    finish_item(std::move(*job), line, done);
 }
 
 bool Pool::idle() const {
-    return again_.empty() && std::none_of(workers_.begin(), workers_.end(), [](const auto& w) { return w && w->job; });
+    return waiting_.empty() &&
+           std::none_of(workers_.begin(), workers_.end(), [](const auto& w) { return w && w->job; });
 }
 
 } // namespace foam::batch

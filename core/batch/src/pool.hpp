@@ -22,11 +22,15 @@ struct PoolOptions {
     std::size_t workers = 1;
 };
 
-/// A mesh that a worker has.
+/// Meshes that one worker gets one after the other: the scales of one mesh.
 struct Job {
-    const BatchItem* item = nullptr;
-    std::size_t owner = 0; ///< of the caller
-    bool again = false;    ///< its worker has ended once
+    std::vector<const BatchItem*> items;
+    std::size_t owner = 0;   ///< of the caller
+    bool one_search = false; ///< for all of them
+    std::size_t at = 0;      ///< the item that is worked on
+    bool again = false;      ///< a worker has ended with that item
+
+    const BatchItem& item() const { return *items[at]; }
 };
 
 /// A few workers. They are started when they are needed, and replaced after a crash or a limit.
@@ -35,9 +39,9 @@ public:
     explicit Pool(PoolOptions options);
 
     /// Gives jobs to workers that are free, as long as `next` returns any, and waits for answers for at most 50 ms.
-    /// Calls `done` for each mesh with its line. Throws Error(internal) if no worker can be started.
-    void turn(const std::function<std::optional<Job>()>& next,
-              const std::function<void(const Job&, const std::string& line)>& done);
+    /// Calls `done` for each mesh, job.item(), with its line. Throws Error(internal) if no worker can be started.
+    using Done = std::function<void(const Job& job, const std::string& line)>;
+    void turn(const std::function<std::optional<Job>()>& next, const Done& done);
     /// Returns whether no worker has a mesh.
     bool idle() const;
 
@@ -47,7 +51,7 @@ private:
     /// One worker.
     struct Worker {
         explicit Worker(const PoolOptions& options);
-        void give(const Job& next);
+        void give(Job next);
         /// Reads what has come.
         void receive();
         /// Returns the next complete line, if there is one.
@@ -59,18 +63,21 @@ private:
         Descriptor errors;
         std::unique_ptr<ChildProcess> process;
         std::optional<Job> job;
+        bool ready = false; ///< it has told so
         Clock::time_point since;
         std::string received;
     };
 
     void wait();
-    void read_answers(std::unique_ptr<Worker>& worker,
-                      const std::function<void(const Job&, const std::string&)>& done);
-    void end_of(std::unique_ptr<Worker>& worker, const std::function<void(const Job&, const std::string&)>& done);
+    void read_answers(std::unique_ptr<Worker>& worker, const Done& done);
+    void take_line(Worker& worker, const std::string& line, const Done& done);
+    void end_of(std::unique_ptr<Worker>& worker, const Done& done);
+    /// Calls `done` for the item of the job, and keeps the items behind it for another worker.
+    void finish_item(Job job, const std::string& line, const Done& done);
 
     PoolOptions options_;
     std::vector<std::unique_ptr<Worker>> workers_;
-    std::vector<Job> again_;
+    std::vector<Job> waiting_; ///< whose worker has ended
 };
 
 } // namespace foam::batch

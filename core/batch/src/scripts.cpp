@@ -49,7 +49,7 @@ std::string sbatch_text(const Plan& plan, const BatchOptions& options, const std
         "#SBATCH --cpus-per-task=1\n"
         "#SBATCH --mem={}M\n"
         "#SBATCH --requeue\n"
-        "#SBATCH --signal=TERM@60\n"
+        "#SBATCH --signal=B:TERM@60\n" // B: to this shell, which is foam by then
         "#SBATCH --open-mode=append\n"
         "#SBATCH --output=\"{}/log-%a.txt\"\n"
         "exec {} -j 1\n",
@@ -59,7 +59,8 @@ std::string sbatch_text(const Plan& plan, const BatchOptions& options, const std
 std::string snakefile_text(const Plan& plan, const std::vector<std::string>& command) {
     // Braces and quotes belong to Snakemake within the text of a command.
     std::string words = shell_words(command);
-    for (const auto& [from, to] : {std::pair<std::string, std::string>{"\\", "\\\\"}, {"\"", "\\\""}, {"{", "{{"}, {"}", "}}"}}) {
+    for (const auto& [from, to] :
+         {std::pair<std::string, std::string>{"\\", "\\\\"}, {"\"", "\\\""}, {"{", "{{"}, {"}", "}}"}}) {
         for (std::size_t at = 0; (at = words.find(from, at)) != std::string::npos; at += to.size()) {
             words.replace(at, from.size(), to);
         }
@@ -92,9 +93,9 @@ std::string readme_text(const Plan& plan, const std::vector<std::string>& comman
 
 } // namespace
 
-void prepare_batch(const std::vector<BatchItem>& items, const Recipe& recipe, const Registry& registry,
+void prepare_batch(std::vector<BatchItem> items, const Recipe& recipe, const Registry& registry,
                    const BatchOptions& options, const std::vector<std::string>& command) {
-    const Plan plan = plan_for(items, recipe, registry, options);
+    const Plan plan = plan_for(std::move(items), recipe, registry, options);
     write_file(plan.folder / "foam.sbatch", sbatch_text(plan, options, command));
     write_file(plan.folder / "Snakefile", snakefile_text(plan, command));
     write_file(plan.folder / "README.md", readme_text(plan, command));

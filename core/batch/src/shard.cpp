@@ -1,12 +1,12 @@
 #include "shard.hpp"
 
 #include "lines.hpp"
+#include "result_line.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/internal/files.hpp>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cerrno>
 #include <cstring>
@@ -28,17 +28,32 @@ constexpr std::size_t most_pending = 8 << 20;
     throw Error(ErrorCode::output, fmt::format("{}: it cannot be written ({})", file.string(), std::strerror(errno)));
 }
 
-/// Locks the open file for this process, also on network file systems. Returns whether it could.
-bool lock(int descriptor) {
+struct flock whole_file() {
     struct flock whole {};
     whole.l_type = F_WRLCK;
     whole.l_whence = SEEK_SET;
-    return fcntl(descriptor, F_OFD_SETLK, &whole) == 0;
+    return whole;
+}
+
+/// Locks the open file for this process, also on network file systems. Returns whether it could, or another process has
+/// it.
+bool lock(int descriptor, const fs::path& file) {
+    struct flock whole = whole_file();
+    if (fcntl(descriptor, F_OFD_SETLK, &whole) == 0) {
+        return true;
+    }
+    if (errno != EAGAIN && errno != EACCES) {
+        throw Error(ErrorCode::output,
+                    fmt::format("{}: it cannot be locked ({}); remedy: a file system with locks for --out",
+                                file.string(), std::strerror(errno)));
+    }
+    return false;
 }
 
 /// Returns whether the name still means the open file: another process may have finished the shard meanwhile.
 bool is_still(int descriptor, const fs::path& file) {
-    struct stat open {}, named {};
+    struct stat open {
+    }, named{};
     return fstat(descriptor, &open) == 0 && stat(file.c_str(), &named) == 0 && open.st_ino == named.st_ino &&
            open.st_dev == named.st_dev;
 }
@@ -62,7 +77,7 @@ std::unique_ptr<OpenShard> OpenShard::open(const Plan& plan, std::size_t shard, 
         fail_writing(part);
     }
     std::unique_ptr<OpenShard> opened(new OpenShard(descriptor, file));
-    if (!lock(descriptor)) {
+    if (!lock(descriptor, part)) {
         busy = true;
         return nullptr;
     }
@@ -81,9 +96,9 @@ void OpenShard::read_results(const Plan& plan, std::size_t shard) {
     std::set<std::string> done;
     const fs::path part = part_of(file_);
     const std::size_t whole = for_each_line(read_file(part), [&](std::string_view line) {
-        const auto json = nlohmann::json::parse(line);
-        done.insert(json.at("id").get<std::string>());
-        failed_before_ += json.contains("error") ? 1 : 0;
+        ResultHead head = head_of(line);
+        failed_before_ += head.failed ? 1 : 0;
+        done.insert(std::move(head.id));
     });
     done_before_ = done.size();
     for (const BatchItem* item : plan.items_of(shard)) {
@@ -130,6 +145,17 @@ void OpenShard::finish() {
     if (fsync(descriptor_) != 0 || std::rename(part_of(file_).c_str(), file_.c_str()) != 0) {
         fail_writing(file_);
     }
+}
+
+bool is_worked_on(const Plan& plan, std::size_t shard) {
+    const int descriptor = ::open(part_of(plan.shard_file(shard)).c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) {
+        return false;
+    }
+    struct flock other = whole_file();
+    const bool locked = fcntl(descriptor, F_OFD_GETLK, &other) == 0 && other.l_type != F_UNLCK;
+    ::close(descriptor);
+    return locked;
 }
 
 bool for_each_result(const Plan& plan, std::size_t shard, const std::function<void(std::string_view)>& on_line) {

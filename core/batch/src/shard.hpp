@@ -51,6 +51,9 @@ private:
     std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
 };
 
+/// Returns whether a process works on a shard.
+bool is_worked_on(const Plan& plan, std::size_t shard);
+
 /// Calls `on_line` for each result of a shard, finished or not. Returns whether it is finished.
 bool for_each_result(const Plan& plan, std::size_t shard, const std::function<void(std::string_view)>& on_line);
 

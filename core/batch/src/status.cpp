@@ -1,23 +1,32 @@
 #include <foam/batch/batch.hpp>
 
 #include "plan.hpp"
+#include "result_line.hpp"
 #include "shard.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <cctype>
 
 namespace foam::inline batch {
 namespace {
 
-using Json = nlohmann::ordered_json;
+bool is_letter(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0;
+}
+
+/// Replaces `id` where it stands as a word of its own: it may be a single letter.
+void leave_out(const std::string& id, std::string& text) {
+    constexpr std::string_view instead = "…";
+    for (std::size_t at = 0; (at = text.find(id, at)) != std::string::npos;) {
+        const std::size_t end = at + id.size();
+        const bool word = (at == 0 || !is_letter(text[at - 1])) && (end == text.size() || !is_letter(text[end]));
+        text.replace(at, word ? id.size() : 0, word ? instead : "");
+        at += word ? instead.size() : 1;
+    }
+}
 
 /// Returns a reason without what differs from mesh to mesh: its id in front, names in quotes, numbers, the remedy.
 std::string kind_of_reason(const std::string& id, std::string reason) {
-    for (std::size_t at = 0; (at = reason.find(id, at)) != std::string::npos;) {
-        reason.replace(at, id.size(), "…");
-        at += std::string_view("…").size();
-    }
+    leave_out(id, reason);
     reason = reason.substr(0, reason.find("; remedy"));
     std::string kind;
     bool quoted = false;
@@ -35,6 +44,10 @@ std::string kind_of_reason(const std::string& id, std::string reason) {
 
 } // namespace
 
+double BatchStatus::rate_of_core() const {
+    return cpu_seconds > 0 ? static_cast<double>(done) / cpu_seconds : 0;
+}
+
 double BatchStatus::cpu_seconds_left() const {
     return done == 0 ? 0 : cpu_seconds / static_cast<double>(done) * static_cast<double>(meshes - done);
 }
@@ -46,16 +59,16 @@ BatchStatus batch_status(const std::filesystem::path& folder) {
     status.shards = plan.shards;
     for (std::size_t shard = 0; shard < plan.shards; ++shard) {
         const bool finished = for_each_result(plan, shard, [&](std::string_view line) {
-            const Json json = Json::parse(line);
+            const ResultSummary result = summary_of(line);
             ++status.done;
-            status.cpu_seconds += json.at("cpu_seconds").get<double>();
-            if (const auto error = json.find("error"); error != json.end()) {
+            status.cpu_seconds += result.cpu_seconds;
+            if (result.failed) {
                 ++status.failed;
-                const std::string reason = kind_of_reason(json.at("id"), error->at("reason"));
-                ++status.reasons[error->at("code").get<std::string>() + ": " + reason];
+                ++status.reasons[result.code + ": " + kind_of_reason(result.id, result.reason)];
             }
         });
         status.finished_shards += finished ? 1 : 0;
+        status.worked_on += !finished && is_worked_on(plan, shard) ? 1 : 0;
     }
     return status;
 }

@@ -2,9 +2,11 @@
 
 #include "archive.hpp"
 #include "messages.hpp"
+#include "scaled.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/internal/files.hpp>
+#include <foam/base/text.hpp>
 #include <foam/recipe/recipe.hpp>
 #include <foam/runtime/crash.hpp>
 #include <foam/runtime/internal/child_process.hpp>
@@ -15,10 +17,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <deque>
 #include <iostream>
+#include <malloc.h>
 #include <map>
 #include <unistd.h>
 
@@ -34,33 +38,45 @@ double cpu_now() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Results by the digest of what decides them: data sets hold many duplicates.
-class KnownResults {
+/// The last results by the digest of what decides them.
+template <class Result, std::size_t most> class KnownResults {
 public:
-    const Json* find(const Digest& key) const {
+    const Result* find(const Digest& key) const {
         const auto known = results_.find(key);
         return known == results_.end() ? nullptr : &known->second;
     }
-    void add(const Digest& key, const Json& result) {
-        constexpr std::size_t most = 4096;
+    const Result& add(const Digest& key, Result result) {
         if (order_.size() == most) {
             results_.erase(order_.front());
             order_.pop_front();
         }
         order_.push_back(key);
-        results_[key] = result;
+        return results_[key] = std::move(result);
     }
 
 private:
-    std::map<Digest, Json> results_;
+    std::map<Digest, Result> results_;
     std::deque<Digest> order_;
 };
 
-/// Replaces the place where a member of an archive was unpacked by its path, and the absolute path by the id: the same
-/// text in every process.
+/// The spheres of a mesh without the scale of its item; none if other scales need a search of their own.
+struct Unscaled {
+    std::vector<Sphere> spheres;
+    double size = 0; ///< diagonal of the mesh's box, m
+};
+
+void replace_all(std::string& text, const std::string& old, const std::string& now) {
+    for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += now.size()) {
+        text.replace(at, old.size(), now);
+    }
+}
+
+/// Replaces the place where a member of an archive was unpacked by its path, and the absolute path by the id, as they
+/// are and as messages show them: the same text in every process.
 std::string portable(std::string text, const std::string& real, const BatchItem& item) {
-    for (std::size_t at = 0; (at = text.find(real, at)) != std::string::npos; at += item.id.size()) {
-        text.replace(at, real.size(), item.id);
+    replace_all(text, real, item.id);
+    if (const std::string escaped = shown(real); escaped != real) {
+        replace_all(text, escaped, shown(item.id));
     }
     return text;
 }
@@ -112,16 +128,18 @@ public:
             throw Error(ErrorCode::recipe, "the recipe of the batch cannot be read");
         }
         recipe_ = std::move(read.recipes.front());
+        scales_freely_ = scales_freely(recipe_, registry_);
     }
 
     /// Returns the line of a mesh: its spheres, or why it has none.
-    std::string answer(const BatchItem& item) {
+    std::string answer(const Request& request) {
+        const BatchItem& item = request.item;
         const double begin = cpu_now();
         Digest input;
         std::string real = item.path;
         try {
             Json line{{"id", item.id}};
-            const Json result = result_for(item, input, real);
+            const Json result = result_for(request, input, real);
             line["digest"] = input;
             line.update(result);
             line["foam"] = version();
@@ -141,7 +159,8 @@ public:
     }
 
 private:
-    Json result_for(const BatchItem& item, Digest& input, std::string& real) {
+    Json result_for(const Request& request, Digest& input, std::string& real) {
+        const BatchItem& item = request.item;
         std::optional<ScratchFolder> unpacked;
         std::string bytes;
         if (const auto inside = archive_path(item.path)) {
@@ -155,17 +174,59 @@ private:
         input = digest_of(bytes);
         Hasher hasher;
         hasher.add(input).add(fs::path(real).extension().string());
-        hasher.add(item.unit.unit.value_or("")).add(item.unit.scale);
-        const Digest key = hasher.add(static_cast<std::uint64_t>(item.spheres.value_or(0))).finish();
-        if (const Json* known = results_.find(key)) {
+        hasher.add(item.unit.unit.value_or(""));
+        const Digest unscaled = hasher.add(static_cast<std::uint64_t>(item.spheres.value_or(0))).finish();
+        const bool one_search = request.one_search && scales_freely_;
+        const Digest key = Hasher().add(unscaled).add(item.unit.scale).add(std::uint64_t{one_search}).finish();
+        if (const Json* known = results_.find(key)) { // data sets hold many duplicates
             return *known;
         }
         std::string().swap(bytes);
-        const Json result = result_of(run(recipe_for(item, real), registry_, options()), real, item);
+        std::optional<RunResult> done = one_search ? scaled_run(item, real, unscaled) : std::nullopt;
+        if (!done) {
+            done = run(recipe_for(item, real), registry_, options());
+        }
+        const Json result = result_of(*done, real, item);
         if (!result.contains("warnings")) { // which may name this file
             results_.add(key, result);
         }
         return result;
+    }
+
+    /// Returns the scaled spheres of the mesh without its item's scale, proved on the scaled mesh; nothing if it needs
+    /// a search of its own.
+    std::optional<RunResult> scaled_run(const BatchItem& item, const std::string& real, const Digest& key) {
+        const Unscaled* known = unscaled_.find(key);
+        const Unscaled& unscaled = known ? *known : unscaled_.add(key, unscaled_spheres(item, real));
+        if (unscaled.spheres.empty()) {
+            return {};
+        }
+        const double scale = item.unit.scale;
+        const Recipe scaled =
+            with_scaled_spheres(recipe_for(item, real), unscaled.spheres, scale, scale * unscaled.size);
+        try {
+            RunResult result = run(scaled, registry_, options());
+            const bool same =
+                result.certified && spheres_by_link(result.model).front().spheres == scaled.links.front().keep;
+            return same ? std::optional(std::move(result)) : std::nullopt;
+        } catch (const Error&) { // the rounding of coordinates far from the origin: the kept spheres do not cover
+            return {};
+        }
+    }
+
+    Unscaled unscaled_spheres(BatchItem item, const std::string& real) {
+        item.unit.scale = 1;
+        try {
+            const RunResult result = run(recipe_for(item, real), registry_, options());
+            const bool warned = std::any_of(result.findings.begin(), result.findings.end(), [](const Finding& finding) {
+                return finding.severity >= Severity::warning;
+            });
+            if (!warned && result.certified) {
+                return {spheres_by_link(result.model).front().spheres, norm(result.input_size.box.size())};
+            }
+        } catch (const Error&) { // the run with the scale tells why
+        }
+        return {};
     }
 
     Recipe recipe_for(const BatchItem& item, const std::string& real) const {
@@ -192,7 +253,9 @@ private:
     Recipe recipe_;
     Digest recipe_digest_;
     Archives archives_;
-    KnownResults results_;
+    bool scales_freely_ = false;
+    KnownResults<Json, 4096> results_;
+    KnownResults<Unscaled, 16> unscaled_;
 };
 
 void send_line(const std::string& line) {
@@ -206,6 +269,12 @@ void send_line(const std::string& line) {
     }
 }
 
+/// Makes free() keep memory for the next mesh: giving it back and getting it again took a third of a tiny mesh's time.
+void keep_freed_memory() {
+    mallopt(M_TRIM_THRESHOLD, 64 << 20);
+    mallopt(M_MMAP_THRESHOLD, 16 << 20);
+}
+
 [[noreturn]] void serve_batch() {
     try {
         std::string line;
@@ -214,10 +283,12 @@ void send_line(const std::string& line) {
         }
         const WorkerTask task = worker_task_of(line);
         begin_child(task.parent, task.memory_limit);
+        keep_freed_memory();
         report_crashes();
         Worker worker(task);
+        send_line(""); // ready
         while (std::getline(std::cin, line)) {
-            send_line(worker.answer(item_of_request(line)));
+            send_line(worker.answer(request_of(line)));
         }
     } catch (const std::exception& error) {
         fmt::print(stderr, "foam: {}\n", error.what());
@@ -235,4 +306,4 @@ void serve_batch_worker(int count, char** arguments) {
     }
 }
 
-} // namespace foam::batch
+} // namespace foam::inline batch

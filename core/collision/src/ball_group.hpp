@@ -1,4 +1,4 @@
-// The spheres of a link with one sphere that contains them all.
+// The elements of a link with one sphere that contains them all.
 #pragma once
 
 #include <foam/geometry/sphere.hpp>
@@ -7,11 +7,26 @@
 
 namespace foam::inline collision::self_collision {
 
+/// An element that is no sphere, with a sphere around it.
+struct BoundedElement {
+    Element element;
+    Sphere bound;
+};
+
 struct BallGroup {
     Sphere bound;
-    std::vector<Sphere> spheres; ///< at least one
+    std::vector<Sphere> spheres;
+    std::vector<BoundedElement> others;
 
-    explicit BallGroup(std::vector<Sphere> all) : bound(enclosing_sphere(all)), spheres(std::move(all)) {}
+    /// Precondition: there is at least one element.
+    explicit BallGroup(const ElementsView& elements) : spheres(elements.spheres.begin(), elements.spheres.end()) {
+        std::vector<Sphere> all = spheres;
+        for (const Element& element : elements.others) {
+            others.push_back({element, minimum_enclosing_sphere(enclosing_mesh(element).vertices)});
+            all.push_back(others.back().bound);
+        }
+        bound = enclosing_sphere(all);
+    }
 };
 
 /// Returns the distance between the surfaces, m; negative where the spheres overlap.

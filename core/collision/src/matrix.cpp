@@ -28,16 +28,6 @@ void require_sensible(const Kinematics& kinematics, const CollisionModel& model,
     }
 }
 
-Groups groups_of(const CollisionModel& model) {
-    Groups groups(model.spheres.size());
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-        if (!model.spheres[i].empty()) {
-            groups[i].emplace(model.spheres[i]);
-        }
-    }
-    return groups;
-}
-
 std::vector<LinkPair> pairs_of(const Groups& groups) {
     std::vector<LinkPair> pairs;
     for (std::size_t a = 0; a < groups.size(); ++a) {

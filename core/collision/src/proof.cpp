@@ -1,5 +1,7 @@
 #include "proof.hpp"
 
+#include <foam/collision/separation.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -39,10 +41,13 @@ public:
     /// Returns an upper bound on the displacement within the box of a point fixed to the link, which is at `point` in
     /// the middle of the box. From the last joint to the first: the displacement by later joints adds to the distance
     /// from the axis.
-    double displacement(const Vec3& point) const {
+    double displacement(const Vec3& point) const { return displacement(Sphere{point, 0}); }
+
+    /// Returns the same for all points within a ball.
+    double displacement(const Sphere& ball) const {
         double moved = 0;
         for (std::size_t i = chain_.steps.size(); i-- > 0;) {
-            moved += moved_by(i, point, moved);
+            moved += moved_by(i, ball.center, ball.radius + moved);
         }
         return moved;
     }
@@ -181,7 +186,46 @@ private:
                 look.touching_in_the_middle = look.touching_in_the_middle || apart <= 0;
             }
         }
+        if (!first_.group().others.empty() || !second_.group().others.empty()) {
+            look_at_others(look);
+        }
         return look;
+    }
+
+    /// Compares the pairs of elements of which at least one is no sphere.
+    void look_at_others(Look& look) {
+        const std::vector<BoundedElement> balls = spheres_of(second_.group());
+        for (const BoundedElement& a : first_.group().others) {
+            compare(a, second_.group().others, look);
+            compare(a, balls, look);
+        }
+        for (const BoundedElement& a : spheres_of(first_.group())) {
+            compare(a, second_.group().others, look);
+        }
+    }
+
+    static std::vector<BoundedElement> spheres_of(const BallGroup& group) {
+        std::vector<BoundedElement> balls;
+        for (const Sphere& sphere : group.spheres) {
+            balls.push_back({element_of(sphere), sphere});
+        }
+        return balls;
+    }
+
+    void compare(const BoundedElement& element, const std::vector<BoundedElement>& others, Look& look) {
+        const Sphere a = moved(first_.pose(), element.bound);
+        const double a_moves = first_.displacement(a);
+        for (const BoundedElement& other : others) {
+            const Sphere b = moved(second_.pose(), other.bound);
+            const double move = a_moves + second_.displacement(b) + rounding;
+            if (gap(a, b) > move) {
+                continue;
+            }
+            const Separation between = separation(element.element, other.element, first_.pose(), second_.pose());
+            look.apart = look.apart && between.low > move;
+            look.touching = look.touching || between.depth > move;
+            look.touching_in_the_middle = look.touching_in_the_middle || between.low == 0;
+        }
     }
 
     /// Halves the box along the freedom that moves the links most.

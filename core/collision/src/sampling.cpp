@@ -1,6 +1,7 @@
 #include "sampling.hpp"
 
 #include <foam/base/parallel.hpp>
+#include <foam/collision/separation.hpp>
 
 #include <fmt/format.h>
 
@@ -14,6 +15,16 @@ namespace {
 constexpr std::size_t block_size = 1024;
 
 } // namespace
+
+Groups groups_of(const CollisionModel& model) {
+    Groups groups(model.spheres.size());
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        if (!model.of(i).empty()) {
+            groups[i].emplace(model.of(i));
+        }
+    }
+    return groups;
+}
 
 PlacedLinks::PlacedLinks(const Kinematics& kinematics, const Groups& groups)
     : kinematics_(kinematics), groups_(groups), poses_(groups.size()), bounds_(groups.size()), spheres_(groups.size()) {
@@ -54,7 +65,36 @@ bool PlacedLinks::touching(std::size_t first, std::size_t second) {
                std::any_of(near_.begin(), near_.end(), [&](const Sphere& b) { return touch(a, b); });
     };
     const std::vector<Sphere>& others = spheres(first);
-    return !near_.empty() && std::any_of(others.begin(), others.end(), touches_near);
+    return (!near_.empty() && std::any_of(others.begin(), others.end(), touches_near)) ||
+           touching_others(first, second);
+}
+
+bool PlacedLinks::touching_others(std::size_t first, std::size_t second) const {
+    const BallGroup &a = *groups_[first], &b = *groups_[second];
+    const auto meet = [&](const Element& e, const Sphere& bound_of_e, const Element& f, const Sphere& bound_of_f) {
+        return touch(moved(poses_[first], bound_of_e), moved(poses_[second], bound_of_f)) &&
+               separation(e, f, poses_[first], poses_[second]).low == 0;
+    };
+    for (const BoundedElement& f : b.others) {
+        for (const BoundedElement& e : a.others) {
+            if (meet(e.element, e.bound, f.element, f.bound)) {
+                return true;
+            }
+        }
+        for (const Sphere& e : a.spheres) {
+            if (meet(element_of(e), e, f.element, f.bound)) {
+                return true;
+            }
+        }
+    }
+    for (const BoundedElement& e : a.others) {
+        for (const Sphere& f : b.spheres) {
+            if (meet(e.element, e.bound, element_of(f), f)) {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 std::vector<std::size_t> count_touching(const Kinematics& kinematics, const Groups& groups,

@@ -11,8 +11,9 @@
 
 namespace foam::inline collision::self_collision {
 
-/// One entry per link of the robot; empty: it has no spheres.
+/// One entry per link of the robot; empty: it has no elements.
 using Groups = std::vector<std::optional<BallGroup>>;
+Groups groups_of(const CollisionModel& model);
 
 /// The spheres of all links in one configuration. A link's spheres are transformed at their first use.
 class PlacedLinks {
@@ -23,6 +24,7 @@ public:
 
 private:
     const std::vector<Sphere>& spheres(std::size_t link);
+    bool touching_others(std::size_t first, std::size_t second) const;
 
     const Kinematics& kinematics_;
     const Groups& groups_;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <map>
+#include <span>
 
 namespace foam::inline geometry {
 namespace {

@@ -24,6 +24,16 @@ void add_to(Hasher& hasher, const Primitive& primitive) {
     hasher.add(to_string(primitive.kind)).add(primitive.size).add(primitive.radius).add(primitive.length);
 }
 
+void add_to(Hasher& hasher, const Element& element) {
+    hasher.add(to_string(element.kind)).add(element.pose).add(element.half).add(element.radius);
+    if (element.hull) {
+        hasher.add(element.hull->surface).add(static_cast<std::uint64_t>(element.hull->faces.size()));
+        for (const Polytope::Face& face : element.hull->faces) {
+            hasher.add(face.normal).add(face.offset);
+        }
+    }
+}
+
 void add_to(Hasher& hasher, const SphereTree& tree) {
     hasher.add(static_cast<std::uint64_t>(tree.levels.size()));
     for (const SphereTree::Level& level : tree.levels) {
@@ -33,6 +43,12 @@ void add_to(Hasher& hasher, const SphereTree& tree) {
         }
         hasher.add(static_cast<std::uint64_t>(level.parents.size()));
         hasher.bytes(level.parents.data(), level.parents.size() * sizeof(std::uint32_t));
+        if (!level.others.empty()) { // spheres alone keep their digests
+            hasher.add(static_cast<std::uint64_t>(level.others.size()));
+            for (const Element& element : level.others) {
+                hasher.add(element);
+            }
+        }
     }
 }
 
@@ -45,4 +61,4 @@ void add_to(Hasher& hasher, const Measures& m) {
     }
 }
 
-} // namespace foam::geometry
+} // namespace foam::inline geometry

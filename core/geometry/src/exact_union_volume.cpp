@@ -33,7 +33,7 @@ struct Interval {
 struct Circle {
     explicit Circle(const Cap& cap)
         : axis(cap.axis), height(cap.height), width(std::sqrt((1 - height) * (1 + height))) {
-        const double level = std::hypot(axis.x, axis.y);
+        const double level = std::sqrt(axis.x * axis.x + axis.y * axis.y);
         v = level > 0 ? Vec3{-axis.y / level, axis.x / level, 0} : Vec3{0, 1, 0};
         u = cross(v, axis);
     }
@@ -57,26 +57,59 @@ Heights heights_along(const Circle& circle, const Cap& cap) {
             circle.width * dot(circle.v, cap.axis)};
 }
 
+/// The heights of a circle in each of some caps, of which only few matter to it. The coordinates stand apart, so that
+/// compilers vectorise.
+class HeightTable {
+public:
+    explicit HeightTable(const std::vector<Cap>& caps) : rows_(caps.size()) {
+        for (Row* const row : {&x_, &y_, &z_, &height_, &depth_, &a_, &b_}) {
+            row->resize(rows_);
+        }
+        for (std::size_t j = 0; j < rows_; ++j) {
+            x_[j] = caps[j].axis.x;
+            y_[j] = caps[j].axis.y;
+            z_[j] = caps[j].axis.z;
+            height_[j] = caps[j].height;
+        }
+    }
+    void look(const Circle& circle) {
+        const Vec3 axis = circle.axis, u = circle.u, v = circle.v;
+        const double height = circle.height, width = circle.width;
+        for (std::size_t j = 0; j < rows_; ++j) {
+            depth_[j] = height * (axis.x * x_[j] + axis.y * y_[j] + axis.z * z_[j]) - height_[j];
+            a_[j] = width * (u.x * x_[j] + u.y * y_[j] + u.z * z_[j]);
+            b_[j] = width * (v.x * x_[j] + v.y * y_[j] + v.z * z_[j]);
+        }
+    }
+    Heights of(std::size_t cap) const { return {depth_[cap], a_[cap], b_[cap]}; }
+
+private:
+    using Row = std::vector<double>;
+    std::size_t rows_;
+    Row x_, y_, z_, height_, depth_, a_, b_;
+};
+
 /// Returns whether the depth exceeds the amplitude by more than rounding, as for most caps: the circle is entirely in
 /// the cap, or entirely outside. Lengths are slower to compute than squares.
-bool beyond_amplitude(double depth, double a, double b) {
+bool beyond_amplitude(const Heights& heights) {
     constexpr double deep = 1e-3, rounding = 1e-12;
+    const auto& [depth, a, b] = heights;
     return std::abs(depth) > deep && depth * depth > (a * a + b * b) * (1 + rounding);
 }
 
-bool clearly_hides(const Cap& cap, const Circle& circle) {
-    const auto [depth, a, b] = heights_along(circle, cap);
-    return depth > 0 && beyond_amplitude(depth, a, b);
+bool clearly_hides(const Heights& heights) {
+    return heights.depth > 0 && beyond_amplitude(heights);
 }
 
-/// Adds the angles at which a cap hides the circle. Returns false if it hides the whole circle. `first`: of two equal
-/// caps, this one counts.
-bool add_hidden(const Circle& circle, const Cap& cap, bool first, std::vector<Interval>& hidden) {
-    const auto [depth, a, b] = heights_along(circle, cap);
-    if (beyond_amplitude(depth, a, b)) {
+/// Adds the angles at which a cap hides the circle, by its heights there. Returns false if it hides the whole circle.
+/// `first`: of two equal caps, this one counts.
+bool add_hidden(const Circle& circle, const Cap& cap, const Heights& heights, bool first,
+                std::vector<Interval>& hidden) {
+    const auto& [depth, a, b] = heights;
+    if (beyond_amplitude(heights)) {
         return depth < 0;
     }
-    const double amplitude = std::hypot(a, b);
+    const double amplitude = std::sqrt(a * a + b * b);
     if (amplitude <= same && std::abs(depth) <= same) {
         return !(first && dot(circle.axis, cap.axis) > 0);
     }
@@ -190,19 +223,32 @@ std::optional<std::vector<Cap>> caps_of(const Neighbours& neighbours, std::size_
     return caps;
 }
 
-Exposed exposed_part(const std::vector<Cap>& caps) {
+Exposed exposed_part(std::vector<Cap> caps) {
+    constexpr std::size_t few = 6;
+    // The largest come first: they hide most of the other circles.
+    std::stable_sort(caps.begin(), caps.end(), [](const Cap& a, const Cap& b) { return a.height < b.height; });
+    const auto largest = std::span(caps).first(std::min(few, caps.size()));
     Exposed part;
     const Vec3 south{0, 0, -1};
     const bool south_hidden =
         std::any_of(caps.begin(), caps.end(), [&](const Cap& cap) { return dot(south, cap.axis) > cap.height; });
     part.area = south_hidden ? 0 : 4 * pi;
+    HeightTable heights(caps);
     std::vector<Interval> hidden;
     for (std::size_t k = 0; k < caps.size(); ++k) {
         const Circle circle(caps[k]);
+        if (std::any_of(largest.begin(), largest.end(),
+                        [&](const Cap& cap) { return clearly_hides(heights_along(circle, cap)); })) {
+            continue;
+        }
+        heights.look(circle);
         hidden.clear();
-        bool seen = std::none_of(caps.begin(), caps.end(), [&](const Cap& cap) { return clearly_hides(cap, circle); });
+        bool seen = true;
         for (std::size_t j = 0; j < caps.size() && seen; ++j) {
-            seen = j == k || add_hidden(circle, caps[j], j < k, hidden);
+            seen = !clearly_hides(heights.of(j));
+        }
+        for (std::size_t j = 0; j < caps.size() && seen; ++j) {
+            seen = j == k || add_hidden(circle, caps[j], heights.of(j), j < k, hidden);
         }
         if (!seen) {
             continue;
@@ -223,8 +269,8 @@ Exposed exposed_part(const std::vector<Cap>& caps) {
 }
 
 std::optional<ExposedPart> part_of(const Neighbours& neighbours, std::size_t i) {
-    const std::optional<std::vector<Cap>> caps = caps_of(neighbours, i);
-    return caps ? std::optional<ExposedPart>(exposed_part(*caps)) : std::nullopt;
+    std::optional<std::vector<Cap>> caps = caps_of(neighbours, i);
+    return caps ? std::optional<ExposedPart>(exposed_part(std::move(*caps))) : std::nullopt;
 }
 
 } // namespace

@@ -48,33 +48,6 @@ TracedGrids traced(const SolidData& data, std::size_t across, std::string_view s
     return grids;
 }
 
-/// Integrates over the box a quantity that is known along lines: `of_line(row, grid, line)`, m, with rows counted over
-/// all axes. The variance is that of collapsed strata (Cochran 1977, Sampling Techniques, 5A.12): two neighbouring
-/// cells count as one with two lines.
-template <class OfLine> Estimate integral(const TracedGrids& grids, OfLine of_line) {
-    const std::size_t across = grids.front().grid.across;
-    std::vector<Estimate> rows(3 * across); // value: sum; error: sum of squares
-    parallel_for(rows.size(), [&](std::size_t row) {
-        double last = 0;
-        for (std::size_t k = 0; k < across; ++k) {
-            check_cancelled();
-            const double value = of_line(row, grids[row / across], row % across * across + k);
-            rows[row].value += value;
-            rows[row].error += k % 2 == 1 ? (value - last) * (value - last) : 0;
-            last = value;
-        }
-    });
-    Estimate result;
-    double variance = 0;
-    for (std::size_t row = 0; row < rows.size(); ++row) {
-        const double share = grids[row / across].grid.cell_area() / 3; // each axis is an estimate
-        result.value += share * rows[row].value;
-        variance += share * share * rows[row].error;
-    }
-    result.error = std::sqrt(variance);
-    return result;
-}
-
 /// A line and the parts of a solid.
 struct Tracer {
     const SolidData& data;
@@ -122,6 +95,35 @@ struct Tracer {
     }
 };
 
+/// Integrates over the box a quantity that is known along lines: `of_line(row, tracer)`, m, with rows counted over all
+/// axes. The variance is that of collapsed strata (Cochran 1977, Sampling Techniques, 5A.12): two neighbouring
+/// cells count as one with two lines.
+template <class OfLine> Estimate integral(const SolidData& data, const TracedGrids& grids, OfLine of_line) {
+    const std::size_t across = grids.front().grid.across;
+    std::vector<Estimate> rows(3 * across); // value: sum; error: sum of squares
+    parallel_for(rows.size(), [&](std::size_t row) {
+        double last = 0;
+        Tracer tracer{data, grids[row / across], row % across * across};
+        CancellationCounter cancellation(8);
+        for (std::size_t k = 0; k < across; ++k, ++tracer.line) {
+            cancellation.check();
+            const double value = of_line(row, tracer);
+            rows[row].value += value;
+            rows[row].error += k % 2 == 1 ? (value - last) * (value - last) : 0;
+            last = value;
+        }
+    });
+    Estimate result;
+    double variance = 0;
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        const double share = grids[row / across].grid.cell_area() / 3; // each axis is an estimate
+        result.value += share * rows[row].value;
+        variance += share * share * rows[row].error;
+    }
+    result.error = std::sqrt(variance);
+    return result;
+}
+
 } // namespace
 
 /// Computes the volume. The parts' own volumes with their closing surfaces are exact. Lines give the share of it that
@@ -135,16 +137,14 @@ InsideLines::InsideLines(const SolidData& data)
         rows_[row].origins.push_back(origin);
         rows_[row].ends.push_back(rows_[row].inside.size());
     };
-    const auto overlap = [&](std::size_t row, const TracedGrid& grid, std::size_t line) {
-        Tracer tracer{data, grid, line};
+    const auto overlap = [&](std::size_t row, Tracer& tracer) {
         const double surplus = tracer.closed_along();
         if (data.closed) {
             keep(row, tracer.along().origin(), tracer.intervals);
         }
         return surplus;
     };
-    const auto in_holes = [&](std::size_t row, const TracedGrid& grid, std::size_t line) {
-        Tracer tracer{data, grid, line};
+    const auto in_holes = [&](std::size_t row, Tracer& tracer) {
         tracer.closed_along();
         const Intervals inside = tracer.inside_along();
         keep(row, tracer.along().origin(), inside);
@@ -156,9 +156,13 @@ InsideLines::InsideLines(const SolidData& data)
         exact += part.volume();
     }
     const Estimate overlaps = integral(
-        data.closed ? traced(data, across_closed, "volume") : traced(data, across_overlaps, "overlaps"), overlap);
-    const Estimate holes = data.closed ? Estimate{} : integral(traced(data, across_open, "volume"), in_holes);
+        data, data.closed ? traced(data, across_closed, "volume") : traced(data, across_overlaps, "overlaps"), overlap);
+    const Estimate holes = data.closed ? Estimate{} : integral(data, traced(data, across_open, "volume"), in_holes);
     volume_ = {std::max(0.0, exact - overlaps.value - holes.value), std::hypot(overlaps.error, holes.error)};
+}
+
+double InsideLines::shortest() const {
+    return noise * box_.diagonal();
 }
 
 double InsideLines::share(std::size_t row) const {
@@ -233,4 +237,4 @@ double InsideLines::outside(std::span<const Sphere> spheres) const {
     return sum;
 }
 
-} // namespace foam::geometry
+} // namespace foam::inline geometry

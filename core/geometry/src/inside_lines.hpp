@@ -32,6 +32,16 @@ public:
     void balls_at(std::size_t row, std::span<const Sphere> balls, std::vector<Sphere>& result) const;
     /// Returns whether the line meets one of the balls.
     bool meets_any(std::size_t row, std::size_t line, std::span<const Sphere> balls) const;
+    /// Returns a point of the line, and its parts inside the solid relative to that point.
+    const Vec3& origin(std::size_t row, std::size_t line) const { return rows_[row].origins[line]; }
+    std::span<const Solid::Interval> inside(std::size_t row, std::size_t line) const {
+        const std::size_t begin = line == 0 ? 0 : rows_[row].ends[line - 1];
+        return std::span(rows_[row].inside).subspan(begin, rows_[row].ends[line] - begin);
+    }
+    /// Returns the axis that the lines of a row are parallel to.
+    int axis(std::size_t row) const { return axis_of(row); }
+    /// Returns the least length of a piece that counts, m.
+    double shortest() const;
     struct Scratch {
         Intervals in_balls, pieces;
     };
@@ -57,4 +67,4 @@ private:
 /// Returns the lines of a solid, computed on first use. Safe from any number of threads.
 const InsideLines& inside_lines(const Solid& solid);
 
-} // namespace foam::geometry
+} // namespace foam::inline geometry

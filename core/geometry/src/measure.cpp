@@ -1,4 +1,6 @@
-#include <foam/geometry/internal/measure_parts.hpp>
+#include "element_parts.hpp"
+
+#include <foam/geometry/element_measure.hpp>
 
 namespace foam::inline geometry {
 namespace {
@@ -7,7 +9,8 @@ double ratio(double volume, double of, double if_none) {
     return of > 0 ? volume / of : volume > 0 ? if_none : 0;
 }
 
-/// Sets the ratios from the volumes.
+} // namespace
+
 void set_ratios(Measures& m) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     m.excess = ratio(m.excess_volume, m.volume, infinity);
@@ -23,7 +26,30 @@ void set_ratios(Measures& m) {
     m.missing_error = error(m.missing_volume_error, m.missing * m.missing);
 }
 
-} // namespace
+/// Measures a set of balls or of elements.
+template <class Set>
+static Measures measured(const Solid& solid, const Set& set, const Certificate& certificate,
+                         const MeasureOptions& options) {
+    Measures result;
+    result.spheres = set.size();
+    result.area = solid.area();
+    result.volume = solid.volume();
+    result.volume_error = solid.volume_error();
+    result.certified = certificate.holds;
+    result.gap = certificate.holds ? 0 : certificate.growth;
+    result.covered = certificate.holds ? 1 : geometry::covered_share(solid, set, options);
+    const geometry::Difference difference = geometry::volume_difference(solid, set, certificate.holds, options);
+    result.excess_volume = difference.excess.value;
+    result.excess_volume_error = difference.excess.error;
+    result.missing_volume = difference.missing.value;
+    result.missing_volume_error = difference.missing.error;
+    set_ratios(result);
+    const geometry::Protrusion protrusion = geometry::protrusion(solid, set, options.directions_per_sphere);
+    result.exposed_area = protrusion.exposed_area;
+    result.protrusion_max = protrusion.max;
+    result.protrusion_mean = protrusion.mean;
+    return result;
+}
 
 Measures measure(const Solid& solid, std::span<const Sphere> spheres, const MeasureOptions& options) {
     std::vector<Sphere> balls;
@@ -32,26 +58,14 @@ Measures measure(const Solid& solid, std::span<const Sphere> spheres, const Meas
             balls.push_back(s);
         }
     }
-    Measures result;
-    result.spheres = balls.size();
-    result.area = solid.area();
-    result.volume = solid.volume();
-    result.volume_error = solid.volume_error();
-    const Certificate certificate = certify(solid, balls);
-    result.certified = certificate.holds;
-    result.gap = certificate.holds ? 0 : certificate.growth;
-    result.covered = certificate.holds ? 1 : geometry::covered_share(solid, balls, options);
-    const geometry::Difference difference = geometry::volume_difference(solid, balls, certificate.holds, options);
-    result.excess_volume = difference.excess.value;
-    result.excess_volume_error = difference.excess.error;
-    result.missing_volume = difference.missing.value;
-    result.missing_volume_error = difference.missing.error;
-    set_ratios(result);
-    const geometry::Protrusion protrusion = geometry::protrusion(solid, balls, options.directions_per_sphere);
-    result.exposed_area = protrusion.exposed_area;
-    result.protrusion_max = protrusion.max;
-    result.protrusion_mean = protrusion.mean;
-    return result;
+    return measured(solid, std::span<const Sphere>(balls), certify(solid, balls), options);
+}
+
+Measures measure(const Solid& solid, const ElementsView& elements, const MeasureOptions& options) {
+    if (elements.others.empty()) {
+        return measure(solid, elements.spheres, options);
+    }
+    return measured(solid, ElementSet(elements), certify(solid, elements), options);
 }
 
 Measures total(std::span<const Measures> links) {
@@ -83,4 +97,4 @@ Measures total(std::span<const Measures> links) {
     return sum;
 }
 
-} // namespace foam::geometry
+} // namespace foam::inline geometry

@@ -1,4 +1,6 @@
 // Coverage and protrusion.
+#include "exposed_sums.hpp"
+
 #include <foam/base/cancellation.hpp>
 #include <foam/base/parallel.hpp>
 #include <foam/geometry/directions.hpp>
@@ -12,10 +14,6 @@ namespace {
 
 /// Steps of the search for the farthest point from the best direction; each is a nearest-point query.
 constexpr int refinements = 8;
-
-struct Sums {
-    double area = 0, weighted = 0, farthest = 0;
-};
 
 /// Returns the largest distance found by steps. The distance to the solid is largest where the direction from the
 /// nearest point continues along the ball's normal. Steps follow such directions, and are kept while they lead to
@@ -35,8 +33,8 @@ double refined(const Solid& solid, const Sphere& ball, std::span<const Sphere> n
     return distance;
 }
 
-Sums sums_of(const Solid& solid, std::span<const Sphere> balls, std::size_t i, std::span<const Vec3> directions) {
-    Sums sums;
+ExposedSums sums_of(const Solid& solid, std::span<const Sphere> balls, std::size_t i, std::span<const Vec3> directions) {
+    ExposedSums sums;
     std::vector<Sphere> near;
     if (!overlapping(balls, i, near)) {
         return sums;
@@ -67,6 +65,14 @@ Sums sums_of(const Solid& solid, std::span<const Sphere> balls, std::size_t i, s
     sums.area *= share;
     sums.weighted *= share;
     return sums;
+}
+
+/// Returns the sums of each ball.
+std::vector<ExposedSums> parts_of(const Solid& solid, std::span<const Sphere> balls, std::size_t directions) {
+    const std::vector<Vec3> normals = fibonacci_directions(std::max<std::size_t>(directions, 1));
+    std::vector<ExposedSums> parts(balls.size());
+    parallel_for(balls.size(), [&](std::size_t i) { parts[i] = sums_of(solid, balls, i, normals); });
+    return parts;
 }
 
 } // namespace
@@ -103,19 +109,28 @@ double covered_share(const Solid& solid, std::span<const Sphere> balls, const Me
     return static_cast<double>(covered) / static_cast<double>(points.size());
 }
 
-Protrusion protrusion(const Solid& solid, std::span<const Sphere> balls, std::size_t directions) {
-    const std::vector<Vec3> normals = fibonacci_directions(std::max<std::size_t>(directions, 1));
-    std::vector<Sums> parts(balls.size());
-    parallel_for(balls.size(), [&](std::size_t i) { parts[i] = sums_of(solid, balls, i, normals); });
+std::vector<double> protrusions(const Solid& solid, std::span<const Sphere> balls, std::size_t directions) {
+    std::vector<double> result;
+    for (const ExposedSums& part : parts_of(solid, balls, directions)) {
+        result.push_back(part.farthest);
+    }
+    return result;
+}
+
+Protrusion protrusion_of(std::span<const ExposedSums> parts) {
     Protrusion result;
     double weighted = 0;
-    for (const Sums& part : parts) {
+    for (const ExposedSums& part : parts) {
         result.exposed_area += part.area;
         result.max = std::max(result.max, part.farthest);
         weighted += part.weighted;
     }
     result.mean = result.exposed_area > 0 ? weighted / result.exposed_area : 0;
     return result;
+}
+
+Protrusion protrusion(const Solid& solid, std::span<const Sphere> balls, std::size_t directions) {
+    return protrusion_of(parts_of(solid, balls, directions));
 }
 
 } // namespace foam::geometry

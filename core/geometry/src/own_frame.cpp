@@ -131,9 +131,30 @@ std::vector<Sphere> OwnFrame::from_own(std::vector<Sphere> spheres) const {
     return spheres;
 }
 
-SphereTree OwnFrame::from_own(SphereTree tree) const {
-    for (SphereTree::Level& level : tree.levels) {
+Element OwnFrame::from_own(Element element) const {
+    const double length = std::ldexp(1.0, -exponent); // a power of two: exact
+    element.pose.translation = from_own(element.pose.translation);
+    element.half *= length;
+    element.radius *= length;
+    if (element.hull && exponent != 0) {
+        auto hull = std::make_shared<Polytope>(*element.hull);
+        for (Vec3& vertex : hull->surface.vertices) {
+            vertex *= length;
+        }
+        for (Polytope::Face& face : hull->faces) {
+            face.offset *= length;
+        }
+        element.hull = std::move(hull);
+    }
+    return element;
+}
+
+Approximation OwnFrame::from_own(Approximation tree) const {
+    for (Approximation::Level& level : tree.levels) {
         level.spheres = from_own(std::move(level.spheres));
+        for (Element& element : level.others) {
+            element = from_own(std::move(element));
+        }
     }
     return tree;
 }

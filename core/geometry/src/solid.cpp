@@ -1,3 +1,4 @@
+#include "copies.hpp"
 #include "solid_data.hpp"
 
 #include <foam/base/cancellation.hpp>
@@ -68,7 +69,10 @@ std::pair<std::shared_ptr<const Mesh>, geometry::Reading> part_mesh(const Solid:
                                              " of the solid is neither a mesh nor a primitive; give it one of them");
     }
     check_mesh(*part.mesh, index);
-    std::shared_ptr<const Mesh> mesh = with_used_vertices(part.mesh);
+    // With many copies of a triangle, every query would look at all of them.
+    std::optional<Mesh> once = geometry::without_copies(*part.mesh);
+    std::shared_ptr<const Mesh> mesh =
+        with_used_vertices(once ? std::make_shared<const Mesh>(std::move(*once)) : part.mesh);
     geometry::Reading reading = geometry::read_as_solid(*mesh);
     return {std::move(mesh), std::move(reading)};
 }
@@ -314,4 +318,4 @@ const geometry::InsideLines& inside_lines(const Solid& solid) {
     return lines_of(SolidAccess::data(solid));
 }
 
-} // namespace foam::geometry
+} // namespace foam::inline geometry

@@ -245,4 +245,38 @@ SphereTree flat_tree(std::vector<Sphere> spheres) {
     return tree;
 }
 
-} // namespace foam::geometry
+namespace {
+
+/// Appends balls whose hull contains the element, and is little larger.
+void add_balls_around(const Element& e, std::vector<Sphere>& balls) {
+    if (e.kind == Element::Kind::hull) {
+        const Sphere ball = minimum_enclosing_sphere(e.hull->surface.vertices);
+        balls.push_back({e.pose * ball.center, ball.radius});
+        return;
+    }
+    if (e.kind == Element::Kind::cylinder) {
+        balls.push_back({e.pose.translation, std::hypot(e.radius, e.half.z)});
+        return;
+    }
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 at{corner & 1 ? e.half.x : -e.half.x, corner & 2 ? e.half.y : -e.half.y,
+                      corner & 4 ? e.half.z : -e.half.z};
+        balls.push_back({e.pose * at, e.radius});
+    }
+}
+
+} // namespace
+
+Approximation flat_approximation(std::vector<Sphere> spheres, std::vector<Element> others) {
+    std::vector<Sphere> balls = spheres;
+    for (const Element& e : others) {
+        add_balls_around(e, balls);
+    }
+    Approximation result = flat_tree(std::move(spheres));
+    result.levels[0].spheres = {enclosing_sphere(balls)};
+    result.levels[1].parents.resize(balls.empty() ? 0 : result.levels[1].spheres.size() + others.size(), 0);
+    result.levels[1].others = std::move(others);
+    return result;
+}
+
+} // namespace foam::inline geometry

@@ -3,6 +3,7 @@
 #include <foam/base/internal/files.hpp>
 #include <foam/base/text.hpp>
 #include <foam/judge/sphere_file.hpp>
+#include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>
 
@@ -39,6 +40,12 @@ void drop_disabled(SphereFile& result) {
     }
 }
 
+/// Returns the largest coordinate of the element.
+double far_of(const Element& element) {
+    const Box box = bounds(element);
+    return std::max({-box.low.x, -box.low.y, -box.low.z, box.high.x, box.high.y, box.high.z});
+}
+
 /// Throws Error(input) for numbers whose squares and cubes exceed a double: figures would be infinite.
 void require_workable(const SphereFile& result) {
     for (const LinkSpheres& link : result.links) {
@@ -50,6 +57,16 @@ void require_workable(const SphereFile& result) {
                                         "{} m, where figures and proofs have no meaning; remedy: correct the file",
                                         result.file.string(), s.center.x, s.center.y, s.center.z, s.radius,
                                         shown(link.link), farthest_sphere));
+            }
+        }
+        for (const Element& element : link.others) {
+            if (!is_valid(element) || !(far_of(element) <= farthest_sphere)) {
+                throw Error(ErrorCode::input,
+                            fmt::format("{}: a {} of link '{}' has no volume, numbers that are not finite, a rotation "
+                                        "that is none, or is farther away or larger than {} m, where figures and "
+                                        "proofs have no meaning; remedy: correct the file",
+                                        result.file.string(), noun_of(element.kind, 1), shown(link.link),
+                                        farthest_sphere));
             }
         }
     }

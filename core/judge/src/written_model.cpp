@@ -1,7 +1,10 @@
 #include <foam/base/error.hpp>
+#include <foam/base/internal/files.hpp>
 #include <foam/base/text.hpp>
 #include <foam/collision/self_collision.hpp>
 #include <foam/judge/written_model.hpp>
+#include <foam/runtime/internal/elements.hpp>
+#include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>
 
@@ -11,11 +14,10 @@ namespace foam::inline judge {
 namespace {
 
 SphereFile in_single_precision(SphereFile file) {
-    const auto single = [](double value) { return static_cast<double>(static_cast<float>(value)); };
     for (LinkSpheres& link : file.links) {
-        for (Sphere& s : link.spheres) {
-            s = {{single(s.center.x), single(s.center.y), single(s.center.z)}, single(s.radius)};
-        }
+        Approximation::Level level = foam::in_single_precision(level_of(link.view()));
+        link.spheres = std::move(level.spheres);
+        link.others = std::move(level.others);
     }
     return file;
 }
@@ -69,8 +71,8 @@ SphereModel sphere_model_of(const SphereFile& file, std::shared_ptr<const Robot>
     model.robot = std::move(robot);
     for (const Link& link : model.robot->links) {
         for (const LinkSpheres& spheres : file.links) {
-            if (spheres.link == link.name && !spheres.spheres.empty()) {
-                model.groups.push_back({link.name, {}, flat_tree(spheres.spheres), {}});
+            if (spheres.link == link.name && !spheres.view().empty()) {
+                model.groups.push_back({link.name, {}, flat_approximation(spheres.spheres, spheres.others), {}});
             }
         }
     }
@@ -89,11 +91,13 @@ std::string proof_statement(const Original& original, const SphereFile& file, bo
     std::size_t proved = count(file);
     proved = float32 ? std::min(proved, count(in_single_precision(file))) : proved;
     const std::size_t all = original.links.size();
-    return fmt::format("{}: the collision geometry of {} of {} link{} lies inside {} spheres{}",
+    const bool spheres =
+        std::all_of(file.links.begin(), file.links.end(), [](const LinkSpheres& link) { return link.others.empty(); });
+    return fmt::format("{}: the collision geometry of {} of {} link{} lies inside {} {}{}",
                        proved == all ? "proved"
                        : proved > 0  ? "proved in part"
                                      : "not proved",
-                       proved, all, all == 1 ? "" : "s", all == 1 ? "its" : "their",
+                       proved, all, all == 1 ? "" : "s", all == 1 ? "its" : "their", spheres ? "spheres" : "elements",
                        float32 ? ", also in single precision" : "");
 }
 
@@ -102,11 +106,13 @@ std::vector<IgnoredPair> ignored_pairs_of(const SphereModel& model, const JointV
     CollisionModel spheres;
     spheres.robot = model.robot;
     spheres.spheres.resize(model.robot->links.size());
+    spheres.others.resize(model.robot->links.size());
     spheres.sources.resize(model.robot->links.size());
     for (std::size_t i = 0; i < model.robot->links.size(); ++i) {
         for (const SphereGroup& group : model.groups) {
             if (group.link == model.robot->links[i].name) {
                 spheres.spheres[i] = group.tree.finest();
+                spheres.others[i] = group.tree.levels.back().others;
                 spheres.sources[i] = CollisionModel::Source::given;
             }
         }
@@ -134,19 +140,53 @@ std::vector<WrittenFile> written_files(const Writer& writer, const StageInfo& in
                                        const std::filesystem::path& target, Context& context) {
     model.folder = target.empty() ? target : std::filesystem::absolute(target).parent_path();
     model.file = target.filename().string();
+    require_held(info, model);
     std::vector<WrittenFile> files{{target, writer.write(model, context)}};
     for (const std::string& ending : info.companions) {
         files.push_back({companion_of(target, ending), writer.companion(ending, model, context)});
     }
+    for (auto& [name, bytes] : writer.files_beside(model, context)) {
+        if (target.empty()) {
+            throw Error(ErrorCode::usage,
+                        fmt::format("{} writes other files beside the one; remedy: -o FILE", info.name));
+        }
+        if (!is_within_folder(name)) {
+            throw Error(ErrorCode::plugin,
+                        fmt::format("{} broke its contract: it writes '{}' beside {}, outside its folder", info.name,
+                                    shown(name), target.string()));
+        }
+        files.push_back({target.parent_path() / name, std::move(bytes), true});
+    }
     return files;
 }
 
-void require_written(const SphereModel& model, const Writer& writer, const std::string& bytes) {
-    auto read = writer.read(bytes);
-    for (const LinkSpheres& link : spheres_by_link(model)) {
-        if (read[link.link] != link.spheres) {
+std::map<std::string, Approximation::Level> read_back(const Writer& writer, const std::vector<WrittenFile>& files) {
+    std::map<std::string, std::string> beside;
+    const std::filesystem::path folder = files.front().file.parent_path();
+    for (const WrittenFile& file : files) {
+        if (file.beside) {
+            beside[file.file.lexically_relative(folder).string()] = file.bytes;
+        }
+    }
+    return writer.read_elements(files.front().bytes, beside);
+}
+
+void require_written(const SphereModel& model, const Writer& writer, const std::vector<WrittenFile>& files) {
+    std::map<std::string, Approximation::Level> links;
+    for (const SphereGroup& group : model.groups) {
+        append(links[group.link], group.tree.elements());
+    }
+    auto read = read_back(writer, files);
+    for (const auto& [link, elements] : links) {
+        const Approximation::Level& found = read[link];
+        if (found.others.empty() != elements.others.empty()) {
             throw Error(ErrorCode::internal,
-                        fmt::format("link '{}': the written file gives other spheres than the model", link.link));
+                        fmt::format("link '{}': the written file gives {}, the model has {}", link,
+                                    counts_text(kinds_of(found.view())), counts_text(kinds_of(elements.view()))));
+        }
+        if (elements.others.empty() && found.spheres != elements.spheres) {
+            throw Error(ErrorCode::internal,
+                        fmt::format("link '{}': the written file gives other spheres than the model", link));
         }
     }
 }

@@ -6,6 +6,7 @@
 #include <foam/recipe/internal/extend.hpp>
 #include <foam/recipe/internal/facts.hpp>
 #include <foam/recipe/internal/keys.hpp>
+#include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>
 
@@ -115,14 +116,40 @@ void check_plain_values(const Value& root, Recipe& recipe, Findings& findings) {
 
 /// Reads a map of keys with plain values.
 void check_values(const Value& map, const std::string& name, const char* example,
-                  const std::vector<KeyOf<Recipe>>& keys, Recipe& recipe, Findings& findings) {
+                  const std::vector<KeyOf<Recipe>>& keys, Recipe& recipe, Findings& findings,
+                  const std::vector<std::string>& other_keys = {}) {
     if (!expect_map(map, name, example, findings)) {
         return;
     }
-    const auto values = read_values(map, declarations_of(keys), name, {}, findings);
+    const auto values = read_values(map, declarations_of(keys), name, other_keys, findings);
     for (const KeyOf<Recipe>& key : keys) {
         if (const auto it = values.find(key.declared.name); it != values.end()) {
             key.set(recipe, it->second);
+        }
+    }
+}
+
+void check_budget(const Value& budget, Recipe& recipe, Findings& findings) {
+    check_values(budget, "budget", "budget: {spheres: 22}", budget_keys(), recipe, findings, {"costs"});
+    if (!budget.is(Value::Kind::map)) {
+        return;
+    }
+    static constexpr const char* numbers[] = {"spheres", "elements", "cost"};
+    const Key* first = nullptr;
+    for (const char* number : numbers) {
+        const Key* key = budget.find_key(number);
+        if (key && first) {
+            findings.error(key->where, "conflict",
+                           fmt::format("both '{}' and '{}' limit the elements; remedy: delete one", first->text,
+                                       key->text));
+        }
+        first = first ? first : key;
+    }
+    if (const Value* costs = budget.find("costs")) {
+        check_values(*costs, "costs", "costs: {sphere: 1, capsule: 2}", cost_keys(), recipe, findings);
+        if (!recipe.budget_cost && !budget.find("cost")) {
+            findings.error(budget.find_key("costs")->where, "conflict",
+                           "'costs' has no effect without a limit; remedy: budget: {cost: 40, costs: …}, or delete it");
         }
     }
 }
@@ -218,6 +245,17 @@ void refuse_outer_keys(const Value& root, const Recipe& recipe, Findings& findin
     }
 }
 
+/// Refuses guarantee: inner for elements of other kinds than sphere.
+void refuse_inner_elements(const Value& root, const Recipe& recipe, const Checking& checking) {
+    const RegisteredStage* stage = checking.registry.find(recipe.spherizer.stage);
+    if (recipe.guarantee == Guarantee::inner && stage && !spheres_alone(stage->info.kinds)) {
+        checking.findings.error(root.find_key("guarantee")->where, "conflict",
+                                fmt::format("only spheres are proved to lie inside the geometry, {} makes {}; remedy: "
+                                            "guarantee: outer or fitted, or spherize.cover",
+                                            in_quotes(recipe.spherizer.stage), words_of(stage->info.kinds)));
+    }
+}
+
 /// Refuses keys without effect on this input or this guarantee.
 void refuse_idle_keys(const Value& root, const Recipe& recipe, Findings& findings) {
     if (const Key* cover = root.find_key("cover"); cover && root.find("mesh")) {
@@ -229,7 +267,7 @@ void refuse_idle_keys(const Value& root, const Recipe& recipe, Findings& finding
                        "'pad' may put spheres outside the geometry, which guarantee: inner does not allow; remedy: "
                        "delete it, or guarantee: outer");
     }
-    if (recipe.budget_share && !recipe.budget_spheres && !recipe.budget_excess) {
+    if (recipe.budget_share && !recipe.budget_spheres && !recipe.budget_cost && !recipe.budget_excess) {
         findings.error(root.find("budget")->find_key("share")->where, "conflict",
                        "'share' is a rule of the allocation of spheres: it has no effect without budget: {spheres: …} "
                        "or {excess: …}; remedy: give one of them, or delete it");
@@ -299,7 +337,7 @@ Recipe check_recipe(const Value& root, const std::filesystem::path& file, const 
         recipe.plugins = read_references(*plugins, "plugins", findings);
     }
     if (const Value* budget = root.find("budget")) {
-        check_values(*budget, "budget", "budget: {spheres: 22}", budget_keys(), recipe, findings);
+        check_budget(*budget, recipe, findings);
     }
     if (const Value* self_collision = root.find("self_collision")) {
         check_self_collision(*self_collision, root, recipe, findings);
@@ -316,6 +354,7 @@ Recipe check_recipe(const Value& root, const std::filesystem::path& file, const 
     }
     check_unit(root, recipe, checking);
     check_stages(root.find("stages"), root, recipe, checking);
+    refuse_inner_elements(root, recipe, checking);
     if (const Value* links = root.find("links")) {
         check_links(*links, recipe, checking);
     }

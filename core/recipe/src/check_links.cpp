@@ -96,7 +96,8 @@ void refuse_idle_key(const Key& key, const Recipe& recipe, Findings& findings) {
     } else if (key.text == "keep" && recipe.budget_excess) {
         findings.error(key.where, "conflict",
                        "the search for budget: {excess: …} does not see kept spheres; remedy: budget: {spheres: …}");
-    } else if (key.text == "weight" && !recipe.budget_spheres && !recipe.budget_excess && !findings.any_error()) {
+    } else if (key.text == "weight" && !recipe.budget_spheres && !recipe.budget_cost && !recipe.budget_excess &&
+               !findings.any_error()) {
         findings.error(key.where, "conflict",
                        "'weight' is a factor in the allocation of spheres: it has no effect without budget: {spheres: "
                        "…} or {excess: …}; remedy: give a budget, or delete it");

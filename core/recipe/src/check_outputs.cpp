@@ -3,6 +3,7 @@
 
 #include <foam/base/file.hpp>
 #include <foam/recipe/internal/check.hpp>
+#include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>
 
@@ -116,6 +117,22 @@ std::optional<std::pair<std::string, std::string>> collision(const std::vector<s
     return {};
 }
 
+/// Refuses a writer whose files hold none of the elements that the spherizer makes.
+bool holds_elements(const StageItem& writer, const Recipe& recipe, const Checking& checking) {
+    const RegisteredStage* spherizer = checking.registry.find(recipe.spherizer.stage);
+    const std::vector<Element::Kind>& held = writer.stage->info.kinds;
+    if (!spherizer || std::any_of(spherizer->info.kinds.begin(), spherizer->info.kinds.end(),
+                                  [&](Element::Kind kind) { return knows_all(held, {kind}); })) {
+        return true;
+    }
+    checking.findings.error(writer.name.where, "wrong-kind",
+                            fmt::format("files of {} hold {}, {} makes {}; remedy: another output, such as write.json, "
+                                        "or another spherizer",
+                                        in_quotes(writer.call.stage), words_of(held), in_quotes(recipe.spherizer.stage),
+                                        words_of(spherizer->info.kinds)));
+    return false;
+}
+
 void add_output(const Value& value, Recipe& recipe, const Checking& checking) {
     StageItem item = read_stage_item(value, "outputs", checking);
     const bool edits = item.stage && item.stage->info.consumer.edits;
@@ -128,6 +145,9 @@ void add_output(const Value& value, Recipe& recipe, const Checking& checking) {
         checking.findings.error(item.name.where, "wrong-kind",
                                 fmt::format("{} is a {}, an output needs a writer (write.*)",
                                             in_quotes(item.call.stage), to_string(item.stage->kind)));
+        return;
+    }
+    if (!holds_elements(item, recipe, checking)) {
         return;
     }
     const std::string file = output_file(item, recipe, checking);

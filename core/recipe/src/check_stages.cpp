@@ -2,6 +2,7 @@
 #include "format.hpp"
 
 #include <foam/recipe/internal/check.hpp>
+#include <foam/sdk/kinds.hpp>
 #include <foam/sdk/internal/declaration.hpp>
 
 #include <fmt/format.h>
@@ -92,7 +93,24 @@ void read_stage_parameters(StageItem& item, const std::vector<std::string>& othe
     }
 }
 
+/// Refuses a refiner that does not know the elements of the spherizer.
+static bool knows_elements(const StageItem& refiner, const Recipe& recipe, const Checking& checking) {
+    const RegisteredStage* spherizer = checking.registry.find(recipe.spherizer.stage);
+    const std::vector<Element::Kind>& known = refiner.stage->info.kinds;
+    if (!spherizer || knows_all(known, spherizer->info.kinds)) {
+        return true;
+    }
+    checking.findings.error(refiner.name.where, "wrong-kind",
+                            fmt::format("{} refines {} alone, {} makes {}; remedy: delete it, or spherize.cover",
+                                        in_quotes(refiner.call.stage), words_of(known),
+                                        in_quotes(recipe.spherizer.stage), words_of(spherizer->info.kinds)));
+    return false;
+}
+
 static void add_refiner(StageItem item, Recipe& recipe, const Checking& checking) {
+    if (!knows_elements(item, recipe, checking)) {
+        return;
+    }
     const bool again = std::any_of(recipe.refiners.begin(), recipe.refiners.end(),
                                    [&](const StageCall& other) { return other.stage == item.call.stage; });
     if (again) {

@@ -40,7 +40,8 @@ bool is_optional(const std::string& key) {
     static constexpr const char* keys[] = {"name",    "unit",         "scale",          "spheres",  "excess",
                                            "skip",    "min_spheres",  "max_protrusion", "weight",   "max_spheres",
                                            "isolate", "memory_limit", "time_limit",     "reach",    "cover",
-                                           "pad",     "hollow",       "share",          "collision"};
+                                           "pad",     "hollow",       "share",          "collision", "elements",
+                                           "cost"};
     return std::find(std::begin(keys), std::end(keys), key) != std::end(keys);
 }
 

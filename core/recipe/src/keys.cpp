@@ -194,11 +194,62 @@ const std::vector<KeyOf<Recipe>>& top_level_keys() {
     return keys;
 }
 
+/// Returns a key of the number of elements, by the word for spheres or for elements of any kind.
+static KeyOf<Recipe> number_in_budget(const char* word, const char* doc, bool elements) {
+    return {Parameter::integer(word, 1).at_least(1).unit("1").doc(doc),
+            [elements](Recipe& recipe, const ParameterValue& value) {
+                recipe.budget_spheres = converted<std::size_t>(value);
+                recipe.budget_in_elements = elements;
+            },
+            [elements](const Recipe& recipe) -> std::optional<ParameterValue> {
+                return recipe.budget_spheres && recipe.budget_in_elements == elements
+                           ? std::optional(as_value(*recipe.budget_spheres))
+                           : std::nullopt;
+            }};
+}
+
+/// Returns the key of one price; a price that is the default is absent.
+static KeyOf<Recipe> price(const std::string& word, const std::string& of, double& (*held_in)(ElementCost&)) {
+    ElementCost usual;
+    const double otherwise = held_in(usual);
+    return {Parameter::number(word, otherwise)
+                .bounds(0, 1e6)
+                .unit("1")
+                .doc(fmt::format("Cost of {}; absent: {}.", of, otherwise)),
+            [held_in](Recipe& recipe, const ParameterValue& value) {
+                held_in(recipe.costs) = std::get<double>(value);
+            },
+            [held_in, otherwise](const Recipe& recipe) -> std::optional<ParameterValue> {
+                ElementCost costs = recipe.costs;
+                return held_in(costs) == otherwise ? std::nullopt : std::optional<ParameterValue>(held_in(costs));
+            }};
+}
+
+const std::vector<KeyOf<Recipe>>& cost_keys() {
+    using Kind = Element::Kind;
+    const auto of_kind = []<Kind kind>() {
+        return price(to_string(kind), fmt::format("a check of a {}", to_string(kind)),
+                     [](ElementCost& cost) -> double& { return cost.of_kind[static_cast<std::size_t>(kind)]; });
+    };
+    static const std::vector<KeyOf<Recipe>> keys{
+        of_kind.template operator()<Kind::sphere>(),   of_kind.template operator()<Kind::capsule>(),
+        of_kind.template operator()<Kind::cylinder>(), of_kind.template operator()<Kind::box>(),
+        of_kind.template operator()<Kind::swept_box>(), of_kind.template operator()<Kind::hull>(),
+        price("hull_vertex", "each vertex of a hull, in addition",
+              [](ElementCost& cost) -> double& { return cost.of_hull_vertex; })};
+    return keys;
+}
+
 const std::vector<KeyOf<Recipe>>& budget_keys() {
     static const std::vector<KeyOf<Recipe>> keys{
-        held(
-            Parameter::integer("spheres", 1).at_least(1).unit("1").doc("Maximum number of spheres of the whole robot."),
-            &Recipe::budget_spheres),
+        number_in_budget("spheres", "Maximum number of spheres of the whole robot.", false),
+        number_in_budget("elements", "Maximum number of elements of any kind of the whole robot.", true),
+        held(Parameter::number("cost", 1)
+                 .bounds(0.01, 1e6)
+                 .unit("1")
+                 .doc("Maximum cost of checking all elements of the whole robot, by `costs`; prices of links are "
+                      "rounded up to hundredths."),
+             &Recipe::budget_cost),
         held(Parameter::number("excess", 0.5)
                  .bounds(1e-6, 1e6)
                  .unit("1")

@@ -1,6 +1,7 @@
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/recipe/quick_recipe.hpp>
+#include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -35,18 +36,19 @@ std::string plain_name(const std::filesystem::path& file) {
         c = plain ? c : '_';
     }
     name.erase(0, name.find_first_not_of('-'));
-    return (name.empty() ? "input" : name) + "_spheres";
+    return name.empty() ? "input" : name;
 }
 
-const RegisteredStage& spherizer(const std::string& method, const Registry& registry) {
-    const RegisteredStage* stage = registry.find(method.starts_with("spherize.") ? method : "spherize." + method);
-    if (stage && stage->kind == StageKind::spherizer) {
-        return *stage;
-    }
+/// Returns the method of a stage, without its kind.
+std::string method_of(const std::string& stage) {
+    return stage.substr(stage.find('.') + 1);
+}
+
+[[noreturn]] void fail_unknown(const std::string& method, bool elements, const Registry& registry) {
     std::vector<std::string> methods;
     for (const auto& [known, candidate] : registry.stages()) {
-        if (candidate.kind == StageKind::spherizer) {
-            methods.push_back(known.substr(known.find('.') + 1));
+        if (candidate.kind == StageKind::spherizer && known.starts_with(elements ? "approximate." : "spherize.")) {
+            methods.push_back(method_of(known));
         }
     }
     const std::string near = nearest_word(method, methods);
@@ -55,10 +57,81 @@ const RegisteredStage& spherizer(const std::string& method, const Registry& regi
                             near.empty() ? "" : fmt::format("; did you mean '{}'?", near), fmt::join(methods, ", ")));
 }
 
-std::string budget_text(const QuickBudget& budget) {
+const RegisteredStage& stage_named(const QuickMethod& method, const Registry& registry) {
+    const std::string prefix = method.elements ? "approximate." : "spherize.";
+    const bool whole = method.stage.starts_with("spherize.") || method.stage.starts_with("approximate.");
+    const RegisteredStage* stage = registry.find(whole ? method.stage : prefix + method.stage);
+    if (!stage || stage->kind != StageKind::spherizer) {
+        fail_unknown(method.stage, method.elements, registry);
+    }
+    return *stage;
+}
+
+/// Returns the stage that makes elements of these kinds: that of the one kind, else approximate.mixed.
+const RegisteredStage& stage_for(const std::vector<Element::Kind>& kinds, const Registry& registry) {
+    const RegisteredStage* found = kinds.size() == 1 ? nullptr : registry.find("approximate.mixed");
+    for (const auto& [name, stage] : registry.stages()) {
+        const bool usual = name == "spherize.cover" || name.starts_with("approximate.");
+        if (!found && usual && stage.kind == StageKind::spherizer && stage.info.kinds == kinds) {
+            found = &stage;
+        }
+    }
+    if (!found) {
+        throw Error(ErrorCode::usage,
+                    fmt::format("no plugin makes {}; `foam stages` lists what there is; `foam plugins "
+                                "--why` says which plugins were not loaded",
+                                words_of(kinds)));
+    }
+    return *found;
+}
+
+/// Returns the parameters of the stage, as YAML.
+std::string parameters_of(const QuickMethod& method, const StageInfo& stage) {
+    std::vector<std::string> parts;
+    const auto has = [&](const std::string& name) {
+        return std::any_of(stage.parameters.begin(), stage.parameters.end(),
+                           [&](const Parameter& parameter) { return parameter.name == name; });
+    };
+    if (!method.kinds.empty() && !knows_all(stage.kinds, method.kinds)) {
+        throw Error(ErrorCode::usage, fmt::format("{} makes {}, not all of {}; remedy: another --method, or none",
+                                                  stage.name, words_of(stage.kinds), words_of(method.kinds)));
+    }
+    if (has("kinds") && !method.kinds.empty()) {
+        std::vector<std::string> words;
+        for (const Element::Kind kind : method.kinds) {
+            words.emplace_back(to_string(kind));
+        }
+        parts.push_back(fmt::format("kinds: \"{}\"", fmt::join(words, ", ")));
+    } else if (!method.kinds.empty() && method.kinds.size() < stage.kinds.size()) {
+        throw Error(ErrorCode::usage,
+                    fmt::format("{} makes {}, and has no parameter 'kinds' to choose; remedy: another "
+                                "--method, or none",
+                                stage.name, words_of(stage.kinds)));
+    }
+    if (!method.objective.empty()) {
+        if (stage.objective_parameter.empty()) {
+            throw Error(ErrorCode::usage,
+                        fmt::format("{} has one objective only; remedy: without --objective", stage.name));
+        }
+        parts.push_back(fmt::format("{}: {}", stage.objective_parameter, method.objective));
+    }
+    return fmt::format("{{{}}}", fmt::join(parts, ", "));
+}
+
+std::string budget_text(const QuickBudget& budget, bool elements) {
     std::vector<std::string> parts;
     if (budget.spheres) {
-        parts.push_back(fmt::format("spheres: {}", *budget.spheres));
+        parts.push_back(fmt::format("{}: {}", elements ? "elements" : "spheres", *budget.spheres));
+    }
+    if (budget.cost) {
+        parts.push_back("cost: " + to_text(*budget.cost));
+    }
+    if (!budget.costs.empty()) {
+        std::vector<std::string> costs;
+        for (const auto& [kind, cost] : budget.costs) {
+            costs.push_back(fmt::format("{}: {}", kind, to_text(cost)));
+        }
+        parts.push_back(fmt::format("costs: {{{}}}", fmt::join(costs, ", ")));
     }
     if (budget.excess) {
         parts.push_back("excess: " + to_text(*budget.excess));
@@ -118,12 +191,12 @@ bool is_mesh(const std::filesystem::path& input, const Registry& registry) {
     return false;
 }
 
-QuickRecipe quick_recipe(const std::filesystem::path& input, const std::string& method, const std::string& ending,
+QuickRecipe quick_recipe(const std::filesystem::path& input, const QuickMethod& method, const std::string& ending,
                          const QuickBudget& budget, const MeshUnit& unit, const std::string& geometry,
                          const Registry& registry) {
     const RegisteredStage* writer = &writer_for(ending, registry);
     QuickRecipe recipe;
-    recipe.name = plain_name(input);
+    recipe.name = plain_name(input) + (method.elements ? "_elements" : "_spheres");
     recipe.output = recipe.name + "." + (writer->info.extensions.empty() ? ending : writer->info.extensions.front());
     const auto quoted = [](const std::string& text) { // a JSON string is a YAML string
         return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -141,7 +214,9 @@ QuickRecipe quick_recipe(const std::filesystem::path& input, const std::string& 
     recipe.text += unit.scale != 1 ? fmt::format("scale: {}\n", to_text(unit.scale)) : "";
     recipe.text += geometry != "collision" ? fmt::format("cover: {}\n", geometry) : "";
     recipe.text += "stages:\n";
-    const StageInfo& spheres = spherizer(method, registry).info;
+    const StageInfo& spheres =
+        (method.elements && method.stage.empty() ? stage_for(method.kinds, registry) : stage_named(method, registry))
+            .info;
     const auto add_if_there = [&](const char* stage) {
         if (registry.find(stage)) {
             recipe.text += fmt::format("  - {}: {{}}\n", stage);
@@ -154,11 +229,14 @@ QuickRecipe quick_recipe(const std::filesystem::path& input, const std::string& 
             add_if_there(filter);
         }
     }
-    recipe.text += fmt::format("  - {}: {{}}\n", spheres.name);
-    for (const char* refiner : {"refine.fit", "refine.clip", "refine.row", "refine.split"}) {
-        add_if_there(refiner);
+    recipe.stage = spheres.name;
+    recipe.text += fmt::format("  - {}: {}\n", spheres.name, parameters_of(method, spheres));
+    if (spheres_alone(spheres.kinds)) {
+        for (const char* refiner : {"refine.fit", "refine.clip", "refine.row", "refine.split"}) {
+            add_if_there(refiner);
+        }
     }
-    if (const std::string text = budget_text(budget); !text.empty()) {
+    if (const std::string text = budget_text(budget, method.elements); !text.empty()) {
         recipe.text += fmt::format("budget: {{{}}}   # for the whole robot\n", text);
     }
     recipe.text +=

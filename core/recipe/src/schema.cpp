@@ -269,6 +269,8 @@ Json top_level(const Registry& registry) {
                    {"minContains", 1},
                    {"maxContains", 1}};
     p["budget"] = object(properties_of(declarations_of(budget_keys())));
+    p["budget"]["properties"]["costs"] = object(properties_of(declarations_of(cost_keys())));
+    p["budget"]["properties"]["costs"]["description"] = "Costs of checking an element in a consumer, by kind.";
     p["self_collision"] = {
         {"description", "Prevent overlaps between the spheres of links that are not neighbours in a reference pose, "
                         "unless their geometry touches: such links get more spheres; true: all joints at zero."},

@@ -168,7 +168,11 @@ private:
     }
 
     void write_budget() {
-        if (const std::vector<std::string> parts = parts_of(reading::budget_keys(), recipe_); !parts.empty()) {
+        std::vector<std::string> parts = parts_of(reading::budget_keys(), recipe_);
+        if (const auto costs = parts_of(reading::cost_keys(), recipe_); !costs.empty()) {
+            parts.push_back(fmt::format("costs: {{{}}}", fmt::join(costs, ", ")));
+        }
+        if (!parts.empty()) {
             line("budget: {{{}}}", fmt::join(parts, ", "));
         }
     }

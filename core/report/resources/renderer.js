@@ -86,20 +86,26 @@ const SPHERE_FRAGMENT = `#version 300 es
 
 /// Draws a scene, as scene.hpp describes it, into a canvas. Throws if there is no WebGL 2.
 class Renderer {
-  constructor(canvas, scene) {
-    const gl = canvas.getContext("webgl2", { antialias: true, alpha: true, preserveDrawingBuffer: true });
+  /// `copied`: whether pictures are copied from the canvas after they are drawn.
+  constructor(canvas, scene, { antialias = true, copied = true } = {}) {
+    const gl = canvas.getContext("webgl2", { antialias, alpha: true, preserveDrawingBuffer: copied });
     if (!gl) {
       throw new Error("this browser has no WebGL 2, or it is switched off");
     }
     this.gl = gl;
     this.canvas = canvas;
-    this.meshProgram = this.program(MESH_VERTEX, MESH_FRAGMENT);
+    this.meshProgram = this.program(...this.meshShaders());
     this.sphereProgram = this.program(SPHERE_VERTEX, SPHERE_FRAGMENT);
     this.meshes = scene.meshes.map((mesh) => this.uploadMesh(mesh));
     this.links = scene.links;
+    this.elements = [];
     this.square = this.upload(gl.ARRAY_BUFFER, new Float32Array([-1, -1, 1, -1, -1, 1, 1, 1]));
     this.spheres = { array: gl.createVertexArray(), buffer: gl.createBuffer(), count: 0 };
     this.describeSpheres();
+  }
+
+  meshShaders() {
+    return [MESH_VERTEX, MESH_FRAGMENT];
   }
 
   program(vertex, fragment) {
@@ -157,15 +163,18 @@ class Renderer {
   setSpheres(rows) {
     const gl = this.gl;
     gl.bindBuffer(gl.ARRAY_BUFFER, this.spheres.buffer);
-    gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(rows), gl.DYNAMIC_DRAW);
+    gl.bufferData(gl.ARRAY_BUFFER, rows instanceof Float32Array ? rows : new Float32Array(rows), gl.DYNAMIC_DRAW);
     this.spheres.count = rows.length / 7;
   }
 
   /// `camera`: {right, up, back: unit vectors; target; height: of what is seen, m; depth: half of what is kept, m}.
   /// `parts`: [{mesh: index, pose, colour: [r, g, b]}]. `clear`: what is seen through: "spheres", "geometry", "none".
-  draw(camera, parts, clear) {
-    const gl = this.gl, { width, height } = this.canvas;
-    gl.viewport(0, 0, width, height);
+  /// `area`: the pixels that are drawn, from the lower left corner.
+  draw(camera, parts, clear, area = { x: 0, y: 0, width: this.canvas.width, height: this.canvas.height }) {
+    const gl = this.gl, { x, y, width, height } = area;
+    gl.viewport(x, y, width, height);
+    gl.enable(gl.SCISSOR_TEST);
+    gl.scissor(x, y, width, height);
     gl.enable(gl.DEPTH_TEST);
     gl.depthFunc(gl.LEQUAL);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);   // colours are premultiplied
@@ -173,17 +182,27 @@ class Renderer {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     this.setCamera(camera, width / height);
     if (clear === "geometry") {
-      this.drawSpheres(1);
+      this.drawElements(1);
       gl.clear(gl.DEPTH_BUFFER_BIT);   // the geometry shows through the spheres that hold it
       this.nearestLayer(() => this.drawMeshes(parts, 0.45));
     } else {
       this.drawMeshes(parts, 1);
       if (clear === "spheres") {
-        this.nearestLayer(() => this.drawSpheres(0.42));
+        this.nearestLayer(() => this.drawElements(0.42));
       } else {
-        this.drawSpheres(1);
+        this.drawElements(1);
       }
     }
+  }
+
+  /// `elements`: of other kinds than sphere, as the parts of draw().
+  setElements(elements) {
+    this.elements = elements;
+  }
+
+  drawElements(opacity) {
+    this.drawMeshes(this.elements, opacity);
+    this.drawSpheres(opacity);
   }
 
   /// Depth first, then colour: of what is transparent only the nearest surface shows.

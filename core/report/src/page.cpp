@@ -1,8 +1,9 @@
-#include "embedded_resources.hpp"
 #include "page.hpp"
+#include "embedded_resources.hpp"
 
 #include <foam/base/markup.hpp>
 #include <foam/report/html_page.hpp>
+#include <foam/report/internal/policy.hpp>
 
 #include <fmt/format.h>
 
@@ -10,10 +11,8 @@
 #include <cstdint>
 
 namespace foam::inline report {
-namespace {
 
-/// Returns a source of Content Security Policy: only the text with this digest.
-std::string source_of(const EmbeddedText& text) {
+std::string policy_source(const EmbeddedText& text) {
     std::string bytes;
     for (std::size_t i = 0; i + 1 < text.sha256.size(); i += 2) {
         unsigned value = 0;
@@ -23,13 +22,11 @@ std::string source_of(const EmbeddedText& text) {
     return fmt::format("'sha256-{}'", base64(bytes));
 }
 
-} // namespace
-
 std::string page(const std::string& title, const std::string& body, const std::vector<EmbeddedText>& scripts) {
     std::string sources, elements;
     for (const EmbeddedText& script : scripts) {
         sources += ' ';
-        sources += source_of(script);
+        sources += policy_source(script);
         elements += fmt::format("<script>{}</script>\n", script.text);
     }
     return fmt::format(
@@ -38,7 +35,7 @@ std::string page(const std::string& title, const std::string& body, const std::v
         "script-src{}; base-uri 'none'; form-action 'none'\">\n"
         "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n<title>{}</title>\n"
         "<style>{}</style>\n</head>\n<body>\n{}{}</body>\n</html>\n",
-        source_of(resources::page_css), sources, markup_escaped(title), resources::page_css.text, body, elements);
+        policy_source(resources::page_css), sources, markup_escaped(title), resources::page_css.text, body, elements);
 }
 
 std::string html_page(const std::string& title, const std::string& body) {

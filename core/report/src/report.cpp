@@ -16,7 +16,8 @@ std::string to_html(const Report& report) {
     }
     const auto name = report.manifest["settings"]["name"].get<std::string>();
     return page(name + " as spheres", body + "</main>\n",
-                {resources::page_js, resources::renderer_js, resources::viewer_js});
+                {resources::page_js, resources::renderer_js, resources::palette_js, resources::camera_js,
+                 resources::viewer_js});
 }
 
 } // namespace foam::report

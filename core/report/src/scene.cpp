@@ -14,6 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int finest_bits = 16;
+constexpr int segments = 24; ///< around the circles of elements
 
 template <class T> void append_little_endian(std::string& bytes, T value) {
     for (std::size_t i = 0; i < sizeof(T); ++i) {
@@ -201,6 +202,14 @@ std::string scene_json(const std::vector<SceneLink>& links, std::size_t max_tria
             levels.push_back(to_floats(level));
         }
         list.push_back({{"name", link.name}, {"pose", to_json(link.pose)}, {"meshes", indices}, {"levels", levels}});
+        for (const std::vector<Element>& level : link.other_levels) {
+            Json elements = Json::array();
+            for (const Element& element : level) {
+                const auto mesh = std::make_shared<const Mesh>(enclosing_mesh(element, segments));
+                elements.push_back({{"kind", to_string(element.kind)}, {"mesh", meshes.index_of(mesh)}});
+            }
+            list.back()["elements"].push_back(std::move(elements));
+        }
     }
     double drawn = 1;
     Json json{{"links", std::move(list)}, {"meshes", meshes.to_json(max_triangles, drawn)}};

@@ -48,7 +48,10 @@ std::string verdict(const Report& report) {
     if (guarantee == "fitted") {
         return "No guarantee was asked for: the figures say how well the spheres fit.";
     }
-    std::string text = verdict_of(proved_links(report));
+    const Json& links = report.manifest["links"];
+    const bool others =
+        std::any_of(links.begin(), links.end(), [](const Json& link) { return link.contains("kinds"); });
+    std::string text = verdict_of(proved_links(report), others ? "elements" : "spheres");
     text.erase(text.find_last_not_of('\n') + 1);
     return markup_escaped(text);
 }
@@ -65,4 +68,4 @@ std::string verdict_class(const Report& report) {
     return certified(report) ? "yes" : proved_links(report).proved > 0 ? "plain" : "no";
 }
 
-} // namespace foam::report
+} // namespace foam::inline report

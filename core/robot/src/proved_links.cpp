@@ -46,20 +46,20 @@ std::vector<std::string> visual_only_links(const Robot& robot) {
     return names;
 }
 
-std::string verdict_of(const ProvedLinks& links) {
+std::string verdict_of(const ProvedLinks& links, std::string_view elements) {
     const bool outer = links.guarantee == Guarantee::outer;
     if (links.guarantee == Guarantee::fitted) {
         return "";
     }
     if (links.proved == 0) {
-        return outer ? "Not proved: the geometry may extend beyond the spheres.\n"
-                     : "Not proved: the spheres may extend beyond the geometry.\n";
+        return outer ? fmt::format("Not proved: the geometry may extend beyond the {}.\n", elements)
+                     : fmt::format("Not proved: the {} may extend beyond the geometry.\n", elements);
     }
     const std::string count = links_text(links.proved, links.with_geometry);
     const char* whose = links.with_geometry == 1 ? "its" : "their";
     const char* geometry = to_string(links.geometry);
-    return outer ? fmt::format("Proved: the {} of {} lies inside {} spheres.\n", geometry, count, whose)
-                 : fmt::format("Proved: the spheres of {} lie inside {} {}.\n", count, whose, geometry);
+    return outer ? fmt::format("Proved: the {} of {} lies inside {} {}.\n", geometry, count, whose, elements)
+                 : fmt::format("Proved: the {} of {} lie inside {} {}.\n", elements, count, whose, geometry);
 }
 
 std::string omissions_of(const ProvedLinks& links) {
@@ -75,4 +75,4 @@ std::string omissions_of(const ProvedLinks& links) {
     return text + only_text(links.visual_only, "visual") + only_text(links.collision_only, "collision");
 }
 
-} // namespace foam::robot
+} // namespace foam::inline robot

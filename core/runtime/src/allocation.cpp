@@ -115,11 +115,14 @@ std::vector<std::size_t> next_rungs(std::size_t explored, std::size_t least, std
     return rungs;
 }
 
-std::vector<std::size_t> counts_alone(std::size_t least, std::size_t most) {
+std::size_t count_after(std::size_t count) {
     constexpr std::size_t each = 8; // up to here every count
+    return count < each ? count + 1 : 2 * std::bit_floor(count);
+}
+
+std::vector<std::size_t> counts_alone(std::size_t least, std::size_t most) {
     std::vector<std::size_t> counts;
-    for (std::size_t count = least; count <= std::min(most, most_between);
-         count = count < each ? count + 1 : 2 * std::bit_floor(count)) {
+    for (std::size_t count = least; count <= std::min(most, most_between); count = count_after(count)) {
         counts.push_back(count);
     }
     if (counts.empty() || most > most_between) {
@@ -128,4 +131,4 @@ std::vector<std::size_t> counts_alone(std::size_t least, std::size_t most) {
     return counts;
 }
 
-} // namespace foam::runtime
+} // namespace foam::inline runtime

@@ -80,5 +80,7 @@ constexpr std::size_t most_between = 64;
 /// from `least`, which is the first, up to `most`; then `most` itself if it is larger. Precondition: 1 <= least <=
 /// most.
 std::vector<std::size_t> counts_alone(std::size_t least, std::size_t most);
+/// Returns the count of these that follows another.
+std::size_t count_after(std::size_t count);
 
-} // namespace foam::runtime
+} // namespace foam::inline runtime

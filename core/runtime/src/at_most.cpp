@@ -32,7 +32,7 @@ bool any_deep(const ShapeWork& work) {
 }
 
 Candidate candidate_of(const Solid& solid, SphereTree tree) {
-    const double volume = geometry::joint_volume(solid, grown_to_cover(solid, tree.finest()));
+    const double volume = geometry::joint_volume(solid, grown_to_cover(solid, tree.finest())); // spheres alone
     return {std::move(tree), volume};
 }
 
@@ -67,31 +67,101 @@ void refine_up_to(const Workspace& workspace, ShapeWork& work, std::size_t limit
     }
 }
 
-/// Returns the best tree with at most `most` spheres. Up to most_between spheres, the best tree of a count, and the
-/// trees that are refined from it, do not depend on `most`. So a larger `most` never gives a worse tree; above, it
-/// never gives a worse one than most_between.
-SphereTree with_more_between(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts,
-                             std::size_t most) {
-    constexpr double little_less = 0.97, mostly = 0.75;
-    std::vector<Candidate> asked = candidates(workspace, work, counts);
-    Candidate best = std::move(asked.front());
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        const bool few = counts[i] <= most_between;
-        if (i > 0 && few && asked[i].volume > little_less * best.volume) {
-            refine_up_to(workspace, work, counts[i], best); // the spherizer itself gains little here
+/// Returns whether the spherizer reduced the excess volume from one count to the next by so much that spheres added one
+/// by one between them rarely reduce it as far. Trees between the counts are then kept from doing so.
+bool leaps(const ShapeWork& work, double next, double before) {
+    constexpr double leap = 0.7;
+    const double solid = work.shape->original().volume();
+    return next - solid <= leap * (before - solid);
+}
+
+/// The best tree with at most `most` spheres. Up to most_between spheres, the best tree of a count, and the trees that
+/// are refined from it, do not depend on `most`. So a larger `most` never gives a worse tree; above, it never gives a
+/// worse one than most_between.
+class BestBetween {
+public:
+    BestBetween(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts, std::size_t most)
+        : workspace_(workspace), work_(work), counts_(counts), most_(most),
+          asked_(candidates(workspace, work, counts)) {}
+
+    SphereTree found() {
+        Candidate best = std::move(asked_.front());
+        for (std::size_t i = 1; i < counts_.size(); ++i) {
+            take(i, best);
         }
-        if (i > 0 && asked[i].volume < best.volume) {
-            best = std::move(asked[i]);
+        last_between(best);
+        return std::move(best.tree);
+    }
+
+private:
+    static constexpr std::size_t few = 16; ///< counts up to this are always compared: that takes little time
+
+    /// Takes the tree of a count if it is better. Unless it leaps, the trees up to it are refined from the best so far.
+    void take(std::size_t i, Candidate& best) {
+        constexpr double little_less = 0.97;
+        const std::size_t count = counts_[i];
+        if (count <= few || count > most_between || !leaps(work_, asked_[i].volume, best.volume)) {
+            refine_up_to(workspace_, work_, std::min(count - 1, most_between), best);
+            if (count <= most_between && asked_[i].volume > little_less * best.volume) {
+                refine_up_to(workspace_, work_, count, best); // the spherizer itself gains little here
+            }
         }
-        const std::size_t next = i + 1 < counts.size() ? counts[i + 1] - 1 : most;
-        if (few) {
-            refine_up_to(workspace, work, std::min(next, most_between), best);
-        } else if (best.tree.finest().size() < mostly * static_cast<double>(most)) {
-            refine_up_to(workspace, work, most, best); // the spherizer gives far less than requested
+        if (asked_[i].volume < best.volume) {
+            best = std::move(asked_[i]);
         }
     }
-    return std::move(best.tree);
-}
+
+    /// Refines the best tree up to `most`.
+    void last_between(Candidate& best) {
+        constexpr double mostly = 0.75;
+        if (counts_.back() > most_between) {
+            if (static_cast<double>(best.tree.finest().size()) < mostly * static_cast<double>(most_)) {
+                refine_up_to(workspace_, work_, most_, best); // the spherizer gives far less than requested
+            }
+            return;
+        }
+        const Candidate before = best;
+        const std::size_t limit = std::min(most_, most_between);
+        refine_up_to(workspace_, work_, limit, best);
+        const std::size_t above = count_after(counts_.back());
+        if (limit == most_between || above <= few || !leaps(work_, best.volume, before.volume)) {
+            return;
+        }
+        const std::vector<std::size_t> next{above};
+        compute_until_cut(workspace_, work_, next);
+        if (!work_.known.asked.contains(next.front())) {
+            return; // there was no time
+        }
+        const double floor = candidates(workspace_, work_, next).front().volume;
+        if (leaps(work_, floor, before.volume) && best.volume < floor) {
+            best = refined_down_to(floor, before, limit);
+        }
+    }
+
+    /// Returns the best tree up to `limit` spheres that is not better than `floor`: the next count has no better one.
+    Candidate refined_down_to(double floor, const Candidate& before, std::size_t limit) {
+        Candidate result = before;
+        std::size_t low = before.tree.finest().size();
+        while (low + 1 < limit && !workspace_.ended()) {
+            const std::size_t middle = (low + limit) / 2;
+            Candidate tried = before;
+            refine_up_to(workspace_, work_, middle, tried);
+            if (tried.volume < floor) {
+                limit = middle;
+            } else {
+                low = middle;
+                result = std::move(tried);
+            }
+        }
+        return result;
+    }
+
+    const Workspace& workspace_;
+    ShapeWork& work_;
+    const std::vector<std::size_t>& counts_;
+    std::size_t most_;
+    std::vector<Candidate> asked_;
+};
 
 std::size_t best_of(const Workspace& workspace, const ShapeWork& work, const std::vector<std::size_t>& counts) {
     std::vector<double> cost(counts.size(), std::numeric_limits<double>::infinity());
@@ -125,7 +195,7 @@ std::vector<std::size_t> computed(const Workspace& workspace, ShapeWork& work, s
 }
 
 Digest best_key(const Workspace& workspace, const ShapeWork& work, std::size_t most) {
-    return Hasher().add("best of at most, refined up to 64").add(tree_key(workspace, work, most)).finish();
+    return Hasher().add("best of at most, refined up to 64, with leaps").add(tree_key(workspace, work, most)).finish();
 }
 
 } // namespace
@@ -141,7 +211,7 @@ std::size_t best_of_at_most(const Workspace& workspace, ShapeWork& work, std::si
     const Digest key = best_key(workspace, work, most);
     std::optional<Cached<SphereTree>> best = workspace.cache.tree(key);
     if (!best) {
-        best.emplace(Cached<SphereTree>{with_more_between(workspace, work, counts, most), {}});
+        best.emplace(Cached<SphereTree>{BestBetween(workspace, work, counts, most).found(), {}});
         if (workspace.cut() == Cut::none) {
             workspace.cache.put(key, best->result, {});
         }
@@ -151,4 +221,4 @@ std::size_t best_of_at_most(const Workspace& workspace, ShapeWork& work, std::si
     return count;
 }
 
-} // namespace foam::runtime
+} // namespace foam::inline runtime

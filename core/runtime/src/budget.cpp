@@ -5,6 +5,7 @@
 #include "worst_first.hpp"
 
 #include <foam/runtime/internal/cover.hpp>
+#include <foam/runtime/internal/elements.hpp>
 
 #include <fmt/format.h>
 
@@ -15,13 +16,23 @@
 namespace foam::inline runtime {
 namespace {
 
-void say_if_not_all(const Workspace& workspace, std::size_t used, std::size_t total) {
-    if (used > 0 && used < total) {
-        workspace.journal.finding(
-            {Severity::warning, "", "",
-             fmt::format("{} of {} spheres are used; more spheres did not reduce the excess of these links", used,
-                         total)});
+void say_if_not_all(const Workspace& workspace, const std::vector<ShapeWork>& shapes, std::size_t used) {
+    const std::size_t total = *total_of(workspace.recipe);
+    if (used == 0 || used >= total) {
+        return;
     }
+    const char* noun = plural_of(shapes);
+    const std::string what = workspace.recipe.budget_cost
+                                 ? fmt::format("a cost of {:g} of {:g} is used", static_cast<double>(used) * price_step,
+                                               *workspace.recipe.budget_cost)
+                                 : fmt::format("{} of {} {} are used", used, total, noun);
+    workspace.journal.finding(
+        {Severity::warning, "", "", fmt::format("{}; more {} did not reduce the excess of these links", what, noun)});
+}
+
+/// Returns the key of total_of() in `budget`.
+const char* word_of_total(const Recipe& recipe) {
+    return recipe.budget_cost ? "cost" : recipe.budget_in_elements ? "elements" : "spheres";
 }
 
 /// Reports where the allocation differs from the budget.
@@ -29,7 +40,7 @@ void report_allocation(const Workspace& workspace, const std::vector<LinkWork>& 
                        const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups,
                        const std::vector<std::size_t>& counts, double volume, bool enough, Cut cut) {
     const Recipe& recipe = workspace.recipe;
-    std::size_t sum = 0;
+    std::size_t sum = 0, elements = 0;
     double wrong = 0;
     for (const std::size_t g : allocated_groups(shapes, groups)) {
         const ShapeWork& work = shapes[groups[g].shape];
@@ -37,14 +48,17 @@ void report_allocation(const Workspace& workspace, const std::vector<LinkWork>& 
         sum += counts[g];
         wrong += cost.volume;
         const SphereTree& tree = work.known.trees.at(counts[g]);
-        const double protrudes = cost.over - std::max(0.0, violation_of(work.clip, tree.finest()));
+        elements += tree.elements().size();
+        const double protrudes = cost.over - std::max(0.0, violation_of(work.clip, tree.elements()));
         if (work.max_protrusion && protrudes > 0) {
             workspace.journal.finding(
                 {Severity::warning, links[groups[g].link].link->name, work.spherizer.stage,
-                 fmt::format("its spheres ({}) protrude by {:.3g} m, max_protrusion allows {:.3g} "
+                 fmt::format("its {} ({}) protrude by {:.3g} m, max_protrusion allows {:.3g} "
                              "m; remedy: {}",
-                             counts[g], *work.max_protrusion + protrudes, *work.max_protrusion,
-                             cut == Cut::none ? "more spheres for the robot or for this link" : "more time")});
+                             plural_of(shapes), tree.elements().size(), *work.max_protrusion + protrudes,
+                             *work.max_protrusion,
+                             cut == Cut::none ? fmt::format("more {} for the robot or for this link", plural_of(shapes))
+                                              : "more time")});
         }
     }
     if (sum == 0) {
@@ -53,13 +67,13 @@ void report_allocation(const Workspace& workspace, const std::vector<LinkWork>& 
     if (recipe.budget_excess && !enough) {
         workspace.journal.finding(
             {Severity::warning, "", "",
-             fmt::format("budget.excess: {} is not reached: with {} spheres it is {:.3g}; remedy: {}",
-                         to_text(*recipe.budget_excess), sum, wrong / volume,
-                         cut != Cut::none        ? "more time"
-                         : recipe.budget_spheres ? "raise budget.spheres"
-                                                 : "raise max_spheres of the links")});
-    } else if (recipe.budget_spheres && !recipe.budget_excess && cut == Cut::none) {
-        say_if_not_all(workspace, sum, *recipe.budget_spheres);
+             fmt::format("budget.excess: {} is not reached: with {} {} it is {:.3g}; remedy: {}",
+                         to_text(*recipe.budget_excess), elements, plural_of(shapes), wrong / volume,
+                         cut != Cut::none   ? "more time"
+                         : total_of(recipe) ? fmt::format("raise budget.{}", word_of_total(recipe))
+                                            : "raise max_spheres of the links")});
+    } else if (total_of(recipe) && !recipe.budget_excess && cut == Cut::none) {
+        say_if_not_all(workspace, shapes, sum);
     }
 }
 
@@ -72,13 +86,35 @@ double volume_of(const std::vector<ShapeWork>& shapes, const std::vector<Group>&
     return std::accumulate(volumes.begin(), volumes.end(), 0.0);
 }
 
+/// Throws Error(recipe) if the cheapest elements that were found cost more than budget.cost: what an element costs, as
+/// a hull does by its vertices, is known once it is made.
+void require_affordable(const Recipe& recipe, const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups,
+                        const ChosenCounts& chosen) {
+    if (!recipe.budget_cost) {
+        return;
+    }
+    std::size_t taken = 0, least = 0;
+    bool all = true;
+    for (const std::size_t g : allocated_groups(shapes, groups)) {
+        taken += chosen.of_group[g];
+        all = all && chosen.of_group[g] > 0;
+        least += shapes[groups[g].shape].known.trees.begin()->first;
+    }
+    if (!all || taken > *total_of(recipe)) {
+        throw Error(ErrorCode::recipe,
+                    fmt::format("budget.cost: {:g} is not enough: the cheapest elements found cost at least {:g}; "
+                                "remedy: raise the budget, or use cheaper kinds",
+                                *recipe.budget_cost, static_cast<double>(least) * price_step));
+    }
+}
+
 /// Returns the count of every group, 0 for those with an error. With a number of spheres as budget: at most that many,
 /// with the least weighted cost. With an excess as budget: the fewest that keep it.
 ChosenCounts share_spheres(const Workspace& workspace, const std::vector<LinkWork>& links,
                            std::vector<ShapeWork>& shapes, const std::vector<Group>& groups, ReferencePose* pose) {
     const Recipe& recipe = workspace.recipe;
     Goal goal;
-    goal.most = recipe.budget_spheres.value_or(SIZE_MAX);
+    goal.most = total_of(recipe).value_or(SIZE_MAX);
     const double volume = volume_of(shapes, groups);
     if (recipe.budget_excess) {
         if (volume == 0 && !allocated_groups(shapes, groups).empty()) {
@@ -107,6 +143,7 @@ ChosenCounts share_spheres(const Workspace& workspace, const std::vector<LinkWor
     for (std::size_t i = 0; i < shared.counts.size(); ++i) {
         chosen.of_group[allocated_groups[i]] = shared.counts[i];
     }
+    require_affordable(recipe, shapes, groups, chosen);
     report_allocation(workspace, links, shapes, groups, chosen.of_group, volume, shared.enough, chosen.cut);
     return chosen;
 }
@@ -121,7 +158,7 @@ std::size_t count_for_protrusion(const Workspace& workspace, ShapeWork& work, do
             return {};
         }
         const SphereTree& tree = work.known.trees.at(work.known.asked.at(count));
-        return covered_protrusion(work.shape->original(), tree.finest(), workspace.recipe.guarantee) <= limit;
+        return protrusion_of_elements(work.shape->original(), tree.elements(), workspace.recipe.guarantee) <= limit;
     };
     const std::size_t most = most_of(workspace.recipe, work);
     std::size_t low = work.least, high = work.least;
@@ -135,7 +172,8 @@ std::size_t count_for_protrusion(const Workspace& workspace, ShapeWork& work, do
     }
     if (!*keeps) {
         workspace.journal.finding({Severity::warning, work.link, work.spherizer.stage,
-                                   fmt::format("{} spheres still protrude by more than {} m", most, limit)});
+                                   fmt::format("{} {} still protrude by more than {} m", most,
+                                               spheres_alone(work.kinds) ? "spheres" : "elements", limit)});
         return work.known.asked.at(most);
     }
     while (low < high) {
@@ -172,8 +210,9 @@ ChosenCounts count_each(const Workspace& workspace, std::vector<ShapeWork>& shap
     for (const Group& group : groups) {
         chosen.of_group.push_back(of_shape[group.shape]);
     }
-    if (workspace.recipe.budget_spheres && chosen.cut == Cut::none) {
-        say_if_not_all(workspace, chosen.of_group.front(), *workspace.recipe.budget_spheres);
+    require_affordable(workspace.recipe, shapes, groups, chosen);
+    if (total_of(workspace.recipe) && chosen.cut == Cut::none) {
+        say_if_not_all(workspace, shapes, chosen.of_group.front());
     }
     return chosen;
 }
@@ -195,13 +234,17 @@ void require_enough(const Recipe& recipe, const std::vector<ShapeWork>& shapes, 
     for (const Group& group : groups) {
         least += shapes[group.shape].least;
     }
-    if (recipe.budget_spheres && *recipe.budget_spheres < least) {
+    if (const std::optional<std::size_t> total = total_of(recipe); total && *total < least) {
+        const auto text = [&](std::size_t size) {
+            return recipe.budget_cost ? fmt::format("{:g}", static_cast<double>(size) * price_step)
+                                      : fmt::format("{}", size);
+        };
         throw Error(
             ErrorCode::recipe,
-            fmt::format(
-                "budget.spheres: {} is not enough: the robot's {} {} with geometry to be covered need at least {}; "
-                "remedy: raise the budget, or skip links",
-                *recipe.budget_spheres, groups.size(), recipe.per_link ? "links" : "elements", least));
+            fmt::format("budget.{}: {} is not enough: the robot's {} {} with geometry to be covered need at least {}; "
+                        "remedy: raise the budget, or skip links",
+                        word_of_total(recipe), text(*total), groups.size(), recipe.per_link ? "links" : "elements",
+                        text(least)));
     }
 }
 
@@ -212,10 +255,10 @@ ChosenCounts choose_counts(const Workspace& preparing, const std::vector<LinkWor
     const Recipe& recipe = preparing.recipe;
     const Workspace workspace = preparing.in(Phase::searching);
     const StopScope scope(workspace.in(Phase::finishing).request()); // a search that ends early keeps its result
-    if (recipe.budget_spheres || recipe.budget_excess) {
+    if (total_of(recipe) || recipe.budget_excess) {
         require_enough(recipe, shapes, groups);
     }
-    const bool shared = (recipe.budget_spheres || recipe.budget_excess) &&
+    const bool shared = (total_of(recipe) || recipe.budget_excess) &&
                         (groups.size() != 1 || !has_fixed_count(recipe, shapes.front(), 1));
     ChosenCounts chosen =
         shared ? share_spheres(workspace, links, shapes, groups, pose) : count_each(workspace, shapes, groups);
@@ -223,4 +266,4 @@ ChosenCounts choose_counts(const Workspace& preparing, const std::vector<LinkWor
     return chosen;
 }
 
-} // namespace foam::runtime
+} // namespace foam::inline runtime

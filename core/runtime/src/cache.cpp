@@ -11,7 +11,7 @@ namespace foam::inline runtime {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view magic = "foam cache 3\n";
+constexpr std::string_view magic = "foam cache 4\n";
 
 void put_log(std::string& out, const StageLog& log) {
     put_text(out, log.call);

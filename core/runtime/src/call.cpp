@@ -9,7 +9,7 @@
 namespace foam::inline runtime {
 namespace {
 
-constexpr std::string_view magic_of_calls = "foam stage call 1\n";
+constexpr std::string_view magic_of_calls = "foam stage call 2\n";
 
 void put_value(std::string& out, const ParameterValue& value) {
     put(out, static_cast<std::uint8_t>(value.index()));
@@ -70,6 +70,9 @@ void put_budget(std::string& out, const Budget& budget) {
     put(out, budget.max_protrusion.has_value());
     put(out, budget.max_protrusion.value_or(0));
     put(out, budget.guarantee);
+    put(out, budget.max_cost.has_value());
+    put(out, budget.max_cost.value_or(0));
+    put(out, budget.cost);
 }
 
 Budget take_budget(ByteReader& in) {
@@ -81,6 +84,10 @@ Budget take_budget(ByteReader& in) {
     budget.max_spheres = spheres ? std::optional<std::size_t>(most) : std::nullopt;
     budget.max_protrusion = protrusion ? std::optional(limit) : std::nullopt;
     budget.guarantee = in.take<Guarantee>();
+    const bool priced = in.take<bool>();
+    const auto cost = in.take<double>();
+    budget.max_cost = priced ? std::optional(cost) : std::nullopt;
+    budget.cost = in.take<ElementCost>();
     return budget;
 }
 

@@ -3,6 +3,7 @@
 #include <foam/collision/self_collision.hpp>
 #include <foam/recipe/recipe.hpp>
 #include <foam/runtime/version.hpp>
+#include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>
 
@@ -22,25 +23,30 @@ CollisionModel collision_model(const FinishedModel& finished) {
     CollisionModel model;
     model.robot = finished.model.robot;
     model.spheres.resize(model.robot->links.size());
+    model.others.resize(model.robot->links.size());
     model.sources.resize(model.robot->links.size());
     for (const FinishedLink& link : finished.links) {
         const auto at = static_cast<std::size_t>(link.work->link - model.robot->links.data());
-        model.spheres[at] = link.spheres;
+        model.spheres[at] = link.elements.spheres;
+        model.others[at] = link.elements.others;
         model.sources[at] = CollisionModel::Source::given;
     }
     return model;
 }
 
 std::string provenance(const Workspace& workspace, const Input& input, const FinishedModel& finished) {
-    std::size_t spheres = 0, proved = 0;
+    KindCounts kinds{};
+    std::size_t proved = 0;
     for (const FinishedLink& link : finished.links) {
-        spheres += link.spheres.size();
+        kinds = sum_of(kinds, kinds_of(link.elements.view()));
         proved += link.work->report.measures.certified ? 1 : 0;
     }
     const Guarantee guarantee = workspace.recipe.guarantee;
     const std::string geometry = to_string(workspace.recipe.cover.value_or(CoveredGeometry::collision));
     const std::string promise =
-        guarantee == Guarantee::outer ? geometry + " lies inside the spheres" : "spheres lie inside the " + geometry;
+        guarantee == Guarantee::outer
+            ? fmt::format("{} lies inside the {}", geometry, spheres_alone(kinds) ? "spheres" : "elements")
+            : "spheres lie inside the " + geometry;
     const std::string proof = guarantee == Guarantee::fitted
                                   ? "nothing is proved (guarantee: fitted)"
                                   : fmt::format("proved: the {} of {} of {} link{}{}", promise, proved,
@@ -48,8 +54,8 @@ std::string provenance(const Workspace& workspace, const Input& input, const Fin
                                                 workspace.recipe.proved_numbers(workspace.registry) == Numbers::float32
                                                     ? ", also in single precision"
                                                     : "");
-    return fmt::format("foam {}; {} ({}); {} sphere{}; {}", version(), input.file.filename().string(), input.digest,
-                       spheres, spheres == 1 ? "" : "s", proof);
+    return fmt::format("foam {}; {} ({}); {}; {}", version(), input.file.filename().string(), input.digest,
+                       counts_text(kinds), proof);
 }
 
 } // namespace

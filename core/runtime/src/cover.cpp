@@ -1,10 +1,14 @@
 #include <foam/runtime/internal/cover.hpp>
 
+#include "written_numbers.hpp"
+
 #include <foam/base/error.hpp>
+#include <foam/geometry/element_measure.hpp>
 #include <foam/geometry/inner.hpp>
 #include <foam/geometry/joint_volume.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/geometry/union_volume.hpp>
+#include <foam/runtime/internal/elements.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,48 +18,6 @@
 
 namespace foam::inline runtime {
 namespace {
-
-/// A grid of decimal fractions with step 10^-digits. Its points have a short text and read back to the same bits.
-class DecimalGrid {
-public:
-    /// Chooses a step of about a millionth of `size`.
-    explicit DecimalGrid(double size) {
-        const int exponent = size > 0 ? static_cast<int>(std::floor(std::log10(size))) - 6 : -9;
-        // Powers of ten up to 10^22 are exact doubles; a part smaller than 10^-15 m keeps its digits.
-        scale_ = exponent < -22 || exponent > 0 ? 0 : std::pow(10.0, -exponent);
-    }
-    double nearest(double value) const { return scale_ == 0 ? value : std::round(value * scale_) / scale_ + 0.0; }
-    Vec3 nearest(const Vec3& v) const { return {nearest(v.x), nearest(v.y), nearest(v.z)}; }
-    double up(double value) const {
-        if (scale_ == 0) {
-            return value;
-        }
-        double rounded = std::ceil(value * scale_) / scale_;
-        while (rounded < value) {
-            rounded = (std::round(rounded * scale_) + 1) / scale_;
-        }
-        return rounded;
-    }
-    /// Returns for a nonnegative value a grid value that is not above it; 0 below the grid's step.
-    double down(double value) const {
-        if (scale_ == 0) {
-            return value;
-        }
-        const double steps = std::floor(value * scale_);
-        return steps / scale_ <= value ? steps / scale_ : (steps - 1) / scale_;
-    }
-
-private:
-    double scale_ = 0;
-};
-
-/// Returns how far single precision may move a sphere's surface: half a unit in the last place of each coordinate and
-/// of the radius, twice that to be safe.
-double float32_slack(const Sphere& sphere, Numbers numbers) {
-    const double largest =
-        std::max({std::abs(sphere.center.x), std::abs(sphere.center.y), std::abs(sphere.center.z), sphere.radius});
-    return numbers == Numbers::float32 ? 2 * std::numeric_limits<float>::epsilon() * largest : 0;
-}
 
 /// Returns for each sphere the largest concentric sphere in the solid. Fast, for comparisons only.
 std::vector<Sphere> inside_of(const Solid& solid, std::vector<Sphere> spheres) {
@@ -149,13 +111,26 @@ std::optional<Sphere> better_one(const Solid& solid, const std::vector<Sphere>& 
     return one;
 }
 
-SphereTree on_grid(SphereTree tree, const DecimalGrid& grid) {
-    for (SphereTree::Level& level : tree.levels) {
-        for (Sphere& sphere : level.spheres) {
-            sphere.center = grid.nearest(sphere.center);
-        }
+/// Moves the spheres of a level onto the grid, grows them to cover, and rounds their radii up.
+void finish_spheres(const Solid& solid, SphereTree::Level& level, const DecimalGrid& grid, bool outer, Numbers numbers) {
+    for (Sphere& sphere : level.spheres) {
+        sphere.center = grid.nearest(sphere.center);
     }
-    return tree;
+    if (outer) {
+        level.spheres = grown_to_cover(solid, std::move(level.spheres));
+    }
+    for (Sphere& sphere : level.spheres) {
+        sphere.radius = grid.up(sphere.radius + (outer ? float32_slack(sphere, numbers) : 0));
+    }
+}
+
+/// Returns the largest growth of a sphere's radius from one level to the same level.
+double growth_of(const std::vector<Sphere>& before, const std::vector<Sphere>& after) {
+    double growth = 0;
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        growth = std::max(growth, after[i].radius - before[i].radius);
+    }
+    return growth;
 }
 
 } // namespace
@@ -173,15 +148,40 @@ double cost_volume(const Solid& solid, std::vector<Sphere> spheres, Guarantee gu
     return std::max(0.0, 2 * geometry::joint_volume(solid, spheres) - solid.volume() - exact_union_volume(spheres));
 }
 
-double covered_protrusion(const Solid& solid, std::vector<Sphere> spheres, Guarantee guarantee) {
-    if (guarantee == Guarantee::outer) {
-        spheres = grown_to_cover(solid, std::move(spheres));
+double cost_of_elements(const Solid& solid, const ElementsView& elements, Guarantee guarantee) {
+    if (elements.others.empty()) {
+        return cost_volume(solid, std::vector<Sphere>(elements.spheres.begin(), elements.spheres.end()), guarantee);
     }
+    if (guarantee == Guarantee::outer) {
+        return std::max(0.0, excess_volume(solid, grown_to_cover(solid, level_of(elements)).view()));
+    }
+    return excess_volume(solid, elements) + missing_volume(solid, elements);
+}
+
+/// Returns the options for a quick measure of the largest protrusion.
+static MeasureOptions quick_protrusion() {
     MeasureOptions options;
     options.surface_points = 1'000;
     options.volume_rays = 300;
     options.volume_points = 1'000;
-    return measure(solid, spheres, options).protrusion_max;
+    return options;
+}
+
+double covered_protrusion(const Solid& solid, std::vector<Sphere> spheres, Guarantee guarantee) {
+    if (guarantee == Guarantee::outer) {
+        spheres = grown_to_cover(solid, std::move(spheres));
+    }
+    return measure(solid, spheres, quick_protrusion()).protrusion_max;
+}
+
+double protrusion_of_elements(const Solid& solid, const ElementsView& elements, Guarantee guarantee) {
+    if (elements.others.empty()) {
+        return covered_protrusion(solid, std::vector<Sphere>(elements.spheres.begin(), elements.spheres.end()),
+                                  guarantee);
+    }
+    const Approximation::Level level =
+        guarantee == Guarantee::outer ? grown_to_cover(solid, level_of(elements)) : level_of(elements);
+    return measure(solid, level.view(), quick_protrusion()).protrusion_max;
 }
 
 void require_room(const Solid& solid, const SphereTree& tree) {
@@ -199,20 +199,18 @@ FinishedTree finished_tree(const Solid& solid, SphereTree tree, Guarantee guaran
         return result;
     }
     const bool outer = guarantee == Guarantee::outer;
-    result.tree = on_grid(std::move(tree), grid);
+    result.tree = std::move(tree);
     for (SphereTree::Level& level : result.tree.levels) {
+        if (!level.others.empty()) {
+            result.growth = finish_elements(solid, level, grid, outer, numbers);
+            continue;
+        }
         const std::vector<Sphere> before = level.spheres;
-        if (outer) {
-            level.spheres = grown_to_cover(solid, std::move(level.spheres));
-        }
-        result.growth = 0;
-        for (std::size_t i = 0; i < level.spheres.size(); ++i) {
-            const double slack = outer ? float32_slack(level.spheres[i], numbers) : 0;
-            level.spheres[i].radius = grid.up(level.spheres[i].radius + slack);
-            result.growth = std::max(result.growth, level.spheres[i].radius - before[i].radius);
-        }
+        finish_spheres(solid, level, grid, outer, numbers);
+        result.growth = growth_of(before, level.spheres);
     }
-    const auto one = outer && one_may_do ? better_one(solid, result.tree.finest()) : std::nullopt;
+    const bool spheres_alone = result.tree.levels.back().others.empty();
+    const auto one = outer && one_may_do && spheres_alone ? better_one(solid, result.tree.finest()) : std::nullopt;
     if (one) {
         result = finished_tree(solid, flat_tree({*one}), guarantee, false, numbers);
         result.one_instead = true;
@@ -226,8 +224,16 @@ SphereTree padded(const Solid& solid, SphereTree tree, double length) {
         for (Sphere& sphere : level.spheres) {
             sphere.radius = grid.up(sphere.radius + length);
         }
+        for (Element& element : level.others) {
+            element = up_on_grid(grown(element, length), grid);
+        }
     }
     return tree;
+}
+
+SphereTree beside_kept(const Solid& solid, SphereTree others) {
+    // Corners of pieces of triangles are rounded: the others overlap these pieces by more than that.
+    return padded(solid, std::move(others), 1e-9 * solid.bounds().diagonal());
 }
 
 } // namespace foam::runtime

@@ -15,7 +15,7 @@ constexpr std::size_t longest_folder_name = 200; // file systems take 255 bytes
 
 Mesh link_mesh(const LinkWork& link, std::size_t stage) {
     Mesh mesh;
-    for (const Element& element : link.elements) {
+    for (const CollisionElement& element : link.elements) {
         if (const Primitive* primitive = element.primitive()) {
             append(mesh, transformed(enclosing_mesh(*primitive), element.source->origin));
         } else {
@@ -85,7 +85,10 @@ std::vector<OutputFile> write_debug_meshes(const Workspace& workspace, const Fin
             write(f + 1, filters[f].stage, link_mesh(link, f + 1));
         }
         Mesh spheres;
-        for (const Sphere& sphere : finished.links[l].spheres) {
+        for (const Element& element : finished.links[l].elements.others) {
+            append(spheres, enclosing_mesh(element));
+        }
+        for (const Sphere& sphere : finished.links[l].elements.spheres) {
             Pose pose;
             pose.translation = sphere.center;
             append(spheres,

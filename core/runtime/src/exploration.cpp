@@ -2,9 +2,11 @@
 
 #include "trees.hpp"
 
+#include <foam/geometry/element_measure.hpp>
 #include <foam/geometry/inner.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/internal/cover.hpp>
+#include <foam/runtime/internal/elements.hpp>
 
 #include <fmt/format.h>
 
@@ -27,15 +29,27 @@ std::vector<std::size_t> allocated_groups(const std::vector<ShapeWork>& shapes, 
 
 std::size_t most_of(const Recipe& recipe, const ShapeWork& work) {
     constexpr std::size_t most_unasked = 256;
-    return work.most == SIZE_MAX && !recipe.budget_spheres ? std::max(work.least, most_unasked) : work.most;
+    return work.most == SIZE_MAX && !total_of(recipe) ? std::max(work.least, most_unasked) : work.most;
 }
 
 bool has_fixed_count(const Recipe& recipe, const ShapeWork& shape, std::size_t groups) {
-    return !recipe.budget_excess && !shape.max_protrusion && (groups == 1 || !recipe.budget_spheres);
+    return !recipe.budget_excess && !shape.max_protrusion && (groups == 1 || !total_of(recipe));
 }
 
 std::size_t fixed_count(const Recipe& recipe, const ShapeWork& shape) {
-    return std::min(shape.most, recipe.budget_spheres.value_or(SIZE_MAX));
+    return std::min(shape.most, total_of(recipe).value_or(SIZE_MAX));
+}
+
+std::vector<std::size_t> rungs_above(const ShapeWork& shape, std::size_t explored, std::size_t most) {
+    if (shape.unit == 1) {
+        return next_rungs(explored, shape.least, most);
+    }
+    const auto in_units = [&](std::size_t count) { return count / shape.unit + (count % shape.unit > 0 ? 1 : 0); };
+    std::vector<std::size_t> rungs = next_rungs(in_units(explored), in_units(shape.least), in_units(most));
+    for (std::size_t& rung : rungs) {
+        rung = std::min(rung * shape.unit, most);
+    }
+    return rungs;
 }
 
 std::vector<std::size_t> first_counts(const Recipe& recipe, const ShapeWork& shape, std::size_t groups) {
@@ -46,12 +60,13 @@ std::vector<std::size_t> first_counts(const Recipe& recipe, const ShapeWork& sha
         }
         return counts_alone(shape.least, std::max(shape.least, most));
     }
-    if (!recipe.budget_spheres && !recipe.budget_excess) {
+    const std::optional<std::size_t> total = total_of(recipe);
+    if (!total && !recipe.budget_excess) {
         return {shape.least};
     }
-    std::vector<std::size_t> counts = next_rungs(0, shape.least, most_of(recipe, shape));
-    if (groups == 1 && recipe.budget_spheres) {
-        std::erase_if(counts, [&](std::size_t count) { return count > *recipe.budget_spheres; });
+    std::vector<std::size_t> counts = rungs_above(shape, 0, most_of(recipe, shape));
+    if (groups == 1 && total) {
+        std::erase_if(counts, [&](std::size_t count) { return count > *total; });
     }
     return counts;
 }
@@ -106,8 +121,10 @@ static void take_enclosing_ball(const Workspace& workspace, ShapeWork& work) {
                                                      work.spherizer.stage, work.link, *workspace.time_limit()));
     }
     const Sphere ball = minimum_enclosing_sphere(work.shape->original().surface().vertices);
-    work.known.asked[work.least] = 1;
-    work.known.trees[1] = flat_tree({ball});
+    SphereTree tree = flat_tree({ball});
+    const std::size_t size = size_of(workspace.recipe, tree.elements());
+    work.known.asked[work.least] = size;
+    work.known.trees[size] = std::move(tree);
     workspace.journal.finding(
         {Severity::warning, work.link, work.spherizer.stage,
          fmt::format("it found no spheres within the time limit of {} s; one enclosing sphere replaces them",
@@ -121,7 +138,7 @@ static void try_to_finish(const Workspace& workspace, ShapeWork& work) {
         const Solid& solid = work.shape->original();
         const StopScope scope(workspace.in(Phase::beginning).request());
         const FinishedTree tree = finished_tree(solid, work.known.trees.begin()->second, workspace.recipe.guarantee);
-        measure(solid, tree.tree.finest());
+        measure(solid, tree.tree.elements());
     } catch (const Error&) {
         // Errors are reported where the result is finished. The time was spent all the same.
     }
@@ -151,11 +168,11 @@ static Cost cost_of(const Workspace& workspace, const ShapeWork& work, const Sph
     const Solid& solid = work.shape->original();
     const Guarantee guarantee = workspace.recipe.guarantee;
     Cost cost;
-    cost.volume = cost_volume(solid, tree.finest(), guarantee);
+    cost.volume = cost_of_elements(solid, tree.elements(), guarantee);
     if (work.max_protrusion) {
-        cost.over = std::max(0.0, covered_protrusion(solid, tree.finest(), guarantee) - *work.max_protrusion);
+        cost.over = std::max(0.0, protrusion_of_elements(solid, tree.elements(), guarantee) - *work.max_protrusion);
     }
-    cost.over += std::max(0.0, violation_of(work.clip, tree.finest()));
+    cost.over += std::max(0.0, violation_of(work.clip, tree.elements()));
     return cost;
 }
 
@@ -206,14 +223,15 @@ public:
     Cut run() {
         std::vector<std::vector<std::size_t>> wanted(shapes_.size());
         for (std::size_t s = 0; s < shapes_.size(); ++s) {
-            wanted[s] = first_counts(workspace_.recipe, shapes_[s], groups_.size());
+            wanted[s] = nothing_to_choose() ? std::vector{shapes_[s].least}
+                                            : first_counts(workspace_.recipe, shapes_[s], groups_.size());
         }
         Cut cut = Cut::none;
         do {
             cut = explore(workspace_, shapes_, wanted);
             workspace_.journal.round(explored_share());
             wanted = rungs_over_limit();
-            if (wanted.empty()) {
+            if (wanted.empty() && !nothing_to_choose()) {
                 wanted = rungs_that_save();
             }
         } while (!wanted.empty() && cut == Cut::none);
@@ -221,6 +239,9 @@ public:
     }
 
 private:
+    /// Returns whether the budget is just enough for the least count of every group.
+    bool nothing_to_choose() const { return groups_.size() > 1 && goal_.most == least_; }
+
     /// Returns the progress: the share of the available spheres that the shapes were explored with.
     double explored_share() const {
         double explored = 0;
@@ -234,8 +255,7 @@ private:
     double gain(std::size_t s) const { return weights_[s] * expected_gain(workspace_.recipe, shapes_[s]); }
 
     std::vector<std::size_t> rungs(std::size_t s) const {
-        return next_rungs(shapes_[s].known.asked.rbegin()->first, shapes_[s].least,
-                          most_of(workspace_.recipe, shapes_[s]));
+        return rungs_above(shapes_[s], shapes_[s].known.asked.rbegin()->first, most_of(workspace_.recipe, shapes_[s]));
     }
 
     /// Returns the next candidate counts of shapes that keep their limit with no known count. Empty: none of them could
@@ -317,7 +337,7 @@ Cut narrow_down(const Workspace& workspace, std::vector<ShapeWork>& shapes, cons
             }
             low = asked;
         }
-        if (high <= low + 1 || high <= work.least) {
+        if (high <= low + work.unit || high <= work.least) {
             break;
         }
         cut = explore(workspace, shapes, {{(low + high) / 2}});
@@ -340,4 +360,4 @@ Cut explore_for(const Workspace& workspace, std::vector<ShapeWork>& shapes, cons
     return cut;
 }
 
-} // namespace foam::runtime
+} // namespace foam::inline runtime

@@ -13,7 +13,7 @@ namespace foam::inline runtime {
 
 /// The goal of an allocation.
 struct Goal {
-    std::size_t most = SIZE_MAX;  ///< number of spheres
+    std::size_t most = SIZE_MAX;  ///< number of elements, or cost: see total_of()
     std::optional<double> enough; ///< m³; an excess volume that is good enough
 };
 
@@ -29,6 +29,9 @@ bool has_fixed_count(const Recipe& recipe, const ShapeWork& shape, std::size_t g
 
 /// Returns the fixed count of such a shape; SIZE_MAX: as many as the spherizer makes by its own parameters.
 std::size_t fixed_count(const Recipe& recipe, const ShapeWork& shape);
+
+/// Returns next_rungs() in the unit of the shape's counts.
+std::vector<std::size_t> rungs_above(const ShapeWork& shape, std::size_t explored, std::size_t most);
 
 /// Returns the counts that choose_counts() requests of a shape before anything is known; 0: no budget. `groups`: number
 /// of groups of the robot.

@@ -47,7 +47,7 @@ Box box_of(const Primitive& primitive, const Pose& pose) {
     return box;
 }
 
-void add(InputSize& size, const Element& element, const Pose& link) {
+void add(InputSize& size, const CollisionElement& element, const Pose& link) {
     const Pose pose = link * element.source->origin;
     if (const Primitive* primitive = element.primitive()) {
         size.box.add(box_of(*primitive, pose));
@@ -125,7 +125,7 @@ InputSize input_size(const Robot& robot, const std::vector<LinkWork>& links) {
     InputSize size;
     for (const LinkWork& link : links) {
         const auto pose = poses.find(link.link->name);
-        for (const Element& element : link.elements) {
+        for (const CollisionElement& element : link.elements) {
             add(size, element, pose == poses.end() ? Pose{} : pose->second);
         }
     }

@@ -84,7 +84,7 @@ SphereTree with_kept(const std::vector<Sphere>& kept, SphereTree tree) {
         if (l == 0) {
             continue;
         }
-        std::vector<std::uint32_t> parents(kept.size()); // each is its own parent
+        std::vector<std::uint32_t> parents(kept.size()); // each is its own parent; indices count spheres first
         for (std::size_t i = 0; i < kept.size(); ++i) {
             parents[i] = static_cast<std::uint32_t>(i);
         }

@@ -5,10 +5,12 @@
 #include "own_frame.hpp"
 
 #include <foam/base/text.hpp>
+#include <foam/geometry/element_measure.hpp>
 #include <foam/geometry/inner.hpp>
 #include <foam/geometry/internal/filled.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/internal/cover.hpp>
+#include <foam/runtime/internal/elements.hpp>
 
 #include <fmt/format.h>
 
@@ -20,7 +22,7 @@ namespace foam::inline runtime {
 std::shared_ptr<const Solid> solid_of(const LinkWork& link, const std::vector<std::size_t>& elements) {
     std::vector<Solid::Part> parts;
     for (const std::size_t e : elements) {
-        const Element& element = link.elements[e];
+        const CollisionElement& element = link.elements[e];
         Solid::Part part;
         if (const Primitive* primitive = element.primitive()) {
             part.primitive = *primitive;
@@ -43,15 +45,15 @@ std::vector<std::size_t> all_elements(const LinkWork& link) {
     return elements;
 }
 
-Measures measured(const Workspace& workspace, const Solid& solid, const std::vector<Sphere>& spheres) {
+Measures measured(const Workspace& workspace, const Solid& solid, const ElementsView& elements) {
     MeasureOptions options;
     options.seed = workspace.recipe.seed;
-    Measures measures = measure(solid, spheres, options);
+    Measures measures = measure(solid, elements, options);
     switch (workspace.recipe.guarantee) {
     case Guarantee::outer: // as measured
         break;
     case Guarantee::inner:
-        measures.certified = certify_inner(solid, spheres).holds;
+        measures.certified = elements.others.empty() && certify_inner(solid, elements.spheres).holds;
         break;
     case Guarantee::fitted:
         measures.certified = false;
@@ -62,14 +64,14 @@ Measures measured(const Workspace& workspace, const Solid& solid, const std::vec
 /// Returns the measures of a solid whose inside counts as geometry; what is proved and how much of the surface is
 /// covered is that of the solid itself. `volume`: of what was filled, m³.
 Measures measured_filled(const Workspace& workspace, const std::shared_ptr<const Solid>& solid,
-                         const std::vector<Sphere>& spheres, double& volume) {
+                         const ElementsView& elements, double& volume) {
     const std::shared_ptr<const Solid> full = geometry::filled(solid);
-    const Measures own = measured(workspace, *solid, spheres);
+    const Measures own = measured(workspace, *solid, elements);
     if (full == solid) {
         return own;
     }
     volume = std::max(0.0, full->volume() - solid->volume());
-    Measures measures = measured(workspace, *full, spheres);
+    Measures measures = measured(workspace, *full, elements);
     measures.certified = own.certified;
     measures.gap = own.gap;
     measures.covered = own.covered;
@@ -78,8 +80,8 @@ Measures measured_filled(const Workspace& workspace, const std::shared_ptr<const
 }
 
 /// Reports the half-space constraints on the numbers that are written.
-void report_planes(const Workspace& workspace, LinkWork& link, const std::vector<Sphere>& spheres) {
-    link.report.clip = reached(link.recipe.clip, spheres);
+void report_planes(const Workspace& workspace, LinkWork& link, const ElementsView& elements) {
+    link.report.clip = reached(link.recipe.clip, elements);
     for (const std::string& sentence : not_kept(link.report.clip)) {
         workspace.journal.finding({Severity::warning, link.link->name, "", sentence});
     }
@@ -106,7 +108,7 @@ std::vector<Vec3> vertices_of(const LinkWork& link) {
     if (!is_workable(link)) {
         return points;
     }
-    for (const Element& element : link.elements) {
+    for (const CollisionElement& element : link.elements) {
         const Primitive* primitive = element.primitive();
         if (!primitive && !element.raw) {
             return {};
@@ -219,17 +221,15 @@ private:
             return {.tree = flat_tree(kept), .growth = 0, .one_instead = false};
         }
         FinishedTree result = finished(*group.uncovered);
-        // Corners of pieces of triangles are rounded: the other spheres overlap these pieces by more than that.
-        const double overlap = 1e-9 * group.solid->bounds().diagonal();
-        result.tree = with_kept(kept, padded(*group.solid, std::move(result.tree), overlap));
+        result.tree = with_kept(kept, beside_kept(*group.solid, std::move(result.tree)));
         return result;
     }
 
     void cover_by_one(std::size_t g) {
         workspace_.journal.finding({Severity::warning, out_[g].link, "",
-                                    fmt::format("the time limit of {} s is too short to make its {} spheres cover the "
+                                    fmt::format("the time limit of {} s is too short to make its {} cover the "
                                                 "link and to measure them; one enclosing sphere replaces them",
-                                                *workspace_.time_limit(), groups_[g].tree.finest().size())});
+                                                *workspace_.time_limit(), counts_text(kinds_of(groups_[g].tree.elements())))});
         const Solid& solid = groups_[g].uncovered ? *groups_[g].uncovered : *groups_[g].solid;
         cover_by(g, flat_tree({minimum_enclosing_sphere(solid.surface().vertices)}), workspace_);
     }
@@ -239,8 +239,8 @@ private:
         const bool fill = links_[groups_[g].link].recipe.hollow == Hollow::fill;
         out.measures =
             run_stage(in_time, "measure", out.link, out.geometries.front(), "", reports[g][1], [&](Context&) {
-                return fill ? measured_filled(workspace_, groups_[g].solid, out.tree.finest(), filled[g])
-                            : measured(workspace_, *groups_[g].solid, out.tree.finest());
+                return fill ? measured_filled(workspace_, groups_[g].solid, out.tree.elements(), filled[g])
+                            : measured(workspace_, *groups_[g].solid, out.tree.elements());
             });
     }
 
@@ -279,8 +279,7 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
         std::vector<Measures> unpadded;
         for (std::size_t g = 0; g < groups.size(); ++g) {
             if (groups[g].link == l) {
-                const auto& spheres = result.model.groups[g].tree.finest();
-                link.spheres.insert(link.spheres.end(), spheres.begin(), spheres.end());
+                append(link.elements, result.model.groups[g].tree.elements());
                 links[l].report.growth = std::max(links[l].report.growth, finishing.growth[g]);
                 links[l].report.measures = result.model.groups[g].measures;
                 unpadded.push_back(finishing.unpadded[g]);
@@ -296,15 +295,16 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
                 link.solid = solid_of(links[l]);
                 links[l].report.measures =
                     links[l].recipe.hollow == Hollow::fill
-                        ? measured_filled(workspace, link.solid, link.spheres, links[l].report.filled)
-                        : measured(workspace, *link.solid, link.spheres);
+                        ? measured_filled(workspace, link.solid, link.elements.view(), links[l].report.filled)
+                        : measured(workspace, *link.solid, link.elements.view());
                 require_proof(workspace, links[l]);
             }
             if (links[l].recipe.pad > 0) {
                 links[l].report.pad = links[l].recipe.pad;
                 links[l].report.unpadded = total(unpadded);
             }
-            report_planes(workspace, links[l], link.spheres);
+            links[l].report.kinds = kinds_of(link.elements.view());
+            report_planes(workspace, links[l], link.elements.view());
             result.links.push_back(std::move(link));
         }
     }

@@ -22,8 +22,10 @@ void tell_loose_links(const Workspace& workspace, const FinishedModel& finished)
     }
     std::size_t most = 0;
     std::vector<Measures> all;
+    bool spheres = true;
     for (const FinishedLink& link : finished.links) {
-        most = std::max(most, link.spheres.size());
+        most = std::max(most, link.elements.size());
+        spheres = spheres && link.elements.others.empty();
         all.push_back(link.work->report.measures);
     }
     const double excess = total(all).excess;
@@ -31,7 +33,7 @@ void tell_loose_links(const Workspace& workspace, const FinishedModel& finished)
     double largest = 0;
     for (const FinishedLink& link : finished.links) {
         const double own = link.work->report.measures.excess;
-        if (own > loose_excess && own > looser * excess && most >= more * link.spheres.size()) {
+        if (own > loose_excess && own > looser * excess && most >= more * link.elements.size()) {
             names.push_back(shown(link.work->link->name));
             largest = std::max(largest, own);
         }
@@ -44,10 +46,10 @@ void tell_loose_links(const Workspace& workspace, const FinishedModel& finished)
         workspace.journal.finding(
             {Severity::warning, "", "",
              fmt::format(
-                 "few spheres fit {} loosely: {}{}: excess {}{:.1f}, the robot's is {:.2f}; the allocation goes "
+                 "few {} fit {} loosely: {}{}: excess {}{:.1f}, the robot's is {:.2f}; the allocation goes "
                  "by volume, and small links have little; remedy: budget: {{share: even}}, or links: {{{}: "
                  "{{min_spheres: …}}}}",
-                 one ? "a small link" : "small links", fmt::join(names, ", "),
+                 spheres ? "spheres" : "elements", one ? "a small link" : "small links", fmt::join(names, ", "),
                  others > 0 ? fmt::format(" and {} more", others) : "", one ? "" : "up to ", largest, excess,
                  names.front())});
     }

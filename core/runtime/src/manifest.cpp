@@ -49,6 +49,9 @@ Json to_json(const LinkReport& report) {
     } else {
         link["growth_m"] = report.growth;
         link["measures"] = to_json(report.measures);
+        if (!spheres_alone(report.kinds)) {
+            link["kinds"] = json_of_kinds<Json>(report.kinds);
+        }
         if (report.visual_gap) {
             const VisualGap& gap = *report.visual_gap;
             gap.unknown.empty() ? link["visual_gap_m"] = gap.length : link["visual_gap_unknown"] = gap.unknown;

@@ -1,7 +1,9 @@
 #include "objective.hpp"
 
+#include <foam/geometry/element_measure.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/internal/cover.hpp>
+#include <foam/runtime/internal/elements.hpp>
 
 #include <algorithm>
 
@@ -27,6 +29,29 @@ double figure_of(const Solid& solid, const std::vector<Sphere>& spheres, Objecti
     double largest = 0;
     for (const Sphere& sphere : grown_to_cover(solid, spheres)) {
         largest = std::max(largest, sphere.radius);
+    }
+    return largest;
+}
+
+double figure_of(const Solid& solid, const ElementsView& elements, Objective objective) {
+    if (elements.others.empty()) {
+        return figure_of(solid, std::vector<Sphere>(elements.spheres.begin(), elements.spheres.end()), objective);
+    }
+    switch (objective) {
+    case Objective::excess:
+        return cost_of_elements(solid, elements, Guarantee::outer);
+    case Objective::protrusion:
+        return protrusion_of_elements(solid, elements, Guarantee::outer);
+    case Objective::radius:
+        break;
+    }
+    const Approximation::Level grown = grown_to_cover(solid, level_of(elements));
+    double largest = 0;
+    for (const Sphere& sphere : grown.spheres) {
+        largest = std::max(largest, sphere.radius);
+    }
+    for (const Element& element : grown.others) {
+        largest = std::max(largest, minimum_enclosing_sphere(enclosing_mesh(element).vertices).radius);
     }
     return largest;
 }

@@ -17,5 +17,7 @@ std::optional<Objective> objective_of(const StageCall& spherizer, const Registry
 /// Returns the figure that the objective minimises, of the spheres grown to cover the solid: the excess volume, m³, the
 /// largest protrusion, m, or the largest radius, m.
 double figure_of(const Solid& solid, const std::vector<Sphere>& spheres, Objective objective);
+/// Returns the same for elements of any kind; their size is the radius of the smallest sphere around each.
+double figure_of(const Solid& solid, const ElementsView& elements, Objective objective);
 
 } // namespace foam::runtime

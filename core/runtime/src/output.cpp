@@ -1,6 +1,12 @@
 #include <foam/runtime/internal/output.hpp>
 
 #include <foam/base/internal/files.hpp>
+#include <foam/base/text.hpp>
+#include <foam/sdk/kinds.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
 
 namespace foam::inline runtime {
 
@@ -19,9 +25,15 @@ struct WrittenText {
     std::string text, portable;
 };
 
-/// Returns the files of an output: that of its writer, then the companions of that, in the order of the endings.
-static std::vector<WrittenText> texts_of(const Writer& writer, const std::vector<std::string>& companions,
-                                         SphereModel model, const std::filesystem::path& target, Context& context) {
+/// The files of an output.
+struct WrittenTexts {
+    std::vector<WrittenText> texts; ///< that of its writer, then the companions of that, in the order of the endings
+    std::map<std::string, std::string> beside; ///< Writer::files_beside()
+};
+
+/// Returns the files of an output.
+static WrittenTexts texts_of(const Writer& writer, const std::vector<std::string>& companions, SphereModel model,
+                             const std::filesystem::path& target, Context& context) {
     const auto all = [&](Context& for_this) {
         std::vector<std::string> texts{writer.write(model, for_this)};
         for (const std::string& ending : companions) {
@@ -34,11 +46,28 @@ static std::vector<WrittenText> texts_of(const Writer& writer, const std::vector
     std::vector<std::string> portable = all(quiet);
     model.folder = target.parent_path();
     std::vector<std::string> texts = all(context);
-    std::vector<WrittenText> result;
+    WrittenTexts result;
     for (std::size_t i = 0; i < texts.size(); ++i) {
-        result.push_back({std::move(texts[i]), std::move(portable[i])});
+        result.texts.push_back({std::move(texts[i]), std::move(portable[i])});
     }
+    result.beside = writer.files_beside(model, context);
     return result;
+}
+
+/// Returns the path in the run directory of a file beside an output. Throws Error(plugin) if it leads elsewhere, or is
+/// another output.
+static std::filesystem::path beside_file(const std::string& name, const OutputCall& output, const Recipe& recipe) {
+    const std::filesystem::path relative(name);
+    const std::filesystem::path file = (std::filesystem::path(output.file).parent_path() / relative).lexically_normal();
+    const bool within = is_within_folder(relative);
+    const bool taken = std::any_of(recipe.outputs.begin(), recipe.outputs.end(),
+                                   [&](const OutputCall& other) { return other.file == file; });
+    if (!within || taken) {
+        throw Error(ErrorCode::plugin,
+                    fmt::format("the writer broke its contract: it writes '{}' beside {}, {}", shown(name), output.file,
+                                taken ? "which is another output" : "outside its folder"));
+    }
+    return file;
 }
 
 /// Writes a file into the run directory. Returns its record.
@@ -56,7 +85,7 @@ static OutputFile record_of(const WrittenText& written, const OutputCall& output
 std::vector<OutputFile> write_outputs(const Workspace& workspace, const FinishedModel& finished,
                                       const RunDirectory& directory) {
     const std::vector<OutputCall>& outputs = workspace.recipe.outputs;
-    std::vector<std::vector<WrittenText>> texts(outputs.size());
+    std::vector<WrittenTexts> texts(outputs.size());
     std::vector<std::unique_ptr<Writer>> writers(outputs.size());
     const auto as_task = [&](std::size_t i, const auto& body) {
         StageReport report;
@@ -70,6 +99,7 @@ std::vector<OutputFile> write_outputs(const Workspace& workspace, const Finished
     parallel_for(outputs.size(), [&](std::size_t i) {
         texts[i] = as_task(i, [&](Context& context) {
             writers[i] = workspace.registry.make<Writer>(outputs[i].writer.stage, outputs[i].writer.given);
+            require_held(workspace.registry.find(outputs[i].writer.stage)->info, finished.model);
             SphereModel model = finished.model;
             model.into = into_of(workspace, outputs[i]);
             return texts_of(*writers[i], companions(i), std::move(model), directory.target() / outputs[i].file,
@@ -81,14 +111,19 @@ std::vector<OutputFile> write_outputs(const Workspace& workspace, const Finished
     std::vector<std::vector<OutputFile>> files(outputs.size());
     parallel_for(outputs.size(), [&](std::size_t i) {
         std::vector<WrittenProof> proofs = as_task(i, [&](Context&) {
-            return prove_written(writers[i]->read(texts[i].front().text), finished, workspace.recipe.guarantee,
-                                 workspace.recipe.proved_numbers(workspace.registry), outputs[i].file);
+            return prove_written(writers[i]->read_elements(texts[i].texts.front().text, texts[i].beside), finished,
+                                 workspace.recipe.guarantee, workspace.recipe.proved_numbers(workspace.registry),
+                                 outputs[i].file);
         });
-        files[i].push_back(record_of(texts[i].front(), outputs[i], outputs[i].file, directory));
+        files[i].push_back(record_of(texts[i].texts.front(), outputs[i], outputs[i].file, directory));
         files[i].front().proofs = std::move(proofs);
-        for (std::size_t k = 1; k < texts[i].size(); ++k) {
+        for (std::size_t k = 1; k < texts[i].texts.size(); ++k) {
             const std::string file = companion_of(outputs[i].file, companions(i)[k - 1]).string();
-            files[i].push_back(record_of(texts[i][k], outputs[i], file, directory));
+            files[i].push_back(record_of(texts[i].texts[k], outputs[i], file, directory));
+        }
+        for (const auto& [name, text] : texts[i].beside) {
+            const std::string file = beside_file(name, outputs[i], workspace.recipe).string();
+            files[i].push_back(record_of({text, text}, outputs[i], file, directory));
         }
     });
     std::vector<OutputFile> all;
@@ -98,4 +133,4 @@ std::vector<OutputFile> write_outputs(const Workspace& workspace, const Finished
     return all;
 }
 
-} // namespace foam::runtime
+} // namespace foam::inline runtime

@@ -19,7 +19,7 @@ Box box_of(const Primitive& primitive) {
 }
 
 /// Returns "arm.urdf:12: box"; of a single mesh its name.
-std::string name_of(const Robot& robot, const Element& element) {
+std::string name_of(const Robot& robot, const CollisionElement& element) {
     return element.source->line > 0
                ? fmt::format("{}:{}: {}", robot.file.string(), element.source->line, element.geometry)
                : element.geometry;
@@ -27,7 +27,7 @@ std::string name_of(const Robot& robot, const Element& element) {
 
 /// Returns why the geometry is not workable, first in its own frame, then in the link's frame, where it is covered;
 /// empty if it is workable.
-std::string why_not_workable(const Element& element, const Pose& origin, Box& in_link) {
+std::string why_not_workable(const CollisionElement& element, const Pose& origin, Box& in_link) {
     const Box box = bounds_of(element);
     if (std::string why = geometry::why_out_of_bounds(box); !why.empty()) {
         return why;
@@ -41,13 +41,13 @@ std::string why_not_workable(const Element& element, const Pose& origin, Box& in
 }
 
 struct Complaint {
-    const Element* element = nullptr; ///< null: all of them together
+    const CollisionElement* element = nullptr; ///< null: all of them together
     std::string why;                  ///< empty: no problem
 };
 
 Complaint complaint_of(const LinkWork& link) {
     Box whole;
-    for (const Element& element : link.elements) {
+    for (const CollisionElement& element : link.elements) {
         if (!element.raw && !element.primitive()) {
             return {}; // not loaded
         }
@@ -74,17 +74,8 @@ bool keeps_bounds(const Parameter& declared, double value) {
 
 } // namespace
 
-Box bounds_of(const Element& element) {
+Box bounds_of(const CollisionElement& element) {
     return element.raw ? geometry::bounds_of_corners(*element.raw) : box_of(*element.primitive());
-}
-
-Box posed(const Box& box, const Pose& pose) {
-    Box result;
-    for (int corner = 0; corner < 8; ++corner) {
-        result.add(pose * Vec3{corner & 1 ? box.low.x : box.high.x, corner & 2 ? box.low.y : box.high.y,
-                               corner & 4 ? box.low.z : box.high.z});
-    }
-    return result;
 }
 
 void require_workable(const Robot& robot, const LinkWork& link) {

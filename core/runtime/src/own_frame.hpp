@@ -2,6 +2,7 @@
 #pragma once
 
 #include <foam/geometry/internal/own_frame.hpp>
+#include <foam/geometry/internal/posed_box.hpp>
 #include <foam/runtime/internal/prepare.hpp>
 #include <foam/sdk/context.hpp>
 #include <foam/sdk/registry.hpp>
@@ -9,9 +10,7 @@
 namespace foam::inline runtime {
 
 /// Returns the bounds of a loaded element, in its own frame.
-Box bounds_of(const Element& element);
-/// Returns a box that contains the box at the pose.
-Box posed(const Box& box, const Pose& pose);
+Box bounds_of(const CollisionElement& element);
 
 /// Throws Error(input) with link, geometry, number and remedy if a loaded link's geometry is larger, smaller or farther
 /// from the origin than foam can work on.

@@ -63,7 +63,7 @@ private:
                 link.overrides.push_back(change);
             }
         }
-        for (const Element& element : work.elements) {
+        for (const CollisionElement& element : work.elements) {
             link.geometry.push_back(element.geometry);
         }
         if (link.skipped || work.error) {

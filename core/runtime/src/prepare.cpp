@@ -76,7 +76,7 @@ std::vector<LinkWork> links_to_do(const Workspace& workspace, const Robot& robot
         work.report.skipped = work.recipe.skip;
         if (!work.recipe.skip) {
             for (const GeometryElement& source : link.collisions) {
-                Element element;
+                CollisionElement element;
                 element.source = &source;
                 const auto* mesh = std::get_if<MeshReference>(&source.geometry);
                 element.geometry = mesh ? mesh->uri : to_string(std::get<Primitive>(source.geometry).kind);
@@ -198,7 +198,7 @@ std::vector<FilterTask> filter_tasks(const Workspace& workspace, std::vector<Lin
             continue; // no stage gets refused geometry
         }
         for (std::size_t e = 0; e < links[l].elements.size(); ++e) {
-            Element& element = links[l].elements[e];
+            CollisionElement& element = links[l].elements[e];
             if (!element.raw) {
                 if (const Primitive* primitive = element.primitive()) {
                     element.digest = Hasher().add(*primitive).finish();

@@ -1,8 +1,10 @@
 #include "reference_pose.hpp"
 
+#include <foam/collision/separation.hpp>
 #include <foam/geometry/self_intersection.hpp>
 #include <foam/robot/internal/chain.hpp>
 #include <foam/robot/kinematics.hpp>
+#include <foam/runtime/internal/elements.hpp>
 #include <foam/runtime/internal/links.hpp>
 
 #include <fmt/format.h>
@@ -47,6 +49,32 @@ bool touch(const Solid& a, const Solid& b, const Pose& pose) {
     const auto crossings = self_intersections(both);
     return std::any_of(crossings.begin(), crossings.end(),
                        [&](const auto& pair) { return pair.first < border && pair.second >= border; });
+}
+
+/// Returns the depth of the two elements that overlap most, of which at least one is no sphere. Not above 0: they are
+/// apart by more than the rounding.
+double depth_of_others(const Approximation::Level& a, const Approximation::Level& b) {
+    constexpr double rounding = 1e-5;
+    double deepest = -std::numeric_limits<double>::infinity();
+    const auto compare = [&](const Element& s, const Element& t) {
+        const Separation between = separation(s, t);
+        const double reach = rounding * (bounds(s).diagonal() + bounds(t).diagonal()) / 2;
+        deepest = std::max(deepest, between.low > 0 ? reach - between.low : reach + between.depth);
+    };
+    for (const Element& s : a.others) {
+        for (const Element& t : b.others) {
+            compare(s, t);
+        }
+        for (const Sphere& t : b.spheres) {
+            compare(s, element_of(t));
+        }
+    }
+    for (const Sphere& s : a.spheres) {
+        for (const Element& t : b.others) {
+            compare(element_of(s), t);
+        }
+    }
+    return deepest;
 }
 
 /// Returns the depth of the two spheres that overlap most, m. Negative: their distance, less the possible rounding.
@@ -98,13 +126,10 @@ bool ReferencePose::geometry_touches(std::size_t a, std::size_t b) {
     return touching_[{a, b}] = touch(*solids_[a], *solids_[b], poses_[b].inverse() * poses_[a]);
 }
 
-std::vector<Overlap> ReferencePose::overlaps(const std::vector<SpheresOfLink>& all) {
-    std::vector<std::vector<Sphere>> placed;
-    for (const SpheresOfLink& link : all) {
-        placed.push_back(link.spheres);
-        for (Sphere& sphere : placed.back()) {
-            sphere.center = poses_[link.link] * sphere.center;
-        }
+std::vector<Overlap> ReferencePose::overlaps(const std::vector<ElementsOfLink>& all) {
+    std::vector<Approximation::Level> placed;
+    for (const ElementsOfLink& link : all) {
+        placed.push_back(moved(link.elements, poses_[link.link]));
     }
     std::vector<Overlap> overlaps;
     for (std::size_t a = 0; a < all.size(); ++a) {
@@ -112,7 +137,8 @@ std::vector<Overlap> ReferencePose::overlaps(const std::vector<SpheresOfLink>& a
             if (neighbours_[all[a].link][all[b].link]) {
                 continue;
             }
-            const double deepest = depth(placed[a], placed[b]);
+            const double deepest =
+                std::max(depth(placed[a].spheres, placed[b].spheres), depth_of_others(placed[a], placed[b]));
             if (deepest > 0 && !geometry_touches(all[a].link, all[b].link)) {
                 overlaps.push_back({a, b, deepest});
             }

@@ -12,16 +12,16 @@
 
 namespace foam::inline runtime {
 
-/// The spheres of a link, in its frame.
-struct SpheresOfLink {
+/// The elements of a link, in its frame.
+struct ElementsOfLink {
     std::size_t link = 0; ///< index into the links
-    std::vector<Sphere> spheres;
+    Approximation::Level elements;
 };
 
-/// Two entries of a list of SpheresOfLink that overlap.
+/// Two entries of a list of ElementsOfLink that overlap.
 struct Overlap {
     std::size_t first = 0, second = 0;
-    double depth = 0; ///< m; of the two spheres that overlap most
+    double depth = 0; ///< m; of the two elements that overlap most; from below where one is not a sphere
 };
 
 /// A reference pose of one run. Not thread-safe.
@@ -31,10 +31,10 @@ public:
     /// Error(recipe) for a joint that the robot does not have or that does not move independently.
     ReferencePose(std::shared_ptr<const Robot> robot, const JointValues& values, const std::vector<LinkWork>& links);
 
-    /// Returns the overlaps of spheres of links that are to stay apart: links that are not neighbours and whose
-    /// geometry does not touch in this pose. Spheres also count if their distance is below the rounding of written
+    /// Returns the overlaps of elements of links that are to stay apart: links that are not neighbours and whose
+    /// geometry does not touch in this pose. Elements also count if their distance is below the rounding of written
     /// numbers.
-    std::vector<Overlap> overlaps(const std::vector<SpheresOfLink>& all);
+    std::vector<Overlap> overlaps(const std::vector<ElementsOfLink>& all);
 
 private:
     bool geometry_touches(std::size_t a, std::size_t b);

@@ -1,9 +1,11 @@
 #include "refinements.hpp"
 
 #include <foam/base/cancellation.hpp>
+#include <foam/runtime/internal/elements.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace foam::inline runtime {
@@ -16,6 +18,17 @@ RefinementGoal goal_of(const Workspace& workspace, const ShapeWork& work) {
             .clip = work.clip};
 }
 
+/// Throws Error(recipe) for elements that the refiner does not know: it might drop them.
+void require_known(const Workspace& workspace, const RefinementWork& refinement, const SphereTree& tree) {
+    const std::vector<Element::Kind>& known = workspace.registry.find(refinement.call.stage)->info.kinds;
+    for (const Element& element : tree.levels.back().others) {
+        if (!knows_all(known, {element.kind})) {
+            throw Error(ErrorCode::recipe, fmt::format("it refines {} alone, not {}; remedy: delete it",
+                                                       words_of(known), noun_of(element.kind, 2)));
+        }
+    }
+}
+
 SphereTree refined_by(const Workspace& workspace, ShapeWork& work, RefinementWork& refinement, SphereTree tree,
                       std::size_t most) {
     const std::string& stage = refinement.call.stage;
@@ -25,8 +38,9 @@ SphereTree refined_by(const Workspace& workspace, ShapeWork& work, RefinementWor
     const ActivityScope activity(place_of(stage, work.link, work.input), CrashRemedy::isolate_stage);
     const double begin = workspace.journal.seconds();
     try {
+        require_known(workspace, refinement, tree);
         SphereTree result = refinement.refinement->refine(tree, most, context);
-        check_tree(result, most, "refiner");
+        check_tree(result, {.max_spheres = most}, workspace.registry.find(stage)->info.kinds, "refiner");
         tree = std::move(result);
     } catch (const Error& error) {
         if (error.code() != ErrorCode::cancelled) {
@@ -42,33 +56,66 @@ SphereTree refined_by(const Workspace& workspace, ShapeWork& work, RefinementWor
 
 } // namespace
 
-void check_tree(const SphereTree& tree, std::optional<std::size_t> most, std::string_view kind) {
-    const auto broken = [kind](const std::string& what) {
-        throw Error(ErrorCode::plugin, fmt::format("the {} broke its contract: {}", kind, what));
-    };
-    if (tree.levels.empty() || tree.finest().empty()) {
-        broken("it returned no spheres");
+namespace {
+
+[[noreturn]] void broken(std::string_view stage_kind, const std::string& what) {
+    throw Error(ErrorCode::plugin, fmt::format("the {} broke its contract: {}", stage_kind, what));
+}
+
+void check_elements(const SphereTree::Level& level, const std::vector<Element::Kind>& kinds,
+                    std::string_view stage_kind) {
+    for (const Sphere& sphere : level.spheres) {
+        if (!is_finite(sphere.center) || !std::isfinite(sphere.radius) || sphere.radius < 0) {
+            broken(stage_kind, "a sphere is not finite or has a negative radius");
+        }
     }
-    if (most && tree.finest().size() > *most) {
-        broken(fmt::format("it returned {} spheres where at most {} were requested", tree.finest().size(),
-                           *most));
+    for (const Element& element : level.others) {
+        if (std::find(kinds.begin(), kinds.end(), element.kind) == kinds.end()) {
+            broken(stage_kind,
+                   fmt::format("it returned a {}, which its StageInfo::kinds lacks", noun_of(element.kind, 1)));
+        }
+        if (!is_valid(element)) {
+            broken(stage_kind, fmt::format("a {} is not finite, has no volume or a rotation that is none",
+                                           noun_of(element.kind, 1)));
+        }
+    }
+}
+
+void check_parents(const SphereTree& tree, std::size_t l, std::string_view stage_kind) {
+    const SphereTree::Level& level = tree.levels[l];
+    if (l == 0 ? !level.parents.empty() : level.parents.size() != level.size()) {
+        broken(stage_kind, fmt::format("level {} has {} {} and {} parents", l, level.size(),
+                                       level.others.empty() ? "spheres" : "elements", level.parents.size()));
+    }
+    for (const std::uint32_t parent : level.parents) {
+        if (parent >= tree.levels[l - 1].size()) {
+            broken(stage_kind, fmt::format("a parent index of level {} is out of range", l));
+        }
+    }
+}
+
+} // namespace
+
+void check_tree(const SphereTree& tree, const Budget& budget, const std::vector<Element::Kind>& kinds,
+                std::string_view stage_kind) {
+    if (tree.levels.empty() || tree.elements().empty()) {
+        broken(stage_kind, "it returned no spheres");
+    }
+    const ElementsView finest = tree.elements();
+    const char* noun = finest.others.empty() ? "spheres" : "elements";
+    if (budget.max_spheres && finest.size() > *budget.max_spheres) {
+        broken(stage_kind, fmt::format("it returned {} {} where at most {} were requested", finest.size(), noun,
+                                       *budget.max_spheres));
+    }
+    constexpr double rounding = 1e-9;
+    if (const double price = price_of(finest, budget.cost);
+        budget.max_cost && finest.size() > 1 && price > *budget.max_cost * (1 + rounding)) {
+        broken(stage_kind, fmt::format("it returned {} that cost {}, where at most {} was requested", noun, price,
+                                       *budget.max_cost));
     }
     for (std::size_t l = 0; l < tree.levels.size(); ++l) {
-        const SphereTree::Level& level = tree.levels[l];
-        for (const Sphere& sphere : level.spheres) {
-            if (!is_finite(sphere.center) || !std::isfinite(sphere.radius) || sphere.radius < 0) {
-                broken("a sphere is not finite or has a negative radius");
-            }
-        }
-        if (l == 0 ? !level.parents.empty() : level.parents.size() != level.spheres.size()) {
-            broken(
-                fmt::format("level {} has {} spheres and {} parents", l, level.spheres.size(), level.parents.size()));
-        }
-        for (const std::uint32_t parent : level.parents) {
-            if (parent >= tree.levels[l - 1].spheres.size()) {
-                broken(fmt::format("a parent index of level {} is out of range", l));
-            }
-        }
+        check_elements(tree.levels[l], kinds, stage_kind);
+        check_parents(tree, l, stage_kind);
     }
 }
 
@@ -97,4 +144,4 @@ SphereTree refined(const Workspace& workspace, ShapeWork& work, SphereTree tree,
     return tree;
 }
 
-} // namespace foam::runtime
+} // namespace foam::inline runtime

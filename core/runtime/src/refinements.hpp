@@ -14,8 +14,9 @@ void begin_refinements(const Workspace& workspace, ShapeWork& work);
 enum class Refiners { all, not_adding };
 SphereTree refined(const Workspace& workspace, ShapeWork& work, SphereTree tree, std::size_t most, Refiners which);
 
-/// Checks the contract of spherizers and refiners: finite spheres, at most as many as requested, valid parents. Throws
-/// Error(plugin).
-void check_tree(const SphereTree& tree, std::optional<std::size_t> most, std::string_view kind);
+/// Checks the contract of spherizers and refiners: finite spheres, valid elements of the kinds that the stage declares,
+/// at most as many as requested and as cost what was requested, valid parents. Throws Error(plugin).
+void check_tree(const SphereTree& tree, const Budget& budget, const std::vector<Element::Kind>& kinds,
+                std::string_view stage_kind);
 
 } // namespace foam::runtime

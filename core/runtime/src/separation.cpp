@@ -1,6 +1,8 @@
 #include "separation.hpp"
 
+#include <foam/geometry/element_measure.hpp>
 #include <foam/geometry/measure.hpp>
+#include <foam/runtime/internal/elements.hpp>
 
 #include <fmt/format.h>
 
@@ -12,16 +14,16 @@
 namespace foam::inline runtime {
 namespace {
 
-class Separation {
+class Parting {
 public:
-    Separation(const Workspace& workspace, std::vector<ShapeWork>& shapes, const std::vector<Group>& groups,
+    Parting(const Workspace& workspace, std::vector<ShapeWork>& shapes, const std::vector<Group>& groups,
                const Goal& goal, ReferencePose& pose)
         : workspace_(workspace), shapes_(shapes), groups_(groups), goal_(goal), pose_(pose),
           allocated_groups_(allocated_groups(shapes, groups)) {}
 
     /// Returns the overlaps. Their indices refer to the groups without an error.
     std::vector<Overlap> overlaps(const std::vector<std::size_t>& counts) {
-        std::vector<SpheresOfLink> all;
+        std::vector<ElementsOfLink> all;
         for (std::size_t t = 0; t < allocated_groups_.size(); ++t) {
             all.push_back(spheres_of(t, counts[t]));
         }
@@ -71,13 +73,9 @@ private:
         return {cost.over, groups_[allocated_groups_[allocated]].weight * cost.volume};
     }
 
-    SpheresOfLink spheres_of(std::size_t allocated, std::size_t count) {
+    ElementsOfLink spheres_of(std::size_t allocated, std::size_t count) {
         const Group& group = groups_[allocated_groups_[allocated]];
-        SpheresOfLink link{group.link, covering(group.shape, count)};
-        for (Sphere& sphere : link.spheres) {
-            sphere.center = group.frame * sphere.center;
-        }
-        return link;
+        return {group.link, moved(covering(group.shape, count), group.frame)};
     }
 
     /// Returns the most spheres that two groups can have beside the others.
@@ -101,7 +99,7 @@ private:
         constexpr double infinity = std::numeric_limits<double>::infinity();
         Pair best{0, 0, infinity, {infinity, infinity}};
         for (const auto& [a, cost_of_a] : known(overlap.first)) {
-            const SpheresOfLink first = spheres_of(overlap.first, a);
+            const ElementsOfLink first = spheres_of(overlap.first, a);
             for (const auto& [b, cost_of_b] : known(overlap.second)) {
                 if (a + b > room) {
                     continue;
@@ -123,7 +121,7 @@ private:
             const std::size_t asked = work.known.asked.rbegin()->first;
             const std::size_t most = std::min(most_of(workspace_.recipe, work), goal_.most);
             if (asked < most && asked < 4 * counts[t]) {
-                wanted[groups_[allocated_groups_[t]].shape] = next_rungs(asked, work.least, most);
+                wanted[groups_[allocated_groups_[t]].shape] = rungs_above(work, asked, most);
                 any = true;
             }
         }
@@ -131,10 +129,10 @@ private:
         return any;
     }
 
-    const std::vector<Sphere>& covering(std::size_t shape, std::size_t count) {
+    const Approximation::Level& covering(std::size_t shape, std::size_t count) {
         const auto [known, fresh] = covering_.try_emplace({shape, count});
         if (fresh) {
-            known->second = shapes_[shape].known.trees.at(count).finest();
+            known->second = level_of(shapes_[shape].known.trees.at(count).elements());
             if (workspace_.recipe.guarantee == Guarantee::outer) {
                 known->second = grown_to_cover(shapes_[shape].shape->original(), std::move(known->second));
             }
@@ -148,8 +146,8 @@ private:
     const Goal& goal_;
     ReferencePose& pose_;
     std::vector<std::size_t> allocated_groups_;
-    std::map<std::pair<std::size_t, std::size_t>, std::vector<Sphere>> covering_; ///< by shape and count
-    std::map<std::pair<std::size_t, std::size_t>, int> parted_;                   ///< restrictions by pair of groups
+    std::map<std::pair<std::size_t, std::size_t>, Approximation::Level> covering_; ///< by shape and count
+    std::map<std::pair<std::size_t, std::size_t>, int> parted_;                    ///< restrictions by pair of groups
 };
 
 double total_depth(const std::vector<Overlap>& overlaps) {
@@ -164,15 +162,15 @@ double total_depth(const std::vector<Overlap>& overlaps) {
 
 Shared keep_apart(const Workspace& workspace, std::vector<ShapeWork>& shapes, const std::vector<Group>& groups,
                   const Goal& goal, ReferencePose& pose, Shared shared, Cut& cut) {
-    Separation separation(workspace, shapes, groups, goal, pose);
+    Parting parting(workspace, shapes, groups, goal, pose);
     std::vector<Bounds> bounds(shared.counts.size());
-    std::vector<Overlap> overlaps = separation.overlaps(shared.counts);
+    std::vector<Overlap> overlaps = parting.overlaps(shared.counts);
     Shared best = shared;
     double least = total_depth(overlaps);
     while (least > 0 && cut == Cut::none) {
         bool parted = false;
         for (const Overlap& overlap : overlaps) {
-            parted = separation.part(overlap, shared.counts, bounds, cut) || parted;
+            parted = parting.part(overlap, shared.counts, bounds, cut) || parted;
         }
         if (allocated_groups(shapes, groups).size() != bounds.size()) {
             return share(shapes, groups, goal); // a spherizer failed meanwhile
@@ -183,7 +181,7 @@ Shared keep_apart(const Workspace& workspace, std::vector<ShapeWork>& shapes, co
         if (!parted || shared.counts.empty()) {
             break; // there are not enough spheres
         }
-        overlaps = separation.overlaps(shared.counts);
+        overlaps = parting.overlaps(shared.counts);
         if (const double depth = total_depth(overlaps); depth < least && shared.enough == best.enough) {
             least = depth;
             best = shared;
@@ -194,16 +192,19 @@ Shared keep_apart(const Workspace& workspace, std::vector<ShapeWork>& shapes, co
 
 void report_overlaps(const Workspace& workspace, const FinishedModel& finished, const std::vector<LinkWork>& links,
                      ReferencePose& pose) {
-    std::vector<SpheresOfLink> all;
+    std::vector<ElementsOfLink> all;
     for (const FinishedLink& link : finished.links) {
-        all.push_back({static_cast<std::size_t>(link.work - links.data()), link.spheres});
+        all.push_back({static_cast<std::size_t>(link.work - links.data()), link.elements});
     }
     for (const Overlap& overlap : pose.overlaps(all)) {
+        const bool spheres = finished.links[overlap.first].elements.others.empty() &&
+                             finished.links[overlap.second].elements.others.empty();
         workspace.journal.finding(
             {Severity::warning, finished.links[overlap.first].work->link->name, "",
-             fmt::format("its spheres overlap those of {} by {:.3g} m in the pose of self_collision, although the "
-                         "geometry of the two links does not touch; remedy: more spheres for both, or max_protrusion",
-                         finished.links[overlap.second].work->link->name, overlap.depth)});
+             fmt::format("its {0} overlap those of {1} by {2:.3g} m in the pose of self_collision, although the "
+                         "geometry of the two links does not touch; remedy: more {0} for both, or max_protrusion",
+                         spheres ? "spheres" : "elements", finished.links[overlap.second].work->link->name,
+                         overlap.depth)});
     }
 }
 

@@ -89,6 +89,9 @@ Json settings_of(const Recipe& recipe, const Registry& registry) {
             json["budget"][key->declared.name] = to_json(value);
         }
     }
+    for (const auto& [key, value] : reading::present(reading::cost_keys(), recipe)) {
+        json["budget"]["costs"][key->declared.name] = to_json(value);
+    }
     json["guarantee"] = word_of(recipe, "guarantee");
     for (const char* key : {"cover", "pad", "hollow"}) {
         if (const auto value = reading::value_of(key, reading::top_level_keys(), recipe)) {

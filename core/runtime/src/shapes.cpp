@@ -7,7 +7,10 @@
 #include <foam/geometry/internal/filled.hpp>
 #include <foam/geometry/internal/left_uncovered.hpp>
 
+#include <foam/sdk/kinds.hpp>
+
 #include <algorithm>
+#include <cmath>
 
 namespace foam::inline runtime {
 
@@ -18,7 +21,24 @@ bool wants_least_excess(const Recipe& recipe, const ShapeWork& work) {
     return recipe.guarantee != Guarantee::outer || work.objective == Objective::excess;
 }
 
-static Solid::Part part_of(const Element& element, const Pose& pose, bool processed) {
+std::optional<std::size_t> total_of(const Recipe& recipe) {
+    return recipe.budget_cost ? std::optional(static_cast<std::size_t>(*recipe.budget_cost / price_step + 1e-6))
+                              : recipe.budget_spheres;
+}
+
+std::size_t size_of(const Recipe& recipe, const ElementsView& elements) {
+    return recipe.budget_cost
+               ? static_cast<std::size_t>(std::ceil(price_of(elements, recipe.costs) / price_step - 1e-6))
+               : elements.size();
+}
+
+const char* plural_of(const std::vector<ShapeWork>& shapes) {
+    const bool spheres = std::all_of(shapes.begin(), shapes.end(),
+                                     [](const ShapeWork& work) { return spheres_alone(work.kinds); });
+    return spheres ? "spheres" : "elements";
+}
+
+static Solid::Part part_of(const CollisionElement& element, const Pose& pose, bool processed) {
     Solid::Part part;
     if (const Primitive* primitive = element.primitive()) {
         part.primitive = *primitive;
@@ -64,7 +84,7 @@ static geometry::OwnFrame frame_of(const Workspace& workspace, const Group& grou
     Box whole;
     bool dusty = false;
     for (const std::size_t e : group.elements) {
-        const Element& element = link.elements[e];
+        const CollisionElement& element = link.elements[e];
         whole.add(posed(bounds_of(element), relative_pose(group, link, e)));
         dusty = dusty || (element.raw && geometry::may_have_dust(*element.raw)) ||
                 (!element.filtered.empty() && geometry::may_have_dust(*element.processed()));
@@ -87,7 +107,7 @@ static Digest content_of(const Workspace& workspace, const Group& group, const L
     const bool raw_only = original_only(workspace, link.recipe.spherizer);
     Hasher hasher;
     for (const std::size_t e : group.elements) {
-        const Element& element = link.elements[e];
+        const CollisionElement& element = link.elements[e];
         if (const Primitive* primitive = element.primitive()) {
             hasher.add(*primitive);
         } else {
@@ -120,6 +140,20 @@ static std::shared_ptr<const Solid> uncovered_part(std::shared_ptr<const Solid> 
     return left.triangles.empty() ? std::move(solid) : Solid::make(std::move(left));
 }
 
+/// Sets the kinds of elements of a shape, and with a budget of cost the unit of its counts.
+static void set_kinds(const Workspace& workspace, const Recipe::LinkRecipe& recipe, ShapeWork& work) {
+    work.kinds = workspace.registry.find(work.spherizer.stage)->info.kinds;
+    if (!workspace.recipe.budget_cost) {
+        return;
+    }
+    const double price = least_price(work.kinds, workspace.recipe.costs);
+    work.unit = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(price / price_step - 1e-6)));
+    work.least *= work.unit;
+    work.most_elements = recipe.max_spheres ? work.most : SIZE_MAX;
+    work.most = SIZE_MAX;
+    work.adds_spheres = false; // refiners that add spheres count them, not their cost
+}
+
 std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::vector<LinkWork>& links,
                                        std::vector<Group>& groups) {
     std::map<Digest, std::size_t> known;
@@ -133,7 +167,7 @@ std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::ve
         }
         const bool raw = original_only(workspace, link.recipe.spherizer);
         for (const std::size_t e : groups[g].elements) {
-            const Element& element = link.elements[e];
+            const CollisionElement& element = link.elements[e];
             hasher.add(raw && element.raw ? digest_of_content(*element.raw) : element.digest);
             hasher.add(relative_pose(groups[g], link, e));
         }
@@ -174,6 +208,7 @@ std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::ve
             const std::size_t kept = link.recipe.keep.size();
             work.least = std::max(kept + 1, link.recipe.min_spheres) - kept;
             work.most = link.recipe.max_spheres ? std::max(work.least, *link.recipe.max_spheres - kept) : SIZE_MAX;
+            set_kinds(workspace, link.recipe, work);
             work.max_protrusion = link.recipe.max_protrusion;
             work.clip = planes;
             work.frame = frame;

@@ -20,7 +20,7 @@ namespace foam::inline runtime {
 
 /// The results of a spherizer for a shape.
 struct KnownTrees {
-    std::map<std::size_t, SphereTree> trees;  ///< by their number of spheres
+    std::map<std::size_t, SphereTree> trees;  ///< by their size: see size_of()
     std::map<std::size_t, std::size_t> asked; ///< requested count → resulting count
     CostCurve curve;
 };
@@ -55,6 +55,9 @@ struct ShapeWork {
     std::string link, input; ///< of the first group, for messages
     std::vector<std::size_t> groups;
     std::size_t least = 1, most = 1;      ///< bounds of the count
+    std::vector<Element::Kind> kinds;     ///< that the spherizer may return
+    std::size_t unit = 1;                 ///< of counts: with a budget of cost, the price of the cheapest element
+    std::size_t most_elements = SIZE_MAX; ///< with a budget of cost: bound of their number
     std::optional<double> max_protrusion; ///< m
     std::vector<ClipPlane> clip;          ///< in the shape's frame
     KnownTrees known;
@@ -69,6 +72,15 @@ struct ShapeWork {
 /// Returns whether the spheres of the shape are to have the least excess volume, so that other spheres with less may
 /// replace those of the spherizer: not with another objective, nor with guarantee fitted.
 bool wants_least_excess(const Recipe& recipe, const ShapeWork& work);
+
+/// Prices are counted in hundredths: a budget of cost is a count of these.
+constexpr double price_step = 0.01;
+/// Returns the recipe's budget of the whole robot: a number of elements, or a cost in hundredths; nothing: none.
+std::optional<std::size_t> total_of(const Recipe& recipe);
+/// Returns what elements take of that budget: their number, or their cost, rounded up.
+std::size_t size_of(const Recipe& recipe, const ElementsView& elements);
+/// Returns the word for several of what the shapes get: spheres or elements.
+const char* plural_of(const std::vector<ShapeWork>& shapes);
 
 /// Returns one group per link, or one per collision element (recipe: per), for the links without an error.
 std::vector<Group> make_groups(const Workspace& workspace, const std::vector<LinkWork>& links);

@@ -1,4 +1,7 @@
 #include <foam/runtime/internal/debug.hpp>
+#include <foam/runtime/internal/elements.hpp>
+
+#include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>
 
@@ -47,7 +50,7 @@ Figure robot_figure(const Recipe& recipe, const FinishedModel& finished) {
     const Robot& robot = *finished.model.robot;
     const auto poses = link_poses(robot, recipe.pose);
     Figure figure = figure_of_size(recipe);
-    std::size_t count = 0;
+    KindCounts kinds{};
     Panel panel;
     for (const FinishedLink& link : finished.links) {
         const auto pose = poses.find(link.work->link->name);
@@ -55,12 +58,10 @@ Figure robot_figure(const Recipe& recipe, const FinishedModel& finished) {
             continue;
         }
         panel.meshes.push_back({shared_mesh(*link.work, 0), pose->second, true});
-        for (const Sphere& sphere : link.spheres) {
-            panel.spheres.push_back({pose->second * sphere.center, sphere.radius});
-        }
-        count += link.spheres.size();
+        add_elements(panel, link.elements.view(), pose->second);
+        kinds = sum_of(kinds, kinds_of(link.elements.view()));
     }
-    figure.title = fmt::format("{}: {} spheres", finished.model.name, count);
+    figure.title = fmt::format("{}: {}", finished.model.name, counts_text(kinds));
     figure.panels = {std::move(panel)};
     return figure;
 }
@@ -70,14 +71,14 @@ Figure link_figure(const Recipe& recipe, const FinishedLink& link) {
     const Measures& m = link.work->report.measures;
     const bool inner = recipe.guarantee == Guarantee::inner;
     const std::string gap = fmt::format("gap {:.1f} mm", 1000 * m.gap);
-    figure.title = fmt::format("{}: {} spheres, {} {:.2f}, {}", link.work->link->name, m.spheres,
+    figure.title = fmt::format("{}: {}, {} {:.2f}, {}", link.work->link->name, counts_text(kinds_of(link.elements.view())),
                                inner ? "missing" : "excess", inner ? m.missing : m.excess,
                                !m.certified ? gap
                                : inner      ? "proved inside"
                                             : "cover proved");
     Panel panel;
     panel.meshes.push_back({shared_mesh(*link.work, 0), Pose{}, true});
-    panel.spheres = link.spheres;
+    add_elements(panel, link.elements.view(), {});
     figure.panels = {std::move(panel)};
     return figure;
 }
@@ -96,8 +97,9 @@ Figure stages_figure(const Recipe& recipe, const FinishedLink& link) {
         figure.panels.push_back(std::move(panel));
     }
     Panel spheres;
-    spheres.caption = fmt::format("{} ({} spheres)", link.work->recipe.spherizer.stage, link.spheres.size());
-    spheres.spheres = link.spheres;
+    spheres.caption =
+        fmt::format("{} ({})", link.work->recipe.spherizer.stage, counts_text(kinds_of(link.elements.view())));
+    add_elements(spheres, link.elements.view(), {});
     figure.panels.push_back(std::move(spheres));
     figure.width = 480 * static_cast<int>(figure.panels.size());
     figure.height = 560;

@@ -5,6 +5,7 @@
 #include "shapes.hpp"
 
 #include <foam/runtime/internal/cover.hpp>
+#include <foam/runtime/internal/elements.hpp>
 
 #include <fmt/format.h>
 
@@ -12,15 +13,6 @@
 
 namespace foam::inline runtime {
 namespace {
-
-SphereTree moved(SphereTree tree, const Pose& pose) {
-    for (SphereTree::Level& level : tree.levels) {
-        for (Sphere& sphere : level.spheres) {
-            sphere.center = pose * sphere.center;
-        }
-    }
-    return tree;
-}
 
 /// Makes a shape fail with guarantee inner if none of its spheres fits into it.
 void require_inside(const Workspace& workspace, ShapeWork& work, std::size_t count) {
@@ -73,7 +65,17 @@ Recipe without_kept(const Workspace& workspace, const std::vector<LinkWork>& lin
                     const std::vector<Group>& covered) {
     Recipe rest = workspace.recipe;
     const std::size_t kept = kept_spheres(links, groups) + kept_spheres(links, covered);
-    if (kept == 0 || !rest.budget_spheres) {
+    if (kept == 0 || !total_of(rest)) {
+        return rest;
+    }
+    if (rest.budget_cost) {
+        const double price = static_cast<double>(kept) * rest.costs.of_kind[0];
+        *rest.budget_cost -= price;
+        if (*rest.budget_cost <= 0) {
+            throw Error(ErrorCode::recipe, fmt::format("budget.cost: the {} spheres that links keep cost {:g}; remedy: "
+                                                       "raise the budget, or keep fewer",
+                                                       kept, price));
+        }
         return rest;
     }
     if (*rest.budget_spheres < kept + groups.size()) {

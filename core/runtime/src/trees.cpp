@@ -4,9 +4,11 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/runtime/internal/cover.hpp>
+#include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace foam::inline runtime {
@@ -34,11 +36,26 @@ std::vector<SphereTree> run_spherizer(const Workspace& workspace, ShapeWork& wor
                                                            made.size(), budgets.size()));
             }
             for (std::size_t i = 0; i < made.size(); ++i) {
-                check_tree(made[i], budgets[i].max_spheres, "spherizer");
+                check_tree(made[i], budgets[i], work.kinds, "spherizer");
             }
             said = context.said();
             return made;
         });
+}
+
+/// Returns the budget of a shape; 0: none.
+Budget budget_of(const Recipe& recipe, const ShapeWork& work, std::size_t count) {
+    Budget budget;
+    budget.guarantee = recipe.guarantee;
+    budget.max_protrusion = work.max_protrusion;
+    budget.cost = recipe.costs;
+    if (count > 0 && recipe.budget_cost) {
+        budget.max_cost = static_cast<double>(count) * price_step;
+        budget.max_spheres = std::min(work.most_elements, std::max<std::size_t>(1, count / work.unit));
+    } else if (count > 0) {
+        budget.max_spheres = count;
+    }
+    return budget;
 }
 
 /// Returns a name for a call, from the keys of the trees that it makes.
@@ -72,7 +89,15 @@ Digest tree_key(const Workspace& workspace, const ShapeWork& work, std::size_t c
     hasher.add("spherize").add(work.digest).add(work.content).add(workspace.recipe.seed);
     hasher.add(static_cast<std::uint64_t>(count));
     hasher.add(static_cast<std::uint64_t>(workspace.recipe.guarantee));
-    return hasher.add(work.max_protrusion.value_or(-1)).finish();
+    hasher.add(work.max_protrusion.value_or(-1));
+    if (workspace.recipe.budget_cost) {
+        hasher.add("cost").add(workspace.recipe.costs.of_hull_vertex);
+        hasher.add(static_cast<std::uint64_t>(work.most_elements));
+        for (const double price : workspace.recipe.costs.of_kind) {
+            hasher.add(price);
+        }
+    }
+    return hasher.finish();
 }
 
 void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts) {
@@ -80,7 +105,8 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
     std::vector<Digest> keys;
     std::vector<std::size_t> missing;
     std::map<std::size_t, Cached<SphereTree>> known; // by requested count
-    const auto sphere = as_sphere(work.shape->original());
+    const auto sphere = knows_all(work.kinds, {Element::Kind::sphere}) ? as_sphere(work.shape->original())
+                                                                       : std::nullopt;
     for (const std::size_t count : counts) {
         if (work.known.asked.contains(count)) {
             continue;
@@ -89,12 +115,7 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
             known[count].result = flat_tree({*sphere});
             continue;
         }
-        Budget budget;
-        budget.guarantee = workspace.recipe.guarantee;
-        budget.max_protrusion = work.max_protrusion;
-        if (count > 0) {
-            budget.max_spheres = count;
-        }
+        const Budget budget = budget_of(workspace.recipe, work, count);
         const Digest key = tree_key(workspace, work, count);
         if (auto cached = workspace.cache.tree(key)) {
             known.emplace(count, std::move(*cached));
@@ -111,7 +132,7 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
         said.call = call_name(keys);
         work.calls.insert(said.call);          // its findings are in the journal
         parallel_for(trees.size(), [&](std::size_t i) {
-            const std::size_t most = budgets[i].max_spheres.value_or(trees[i].finest().size());
+            const std::size_t most = budgets[i].max_spheres.value_or(trees[i].elements().size());
             trees[i] = refined(workspace, work, std::move(trees[i]), most, Refiners::not_adding);
         });
         const bool whole = !workspace.ended(); // else a stage may have returned early
@@ -125,7 +146,7 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
     add_words(workspace, work, known);
     // By count, whatever the cache had: of two trees of one size, the one with the smaller requested count stays.
     for (auto& [count, entry] : known) {
-        const std::size_t got = entry.result.finest().size();
+        const std::size_t got = size_of(workspace.recipe, entry.result.elements());
         work.known.asked[count] = got;
         work.known.trees.try_emplace(got, std::move(entry.result));
     }

@@ -83,7 +83,7 @@ Cut explore_worst_first(const Workspace& workspace, std::vector<ShapeWork>& shap
             },
             [&](std::size_t s) { return figures[s].empty(); },
             [&](const ShapeWork& work, const SphereTree& tree) {
-                return figure_of(work.shape->original(), tree.finest(), objective);
+                return figure_of(work.shape->original(), tree.elements(), objective);
             },
             [&](std::size_t s, std::size_t count, double figure) { figures[s][count] = figure; });
         const std::vector<std::size_t> of_allocated = shapes_of(allocated_groups(shapes, groups), groups);
@@ -98,7 +98,7 @@ Cut explore_worst_first(const Workspace& workspace, std::vector<ShapeWork>& shap
             }
             const std::size_t explored = work.known.asked.rbegin()->first;
             if (explored < most) {
-                wanted[s] = next_rungs(explored, work.least, most_of(workspace.recipe, work));
+                wanted[s] = rungs_above(work, explored, most_of(workspace.recipe, work));
                 any = any || !wanted[s].empty();
             }
         }

@@ -1,21 +1,28 @@
 #include <foam/runtime/internal/written_proof.hpp>
 
+#include <foam/geometry/element_measure.hpp>
 #include <foam/geometry/inner.hpp>
 #include <foam/geometry/internal/proof.hpp>
 #include <foam/geometry/measure.hpp>
+#include <foam/runtime/internal/elements.hpp>
 
 #include <fmt/format.h>
 
 namespace foam::inline runtime {
 namespace {
 
-/// Returns the violation of the guarantee by the spheres; empty if the guarantee is proved, and then `took` is filled
+geometry::CoverProof cover_proof(const Solid& solid, const ElementsView& elements) {
+    return elements.others.empty() ? geometry::prove_cover(solid, elements.spheres)
+                                   : geometry::CoverProof{.certificate = certify(solid, elements),
+                                                          .triangles = solid.surface().triangles.size()};
+}
+
+/// Returns the violation of the guarantee by the elements; empty if the guarantee is proved, and then `took` is filled
 /// in.
-std::string broken_promise(const Solid& solid, const std::vector<Sphere>& spheres, Guarantee guarantee,
-                           WrittenProof& took) {
-    took.spheres = spheres.size();
+std::string broken_promise(const Solid& solid, const ElementsView& elements, Guarantee guarantee, WrittenProof& took) {
+    took.spheres = elements.size();
     if (guarantee == Guarantee::outer) {
-        const geometry::CoverProof cover = geometry::prove_cover(solid, spheres);
+        const geometry::CoverProof cover = cover_proof(solid, elements);
         const Certificate& proof = cover.certificate;
         took.triangles = cover.triangles;
         took.pieces = proof.pieces;
@@ -24,38 +31,35 @@ std::string broken_promise(const Solid& solid, const std::vector<Sphere>& sphere
                            : fmt::format("{} m are missing at [{}, {}, {}]", proof.growth, proof.witness.x,
                                          proof.witness.y, proof.witness.z);
     }
-    const InnerCertificate proof = certify_inner(solid, spheres);
+    const InnerCertificate proof = certify_inner(solid, elements.spheres);
     took.triangles = solid.surface().triangles.size();
     return proof.holds ? "" : fmt::format("sphere {} protrudes by {} m", proof.sphere, proof.excess);
 }
 
-std::vector<Sphere> in_single_precision(std::vector<Sphere> spheres) {
-    const auto single = [](double value) { return static_cast<double>(static_cast<float>(value)); };
-    for (Sphere& s : spheres) {
-        s = {{single(s.center.x), single(s.center.y), single(s.center.z)}, single(s.radius)};
-    }
-    return spheres;
-}
-
 } // namespace
 
-std::vector<WrittenProof> prove_written(const std::map<std::string, std::vector<Sphere>>& read,
+std::vector<WrittenProof> prove_written(const std::map<std::string, Approximation::Level>& read,
                                         const FinishedModel& finished, Guarantee guarantee, Numbers numbers,
                                         const std::string& file) {
     std::vector<WrittenProof> proofs;
     for (const FinishedLink& link : finished.links) {
         const std::string& name = link.work->link->name;
         const auto found = read.find(name);
-        if (found == read.end() || found->second.empty()) {
+        if (found == read.end() || found->second.size() == 0) {
             throw Error(ErrorCode::internal,
                         fmt::format("{}: link '{}' has no spheres in the written file", file, name));
+        }
+        if (!link.elements.others.empty() && found->second.others.empty()) {
+            throw Error(ErrorCode::internal,
+                        fmt::format("{}: link '{}' has {} in the written file, the model has {}", file, name,
+                                    counts_text(kinds_of(found->second.view())), counts_text(kinds_of(link.elements.view()))));
         }
         if (!link.work->report.measures.certified) {
             continue;
         }
         WrittenProof& took = proofs.emplace_back(WrittenProof{.link = name});
-        const auto require = [&](const std::vector<Sphere>& spheres, const char* which) {
-            if (const std::string lack = broken_promise(*link.solid, spheres, guarantee, took); !lack.empty()) {
+        const auto require = [&](const Approximation::Level& elements, const char* which) {
+            if (const std::string lack = broken_promise(*link.solid, elements.view(), guarantee, took); !lack.empty()) {
                 throw Error(ErrorCode::internal,
                             fmt::format("{}: link '{}': the certificate does not hold for the numbers read back{}: {}",
                                         file, name, which, lack));

@@ -30,6 +30,7 @@ std::string why_misnamed(const RegisteredStage& stage) {
     static constexpr std::pair<StageKind, std::string_view> beginnings[] = {{StageKind::mesh_loader, "load."},
                                                                             {StageKind::robot_loader, "load."},
                                                                             {StageKind::spherizer, "spherize."},
+                                                                            {StageKind::spherizer, "approximate."},
                                                                             {StageKind::renderer, "snapshot."},
                                                                             {StageKind::writer, "write."},
                                                                             {StageKind::model_reader, "read."},
@@ -37,8 +38,9 @@ std::string why_misnamed(const RegisteredStage& stage) {
     const std::string& name = stage.info.name;
     std::string_view fits, taken;
     for (const auto& [kind, beginning] : beginnings) {
-        fits = kind == stage.kind ? beginning : fits;
-        taken = name.starts_with(beginning) ? beginning : taken;
+        const bool begins = name.starts_with(beginning);
+        fits = kind == stage.kind && (fits.empty() || begins) ? beginning : fits;
+        taken = begins ? beginning : taken;
     }
     if (fits == taken) {
         return "";
@@ -63,6 +65,27 @@ std::string why_no_objective(const StageInfo& info) {
                : fmt::format("stage '{}': objective_parameter '{}' is no choice among its parameters; "
                              "remedy: declare it by Parameter::choice(…)",
                              info.name, name);
+}
+
+/// Returns why a stage's kinds of elements cannot be; empty if they can.
+std::string why_bad_kinds(const RegisteredStage& stage) {
+    const std::vector<Element::Kind>& kinds = stage.info.kinds;
+    if (kinds.empty() || std::set<Element::Kind>(kinds.begin(), kinds.end()).size() != kinds.size()) {
+        return fmt::format("stage '{}': its kinds of elements are none, or one twice; remedy: .kinds = "
+                           "{{Element::Kind::box}}",
+                           stage.info.name);
+    }
+    const bool has_elements = stage.kind == StageKind::spherizer || stage.kind == StageKind::writer ||
+                              stage.kind == StageKind::refiner || stage.kind == StageKind::model_reader;
+    if (!has_elements && kinds != StageInfo{}.kinds) {
+        return fmt::format("stage '{}': a {} makes no elements; remedy: leave StageInfo::kinds out", stage.info.name,
+                           to_string(stage.kind));
+    }
+    if (stage.info.name.starts_with("spherize.") && kinds != StageInfo{}.kinds) {
+        return fmt::format("stage '{}' makes other elements than spheres; remedy: name it approximate.{}",
+                           stage.info.name, stage.info.name.substr(stage.info.name.find('.') + 1));
+    }
+    return "";
 }
 
 /// Returns why a stage cannot be isolated as it requests; empty if it can, or requests nothing.
@@ -126,6 +149,9 @@ std::string why_badly_declared(const RegisteredStage& stage) {
                                "correct the one or the other",
                                info.name, p.name, why);
         }
+    }
+    if (const std::string why = why_bad_kinds(stage); !why.empty()) {
+        return why;
     }
     const std::string why = why_bad_isolation(stage);
     return why.empty() ? why_no_objective(info) : why;

@@ -1,5 +1,5 @@
 #include <foam/base/error.hpp>
-#include <foam/sdk/model.hpp>
+#include <foam/sdk/elements.hpp>
 
 #include <fmt/format.h>
 
@@ -8,27 +8,37 @@
 namespace foam::inline sdk {
 namespace {
 
-const std::vector<Sphere>& spheres_at(const SphereGroup& group, int level) {
+const SphereTree::Level& level_of(const SphereGroup& group, int level) {
     const std::vector<SphereTree::Level>& levels = group.tree.levels;
     if (levels.empty()) {
         throw Error(ErrorCode::output, fmt::format("link '{}' has no spheres to write", group.link));
     }
     const bool finest = level < 0 || static_cast<std::size_t>(level) >= levels.size();
-    return finest ? levels.back().spheres : levels[static_cast<std::size_t>(level)].spheres;
+    return finest ? levels.back() : levels[static_cast<std::size_t>(level)];
 }
 
-void require_writable(const std::vector<Sphere>& spheres, const std::string& link) {
-    if (spheres.empty()) {
+void require_writable(const Sphere& s, std::size_t index, const std::string& link) {
+    if (!is_finite(s.center) || !std::isfinite(s.radius) || !(s.radius > 0)) {
+        throw Error(ErrorCode::output,
+                    fmt::format("sphere {} of link '{}', center {} {} {}, radius {}, cannot be written: the numbers "
+                                "must be finite and the radius above 0",
+                                index, link, s.center.x, s.center.y, s.center.z, s.radius));
+    }
+}
+
+void require_writable(const SphereTree::Level& level, const std::string& link) {
+    if (level.size() == 0) {
         throw Error(ErrorCode::output, fmt::format("link '{}' has no spheres to write", link));
     }
-    for (std::size_t i = 0; i < spheres.size(); ++i) {
-        const Sphere& s = spheres[i];
-        if (!is_finite(s.center) || !std::isfinite(s.radius) || !(s.radius > 0)) {
-            throw Error(
-                ErrorCode::output,
-                fmt::format("sphere {} of link '{}', center {} {} {}, radius {}, cannot be written: the numbers "
-                            "must be finite and the radius above 0",
-                            i, link, s.center.x, s.center.y, s.center.z, s.radius));
+    for (std::size_t i = 0; i < level.spheres.size(); ++i) {
+        require_writable(level.spheres[i], i, link);
+    }
+    for (std::size_t i = 0; i < level.others.size(); ++i) {
+        if (!is_valid(level.others[i])) {
+            throw Error(ErrorCode::output,
+                        fmt::format("{} {} of link '{}' cannot be written: its numbers must be finite, its pose a "
+                                    "rotation and a translation, and its volume above 0",
+                                    to_string(level.others[i].kind), level.spheres.size() + i, link));
         }
     }
 }
@@ -36,35 +46,66 @@ void require_writable(const std::vector<Sphere>& spheres, const std::string& lin
 } // namespace
 
 std::vector<Sphere>& spheres_of(SphereFile& file, const std::string& link) {
+    return link_of(file, link).spheres;
+}
+
+LinkSpheres& link_of(SphereFile& file, const std::string& link) {
     auto it = std::find_if(file.links.begin(), file.links.end(), [&](const LinkSpheres& l) { return l.link == link; });
     if (it == file.links.end()) {
         it = file.links.insert(it, {link, {}});
     }
-    return it->spheres;
+    return *it;
 }
 
-std::vector<LinkSpheres> spheres_by_link(const SphereModel& model, int level) {
+void add(Approximation::Level& level, const Element& element) {
+    if (element.kind == Element::Kind::sphere) {
+        level.spheres.push_back({element.pose.translation, element.radius});
+    } else {
+        level.others.push_back(element);
+    }
+}
+
+std::vector<LinkSpheres> elements_by_link(const SphereModel& model, int level) {
     std::vector<LinkSpheres> links;
     for (const SphereGroup& group : model.groups) {
-        const std::vector<Sphere>& spheres = spheres_at(group, level);
-        require_writable(spheres, group.link);
+        const SphereTree::Level& elements = level_of(group, level);
+        require_writable(elements, group.link);
         auto it = std::find_if(links.begin(), links.end(),
                                [&](const LinkSpheres& known) { return known.link == group.link; });
         if (it == links.end()) {
             it = links.insert(links.end(), {group.link, {}});
         }
-        it->spheres.insert(it->spheres.end(), spheres.begin(), spheres.end());
+        Approximation::Level all{std::move(it->spheres), {}, std::move(it->others)};
+        all.spheres.insert(all.spheres.end(), elements.spheres.begin(), elements.spheres.end());
+        for (const Element& element : elements.others) {
+            add(all, element);
+        }
+        it->spheres = std::move(all.spheres);
+        it->others = std::move(all.others);
+    }
+    return links;
+}
+
+std::vector<LinkSpheres> spheres_by_link(const SphereModel& model, int level) {
+    std::vector<LinkSpheres> links = elements_by_link(model, level);
+    for (const LinkSpheres& link : links) {
+        if (!link.others.empty()) {
+            throw Error(ErrorCode::output,
+                        fmt::format("link '{}' has a {}, and this format holds spheres only; remedy: a model of "
+                                    "spheres, or a format that holds this kind: write.urdf, write.mjcf, write.json",
+                                    link.link, to_string(link.others.front().kind)));
+        }
     }
     return links;
 }
 
 void require_writable(const SphereModel& model) {
-    spheres_by_link(model);
+    elements_by_link(model);
     for (const SphereGroup& group : model.groups) {
         for (const SphereTree::Level& level : group.tree.levels) {
-            require_writable(level.spheres, group.link);
+            require_writable(level, group.link);
         }
     }
 }
 
-} // namespace foam::sdk
+} // namespace foam::inline sdk

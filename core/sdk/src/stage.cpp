@@ -52,6 +52,19 @@ std::unique_ptr<SphereSearch> Spherizer::search(const Shape& shape) const {
     return std::make_unique<OneByOne>(*this, shape);
 }
 
+std::map<std::string, Approximation::Level> Writer::read_elements(const std::string& bytes,
+                                                                  const std::map<std::string, std::string>&) const {
+    std::map<std::string, Approximation::Level> result;
+    for (auto& [link, spheres] : read(bytes)) {
+        result[link].spheres = std::move(spheres);
+    }
+    return result;
+}
+
+std::map<std::string, std::string> Writer::files_beside(const SphereModel&, Context&) const {
+    return {};
+}
+
 std::string Writer::companion(const std::string& ending, const SphereModel&, Context&) const {
     throw Error(ErrorCode::internal, fmt::format("the writer names the ending .{}, but writes no such file", ending));
 }
@@ -70,8 +83,8 @@ SphereFile read_written(const Writer& writer, const std::string& text, const std
                         std::string format, std::string_view remedy) {
     SphereFile result{.file = file, .format = std::move(format), .links = {}, .fixed_joints = {}, .notes = {}};
     try {
-        for (auto& [link, spheres] : writer.read(text)) {
-            result.links.push_back({link, std::move(spheres)});
+        for (auto& [link, elements] : writer.read_elements(text, {})) {
+            result.links.push_back({link, std::move(elements.spheres), std::move(elements.others)});
         }
     } catch (const Error& error) {
         throw Error(ErrorCode::input, fmt::format("{}: {}; remedy: {}", file.string(), error.what(), remedy));
@@ -109,4 +122,4 @@ const char* to_string(StageKind kind) {
     return "stage";
 }
 
-} // namespace foam::sdk
+} // namespace foam::inline sdk

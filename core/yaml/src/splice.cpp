@@ -31,16 +31,7 @@ Splice::Splice(std::string text, std::string name, ErrorCode code)
 }
 
 void Splice::parse() {
-    Findings findings(name_);
-    std::optional<Value> root;
-    if (check_text(text_, 0, findings, robot_file)) {
-        root = read_yaml(text_, 0, findings, robot_file);
-    }
-    if (findings.any_error() || !root) {
-        const std::vector<Diagnostic> all = findings.take();
-        throw Error(code_, all.empty() ? name_ + ": the file is empty" : all.front().where.text() + ": " + all.front().message);
-    }
-    root_ = std::move(*root);
+    root_ = tree_of(text_, name_, robot_file, code_);
 }
 
 void Splice::fail(const Place& where, const std::string& what) const {

@@ -322,4 +322,18 @@ std::optional<Value> read_yaml(const std::string& text, int source, Findings& fi
     return builder.has_document() ? std::optional(builder.take()) : Value{};
 }
 
+Value tree_of(const std::string& text, const std::string& file, const TextKind& kind, ErrorCode code) {
+    Findings findings(file);
+    std::optional<Value> root;
+    if (check_text(text, 0, findings, kind)) {
+        root = read_yaml(text, 0, findings, kind);
+    }
+    if (findings.any_error() || !root) {
+        const std::vector<Diagnostic> all = findings.take();
+        throw Error(code, all.empty() ? file + ": the file is empty"
+                                      : fmt::format("{}: {}", all.front().where.text(), all.front().message));
+    }
+    return std::move(*root);
+}
+
 } // namespace foam::yaml

@@ -1,5 +1,7 @@
 #include "recipes.hpp"
 
+#include <foam/sdk/kinds.hpp>
+
 #include <algorithm>
 #include <map>
 
@@ -10,8 +12,8 @@ namespace {
 double work_limit(const std::string& parameter) {
     static const std::map<std::string, double> limits{
         {"leaves", 1000},   {"numCover", 120}, {"num_samples", 80}, {"initSpheres", 80}, {"minSpheres", 50},
-        {"min_samples", 8}, {"minCover", 8},   {"branch", 12},       {"depth", 2},         {"testerLevels", 2},
-        {"most", 48},       {"spheres", 12},   {"iterations", 60},   {"subdivisions", 2},  {"maxOptLevel", 2}};
+        {"min_samples", 8}, {"minCover", 8},   {"branch", 12},      {"depth", 2},        {"testerLevels", 2},
+        {"most", 48},       {"spheres", 12},   {"iterations", 60},  {"subdivisions", 2}, {"maxOptLevel", 2}};
     const auto found = limits.find(parameter);
     return found == limits.end() ? 1e300 : found->second;
 }
@@ -99,7 +101,9 @@ private:
         std::vector<std::string> names;
         for (const auto& [name, stage] : registry_.stages()) {
             // Formats of other programs refuse models for reasons of their own: no tool frame, more than one link.
-            if (stage.kind == kind && stage.info.consumer.name.empty()) {
+            // Refiners, guarantees and constraints of these recipes are for spheres alone.
+            const bool others = kind == StageKind::spherizer && !spheres_alone(stage.info.kinds);
+            if (stage.kind == kind && stage.info.consumer.name.empty() && !others) {
                 names.push_back(name);
             }
         }
@@ -139,7 +143,7 @@ private:
         for (const std::string& stage : chain_) {
             text_ += "  - " + stage + ": " + parameters(stage, 0.25, "") + "\n";
         }
-        Dice dice(derive_seed(seed_, "refiners")); // of its own: the draws of the seeds on record stay
+        Dice dice(derive_seed(seed_, "refiners"));            // of its own: the draws of the seeds on record stay
         text_ += "  - refine.fit: {}\n  - refine.clip: {}\n"; // without them constraints would be broken
         text_ += dice.chance(0.8) ? "  - refine.row: {}\n" : "";
         text_ += dice.chance(0.8) ? "  - refine.split: {}\n" : "";

@@ -2,6 +2,7 @@
 
 #include "pairs.hpp"
 
+#include <foam/base/error.hpp>
 #include <foam/judge/evaluate.hpp>
 #include <foam/runtime/internal/input.hpp>
 #include <foam/runtime/internal/links.hpp>
@@ -30,7 +31,7 @@ EngineBody body_of(const std::vector<Sphere>& spheres) {
 /// Elements in the frame of the link.
 EngineBody body_of(const LinkWork& link) {
     EngineBody body;
-    for (const Element& element : link.elements) {
+    for (const CollisionElement& element : link.elements) {
         if (const Primitive* primitive = element.primitive()) {
             body.push_back({element.source->origin, *primitive});
         } else {
@@ -82,6 +83,11 @@ TwoModels with_given_spheres(const Workspace& workspace, const std::filesystem::
     const MatchedModel matched = match(original, read_sphere_file(file, workspace.registry));
     SpheresByLink spheres;
     for (std::size_t i = 0; i < original.links.size(); ++i) {
+        if (!matched.of(i).others.empty()) {
+            throw Error(ErrorCode::usage, fmt::format("{}: link '{}' has other elements than spheres, which these "
+                                                      "queries do not take; remedy: a model of spheres",
+                                                      file.string(), original.links[i].link));
+        }
         if (!matched.spheres[i].empty()) {
             spheres[original.links[i].link] = matched.spheres[i];
         }

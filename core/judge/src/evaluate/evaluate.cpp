@@ -2,11 +2,16 @@
 #include <foam/base/error.hpp>
 #include <foam/base/parallel.hpp>
 #include <foam/base/random.hpp>
+#include <foam/geometry/element_measure.hpp>
 #include <foam/geometry/inner.hpp>
 #include <foam/geometry/internal/proof.hpp>
 #include <foam/judge/evaluate.hpp>
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace foam::inline judge {
 namespace {
@@ -19,11 +24,11 @@ double share_error(double share, std::size_t points) {
     return std::sqrt(p * (1 - p) / n);
 }
 
-Figures figures_of(const OriginalLink& link, const std::vector<Sphere>& spheres, std::uint64_t seed) {
+Figures figures_of(const OriginalLink& link, const ElementsView& elements, std::uint64_t seed) {
     MeasureOptions options;
     options.seed = derive_seed(seed, link.link);
     Figures figures;
-    figures.measures = measure(*link.solid, spheres, options);
+    figures.measures = measure(*link.solid, elements, options);
     const bool exact = figures.measures.certified || figures.measures.spheres == 0;
     figures.covered_error = exact ? 0 : share_error(figures.measures.covered, options.surface_points);
     return figures;
@@ -43,8 +48,11 @@ Figures total_of(const std::vector<Figures>& links) {
     return sum;
 }
 
-LinkProof prove_outer(const Solid& solid, const std::vector<Sphere>& spheres) {
-    const geometry::CoverProof proof = geometry::prove_cover(solid, spheres);
+LinkProof prove_outer(const Solid& solid, const ElementsView& elements) {
+    const geometry::CoverProof proof = elements.others.empty()
+                                           ? geometry::prove_cover(solid, elements.spheres)
+                                           : geometry::CoverProof{.certificate = certify(solid, elements),
+                                                                  .triangles = solid.surface().triangles.size()};
     const Certificate& certificate = proof.certificate;
     return {.holds = certificate.holds,
             .growth = certificate.growth,
@@ -55,11 +63,11 @@ LinkProof prove_outer(const Solid& solid, const std::vector<Sphere>& spheres) {
             .halvings = proof.halvings};
 }
 
-LinkProof prove_inner(const Solid& solid, const std::vector<Sphere>& spheres) {
+LinkProof prove_inner(const Solid& solid, std::span<const Sphere> spheres) {
     const InnerCertificate certificate = certify_inner(solid, spheres);
     LinkProof proof{.holds = certificate.holds, .growth = certificate.excess, .sphere = certificate.sphere};
     if (!proof.holds) {
-        proof.witness = spheres.at(proof.sphere).center;
+        proof.witness = spheres[proof.sphere].center;
     }
     return proof;
 }
@@ -70,7 +78,7 @@ Evaluation evaluate(const Original& original, const MatchedModel& model, std::ui
     Evaluation result;
     result.links.resize(original.links.size());
     parallel_for(original.links.size(),
-                 [&](std::size_t i) { result.links[i] = figures_of(original.links[i], model.spheres[i], seed); });
+                 [&](std::size_t i) { result.links[i] = figures_of(original.links[i], model.of(i), seed); });
     result.total = total_of(result.links);
     std::vector<Figures> with_spheres;
     for (const Figures& link : result.links) {
@@ -86,11 +94,17 @@ std::vector<LinkProof> prove(const Original& original, const MatchedModel& model
     if (guarantee == Guarantee::fitted) {
         throw Error(ErrorCode::usage, "there is no proof of the guarantee fitted; remedy: outer or inner");
     }
+    if (guarantee == Guarantee::inner &&
+        std::any_of(model.others.begin(), model.others.end(), [](const auto& others) { return !others.empty(); })) {
+        throw Error(ErrorCode::usage, fmt::format("{}: only spheres are proved to lie inside the geometry, and it has "
+                                                  "other elements; remedy: outer",
+                                                  model.file.file.string()));
+    }
     std::vector<LinkProof> proofs(original.links.size());
     parallel_for(proofs.size(), [&](std::size_t i) {
         const Solid& solid = *original.links[i].solid;
         proofs[i] =
-            guarantee == Guarantee::outer ? prove_outer(solid, model.spheres[i]) : prove_inner(solid, model.spheres[i]);
+            guarantee == Guarantee::outer ? prove_outer(solid, model.of(i)) : prove_inner(solid, model.spheres[i]);
     });
     return proofs;
 }

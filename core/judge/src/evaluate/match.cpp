@@ -2,6 +2,7 @@
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/judge/evaluate.hpp>
+#include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>
 
@@ -37,10 +38,15 @@ public:
 
     void run() {
         model_.spheres.resize(original_.links.size());
+        model_.others.resize(original_.links.size());
         for (const LinkSpheres& link : model_.file.links) {
             place(link);
         }
-        if (std::all_of(model_.spheres.begin(), model_.spheres.end(), [](const auto& s) { return s.empty(); })) {
+        bool any = false;
+        for (std::size_t i = 0; i < original_.links.size(); ++i) {
+            any = any || !model_.of(i).empty();
+        }
+        if (!any) {
             fail_unmatched();
         }
         note_what_is_missing();
@@ -58,13 +64,17 @@ private:
         for (const Sphere& sphere : link.spheres) {
             model_.spheres[i].push_back({pose == Pose{} ? sphere.center : pose * sphere.center, sphere.radius});
         }
+        for (const Element& element : link.others) {
+            model_.others[i].push_back(pose == Pose{} ? element : moved(element, pose));
+        }
     }
 
     void place(const LinkSpheres& link) {
         const std::string name = renamed(link.link, renames_);
-        if (link.spheres.empty()) {
+        if (link.view().empty()) {
             return;
         }
+        const std::string content = counts_text(kinds_of(link.view()));
         if (name.empty()) {
             if (original_.links.size() != 1) {
                 throw Error(ErrorCode::input,
@@ -80,13 +90,12 @@ private:
             return;
         }
         if (original_.robot->find_link(name)) {
-            note(fmt::format("link '{}' has {}, but no geometry to judge them by", name,
-                             count_of(link.spheres.size(), "sphere")));
+            note(fmt::format("link '{}' has {}, but no geometry to judge them by", name, content));
             return;
         }
         if (!place_above(link)) {
-            note(fmt::format("{} of link '{}' {} ignored: {} has no such link", count_of(link.spheres.size(), "sphere"),
-                             name, link.spheres.size() == 1 ? "is" : "are", original_.file.filename().string()));
+            note(fmt::format("{} of link '{}' {} ignored: {} has no such link", content, name,
+                             link.view().size() == 1 ? "is" : "are", original_.file.filename().string()));
         }
     }
 
@@ -120,7 +129,7 @@ private:
                             model_.file.file.string(), model_.file.format));
         }
         if (std::all_of(model_.file.links.begin(), model_.file.links.end(),
-                        [](const LinkSpheres& link) { return link.spheres.empty(); })) {
+                        [](const LinkSpheres& link) { return link.view().empty(); })) {
             throw Error(ErrorCode::input, fmt::format("{}: no sphere has a radius above 0; remedy: correct the file",
                                                       model_.file.file.string()));
         }
@@ -146,7 +155,7 @@ private:
         }
         std::vector<std::string> bare;
         for (std::size_t i = 0; i < original_.links.size(); ++i) {
-            if (model_.spheres[i].empty()) {
+            if (model_.of(i).empty()) {
                 bare.push_back(original_.links[i].link);
             }
         }

@@ -74,19 +74,11 @@ Pairs pairs_of(const Value& ignore, const std::string& file) {
 
 Pairs read_yaml_ignores(const std::string& text, const std::string& file) {
     constexpr yaml::TextKind kind{.name = "robot file", .most_bytes = 64'000'000};
-    yaml::Findings findings(file);
-    std::optional<Value> root;
-    if (yaml::check_text(text, 0, findings, kind)) {
-        root = yaml::read_yaml(text, 0, findings, kind);
-    }
-    if (findings.any_error() || !root) {
-        const std::vector<yaml::Diagnostic> all = findings.take();
-        throw Error(ErrorCode::input, fmt::format("{}: {}", all.front().where.text(), all.front().message));
-    }
-    const Value* robot = child(&*root, "robot_cfg");
-    const Value* kinematics = child(robot ? robot : &*root, "kinematics");
-    const Value* ignore = child(kinematics ? kinematics : &*root, "self_collision_ignore");
-    ignore = ignore ? ignore : child(child(&*root, "self_collision"), "ignore");
+    const Value root = yaml::tree_of(text, file, kind);
+    const Value* robot = child(&root, "robot_cfg");
+    const Value* kinematics = child(robot ? robot : &root, "kinematics");
+    const Value* ignore = child(kinematics ? kinematics : &root, "self_collision_ignore");
+    ignore = ignore ? ignore : child(child(&root, "self_collision"), "ignore");
     if (!ignore) {
         throw Error(ErrorCode::input,
                     fmt::format("{}: it excludes no pairs of links; supported are the <disable_collisions> of SRDFs, "

@@ -70,8 +70,10 @@ std::size_t index_of(const Robot& robot, const std::string& link) {
 }
 
 void require_pairs(const CollisionModel& model) {
-    const auto with_spheres =
-        std::count_if(model.spheres.begin(), model.spheres.end(), [](const auto& spheres) { return !spheres.empty(); });
+    std::size_t with_spheres = 0;
+    for (std::size_t i = 0; i < model.spheres.size(); ++i) {
+        with_spheres += model.of(i).empty() ? 0 : 1;
+    }
     if (with_spheres < 2) {
         throw Error(ErrorCode::input, fmt::format("{}: {} {} collision geometry: there is no pair of links to check",
                                                   model.robot->file.string(), with_spheres == 0 ? "no" : "only one",
@@ -115,12 +117,15 @@ CollisionModel collision_model_of(const Original& original, const MatchedModel& 
     model.robot = original.robot;
     model.spheres.resize(model.robot->links.size());
     model.sources.resize(model.robot->links.size(), CollisionModel::Source::none);
+    model.others.resize(model.robot->links.size());
     model.notes = original.notes;
     model.notes.insert(model.notes.end(), matched.notes.begin(), matched.notes.end());
     for (std::size_t i = 0; i < original.links.size(); ++i) {
         const std::size_t link = index_of(*model.robot, original.links[i].link);
         model.spheres[link] = matched.spheres[i];
-        if (!model.spheres[link].empty()) {
+        const ElementsView elements = matched.of(i);
+        model.others[link].assign(elements.others.begin(), elements.others.end());
+        if (!elements.empty()) {
             model.sources[link] = CollisionModel::Source::given;
         }
     }

@@ -119,7 +119,7 @@ std::vector<ContractFinding> check_contract(const RegisteredStage& stage, const 
             check_mesh_loader(*registry.make<MeshLoader>(name, given), stage.info, options, promises);
             break;
         case StageKind::writer:
-            check_writer(*registry.make<Writer>(name, given), registry.find(name)->info.companions, promises);
+            check_writer(*registry.make<Writer>(name, given), stage.info, promises);
             break;
         case StageKind::model_reader:
             check_model_reader(*registry.make<ModelReader>(name, given), options, promises);

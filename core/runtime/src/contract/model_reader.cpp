@@ -18,6 +18,10 @@ void require_model(const SphereFile& model, const std::string& file) {
             require(is_finite(s.center) && std::isfinite(s.radius),
                     fmt::format("{}: it gives a sphere of link '{}' that is not finite", file, link.link));
         }
+        for (const Element& element : link.others) {
+            require(is_valid(element), fmt::format("{}: it gives a {} of link '{}' that is no body", file,
+                                                   to_string(element.kind), link.link));
+        }
     }
 }
 
@@ -40,7 +44,9 @@ void require_model_or_refusal(const ModelReader& reader, const std::string& text
 bool equal(const SphereFile& a, const SphereFile& b) {
     return a.format == b.format && a.notes == b.notes &&
            std::equal(a.links.begin(), a.links.end(), b.links.begin(), b.links.end(),
-                      [](const LinkSpheres& x, const LinkSpheres& y) { return x.link == y.link && x.spheres == y.spheres; });
+                      [](const LinkSpheres& x, const LinkSpheres& y) { 
+                          return x.link == y.link && x.spheres == y.spheres && x.others == y.others;
+                      });
 }
 
 /// Returns the text without a byte order mark and blanks before it; samples do not begin with comments.

@@ -20,18 +20,18 @@ std::map<std::string, Objective> known_objectives(const StageInfo& info) {
 void check_least(const RegisteredStage& stage, const Registry& registry,
                  const std::map<std::string, Objective>& objectives) {
     const auto solid = sample::solids().at("Bracket")();
-    std::map<std::string, std::vector<Sphere>> spheres;
+    std::map<std::string, SphereTree> found_by;
     for (const auto& [name, unused] : objectives) {
         QuietContext context{3};
         const auto spherizer =
             registry.make<Spherizer>(stage.info.name, {{stage.info.objective_parameter, ParameterValue(name)}});
-        spheres[name] = spherizer->spherize({"Bracket", solid, solid}, {8, {}, Guarantee::outer}, context).finest();
+        found_by[name] = spherizer->spherize({"Bracket", solid, solid}, {8, {}, Guarantee::outer}, context);
     }
     constexpr double chance = 1.05; // a search may be lucky with another objective
     for (const auto& [name, objective] : objectives) {
-        const double own = figure_of(*solid, spheres.at(name), objective);
-        for (const auto& [other, found] : spheres) {
-            const double theirs = figure_of(*solid, found, objective);
+        const double own = figure_of(*solid, found_by.at(name).elements(), objective);
+        for (const auto& [other, found] : found_by) {
+            const double theirs = figure_of(*solid, found.elements(), objective);
             require(own <= chance * theirs,
                     fmt::format("Bracket, 8 spheres: {} is {:.3g} with {}: {}, but {:.3g} with {}; remedy: let "
                                 "StageInfo::objective_parameter name the parameter that says what is to be least",

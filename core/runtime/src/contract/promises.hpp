@@ -51,8 +51,7 @@ void check_objectives(const RegisteredStage& stage, const Registry& registry, Pr
 void check_mesh_filter(const MeshFilter& filter, Promises& promises);
 void check_mesh_loader(const MeshLoader& loader, const StageInfo& info, const ContractOptions& options,
                        Promises& promises);
-/// `companions`: StageInfo::companions.
-void check_writer(const Writer& writer, const std::vector<std::string>& companions, Promises& promises);
+void check_writer(const Writer& writer, const StageInfo& info, Promises& promises);
 void check_refiner(const Refiner& refiner, Promises& promises);
 void check_model_reader(const ModelReader& reader, const ContractOptions& options, Promises& promises);
 

@@ -1,20 +1,26 @@
 #include "promises.hpp"
 
 #include <foam/base/parallel.hpp>
+#include <foam/geometry/element_measure.hpp>
 #include <foam/geometry/measure.hpp>
+#include <foam/runtime/internal/elements.hpp>
+#include <foam/sdk/kinds.hpp>
 
 #include <thread>
 
 namespace foam::inline runtime {
 namespace {
 
-/// Returns the gap: the largest distance from samples of the surface to the spheres, m.
-double gap(const Solid& solid, const std::vector<Sphere>& spheres) {
+/// Returns the gap: the largest distance from samples of the surface to the elements, m.
+double gap(const Solid& solid, const ElementsView& elements) {
     double worst = 0;
     for (const SurfacePoint& sample : solid.sample_surface(1'000, 5)) {
         double nearest = std::numeric_limits<double>::infinity();
-        for (const Sphere& sphere : spheres) {
+        for (const Sphere& sphere : elements.spheres) {
             nearest = std::min(nearest, distance(sample.point, sphere.center) - sphere.radius);
+        }
+        for (const Element& element : elements.others) {
+            nearest = std::min(nearest, distance(element, sample.point));
         }
         worst = std::max(worst, nearest);
     }
@@ -33,26 +39,41 @@ void require_spheres(const Solid& solid, const std::vector<Sphere>& spheres) {
     }
 }
 
-void require_tree(const Solid& solid, const SphereTree& tree, std::optional<std::size_t> most) {
-    require(!tree.levels.empty() && !tree.finest().empty(), "it gives no sphere at all");
-    require(tree.levels[0].spheres.size() == 1 && tree.levels[0].parents.empty(),
+void require_elements(const Solid& solid, const std::vector<Element>& elements, const StageInfo& info) {
+    const double size = solid.bounds().diagonal();
+    for (const Element& element : elements) {
+        const std::string noun = noun_of(element.kind, 1);
+        require(knows_all(info.kinds, {element.kind}),
+                fmt::format("it makes a {}, which StageInfo::kinds lacks; remedy: add Element::Kind::{}", noun,
+                            to_string(element.kind)));
+        require(is_valid(element), fmt::format("a {} is not finite, has no volume, or a rotation that is none", noun));
+        const double own = bounds(element).diagonal();
+        require(own < 5 * size, fmt::format("a {} is {} m long, the whole solid {} m", noun, own, size));
+    }
+}
+
+void require_tree(const Solid& solid, const SphereTree& tree, std::optional<std::size_t> most, const StageInfo& info) {
+    require(!tree.levels.empty() && !tree.elements().empty(), "it gives no sphere at all");
+    require(tree.levels[0].spheres.size() == 1 && tree.levels[0].size() == 1 && tree.levels[0].parents.empty(),
             fmt::format("level 0 is not one bounding sphere without a parent, but {} spheres and {} parents; remedy: "
-                        "foam::flat_tree()",
+                        "foam::flat_tree(), foam::flat_approximation()",
                         tree.levels[0].spheres.size(), tree.levels[0].parents.size()));
-    require(!most || tree.finest().size() <= *most,
-            fmt::format("{} spheres in the finest level, {} were allowed; remedy: keep to budget.max_spheres",
-                        tree.finest().size(), most.value_or(0)));
+    require(!most || tree.elements().size() <= *most,
+            fmt::format("{} {} in the finest level, {} were allowed; remedy: keep to budget.max_spheres",
+                        tree.elements().size(), spheres_alone(info.kinds) ? "spheres" : "elements", most.value_or(0)));
     for (std::size_t l = 0; l < tree.levels.size(); ++l) {
         const SphereTree::Level& level = tree.levels[l];
-        require(l == 0 || level.parents.size() == level.spheres.size(),
-                fmt::format("level {} has {} spheres and {} parents", l, level.spheres.size(), level.parents.size()));
+        require(l == 0 || level.parents.size() == level.size(),
+                fmt::format("level {} has {} {} and {} parents", l, level.size(),
+                            level.others.empty() ? "spheres" : "elements", level.parents.size()));
         for (const std::uint32_t parent : level.parents) {
-            require(parent < tree.levels[l - 1].spheres.size(),
+            require(parent < tree.levels[l - 1].size(),
                     fmt::format("a sphere of level {} has parent {}, but there are {}", l, parent,
-                                tree.levels[l - 1].spheres.size()));
+                                tree.levels[l - 1].size()));
         }
         require_spheres(solid, level.spheres);
-        const double sticks_out = gap(solid, level.spheres), size = solid.bounds().diagonal();
+        require_elements(solid, level.others, info);
+        const double sticks_out = gap(solid, level.view()), size = solid.bounds().diagonal();
         require(
             sticks_out <= 0.05 * size,
             fmt::format("level {} does not stand for the whole solid: {} m of it stick out, it is {} m long; remedy: "
@@ -77,27 +98,31 @@ void on_every_solid(const std::function<void(const Shape&)>& look) {
     });
 }
 
-std::vector<Budget> budgets() {
+std::vector<Budget> budgets(const StageInfo& info) {
+    std::vector<std::size_t> counts{1, 2, 3, 8, 20};
+    if (!spheres_alone(info.kinds)) {
+        counts = {1, 2, 3, 4}; // searches for other elements take longer
+    }
     std::vector<Budget> result;
-    for (const std::size_t count : {1, 2, 3, 8, 20}) {
+    for (const std::size_t count : counts) {
         result.push_back({count, {}, Guarantee::outer});
     }
     return result;
 }
 
-void check_budgets(const Spherizer& spherizer, const Shape& shape) {
+void check_budgets(const Spherizer& spherizer, const Shape& shape, const StageInfo& info) {
     QuietContext context{3};
     const Solid& solid = shape.original();
-    const std::vector<Budget> wanted = budgets();
+    const std::vector<Budget> wanted = budgets(info);
     const std::unique_ptr<SphereSearch> search = spherizer.search(shape);
     const std::vector<SphereTree> trees = search->at_most(wanted, context);
     require(trees.size() == wanted.size(),
             fmt::format("at_most() of search() gives {} trees for {} budgets", trees.size(), wanted.size()));
     for (std::size_t i = 0; i < trees.size(); ++i) {
         try {
-            require_tree(solid, trees[i], wanted[i].max_spheres);
-            require(certify(solid, grown_to_cover(solid, trees[i].finest())).holds,
-                    "cover cannot be proved after growth");
+            require_tree(solid, trees[i], wanted[i].max_spheres, info);
+            const Approximation::Level grown = grown_to_cover(solid, level_of(trees[i].elements()));
+            require(certify(solid, grown.view()).holds, "cover cannot be proved after growth");
         } catch (const std::exception& error) {
             throw Breach(fmt::format("budget of {}: {}", *wanted[i].max_spheres, error.what()));
         }
@@ -107,6 +132,22 @@ void check_budgets(const Spherizer& spherizer, const Shape& shape) {
             fmt::format("search() gives other spheres for {} when it is asked again, after {}; remedy: let a result "
                         "depend on its budget only",
                         *wanted[1].max_spheres, *wanted.back().max_spheres));
+}
+
+/// Requires that several elements cost at most what they may.
+void check_cost(const Spherizer& spherizer, const Shape& shape, const StageInfo& info) {
+    const ElementCost cost;
+    for (const double times : {1.0, 3.5}) {
+        const double least = least_price(info.kinds, cost);
+        QuietContext context{3};
+        const Budget budget{.max_spheres = 4, .max_protrusion = {}, .max_cost = times * least, .cost = cost};
+        const SphereTree tree = spherizer.spherize(shape, budget, context);
+        require_tree(shape.original(), tree, budget.max_spheres, info);
+        const double price = price_of(tree.elements(), cost);
+        require(tree.elements().size() == 1 || price <= *budget.max_cost * (1 + 1e-9),
+                fmt::format("its elements cost {}, {} was allowed; remedy: keep to budget.max_cost", price,
+                            *budget.max_cost));
+    }
 }
 
 Shape shape_of(const std::string& name) {
@@ -167,11 +208,15 @@ void check_original_only(const Spherizer& spherizer) {
 
 void check_spherizer(const Spherizer& spherizer, const StageInfo& info, Promises& promises) {
     promises.check("keeps the budget, stands for the solid, is proved after growth",
-                   [&] { on_every_solid([&](const Shape& shape) { check_budgets(spherizer, shape); }); });
+                   [&] { on_every_solid([&](const Shape& shape) { check_budgets(spherizer, shape, info); }); });
+    if (!spheres_alone(info.kinds)) {
+        promises.check("keeps a budget of cost",
+                       [&] { on_every_solid([&](const Shape& shape) { check_cost(spherizer, shape, info); }); });
+    }
     promises.check("works without a budget", [&] {
         on_every_solid([&](const Shape& shape) {
             QuietContext context{3};
-            require_tree(shape.original(), spherizer.spherize(shape, {}, context), {});
+            require_tree(shape.original(), spherizer.spherize(shape, {}, context), {}, info);
         });
     });
     promises.check("gives the same on any number of threads", [&] {
@@ -188,4 +233,4 @@ void check_spherizer(const Spherizer& spherizer, const StageInfo& info, Promises
     });
 }
 
-} // namespace foam::runtime
+} // namespace foam::inline runtime

@@ -1,6 +1,11 @@
 #include "promises.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/geometry/directions.hpp>
+#include <foam/sdk/kinds.hpp>
+
+#include <algorithm>
+#include <numeric>
 
 namespace foam::inline runtime {
 namespace {
@@ -71,9 +76,83 @@ void require_equal_up_to_growth(const std::string& link, const std::vector<Spher
     }
 }
 
+/// Returns an element of a kind at a pose that needs all digits.
+Element element_of_kind(Element::Kind kind) {
+    Element element;
+    element.kind = kind;
+    element.pose = Pose::from_xyz_rpy({0.1, -0.2, 1.0 / 3}, {0.3, -0.7, 2.1});
+    switch (kind) {
+    case Element::Kind::sphere:
+        break;
+    case Element::Kind::capsule:
+    case Element::Kind::cylinder:
+        element.half.z = 0.25;
+        break;
+    case Element::Kind::box:
+    case Element::Kind::swept_box:
+        element.half = {0.3, 0.2, 0.1};
+        break;
+    case Element::Kind::hull:
+        element.hull =
+            convex_hull(std::vector<Vec3>{{0, 0, 0}, {0.5, 0, 0}, {0, 0.25, 0}, {0, 0, 0.125}, {0.5, 0.25, 0.5}});
+        return element;
+    }
+    element.radius = kind == Element::Kind::box ? 0 : 0.05;
+    return element;
+}
+
+/// Returns a point well inside an element: that of a hull is the mean of its vertices.
+Vec3 inner_point(const Element& element) {
+    if (!element.hull) {
+        return element.pose.translation;
+    }
+    const std::vector<Vec3>& vertices = element.hull->surface.vertices;
+    return element.pose *
+           (std::accumulate(vertices.begin(), vertices.end(), Vec3{}) * (1.0 / static_cast<double>(vertices.size())));
+}
+
+/// Requires that the elements that were read contain the one that was written.
+void require_contained(const Element& written, const Approximation::Level& read) {
+    require(read.size() > 0, fmt::format("a {} is not read back", noun_of(written.kind, 1)));
+    constexpr std::size_t directions = 200;
+    constexpr double inwards = 1 - 1e-9; // orientations are read back to rounding
+    const Vec3 middle = inner_point(written);
+    for (const Vec3& direction : fibonacci_directions(directions)) {
+        const Vec3 point = middle + (support(written, direction) - middle) * inwards;
+        const bool held =
+            std::any_of(read.spheres.begin(), read.spheres.end(),
+                        [&](const Sphere& s) { return distance(s.center, point) <= s.radius; }) ||
+            std::any_of(read.others.begin(), read.others.end(), [&](const Element& e) { return holds(e, point); });
+        require(held, fmt::format("a {} comes back smaller or elsewhere; remedy: write all digits, or round outwards",
+                                  noun_of(written.kind, 1)));
+    }
+}
+
+/// Requires that an element of each kind that the writer's files hold is read back.
+void check_kind(const Writer& writer, Element::Kind kind) {
+    SphereModel elements = model_for(writer);
+    const Element element = element_of_kind(kind);
+    elements.groups.back().tree = flat_approximation({}, {element});
+    elements.file = "contract.urdf";
+    QuietContext context;
+    const std::string bytes = writer.write(elements, context);
+    require(bytes == writer.write(elements, context), "the second time it writes other bytes");
+    const auto beside = writer.files_beside(elements, context);
+    const auto read = writer.read_elements(bytes, beside);
+    const auto found = read.find(elements.groups.back().link);
+    require(found != read.end(), fmt::format("link {} is not read back", elements.groups.back().link));
+    require_contained(element, found->second);
+}
+
 } // namespace
 
-void check_writer(const Writer& writer, const std::vector<std::string>& companions, Promises& promises) {
+void check_writer(const Writer& writer, const StageInfo& info, Promises& promises) {
+    const std::vector<std::string>& companions = info.companions;
+    for (const Element::Kind kind : info.kinds) {
+        if (kind != Element::Kind::sphere) {
+            promises.check(fmt::format("gives back a {}", noun_of(kind, 1)), [&] { check_kind(writer, kind); });
+        }
+    }
     promises.check("gives back what it wrote, the same bytes every time", [&] {
         QuietContext context;
         const SphereModel spheres = model_for(writer);
@@ -128,4 +207,4 @@ void check_writer(const Writer& writer, const std::vector<std::string>& companio
     });
 }
 
-} // namespace foam::runtime
+} // namespace foam::inline runtime

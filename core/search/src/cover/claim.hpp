@@ -12,8 +12,10 @@ struct Deepest {
 
     /// Resets to `count` points without a ball.
     void clear(std::size_t count);
-    /// Assigns to ball `i` those of the points from `begin` to `end` that lie deeper in it than in their ball so far.
-    void offer(const Points& points, std::size_t begin, std::size_t end, const Balls& balls, std::uint32_t i);
+    /// Assigns to the balls `named` those of the points from `begin` to `end` that lie deeper in one of them than in
+    /// their ball so far. Of equal balls, the first counts.
+    void offer(const Points& points, std::size_t begin, std::size_t end, const Balls& balls,
+               std::span<const std::uint32_t> named);
 };
 void find_owners(const Points& points, const Balls& balls, Deepest& owners);
 

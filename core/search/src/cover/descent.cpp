@@ -34,14 +34,14 @@ void Descent::run(Points& points, Balls& balls, const DescentPlan& plan, const R
 }
 
 void Descent::add_exposed_areas(const Balls& balls, const Points& directions) {
-    Exposed exposed;
+    near_.update(balls);
     CancellationCounter often(64);
     for (std::size_t i = 0; i < balls.size(); ++i) {
         often.check();
-        if (!exposed.look(balls, i, directions)) {
+        if (!exposed_.look(balls, i, directions, near_.of(i))) {
             continue;
         }
-        slopes_[i] = slope_of(exposed, balls[i], directions,
+        slopes_[i] = slope_of(exposed_, balls[i], directions,
                               [&](float x, float y, float z) { return occupancy_.outside(x, y, z); });
     }
 }
@@ -73,22 +73,25 @@ void Descent::find_doubtful(const Points& points, const Balls& balls, float slac
     first_.erase(first_.begin());
     first_.push_back(doubtful_index_.size());
     deepest_.clear(doubtful_.size());
+    near_.update(balls);
     CancellationCounter often(64);
     for (std::uint32_t i = 0; i < balls.size(); ++i) {
         often.check();
         const std::size_t begin = first_[i], end = first_[i + 1];
-        deepest_.offer(doubtful_, begin, end, balls, i);
+        deepest_.offer(doubtful_, begin, end, balls, {&i, 1});
         float most = -balls[i].r;
         for (std::size_t k = begin; k < end; ++k) {
             most = std::max(most, deepest_.gap[k]);
         }
-        for (std::uint32_t other = 0; other < balls.size() && begin < end; ++other) {
+        rivals_.clear();
+        for (const std::uint32_t other : begin < end ? near_.of(i, 2 * most) : std::span<const std::uint32_t>()) {
             // A ball in which one of these lies deeper comes this close.
             const float reach = balls[i].r + balls[other].r + 2 * most;
             if (other != i && reach > 0 && squared_distance(balls[i], balls[other]) <= reach * reach) {
-                deepest_.offer(doubtful_, begin, end, balls, other);
+                rivals_.push_back(other);
             }
         }
+        deepest_.offer(doubtful_, begin, end, balls, rivals_);
     }
 }
 

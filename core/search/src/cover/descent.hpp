@@ -5,6 +5,7 @@
 #include "directions.hpp"
 #include "exposed.hpp"
 #include "held_points.hpp"
+#include "near_balls.hpp"
 #include "problem.hpp"
 
 #include <functional>
@@ -46,6 +47,8 @@ private:
 
     const Occupancy& occupancy_;
     const std::vector<Points>& directions_;
+    NearBalls near_;
+    Exposed exposed_;
     std::vector<std::uint32_t> owner_;
     std::vector<char> pressed_;
     std::vector<Held> held_;
@@ -55,6 +58,7 @@ private:
     // in `points`.
     std::vector<std::uint32_t> doubtful_index_, sorted_;
     std::vector<std::size_t> first_; ///< start of each ball in these, and the end
+    std::vector<std::uint32_t> rivals_;
     Points doubtful_;
     Deepest deepest_;
 };

@@ -54,7 +54,8 @@ bool Exchange::holds(const Ball& ball, const IndexedSurface::Face& face) const {
 }
 
 std::uint32_t Exchange::home_of(const IndexedSurface::Face& face, std::span<const std::uint32_t> balls) const {
-    const auto first = std::find_if(balls.begin(), balls.end(), [&](std::uint32_t i) { return holds(balls_[i], face); });
+    const auto first =
+        std::find_if(balls.begin(), balls.end(), [&](std::uint32_t i) { return holds(balls_[i], face); });
     return first == balls.end() ? none : *first;
 }
 
@@ -113,7 +114,7 @@ void Exchange::look_at(std::size_t i, std::size_t j, const Ball& region) {
         find_homes();
     }
     faces_.clear();
-    reach_ = region;
+    Ball reach = region;
     for (std::uint32_t f = 0; f < home_.size(); ++f) {
         const Ball& bounds = skin_.faces[f].bounds;
         const auto near = [&](std::size_t k) {
@@ -121,30 +122,58 @@ void Exchange::look_at(std::size_t i, std::size_t j, const Ball& region) {
             return squared_distance(balls_[k], bounds) <= sum * sum;
         };
         const bool own = home_[f] == i || home_[f] == j;
-        if (!own && !near(i) && (i == j || !near(j))) {
+        if (!own && !near(i) && !near(j)) {
             continue;
         }
-        reach_.r = std::max(reach_.r, std::sqrt(squared_distance(region, bounds)) + bounds.r);
+        reach.r = std::max(reach.r, std::sqrt(squared_distance(region, bounds)) + bounds.r);
         if (own || home_[f] == none) {
             faces_.push_back(f);
         }
     }
-    reach_.r *= rounding;
+    reach.r *= rounding;
+    reach_ = reach;
     // Balls that meet neither of the two may contain parts of a face that reaches far beyond both.
-    others_.clear();
-    for (std::size_t k = 0; k < balls_.size(); ++k) {
-        if (k != i && k != j && cover::meet(balls_[k], reach_)) {
-            others_.push_back(balls_[k]);
-        }
-    }
+    find_others(i, j, reach);
     remainder_.find(faces_, others_, content_);
     std::erase_if(others_,
                   [&](const Ball& other) { return !cover::meet(other, balls_[i]) && !cover::meet(other, balls_[j]); });
     outside_.look(others_, region);
 }
 
+void Exchange::look_at(std::size_t ball) {
+    constexpr float margin = 1.001f; // for parts that no ball quite contains
+    if (skin_.is_coarse) {
+        look_at(ball, ball, balls_[ball]); // parts that no ball contains may reach far
+        return;
+    }
+    if (!moved_.empty()) {
+        find_homes();
+    }
+    const Ball& region = balls_[ball];
+    reach_ = region;
+    reach_.r *= margin;
+    faces_.clear();
+    for (std::uint32_t f = 0; f < home_.size(); ++f) {
+        if ((home_[f] == ball || home_[f] == none) && cover::meet(skin_.faces[f].bounds, reach_)) {
+            faces_.push_back(f);
+        }
+    }
+    find_others(ball, ball, reach_);
+    remainder_.find_within(reach_, faces_, others_, content_);
+    outside_.look(others_, region);
+}
+
+void Exchange::find_others(std::size_t i, std::size_t j, const Ball& reach) {
+    others_.clear();
+    for (std::size_t k = 0; k < balls_.size(); ++k) {
+        if (k != i && k != j && cover::meet(balls_[k], reach)) {
+            others_.push_back(balls_[k]);
+        }
+    }
+}
+
 Exchange::Look Exchange::look_at_splits(std::size_t ball) {
-    look_at(ball, ball, balls_[ball]);
+    look_at(ball);
     Look look{-std::numeric_limits<double>::infinity(), {}, reach_};
     if (content_.points.size() >= 2) {
         look.starts = TwoBallSearch(content_, outside_).anywhere(plan_.split);
@@ -154,7 +183,7 @@ Exchange::Look Exchange::look_at_splits(std::size_t ball) {
 }
 
 std::optional<std::array<Ball, 2>> Exchange::best_split(std::size_t ball, const std::vector<TwoBalls>& starts) {
-    look_at(ball, ball, balls_[ball]);
+    look_at(ball);
     const TwoBalls best = TwoBallSearch(content_, outside_).improved(starts, plan_.split);
     if (!(best.balls[0].r > 0 && best.balls[1].r > 0)) {
         return std::nullopt;
@@ -225,4 +254,4 @@ void Exchange::settle() {
     }
 }
 
-} // namespace foam::search::cover
+} // namespace foam::inline search::cover

@@ -46,6 +46,10 @@ private:
     bool meet(std::size_t i, std::size_t j) const;
     /// Finds the pieces that balls i and j must contain, and their surroundings.
     void look_at(std::size_t i, std::size_t j, const Ball& region);
+    /// Finds the pieces that a ball alone contains, and its surroundings.
+    void look_at(std::size_t ball);
+    /// Finds the balls but i and j that meet another.
+    void find_others(std::size_t i, std::size_t j, const Ball& reach);
     bool exchange(std::size_t i, std::size_t j);
     void find_homes();
     std::uint32_t home_of(const IndexedSurface::Face& face, std::span<const std::uint32_t> balls) const;
@@ -56,7 +60,7 @@ private:
     const IndexedSurface& skin_;
     ExchangePlan plan_;
     Balls balls_;
-    std::vector<std::uint32_t> home_; ///< for each face a ball that contains it alone, or none
+    std::vector<std::uint32_t> home_;                    ///< for each face a ball that contains it alone, or none
     std::vector<std::uint32_t> all_, near_, moved_near_; ///< balls
     Remainder remainder_;
     OutsideVolume outside_;
@@ -64,7 +68,7 @@ private:
     Content content_;
     std::vector<std::uint32_t> faces_;
     Balls others_;
-    Ball reach_{}; ///< of the last look: around the balls and all faces that they meet
+    Ball reach_{}; ///< of the last look: around the balls and all pieces that matter to them
 };
 
-} // namespace foam::search::cover
+} // namespace foam::inline search::cover

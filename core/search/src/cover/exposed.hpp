@@ -3,7 +3,9 @@
 
 #include "points.hpp"
 
+#include <cstdint>
 #include <numbers>
+#include <span>
 
 namespace foam::inline search::cover {
 
@@ -11,11 +13,20 @@ class Exposed {
 public:
     /// Computes the exposed directions. Returns false if the ball has no surface outside the others.
     bool look(const Balls& balls, std::size_t i, const Points& directions);
+    /// The same. `near`: all balls that may meet ball i.
+    bool look(const Balls& balls, std::size_t i, const Points& directions, std::span<const std::uint32_t> near);
     /// Returns a value for each direction of the last look(): positive outside all other balls. In units of length², it
     /// falls to zero linearly with the distance from the nearest other ball.
     const std::vector<float>& depth() const { return depth_; }
 
+    /// A linear function of a direction.
+    struct Linear {
+        float constant, x, y, z;
+    };
+
 private:
+    std::vector<Linear> functions_; ///< for each ball that meets the one looked at
+    std::vector<std::uint32_t> all_;
     std::vector<float> depth_;
 };
 

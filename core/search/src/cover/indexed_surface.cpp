@@ -116,6 +116,7 @@ IndexedSurface IndexedSurface::clustered(int resolution) const {
     }
     std::sort(order.begin(), order.end());
     IndexedSurface result;
+    result.is_coarse = true;
     std::vector<std::uint32_t> name(points.size());
     for (std::size_t k = 0; k < order.size(); ++k) {
         if (k == 0 || order[k].first != order[k - 1].first) {

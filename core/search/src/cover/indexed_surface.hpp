@@ -22,6 +22,7 @@ struct IndexedSurface {
     Points points;
     std::vector<Line> edges;
     std::vector<Face> faces;
+    bool is_coarse = false; ///< balls that cover the surface may not quite cover it
 
     IndexedSurface(const Mesh& surface, const Frame& frame);
     /// Makes the coarse skin at once if there are more than `most` points.

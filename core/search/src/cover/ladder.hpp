@@ -29,9 +29,9 @@ constexpr std::size_t count_before(std::size_t count) {
     return before;
 }
 
-/// Returns the same for Effort::fast: above 16 balls only 32 and 64 are candidates.
+/// Returns the same for Effort::fast: above 8 balls only 16, 32 and 64 are candidates.
 constexpr std::size_t quick_count_before(std::size_t count) {
-    constexpr std::size_t few = 16;
+    constexpr std::size_t few = 8;
     return count <= few ? count_before(count) : std::min(std::bit_floor(count - 1), most_growing);
 }
 

@@ -19,7 +19,9 @@ Remainder::Remainder(const IndexedSurface& skin)
     : skin_(skin), place_(skin.points.size(), 0), corner_turn_(skin.points.size(), 0),
       edge_turn_(skin.edges.size(), 0) {}
 
-void Remainder::find(const std::vector<std::uint32_t>& faces, const Balls& balls, Content& content) {
+void Remainder::find(const std::vector<std::uint32_t>& faces, const Balls& balls, const Ball* within,
+                     Content& content) {
+    within_ = within;
     content.clear();
     ++turn_;
     for (const std::uint32_t f : faces) {
@@ -56,6 +58,9 @@ bool Remainder::find_near(const IndexedSurface::Face& face, const Balls& balls) 
 }
 
 bool Remainder::held(const Vec3& point, std::size_t but, std::size_t and_but) const {
+    if (within_ && squared_norm(point - center_of(*within_)) > squared_radius(*within_)) {
+        return true;
+    }
     for (std::size_t i = 0; i < near_.size(); ++i) {
         if (i != but && i != and_but &&
             squared_norm(point - center_of(near_[i])) <= squared_radius(near_[i]) * (1 + 2 * slack)) {
@@ -169,4 +174,4 @@ void Remainder::cross_balls(const Vec3& a, const Vec3& b, const Vec3& c, Content
     }
 }
 
-} // namespace foam::search::cover
+} // namespace foam::inline search::cover

@@ -24,51 +24,46 @@ constexpr std::size_t few_points = 500;
 
 Plan plan_for(Effort effort) {
     if (effort == Effort::best) {
+        constexpr ExchangePlan exchange{{24, 7, 4, 80}, 80, 12, 20};
         return {.resolution = 96,
                 .points = 6000,
                 .first_points = 1000,
                 .directions = 128,
-                .restarts = 48,
-                .starts = 12,
-                .kept_of_few = 6,
-                .kept_of_some = 6,
-                .kept_of_many = 3,
                 .coarse_steps = 200,
                 .fine_steps = 160,
                 .most_split = 12,
                 .most_moves = 3,
                 .most_quick = 16,
                 .most_exchanged = 16,
-                .first_gradient_steps = 4,
-                .last_gradient_steps = 40,
-                .exchange = {{24, 7, 4, 80}, 80, 12, 20},
-                .skin_resolution = 32};
+                .skin_resolution = 32,
+                .few = {48, 6, 4, 40, exchange},
+                .some = {48, 6, 4, 40, exchange},
+                .between = {12, 3, 4, 40, exchange},
+                .many = {12, 3, 4, 40, exchange}};
     }
+    constexpr TwoBallSearch::Plan split{16, 5, 2, 40};
     return {.resolution = 48,
             .points = 3000,
             .first_points = 500,
             .directions = 96,
-            .restarts = 2,
-            .starts = 2,
-            .kept_of_few = 2,
-            .kept_of_some = 1,
-            .kept_of_many = 1,
             .coarse_steps = 120,
             .fine_steps = 120,
             .most_split = 8,
             .most_moves = 0,
             .most_quick = 16,
             .most_exchanged = 8,
-            .first_gradient_steps = 4,
-            .last_gradient_steps = 20,
-            .exchange = {{16, 5, 2, 40}, 20, 6, 16},
-            .skin_resolution = 16};
+            .skin_resolution = 16,
+            .few = {1, 2, 2, 10, {split, 20, 4, 12}},
+            .some = {2, 1, 4, 20, {split, 20, 6, 16}},
+            .between = {2, 1, 4, 20, {split, 20, 6, 16}},
+            .many = {2, 1, 4, 20, {split, 20, 6, 16}}};
 }
 
 Plan plan_for_coarse(Effort effort) {
     Plan plan = plan_for(effort);
     if (effort == Effort::normal) {
         plan.most_moves = plan_for(Effort::best).most_moves;
+        plan.most_split = 8;
     }
     return plan;
 }
@@ -106,7 +101,7 @@ Search::Model Search::model(std::size_t count) {
         return stopped_ ? best : models_.emplace(count, std::move(best)).first->second;
     }
     if (count <= plan_.most_split) {
-        take(settled(quick_.surface_for(count), one_more(before.balls), plan_.last_gradient_steps).balls);
+        take(settled(quick_.surface_for(count), one_more(before.balls), plan_.of(count).last_gradient_steps).balls);
         if (stopped()) {
             return best;
         }
@@ -161,12 +156,13 @@ std::vector<Balls> Search::found_of_many(std::size_t count) {
 
 std::vector<Balls> Search::moved(const Balls& cover) {
     const DescentSurface& surface = quick_.surface_for(cover.size());
+    const CountPlan& plan = plan_.of(cover.size());
     std::vector<Balls> result(cover.size());
     parallel_for(cover.size(), [&](std::size_t i) {
         Balls fewer = cover;
         fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
-        fewer = settled(surface, fewer, plan_.first_gradient_steps).balls;
-        result[i] = settled(surface, one_more(fewer), plan_.last_gradient_steps).balls;
+        fewer = settled(surface, fewer, plan.first_gradient_steps).balls;
+        result[i] = settled(surface, one_more(fewer), plan.last_gradient_steps).balls;
     });
     return result;
 }
@@ -190,7 +186,7 @@ Balls Search::one_more(const Balls& cover) const {
     constexpr std::size_t most_candidates = 3;
     std::vector<std::size_t> candidates = improvement_.by_waste(cover);
     candidates.resize(std::min(candidates.size(), most_candidates));
-    Exchange exchange(problem_, coarse_skin_, plan_.exchange, cover);
+    Exchange exchange(problem_, coarse_skin_, plan_.of(cover.size() + 1).exchange, cover);
     if (exchange.split(candidates)) {
         exchange.settle();
     }
@@ -201,22 +197,23 @@ Balls Search::one_more(const Balls& cover) const {
 /// balls it is not: those start with clusters, and with long steps that move lost balls to better places.
 std::vector<Balls> Search::found(std::size_t count, const Balls& before, const Balls& more) {
     const DescentSurface& surface = quick_.surface_for(count);
+    const CountPlan& plan = plan_.of(count);
     std::vector<CoverCandidate> rated;
     if (count <= plan_.most_quick) {
         rated = quick_.candidates(count, before);
         parallel_for(rated.size(),
-                     [&](std::size_t i) { rated[i] = settled(surface, rated[i].balls, plan_.first_gradient_steps); });
+                     [&](std::size_t i) { rated[i] = settled(surface, rated[i].balls, plan.first_gradient_steps); });
         add_restarts(count, rated);
         if (!more.empty()) {
-            rated.push_back(settled(surface, more, plan_.first_gradient_steps));
+            rated.push_back(settled(surface, more, plan.first_gradient_steps));
         }
     } else {
         add_starts_of_many(count, rated);
     }
     std::stable_sort(rated.begin(), rated.end(), has_less_volume);
-    rated.resize(std::min(rated.size(), kept_for(count)));
+    rated.resize(std::min(rated.size(), plan.kept));
     if (count > plan_.most_quick && !more.empty()) {
-        rated.push_back(settled(surface, more, plan_.first_gradient_steps));
+        rated.push_back(settled(surface, more, plan.first_gradient_steps));
     }
     std::vector<Balls> balls(rated.size());
     if (stopped()) {
@@ -229,18 +226,13 @@ std::vector<Balls> Search::found(std::size_t count, const Balls& before, const B
                            few    ? exchanged(start)
                            : many ? refined(start)
                                   : start,
-                           plan_.last_gradient_steps)
+                           plan.last_gradient_steps)
                        .balls;
         if (few && coarse_skin_.points.size() < skin_.points.size()) {
-            balls[i] = settled(surface, exchanged_finely(balls[i]), plan_.last_gradient_steps).balls;
+            balls[i] = settled(surface, exchanged_finely(balls[i]), plan.last_gradient_steps).balls;
         }
     });
     return balls;
-}
-
-std::size_t Search::kept_for(std::size_t count) const {
-    constexpr std::size_t few = 4;
-    return count <= few ? plan_.kept_of_few : count <= plan_.most_quick ? plan_.kept_of_some : plan_.kept_of_many;
 }
 
 void Search::add_restarts(std::size_t count, std::vector<CoverCandidate>& rated) {
@@ -250,15 +242,16 @@ void Search::add_restarts(std::size_t count, std::vector<CoverCandidate>& rated)
     }
     const std::size_t first = rated.size();
     const DescentSurface& surface = quick_.surface_for(count);
+    const CountPlan& plan = plan_.of(count);
     Random random(derive_seed(options_.seed, "restarts") + count);
-    rated.resize(first + plan_.restarts);
+    rated.resize(first + plan.restarts);
     for (std::size_t i = first; i < rated.size(); ++i) {
         rated[i].balls = clusters(body_, count, random);
     }
-    parallel_for(plan_.restarts, [&](std::size_t k) {
+    parallel_for(plan.restarts, [&](std::size_t k) {
         CoverCandidate& start = rated[first + k];
         start = settled(surface, descended(surface, &problem_.occupancy, std::move(start.balls), count, descent),
-                        plan_.first_gradient_steps);
+                        plan.first_gradient_steps);
     });
 }
 
@@ -266,7 +259,7 @@ void Search::add_starts_of_many(std::size_t count, std::vector<CoverCandidate>& 
     Random random(derive_seed(options_.seed, "starts") + count);
     constexpr std::size_t points_a_ball = 6; // fewer would make clusters of one point, balls without size
     const Points more = points_a_ball * count > body_.size() ? body_points(problem_, points_a_ball * count) : Points{};
-    rated.resize(plan_.starts);
+    rated.resize(plan_.of(count).restarts);
     for (CoverCandidate& start : rated) {
         start.balls = clusters(more.size() > body_.size() ? more : body_, count, random);
     }
@@ -283,14 +276,14 @@ CoverCandidate Search::settled(const DescentSurface& surface, const Balls& balls
 }
 
 Balls Search::exchanged(const Balls& balls) const {
-    Exchange exchange(problem_, coarse_skin_, plan_.exchange, balls);
+    Exchange exchange(problem_, coarse_skin_, plan_.of(balls.size()).exchange, balls);
     exchange.settle();
     return exchange.balls();
 }
 
 /// Exchanges on the surface itself after exchanges on a coarse one.
 Balls Search::exchanged_finely(const Balls& balls) const {
-    ExchangePlan plan = plan_.exchange;
+    ExchangePlan plan = plan_.of(balls.size()).exchange;
     plan.evaluations = 12;
     plan.rounds = 1;
     Exchange exchange(problem_, skin_, plan, balls);
@@ -309,4 +302,4 @@ Search::Model Search::finished(const Balls& balls) const {
     return model;
 }
 
-} // namespace foam::search::cover
+} // namespace foam::inline search::cover

@@ -6,31 +6,43 @@
 #include "quick_search.hpp"
 
 #include <foam/base/random.hpp>
-#include <foam/search/splitting.hpp>
 #include <foam/search/spherize.hpp>
+#include <foam/search/splitting.hpp>
 
+#include <bit>
 #include <map>
 #include <optional>
 
 namespace foam::inline search::cover {
 
+/// How much the search does for one count.
+struct CountPlan {
+    std::size_t restarts = 0;                          ///< random starts
+    std::size_t kept = 1;                              ///< refined starts
+    int first_gradient_steps = 0, last_gradient_steps; ///< of each start, and of those that are kept
+    ExchangePlan exchange;
+};
+
 /// The parameters of the efforts normal and best; fast is QuickSearch.
 struct Plan {
-    int resolution;               ///< cells of the occupancy along the longest extent
-    std::size_t points;           ///< number on the surface
-    std::size_t first_points;     ///< points that every descent uses
-    std::size_t directions;       ///< per ball
-    std::size_t restarts, starts; ///< random starts: for counts of the quick search, and for larger ones
-    std::size_t kept_of_few, kept_of_some, kept_of_many; ///< refined starts for counts up to 4, up to most_quick, above
+    int resolution;           ///< cells of the occupancy along the longest extent
+    std::size_t points;       ///< number on the surface
+    std::size_t first_points; ///< points that every descent uses
+    std::size_t directions;   ///< per ball
     int coarse_steps, fine_steps;
     std::size_t most_split;     ///< counts up to this start from splits too; two balls from them alone. Larger ones
                                 ///< start from those before with balls split one by one
     int most_moves;             ///< rounds of moves of those, each of every ball
     std::size_t most_quick;     ///< counts up to this start with the results of the quick search
     std::size_t most_exchanged; ///< counts up to this exchange pieces
-    int first_gradient_steps, last_gradient_steps; ///< of each start, and of those that are kept
-    ExchangePlan exchange;
-    int skin_resolution; ///< of a finely meshed surface, for the search
+    int skin_resolution;        ///< of a finely meshed surface, for the search
+    CountPlan few, some;        ///< for counts up to 4, and up to most_quick
+    CountPlan between, many;    ///< for larger ones: between powers of two, and those
+
+    const CountPlan& of(std::size_t count) const {
+        constexpr std::size_t few_balls = 4;
+        return count <= few_balls ? few : count <= most_quick ? some : std::has_single_bit(count) ? many : between;
+    }
 };
 Plan plan_for(Effort effort);
 /// Returns the plan for a coarse solid, on which a search takes little of the time of a run: fast searches as normal
@@ -75,7 +87,6 @@ private:
     /// Adds candidates from many random starts.
     void add_restarts(std::size_t count, std::vector<CoverCandidate>& rated);
     void add_starts_of_many(std::size_t count, std::vector<CoverCandidate>& rated);
-    std::size_t kept_for(std::size_t count) const;
     Balls exchanged(const Balls& balls) const;
     Balls exchanged_finely(const Balls& balls) const;
     Balls refined(const Balls& balls) const;
@@ -96,4 +107,4 @@ private:
     bool stopped_ = false;
 };
 
-} // namespace foam::search::cover
+} // namespace foam::inline search::cover

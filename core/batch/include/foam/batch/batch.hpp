@@ -24,35 +24,38 @@ struct BatchProgress {
 };
 
 struct BatchOptions {
-    std::filesystem::path folder;        ///< of the results; made if it is missing
-    std::optional<std::size_t> shards;   ///< absent: as in the folder, or one for every thousand meshes
-    std::vector<std::size_t> only;       ///< the shards of this process; empty: those of `tasks`
+    std::filesystem::path folder;      ///< of the results; made if it is missing
+    std::optional<std::size_t> shards; ///< absent: as in the folder, or one for every thousand meshes
+    std::vector<std::size_t> only;     ///< the shards of this process; empty: those of `tasks`
     /// Returns the shards of this process, given the number of all; absent: all. May be none.
     std::function<std::vector<std::size_t>(std::size_t shards)> tasks;
-    std::size_t workers = 0;             ///< processes; 0: one a core
-    double time_limit = 60;              ///< s; of one mesh
+    std::size_t workers = 0; ///< processes; 0: one a core
+    double time_limit = 60;  ///< s; of one mesh
     /// MiB; of one worker; 0: none. Absent: 4096, and none in a foam built with a sanitizer, which cannot enforce one.
     std::optional<std::size_t> memory_limit;
-    std::filesystem::path program;       ///< its main() calls serve_batch_worker(); empty: this program
-    std::function<bool()> stop;          ///< asked about twenty times a second; empty: never
+    std::filesystem::path program;                      ///< its main() calls serve_batch_worker(); empty: this program
+    std::function<bool()> stop;                         ///< asked about twenty times a second; empty: never
     std::function<void(const BatchProgress&)> progress; ///< called a few times a second
 };
 
 /// The state of a folder of results.
 struct BatchStatus {
     std::size_t meshes = 0, done = 0, failed = 0;
-    std::size_t shards = 0, finished_shards = 0;
+    std::size_t shards = 0, finished_shards = 0, worked_on = 0; ///< worked_on: shards that a process has now
     std::map<std::string, std::size_t> reasons; ///< failures by code and reason, without names and numbers
     double cpu_seconds = 0;                     ///< of the meshes that are done
+    /// Returns the meshes that one core does in a second, by the mean of those that are done; 0: not known yet.
+    double rate_of_core() const;
     /// Returns the CPU time that the other meshes need, s, if they take as long as those that are done.
     double cpu_seconds_left() const;
 };
 
 /// The result of run_batch().
 struct BatchOutcome {
-    BatchStatus status;             ///< of the whole folder
-    std::size_t busy = 0;           ///< shards left out, as another process works on them
-    bool stopped = false;           ///< by `stop`; all results so far are kept
+    bool complete = false; ///< every shard of the folder is finished, by this process or others
+    std::size_t added = 0; ///< results that this process made
+    std::size_t busy = 0;  ///< shards left out, as another process works on them
+    bool stopped = false;  ///< by `stop`; all results so far are kept
     std::size_t meshes = 0, failed = 0, missing = 0; ///< of the shards of this process
 };
 
@@ -60,12 +63,12 @@ struct BatchOutcome {
 /// that fails, crashes its worker twice or exceeds a limit is a failure with a reason. Results that are there already
 /// stay. The results are the same for any number of workers, shards and restarts, but for times and limits. Throws
 /// Error if the folder cannot be used.
-BatchOutcome run_batch(const std::vector<BatchItem>& items, const Recipe& recipe, const Registry& registry,
+BatchOutcome run_batch(std::vector<BatchItem> items, const Recipe& recipe, const Registry& registry,
                        const BatchOptions& options);
 
-/// Makes the folder without working on it, and writes the scripts that do: foam.sbatch (Slurm), Snakefile and README.md.
-/// `command`: the command line that makes the folder, without --slurm and --shard, each argument by itself.
-void prepare_batch(const std::vector<BatchItem>& items, const Recipe& recipe, const Registry& registry,
+/// Makes the folder without working on it, and writes the scripts that do: foam.sbatch (Slurm), Snakefile and
+/// README.md. `command`: the command line that makes the folder, without --slurm and --shard, each argument by itself.
+void prepare_batch(std::vector<BatchItem> items, const Recipe& recipe, const Registry& registry,
                    const BatchOptions& options, const std::vector<std::string>& command);
 
 /// Returns the state of a folder of results.
@@ -85,6 +88,9 @@ struct Collected {
 /// arrays of NumPy if it ends in .npz. An empty path: the standard output. Throws Error.
 Collected collect_batch(const std::filesystem::path& folder, const std::filesystem::path& table,
                         const CollectOptions& options);
+
+/// Returns the text of a table of JSON lines, .jsonl or compressed as .jsonl.zst. Throws Error(input).
+std::string read_batch_table(const std::filesystem::path& table);
 
 /// Writes index.html into the folder: figures and pictures of the first thousand meshes.
 void write_batch_page(const std::filesystem::path& folder);

@@ -25,7 +25,8 @@ struct BatchItem {
 /// - a list: JSON lines (.jsonl) with the keys id, path, scale, unit and spheres; a table (.csv) with these columns in
 ///   its first line; or a text (.txt) with one path a line. Only `path` is required; the id is the path otherwise.
 ///   Paths are relative to the list's folder;
-/// - a folder or an archive (.zip, .tar): all its files that a loader of the registry reads; ids are their paths in it;
+/// - a folder or an archive (.zip, .tar): all its files that a loader of the registry reads; ids are their paths in it.
+///   Links are followed, but to a folder that contains the link;
 /// - a glob ("meshes/*.obj"), in which * and ? stay within a folder;
 /// - "-": JSON lines from the standard input, with paths relative to the current folder.
 /// Throws Error(input) that names the file and line, also for an id that occurs twice and for an empty list.

@@ -16,18 +16,24 @@
 namespace foam {
 inline namespace [[gnu::visibility("default")]] collision {
 
-/// The spheres of each link.
+/// The elements of each link.
 struct CollisionModel {
-    /// The source of the spheres of a link.
+    /// The source of the elements of a link.
     enum class Source {
         none,  ///< the link has no collision geometry
         given, ///< they are the geometry, or come from a sphere file
         cover, ///< computed here, certified to cover the link's geometry
     };
     std::shared_ptr<const Robot> robot;
-    std::vector<std::vector<Sphere>> spheres; ///< of each link of the robot, in its frame; empty: never collides
+    std::vector<std::vector<Sphere>> spheres; ///< of each link of the robot, in its frame
     std::vector<Source> sources;              ///< of each link of the robot
     std::vector<std::string> notes;           ///< warnings of the loaders, and what is left out
+    std::vector<std::vector<Element>> others{}; ///< elements of other kinds of each link; empty: none of any link
+
+    /// The elements of a link; without any it never collides.
+    ElementsView of(std::size_t link) const {
+        return {spheres[link], others.empty() ? std::span<const Element>() : std::span<const Element>(others[link])};
+    }
 };
 
 /// Why a pair is not checked, in the words of MoveIt's SRDFs.
@@ -42,7 +48,7 @@ enum class PairReason {
 /// Returns "Adjacent", "Always", "Default", "Never"; "" for none.
 const char* to_string(PairReason reason);
 
-/// Two links with spheres.
+/// Two links with elements.
 struct LinkPair {
     std::size_t first = 0, second = 0; ///< indices into robot.links, first < second
     PairReason reason = PairReason::none;
@@ -65,7 +71,7 @@ struct SelfCollisionOptions {
 };
 
 struct SelfCollisionMatrix {
-    std::vector<LinkPair> pairs; ///< all pairs of links with spheres, in the order of the links
+    std::vector<LinkPair> pairs; ///< all pairs of links with elements, in the order of the links
     std::vector<double> reference;
     std::size_t samples = 0;
     double confidence = 0;

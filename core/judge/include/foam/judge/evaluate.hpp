@@ -70,6 +70,12 @@ struct MatchedModel {
     SphereFile file;
     std::vector<std::vector<Sphere>> spheres; ///< of each link of the original; empty: none
     std::vector<std::string> notes;           ///< notes of the file, and what is not evaluated
+    std::vector<std::vector<Element>> others{}; ///< elements of other kinds of each link; empty: none of any link
+
+    /// The elements of a link of the original.
+    ElementsView of(std::size_t link) const {
+        return {spheres[link], others.empty() ? std::span<const Element>() : std::span<const Element>(others[link])};
+    }
 };
 
 /// Matches links by name. A link that the robot lacks is matched to the link that it is fixed to, if the file names
@@ -102,11 +108,12 @@ struct LinkProof {
     std::size_t sphere = 0;     ///< inner: its index among the link's spheres
     std::size_t triangles = 0;  ///< outer: of the surface; round primitives by the polyhedron around them
     std::size_t pieces = 0;     ///< outer: triangles, and parts of them, that were examined
-    std::uint32_t halvings = 0; ///< outer: of the smallest of these
+    std::uint32_t halvings = 0; ///< outer: of the smallest of these; 0 where elements are not all spheres
 };
 
 /// Returns one result per link of the original. For `outer` a link without spheres is not covered; for `inner` it
-/// passes. Throws Error(usage) for Guarantee::fitted, for which there is no proof.
+/// passes. Throws Error(usage) for Guarantee::fitted, for which there is no proof, and for Guarantee::inner with
+/// elements of other kinds than sphere.
 std::vector<LinkProof> prove(const Original& original, const MatchedModel& model, Guarantee guarantee);
 
 /// The reason in ProvedLinks for a link whose proof does not hold.

@@ -4,6 +4,8 @@
 #include <foam/geometry/measure_names.hpp>
 #include <foam/judge/collision_model.hpp>
 #include <foam/judge/evaluate.hpp>
+#include <foam/judge/poses.hpp>
+#include <foam/sdk/kinds.hpp>
 
 #include <cmath>
 #include <string>
@@ -39,6 +41,9 @@ Json json_of_evaluation(const Original& original, const MatchedModel& model, con
     for (std::size_t i = 0; i < original.links.size(); ++i) {
         Json link{{"link", original.links[i].link}};
         link.update(json_of_figures<Json>(evaluation.links[i]));
+        if (const ElementsView elements = model.of(i); !elements.others.empty()) {
+            link["kinds"] = json_of_kinds<Json>(kinds_of(elements));
+        }
         json["links"].push_back(std::move(link));
     }
     return json;
@@ -65,14 +70,42 @@ template <class Json> Json json_of_proofs(const Original& original, const std::v
     return links;
 }
 
+/// Returns what a model does in poses.
+template <class Json> Json json_of_consequences(const Robot& robot, const Consequences& found) {
+    Json pairs = Json::array(), elements = Json::array();
+    for (const PairConsequence& pair : found.pairs) {
+        pairs.push_back({{"link1", robot.links[pair.first].name},
+                         {"link2", robot.links[pair.second].name},
+                         {"contacts", pair.contacts},
+                         {"missed", pair.missed},
+                         {"false", pair.false_contacts}});
+    }
+    for (const ElementConsequence& element : found.elements) {
+        elements.push_back({{"link", robot.links[element.link].name},
+                            {"element", element.element},
+                            {"false", element.false_contacts}});
+    }
+    return {{"poses", found.poses},
+            {"in_contact", found.in_contact},
+            {"refused", found.refused},
+            {"falsely_refused", found.falsely_refused},
+            {"missed", found.missed},
+            {"pairs", std::move(pairs)},
+            {"elements", std::move(elements)}};
+}
+
 /// Returns the links with spheres.
 template <class Json> Json json_of_links(const CollisionModel& model) {
     Json links = Json::array();
     for (std::size_t i = 0; i < model.spheres.size(); ++i) {
-        if (!model.spheres[i].empty()) {
+        const ElementsView elements = model.of(i);
+        if (!elements.empty()) {
             links.push_back({{"link", model.robot->links[i].name},
-                             {"spheres", model.spheres[i].size()},
+                             {"spheres", elements.size()},
                              {"certified_cover", model.sources[i] == CollisionModel::Source::cover}});
+            if (!elements.others.empty()) {
+                links.back()["kinds"] = json_of_kinds<Json>(kinds_of(elements));
+            }
         }
     }
     return links;

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,16 +34,23 @@ std::vector<IgnoredPair> ignored_pairs_of(const SphereModel& model, const JointV
 struct WrittenFile {
     std::filesystem::path file;
     std::string bytes;
+    bool beside = false; ///< of Writer::files_beside()
 };
 
-/// Returns the files that an output consists of. Throws Error(usage) if two of them have one name.
+/// Returns the files that an output consists of, without those of Writer::files_beside(), which depend on the model.
+/// Throws Error(usage) if two of them have one name.
 std::vector<std::filesystem::path> files_of(const StageInfo& writer, const std::filesystem::path& target);
 /// Returns these files with their bytes, that of Writer::write() first; nothing is written. `target`: where they are to
-/// lie; empty: the standard output.
+/// lie; empty: the standard output. Throws Error(output) if the writer's files do not hold the model's elements,
+/// Error(usage) if there are files beside the standard output.
 std::vector<WrittenFile> written_files(const Writer& writer, const StageInfo& info, SphereModel model,
                                        const std::filesystem::path& target, Context& context);
-/// Throws Error(internal) if the writer's bytes give other spheres than the model.
-void require_written(const SphereModel& model, const Writer& writer, const std::string& bytes);
+/// Returns the elements of each link, as they are read back from the files.
+std::map<std::string, Approximation::Level> read_back(const Writer& writer, const std::vector<WrittenFile>& files);
+/// Throws Error(internal) if the writer's files give other spheres than the model, or no other elements where it has
+/// some. Numbers of other elements may differ in the last places, as their orientations do: proofs are on the numbers
+/// that are read.
+void require_written(const SphereModel& model, const Writer& writer, const std::vector<WrittenFile>& files);
 
 } // namespace judge
 } // namespace foam

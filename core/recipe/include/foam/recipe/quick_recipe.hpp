@@ -5,8 +5,10 @@
 #include <foam/sdk/registry.hpp>
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace foam {
@@ -16,19 +18,34 @@ inline namespace [[gnu::visibility("default")]] recipe {
 struct QuickBudget {
     std::optional<std::size_t> spheres;
     std::optional<double> excess, max_protrusion; ///< max_protrusion: m
+    std::optional<double> cost{};                 ///< of checking all elements
+    std::map<std::string, double> costs{};        ///< by the words of `costs`
+};
+
+/// The stage that makes the elements.
+struct QuickMethod {
+    /// A spherizer, with or without "spherize."; for elements of any kind "approximate.", empty: the one for the kinds.
+    std::string stage;
+    bool elements = false; ///< of any kind, as `foam approximate`
+    std::vector<Element::Kind> kinds{};
+    std::string objective{}; ///< empty: that of the stage
+
+    QuickMethod(std::string spherizer) : stage(std::move(spherizer)) {}
+    QuickMethod(std::string approximator, std::vector<Element::Kind> of, std::string aim)
+        : stage(std::move(approximator)), elements(true), kinds(std::move(of)), objective(std::move(aim)) {}
 };
 
 struct QuickRecipe {
     std::string name;
     std::string text;                  ///< YAML
+    std::string stage;                 ///< that makes the spheres or elements
     std::string output;                ///< the file it writes, relative to the run directory
     std::vector<std::string> left_out; ///< stages of the usual chain that no plugin offers
 };
 
-/// `input`: a mesh or a URDF; `method`: a spherizer, with or without "spherize."; `ending`: of the output's name, for
-/// which there must be a writer. `unit`: of a mesh. `geometry`: the word of `cover`. Throws Error(usage) for what is
-/// not known.
-QuickRecipe quick_recipe(const std::filesystem::path& input, const std::string& method, const std::string& ending,
+/// `input`: a mesh or a URDF; `ending`: of the output's name, for which there must be a writer. `unit`: of a mesh.
+/// `geometry`: the word of `cover`. Throws Error(usage) for what is not known.
+QuickRecipe quick_recipe(const std::filesystem::path& input, const QuickMethod& method, const std::string& ending,
                          const QuickBudget& budget, const MeshUnit& unit, const std::string& geometry,
                          const Registry& registry);
 

@@ -9,6 +9,7 @@
 #include <foam/robot/robot.hpp>
 #include <foam/sdk/model.hpp>
 #include <foam/sdk/registry.hpp>
+#include <foam/sdk/stage.hpp>
 #include <foam/yaml/findings.hpp>
 
 #include <array>
@@ -122,7 +123,10 @@ struct Recipe : StageChain {
     std::vector<StageCall> loaders;        ///< parameters of loaders; the input's ending selects the loader
     std::string preferred_loader;          ///< the one with precedence where several read an ending; may be empty
     bool per_link = true;                        ///< false: spherize every collision element separately
-    std::optional<std::size_t> budget_spheres;   ///< over the whole robot, at most
+    std::optional<std::size_t> budget_spheres;   ///< elements of any kind over the whole robot, at most
+    bool budget_in_elements = false;             ///< the recipe says `elements`, not `spheres`
+    std::optional<double> budget_cost;           ///< of the checks of all elements of the whole robot, at most
+    ElementCost costs;                           ///< of the check of an element
     std::optional<double> budget_excess;         ///< of the whole robot; at most as many spheres as that needs
     std::optional<double> budget_max_protrusion; ///< m; of each link without its own value
     std::optional<double> budget_time_limit;     ///< s; the search for better spheres ends then

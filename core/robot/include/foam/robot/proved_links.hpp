@@ -6,6 +6,7 @@
 #include <foam/robot/robot.hpp>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace foam {
@@ -32,7 +33,8 @@ struct ProvedLinks {
 std::vector<std::string> visual_only_links(const Robot& robot);
 
 /// Returns the sentence about the proof, and a line end; empty for Guarantee::fitted, for which there is no proof.
-std::string verdict_of(const ProvedLinks& links);
+/// `elements`: what encloses the geometry, "elements" where they are not all spheres.
+std::string verdict_of(const ProvedLinks& links, std::string_view elements = "spheres");
 /// Returns sentences about the links that are left out or have visual geometry only, each on a line. Names are fit for
 /// a terminal; if there are many, only the first are named.
 std::string omissions_of(const ProvedLinks& links);

@@ -6,6 +6,7 @@
 #include <foam/recipe/recipe.hpp>
 #include <foam/robot/proved_links.hpp>
 #include <foam/sdk/context.hpp>
+#include <foam/sdk/kinds.hpp>
 #include <foam/sdk/model.hpp>
 
 #include <atomic>
@@ -118,6 +119,7 @@ struct LinkReport {
     /// With a report: of links with spheres and visual geometry that is not to be covered.
     std::optional<VisualGap> visual_gap;
     std::string error;            ///< why the link failed; empty if it did not
+    KindCounts kinds{};           ///< of its elements
 };
 
 /// The size of a run's input.

@@ -88,6 +88,9 @@ Json json_of_run(const RunResult& result, const Recipe& recipe, const std::files
     for (const LinkReport& link : result.links) {
         Json entry{{"link", link.link}, {"skipped", link.skipped}, {"growth_m", link.growth}};
         entry.update(json_of_measures<Json>(link.measures));
+        if (!spheres_alone(link.kinds)) {
+            entry["kinds"] = json_of_kinds<Json>(link.kinds);
+        }
         for (const PlaneReach& plane : link.clip) {
             entry["clip"].push_back(json_of_reach<Json>(plane));
         }

@@ -9,7 +9,8 @@
 /// The ABI epoch. It is raised whenever the layout or meaning of a public type changes. Within an unreleased epoch,
 /// FOAM_ABI_LAYOUT tells its states apart. Reasons:
 ///  1  first release
-#define FOAM_ABI_EPOCH 1
+///  2  elements of other kinds than sphere: an approximation may hold capsules, cylinders, boxes, swept boxes and hulls
+#define FOAM_ABI_EPOCH 2
 
 #define FOAM_ABI_TEXT_(x) #x
 #define FOAM_ABI_TEXT(x) FOAM_ABI_TEXT_(x)

@@ -48,17 +48,20 @@ struct SphereModel {
     /// Pairs that need no check, in the order of the robot's links; nothing: not computed.
     std::optional<std::vector<IgnoredPair>> ignored_pairs{};
     std::vector<std::string> without_collision{}; ///< links whose collision geometry the output leaves out
-    std::string provenance{};       ///< one line for a comment: program, source, proof; may be empty
+    std::string provenance{};                     ///< one line for a comment: program, source, proof; may be empty
     std::optional<TextFile> into{}; ///< the file whose spheres the writer replaces; nothing: it writes a whole file
     /// Original geometry of links, by their names, in their frames: for masses. Links whose geometry is not known are
     /// left out.
     std::map<std::string, std::shared_ptr<const Solid>> geometry{};
 };
 
-/// The spheres of one link, over all its groups.
+/// The elements of one link, over all its groups.
 struct LinkSpheres {
     std::string link;
     std::vector<Sphere> spheres;
+    std::vector<Element> others{}; ///< elements of other kinds than sphere
+
+    ElementsView view() const { return {spheres, others}; }
 };
 
 /// The spheres of a file, by link: the result of readers. Metres; link frames.

@@ -14,6 +14,7 @@
 #include <foam/sdk/parameter.hpp>
 #include <foam/sdk/resource.hpp>
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -70,11 +71,22 @@ public:
     virtual Mesh apply(const Mesh& mesh, Context& context) const = 0;
 };
 
-/// The number of spheres, and what they must achieve.
+/// What a check of an element costs in a consumer, by kind, relative to each other.
+struct ElementCost {
+    std::array<double, element_kinds> of_kind{1, 2, 4, 4, 6, 0}; ///< by Element::Kind
+    double of_hull_vertex = 0.1;                                 ///< added for each vertex of a hull
+
+    bool operator==(const ElementCost&) const = default;
+};
+
+/// The number of elements, and what they must achieve.
 struct Budget {
-    std::optional<std::size_t> max_spheres; ///< at least 1; absent: the stage's own parameters decide
+    std::optional<std::size_t> max_spheres; ///< elements of any kind, at least 1; absent: the stage's parameters decide
     std::optional<double> max_protrusion;   ///< m; a goal, as far as max_spheres allows
     Guarantee guarantee = Guarantee::outer;
+    /// The most that the elements may cost together; a single element may cost more. Absent: only their number counts.
+    std::optional<double> max_cost{};
+    ElementCost cost{};
 };
 
 /// The search for spheres of one shape. It may keep data between calls, to continue from its own results. One call at a
@@ -92,7 +104,7 @@ protected:
     SphereSearch();
 };
 
-/// Solid → spheres.
+/// Solid → spheres, or other convex elements: spherize.*, approximate.*. StageInfo::kinds has the kinds of elements.
 class Spherizer : public Stage {
 public:
     static constexpr StageKind kind = StageKind::spherizer;
@@ -109,7 +121,8 @@ public:
 /// What a refinement has to keep, and what it may change.
 struct RefinementGoal {
     Guarantee guarantee = Guarantee::outer;
-    /// The objective of the spherizer; nothing: foam does not know it, so that no other spheres may replace its spheres.
+    /// The objective of the spherizer; nothing: foam does not know it, so that no other spheres may replace its
+    /// spheres.
     std::optional<Objective> objective = Objective::excess;
     std::optional<double> max_protrusion; ///< m
     std::vector<ClipPlane> clip;          ///< half-space constraints in the shape's frame
@@ -161,6 +174,14 @@ public:
     /// Returns the bytes of a file that belongs to that of write(): one for each ending of StageInfo::companions.
     /// Throws Error(internal) unless overridden.
     virtual std::string companion(const std::string& ending, const SphereModel& model, Context& context) const;
+    /// Returns all elements by link, read back from such bytes and from the files beside them. The default returns what
+    /// read() does; writers whose StageInfo::kinds has more than spheres override it. `beside`: the texts of the files
+    /// that files_beside() returned, by name. Throws Error(output) if the bytes cannot be read.
+    virtual std::map<std::string, Approximation::Level>
+    read_elements(const std::string& bytes, const std::map<std::string, std::string>& beside) const;
+    /// Returns the files that the written file refers to, by their names relative to its folder: meshes of hulls. The
+    /// default returns none.
+    virtual std::map<std::string, std::string> files_beside(const SphereModel& model, Context& context) const;
 };
 
 /// Returns the name of a companion of `file`: "arm.srdf" of "arm.urdf" for "srdf".
@@ -200,11 +221,11 @@ struct Isolation {
 
 /// The program that reads what a writer writes.
 struct Consumer {
-    std::string name{};   ///< and the version that its parser was checked in: "cuRobo 0.8 (a35a708ecf)"
-    bool float32 = false; ///< it holds single precision: the proof is also made on these numbers
-    bool pairs = false;   ///< its files list the pairs of links that need no check: SphereModel::ignored_pairs
+    std::string name{};     ///< and the version that its parser was checked in: "cuRobo 0.8 (a35a708ecf)"
+    bool float32 = false;   ///< it holds single precision: the proof is also made on these numbers
+    bool pairs = false;     ///< its files list the pairs of links that need no check: SphereModel::ignored_pairs
     std::string pairs_if{}; ///< the boolean parameter without which the files do not list them; empty: always
-    bool edits = false;   ///< the writer can replace the spheres of a file: SphereModel::into
+    bool edits = false;     ///< the writer can replace the spheres of a file: SphereModel::into
 };
 
 struct StageInfo;
@@ -237,6 +258,9 @@ struct StageInfo {
     std::vector<std::string> extensions_with_unit{};
     /// Mesh loaders, mesh filters and spherizers: the isolation unless a recipe overrides it.
     Isolation isolation{};
+    /// Spherizers: the kinds of elements that they return. Writers: those that their files hold; the runtime refuses a
+    /// model with others.
+    std::vector<Element::Kind> kinds{Element::Kind::sphere};
     /// Loaders: whether other loaders of the same file name ending have precedence.
     bool last_resort = false;
     Consumer consumer{}; ///< writers of other programs' formats

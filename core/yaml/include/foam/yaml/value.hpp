@@ -1,6 +1,7 @@
 // YAML or JSON text as a tree of values with their places.
 #pragma once
 
+#include <foam/base/error.hpp>
 #include <foam/yaml/findings.hpp>
 
 #include <cstdint>
@@ -54,6 +55,11 @@ struct TextKind {
 /// aliases, merge keys, tags, duplicate keys, further documents. Returns nothing if the text has no tree; errors are
 /// findings in any case. `source`: see Place. Precondition: `text` has passed check_text().
 std::optional<Value> read_yaml(const std::string& text, int source, Findings& findings, const TextKind& kind = {});
+
+/// Returns the tree of a text by check_text() and read_yaml(). Throws Error(code) with `file`, line and column of the
+/// first finding.
+Value tree_of(const std::string& text, const std::string& file, const TextKind& kind,
+              ErrorCode code = ErrorCode::input);
 
 /// Checks size and encoding: UTF-8 without control characters. Returns false after a finding.
 bool check_text(const std::string& text, int source, Findings& findings, const TextKind& kind = {});

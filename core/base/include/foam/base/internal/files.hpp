@@ -30,6 +30,8 @@ DigestedFile digest_of_file(const std::filesystem::path& file, std::uintmax_t mo
 /// Writes to a temporary name in the same folder, then renames: never half a file. Makes missing folders. Throws
 /// Error(output).
 void write_file(const std::filesystem::path& file, std::string_view bytes);
+/// Returns whether the path names a file in a folder that it is relative to, without "..".
+bool is_within_folder(const std::filesystem::path& relative);
 
 } // namespace base
 } // namespace foam

@@ -43,6 +43,12 @@ private:
     std::vector<std::uint32_t> order_;
 };
 
+/// Returns whether two boxes have a common point; either may be a node.
+template <class A, class B> bool overlap(const A& a, const B& b) {
+    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
+           a.low.z <= b.high.z && b.low.z <= a.high.z;
+}
+
 /// Returns the squared distance from a point to a node's box; 0 inside.
 inline double squared_distance(const BvhNode& node, const Vec3& p) {
     const double dx = std::max(std::max(node.low.x - p.x, p.x - node.high.x), 0.0);

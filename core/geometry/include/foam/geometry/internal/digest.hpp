@@ -2,6 +2,7 @@
 #pragma once
 
 #include <foam/base/internal/digest.hpp>
+#include <foam/geometry/element.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/geometry/mesh.hpp>
 #include <foam/geometry/primitive.hpp>
@@ -14,6 +15,7 @@ void add_to(Hasher& hasher, const Vec3& v);
 void add_to(Hasher& hasher, const Pose& pose);
 void add_to(Hasher& hasher, const Mesh& mesh);
 void add_to(Hasher& hasher, const Primitive& primitive);
+void add_to(Hasher& hasher, const Element& element);
 void add_to(Hasher& hasher, const SphereTree& tree);
 void add_to(Hasher& hasher, const Measures& m);
 

@@ -23,6 +23,8 @@ double covered_share(const Solid& solid, std::span<const Sphere> balls, const Me
 struct Protrusion {
     double exposed_area = 0, max = 0, mean = 0;
 };
+/// Returns the largest distance of the exposed surface of each ball from the solid, m; 0 where none is outside.
+std::vector<double> protrusions(const Solid& solid, std::span<const Sphere> balls, std::size_t directions);
 /// Measures the exposed surface of the balls and its distance to the solid.
 Protrusion protrusion(const Solid& solid, std::span<const Sphere> balls, std::size_t directions);
 

@@ -45,7 +45,8 @@ struct OwnFrame {
     std::shared_ptr<const Solid> to_own(const Solid& solid) const;
     Shape to_own(const Shape& shape) const;
     std::vector<Sphere> from_own(std::vector<Sphere> spheres) const;
-    SphereTree from_own(SphereTree tree) const;
+    Element from_own(Element element) const;
+    Approximation from_own(Approximation tree) const;
 };
 
 /// Returns whether a coordinate is so small against the size of the mesh, and not 0, that it may be dust in some frame.

@@ -28,7 +28,8 @@ struct LinkKey : KeyOf<LinkOverride> {
 };
 
 const std::vector<KeyOf<Recipe>>& top_level_keys(); ///< name, seed, …, strict
-const std::vector<KeyOf<Recipe>>& budget_keys();    ///< spheres, excess, …
+const std::vector<KeyOf<Recipe>>& budget_keys();    ///< spheres, excess, …, without costs
+const std::vector<KeyOf<Recipe>>& cost_keys();      ///< of `costs` in `budget`: sphere, capsule, …, hull_vertex
 const std::vector<KeyOf<Recipe>>& debug_keys();     ///< meshes, snapshots
 const std::vector<LinkKey>& link_keys();            ///< skip, spheres, …, without clip and keep
 

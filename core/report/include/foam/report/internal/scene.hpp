@@ -19,9 +19,10 @@ struct StageMesh {
 
 struct SceneLink {
     std::string name;
-    Pose pose;                               ///< from its frame to the robot's
-    std::vector<StageMesh> meshes;           ///< the original first
-    std::vector<std::vector<Sphere>> levels; ///< coarse to fine; link frame
+    Pose pose;                                         ///< from its frame to the robot's
+    std::vector<StageMesh> meshes;                     ///< the original first
+    std::vector<std::vector<Sphere>> levels;           ///< coarse to fine; link frame
+    std::vector<std::vector<Element>> other_levels{}; ///< elements of other kinds of each level; empty: none
 };
 
 /// A mesh with corners on a grid, for a 16-bit vertex buffer.
@@ -38,9 +39,11 @@ GridMesh on_grid(const Mesh& mesh, int bits);
 
 /// Returns the scene. `max_triangles`: over all distinct meshes. If there are more, those with most are reduced.
 ///
-/// {"links": [{"name", "pose": 3 rows of 4 numbers, "meshes": [index, …], "levels": [float32 x, y, z, radius, …]}, …],
+/// {"links": [{"name", "pose": 3 rows of 4 numbers, "meshes": [index, …], "levels": [float32 x, y, z, radius, …],
+///             "elements": [[{"kind", "mesh": index}, …], …]}, …],
 ///  "meshes": [{"low", "step", "wide", "corners": uint16 × 3, "triangles": uint16 × 3, or uint32 × 3 if wide}, …],
-///  "drawn": share of the triangles}. Little-endian. No '<' in it: it may stand in a script element.
+///  "drawn": share of the triangles}. "elements": of other kinds than sphere, by level; only where there are some.
+/// Little-endian. No '<' in it: it may stand in a script element.
 std::string scene_json(const std::vector<SceneLink>& links, std::size_t max_triangles);
 
 } // namespace report

@@ -6,9 +6,11 @@
 
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace foam {
@@ -35,11 +37,27 @@ inline void put_mesh(std::string& out, const Mesh& mesh) {
     put_values(out, mesh.triangles);
 }
 
-inline void put_tree(std::string& out, const SphereTree& tree) {
+inline void put_element(std::string& out, const Element& element) {
+    put(out, element.kind);
+    put(out, element.pose);
+    put(out, element.half);
+    put(out, element.radius);
+    put(out, element.hull != nullptr);
+    if (element.hull) {
+        put_mesh(out, element.hull->surface);
+        put_values(out, element.hull->faces);
+    }
+}
+
+inline void put_tree(std::string& out, const Approximation& tree) {
     put(out, static_cast<std::uint64_t>(tree.levels.size()));
-    for (const SphereTree::Level& level : tree.levels) {
+    for (const Approximation::Level& level : tree.levels) {
         put_values(out, level.spheres);
         put_values(out, level.parents);
+        put(out, static_cast<std::uint64_t>(level.others.size()));
+        for (const Element& element : level.others) {
+            put_element(out, element);
+        }
     }
 }
 
@@ -99,12 +117,30 @@ inline Mesh take_mesh(ByteReader& in) {
     return mesh;
 }
 
-inline SphereTree take_tree(ByteReader& in) {
-    SphereTree tree;
+inline Element take_element(ByteReader& in) {
+    Element element;
+    element.kind = in.take<Element::Kind>();
+    element.pose = in.take<Pose>();
+    element.half = in.take<Vec3>();
+    element.radius = in.take<double>();
+    if (in.take<bool>()) {
+        auto hull = std::make_shared<Polytope>();
+        hull->surface = take_mesh(in);
+        hull->faces = in.take_values<Polytope::Face>();
+        element.hull = std::move(hull);
+    }
+    return element;
+}
+
+inline Approximation take_tree(ByteReader& in) {
+    Approximation tree;
     for (auto levels = in.take<std::uint64_t>(); levels > 0 && in.good(); --levels) {
-        SphereTree::Level& level = tree.levels.emplace_back();
+        Approximation::Level& level = tree.levels.emplace_back();
         level.spheres = in.take_values<Sphere>();
         level.parents = in.take_values<std::uint32_t>();
+        for (auto others = in.take<std::uint64_t>(); others > 0 && in.good(); --others) {
+            level.others.push_back(take_element(in));
+        }
     }
     return tree;
 }

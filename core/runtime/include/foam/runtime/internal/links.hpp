@@ -12,11 +12,11 @@
 namespace foam {
 inline namespace [[gnu::visibility("default")]] runtime {
 
-/// A finished link: its original geometry, in the link's frame, and its spheres.
+/// A finished link: its original geometry, in the link's frame, and its elements.
 struct FinishedLink {
     const LinkWork* work = nullptr;
     std::shared_ptr<const Solid> solid;
-    std::vector<Sphere> spheres; ///< of all its groups, finest level
+    Approximation::Level elements; ///< of all its groups, finest level; without parents
 };
 
 struct FinishedModel {

@@ -13,7 +13,7 @@ namespace foam {
 inline namespace [[gnu::visibility("default")]] runtime {
 
 /// A collision element and its meshes after each filter, in the element's own frame, scaled, in metres.
-struct Element {
+struct CollisionElement {
     const GeometryElement* source = nullptr;
     std::string geometry;                              ///< mesh reference as written, or the kind of primitive
     std::shared_ptr<const Mesh> raw;                   ///< null for a primitive
@@ -35,7 +35,7 @@ struct InputFile {
 struct LinkWork {
     const Link* link = nullptr;
     Recipe::LinkRecipe recipe;
-    std::vector<Element> elements;
+    std::vector<CollisionElement> elements;
     LinkReport report;
     std::optional<Error> error;
 };

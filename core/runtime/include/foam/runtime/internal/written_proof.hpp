@@ -14,15 +14,16 @@ inline namespace [[gnu::visibility("default")]] runtime {
 /// nothing is split.
 struct WrittenProof {
     std::string link;
-    std::size_t spheres = 0, triangles = 0, pieces = 0;
-    std::uint32_t halvings = 0; ///< of the smallest piece
+    std::size_t spheres = 0; ///< elements of any kind
+    std::size_t triangles = 0, pieces = 0;
+    std::uint32_t halvings = 0; ///< of the smallest piece; 0 where elements are not all spheres
     bool float32 = false;       ///< the guarantee is also proved for the numbers rounded to single precision
 };
 
-/// Proves on the spheres read back from a file, by link, what was proved in memory: the guarantee of each link whose
+/// Proves on the elements read back from a file, by link, what was proved in memory: the guarantee of each link whose
 /// report is certified. Numbers::float32: also for these numbers rounded to single precision. Throws Error(internal)
-/// for a link without spheres and where a proof does not hold.
-std::vector<WrittenProof> prove_written(const std::map<std::string, std::vector<Sphere>>& read,
+/// for a link without elements or with another number of them, and where a proof does not hold.
+std::vector<WrittenProof> prove_written(const std::map<std::string, Approximation::Level>& read,
                                         const FinishedModel& finished, Guarantee guarantee, Numbers numbers,
                                         const std::string& file);
 

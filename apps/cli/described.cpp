@@ -1,0 +1,60 @@
+#include "described.hpp"
+
+#include "help.hpp"
+
+#include <sstream>
+
+namespace foam::cli {
+namespace {
+
+/// Returns the words of "mm|cm|m"; nothing for another text.
+std::vector<std::string> words_of(const std::string& type) {
+    std::vector<std::string> words;
+    std::istringstream stream(type);
+    for (std::string word; std::getline(stream, word, '|');) {
+        words.push_back(word);
+    }
+    return words.size() > 1 ? words : std::vector<std::string>();
+}
+
+DescribedOption described_option(const CLI::Option& option) {
+    DescribedOption result;
+    result.positional = !option.nonpositional();
+    for (const std::string& name : option.get_snames()) {
+        result.names.push_back("-" + name);
+    }
+    for (const std::string& name : option.get_lnames()) {
+        result.names.push_back("--" + name);
+    }
+    if (result.positional) {
+        result.names.assign(1, option.get_name(true));
+    }
+    if (option.get_type_size() != 0) {
+        result.value = option.get_type_name();
+        result.choices = words_of(result.value);
+    }
+    result.text = HelpFormatter().make_option_desc(&option);
+    return result;
+}
+
+DescribedCommand described_command(const CLI::App& app) {
+    DescribedCommand result{app.get_name(), app.get_description(), app.get_footer(), {}};
+    for (const CLI::Option* option : app.get_options()) {
+        if (option != app.get_help_ptr() && !option->get_group().empty()) {
+            result.options.push_back(described_option(*option));
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+DescribedProgram described(const CLI::App& app) {
+    DescribedProgram result{described_command(app), {}};
+    for (const CLI::App* command : app.get_subcommands(nullptr)) {
+        result.commands.push_back(described_command(*command));
+    }
+    return result;
+}
+
+} // namespace foam::cli

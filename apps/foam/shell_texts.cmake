@@ -1,0 +1,17 @@
+# Writes completions and manual pages of PROGRAM into FOLDER.
+function(write_text FILE)
+  execute_process(COMMAND "${PROGRAM}" ${ARGN} OUTPUT_FILE "${FOLDER}/${FILE}" COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+file(REMOVE_RECURSE "${FOLDER}")
+file(MAKE_DIRECTORY "${FOLDER}")
+write_text(foam.bash completion bash)
+write_text(_foam completion zsh)
+write_text(foam.fish completion fish)
+execute_process(COMMAND "${PROGRAM}" completion bash OUTPUT_VARIABLE SCRIPT COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCH "words=\"([a-z -]+)\"\n    fi" COMMANDS "${SCRIPT}")
+string(REPLACE " " ";" COMMANDS "${CMAKE_MATCH_1}")
+foreach(COMMAND IN LISTS COMMANDS)
+  write_text("foam-${COMMAND}.1" manual "${COMMAND}")
+endforeach()
+write_text(foam.1 manual)

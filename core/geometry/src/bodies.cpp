@@ -1,0 +1,362 @@
+#include "bodies.hpp"
+
+#include "element_grown.hpp"
+#include "outside_box.hpp"
+#include <foam/geometry/internal/quickhull.hpp>
+
+#include <foam/base/cancellation.hpp>
+
+namespace foam::inline geometry {
+namespace {
+
+constexpr double unreachable = std::numeric_limits<double>::infinity();
+
+/// Bounds on the size of a body and on radii, m: squares within them neither overflow nor lose much to underflow.
+constexpr double smallest_body = 1e-140, largest_body = 1e150;
+
+/// Faces of a hull that are tested together, for vector instructions.
+constexpr std::size_t faces_at_once = 8;
+
+Vec3 column(const std::array<Vec3, 3>& rows, int axis) {
+    return {rows[0][axis], rows[1][axis], rows[2][axis]};
+}
+
+/// Returns a bound of the norm of R Rᵀ - 1.
+double distortion(const Pose& pose) {
+    double most = 0;
+    for (int i = 0; i < 3; ++i) {
+        for (int k = i; k < 3; ++k) {
+            const double wanted = i == k ? 1 : 0;
+            most = std::max(most, std::abs(dot(column(pose.rotation, i), column(pose.rotation, k)) - wanted));
+            most = std::max(most, std::abs(dot(pose.rotation[static_cast<std::size_t>(i)],
+                                               pose.rotation[static_cast<std::size_t>(k)]) -
+                                           wanted));
+        }
+    }
+    return 3 * most;
+}
+
+bool within(const Vec3& half, const Vec3& p) {
+    return std::abs(p.x) <= half.x && std::abs(p.y) <= half.y && std::abs(p.z) <= half.z;
+}
+
+double plane_distance(std::span<const Polytope::Face> faces, const Vec3& p) {
+    double farthest = -unreachable;
+    for (const Polytope::Face& face : faces) {
+        farthest = std::max(farthest, dot(face.normal, p) - face.offset);
+    }
+    return farthest;
+}
+
+double distance_to_surface(const Mesh& mesh, const Vec3& p) {
+    double least = unreachable;
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const Corners t{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+        least = std::min(least, squared_norm(p - closest_on_triangle(t, p)));
+    }
+    return std::sqrt(least);
+}
+
+} // namespace
+
+Bodies::Bodies(const ElementsView& elements, const Vec3& origin, double extent, std::uint32_t most_halvings,
+               double caution) {
+    const double unit = (2 * unit_roundoff) * (most_halvings + 24) * caution;
+    const double placement = 8 * (2 * unit_roundoff) * norm(origin) * caution;
+    bodies_.reserve(elements.size());
+    for (const Sphere& s : elements.spheres) {
+        Element e;
+        e.pose.translation = s.center;
+        e.radius = s.radius;
+        add(e, origin, extent, unit, placement);
+    }
+    CancellationCounter asking(16);
+    for (const Element& e : elements.others) {
+        asking.check();
+        add(e, origin, extent, unit, placement);
+    }
+    std::vector<Box> boxes;
+    for (std::uint32_t i = 0; i < bodies_.size(); ++i) {
+        if (bodies_[i].sound) {
+            rounding_ = std::max(rounding_, 16 * bodies_[i].slack);
+            of_.push_back(i);
+            boxes.push_back(bodies_[i].bounds);
+        }
+    }
+    bvh_ = Bvh(boxes, 2);
+}
+
+void Bodies::meeting(const Box& box, std::vector<std::uint32_t>& result) const {
+    result.clear();
+    const auto meets = [&](const Vec3& low, const Vec3& high) {
+        return low.x <= box.high.x && box.low.x <= high.x && low.y <= box.high.y && box.low.y <= high.y &&
+               low.z <= box.high.z && box.low.z <= high.z;
+    };
+    for_each_entered(
+        bvh_, [&](const BvhNode& node) { return meets(node.low, node.high); },
+        [&](std::uint32_t place) {
+            const std::uint32_t i = of_[bvh_.order()[place]];
+            if (meets(bodies_[i].bounds.low, bodies_[i].bounds.high)) {
+                result.push_back(i);
+            }
+        });
+    std::sort(result.begin(), result.end());
+}
+
+void Bodies::add(const Element& element, const Vec3& origin, double extent, double unit, double placement) {
+    Body& body = bodies_.emplace_back();
+    if (!is_valid(element)) {
+        return;
+    }
+    body.kind = element.kind;
+    const std::array<Vec3, 3>& r = element.pose.rotation;
+    body.rows = {column(r, 0), column(r, 1), column(r, 2)};
+    body.half = element.half;
+    body.radius = element.radius;
+    if (element.kind == Element::Kind::hull && !set_hull(body, element)) {
+        return;
+    }
+    const Vec3 middle = element.pose.rotate(body.middle);
+    body.center = middle + element.pose.translation - origin;
+    double reach = norm(body.half) + body.radius;
+    for (const Polytope::Face& face : body.faces) {
+        reach = std::max(reach, face.offset);
+    }
+    if (body.hull) {
+        reach = 0;
+        for (const Vec3& v : body.hull->surface.vertices) {
+            reach = std::max(reach, norm(v - body.middle));
+        }
+    }
+    if (!(reach >= smallest_body && reach <= largest_body && is_finite(body.center))) {
+        return;
+    }
+    const double exact_rotation = 16 * (2 * unit_roundoff); // below it the rows are those of a rotation, rounded
+    const double off = distortion(element.pose) > exact_rotation ? 2 * distortion(element.pose) : 0;
+    body.slack = unit * (extent + norm(body.center) + reach) + placement +
+                 8 * (2 * unit_roundoff) * (norm(middle) + norm(element.pose.translation)) + off * reach;
+    body.sound = true;
+    erode(body, element);
+    if (body.sound) {
+        const Vec3 room = Vec3{1, 1, 1} * (2 * body.slack);
+        const Box box = foam::bounds(element);
+        body.bounds.add(box.low - origin - room);
+        body.bounds.add(box.high - origin + room);
+    }
+}
+
+/// Sets the faces so that what they enclose lies in the hull of the vertices. A face's plane is put through the lowest
+/// corner of the triangles that belong to it. Then a point outside the closed surface is outside of a plane: a segment
+/// from the middle to it crosses a triangle, and so leaves the half-space of the face that it belongs to.
+bool Bodies::set_hull(Body& body, const Element& element) {
+    const std::shared_ptr<const Polytope> hull = convex_hull(element.hull->surface.vertices);
+    body.hull = hull;
+    Box box;
+    for (const Vec3& v : hull->surface.vertices) {
+        box.add(v);
+    }
+    body.middle = inner_point(*hull);
+    for (const Polytope::Face& face : hull->faces) {
+        body.faces.push_back({face.normal, face.offset - dot(face.normal, body.middle)});
+    }
+    const std::vector<Vec3>& vertices = hull->surface.vertices;
+    std::size_t likely = 0; // triangles come in the order of the faces
+    for (const auto& [a, b, c] : hull->surface.triangles) {
+        const auto lowest = [&](std::size_t f) {
+            const Vec3& n = body.faces[f].normal;
+            return std::min({dot(n, vertices[a] - body.middle), dot(n, vertices[b] - body.middle),
+                             dot(n, vertices[c] - body.middle)});
+        };
+        const auto below = [&](std::size_t f) { return body.faces[f].offset - lowest(f); };
+        std::size_t best = likely;
+        for (const double near = 64 * (2 * unit_roundoff) * box.diagonal();
+             likely < body.faces.size() && below(likely) > near;) {
+            ++likely;
+        }
+        if (likely == body.faces.size()) {
+            likely = best;
+            for (std::size_t f = 0; f < body.faces.size(); ++f) {
+                best = below(f) < below(best) ? f : best;
+            }
+        } else {
+            best = likely;
+        }
+        body.faces[best].offset = std::min(body.faces[best].offset, lowest(best));
+    }
+    return std::all_of(body.faces.begin(), body.faces.end(), [](const Polytope::Face& f) { return f.offset > 0; });
+}
+
+/// Makes the body smaller by its slack.
+void Bodies::erode(Body& body, const Element& element) {
+    const double s = body.slack;
+    const auto to_surface = [&](const Vec3& normal) { // of the body's frame
+        return body.rows[0] * normal.x + body.rows[1] * normal.y + body.rows[2] * normal.z;
+    };
+    if (element.kind == Element::Kind::hull) {
+        for (Polytope::Face& face : body.faces) {
+            face.offset -= s;
+            body.sound = body.sound && face.offset > 0;
+            body.planes.push_back({to_surface(face.normal), face.offset});
+        }
+        set_blocks(body);
+        return;
+    }
+    if (element.kind == Element::Kind::cylinder) {
+        body.half.z -= s;
+        body.radius -= s;
+        body.sound = body.half.z > 0 && body.radius >= smallest_body;
+        return;
+    }
+    if (body.radius - s >= smallest_body) {
+        body.radius -= s;
+        return;
+    }
+    const double rest = s - body.radius + smallest_body;
+    body.radius = 0;
+    body.half = body.half - Vec3{rest, rest, rest};
+    body.sound = std::min({body.half.x, body.half.y, body.half.z}) > 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double sign : {1.0, -1.0}) {
+            Vec3 normal{};
+            normal[axis] = sign;
+            body.planes.push_back({to_surface(normal), body.half[axis]});
+        }
+    }
+}
+
+/// Faces in blocks of eight, the x of their normals first, then y, z and the offsets. The last block is filled up with
+/// half-spaces that contain everything.
+void Bodies::set_blocks(Body& body) {
+    body.blocks.clear();
+    for (std::size_t first = 0; first < body.faces.size(); first += faces_at_once) {
+        for (int part = 0; part < 4; ++part) {
+            for (std::size_t k = first; k < first + faces_at_once; ++k) {
+                const bool filling = k >= body.faces.size();
+                body.blocks.push_back(filling    ? (part < 3 ? 0 : largest_body)
+                                      : part < 3 ? body.faces[k].normal[part]
+                                                 : body.faces[k].offset);
+            }
+        }
+    }
+}
+
+bool Bodies::below_faces(const Body& body, const Vec3& q, double room) {
+    for (std::size_t first = 0; first < body.blocks.size(); first += 4 * faces_at_once) {
+        const double* const block = body.blocks.data() + first;
+        bool below = true;
+        for (std::size_t k = 0; k < faces_at_once; ++k) {
+            const double height = block[k] * q.x + block[k + faces_at_once] * q.y + block[k + 2 * faces_at_once] * q.z;
+            below = below & (height + room <= block[k + 3 * faces_at_once]);
+        }
+        if (!below) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool Bodies::holds(const Body& body, const Vec3& p, double ball) {
+    const Vec3 q = local(body, p);
+    switch (body.kind) {
+    case Element::Kind::hull:
+        return below_faces(body, q, ball);
+    case Element::Kind::cylinder: {
+        const double radius = body.radius - ball;
+        return std::abs(q.z) + ball <= body.half.z && radius >= smallest_body &&
+               q.x * q.x + q.y * q.y <= radius * radius;
+    }
+    default:
+        break;
+    }
+    const double radius = body.radius - ball;
+    if (radius >= smallest_body) {
+        return squared_norm(outside_box(body.half, q)) <= radius * radius;
+    }
+    const double less = ball - body.radius; // at least 0, but for what is below `smallest_body`
+    return within(body.half - Vec3{1, 1, 1} * std::max(less, 0.0), q);
+}
+
+bool Bodies::holds(std::uint32_t i, const Piece& piece) const {
+    for (const Vec3& corner : PiecePoints(piece)) {
+        if (!holds(i, corner)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+double Bodies::depth(std::uint32_t i, const Vec3& p) const {
+    const Body& body = bodies_[i];
+    if (!body.sound) {
+        return unreachable;
+    }
+    const Vec3 q = local(body, p);
+    if (body.kind == Element::Kind::hull) {
+        return plane_distance(body.faces, q);
+    }
+    if (body.kind == Element::Kind::cylinder) {
+        const double across = std::hypot(q.x, q.y) - body.radius, along = std::abs(q.z) - body.half.z;
+        return std::max(across, along) <= 0 ? std::max(across, along)
+                                            : std::hypot(std::max(across, 0.0), std::max(along, 0.0));
+    }
+    const Vec3 out = outside_box(body.half, q);
+    if (out != Vec3{} || body.radius > 0) {
+        return norm(out) - body.radius;
+    }
+    return std::max({std::abs(q.x) - body.half.x, std::abs(q.y) - body.half.y, std::abs(q.z) - body.half.z});
+}
+
+double Bodies::growth(std::uint32_t i, const Vec3& p) const {
+    const double out = depth(i, p);
+    if (!(out > 0) || !bodies_[i].hull || out == unreachable) {
+        return std::max(out, 0.0);
+    }
+    const Body& body = bodies_[i];
+    return std::max(out, distance_to_surface(body.hull->surface, local(body, p) + body.middle) + 2 * body.slack);
+}
+
+void Bodies::choose_near(const Piece& piece, std::size_t begin, std::size_t end,
+                         std::vector<std::uint32_t>& near) const {
+    const PieceMiddle middle = middle_of(piece);
+    double least = unreachable;
+    std::vector<double> gaps;
+    for (std::size_t k = begin; k < end; ++k) {
+        gaps.push_back(growth(near[k], middle.point));
+        least = std::min(least, gaps.back());
+    }
+    const double limit = least + 2.001 * middle.radius;
+    for (std::size_t k = begin; k < end; ++k) {
+        // What a body needs to hold the middle exceeds its distance by some slack.
+        if (gaps[k - begin] <= limit + 4 * slack(near[k])) {
+            near.push_back(near[k]);
+        }
+    }
+}
+
+Bodies::Gap Bodies::gap(const Piece& piece, std::span<const std::uint32_t> bodies) const {
+    const PiecePoints corners(piece);
+    std::array<double, 6> least;
+    least.fill(unreachable);
+    Gap result{.upper = unreachable};
+    for (const std::uint32_t i : bodies) {
+        double worst = 0;
+        bool holds_all = true;
+        for (std::size_t c = 0; c < corners.count; ++c) {
+            const bool inside = holds(i, corners.points[c]);
+            const double out = inside ? 0 : growth(i, corners.points[c]);
+            holds_all = holds_all && inside;
+            least[c] = std::min(least[c], out);
+            worst = std::max(worst, out);
+        }
+        if (holds_all) {
+            return {.held = true};
+        }
+        result.upper = std::min(result.upper, worst);
+    }
+    const auto* const most = std::max_element(least.data(), least.data() + corners.count);
+    result.farthest = static_cast<std::size_t>(most - least.data());
+    result.lower = *most;
+    return result;
+}
+
+} // namespace foam::geometry

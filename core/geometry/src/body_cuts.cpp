@@ -1,0 +1,255 @@
+#include "body_cuts.hpp"
+
+namespace foam::inline geometry {
+namespace {
+
+constexpr std::uint32_t no_body = 0xFFFFFFFFu;
+/// How deep in a polytope it is cut out, in its slack: corners on the cut are inside in spite of rounding.
+constexpr double cut_depth = 1.0 / 8;
+
+/// Returns the share of the way from a to b where the value is 0; it has different signs there. Illinois method (Dowell
+/// and Jarratt 1971); a linear value takes one step.
+template <class Value> double crossing(const Vec3& a, const Vec3& b, double at_a, double at_b, Value value) {
+    double low = 0, high = 1, share = 0.5;
+    for (int step = 0; step < 8; ++step) {
+        share = low + (high - low) * (at_a / (at_a - at_b));
+        if (!(share > low && share < high)) {
+            return std::clamp(share, 0.0, 1.0);
+        }
+        const double here = value(a * (1 - share) + b * share);
+        if (std::abs(here) <= 1e-12 * (std::abs(at_a) + std::abs(at_b))) {
+            break;
+        }
+        if ((here <= 0) == (at_a <= 0)) {
+            low = share;
+            at_a = here;
+            at_b /= 2;
+        } else {
+            high = share;
+            at_b = here;
+            at_a /= 2;
+        }
+    }
+    return share;
+}
+
+} // namespace
+
+template <class Value> bool BodyCuts::split(const Polygon& polygon, Value value, Parts& parts) const {
+    if (roundings * (polygon.cuts + 1) > most_halvings_) {
+        return false;
+    }
+    std::array<double, Polygon::most_corners> at;
+    for (std::size_t k = 0; k < polygon.corners; ++k) {
+        at[k] = value(polygon.corner[k]);
+    }
+    parts.low.corners = parts.high.corners = 0;
+    int crossings = 0;
+    bool whole = true;
+    for (std::size_t k = 0; k < polygon.corners; ++k) {
+        const double here = at[k], next = at[k + 1 == polygon.corners ? 0 : k + 1];
+        whole = whole && (here <= 0 ? parts.low : parts.high).add(polygon.corner[k]);
+        if ((here <= 0) != (next <= 0)) {
+            const double share = crossing(polygon.corner[k], polygon.after(k), here, next, value);
+            if (!(share >= 0 && share <= 1)) {
+                return false;
+            }
+            const double rest = 1 - share, taken = 1 - rest; // they add up to exactly 1 (Sterbenz 1974)
+            const Vec3 cut = polygon.corner[k] * rest + polygon.after(k) * taken;
+            whole = whole && parts.low.add(cut) && parts.high.add(cut);
+            ++crossings;
+        }
+    }
+    parts.low.cuts = parts.high.cuts = polygon.cuts + (crossings > 0);
+    return whole && (crossings == 0 || crossings == 2);
+}
+
+void BodyCuts::push(Polygon polygon, const Polygon& whole, std::uint32_t without) {
+    polygon.begin = indices_.size();
+    Box box;
+    for (std::size_t k = 0; k < polygon.corners; ++k) {
+        box.add(polygon.corner[k]);
+    }
+    for (std::size_t n = whole.begin; n < whole.end; ++n) {
+        const std::uint32_t i = indices_[n];
+        const Box& b = bodies_.bounds(i);
+        if (i != without && b.low.x <= box.high.x && box.low.x <= b.high.x && b.low.y <= box.high.y &&
+            box.low.y <= b.high.y && b.low.z <= box.high.z && box.low.z <= b.high.z) {
+            indices_.push_back(i);
+        }
+    }
+    polygon.end = indices_.size();
+    ++pieces_;
+    most_cuts_ = std::max(most_cuts_, polygon.cuts);
+    waiting_.push_back(polygon);
+}
+
+void BodyCuts::begin(const Corners& triangle, std::span<const std::uint32_t> candidates, std::size_t most_pieces) {
+    pieces_ = 0;
+    most_cuts_ = 0;
+    most_pieces_ = most_pieces;
+    indices_.assign(candidates.begin(), candidates.end());
+    waiting_.clear();
+    waiting_.push_back({.corner = {triangle.a, triangle.b, triangle.c}, .corners = 3, .end = indices_.size()});
+}
+
+bool BodyCuts::take(Polygon& next) {
+    if (waiting_.empty()) {
+        return false;
+    }
+    asking_.check();
+    next = waiting_.back();
+    waiting_.pop_back();
+    indices_.resize(next.end);
+    return true;
+}
+
+bool BodyCuts::cover(const Corners& triangle, std::span<const std::uint32_t> candidates, double smallest,
+                     std::size_t most_pieces) {
+    begin(triangle, candidates, most_pieces);
+    smallest_ = smallest;
+    Polygon next;
+    while (take(next)) {
+        if (pieces_ > most_pieces_ || !prove(next)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+std::vector<std::vector<Vec3>> BodyCuts::rest(const Corners& triangle, std::span<const std::uint32_t> candidates,
+                                              std::size_t most_pieces) {
+    begin(triangle, candidates, most_pieces);
+    std::vector<std::vector<Vec3>> result;
+    Polygon next;
+    while (take(next)) {
+        bool done = false;
+        for (std::size_t n = next.begin; n < next.end && !done; ++n) {
+            const std::uint32_t i = indices_[n];
+            const std::span<const Vec3> corners(next.corner.data(), next.corners);
+            done = std::all_of(corners.begin(), corners.end(), [&](const Vec3& p) { return bodies_.holds(i, p); }) ||
+                   (pieces_ <= most_pieces_ && !bodies_.planes(i).empty() && cut_out(next, i));
+        }
+        if (!done) {
+            result.emplace_back(next.corner.data(), next.corner.data() + next.corners);
+        }
+    }
+    return result;
+}
+
+std::vector<Corners> BodyCuts::between(const Corners& triangle, std::uint32_t first, std::uint32_t second) const {
+    Polygon whole{.corner = {triangle.a, triangle.b, triangle.c}, .corners = 3};
+    Parts parts;
+    const auto nearer = [&](const Vec3& p) { return bodies_.growth(first, p) - bodies_.growth(second, p); };
+    std::vector<Corners> result;
+    if (split(whole, nearer, parts) && parts.low.corners > 2 && parts.high.corners > 2) {
+        for (const Polygon& part : {parts.low, parts.high}) {
+            for (std::size_t k = 2; k < part.corners; ++k) {
+                result.push_back({part.corner[0], part.corner[k - 1], part.corner[k]});
+            }
+        }
+    }
+    return result;
+}
+
+/// Returns false if a corner is in no body, or if the polygon cannot be divided further.
+bool BodyCuts::prove(const Polygon& polygon) {
+    std::array<bool, Polygon::most_corners> open;
+    open.fill(true);
+    std::vector<std::pair<std::size_t, std::uint32_t>> order; // corners in it, body
+    for (std::size_t n = polygon.begin; n < polygon.end; ++n) {
+        std::size_t count = 0;
+        for (std::size_t k = 0; k < polygon.corners; ++k) {
+            const bool inside = bodies_.holds(indices_[n], polygon.corner[k]);
+            count += inside;
+            open[k] = open[k] && !inside;
+        }
+        if (count == polygon.corners) {
+            return true;
+        }
+        if (!bodies_.planes(indices_[n]).empty()) {
+            order.push_back({count, indices_[n]});
+        }
+    }
+    if (std::any_of(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(polygon.corners),
+                    [](bool is) { return is; })) {
+        return false;
+    }
+    std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    for (const auto& [count, polytope] : order) {
+        if (cut_out(polygon, polytope)) {
+            return true;
+        }
+    }
+    return divide(polygon);
+}
+
+/// Cuts a polytope out of the polygon, and queues what is left. Returns false if they do not meet, or if rounding does
+/// not allow it.
+bool BodyCuts::cut_out(const Polygon& polygon, std::uint32_t polytope) {
+    const std::size_t waiting = waiting_.size(), indices = indices_.size(), pieces = pieces_;
+    const double depth = bodies_.slack(polytope) * cut_depth;
+    const Vec3& center = bodies_.center(polytope);
+    Polygon rest = polygon;
+    Parts parts;
+    bool cut = true;
+    for (const Polytope::Face& plane : bodies_.planes(polytope)) {
+        const auto above = [&](const Vec3& p) { return dot(plane.normal, p - center) - plane.offset + depth; };
+        bool all_below = true;
+        for (std::size_t k = 0; k < rest.corners && all_below; ++k) {
+            all_below = above(rest.corner[k]) <= depth * 7 / 8;
+        }
+        if (all_below) {
+            continue;
+        }
+        cut = split(rest, above, parts);
+        if (!cut || parts.low.corners == 0) {
+            cut = false;
+            break;
+        }
+        push(parts.high, polygon, polytope);
+        rest.corner = parts.low.corner;
+        rest.corners = parts.low.corners;
+        rest.cuts = parts.low.cuts;
+    }
+    for (std::size_t k = 0; k < rest.corners && cut; ++k) {
+        cut = bodies_.holds(polytope, rest.corner[k]);
+    }
+    if (!cut) {
+        waiting_.resize(waiting);
+        indices_.resize(indices);
+        pieces_ = pieces;
+    }
+    return cut;
+}
+
+/// Cuts at half the length. Returns false if the polygon is too small for that.
+bool BodyCuts::divide(const Polygon& polygon) {
+    std::size_t from = 0, to = 0;
+    double longest = -1;
+    for (std::size_t i = 0; i < polygon.corners; ++i) {
+        for (std::size_t k = i + 1; k < polygon.corners; ++k) {
+            const double squared = squared_norm(polygon.corner[i] - polygon.corner[k]);
+            if (squared > longest) {
+                longest = squared;
+                from = i;
+                to = k;
+            }
+        }
+    }
+    if (!(std::sqrt(longest) > smallest_)) {
+        return false;
+    }
+    Parts parts;
+    const auto queue = [&] {
+        push(parts.high, polygon, no_body);
+        push(parts.low, polygon, no_body);
+        return true;
+    };
+    const Vec3 along = normalized(polygon.corner[to] - polygon.corner[from]);
+    const Vec3 middle = polygon.corner[from] + (polygon.corner[to] - polygon.corner[from]) * 0.5;
+    const auto beyond = [&](const Vec3& p) { return dot(p - middle, along); };
+    return split(polygon, beyond, parts) && parts.low.corners > 2 && parts.high.corners > 2 && queue();
+}
+
+} // namespace foam::geometry

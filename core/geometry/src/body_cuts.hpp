@@ -1,0 +1,75 @@
+// Triangles cut along the faces of bodies and between them.
+#pragma once
+
+#include "bodies.hpp"
+
+#include <foam/base/cancellation.hpp>
+
+namespace foam::inline geometry {
+
+/// Proves single triangles by cutting them into convex polygons that one body contains each. A box or a hull is cut out
+/// along its planes: what is left is proved by other bodies. So a triangle that many polytopes share takes one piece
+/// for each of them and the sides of its rest, however little they overlap. Between other bodies it is halved.
+class BodyCuts {
+public:
+    /// Roundings of a corner on a cut, in halvings.
+    static constexpr std::uint32_t roundings = 2;
+
+    /// The bodies must outlive this. The roundings of a piece's corners amount to at most `most_halvings` halvings.
+    BodyCuts(const Bodies& bodies, std::uint32_t most_halvings) : bodies_(bodies), most_halvings_(most_halvings) {}
+
+    /// Returns whether the bodies cover the triangle; false proves nothing. `candidates`: bodies that may contain parts
+    /// of it. Gives up after `most_pieces` pieces, and at pieces below the size `smallest`.
+    bool cover(const Corners& triangle, std::span<const std::uint32_t> candidates, double smallest,
+               std::size_t most_pieces);
+    /// Returns convex polygons: what is left of the triangle where no boxes or hulls are. Round bodies may contain
+    /// parts of it. Their corners are within the rounding that a proof allows for.
+    std::vector<std::vector<Vec3>> rest(const Corners& triangle, std::span<const std::uint32_t> candidates,
+                                        std::size_t most_pieces);
+    /// Returns the triangles of a triangle cut where two bodies need the same growth; none if they nowhere do.
+    std::vector<Corners> between(const Corners& triangle, std::uint32_t first, std::uint32_t second) const;
+    std::size_t pieces() const { return pieces_; }
+    std::uint32_t most_cuts() const { return most_cuts_; }
+
+private:
+    struct Polygon {
+        static constexpr std::size_t most_corners = 16;
+        std::array<Vec3, most_corners> corner;
+        std::size_t corners = 0;
+        std::uint32_t cuts = 0;
+        std::size_t begin = 0, end = 0; ///< range in indices_ of the bodies that may contain parts of it
+
+        bool add(const Vec3& p) {
+            if (corners == most_corners) {
+                return false;
+            }
+            corner[corners++] = p;
+            return true;
+        }
+        const Vec3& after(std::size_t k) const { return corner[k + 1 == corners ? 0 : k + 1]; }
+    };
+    struct Parts {
+        Polygon low, high; ///< where the value is at most 0, and the rest; without corners if empty
+    };
+
+    void begin(const Corners& triangle, std::span<const std::uint32_t> candidates, std::size_t most_pieces);
+    bool take(Polygon& next);
+    bool prove(const Polygon& polygon);
+    bool cut_out(const Polygon& polygon, std::uint32_t polytope);
+    bool divide(const Polygon& polygon);
+    void push(Polygon polygon, const Polygon& whole, std::uint32_t without);
+    /// Cuts along the line where value(p) is 0. Returns false if it has too many corners or cuts, or if the line does
+    /// not cross the polygon once.
+    template <class Value> bool split(const Polygon& polygon, Value value, Parts& parts) const;
+
+    const Bodies& bodies_;
+    std::uint32_t most_halvings_;
+    double smallest_ = 0;
+    std::size_t pieces_ = 0, most_pieces_ = 0;
+    std::uint32_t most_cuts_ = 0;
+    std::vector<Polygon> waiting_;
+    std::vector<std::uint32_t> indices_, order_;
+    CancellationCounter asking_{256};
+};
+
+} // namespace foam::geometry

@@ -1,0 +1,188 @@
+// Elements grown by a length.
+#include "element_grown.hpp"
+
+#include <foam/base/error.hpp>
+
+namespace foam::inline geometry {
+namespace {
+
+/// A half-space that a move of a vertex must reach: dot(normal, move) >= least.
+struct Demand {
+    Vec3 normal;
+    double least;
+};
+
+/// Returns the least factor by which the move has to be longer to meet all demands; infinite if none is enough.
+double least_factor(std::span<const Demand> demands, const Vec3& move) {
+    double factor = 0;
+    for (const Demand& demand : demands) {
+        const double reached = dot(demand.normal, move);
+        factor = std::max(factor, reached > 0 ? demand.least / reached : std::numeric_limits<double>::infinity());
+    }
+    return factor;
+}
+
+/// Returns the shortest move that meets few demands with equality; zero if there is none.
+Vec3 move_to(const Demand& a, const Demand& b) {
+    const double c = dot(a.normal, b.normal), d = 1 - c * c;
+    return d > 0 ? a.normal * ((a.least - c * b.least) / d) + b.normal * ((b.least - c * a.least) / d) : Vec3{};
+}
+Vec3 move_to(const Demand& a, const Demand& b, const Demand& c) {
+    const Vec3 bc = cross(b.normal, c.normal), ca = cross(c.normal, a.normal), ab = cross(a.normal, b.normal);
+    const double d = dot(a.normal, bc);
+    return d != 0 ? (bc * a.least + ca * b.least + ab * c.least) / d : Vec3{};
+}
+
+/// Returns a short move that meets all demands; infinite if there is none. The shortest one meets at most three with
+/// equality. Only the first `compared` are tried together; then the move is made longer until it meets the others, too.
+Vec3 shortest_move(std::span<const Demand> demands) {
+    constexpr std::size_t compared = 12;
+    const std::span<const Demand> some = demands.first(std::min(compared, demands.size()));
+    Vec3 best{};
+    double shortest = std::numeric_limits<double>::infinity();
+    const auto consider = [&](const Vec3& move) {
+        const Vec3 enough = move * std::max(1.0, least_factor(demands, move));
+        if (norm(enough) < shortest) {
+            shortest = norm(enough);
+            best = enough;
+        }
+    };
+    Vec3 sum{};
+    for (const Demand& demand : demands) {
+        sum += demand.normal;
+    }
+    consider(sum);
+    for (std::size_t i = 0; i < some.size(); ++i) {
+        consider(some[i].normal * some[i].least);
+        for (std::size_t k = 0; k < i; ++k) {
+            consider(move_to(some[i], some[k]));
+            for (std::size_t j = 0; j < k; ++j) {
+                consider(move_to(some[i], some[k], some[j]));
+            }
+        }
+    }
+    return std::isfinite(shortest) ? best : Vec3{shortest, shortest, shortest};
+}
+
+/// Returns the vertices, each moved beyond the planes at it, which are moved outwards. The surface between the moved
+/// vertices is beyond these planes everywhere, so their hull contains the polytope between the planes.
+std::vector<Vec3> moved_vertices(const Polytope& hull, std::span<const double> lengths, double more) {
+    const double near = 1e-9 * bounds(hull.surface).diagonal();
+    std::vector<Vec3> result;
+    std::vector<Demand> demands;
+    for (const Vec3& v : hull.surface.vertices) {
+        demands.clear();
+        for (std::size_t f = 0; f < hull.faces.size(); ++f) {
+            const double below = hull.faces[f].offset - dot(hull.faces[f].normal, v);
+            if (below <= near) {
+                demands.push_back({hull.faces[f].normal, lengths[f] + below + more});
+            }
+        }
+        result.push_back(v + shortest_move(demands));
+    }
+    return result;
+}
+
+/// Returns whether all planes of the outer polytope are at least `length` away from the points.
+bool surrounds(const Polytope& outer, std::span<const Vec3> points, double length) {
+    return std::all_of(outer.faces.begin(), outer.faces.end(), [&](const Polytope::Face& face) {
+        return std::all_of(points.begin(), points.end(),
+                           [&](const Vec3& p) { return dot(face.normal, p) + length <= face.offset; });
+    });
+}
+
+} // namespace
+
+Vec3 inner_point(const Polytope& hull) {
+    const Mesh& mesh = hull.surface;
+    Vec3 sum{};
+    double area = 0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const Vec3 &p = mesh.vertices[a], &q = mesh.vertices[b], &r = mesh.vertices[c];
+        const double weight = norm(cross(q - p, r - p));
+        sum += (p + q + r) * (weight / 3);
+        area += weight;
+    }
+    return sum / area;
+}
+
+std::shared_ptr<const Polytope> with_faces_moved(const Polytope& hull, std::span<const double> lengths,
+                                                 std::span<const Vec3> points, double length) {
+    const double size = bounds(hull.surface).diagonal() + *std::max_element(lengths.begin(), lengths.end());
+    for (double more = 1e-15; more < 1; more *= 8) { // for rounding, and where planes are nearly parallel
+        const std::vector<Vec3> vertices = moved_vertices(hull, lengths, more * size);
+        if (std::all_of(vertices.begin(), vertices.end(), is_finite)) {
+            auto result = convex_hull(vertices);
+            if (surrounds(*result, hull.surface.vertices, length) && surrounds(*result, points, length)) {
+                return result;
+            }
+        }
+    }
+    return nullptr;
+}
+
+/// Returns the polytope larger about a point inside; the same triangles and planes.
+static std::shared_ptr<const Polytope> scaled(const Polytope& hull, const Vec3& middle, double share) {
+    auto result = std::make_shared<Polytope>(hull);
+    double reach = 0;
+    for (Vec3& v : result->surface.vertices) {
+        v += (v - middle) * share;
+        reach = std::max({reach, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    }
+    for (Polytope::Face& face : result->faces) {
+        const double rounding = 32 * 0x1p-53 * (reach + norm(middle));
+        face.offset += (face.offset - dot(face.normal, middle)) * share + rounding;
+    }
+    return result;
+}
+
+std::shared_ptr<const Polytope> with_room(const Polytope& hull, double length) {
+    const Vec3 middle = inner_point(hull);
+    double depth = std::numeric_limits<double>::infinity();
+    for (const Polytope::Face& face : hull.faces) {
+        depth = std::min(depth, face.offset - dot(face.normal, middle));
+    }
+    const double size = bounds(hull.surface).diagonal();
+    constexpr double little = 1e-9, rounding = 1e-2; // shares of the size
+    if (depth > 0 && length / depth * (1 + rounding) <= little) {
+        return scaled(hull, middle, (length / depth + 1e-15 * (size + norm(middle)) / depth) * (1 + rounding));
+    }
+    const std::vector<double> lengths(hull.faces.size(), length);
+    if (auto moved = with_faces_moved(hull, lengths, {}, length)) {
+        return moved;
+    }
+    for (double more = 1e-2; depth > 0 && more < 1e6; more *= 8) {
+        auto result = scaled(hull, middle, length / depth * (1 + more));
+        if (surrounds(*result, hull.surface.vertices, length)) {
+            return result;
+        }
+    }
+    throw Error(ErrorCode::geometry, "a hull is too thin to be enlarged; remedy: use another kind of element");
+}
+
+Element grown(const Element& element, double length) {
+    Element result = element;
+    if (!(length > 0)) {
+        return result;
+    }
+    switch (element.kind) {
+    case Element::Kind::cylinder:
+        result.half.z += length;
+        result.radius += length;
+        break;
+    case Element::Kind::sphere:
+    case Element::Kind::capsule:
+    case Element::Kind::swept_box:
+        result.radius += length;
+        break;
+    case Element::Kind::box:
+        result.half += {length, length, length};
+        break;
+    case Element::Kind::hull:
+        result.hull = with_room(*element.hull, length);
+        break;
+    }
+    return result;
+}
+
+} // namespace foam::geometry

@@ -1,0 +1,73 @@
+// Volumes of unions of convex elements, alone and with a solid.
+#include "element_parts.hpp"
+#include "inside_lines.hpp"
+
+#include <foam/base/parallel.hpp>
+#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/joint_volume.hpp>
+
+#include <numeric>
+
+namespace foam::inline geometry {
+namespace {
+
+/// Lines per side across the box that a lattice is made for.
+constexpr double lattice_lines = 64;
+
+Vec3 cell_for(const Box& box) {
+    const double least = 1e-6 * box.diagonal(); // a flat box
+    const Vec3 size = box.size() / lattice_lines;
+    return {std::max(size.x, least), std::max(size.y, least), std::max(size.z, least)};
+}
+
+} // namespace
+
+Estimate volume_of_union(const ElementSet& set, const Box& lattice) {
+    return set.volume(lattice.low, cell_for(lattice));
+}
+
+double missing_of(const Solid& solid, const ElementSet& set) {
+    const InsideLines& lines = inside_lines(solid);
+    std::vector<double> rows(lines.rows());
+    parallel_for(rows.size(), [&](std::size_t row) {
+        Intervals in_elements, outside;
+        ElementSet::Near all(set.size());
+        std::iota(all.begin(), all.end(), 0u);
+        for (std::size_t line = 0; line < lines.across(); ++line) {
+            const auto inside = lines.inside(row, line);
+            if (!inside.empty()) {
+                set.along(all, lines.origin(row, line), lines.axis(row), in_elements);
+                without(inside, in_elements, lines.shortest(), outside);
+                rows[row] += length(outside);
+            }
+        }
+    });
+    double sum = 0;
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        sum += lines.share(row) * rows[row];
+    }
+    return sum;
+}
+
+double union_volume(const ElementsView& elements) {
+    if (elements.others.empty()) {
+        return union_volume(elements.spheres);
+    }
+    const ElementSet set(elements);
+    return set.size() == 0 ? 0 : volume_of_union(set, set.bounds()).value;
+}
+
+double missing_volume(const Solid& solid, const ElementsView& elements) {
+    return elements.others.empty() ? solid.missing_volume(elements.spheres) : missing_of(solid, ElementSet(elements));
+}
+
+double excess_volume(const Solid& solid, const ElementsView& elements) {
+    if (elements.others.empty()) {
+        return std::max(0.0, joint_volume(solid, elements.spheres) - solid.volume());
+    }
+    const ElementSet set(elements);
+    const double volume = volume_of_union(set, solid.bounds()).value;
+    return std::max(0.0, volume - solid.volume() + missing_of(solid, set));
+}
+
+} // namespace foam::geometry

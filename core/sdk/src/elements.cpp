@@ -1,0 +1,224 @@
+#include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
+#include <foam/geometry/element_forms.hpp>
+#include <foam/sdk/elements.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foam::inline sdk {
+namespace {
+
+using Kind = Element::Kind;
+
+void require_number_count(std::string_view name, const std::vector<double>& numbers, std::size_t count) {
+    if (numbers.size() != count) {
+        throw Error(ErrorCode::input, fmt::format("{} has {} numbers, not {}", name, numbers.size(), count));
+    }
+}
+
+Vec3 point_of(const std::vector<double>& numbers, std::size_t first = 0) {
+    return {numbers[first], numbers[first + 1], numbers[first + 2]};
+}
+
+/// Returns the names that an element of a kind has besides position and rotation.
+std::vector<std::string_view> names_of(Kind kind) {
+    switch (kind) {
+    case Kind::sphere:
+        return {"radius"};
+    case Kind::capsule:
+    case Kind::cylinder:
+        return {"length", "radius"};
+    case Kind::box:
+        return {"size"};
+    case Kind::swept_box:
+        return {"size", "radius"};
+    case Kind::hull:
+        return {"vertices"};
+    }
+    return {};
+}
+
+/// Sets what one name states.
+void take_numbers(Element& element, const std::string& name, const std::vector<double>& numbers) {
+    if (name == "position" || name == "size") {
+        require_number_count(name, numbers, 3);
+        (name == "size" ? element.half : element.pose.translation) = point_of(numbers) * (name == "size" ? 0.5 : 1.0);
+    } else if (name == "rotation") {
+        require_number_count(name, numbers, 9);
+        element.pose.rotation = {point_of(numbers), point_of(numbers, 3), point_of(numbers, 6)};
+    } else if (name == "length" || name == "radius") {
+        require_number_count(name, numbers, 1);
+        (name == "length" ? element.half.z : element.radius) = numbers[0] * (name == "length" ? 0.5 : 1.0);
+    } else {
+        std::vector<Vec3> points;
+        for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
+            points.push_back(point_of(numbers, i));
+        }
+        require_number_count(name, numbers, 3 * points.size());
+        try {
+            element.hull = convex_hull(points);
+        } catch (const Error& error) {
+            throw Error(ErrorCode::input, fmt::format("vertices: {}", error.what()));
+        }
+    }
+}
+
+/// Letters, digits, '.', '_' and '-', which no program and no file system changes.
+std::string file_word(const std::string& name) {
+    std::string word;
+    for (const char c : name) {
+        const bool kept = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+                          c == '-' || (c == '.' && !word.empty());
+        word += kept ? c : '_';
+    }
+    constexpr std::size_t longest = 100; // of 255 that file systems allow
+    return word.empty() ? "link" : word.substr(0, longest);
+}
+
+} // namespace
+
+std::vector<Element::Kind> every_kind() {
+    return {Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box, Kind::hull};
+}
+
+std::map<std::string, Approximation::Level> elements_of(SphereFile file) {
+    std::map<std::string, Approximation::Level> result;
+    for (LinkSpheres& link : file.links) {
+        result[link.link] = {std::move(link.spheres), {}, std::move(link.others)};
+    }
+    return result;
+}
+
+std::vector<LinkSpheres> in_known_kinds(std::vector<LinkSpheres> links, const KnownKinds& known) {
+    for (LinkSpheres& link : links) {
+        Approximation::Level stated{std::move(link.spheres), {}, {}};
+        for (const Element& element : link.others) {
+            if (element.kind == Kind::capsule && element.half.z == 0) {
+                add(stated, {.kind = Kind::sphere, .pose = element.pose, .radius = element.radius}); // a point, widened
+            } else if (element.kind == Kind::capsule && !known.capsules) {
+                for (const Element& part : capsule_parts(element)) {
+                    add(stated, part);
+                }
+            } else if (element.kind == Kind::swept_box || element.kind == Kind::hull) {
+                const Element hull = enclosing_hull(element, known.segments);
+                add(stated, known.float32_hulls ? float32_hull(hull) : hull);
+            } else {
+                add(stated, element);
+            }
+        }
+        link.spheres = std::move(stated.spheres);
+        link.others = std::move(stated.others);
+    }
+    return links;
+}
+
+Parameter segments_parameter() {
+    return Parameter::integer("segments", 8)
+        .bounds(4, 64)
+        .unit("1")
+        .doc("Around a circle of the hull that stands for a swept box, which this format does not know: a multiple of "
+             "4. The hull encloses the swept box.")
+        .source("48 vertices; engines want at most 64.");
+}
+
+int segments_of(const Parameters& parameters, std::string_view writer) {
+    const std::int64_t segments = parameters.integer("segments");
+    if (segments % 4 != 0) {
+        throw Error(ErrorCode::usage, fmt::format("{}: segments: {} is no multiple of 4; remedy: {}", writer, segments,
+                                                  segments / 4 * 4 + 4));
+    }
+    return static_cast<int>(segments);
+}
+
+ElementNumbers numbers_of(const Element& element) {
+    ElementNumbers numbers{
+        {"position", {element.pose.translation.x, element.pose.translation.y, element.pose.translation.z}}};
+    if (element.pose.rotation != Pose{}.rotation) {
+        std::vector<double> rotation;
+        for (const Vec3& row : element.pose.rotation) {
+            rotation.insert(rotation.end(), {row.x, row.y, row.z});
+        }
+        numbers.emplace_back("rotation", std::move(rotation));
+    }
+    for (const std::string_view name : names_of(element.kind)) {
+        std::vector<double> values;
+        if (name == "length") {
+            values = {2 * element.half.z};
+        } else if (name == "radius") {
+            values = {element.radius};
+        } else if (name == "size") {
+            values = {2 * element.half.x, 2 * element.half.y, 2 * element.half.z};
+        } else {
+            for (const Vec3& p : element.hull->surface.vertices) {
+                values.insert(values.end(), {p.x, p.y, p.z});
+            }
+        }
+        numbers.emplace_back(name, std::move(values));
+    }
+    return numbers;
+}
+
+Element element_of(std::string_view kind, const ElementNumbers& numbers) {
+    const std::optional<Kind> known = element_kind_named(kind);
+    if (!known) {
+        throw Error(ErrorCode::input, fmt::format("'{}' is no kind of element; there are sphere, capsule, cylinder, "
+                                                  "box, swept_box and hull",
+                                                  shown(kind)));
+    }
+    Element element{.kind = *known};
+    std::vector<std::string_view> wanted = names_of(*known);
+    wanted.insert(wanted.begin(), "position");
+    for (const auto& [name, values] : numbers) {
+        if (std::erase(wanted, name) == 0 && name != "rotation") {
+            throw Error(ErrorCode::input, fmt::format("a {} has no '{}', or has it twice", kind, shown(name)));
+        }
+        take_numbers(element, name, values);
+    }
+    if (!wanted.empty()) {
+        throw Error(ErrorCode::input, fmt::format("a {} needs '{}'", kind, wanted.front()));
+    }
+    if (!is_valid(element)) {
+        throw Error(ErrorCode::input, fmt::format("these are the numbers of no {}: all must be finite, lengths not "
+                                                  "negative, the volume above 0, and a rotation without scale",
+                                                  kind));
+    }
+    return element;
+}
+
+HullNames::HullNames(const std::string& file)
+    : folder_(file_word(std::filesystem::path(file).stem().string()) + "_hulls/") {}
+
+std::string HullNames::next(const std::string& link) {
+    const std::string word = file_word(link);
+    std::string name;
+    do { // "a_1" may be the first of link "a", or a link's own name
+        name = fmt::format("{}_{}", word, ++uses_["link " + lower_case(word)]);
+    } while (!uses_.emplace("file " + lower_case(name), 1).second);
+    return folder_ + name + ".obj";
+}
+
+std::map<std::string, std::string> hull_files(const std::vector<LinkSpheres>& links, const std::string& file) {
+    std::map<std::string, std::string> files;
+    HullNames names(file);
+    for (const LinkSpheres& link : links) {
+        for (const Element& element : link.others) {
+            if (element.kind == Kind::hull) {
+                files[names.next(link.link)] = obj_text(element.hull->surface);
+            }
+        }
+    }
+    return files;
+}
+
+const std::string* text_beside(const std::map<std::string, std::string>& beside, std::string_view reference) {
+    for (const auto& [name, text] : beside) {
+        if (reference == name || reference.ends_with("/" + name)) {
+            return &text;
+        }
+    }
+    return nullptr;
+}
+
+} // namespace foam::inline sdk

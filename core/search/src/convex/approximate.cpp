@@ -1,0 +1,307 @@
+#include "../cover/unless_stopped.hpp"
+#include "body_of.hpp"
+#include "finish.hpp"
+#include "least_fit.hpp"
+#include "pieces.hpp"
+
+#include <foam/base/error.hpp>
+#include <foam/base/parallel.hpp>
+#include <foam/geometry/internal/own_frame.hpp>
+#include <foam/search/approximate.hpp>
+#include <foam/search/least_element.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <map>
+
+namespace foam::inline search {
+namespace convex {
+namespace {
+
+using Kind = Element::Kind;
+
+/// How long to search.
+struct Plan {
+    std::size_t hull_bricks; ///< bricks for a few hulls; several for each hull of many
+    std::size_t bricks;      ///< for other kinds
+    RecutPlan recut;
+};
+
+Plan plan_for(Effort effort) {
+    switch (effort) {
+    case Effort::fast:
+        return {80, 32, {.sweeps = 1, .tries = 12, .split_tries = 6}};
+    case Effort::normal:
+        return {120, 40, {.sweeps = 2, .tries = 18, .split_tries = 6}};
+    case Effort::best:
+        break;
+    }
+    return {600, 160, {.sweeps = 20, .tries = 60, .split_tries = 30}};
+}
+
+/// Returns the points of a piece that its element must hold: those of the surface in it, and of a closed body the
+/// corners of its bricks that are inside the body, so that its hull leaves no cavity.
+std::vector<Vec3> points_of(const Partition& partition, const Piece& piece, const Body& body, bool with_inside) {
+    std::vector<Vec3> points;
+    for (const std::uint32_t i : piece.bricks) {
+        const Polygons& surface = partition.bricks[i].surface;
+        points.insert(points.end(), surface.corners.begin(), surface.corners.end());
+    }
+    if (with_inside && body.closed && !points.empty()) {
+        for (const Vec3& p : piece.hull) {
+            if (body.inside(p)) {
+                points.push_back(p);
+            }
+        }
+    }
+    return points;
+}
+
+/// Returns the count whose elements those of a count of at least 2 are compared with.
+std::size_t rung_below(std::size_t count) {
+    constexpr std::size_t every = 4;
+    return count <= every ? count - 1 : std::bit_floor(count - 1);
+}
+
+} // namespace
+} // namespace convex
+
+struct ApproximationSearch::Data {
+    Data(const Solid& given, std::span<const Element::Kind> given_kinds, const ApproximateOptions& given_options)
+        : solid(given), kinds(given_kinds.begin(), given_kinds.end()), options(given_options),
+          plan(convex::plan_for(options.effort)) {
+        std::sort(kinds.begin(), kinds.end());
+        kinds.erase(std::unique(kinds.begin(), kinds.end()), kinds.end());
+        if (kinds.empty()) {
+            throw Error(ErrorCode::usage, "approximate: there is no kind of element to use; remedy: name one or more");
+        }
+        if (options.max_vertices < 4) {
+            throw Error(ErrorCode::usage, fmt::format("approximate: a hull has at least 4 vertices, got a limit of {}; "
+                                                      "remedy: allow 4 or more",
+                                                      options.max_vertices));
+        }
+        if (const std::string why = geometry::why_out_of_bounds(solid.bounds()); !why.empty()) {
+            throw Error(ErrorCode::geometry, "approximate: the solid cannot be covered: " + why);
+        }
+        only_hulls = kinds == std::vector{Element::Kind::hull};
+        price = only_hulls ? convex::price_of_hull() : price_of_kinds();
+    }
+
+    ConvexCover cover(std::size_t count);
+
+    /// Returns the least volume of quick fits of the kinds.
+    convex::Price price_of_kinds() const {
+        return [this](std::span<const Vec3> points) {
+            convex::HullOfPoints hull;
+            const double of_hull = hull.run_quickly(points);
+            convex::Cloud cloud;
+            for (const std::uint32_t i : hull.vertices()) {
+                cloud.points.push_back(points[i]);
+            }
+            double least = std::numeric_limits<double>::infinity();
+            for (const Element::Kind kind : kinds) {
+                least = std::min(least, kind == Element::Kind::hull
+                                            ? of_hull
+                                            : convex::volume(convex::quick_fit(kind, cloud, options.axis_aligned)));
+            }
+            return least;
+        };
+    }
+    /// Returns the element of least volume of any of the kinds around points in metres.
+    Element element_around(const std::vector<Vec3>& points, Effort effort) const {
+        std::optional<Element> best;
+        std::optional<convex::Cloud> cloud;
+        for (const Element::Kind kind : kinds) {
+            Element element;
+            if (kind == Element::Kind::hull) {
+                element = convex::hull_around(points, solid.bounds().diagonal(), options.max_vertices);
+            } else {
+                if (!cloud) {
+                    cloud = convex::cloud_of(points);
+                }
+                element = convex::element_of(convex::least_fit(kind, *cloud, effort, options.axis_aligned), *cloud);
+            }
+            if (!best || volume(element) < volume(*best)) {
+                best = std::move(element);
+            }
+        }
+        return std::move(*best);
+    }
+    static void add(Approximation::Level& level, Element element) {
+        if (element.kind == Element::Kind::sphere) {
+            level.spheres.push_back({element.pose.translation, element.radius});
+        } else {
+            level.others.push_back(std::move(element));
+        }
+    }
+    ConvexCover single(Effort effort) const {
+        Approximation::Level level;
+        add(level, element_around(solid.surface().vertices, effort));
+        return convex::proved(solid, std::move(level));
+    }
+    const convex::BodyOfSolid& body() {
+        if (!body_) {
+            body_ = convex::body_of(solid);
+        }
+        return *body_;
+    }
+    ConvexCover cover_of(const convex::Partition& partition) {
+        const convex::BodyOfSolid& all = body();
+        std::vector<std::optional<Element>> elements(partition.pieces.size());
+        parallel_for(elements.size(), [&](std::size_t i) {
+            std::vector<Vec3> points = convex::points_of(partition, partition.pieces[i], all.body, only_hulls);
+            for (Vec3& p : points) {
+                p = all.origin + p * all.unit;
+            }
+            if (!points.empty()) {
+                elements[i] = element_around(points, options.effort);
+                elements[i] = grown(*elements[i], 1e-9 * all.unit); // neighbours meet in a plane
+            }
+        });
+        Approximation::Level level;
+        for (std::optional<Element>& element : elements) {
+            if (element) {
+                add(level, std::move(*element));
+            }
+        }
+        return convex::proved(solid, std::move(level));
+    }
+    /// Returns bricks for hulls, several for each: those of bricks_of(), put together where that adds little.
+    std::vector<convex::Brick> hull_bricks(std::size_t count) {
+        const std::size_t bricks = std::max(plan.hull_bricks, 4 * count);
+        const auto found = bricks_.find(bricks);
+        const std::vector<convex::Brick>& fine =
+            found != bricks_.end() ? found->second
+                                   : bricks_.emplace(bricks, convex::bricks_of(body().body, bricks)).first->second;
+        const std::size_t enough = std::max<std::size_t>(40, 4 * count);
+        return enough < fine.size() ? convex::united(fine, convex::merged(fine, {enough}).front()) : fine;
+    }
+    /// Returns the partition into hulls that a merge of bricks gives.
+    static convex::Partition by_merging(const std::vector<convex::Brick>& bricks, std::size_t count) {
+        return {bricks, convex::merged(bricks, {count}).front()};
+    }
+    convex::Partition by_splitting(std::vector<convex::Brick> bricks, std::size_t count) {
+        convex::Partition partition;
+        if (only_hulls) {
+            partition.bricks = std::move(bricks);
+        } else {
+            partition.bricks = convex::halved_bricks(body().body, std::max(plan.bricks, 6 * count));
+        }
+        std::vector<std::uint32_t> all(partition.bricks.size());
+        for (std::uint32_t i = 0; i < all.size(); ++i) {
+            all[i] = i;
+        }
+        partition.pieces.push_back(convex::piece_of(partition.bricks, std::move(all), price));
+        convex::split_until(partition, price, count, plan.recut);
+        return partition;
+    }
+    ConvexCover several(std::size_t count) {
+        constexpr std::size_t few = 12; // pieces, for which another start is cheap
+        std::optional<convex::Partition> best;
+        const auto offer = [&](convex::Partition partition) {
+            convex::recut(partition, price, plan.recut);
+            if (!best || partition.price() < best->price()) {
+                best = std::move(partition);
+            }
+        };
+        std::vector<convex::Brick> bricks;
+        if (only_hulls) {
+            bricks = hull_bricks(count);
+            offer(by_merging(bricks, count));
+        }
+        if (!only_hulls || count <= few) {
+            offer(by_splitting(std::move(bricks), count));
+        }
+        return cover_of(*best);
+    }
+    bool better(const ConvexCover& a, const ConvexCover& b) const {
+        return convex::figure_of(solid, a, options.objective) < convex::figure_of(solid, b, options.objective);
+    }
+
+    const Solid& solid;
+    std::vector<Element::Kind> kinds;
+    ApproximateOptions options;
+    convex::Plan plan;
+    bool only_hulls = false;
+    convex::Price price;
+    std::optional<convex::BodyOfSolid> body_;
+    std::map<std::size_t, std::vector<convex::Brick>> bricks_; ///< by the number asked for
+    std::map<std::size_t, ConvexCover> known;
+};
+
+ConvexCover ApproximationSearch::Data::cover(std::size_t count) {
+    if (const auto found = known.find(count); found != known.end()) {
+        return found->second;
+    }
+    std::optional<ConvexCover> best;
+    const bool done = cover::completed_unless_stopped(options.stop, [&] {
+        best = single(Effort::fast);
+        if (ConvexCover one = single(options.effort); better(one, *best)) {
+            best = std::move(one);
+        }
+        if (count > 1) {
+            if (ConvexCover more = several(count); better(more, *best)) {
+                best = std::move(more);
+            }
+            if (ConvexCover fewer = cover(convex::rung_below(count)); !better(*best, fewer)) {
+                best = std::move(fewer);
+            }
+        }
+    });
+    if (!best) {
+        best = single(Effort::fast);
+    }
+    if (done) {
+        known.emplace(count, *best);
+    }
+    return *best;
+}
+
+ApproximationSearch::ApproximationSearch(const Solid& solid, std::span<const Element::Kind> kinds,
+                                         const ApproximateOptions& options)
+    : data_(std::make_unique<Data>(solid, kinds, options)) {}
+
+ApproximationSearch::~ApproximationSearch() = default;
+
+ConvexCover ApproximationSearch::cover(std::size_t count) {
+    if (count == 0) {
+        throw Error(ErrorCode::usage,
+                    "approximate: a cover needs at least 1 element, got a count of 0; remedy: ask for 1 or more");
+    }
+    return data_->cover(count);
+}
+
+ConvexCover approximate(const Solid& solid, std::size_t count, std::span<const Element::Kind> kinds,
+                        const ApproximateOptions& options) {
+    return ApproximationSearch(solid, kinds, options).cover(count);
+}
+
+ConvexCover approximate(const Mesh& mesh, std::size_t count, std::span<const Element::Kind> kinds,
+                        const ApproximateOptions& options) {
+    return approximate(*Solid::make(mesh), count, kinds, options);
+}
+
+std::optional<ApproximationObjective> approximation_objective_named(std::string_view word) {
+    return word == "excess"            ? std::optional(ApproximationObjective::excess)
+           : word == "mean_protrusion" ? std::optional(ApproximationObjective::mean_protrusion)
+           : word == "protrusion"      ? std::optional(ApproximationObjective::protrusion)
+                                       : std::nullopt;
+}
+
+Element least_element(Element::Kind kind, std::span<const Vec3> points, Effort effort, bool axis_aligned) {
+    if (points.empty()) {
+        throw Error(ErrorCode::geometry, "an element around no points; remedy: give one or more");
+    }
+    if (!std::all_of(points.begin(), points.end(), [](const Vec3& p) { return is_finite(p); })) {
+        throw Error(ErrorCode::geometry, "an element needs points with finite coordinates");
+    }
+    const convex::Cloud cloud = convex::cloud_of(points);
+    if (kind == Element::Kind::hull) {
+        return convex::hull_around({points.begin(), points.end()}, cloud.unit, points.size());
+    }
+    return convex::element_of(convex::least_fit(kind, cloud, effort, axis_aligned), cloud);
+}
+
+} // namespace foam::inline search

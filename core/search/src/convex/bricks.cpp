@@ -1,0 +1,159 @@
+#include "bricks.hpp"
+
+namespace foam::inline search::convex {
+namespace {
+
+/// Points nearer to a plane than this, in units, lie on it.
+constexpr double on_plane = 1e-9;
+
+Vec3 crossing(const Vec3& a, const Vec3& b, double height_a, double height_b) {
+    return a + (b - a) * (height_a / (height_a - height_b));
+}
+
+} // namespace
+
+void Polygons::append(const Polygons& other) {
+    const auto first = static_cast<std::uint32_t>(corners.size());
+    corners.insert(corners.end(), other.corners.begin(), other.corners.end());
+    for (const std::uint32_t end : other.ends) {
+        ends.push_back(first + end);
+    }
+}
+
+double Polygons::cone_volume() const {
+    double sum = 0;
+    std::uint32_t first = 0;
+    for (const std::uint32_t end : ends) {
+        for (std::uint32_t i = first + 2; i < end; ++i) {
+            sum += dot(corners[first], cross(corners[i - 1], corners[i]));
+        }
+        first = end;
+    }
+    return sum / 6;
+}
+
+void cut(const Polygons& whole, const Plane& plane, Polygons& below, Polygons& above, std::vector<Vec3>* rim) {
+    static thread_local std::vector<double> heights;
+    std::uint32_t first = 0;
+    for (const std::uint32_t end : whole.ends) {
+        heights.clear();
+        bool has_below = false, has_above = false;
+        for (std::uint32_t i = first; i < end; ++i) {
+            const double h = plane.height(whole.corners[i]);
+            heights.push_back(std::abs(h) <= on_plane ? 0 : h);
+            has_below = has_below || heights.back() < 0;
+            has_above = has_above || heights.back() > 0;
+        }
+        const auto begin = whole.corners.begin() + first, stop = whole.corners.begin() + end;
+        if (!has_above || !has_below) { // what lies in the plane is below
+            Polygons& part = has_above ? above : below;
+            part.corners.insert(part.corners.end(), begin, stop);
+            part.close();
+            if (rim && !has_above) { // edges in the plane
+                for (std::uint32_t i = first; i < end; ++i) {
+                    const std::uint32_t k = i + 1 < end ? i + 1 : first;
+                    if (heights[i - first] == 0 && heights[k - first] == 0) {
+                        rim->push_back(whole.corners[i]);
+                        rim->push_back(whole.corners[k]);
+                    }
+                }
+            }
+            first = end;
+            continue;
+        }
+        Vec3 from{}, to{}; // of the edge of the part below that lies in the plane
+        for (std::uint32_t i = first; i < end; ++i) {
+            const std::uint32_t k = i + 1 < end ? i + 1 : first;
+            const Vec3 &a = whole.corners[i], &b = whole.corners[k];
+            const double ha = heights[i - first], hb = heights[k - first];
+            if (ha <= 0) {
+                below.corners.push_back(a);
+            }
+            if (ha >= 0) {
+                above.corners.push_back(a);
+            }
+            if ((ha < 0 && hb > 0) || (ha > 0 && hb < 0)) {
+                const Vec3 c = ha < 0 ? crossing(a, b, ha, hb) : crossing(b, a, hb, ha);
+                below.corners.push_back(c);
+                above.corners.push_back(c);
+                (ha < 0 ? from : to) = c;
+            } else if (ha == 0 && hb < 0) {
+                to = a;
+            } else if (hb == 0 && ha < 0) {
+                from = b;
+            }
+        }
+        below.close();
+        above.close();
+        if (rim) {
+            rim->push_back(from);
+            rim->push_back(to);
+        }
+        first = end;
+    }
+}
+
+Brick brick_around(HullOfPoints& hull, std::vector<Vec3> points, Polygons surface) {
+    Brick brick;
+    hull.run(points);
+    const std::vector<std::uint32_t> vertices = hull.vertices();
+    std::vector<std::uint32_t> name(points.size());
+    for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+        name[vertices[i]] = i;
+        brick.points.push_back(points[vertices[i]]);
+        brick.box.add(points[vertices[i]]);
+    }
+    brick.edges = hull.edges();
+    for (auto& [a, b] : brick.edges) {
+        a = name[a];
+        b = name[b];
+    }
+    brick.surface = std::move(surface);
+    return brick;
+}
+
+void append_parts(const Brick& brick, const Plane& plane, std::vector<Vec3>& below, std::vector<Vec3>& above) {
+    static thread_local std::vector<double> heights;
+    heights.clear();
+    bool has_below = false, has_above = false;
+    for (const Vec3& p : brick.points) {
+        const double h = plane.height(p);
+        heights.push_back(h);
+        has_below = has_below || h < -on_plane;
+        has_above = has_above || h > on_plane;
+    }
+    if (!has_below || !has_above) {
+        std::vector<Vec3>& part = has_above ? above : below;
+        part.insert(part.end(), brick.points.begin(), brick.points.end());
+        return;
+    }
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        if (heights[i] <= on_plane) {
+            below.push_back(brick.points[i]);
+        }
+        if (heights[i] >= -on_plane) {
+            above.push_back(brick.points[i]);
+        }
+    }
+    for (const auto& [a, b] : brick.edges) {
+        if ((heights[a] < -on_plane && heights[b] > on_plane) || (heights[a] > on_plane && heights[b] < -on_plane)) {
+            const Vec3 c = crossing(brick.points[a], brick.points[b], heights[a], heights[b]);
+            below.push_back(c);
+            above.push_back(c);
+        }
+    }
+}
+
+std::array<Brick, 2> cut(HullOfPoints& hull, const Brick& brick, const Plane& plane) {
+    std::array<std::vector<Vec3>, 2> points;
+    std::array<Polygons, 2> surface;
+    append_parts(brick, plane, points[0], points[1]);
+    cut(brick.surface, plane, surface[0], surface[1]);
+    for (std::size_t side = 0; side < 2; ++side) { // flat bricks have no edges to be cut
+        points[side].insert(points[side].end(), surface[side].corners.begin(), surface[side].corners.end());
+    }
+    return {brick_around(hull, std::move(points[0]), std::move(surface[0])),
+            brick_around(hull, std::move(points[1]), std::move(surface[1]))};
+}
+
+} // namespace foam::inline search::convex

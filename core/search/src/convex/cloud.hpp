@@ -1,0 +1,55 @@
+// Points to enclose, in a frame of size about 1, and elements in that frame.
+#pragma once
+
+#include <foam/geometry/element.hpp>
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace foam::inline search::convex {
+
+/// Least half thickness of an element, as a share of the size: what is flat gets an element all the same.
+constexpr double thin = 5e-7;
+
+/// The extreme points of a point set, in units about the origin of the cloud.
+struct Cloud {
+    std::vector<Vec3> points;  ///< vertices of the hull; all points if they lie in a plane
+    std::vector<Vec3> normals; ///< of the hull's faces, large ones first; of flat points that of the plane, or none
+    Vec3 origin{};             ///< m
+    double unit = 1;           ///< m; the diagonal of the bounds
+    bool flat = false;         ///< the points lie in a plane
+
+    Vec3 to_unit(const Vec3& p) const { return (p - origin) / unit; }
+};
+
+/// Returns the cloud of at least one finite point. O(n log n).
+Cloud cloud_of(std::span<const Vec3> points);
+/// Returns the same of the vertices of a hull.
+Cloud cloud_of(const Polytope& hull);
+
+/// An element of any kind but the hull in the frame of a cloud.
+struct Fit {
+    Element::Kind kind = Element::Kind::box;
+    std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}; ///< of the element: x, y and z
+    Vec3 center{};
+    Vec3 half{};
+    double radius = 0;
+
+    Vec3 local(const Vec3& p) const {
+        const Vec3 d = p - center;
+        return {dot(axes[0], d), dot(axes[1], d), dot(axes[2], d)};
+    }
+    Vec3 outside(const Vec3& p) const { return axes[0] * p.x + axes[1] * p.y + axes[2] * p.z + center; }
+};
+
+/// Returns the volume in cubic units.
+double volume(const Fit& fit);
+/// Returns the element in metres, larger by more than the rounding of its numbers.
+Element element_of(const Fit& fit, const Cloud& cloud);
+/// Returns a right-handed frame with the z axis along a unit vector.
+std::array<Vec3, 3> frame_along(const Vec3& z);
+/// Returns axes turned by a small rotation vector, in the frame of the axes; orthonormal.
+std::array<Vec3, 3> turned(const std::array<Vec3, 3>& axes, const Vec3& by);
+
+} // namespace foam::inline search::convex

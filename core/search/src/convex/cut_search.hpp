@@ -1,0 +1,43 @@
+// The plane that cuts bricks into two parts for two small elements.
+#pragma once
+
+#include "bricks.hpp"
+
+#include <functional>
+#include <limits>
+#include <span>
+
+namespace foam::inline search::convex {
+
+/// The price of putting points into one element: its volume in cubic units, or what else is to be the least.
+using Price = std::function<double(std::span<const Vec3>)>;
+
+/// A plane through bricks, with the sum of the prices of both parts.
+struct Cut {
+    Plane plane;
+    double price = std::numeric_limits<double>::infinity(); ///< infinite: a part is empty
+};
+
+/// Appends points in a plane that belong to both parts, besides those where it crosses edges of bricks.
+using PointsInPlane = std::function<void(const Plane&, std::vector<Vec3>&)>;
+
+class CutSearch {
+public:
+    CutSearch(std::vector<const Brick*> bricks, const Price& price, PointsInPlane in_plane = {});
+
+    Cut at(const Plane& plane);
+    /// Returns the best of the planes across directions spread evenly, at a few offsets each.
+    Cut start();
+    /// Moves and tilts the plane by shorter and shorter steps, as long as that makes the price less; about as many
+    /// planes as `tries`.
+    Cut improved(Cut best, int tries);
+
+private:
+    std::vector<const Brick*> bricks_;
+    Box box_;
+    const Price& price_;
+    PointsInPlane in_plane_;
+    std::vector<Vec3> below_, above_, both_;
+};
+
+} // namespace foam::inline search::convex

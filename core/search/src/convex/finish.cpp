@@ -1,0 +1,85 @@
+#include "finish.hpp"
+
+#include "cloud.hpp"
+#include "fewer_vertices.hpp"
+
+#include <foam/geometry/element_measure.hpp>
+
+#include <limits>
+
+namespace foam::inline search::convex {
+
+Element hull_around(std::vector<Vec3> points, double unit, std::size_t most_vertices) {
+    constexpr double spare = 1e-9; // of the size
+    const Cloud cloud = cloud_of(points);
+    constexpr double flat = 4 * thin;
+    Vec3 least_axis{};
+    double least = std::numeric_limits<double>::infinity();
+    std::vector<Vec3> axes = cloud.normals;
+    axes.insert(axes.end(), {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}});
+    const auto thickness = [&](const Vec3& axis) {
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const Vec3& p : cloud.points) {
+            low = std::min(low, dot(axis, p));
+            high = std::max(high, dot(axis, p));
+        }
+        return high - low;
+    };
+    for (const Vec3& axis : axes) {
+        if (const double t = thickness(axis); t < least) {
+            least = t;
+            least_axis = axis;
+        }
+    }
+    Element element{.kind = Element::Kind::hull};
+    std::vector<Vec3> corners;
+    for (const Vec3& p : cloud.points) {
+        corners.push_back(cloud.origin + p * cloud.unit);
+    }
+    if (cloud.flat || least < flat) { // an octahedron about each point
+        std::vector<Vec3> thick;
+        for (const Vec3& p : corners) {
+            for (const Vec3& axis : frame_along(least_axis)) {
+                thick.push_back(p - axis * (thin * cloud.unit));
+                thick.push_back(p + axis * (thin * cloud.unit));
+            }
+        }
+        corners = std::move(thick);
+    }
+    element.hull = convex_hull(corners);
+    if (element.hull->surface.vertices.size() > most_vertices) {
+        element.hull = with_fewer_vertices(*element.hull, most_vertices);
+    }
+    return grown(element, spare * unit);
+}
+
+ConvexCover proved(const Solid& solid, Approximation::Level elements) {
+    ConvexCover cover;
+    cover.certificate = certify(solid, elements.view());
+    if (!cover.certificate.holds) {
+        elements = grown_to_cover(solid, std::move(elements));
+        cover.certificate = certify(solid, elements.view());
+    }
+    cover.volume = union_volume(elements.view());
+    const double inside = solid.volume();
+    cover.excess =
+        inside > 0 ? excess_volume(solid, elements.view()) / inside : std::numeric_limits<double>::infinity();
+    cover.elements = std::move(elements);
+    return cover;
+}
+
+double figure_of(const Solid& solid, const ConvexCover& cover, ApproximationObjective objective) {
+    if (objective == ApproximationObjective::excess) {
+        const double inside = solid.volume();
+        return inside > 0 ? cover.excess * inside : cover.volume;
+    }
+    MeasureOptions quick;
+    quick.surface_points = 1;
+    quick.volume_rays = 1;
+    quick.volume_points = 1;
+    quick.directions_per_sphere = 200;
+    const Measures measures = measure(solid, cover.elements.view(), quick);
+    return objective == ApproximationObjective::protrusion ? measures.protrusion_max : measures.protrusion_mean;
+}
+
+} // namespace foam::inline search::convex

@@ -1,0 +1,76 @@
+#include "hull_of_points.hpp"
+
+#include <foam/base/random.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+namespace foam::inline search::convex {
+
+double HullOfPoints::run(std::span<const Vec3> points) {
+    constexpr double tolerance = 1e-10;
+    return run(points, tolerance);
+}
+
+double HullOfPoints::run_quickly(std::span<const Vec3> points) {
+    constexpr double tolerance = 2e-6, moved_by = 1e-6;
+    moved_.assign(points.begin(), points.end());
+    Random random(points.size());
+    for (Vec3& p : moved_) {
+        const std::uint64_t bits = random.bits();
+        const auto part = [&](int shift) {
+            return (static_cast<double>((bits >> shift) & 0xFFFFF) * 0x1p-20 - 0.5) * moved_by;
+        };
+        p += {part(0), part(20), part(40)};
+    }
+    return run(moved_, tolerance);
+}
+
+double HullOfPoints::run(std::span<const Vec3> points, double tolerance) {
+    constexpr double size = 4;
+    triangles_.clear();
+    count_ = points.size();
+    if (points.size() < 4) {
+        return 0;
+    }
+    geometry::Quickhull hull(points, size, tolerance);
+    if (!hull.run()) {
+        return 0;
+    }
+    triangles_ = hull.triangles();
+    const Vec3& o = points[triangles_.front().corners[0]];
+    double sum = 0;
+    for (const geometry::HullTriangle& t : triangles_) {
+        sum += dot(points[t.corners[0]] - o, cross(points[t.corners[1]] - o, points[t.corners[2]] - o));
+    }
+    return sum / 6;
+}
+
+std::vector<std::uint32_t> HullOfPoints::vertices() const {
+    std::vector<std::uint32_t> result;
+    if (triangles_.empty()) {
+        result.resize(count_);
+        std::iota(result.begin(), result.end(), 0u);
+        return result;
+    }
+    for (const geometry::HullTriangle& t : triangles_) {
+        result.insert(result.end(), t.corners.begin(), t.corners.end());
+    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+}
+
+std::vector<std::array<std::uint32_t, 2>> HullOfPoints::edges() const {
+    std::vector<std::array<std::uint32_t, 2>> result;
+    for (const geometry::HullTriangle& t : triangles_) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (const std::uint32_t a = t.corners[k], b = t.corners[(k + 1) % 3]; a < b) {
+                result.push_back({a, b});
+            }
+        }
+    }
+    return result;
+}
+
+} // namespace foam::inline search::convex

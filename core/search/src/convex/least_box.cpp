@@ -1,0 +1,142 @@
+#include "least_fit.hpp"
+#include "rectangle.hpp"
+
+#include <foam/base/cancellation.hpp>
+#include <foam/geometry/directions.hpp>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+
+namespace foam::inline search::convex {
+namespace {
+
+using Axes = std::array<Vec3, 3>;
+
+/// Axes with the volume of the box along them, in cubic units.
+struct Oriented {
+    Axes axes;
+    double volume;
+};
+
+/// Returns the extents of the points along an axis, at least as thick as an element must be.
+double extent(const Cloud& cloud, const Vec3& axis) {
+    double low = dot(axis, cloud.points.front()), high = low;
+    for (const Vec3& p : cloud.points) {
+        const double t = dot(axis, p);
+        low = std::min(low, t);
+        high = std::max(high, t);
+    }
+    return std::max(high - low, 2 * thin);
+}
+
+class Search {
+public:
+    explicit Search(const Cloud& cloud) : cloud_(cloud) {}
+
+    Oriented as_is(const Axes& axes) const {
+        return {axes, extent(cloud_, axes[0]) * extent(cloud_, axes[1]) * extent(cloud_, axes[2])};
+    }
+    /// Returns the least box with an axis along `z`.
+    Oriented about(const Vec3& z) {
+        const Axes frame = frame_along(z);
+        flat_.clear();
+        for (const Vec3& p : cloud_.points) {
+            flat_.push_back({dot(frame[0], p), dot(frame[1], p)});
+        }
+        const Rectangle rectangle = least_rectangle(flat_, 2 * thin);
+        const Vec3 x = normalized(frame[0] * rectangle.along.x + frame[1] * rectangle.along.y);
+        return {{x, cross(z, x), z}, rectangle.area * extent(cloud_, z)};
+    }
+    Oriented descended(Oriented best) {
+        constexpr double gain = 1 - 1e-12;
+        int idle = 0;
+        for (std::size_t axis = 0; idle < 3; axis = (axis + 1) % 3) {
+            const Oriented next = about(best.axes[axis]);
+            ++idle;
+            if (next.volume < best.volume * gain) {
+                best = next;
+                idle = 0;
+            }
+        }
+        return best;
+    }
+
+private:
+    const Cloud& cloud_;
+    std::vector<Vec2> flat_;
+};
+
+Axes principal_axes_of(const std::vector<Vec3>& points) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+    for (const Vec3& p : points) {
+        const Eigen::Vector3d v(p.x, p.y, p.z);
+        sum += v;
+        squares += v * v.transpose();
+    }
+    const double n = static_cast<double>(points.size());
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(squares / n - sum * sum.transpose() / (n * n));
+    const auto column = [&](int i) {
+        const Eigen::Vector3d v = solver.eigenvectors().col(i);
+        return normalized(Vec3{v.x(), v.y(), v.z()});
+    };
+    const Vec3 x = column(2), y = column(1);
+    return {x, y, cross(x, y)};
+}
+
+} // namespace
+
+Fit box_along(const Cloud& cloud, const Axes& axes) {
+    Fit fit{.kind = Element::Kind::box, .axes = axes};
+    Box box;
+    for (const Vec3& p : cloud.points) {
+        box.add(Vec3{dot(axes[0], p), dot(axes[1], p), dot(axes[2], p)});
+    }
+    fit.center = fit.outside(box.center());
+    const Vec3 size = box.size() * 0.5;
+    fit.half = {std::max(size.x, thin), std::max(size.y, thin), std::max(size.z, thin)};
+    return fit;
+}
+
+Fit quick_box(const Cloud& cloud) {
+    Search search(cloud);
+    Oriented best = search.as_is(principal_axes_of(cloud.points));
+    for (const Vec3& axis : Axes(best.axes)) {
+        if (const Oriented found = search.about(axis); found.volume < best.volume) {
+            best = found;
+        }
+    }
+    return box_along(cloud, best.axes);
+}
+
+Fit least_box(const Cloud& cloud, Effort effort) {
+    Search search(cloud);
+    std::vector<Oriented> starts{search.as_is({Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}),
+                                 search.as_is(principal_axes_of(cloud.points))};
+    const std::size_t flush = effort == Effort::fast ? 12 : effort == Effort::normal ? 40 : 200;
+    for (std::size_t i = 0; i < std::min(flush, cloud.normals.size()); ++i) {
+        check_cancelled();
+        starts.push_back(search.about(cloud.normals[i]));
+    }
+    const std::size_t spread = effort == Effort::fast ? 8 : effort == Effort::normal ? 24 : 200;
+    for (const Vec3& direction : fibonacci_directions(2 * spread)) {
+        check_cancelled();
+        if (direction.z >= 0) {
+            starts.push_back(search.about(direction));
+        }
+    }
+    std::stable_sort(starts.begin(), starts.end(),
+                     [](const Oriented& a, const Oriented& b) { return a.volume < b.volume; });
+    const std::size_t descents = effort == Effort::fast ? 3 : effort == Effort::normal ? 10 : starts.size();
+    Oriented best = starts.front();
+    for (std::size_t i = 0; i < std::min(descents, starts.size()); ++i) {
+        check_cancelled();
+        if (const Oriented found = search.descended(starts[i]); found.volume < best.volume * (1 - 1e-9)) {
+            best = found;
+        }
+    }
+    return box_along(cloud, best.axes);
+}
+
+} // namespace foam::inline search::convex

@@ -1,0 +1,185 @@
+#include "pieces.hpp"
+
+#include <foam/base/cancellation.hpp>
+#include <foam/base/parallel.hpp>
+
+#include <algorithm>
+#include <queue>
+
+namespace foam::inline search::convex {
+namespace {
+
+bool touch(const Box& a, const Box& b) {
+    constexpr double near = 1e-6; // units
+    return a.low.x <= b.high.x + near && b.low.x <= a.high.x + near && a.low.y <= b.high.y + near &&
+           b.low.y <= a.high.y + near && a.low.z <= b.high.z + near && b.low.z <= a.high.z + near;
+}
+
+struct Offer {
+    double price; ///< volume that the common hull adds
+    std::uint32_t a, b;
+
+    bool operator>(const Offer& o) const { return std::tie(price, a, b) > std::tie(o.price, o.a, o.b); }
+};
+
+class Merging {
+public:
+    explicit Merging(const std::vector<Brick>& bricks) {
+        const Price volume = price_of_hull();
+        pieces_.resize(bricks.size());
+        parallel_for(bricks.size(),
+                     [&](std::size_t i) { pieces_[i] = piece_of(bricks, {static_cast<std::uint32_t>(i)}, volume); });
+        alive_ = pieces_.size();
+        dead_.assign(pieces_.size(), 0);
+        std::vector<Offer> pairs;
+        for (std::uint32_t a = 0; a < pieces_.size(); ++a) {
+            for (std::uint32_t b = a + 1; b < pieces_.size(); ++b) {
+                if (touch(pieces_[a].box, pieces_[b].box)) {
+                    pairs.push_back({0, a, b});
+                }
+            }
+        }
+        offer(std::move(pairs));
+    }
+
+    std::vector<Piece> down_to(std::size_t count) {
+        while (alive_ > count) {
+            check_cancelled();
+            if (offers_.empty()) {
+                offer_all();
+            }
+            const Offer best = offers_.top();
+            offers_.pop();
+            if (!dead_[best.a] && !dead_[best.b]) {
+                merge(best.a, best.b);
+            }
+        }
+        std::vector<Piece> result;
+        for (std::size_t i = 0; i < pieces_.size(); ++i) {
+            if (!dead_[i]) {
+                result.push_back(pieces_[i]);
+            }
+        }
+        return result;
+    }
+
+private:
+    double price(std::uint32_t a, std::uint32_t b) const {
+        HullOfPoints hull;
+        std::vector<Vec3> points = pieces_[a].hull;
+        points.insert(points.end(), pieces_[b].hull.begin(), pieces_[b].hull.end());
+        return hull.run_quickly(points) - pieces_[a].price - pieces_[b].price;
+    }
+    void offer(std::vector<Offer> pairs) {
+        const auto one = [&](std::size_t i) { pairs[i].price = price(pairs[i].a, pairs[i].b); };
+        constexpr std::size_t many = 32;
+        if (pairs.size() >= many) {
+            parallel_for(pairs.size(), one);
+        } else {
+            for (std::size_t i = 0; i < pairs.size(); ++i) {
+                one(i);
+            }
+        }
+        for (const Offer& pair : pairs) {
+            offers_.push(pair);
+        }
+    }
+    void offer_all() {
+        std::vector<Offer> pairs;
+        for (std::uint32_t a = 0; a < pieces_.size(); ++a) {
+            for (std::uint32_t b = a + 1; b < pieces_.size(); ++b) {
+                if (!dead_[a] && !dead_[b]) {
+                    pairs.push_back({0, a, b});
+                }
+            }
+        }
+        offer(std::move(pairs));
+    }
+    void merge(std::uint32_t a, std::uint32_t b) {
+        Piece both;
+        both.bricks.resize(pieces_[a].bricks.size() + pieces_[b].bricks.size());
+        std::merge(pieces_[a].bricks.begin(), pieces_[a].bricks.end(), pieces_[b].bricks.begin(),
+                   pieces_[b].bricks.end(), both.bricks.begin());
+        std::vector<Vec3> points = pieces_[a].hull;
+        points.insert(points.end(), pieces_[b].hull.begin(), pieces_[b].hull.end());
+        HullOfPoints hull;
+        both.price = hull.run(points);
+        for (const std::uint32_t v : hull.vertices()) {
+            both.hull.push_back(points[v]);
+        }
+        both.box = pieces_[a].box;
+        both.box.add(pieces_[b].box);
+        dead_[a] = dead_[b] = 1;
+        const auto made = static_cast<std::uint32_t>(pieces_.size());
+        std::vector<Offer> pairs;
+        for (std::uint32_t i = 0; i < made; ++i) {
+            if (!dead_[i] && touch(pieces_[i].box, both.box)) {
+                pairs.push_back({0, i, made});
+            }
+        }
+        pieces_.push_back(std::move(both));
+        dead_.push_back(0);
+        --alive_;
+        offer(std::move(pairs));
+    }
+
+    std::vector<Piece> pieces_;
+    std::vector<char> dead_;
+    std::size_t alive_ = 0;
+    std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers_;
+};
+
+} // namespace
+
+double Partition::price() const {
+    double sum = 0;
+    for (const Piece& piece : pieces) {
+        sum += piece.price;
+    }
+    return sum;
+}
+
+Price price_of_hull() {
+    return [](std::span<const Vec3> points) { return HullOfPoints().run_quickly(points); };
+}
+
+Piece piece_of(const std::vector<Brick>& bricks, std::vector<std::uint32_t> members, const Price& price) {
+    Piece piece;
+    std::vector<Vec3> points;
+    for (const std::uint32_t i : members) {
+        points.insert(points.end(), bricks[i].points.begin(), bricks[i].points.end());
+        piece.box.add(bricks[i].box);
+    }
+    HullOfPoints hull;
+    hull.run(points);
+    for (const std::uint32_t v : hull.vertices()) {
+        piece.hull.push_back(points[v]);
+    }
+    piece.price = price(piece.hull);
+    piece.bricks = std::move(members);
+    return piece;
+}
+
+std::vector<std::vector<Piece>> merged(const std::vector<Brick>& bricks, const std::vector<std::size_t>& counts) {
+    Merging merging(bricks);
+    std::vector<std::vector<Piece>> result;
+    for (const std::size_t count : counts) {
+        result.push_back(merging.down_to(count));
+    }
+    return result;
+}
+
+std::vector<Brick> united(const std::vector<Brick>& bricks, const std::vector<Piece>& pieces) {
+    std::vector<Brick> result;
+    HullOfPoints hull;
+    for (const Piece& piece : pieces) {
+        Polygons surface;
+        for (const std::uint32_t i : piece.bricks) {
+            surface.append(bricks[i].surface);
+        }
+        result.push_back(brick_around(hull, piece.hull, std::move(surface)));
+    }
+    return result;
+}
+
+} // namespace foam::inline search::convex

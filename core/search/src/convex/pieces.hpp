@@ -1,0 +1,51 @@
+// Bricks put together to pieces, one convex hull each.
+#pragma once
+
+#include "cut_search.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace foam::inline search::convex {
+
+/// A piece of the body: some bricks, to be held by one element.
+struct Piece {
+    std::vector<std::uint32_t> bricks; ///< indices, ascending
+    std::vector<Vec3> hull;            ///< vertices of the hull around them
+    double price = 0;
+    Box box;
+};
+
+/// The bricks and the pieces that they form. Every brick is in one piece.
+struct Partition {
+    std::vector<Brick> bricks;
+    std::vector<Piece> pieces;
+
+    double price() const; ///< sum over the pieces
+};
+
+/// Returns the price of the hull: its volume.
+Price price_of_hull();
+Piece piece_of(const std::vector<Brick>& bricks, std::vector<std::uint32_t> members, const Price& price);
+
+/// Returns the partitions for hulls into each of the counts, which descend: from one piece a brick, the two pieces
+/// whose common hull adds least volume become one, again and again (Mamou and Ghorbel 2009). Pieces that do not touch
+/// come together when none is left that touches another.
+std::vector<std::vector<Piece>> merged(const std::vector<Brick>& bricks, const std::vector<std::size_t>& counts);
+
+/// Returns one brick for each piece.
+std::vector<Brick> united(const std::vector<Brick>& bricks, const std::vector<Piece>& pieces);
+
+struct RecutPlan {
+    int sweeps = 3;      ///< over all pairs of neighbours
+    int tries = 24;      ///< planes for each pair
+    int split_tries = 6; ///< planes to improve the cut of one piece
+};
+
+/// Makes the sum of the prices less: two neighbours are cut anew by a plane that is moved and tilted, and two pieces
+/// become one where another gains more from being cut in two. The number of pieces stays.
+void recut(Partition& partition, const Price& price, const RecutPlan& plan);
+/// Cuts pieces until there are `count`, or none can be cut: the piece that gains most by its cut is the next.
+void split_until(Partition& partition, const Price& price, std::size_t count, const RecutPlan& plan);
+
+} // namespace foam::inline search::convex

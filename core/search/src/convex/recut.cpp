@@ -1,0 +1,256 @@
+#include "cut_search.hpp"
+#include "pieces.hpp"
+
+#include <foam/base/cancellation.hpp>
+#include <foam/base/parallel.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+namespace foam::inline search::convex {
+namespace {
+
+Vec3 middle_of(const std::vector<Vec3>& points) {
+    Vec3 sum{};
+    for (const Vec3& p : points) {
+        sum += p;
+    }
+    return sum / static_cast<double>(points.size());
+}
+
+/// Returns the plane half-way between two pieces along the line of their middles.
+Plane between(const Piece& a, const Piece& b) {
+    const Vec3 ma = middle_of(a.hull), mb = middle_of(b.hull);
+    Vec3 normal = normalized(mb - ma);
+    if (normal == Vec3{}) {
+        normal = {1, 0, 0};
+    }
+    double top = -std::numeric_limits<double>::infinity(), bottom = -top;
+    for (const Vec3& p : a.hull) {
+        top = std::max(top, dot(normal, p));
+    }
+    for (const Vec3& p : b.hull) {
+        bottom = std::min(bottom, dot(normal, p));
+    }
+    return {normal, (top + bottom) / 2};
+}
+
+class Recutting {
+public:
+    Recutting(Partition& partition, const Price& price, const RecutPlan& plan)
+        : partition_(partition), price_(price), plan_(plan) {
+        changed_.assign(partition.pieces.size(), 1);
+    }
+
+    void run() {
+        for (int sweep = 0; sweep < plan_.sweeps; ++sweep) {
+            const bool moved = recut_neighbours();
+            const bool exchanged = exchange();
+            if (!moved && !exchanged) {
+                break;
+            }
+        }
+    }
+    void split_until(std::size_t count) {
+        std::vector<std::optional<Cut>> cuts(partition_.pieces.size());
+        std::vector<char> known(cuts.size(), 0);
+        while (partition_.pieces.size() < count) {
+            parallel_for(cuts.size(), [&](std::size_t i) {
+                if (!known[i]) {
+                    cuts[i] = best_split(i);
+                }
+            });
+            std::fill(known.begin(), known.end(), 1);
+            std::size_t best = cuts.size();
+            for (std::size_t i = 0; i < cuts.size(); ++i) {
+                if (cuts[i] && (best == cuts.size() || gain(i, cuts[i]) > gain(best, cuts[best]))) {
+                    best = i;
+                }
+            }
+            if (best == cuts.size()) {
+                return;
+            }
+            Piece a, b;
+            apply(partition_.pieces[best].bricks, cuts[best]->plane, a, b);
+            if (a.bricks.empty() || b.bricks.empty()) {
+                cuts[best].reset();
+                continue;
+            }
+            partition_.pieces[best] = std::move(a);
+            partition_.pieces.push_back(std::move(b));
+            cuts.emplace_back();
+            known[best] = 0;
+            known.push_back(0);
+        }
+    }
+
+private:
+    double gain(std::size_t i, const std::optional<Cut>& cut) const {
+        return cut ? partition_.pieces[i].price - cut->price : -std::numeric_limits<double>::infinity();
+    }
+    /// Returns the best plane found that cuts one piece in two.
+    std::optional<Cut> best_split(std::size_t i) const {
+        check_cancelled();
+        CutSearch search(named(partition_.pieces[i].bricks), price_);
+        const Cut start = search.start();
+        return std::isfinite(start.price) ? std::optional(search.improved(start, plan_.split_tries)) : std::nullopt;
+    }
+    void apply(const std::vector<std::uint32_t>& members, const Plane& plane, Piece& a, Piece& b) {
+        std::vector<std::uint32_t> low, high;
+        HullOfPoints hull;
+        for (const std::uint32_t i : members) {
+            std::array<Brick, 2> parts = cut(hull, partition_.bricks[i], plane);
+            if (parts[0].points.empty() || parts[1].points.empty()) {
+                (parts[0].points.empty() ? high : low).push_back(i);
+                continue;
+            }
+            low.push_back(i);
+            high.push_back(static_cast<std::uint32_t>(partition_.bricks.size()));
+            partition_.bricks[i] = std::move(parts[0]);
+            partition_.bricks.push_back(std::move(parts[1]));
+        }
+        std::sort(high.begin(), high.end());
+        a = piece_of(partition_.bricks, std::move(low), price_);
+        b = piece_of(partition_.bricks, std::move(high), price_);
+    }
+
+    std::vector<const Brick*> named(const std::vector<std::uint32_t>& members) const {
+        std::vector<const Brick*> result;
+        for (const std::uint32_t i : members) {
+            result.push_back(&partition_.bricks[i]);
+        }
+        return result;
+    }
+    static std::vector<std::uint32_t> together(const Piece& a, const Piece& b) {
+        std::vector<std::uint32_t> members = a.bricks;
+        members.insert(members.end(), b.bricks.begin(), b.bricks.end());
+        std::sort(members.begin(), members.end());
+        return members;
+    }
+    static bool touch(const Piece& a, const Piece& b) {
+        constexpr double near = 1e-6;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (a.box.low[axis] > b.box.high[axis] + near || b.box.low[axis] > a.box.high[axis] + near) {
+                return false;
+            }
+        }
+        return true;
+    }
+    struct Pair {
+        std::uint32_t a, b;
+        Cut cut{};
+        double gain = 0;
+    };
+    /// Looks at all pairs at once, then takes the best cuts of pairs that have no piece in common.
+    bool recut_neighbours() {
+        std::vector<Piece>& pieces = partition_.pieces;
+        std::vector<Pair> pairs;
+        for (std::uint32_t a = 0; a < pieces.size(); ++a) {
+            for (std::uint32_t b = a + 1; b < pieces.size(); ++b) {
+                if ((changed_[a] || changed_[b]) && touch(pieces[a], pieces[b])) {
+                    pairs.push_back({a, b});
+                }
+            }
+        }
+        parallel_for(pairs.size(), [&](std::size_t i) {
+            check_cancelled();
+            Pair& pair = pairs[i];
+            CutSearch search(named(together(pieces[pair.a], pieces[pair.b])), price_);
+            const double now = pieces[pair.a].price + pieces[pair.b].price;
+            const Cut start = search.at(between(pieces[pair.a], pieces[pair.b]));
+            if (start.price < 1.3 * now) { // else a plane is far from what separates them
+                pair.cut = search.improved(start, plan_.tries);
+                pair.gain = now - pair.cut.price;
+            }
+        });
+        std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.gain > b.gain; });
+        std::fill(changed_.begin(), changed_.end(), 0);
+        const double least = 1e-5 * partition_.price();
+        bool any = false;
+        for (const Pair& pair : pairs) {
+            if (pair.gain > least && !changed_[pair.a] && !changed_[pair.b]) {
+                Piece a, b;
+                apply(together(pieces[pair.a], pieces[pair.b]), pair.cut.plane, a, b);
+                pieces[pair.a] = std::move(a);
+                pieces[pair.b] = std::move(b);
+                changed_[pair.a] = changed_[pair.b] = 1;
+                any = true;
+            }
+        }
+        return any;
+    }
+    /// Merges two pieces where that costs less than another piece gains from a cut.
+    bool exchange() {
+        std::vector<Piece>& pieces = partition_.pieces;
+        std::vector<std::optional<Cut>> splits(pieces.size());
+        parallel_for(pieces.size(), [&](std::size_t i) {
+            check_cancelled();
+            splits[i] = best_split(i);
+        });
+        std::vector<Pair> pairs;
+        for (std::uint32_t a = 0; a < pieces.size(); ++a) {
+            for (std::uint32_t b = a + 1; b < pieces.size(); ++b) {
+                if (touch(pieces[a], pieces[b])) {
+                    pairs.push_back({a, b});
+                }
+            }
+        }
+        parallel_for(pairs.size(), [&](std::size_t i) {
+            check_cancelled();
+            Pair& pair = pairs[i];
+            std::vector<Vec3> points = pieces[pair.a].hull;
+            points.insert(points.end(), pieces[pair.b].hull.begin(), pieces[pair.b].hull.end());
+            pair.gain = pieces[pair.a].price + pieces[pair.b].price - price_(points);
+        });
+        std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.gain > b.gain; });
+        std::vector<std::size_t> order(pieces.size());
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            order[i] = i;
+        }
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::size_t a, std::size_t b) { return gain(a, splits[a]) > gain(b, splits[b]); });
+        std::vector<char> used(pieces.size(), 0);
+        const double least = 1e-5 * partition_.price();
+        std::size_t next = 0;
+        bool any = false;
+        for (const Pair& pair : pairs) {
+            if (used[pair.a] || used[pair.b]) {
+                continue;
+            }
+            while (next < order.size() && (used[order[next]] || order[next] == pair.a || order[next] == pair.b)) {
+                ++next;
+            }
+            if (next == order.size() || gain(order[next], splits[order[next]]) + pair.gain <= least) {
+                break;
+            }
+            const std::size_t split = order[next];
+            pieces[pair.a] = piece_of(partition_.bricks, together(pieces[pair.a], pieces[pair.b]), price_);
+            Piece a, b;
+            apply(pieces[split].bricks, splits[split]->plane, a, b);
+            pieces[split] = std::move(a);
+            pieces[pair.b] = std::move(b);
+            used[pair.a] = used[pair.b] = used[split] = 1;
+            changed_[pair.a] = changed_[pair.b] = changed_[split] = 1;
+            any = true;
+        }
+        return any;
+    }
+
+    Partition& partition_;
+    const Price& price_;
+    const RecutPlan plan_;
+    std::vector<char> changed_;
+};
+
+} // namespace
+
+void recut(Partition& partition, const Price& price, const RecutPlan& plan) {
+    Recutting(partition, price, plan).run();
+}
+
+void split_until(Partition& partition, const Price& price, std::size_t count, const RecutPlan& plan) {
+    Recutting(partition, price, plan).split_until(count);
+}
+
+} // namespace foam::inline search::convex

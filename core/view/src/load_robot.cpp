@@ -1,0 +1,205 @@
+#include "load_robot.hpp"
+
+#include "materials.hpp"
+#include "poses.hpp"
+
+#include <foam/base/file.hpp>
+#include <foam/base/parallel.hpp>
+#include <foam/base/text.hpp>
+#include <foam/judge/written_model.hpp>
+#include <foam/runtime/internal/input.hpp>
+#include <foam/runtime/internal/prepare.hpp>
+#include <foam/sdk/mesh_colours.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace foam::inline view {
+namespace {
+
+/// Returns the robot with the visual elements behind the collision elements, so that each file is read once.
+Robot with_all_elements(Robot robot, bool collisions) {
+    for (Link& link : robot.links) {
+        if (!collisions) {
+            link.collisions.clear();
+        }
+        link.collisions.insert(link.collisions.end(), link.visuals.begin(), link.visuals.end());
+    }
+    return robot;
+}
+
+/// Colours of the triangles of mesh files, by path.
+using FileColours = std::map<std::filesystem::path, std::vector<Colour>>;
+
+FileColours file_colours(const Workspace& workspace, const Robot& robot) {
+    std::set<std::filesystem::path> distinct;
+    for (const Link& link : robot.links) {
+        for (const GeometryElement& element : link.visuals) {
+            if (const auto* mesh = std::get_if<MeshReference>(&element.geometry); mesh && !mesh->path.empty()) {
+                distinct.insert(mesh->path);
+            }
+        }
+    }
+    const std::vector<std::filesystem::path> files(distinct.begin(), distinct.end());
+    std::vector<std::vector<Colour>> colours(files.size());
+    parallel_for(files.size(), [&](std::size_t i) {
+        const RegisteredStage* stage = mesh_loader_of(workspace, files[i]);
+        if (!stage) {
+            return;
+        }
+        const auto loader = workspace.registry.make<MeshLoader>(stage->info.name);
+        const auto* coloured = dynamic_cast<const MeshColours*>(loader.get());
+        try {
+            QuietContext context;
+            colours[i] = coloured ? coloured->colours(files[i], context) : std::vector<Colour>{};
+        } catch (const Error&) {
+            colours[i].clear(); // load_links() reports the file
+        }
+    });
+    FileColours result;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        result.emplace(files[i], std::move(colours[i]));
+    }
+    return result;
+}
+
+/// The distinct meshes of a robot: elements of one mesh and one list of colours share it.
+class SharedMeshes {
+public:
+    std::shared_ptr<const ViewedMesh> of(const CollisionElement& element, const FileColours* colours) {
+        const auto* reference = std::get_if<MeshReference>(&element.source->geometry);
+        const std::vector<Colour>* own = nullptr;
+        if (const Primitive* primitive = element.primitive()) {
+            return std::make_shared<const ViewedMesh>(
+                ViewedMesh{std::make_shared<const Mesh>(enclosing_mesh(*primitive)), {}});
+        }
+        if (const auto known = colours && reference ? colours->find(reference->path) : FileColours::const_iterator{};
+            colours && reference && known != colours->end() && known->second.size() == element.raw->triangles.size()) {
+            own = &known->second;
+        }
+        auto& shared = meshes_[{element.raw.get(), own}];
+        if (!shared) {
+            shared = std::make_shared<const ViewedMesh>(ViewedMesh{element.raw, own ? *own : std::vector<Colour>{}});
+        }
+        return shared;
+    }
+
+private:
+    std::map<std::pair<const Mesh*, const std::vector<Colour>*>, std::shared_ptr<const ViewedMesh>> meshes_;
+};
+
+Recipe recipe_for(const std::filesystem::path& file, const SubjectOptions& options, const Registry& registry) {
+    Recipe recipe;
+    const bool mesh = is_mesh_file(file, registry);
+    (mesh ? recipe.mesh : recipe.urdf).assign(1, std::filesystem::absolute(file).string());
+    if (mesh) {
+        recipe.mesh_unit = options.unit;
+    }
+    return recipe;
+}
+
+/// Drops visuals whose file was not found; their loader has warned of them.
+Robot without_missing_visuals(Robot robot) {
+    for (Link& link : robot.links) {
+        std::erase_if(link.visuals, [](const GeometryElement& element) {
+            const auto* mesh = std::get_if<MeshReference>(&element.geometry);
+            return mesh && mesh->path.empty();
+        });
+    }
+    return robot;
+}
+
+/// Sets of each link whether spheres are judged by it. Spheres are not judged by the spheres of a sphere model.
+void judge_links(ViewedRobot& robot, CoveredGeometry geometry) {
+    const bool by_model = is_sphere_model(*robot.robot) && geometry != CoveredGeometry::visual;
+    const Robot covered = with_covered_geometry(*robot.robot, geometry);
+    for (std::size_t l = 0; l < robot.links.size(); ++l) {
+        robot.links[l].judged = !by_model && !covered.links[l].collisions.empty();
+        robot.judged |= robot.links[l].judged;
+    }
+}
+
+} // namespace
+
+bool is_sphere(const GeometryElement& element) {
+    const auto* primitive = std::get_if<Primitive>(&element.geometry);
+    return primitive && primitive->kind == Primitive::Kind::sphere;
+}
+
+bool is_sphere_model(const Robot& robot) {
+    std::size_t spheres = 0, others = 0;
+    for (const Link& link : robot.links) {
+        for (const GeometryElement& element : link.collisions) {
+            (is_sphere(element) ? spheres : others) += 1;
+        }
+    }
+    return spheres > 0 && others == 0;
+}
+
+bool is_mesh_file(const std::filesystem::path& file, const Registry& registry) {
+    return registry.find_for_extension(StageKind::mesh_loader, extension_of(file)) != nullptr;
+}
+
+ViewedRobot load_robot(const std::filesystem::path& file, const SubjectOptions& options, const Registry& registry,
+                       std::vector<std::string>& notes) {
+    const Recipe recipe = recipe_for(file, options, registry);
+    const RunOptions run_options;
+    Journal journal(nullptr);
+    const Cache cache({});
+    const Workspace workspace{recipe, registry, run_options, journal, cache};
+    const Input input = load_input(workspace);
+
+    ViewedRobot result;
+    result.file = file;
+    const auto robot = std::make_shared<const Robot>(without_missing_visuals(*input.robot));
+    result.robot = robot;
+    result.kinematics = std::make_shared<const Kinematics>(robot);
+    result.poses = named_poses(*result.kinematics, options.srdf);
+    result.links.resize(robot->links.size());
+    const bool spheres = is_sphere_model(*robot);
+    judge_links(result, options.geometry);
+
+    const Robot all = with_all_elements(*robot, !spheres);
+    std::vector<InputFile> files;
+    const std::vector<LinkWork> work = load_links(workspace, all, files);
+    const FileColours colours = file_colours(workspace, *robot);
+    const auto materials = material_colours(*robot);
+    SharedMeshes shared;
+    for (const LinkWork& link : work) {
+        const auto l = static_cast<std::size_t>(link.link - all.links.data());
+        const std::size_t collisions = spheres ? 0 : robot->links[l].collisions.size();
+        if (link.error) {
+            notes.push_back(shown(link.error->what()));
+        }
+        for (std::size_t e = 0; e < link.elements.size(); ++e) {
+            const CollisionElement& element = link.elements[e];
+            if (!element.raw && !element.primitive()) {
+                continue;
+            }
+            const bool visual = e >= collisions;
+            ViewedElement viewed{shared.of(element, visual ? &colours : nullptr), element.source->origin, {}};
+            if (visual) {
+                viewed.colour = materials[l][e - collisions];
+            }
+            (visual ? result.links[l].visuals : result.links[l].collisions).push_back(std::move(viewed));
+        }
+    }
+    for (const Finding& finding : journal.findings()) {
+        if (finding.severity >= Severity::warning) {
+            notes.push_back(shown(finding.message));
+        }
+    }
+    return result;
+}
+
+ViewedRobot robot_of_names(const SphereFile& file) {
+    ViewedRobot result;
+    result.robot = links_alone(file);
+    result.links.resize(result.robot->links.size());
+    return result;
+}
+
+} // namespace foam::inline view

@@ -1,0 +1,226 @@
+// Convex hulls: every point inside, every vertex a vertex, degenerate input.
+#include "plain_shapes.hpp"
+
+#include <foam/base/error.hpp>
+#include <foam/geometry/element.hpp>
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+using namespace foam;
+
+namespace {
+
+/// How far the points are outside of the faces, in extended precision.
+long double most_outside(const Polytope& hull, const std::vector<Vec3>& points) {
+    long double most = -std::numeric_limits<long double>::infinity();
+    for (const Polytope::Face& face : hull.faces) {
+        const long double x = face.normal.x, y = face.normal.y, z = face.normal.z;
+        for (const Vec3& p : points) {
+            most = std::max(most, x * p.x + y * p.y + z * p.z - face.offset);
+        }
+    }
+    return most;
+}
+
+/// Checks what element.hpp promises of a hull, to a share of its size and its distance from the origin.
+void expect_hull_of(const std::vector<Vec3>& points, double tolerance = 1e-13) {
+    const auto hull = convex_hull(points);
+    Box box;
+    double away = 0;
+    for (const Vec3& p : points) {
+        box.add(p);
+        away = std::max({away, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    }
+    const double rounding = 4 * tolerance * away;
+    EXPECT_LE(most_outside(*hull, points), 0);
+    const Topology t = topology(hull->surface);
+    EXPECT_TRUE(t.closed_manifold()) << describe(t);
+    if (std::abs(std::log10(away)) < 50) { // areas neither overflow nor vanish
+        EXPECT_EQ(t.degenerate_triangles, 0u);
+    }
+    EXPECT_EQ(t.components, 1u);
+    std::set<std::array<double, 3>> given;
+    for (const Vec3& p : points) {
+        given.insert({p.x, p.y, p.z});
+    }
+    for (const Vec3& v : hull->surface.vertices) {
+        EXPECT_TRUE(given.count({v.x, v.y, v.z})) << "a vertex is not one of the points";
+    }
+    for (const Polytope::Face& face : hull->faces) {
+        EXPECT_NEAR(norm(face.normal), 1, 1e-15);
+        double highest = -std::numeric_limits<double>::infinity();
+        for (const Vec3& v : hull->surface.vertices) {
+            highest = std::max(highest, dot(face.normal, v) - face.offset);
+        }
+        EXPECT_GE(highest, -rounding) << "the face does not touch the hull";
+    }
+    const double all = signed_volume(hull->surface);
+    if (std::abs(std::log10(box.diagonal())) < 50) {
+        EXPECT_GT(all, 0);
+    }
+    if (all > 0 && std::isfinite(all) && points.size() < 200) { // each vertex is needed
+        for (std::size_t i = 0; i < hull->surface.vertices.size() && hull->surface.vertices.size() > 4; ++i) {
+            std::vector<Vec3> fewer = hull->surface.vertices;
+            fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+            try {
+                EXPECT_LT(signed_volume(convex_hull(fewer)->surface), all);
+            } catch (const Error&) { // what is left is flat
+            }
+        }
+    }
+}
+
+std::vector<Vec3> random_points(Random& random, std::size_t count, const Box& box) {
+    std::vector<Vec3> points;
+    for (std::size_t i = 0; i < count; ++i) {
+        points.push_back(test::random_point(random, box));
+    }
+    return points;
+}
+
+std::vector<Vec3> moved(std::vector<Vec3> points, const Pose& pose) {
+    for (Vec3& p : points) {
+        p = pose * p;
+    }
+    return points;
+}
+
+/// Points of a lattice: many lie in the faces and on the edges.
+std::vector<Vec3> lattice(int n) {
+    std::vector<Vec3> points;
+    for (int i = 0; i <= n; ++i) {
+        for (int k = 0; k <= n; ++k) {
+            for (int j = 0; j <= n; ++j) {
+                points.push_back({i / double(n), k / double(n), j / double(n)});
+            }
+        }
+    }
+    return points;
+}
+
+const Box unit{{0, 0, 0}, {1, 1, 1}};
+
+TEST(ConvexHull, RandomPoints) {
+    Random random(1);
+    for (int run = 0; run < 60; ++run) {
+        expect_hull_of(random_points(random, 4 + random.below(60), unit));
+    }
+    expect_hull_of(random_points(random, 20'000, unit));
+}
+
+TEST(ConvexHull, PointsOnABall) {
+    Random random(2);
+    std::vector<Vec3> points;
+    for (int i = 0; i < 3'000; ++i) {
+        points.push_back(test::random_direction(random));
+    }
+    expect_hull_of(points);
+    EXPECT_EQ(convex_hull(points)->surface.vertices.size(), 3'000u);
+}
+
+TEST(ConvexHull, FacesAndEdgesOfALatticeAreMerged) {
+    const std::vector<Vec3> points = lattice(9);
+    expect_hull_of(points);
+    const auto hull = convex_hull(points);
+    EXPECT_EQ(hull->surface.vertices.size(), 8u);
+    EXPECT_EQ(hull->faces.size(), 6u);
+    Random random(3);
+    for (int run = 0; run < 20; ++run) { // rounding puts the points beside their planes
+        const std::vector<Vec3> turned = moved(points, test::random_pose(random, run % 2 ? 100 : 0));
+        expect_hull_of(turned);
+        EXPECT_EQ(convex_hull(turned)->surface.vertices.size(), 8u);
+        EXPECT_EQ(convex_hull(turned)->faces.size(), 6u);
+    }
+}
+
+TEST(ConvexHull, DuplicatesChangeNothing) {
+    Random random(4);
+    std::vector<Vec3> points = random_points(random, 40, unit);
+    const Polytope once = *convex_hull(points);
+    const std::vector<Vec3> copy = points;
+    for (int i = 0; i < 3; ++i) {
+        points.insert(points.end(), copy.begin(), copy.end());
+    }
+    expect_hull_of(points);
+    EXPECT_EQ(convex_hull(points)->surface.vertices.size(), once.surface.vertices.size());
+}
+
+TEST(ConvexHull, RoundShapes) {
+    Random random(5);
+    for (const Primitive::Kind kind : {Primitive::Kind::cylinder, Primitive::Kind::capsule, Primitive::Kind::sphere}) {
+        for (const int segments : {3, 16, 64}) {
+            const Mesh mesh = enclosing_mesh({kind, {1, 1, 1}, 0.5, 2}, segments);
+            expect_hull_of(mesh.vertices);
+            expect_hull_of(moved(mesh.vertices, test::random_pose(random, 1)));
+        }
+    }
+    const Mesh cylinder = enclosing_mesh({Primitive::Kind::cylinder, {1, 1, 1}, 0.5, 2}, 16);
+    EXPECT_EQ(convex_hull(cylinder.vertices)->surface.vertices.size(), 32u);
+    EXPECT_EQ(convex_hull(cylinder.vertices)->faces.size(), 18u);
+}
+
+TEST(ConvexHull, ThinNeedlesAndPlates) {
+    Random random(6);
+    for (const double thin : {1e-3, 1e-6, 1e-9, 1e-12}) {
+        for (int run = 0; run < 10; ++run) {
+            const Pose pose = test::random_pose(random, 0);
+            expect_hull_of(moved(random_points(random, 50, {{0, 0, 0}, {1, 1, thin}}), pose));
+            if (thin > 1e-8) {
+                expect_hull_of(moved(random_points(random, 50, {{0, 0, 0}, {1, thin, thin}}), pose));
+            }
+        }
+    }
+}
+
+TEST(ConvexHull, AnySizeAndPlace) {
+    Random random(7);
+    for (const double size : {1e-300, 1e-100, 1e-9, 1e9, 1e100, 1e150}) {
+        std::vector<Vec3> points = random_points(random, 50, unit);
+        for (Vec3& p : points) {
+            p *= size;
+        }
+        expect_hull_of(points);
+    }
+    for (const double away : {1e3, 1e6, 1e9}) {
+        expect_hull_of(random_points(random, 50, {{away, -away, away}, {away + 1, 1 - away, away + 1}}));
+    }
+}
+
+TEST(ConvexHull, NearlyFlatNoiseOnAllFaces) {
+    Random random(8);
+    for (const double noise : {1e-17, 1e-16, 1e-15, 1e-14, 1e-12, 1e-8}) {
+        std::vector<Vec3> points = lattice(8);
+        for (Vec3& p : points) {
+            p += test::random_direction(random) * noise;
+        }
+        expect_hull_of(moved(points, test::random_pose(random, 0)));
+    }
+}
+
+TEST(ConvexHull, RefusesWhatHasNoHull) {
+    const auto message = [](std::vector<Vec3> points) -> std::string {
+        try {
+            convex_hull(points);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::geometry);
+            return error.what();
+        }
+        return "no error";
+    };
+    const std::string flat = "a convex hull needs four points that do not lie in a plane";
+    EXPECT_EQ(message({}), flat);
+    EXPECT_EQ(message({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}), flat);
+    EXPECT_EQ(message({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}), flat);
+    EXPECT_EQ(message({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0.3, 0.2, 0}}), flat);
+    Random random(9);
+    for (int run = 0; run < 20; ++run) {
+        EXPECT_EQ(message(moved(random_points(random, 30, {{0, 0, 0}, {1, 1, 0}}), test::random_pose(random, 1))),
+                  flat);
+    }
+    EXPECT_EQ(message({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, std::numeric_limits<double>::infinity()}}),
+              "a convex hull needs points with finite coordinates");
+}
+
+} // namespace

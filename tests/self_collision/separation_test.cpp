@@ -1,0 +1,113 @@
+// The distance of two convex elements, against what is known of them.
+#include <foam/base/random.hpp>
+#include <foam/collision/separation.hpp>
+#include <foam/geometry/directions.hpp>
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace foam {
+namespace {
+
+Element ball(const Vec3& center, double radius) {
+    return element_of({center, radius});
+}
+
+Element box(const Vec3& center, const Vec3& half) {
+    Element element;
+    element.kind = Element::Kind::box;
+    element.pose.translation = center;
+    element.half = half;
+    return element;
+}
+
+/// An element of any kind, of a size of about 1, turned and placed by chance.
+Element any(Random& random, Element::Kind kind) {
+    Element element;
+    element.kind = kind;
+    const auto number = [&](double low, double high) { return random.uniform(low, high); };
+    element.pose = Pose::from_xyz_rpy({number(-0.8, 0.8), number(-0.8, 0.8), number(-0.8, 0.8)},
+                                      {number(-3, 3), number(-3, 3), number(-3, 3)});
+    if (kind == Element::Kind::hull) {
+        std::vector<Vec3> corners;
+        for (int i = 0; i < 20; ++i) {
+            corners.push_back({number(-0.6, 0.6), number(-0.4, 0.4), number(-0.8, 0.8)});
+        }
+        element.hull = convex_hull(corners);
+        return element;
+    }
+    const bool long_kind = kind == Element::Kind::capsule || kind == Element::Kind::cylinder;
+    const bool edges = kind == Element::Kind::box || kind == Element::Kind::swept_box;
+    element.half = edges ? Vec3{number(0.1, 0.6), number(0.1, 0.6), number(0.1, 0.6)}
+                         : Vec3{0, 0, long_kind ? number(0.1, 0.8) : 0};
+    element.radius = kind == Element::Kind::box ? 0 : number(0.1, 0.4);
+    return element;
+}
+
+Element shifted(Element element, const Vec3& by) {
+    element.pose.translation += by;
+    return element;
+}
+
+TEST(Separation, OfSpheresIsExact) {
+    EXPECT_NEAR(separation(ball({}, 1), ball({3, 0, 0}, 0.5)).low, 1.5, 1e-9);
+    EXPECT_EQ(separation(ball({}, 1), ball({3, 0, 0}, 0.5)).depth, 0);
+    EXPECT_NEAR(separation(ball({}, 1), ball({0, 1.2, 0}, 0.5)).depth, 0.3, 1e-9);
+    EXPECT_EQ(separation(ball({}, 1), ball({0, 1.2, 0}, 0.5)).low, 0);
+    EXPECT_NEAR(separation(ball({}, 1), ball({}, 0.5)).depth, 1.5, 1e-9);
+}
+
+TEST(Separation, OfBoxesIsTheirGap) {
+    const Element a = box({}, {1, 1, 1});
+    EXPECT_NEAR(separation(a, box({3, 0.2, -0.3}, {1, 1, 1})).low, 1, 1e-6) << "face to face";
+    EXPECT_NEAR(separation(a, box({3, 3, 0}, {1, 1, 1})).low, std::numbers::sqrt2, 2e-6) << "edge to edge";
+    EXPECT_NEAR(separation(a, box({3, 3, 3}, {1, 1, 1})).low, std::numbers::sqrt3, 2e-6) << "corner to corner";
+    EXPECT_NEAR(separation(a, a).depth, 2, 1e-9);
+    EXPECT_EQ(separation(a, box({1.9, 0, 0}, {1, 1, 1})).low, 0);
+    EXPECT_GT(separation(a, box({1.5, 0, 0}, {1, 1, 1})).depth, 0.4);
+}
+
+TEST(Separation, TakesThePosesOfLinks) {
+    const Pose away = Pose::from_xyz_rpy({0, 0, 5}, {std::numbers::pi / 2, 0, 0});
+    EXPECT_NEAR(separation(box({}, {1, 1, 2}), box({}, {1, 2, 1}), {}, away).low, 5 - 2 - 2, 1e-5);
+}
+
+TEST(Separation, IsConservativeForAllKinds) {
+    Random random(7);
+    int apart = 0, touching = 0;
+    for (int round = 0; round < 600; ++round) {
+        const auto first = static_cast<Element::Kind>(round % element_kinds);
+        const auto second = static_cast<Element::Kind>(round / element_kinds % element_kinds);
+        const Element a = any(random, first), b = any(random, second);
+        const Separation between = separation(a, b), other = separation(b, a);
+        ASSERT_TRUE(between.low == 0 || between.depth == 0);
+        ASSERT_NEAR(between.low, other.low, 1e-5);
+        if (between.low > 0) {
+            ++apart;
+            double nearest = std::numeric_limits<double>::infinity();
+            for (const Vec3& direction : fibonacci_directions(500)) {
+                nearest = std::min(nearest, distance(a, support(b, direction)));
+            }
+            // The distance to a hull is from below.
+            const bool exact = first != Element::Kind::hull;
+            ASSERT_TRUE(!exact || nearest >= between.low * (1 - 1e-9)) << round << " " << nearest << " " << between.low;
+            // Closer by a little more than the distance, along any line, is not enough to be apart by more.
+            for (const Vec3& direction : fibonacci_directions(20)) {
+                const Separation nearer = separation(a, shifted(b, direction * (0.5 * between.low)));
+                ASSERT_GE(nearer.low, 0.5 * between.low - 1e-5);
+                ASSERT_LE(nearer.low, 1.5 * between.low + 1e-5);
+            }
+        } else {
+            ++touching;
+            for (const Vec3& direction : fibonacci_directions(20)) {
+                ASSERT_EQ(separation(a, shifted(b, direction * (0.99 * between.depth))).low, 0);
+            }
+        }
+    }
+    EXPECT_GT(apart, 100);
+    EXPECT_GT(touching, 100);
+}
+
+} // namespace
+} // namespace foam

@@ -1,0 +1,188 @@
+// The page that is one file: every control, names as text, phone, dark, keyboard. Arguments: CHROMIUM FOAM SOURCE.
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import { pathToFileURL } from "node:url";
+import { box, foam, launch, meshes, opened, run, spheres, text, until } from "./browser.mjs";
+
+const [chromium, program, source] = process.argv.slice(2);
+const panda = `${source}/configs/robots/panda/panda.urdf`;
+const HOSTILE = "<img src=x onerror=alert(1)>&\"'\u202Egnp";
+const escaped = HOSTILE.replace(/[<>&"']/g, (c) => `&#${c.charCodeAt(0)};`);
+fs.writeFileSync("hostile.urdf", `<robot name="${escaped}"><link name="${escaped}"><collision><geometry><box size="1 1 1"/>
+  </geometry></collision></link><link name="tip"><collision><geometry><box size="0.2 0.2 0.2"/></geometry></collision></link>
+  <joint name="${escaped}" type="revolute"><parent link="${escaped}"/><child link="tip"/><origin xyz="0 0 2"/>
+  <limit lower="-1" upper="1" effort="1" velocity="1"/></joint></robot>`);
+
+await foam(program, "view", panda, "-n", "11", "-n", "22", "-n", "44", "--html", "panda.html");
+await foam(program, "spherize", panda, "-n", "20", "-o", "a.urdf");
+await foam(program, "view", panda, "a.urdf", "a.urdf", "--html", "two.html");
+await foam(program, "view", "hostile.urdf", "-n", "2", "-n", "4", "--html", "hostile.html");
+const browser = await launch(chromium);
+const at = (file) => pathToFileURL(`${process.cwd()}/${file}`).href;
+const open = (file = "panda.html", options = {}) => opened(browser, at(file), options);
+const ended = async (page) => {
+  assert.deepEqual(page.complaints, []);
+  await page.context().close();
+};
+await run({
+  async layers() {
+    const page = await open(), all = await meshes(page);
+    assert.ok(all > 5);
+    assert.ok(await spheres(page) <= 22 && await spheres(page) > 5);
+    await page.uncheck("input[value=visuals]");
+    await until(page, () => document.getElementById("view").dataset.meshes === "0");
+    await page.check("input[value=collisions]");
+    await until(page, (n) => Number(document.getElementById("view").dataset.meshes) > 5, all);
+    await page.uncheck("input[value=spheres]");
+    await until(page, () => document.getElementById("view").dataset.spheres === "0");
+    for (const way of ["spheres", "none", "geometry"]) {
+      await page.check(`input[name=through][value=${way}]`);
+    }
+    await ended(page);
+  },
+  async counts() {
+    const page = await open();
+    assert.match(await text(page, "#verdict"), /^Proved: the spheres cover all \d+ links\.$/);
+    const before = await spheres(page);
+    await page.locator("#count").fill("2");
+    await until(page, (n) => Number(document.getElementById("view").dataset.spheres) > n, before);
+    assert.equal(await text(page, "#count-text"), String(await spheres(page)));
+    await ended(page);
+  },
+  async colours() {
+    const page = await open();
+    await page.check("input[value=radius]");
+    await until(page, () => !document.getElementById("scale").hidden);
+    assert.match(await text(page, "#scale"), /mm.*mm/);
+    await page.check("input[value=protrusion]");
+    await until(page, () => document.getElementById("scale").textContent.startsWith("0.00 mm"));
+    await page.check("input[name=colour][value=link]");
+    await until(page, () => document.getElementById("scale").hidden);
+    await ended(page);
+  },
+  async joints() {
+    const page = await open();
+    const first = page.locator("#sliders input").nth(3);
+    const low = Number(await first.getAttribute("min"));
+    await first.fill(String(low));
+    await until(page, () => document.getElementById("pose").value === "own");
+    assert.match(await page.locator("#sliders output").nth(3).textContent(), /°$/);
+    await page.selectOption("#pose", { label: "middle" });
+    await until(page, () => {   // the sliders follow with the next picture
+      const slider = document.querySelectorAll("#sliders input")[3];
+      return Math.abs(Number(slider.value) - (Number(slider.min) + Number(slider.max)) / 2) < 0.01;
+    });
+    await page.selectOption("#pose", { label: "zero" });
+    await ended(page);
+  },
+  async contacts() {
+    const page = await open();
+    assert.match(await text(page, "#nearest"), /^(Nearest: .+ – .+ mm|\d+ pairs? of links touch(es)?:)$/);
+    for (const [joint, value] of [[3, -3.05], [1, 1.7], [5, 3.7]]) {   // the hand goes into the shoulder
+      const slider = page.locator("#sliders input").nth(joint);
+      const [low, high] = [Number(await slider.getAttribute("min")), Number(await slider.getAttribute("max"))];
+      await slider.evaluate((input, to) => {   // fill() takes only values on a step
+        input.value = to;
+        input.dispatchEvent(new Event("input", { bubbles: true }));
+      }, Math.min(Math.max(value, low), high));
+    }
+    await until(page, () => Number(document.getElementById("touching").dataset.pairs) > 0);
+    assert.match(await page.locator("#pairs li").first().textContent(), /.+ – .+ mm deep$/);
+    await ended(page);
+  },
+  async links() {
+    const page = await open(), before = await meshes(page);
+    await page.click("#no-links");
+    await until(page, () => document.getElementById("view").dataset.meshes === "0");
+    await page.locator("#links input").nth(1).check();
+    await until(page, () => Number(document.getElementById("view").dataset.meshes) >= 1);
+    await page.click("#all-links");
+    await until(page, (n) => Number(document.getElementById("view").dataset.meshes) === n, before);
+    await ended(page);
+  },
+  async pickingAndCopying() {
+    const page = await open("panda.html", { permissions: [] });
+    await page.check("input[name=through][value=none]");
+    const view = await box(page, "#view");
+    await page.click("#view", { position: { x: view.width / 2, y: view.height / 2 } });
+    for (let y = 0.2; y < 0.9 && await page.isHidden("#selection"); y += 0.05) {   // somewhere is a sphere
+      await page.click("#view", { position: { x: view.width / 2, y: y * view.height } });
+    }
+    assert.match(await text(page, "#selected"), /^panda_\S+ · sphere \d+ of \d+$/);
+    const numbers = await page.locator("#numbers input").evaluateAll((inputs) => inputs.map((input) => Number(input.value)));
+    assert.equal(numbers.length, 4);
+    assert.ok(numbers[3] > 1 && numbers[3] < 1000);   // mm
+    assert.ok((await box(page, "#overlay .ring")).width > 4);
+    await page.locator("#selection-buttons button").first().click();
+    await until(page, () => document.querySelector("#selection-buttons button").hasAttribute("data-text"));   // the clipboard answers later
+    const copied = await page.locator("#selection-buttons button").first().getAttribute("data-text");
+    assert.match(copied, /^panda_\S+ \d+ \[(-?[\d.e-]+, ){3}[\d.e-]+\]$/);
+    assert.ok(Math.abs(Number(copied.match(/([\d.e-]+)\]$/)[1]) * 1000 - numbers[3]) < 1e-3);
+    await page.focus("#view");
+    await page.keyboard.press("Escape");
+    await until(page, () => document.getElementById("selection").hidden);
+    assert.ok(await page.isHidden("#edit") && await page.isHidden("#save"));   // nothing answers a file
+    await ended(page);
+  },
+  async sideBySide() {
+    const page = await open("two.html");
+    assert.equal(await page.locator("#captions span").count(), 2);
+    await page.selectOption("#model", "1");
+    await until(page, () => document.querySelectorAll("#captions span")[1].className === "active");
+    await ended(page);
+  },
+  async keyboard() {
+    const page = await open(), shot = async () => (await page.locator("#view").screenshot()).toString("base64");
+    await page.focus("#view");   // its outline is in the picture
+    const before = await shot();
+    for (const key of ["ArrowLeft", "ArrowUp", "Shift+ArrowRight", "+", "-"]) {
+      await page.keyboard.press(key);
+    }
+    await page.waitForTimeout(600);
+    assert.ok(await shot() !== before);
+    await page.keyboard.press("0");
+    await page.waitForTimeout(600);
+    assert.ok(await shot() === before);
+    await page.focus("#reset");
+    await page.keyboard.press("Tab");
+    assert.equal(await page.evaluate(() => document.activeElement.id), "theme");
+    await page.keyboard.press("Enter");
+    assert.equal(await text(page, "#theme"), "Theme: light");
+    await ended(page);
+  },
+  async darkAndPhone() {
+    const dark = await open("panda.html", { colorScheme: "dark" });
+    assert.ok(await dark.evaluate(() => parseInt(getComputedStyle(document.body).backgroundColor.match(/\d+/)[0], 10)) < 60);
+    await ended(dark);
+    const phone = await open("panda.html", { viewport: { width: 390, height: 844 }, hasTouch: true });
+    assert.ok(await phone.evaluate(() => document.documentElement.scrollWidth) <= 390);
+    const stage = await phone.locator("#stage").boundingBox(), panel = await phone.locator("#panel").boundingBox();
+    assert.ok(panel.y >= stage.y + stage.height - 1);
+    await phone.locator("#count").scrollIntoViewIfNeeded();
+    assert.ok(await phone.isVisible("#count"));
+    await ended(phone);
+  },
+  async hostileNamesAreText() {
+    const page = await open("hostile.html"), shown = HOSTILE.replace("\u202E", "\\u{202e}");
+    assert.equal(await text(page, "#title"), shown);
+    assert.equal(await page.locator("#links button").first().textContent(), shown);
+    assert.equal(await page.locator("#sliders label").first().textContent(), shown);
+    assert.equal(await page.locator("img").count(), 0);
+    assert.ok(!(await page.content()).includes("\u202E"));
+    await page.locator("#links button").first().click();
+    await ended(page);
+  },
+  async policyHasNoInlineCode() {
+    const page = await open();
+    const policy = await page.getAttribute("meta[http-equiv=Content-Security-Policy]", "content");
+    assert.ok(!policy.includes("unsafe") && policy.startsWith("default-src 'none'"));
+    await page.evaluate(() => {
+      const script = document.createElement("script");
+      script.textContent = "document.body.dataset.foreign = 'ran'";
+      document.body.append(script);
+    });
+    assert.equal(await page.getAttribute("body", "data-foreign"), null);
+    assert.ok(page.complaints.length > 0 && page.complaints.every((line) => line.includes("Content Security Policy")));
+    await page.context().close();
+  },
+});

@@ -1,0 +1,101 @@
+// The scene and the page that is one file.
+#include "arm.hpp"
+
+#include "drawn_mesh.hpp"
+
+#include <foam/view/page.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <cstring>
+
+namespace foam::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class Scene : public ArmTest {
+protected:
+    void read(const Subject& subject) {
+        std::vector<SceneModel> models;
+        for (const ViewedModel& model : subject.models) {
+            models.push_back({.name = model.file.filename().string(),
+                              .format = model.format,
+                              .robot = model.robot,
+                              .steps = {{model.spheres, {}, {}}},
+                              .at = 0,
+                              .ignored = {}});
+        }
+        page = static_page(subject, models);
+        bytes = scene_bytes(subject, models, "null");
+        std::uint32_t length = 0;
+        std::memcpy(&length, bytes.data() + 8, sizeof length);
+        json = nlohmann::json::parse(bytes.substr(12, length));
+        arrays = (12 + length + 7) / 8 * 8;
+    }
+
+    template <class T> std::vector<T> array(const nlohmann::json& place) const {
+        std::vector<T> values(place["count"].get<std::size_t>());
+        std::memcpy(values.data(), bytes.data() + arrays + place["at"].get<std::size_t>(), values.size() * sizeof(T));
+        return values;
+    }
+
+    std::string bytes, page;
+    nlohmann::json json;
+    std::size_t arrays = 0;
+};
+
+TEST_F(Scene, HoldsRobotJointsAndSpheres) {
+    read(subject(with({"arm.urdf", "arm.csv"})));
+    EXPECT_EQ(bytes.substr(0, 8), "foamview");
+    const auto& robot = json["robots"][0];
+    EXPECT_EQ(robot["links"].size(), 4u);
+    EXPECT_EQ(robot["links"][0]["visuals"][0]["colour"], "#ff8000ff");
+    EXPECT_EQ(robot["freedoms"].size(), 2u);
+    EXPECT_EQ(robot["joints"][2]["freedom"], 1); // it mimics
+    EXPECT_EQ(robot["joints"][2]["axis"], (std::vector<double>{0, -1, 0}));
+    const auto& elements = json["models"][0]["steps"][0]["elements"][0];
+    EXPECT_EQ(elements["kind"], "sphere");
+    EXPECT_EQ(array<std::uint32_t>(elements["starts"]), (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
+    EXPECT_EQ(array<double>(elements["rows"])[7], 0.20801); // to the last digit
+}
+
+TEST_F(Scene, NamesAreTextThatCannotSteer) {
+    std::string text = arm_urdf;
+    for (std::size_t at = 0; (at = text.find("\"upper\"", at)) != text.npos; at += 1) {
+        text.replace(at, 7, "\"&lt;/script&gt;&lt;script&gt;alert(1)&lt;/script&gt;&#x202E;&quot;'\"");
+    }
+    write("arm.urdf", text);
+    read(subject(with({"arm.urdf"})));
+    EXPECT_EQ(json["robots"][0]["links"][1]["name"], "</script><script>alert(1)</script>\\u{202e}\"'");
+    EXPECT_THAT(page, Not(HasSubstr("alert(1)"))); // only within the bytes of the scene
+    EXPECT_THAT(page, HasSubstr("script-src 'sha256-"));
+    EXPECT_THAT(page, Not(HasSubstr("unsafe")));
+}
+
+TEST(DrawnMesh, KeepsEdgesSharpAndRoundsSmoothSurfaces) {
+    const auto count = [](const Primitive& primitive) {
+        return drawn({std::make_shared<const Mesh>(enclosing_mesh(primitive)), {}}).vertices.size();
+    };
+    EXPECT_EQ(count({.kind = Primitive::Kind::box, .size = {1, 2, 3}}), 24u); // each corner with three normals
+    const Primitive ball{.kind = Primitive::Kind::sphere, .radius = 1};
+    EXPECT_EQ(count(ball), enclosing_mesh(ball).vertices.size());
+}
+
+TEST(DrawnMesh, SortsTrianglesByColourAndLeavesOutThoseWithoutArea) {
+    Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 0, 1}, {0, 1, 3}, {1, 2, 3}}};
+    const DrawnMesh result = drawn({std::make_shared<const Mesh>(mesh), {0xFF0000FFu, 1, 0, 0xFF0000FFu}});
+    ASSERT_EQ(result.ranges.size(), 2u);
+    EXPECT_EQ(result.ranges[0].colour, std::nullopt);
+    EXPECT_EQ(result.ranges[0].count, 3u);
+    EXPECT_EQ(result.ranges[1].colour, 0xFF0000FFu);
+    EXPECT_EQ(result.ranges[1].first, 3u);
+    EXPECT_EQ(result.ranges[1].count, 6u);
+    for (const std::uint32_t corner : result.corners) {
+        EXPECT_LT(corner, result.vertices.size());
+    }
+}
+
+} // namespace
+} // namespace foam::test
