@@ -17,6 +17,7 @@ void add_evaluate(Program& program);
 void add_certify(Program& program);
 void add_compare(Program& program);
 void add_view(Program& program);
+void add_gallery(Program& program);
 void add_convert(Program& program);
 void add_formats(Program& program);
 void add_self_collision(Program& program);

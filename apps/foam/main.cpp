@@ -18,6 +18,7 @@ int main(int count, char** arguments) {
         add_certify(program);
         add_compare(program);
         add_view(program);
+        add_gallery(program);
         add_convert(program);
         add_formats(program);
         add_self_collision(program);

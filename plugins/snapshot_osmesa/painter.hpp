@@ -13,6 +13,7 @@ struct Settings {
     double azimuth = 0;        ///< of the eye about z, from +x towards +y; radians
     double elevation = 0;      ///< of the eye above the xy plane; radians
     int supersampling = 2;     ///< samples per pixel along each side
+    bool turntable = false;    ///< leaves room for the view from every azimuth
     double mesh_opacity = 0.5; ///< of translucent meshes where nothing is in front of them
     std::string font;          ///< TrueType file
 };

@@ -45,6 +45,7 @@ public:
         settings_.elevation = parameters.number("elevation") * degree;
         settings_.supersampling = static_cast<int>(parameters.integer("supersampling"));
         settings_.mesh_opacity = parameters.number("mesh_opacity");
+        settings_.turntable = parameters.boolean("turntable");
         settings_.font = parameters.text("font");
     }
 
@@ -95,6 +96,8 @@ FOAM_PLUGIN("snapshot_osmesa", "1.0", "Apache-2.0") {
                  .bounds(0, 1)
                  .doc("Opacity of translucent meshes where nothing lies before them; inside spheres they are fainter.")
                  .source("chosen by eye on the Panda's links"),
+             Parameter::boolean("turntable", false)
+                 .doc("Scales and places views so that they fit from every azimuth: the frames of a turntable."),
              Parameter::text("font", "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")
                  .doc("TrueType file of all texts; if it cannot be read, OpenCV's Hershey strokes serve.")
                  .source("Debian package fonts-dejavu-core")},

@@ -161,6 +161,24 @@ TEST_F(Snapshot, PanelsShareOneScale) {
     EXPECT_NEAR(ratio, 16, 3);
 }
 
+TEST_F(Snapshot, ATurntableKeepsItsScale) {
+    // A long body, off the origin: a fitted view of its end would be larger than one of its side.
+    Pose away;
+    away.translation = {3, 1, 0};
+    const Figure figure = small({{"", {{box({1, 0.2, 0.1}), away, false}}, {}}});
+    const auto height_from = [&](double azimuth, bool turntable) {
+        const cv::Mat3b picture = draw(figure, {{"azimuth", azimuth}, {"elevation", 0.0}, {"turntable", turntable}});
+        cv::Mat1b inked(picture.rows, 1, static_cast<unsigned char>(0));
+        for (int row = 0; row < picture.rows; ++row) {
+            inked(row, 0) = !blank(picture.row(row).clone());
+        }
+        return cv::countNonZero(inked);
+    };
+    EXPECT_GT(height_from(0, false), 3 * height_from(90, false) / 2);
+    EXPECT_NEAR(height_from(0, true), height_from(90, true), 1);
+    EXPECT_NEAR(height_from(30, true), height_from(90, true), 1);
+}
+
 TEST_F(Snapshot, NothingToDraw) {
     EXPECT_TRUE(blank(draw(small({}))));
     EXPECT_TRUE(blank(draw(small({{}, {}}))));

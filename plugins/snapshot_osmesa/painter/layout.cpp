@@ -6,37 +6,68 @@
 namespace foam::snapshot {
 namespace {
 
-/// Returns the bounds of a panel's content along the camera's axes.
-Box extent(const Panel& panel, const Camera& camera) {
-    Box box;
+/// Calls `visit` with each vertex and each sphere of a panel that can be drawn: its place and how far it reaches.
+template <class Visit> void for_each_part(const Panel& panel, Visit visit) {
     for (const FigureMesh& item : panel.meshes) {
         if (!item.mesh) {
             continue;
         }
         for (const Vec3& vertex : item.mesh->vertices) {
-            const Vec3 p = camera(item.pose * vertex);
-            if (drawable(p)) {
-                box.add(p);
+            if (const Vec3 p = item.pose * vertex; drawable(p)) {
+                visit(p, 0.0);
             }
         }
     }
     for (const Sphere& sphere : panel.spheres) {
         if (drawable(sphere)) {
-            const Vec3 center = camera(sphere.center);
-            const Vec3 reach{sphere.radius, sphere.radius, sphere.radius};
-            box.add(center - reach);
-            box.add(center + reach);
+            visit(sphere.center, sphere.radius);
         }
     }
+}
+
+Vec3 along_each_axis(double length) {
+    return {length, length, length};
+}
+
+/// Returns the bounds of a panel's content along the camera's axes.
+Box extent(const Panel& panel, const Camera& camera) {
+    Box box;
+    for_each_part(panel, [&](const Vec3& place, double reach) {
+        box.add(camera(place) - along_each_axis(reach));
+        box.add(camera(place) + along_each_axis(reach));
+    });
     return box;
 }
 
-std::vector<Box> extents(const Figure& figure, const Camera& camera) {
+/// Returns the bounds along the camera's axes while the camera turns about a vertical axis through the panel's middle.
+Box extent_all_around(const Panel& panel, const Camera& camera) {
+    Box content;
+    for_each_part(panel, [&](const Vec3& place, double reach) {
+        content.add(place - along_each_axis(reach));
+        content.add(place + along_each_axis(reach));
+    });
+    Box box;
+    if (content.empty()) {
+        return box;
+    }
+    const Vec3 middle = content.center(), seen = camera(middle);
+    for_each_part(panel, [&](const Vec3& place, double reach) {
+        const Vec3 from = place - middle;
+        const double away = std::hypot(from.x, from.y), tilted = std::abs(camera.towards.z) * away;
+        const Vec3 most{away + reach, tilted + reach, away + std::abs(from.z) + reach};
+        const Vec3 height{0, camera.up.z * from.z, 0};
+        box.add(seen + height - most);
+        box.add(seen + height + most);
+    });
+    return box;
+}
+
+std::vector<Box> extents(const Figure& figure, const Camera& camera, bool turntable) {
     std::vector<Box> boxes;
     Box all;
     Vec3 largest{};
     for (const Panel& panel : figure.panels) {
-        boxes.push_back(extent(panel, camera));
+        boxes.push_back(turntable ? extent_all_around(panel, camera) : extent(panel, camera));
         all.add(boxes.back());
         const Vec3 size = boxes.back().size();
         largest = {std::max(largest.x, size.x), std::max(largest.y, size.y), std::max(largest.z, size.z)};
@@ -108,7 +139,7 @@ bool drawable(const Sphere& sphere) {
     return drawable(sphere.center) && sphere.radius > 0 && sphere.radius < 1e100;
 }
 
-Layout arrange(const Figure& figure, const Camera& camera) {
+Layout arrange(const Figure& figure, const Camera& camera, bool turntable) {
     Layout layout{.camera = camera, .cells = {}, .colour_bar = {}, .radii = {}};
     layout.width = figure.width;
     layout.height = figure.height;
@@ -131,7 +162,7 @@ Layout arrange(const Figure& figure, const Camera& camera) {
         return layout;
     }
 
-    const std::vector<Box> boxes = extents(figure, camera);
+    const std::vector<Box> boxes = extents(figure, camera, turntable);
     double wide = 0, high = 0;
     for (const Box& box : boxes) {
         wide = std::max(wide, box.size().x);

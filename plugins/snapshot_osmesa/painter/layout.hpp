@@ -36,7 +36,8 @@ struct Layout {
     RadiusRange radii;
 };
 
-Layout arrange(const Figure& figure, const Camera& camera);
+/// Returns the layout. `turntable`: the same scale and places from every azimuth.
+Layout arrange(const Figure& figure, const Camera& camera, bool turntable);
 
 /// Returns whether a point, a sphere can be drawn: finite and within the drawable range, the radius positive.
 bool drawable(const Vec3& point);

@@ -59,7 +59,7 @@ public:
                                               " pixels; remedy: between 16 and " +
                                               std::to_string(rasterizer_.largest()) + " along each side");
         }
-        const Layout layout = arrange(figure, Camera(settings_.azimuth, settings_.elevation));
+        const Layout layout = arrange(figure, Camera(settings_.azimuth, settings_.elevation), settings_.turntable);
         const Scene scene = make_scene(figure, layout, context);
         context.check_cancelled();
         cv::Mat3b picture = rasterizer_.draw(scene, settings_.supersampling, settings_.mesh_opacity);
