@@ -148,6 +148,34 @@ TEST(Approximate, FlatAndOpenMeshes) {
     }
 }
 
+TEST(Approximate, LinesAndBoxesWithoutThickness) {
+    // Of such boxes whole sides are lines, and of a line all.
+    for (const Vec3& size : {Vec3{1, 1, 0}, Vec3{1, 1, 1e-9}, Vec3{1, 1e-9, 1e-9}, Vec3{1, 0, 0}}) {
+        const auto solid = Solid::make(test::box(size * -0.5, size * 0.5));
+        for (const Kind kind : all_kinds) {
+            const ConvexCover one = cover_by(*solid, 1, kind);
+            for (const std::size_t count : {2, 6}) {
+                SCOPED_TRACE(to_string(kind));
+                const ConvexCover more = cover_by(*solid, count, kind);
+                expect_cover(*solid, more, count);
+                EXPECT_LE(more.volume, one.volume * (1 + 1e-6)) << size.x << " x " << size.y << " x " << size.z;
+            }
+        }
+    }
+}
+
+TEST(Approximate, AHairOfASolid) {
+    Mesh mesh = test::box({0, 0, 0}, {1, 1, 1});
+    mesh.vertices.push_back({3, 0.5, 0.5});
+    const auto tip = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
+    mesh.triangles.push_back({0, tip, 0});
+    const auto solid = Solid::make(mesh);
+    for (const Kind kind : all_kinds) {
+        SCOPED_TRACE(to_string(kind));
+        expect_cover(*solid, cover_by(*solid, 3, kind), 3);
+    }
+}
+
 TEST(Approximate, RefusesWhatCannotBe) {
     const auto solid = Solid::make(test::box({0, 0, 0}, {1, 1, 1}));
     EXPECT_THROW(approximate(*solid, 1, {}, fast), Error);

@@ -346,6 +346,35 @@ Element hull_between(double from, double to, const Pose& pose) {
     return e;
 }
 
+TEST(ElementGrowth, NeedlesAcrossTwoElementsNeedNoMoreThanWhatIsOpen) {
+    Element left{.kind = Element::Kind::capsule, .radius = 0.31};
+    left.pose = Pose::from_axis_angle({1, 0, 0}, std::numbers::pi / 2);
+    left.pose.translation = {-0.213, 0.05, 0};
+    left.half = {0, 0, 0.42};
+    Element right = left;
+    right.pose.translation = {0.287, -0.05, 0};
+    for (const double thickness : {0.0, 1e-15, 1e-12, 1e-9, 1e-7, 1e-5}) {
+        for (const double open : {1e-9, 1e-7, 1e-5}) {
+            SCOPED_TRACE(fmt::format("{} thick, {} open", thickness, open));
+            Mesh needle{{{-0.3, 0.2, 0}, {0.35, 0.2, 0}, {0.1, 0.2, thickness}}, {{0, 1, 2}}};
+            // Where the two meet, the needle is open.
+            const double meets = 0.037;
+            Approximation::Level level{{}, {left, right}};
+            level.others[0].radius = meets + 0.213 - open;
+            level.others[1].radius = 0.287 - meets - open;
+            const auto solid = Solid::make(needle);
+            const Certificate before = certify(*solid, level.view());
+            ASSERT_FALSE(before.holds);
+            EXPECT_LT(before.growth, 2 * open + 1e-9);
+            const Approximation::Level grown = grown_to_cover(*solid, level);
+            EXPECT_TRUE(certify(*solid, grown.view()).holds);
+            for (std::size_t i = 0; i < 2; ++i) {
+                EXPECT_LT(grown.others[i].radius - level.others[i].radius, 3 * open + 1e-7) << i;
+            }
+        }
+    }
+}
+
 TEST(ElementCertificate, PolytopesThatMeetAtAPlane) {
     Random random(6);
     for (int run = 0; run < 20; ++run) {

@@ -2,6 +2,9 @@
 
 #include <foam/base/cancellation.hpp>
 
+#include <algorithm>
+#include <optional>
+
 namespace foam::inline geometry {
 namespace {
 
@@ -35,6 +38,52 @@ void halve(Corners& first, Corners& second, int cut) {
     } else {
         first.c = second.a = (first.c + first.a) * 0.5;
     }
+}
+
+/// Returns whether a piece is a strip: the hull of two segments, each a triangle with two equal corners.
+bool is_strip(const Piece& piece) {
+    return piece.curved && piece.corners.b == piece.corners.c && piece.beneath.b == piece.beneath.c;
+}
+
+/// Returns the halves of the strip between the segments from a to b and from c to d.
+std::pair<Piece, Piece> halves_of_strip(const Piece& piece, const Vec3& a, const Vec3& b, const Vec3& c,
+                                        const Vec3& d) {
+    const Vec3 m = (a + b) * 0.5, n = (c + d) * 0.5;
+    Piece first = piece, second = piece;
+    first.curved = second.curved = true;
+    first.corners = {a, m, m};
+    first.beneath = {c, n, n};
+    second.corners = {m, b, b};
+    second.beneath = {n, d, d};
+    first.level = second.level = piece.level + 1;
+    return {first, second};
+}
+
+/// Returns the halves of a triangle whose height is next to nothing; nothing for any other. `cut`: the longest edge.
+/// Cut at the middle of that edge again and again, such a triangle would become ever more needles upon one another. So
+/// it is first cut at the foot of its height, and then a half is a strip between two edges, cut across.
+std::optional<std::pair<Piece, Piece>> halves_of_needle(const Piece& piece, int cut) {
+    constexpr double needle = 1e-6, rounding = 1e-15;
+    const auto& [a, b, c] = piece.corners;
+    const Vec3 &p = cut == 0 ? a : cut == 1 ? b : c, &q = cut == 0 ? b : cut == 1 ? c : a;
+    const Vec3& r = cut == 0 ? c : cut == 1 ? a : b;
+    const Vec3 along = q - p, aside = r - p;
+    const double squared_length = squared_norm(along), length = std::sqrt(squared_length);
+    const double height = squared_length > 0 ? norm(cross(along, aside)) / length : 0;
+    if (!(height <= needle * length)) {
+        return std::nullopt;
+    }
+    const double share = squared_length > 0 ? std::clamp(dot(aside, along) / squared_length, 0.0, 1.0) : 0;
+    const double far = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    if (std::min(share, 1 - share) * length > 4 * height + rounding * (length + far)) {
+        const Vec3 foot = p * (1 - share) + q * share;
+        Piece first = piece, second = piece;
+        first.corners = {p, foot, r};
+        second.corners = {foot, q, r};
+        first.level = second.level = piece.level + 2;
+        return std::pair{first, second};
+    }
+    return share < 0.5 ? halves_of_strip(piece, q, p, q, r) : halves_of_strip(piece, p, q, p, r);
 }
 
 } // namespace
@@ -73,7 +122,15 @@ std::pair<Piece, Piece> halves(const Piece& piece) {
         first.beneath = second.corners = {(a + base.a) * 0.5, (b + base.b) * 0.5, (c + base.c) * 0.5};
         return {first, second};
     }
+    if (is_strip(piece)) {
+        return halves_of_strip(piece, a, b, piece.beneath.a, piece.beneath.b);
+    }
     const int cut = ab >= bc && ab >= ca ? 0 : bc >= ca ? 1 : 2;
+    if (!piece.curved) {
+        if (const auto both = halves_of_needle(piece, cut)) {
+            return *both;
+        }
+    }
     halve(first.corners, second.corners, cut);
     halve(first.beneath, second.beneath, cut);
     return {first, second};

@@ -13,7 +13,8 @@
 namespace foam::inline geometry {
 
 /// A triangle, or a part of it after halvings. For a polyhedron that approximates a curved primitive, it is a prism
-/// between the polyhedron and the surface beneath it; the true surface lies within it.
+/// between the polyhedron and the surface beneath it; the true surface lies within it. A part of a needle is a strip,
+/// the hull of two segments; it is kept like a prism.
 struct Piece {
     Corners corners;
     Corners beneath; ///< curved: straight down from the corners, on or under the true surface; else unused
@@ -23,7 +24,8 @@ struct Piece {
 };
 
 /// Returns the two halves, cut at the middle of the longest edge (Rivara 1984: the angles stay bounded). A prism that
-/// is higher than that edge is cut at half its height.
+/// is higher than that edge is cut at half its height. A triangle whose height is a
+/// millionth of that edge or less becomes strips between its two long edges.
 std::pair<Piece, Piece> halves(const Piece& piece);
 /// The middle of a piece's triangle, and the radius of the piece about it.
 struct PieceMiddle {

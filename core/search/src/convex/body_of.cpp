@@ -71,15 +71,26 @@ std::vector<Plane> creases_of(const Mesh& mesh) {
     return planes;
 }
 
+/// Calls `visit` with the triangles that are segments or points, which welding drops.
+template <class Visit> void for_each_without_area(const Mesh& mesh, Visit visit) {
+    for (const Triangle& t : mesh.triangles) {
+        const std::array<Vec3, 3> corners{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
+        if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) {
+            visit(corners);
+        }
+    }
+}
+
 } // namespace
 
 BodyOfSolid body_of(const Solid& solid) {
     BodyOfSolid result;
     result.origin = solid.bounds().center();
     result.unit = solid.bounds().diagonal();
+    const auto to_unit = [&](const Vec3& p) { return (p - result.origin) / result.unit; };
     Mesh mesh = welded(solid.surface());
     for (Vec3& p : mesh.vertices) {
-        p = (p - result.origin) / result.unit;
+        p = to_unit(p);
     }
     Body& body = result.body;
     for (const Triangle& t : mesh.triangles) {
@@ -88,6 +99,12 @@ BodyOfSolid body_of(const Solid& solid) {
         }
         body.surface.close();
     }
+    for_each_without_area(solid.surface(), [&](const std::array<Vec3, 3>& corners) {
+        for (const Vec3& p : corners) {
+            body.surface.corners.push_back(to_unit(p));
+        }
+        body.surface.close();
+    });
     body.closed = solid.closed();
     body.inside = [&solid, origin = result.origin, unit = result.unit](const Vec3& p) {
         return solid.contains(origin + p * unit);
