@@ -3,6 +3,10 @@
 namespace foam::inline geometry {
 namespace {
 
+double twice_area(const Corners& t) {
+    return norm(cross(t.b - t.a, t.c - t.a));
+}
+
 constexpr std::uint32_t no_body = 0xFFFFFFFFu;
 /// How deep in a polytope it is cut out, in its slack: corners on the cut are inside in spite of rounding.
 constexpr double cut_depth = 1.0 / 8;
@@ -150,6 +154,33 @@ std::vector<Corners> BodyCuts::between(const Corners& triangle, std::uint32_t fi
         }
     }
     return result;
+}
+
+std::vector<Corners> BodyCuts::between_nearest(const Corners& triangle, std::span<const std::uint32_t> near) const {
+    const std::array<Vec3, 3> corners{triangle.a, triangle.b, triangle.c};
+    std::array<std::uint32_t, 3> nearest{};
+    std::array<double, 3> least;
+    least.fill(std::numeric_limits<double>::infinity());
+    for (const std::uint32_t body : near) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double growth = bodies_.growth(body, corners[c]);
+            if (growth < least[c]) {
+                least[c] = growth;
+                nearest[c] = body;
+            }
+        }
+    }
+    const std::uint32_t other = nearest[1] != nearest[0] ? nearest[1] : nearest[2];
+    if (other == nearest[0]) {
+        return {};
+    }
+    std::vector<Corners> parts = between(triangle, nearest[0], other);
+    constexpr double most = 0.9; // share of a part: a cut beside a corner, again and again, would lead nowhere
+    const double limit = most * twice_area(triangle);
+    if (std::any_of(parts.begin(), parts.end(), [&](const Corners& part) { return twice_area(part) > limit; })) {
+        parts.clear();
+    }
+    return parts;
 }
 
 /// Returns false if a corner is in no body, or if the polygon cannot be divided further.

@@ -7,6 +7,9 @@
 
 namespace foam::inline geometry {
 
+/// Pieces so many times longer than the gap are cut between bodies.
+constexpr double long_piece = 4;
+
 /// Proves single triangles by cutting them into convex polygons that one body contains each. A box or a hull is cut out
 /// along its planes: what is left is proved by other bodies. So a triangle that many polytopes share takes one piece
 /// for each of them and the sides of its rest, however little they overlap. Between other bodies it is halved.
@@ -26,10 +29,16 @@ public:
     /// parts of it. Their corners are within the rounding that a proof allows for.
     std::vector<std::vector<Vec3>> rest(const Corners& triangle, std::span<const std::uint32_t> candidates,
                                         std::size_t most_pieces);
-    /// Returns the triangles of a triangle cut where two bodies need the same growth; none if they nowhere do.
-    std::vector<Corners> between(const Corners& triangle, std::uint32_t first, std::uint32_t second) const;
+    /// Returns the triangles of a triangle cut between two bodies that are nearest to different corners, where they
+    /// need the same growth: a gap between two bodies may be long and narrow. None if one body is nearest to all
+    /// corners, or if hardly anything would be cut off. `near`: bodies that may be nearest to a point of it.
+    std::vector<Corners> between_nearest(const Corners& triangle, std::span<const std::uint32_t> near) const;
     std::size_t pieces() const { return pieces_; }
     std::uint32_t most_cuts() const { return most_cuts_; }
+    /// Returns a part of a piece that a cut gave.
+    static Piece part_of(const Piece& piece, const Corners& corners) {
+        return {.corners = corners, .beneath = {}, .triangle = piece.triangle, .level = piece.level + roundings};
+    }
 
 private:
     struct Polygon {
@@ -52,6 +61,7 @@ private:
         Polygon low, high; ///< where the value is at most 0, and the rest; without corners if empty
     };
 
+    std::vector<Corners> between(const Corners& triangle, std::uint32_t first, std::uint32_t second) const;
     void begin(const Corners& triangle, std::span<const std::uint32_t> candidates, std::size_t most_pieces);
     bool take(Polygon& next);
     bool prove(const Polygon& polygon);

@@ -63,7 +63,7 @@ std::pair<Piece, Piece> halves_of_strip(const Piece& piece, const Vec3& a, const
 /// Cut at the middle of that edge again and again, such a triangle would become ever more needles upon one another. So
 /// it is first cut at the foot of its height, and then a half is a strip between two edges, cut across.
 std::optional<std::pair<Piece, Piece>> halves_of_needle(const Piece& piece, int cut) {
-    constexpr double needle = 1e-6, rounding = 1e-15;
+    constexpr double needle = 1e-4, rounding = 1e-15;
     const auto& [a, b, c] = piece.corners;
     const Vec3 &p = cut == 0 ? a : cut == 1 ? b : c, &q = cut == 0 ? b : cut == 1 ? c : a;
     const Vec3& r = cut == 0 ? c : cut == 1 ? a : b;

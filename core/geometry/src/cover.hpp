@@ -24,8 +24,8 @@ struct Piece {
 };
 
 /// Returns the two halves, cut at the middle of the longest edge (Rivara 1984: the angles stay bounded). A prism that
-/// is higher than that edge is cut at half its height. A triangle whose height is a
-/// millionth of that edge or less becomes strips between its two long edges.
+/// is higher than that edge is cut at half its height. A triangle whose height is at
+/// most a ten-thousandth of that edge becomes strips between its two long edges.
 std::pair<Piece, Piece> halves(const Piece& piece);
 /// The middle of a piece's triangle, and the radius of the piece about it.
 struct PieceMiddle {

@@ -95,10 +95,24 @@ private:
                 continue;
             }
             const std::size_t end = near_.size();
+            if (size_of(next.piece) > long_piece * gap.upper && divide_between(next.piece, next.end, end)) {
+                continue;
+            }
             const auto [first, second] = halves(next.piece);
             waiting_.push_back({second, next.end, end});
             waiting_.push_back({first, next.end, end});
         }
+    }
+
+    /// Queues the parts of a piece cut between two elements. Returns false if there are none.
+    bool divide_between(const Piece& piece, std::size_t begin, std::size_t end) {
+        const auto near = std::span(near_).subspan(begin, end - begin);
+        const std::vector<Corners> parts =
+            piece.curved ? std::vector<Corners>{} : cuts_.between_nearest(piece.corners, near);
+        for (const Corners& part : parts) {
+            waiting_.push_back({BodyCuts::part_of(piece, part), begin, end});
+        }
+        return !parts.empty();
     }
 
     /// Gives the part to the element that adds the least volume.

@@ -8,7 +8,6 @@
 namespace foam::inline geometry {
 namespace {
 
-constexpr double narrow = 4; ///< pieces so many times longer than the gap are cut between elements
 /// As for spheres (certificate.cpp): share of the extent below which pieces are not split, accuracy of the gap, and
 /// limits on the number of pieces.
 constexpr double smallest_open_piece = 1e-9, accuracy_of_gap = 1e-3;
@@ -119,7 +118,7 @@ private:
             certificate_.growth = std::max(certificate_.growth, upper);
             return;
         }
-        if (size_of(item.piece) > narrow * upper && divide_between(item)) {
+        if (size_of(item.piece) > long_piece * upper && divide_between(item)) {
             return;
         }
         const auto [first, second] = halves(item.piece);
@@ -127,37 +126,13 @@ private:
         waiting_.push_back({first, item.begin, item.end});
     }
 
-    /// Queues the parts of a piece cut between the elements that are nearest to two of its corners: a gap between two
-    /// elements may be long and narrow. Returns false if one is nearest to all.
+    /// Queues the parts of a piece cut between two elements. Returns false if there are none.
     bool divide_between(const Waiting& item) {
-        if (item.piece.curved) {
-            return false;
-        }
-        std::array<std::uint32_t, 3> nearest{};
-        std::array<double, 3> least;
-        least.fill(std::numeric_limits<double>::infinity());
-        const PiecePoints corners(item.piece);
-        for (std::size_t k = item.begin; k < item.end; ++k) {
-            for (std::size_t c = 0; c < 3; ++c) {
-                const double growth = bodies_.growth(near_[k], corners.points[c]);
-                if (growth < least[c]) {
-                    least[c] = growth;
-                    nearest[c] = near_[k];
-                }
-            }
-        }
-        const std::uint32_t other = nearest[1] != nearest[0] ? nearest[1] : nearest[2];
-        if (other == nearest[0]) {
-            return false;
-        }
-        const std::vector<Corners> parts = cuts_.between(item.piece.corners, nearest[0], other);
+        const auto near = std::span(near_).subspan(item.begin, item.end - item.begin);
+        const std::vector<Corners> parts =
+            item.piece.curved ? std::vector<Corners>{} : cuts_.between_nearest(item.piece.corners, near);
         for (const Corners& part : parts) {
-            waiting_.push_back({{.corners = part,
-                                 .beneath = {},
-                                 .triangle = item.piece.triangle,
-                                 .level = item.piece.level + BodyCuts::roundings},
-                                item.begin,
-                                item.end});
+            waiting_.push_back({BodyCuts::part_of(item.piece, part), item.begin, item.end});
         }
         return !parts.empty();
     }
@@ -288,4 +263,4 @@ Certificate certify(const Solid& solid, const ElementsView& elements, int depth)
     return ElementProof(solid, elements, std::clamp(depth, 0, 60)).run();
 }
 
-} // namespace foam::inline geometry
+} // namespace foam::geometry
