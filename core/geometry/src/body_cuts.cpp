@@ -3,10 +3,6 @@
 namespace foam::inline geometry {
 namespace {
 
-double twice_area(const Corners& t) {
-    return norm(cross(t.b - t.a, t.c - t.a));
-}
-
 constexpr std::uint32_t no_body = 0xFFFFFFFFu;
 /// How deep in a polytope it is cut out, in its slack: corners on the cut are inside in spite of rounding.
 constexpr double cut_depth = 1.0 / 8;
@@ -171,16 +167,7 @@ std::vector<Corners> BodyCuts::between_nearest(const Corners& triangle, std::spa
         }
     }
     const std::uint32_t other = nearest[1] != nearest[0] ? nearest[1] : nearest[2];
-    if (other == nearest[0]) {
-        return {};
-    }
-    std::vector<Corners> parts = between(triangle, nearest[0], other);
-    constexpr double most = 0.9; // share of a part: a cut beside a corner, again and again, would lead nowhere
-    const double limit = most * twice_area(triangle);
-    if (std::any_of(parts.begin(), parts.end(), [&](const Corners& part) { return twice_area(part) > limit; })) {
-        parts.clear();
-    }
-    return parts;
+    return other == nearest[0] ? std::vector<Corners>{} : between(triangle, nearest[0], other);
 }
 
 /// Returns false if a corner is in no body, or if the polygon cannot be divided further.

@@ -31,7 +31,7 @@ public:
                                         std::size_t most_pieces);
     /// Returns the triangles of a triangle cut between two bodies that are nearest to different corners, where they
     /// need the same growth: a gap between two bodies may be long and narrow. None if one body is nearest to all
-    /// corners, or if hardly anything would be cut off. `near`: bodies that may be nearest to a point of it.
+    /// corners. `near`: bodies that may be nearest to a point of it.
     std::vector<Corners> between_nearest(const Corners& triangle, std::span<const std::uint32_t> near) const;
     std::size_t pieces() const { return pieces_; }
     std::uint32_t most_cuts() const { return most_cuts_; }

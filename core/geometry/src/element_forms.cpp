@@ -226,4 +226,4 @@ std::shared_ptr<const Polytope> hull_if_convex(const Mesh& mesh) {
     }
 }
 
-} // namespace foam::inline geometry
+} // namespace foam::geometry

@@ -136,6 +136,73 @@ static std::shared_ptr<const Polytope> scaled(const Polytope& hull, const Vec3& 
     return result;
 }
 
+/// Returns the unit normal of the face that has the others nearest behind it, and the distance to the farthest of them.
+static std::pair<Vec3, double> thinnest(const Polytope& hull) {
+    std::pair<Vec3, double> result{{}, std::numeric_limits<double>::infinity()};
+    for (const Polytope::Face& face : hull.faces) {
+        double thickness = 0;
+        for (const Vec3& v : hull.surface.vertices) {
+            thickness = std::max(thickness, face.offset - dot(face.normal, v));
+        }
+        if (thickness < result.second) {
+            result = {face.normal, thickness};
+        }
+    }
+    return result;
+}
+
+/// Returns a box around the polytope with room for the length, flat where the polytope is; a tetrahedron around one
+/// with fewer than 8 vertices, so that there are never more.
+static std::shared_ptr<const Polytope> box_with_room(const Polytope& hull, double length) {
+    const std::vector<Vec3>& vertices = hull.surface.vertices;
+    const auto farthest_from = [&](const Vec3& p) {
+        return *std::max_element(vertices.begin(), vertices.end(), [&](const Vec3& a, const Vec3& b) {
+            return squared_norm(a - p) < squared_norm(b - p);
+        });
+    };
+    const Vec3 z = thinnest(hull).first, end = farthest_from(vertices.front());
+    const Vec3 along = farthest_from(end) - end;
+    const Vec3 x = normalized(along - z * dot(along, z));
+    const std::array<Vec3, 3> axes{x, cross(z, x), z};
+    const double rounding = 1e-14 * (norm(along) + norm(end) + length);
+    Vec3 low, high;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Vec3& direction = axes[static_cast<std::size_t>(axis)];
+        low[axis] = std::numeric_limits<double>::infinity();
+        high[axis] = -low[axis];
+        for (const Vec3& v : vertices) {
+            low[axis] = std::min(low[axis], dot(direction, v) - length - rounding);
+            high[axis] = std::max(high[axis], dot(direction, v) + length + rounding);
+        }
+    }
+    std::vector<Vec3> corners;
+    const bool few = vertices.size() < 8;
+    for (int i = 0; i < (few ? 4 : 8); ++i) {
+        Vec3 corner{};
+        for (int axis = 0; axis < 3; ++axis) {
+            // A plane through three points three sizes away along the axes is beyond the box's farthest corner.
+            const bool far = few ? i == axis + 1 : (i >> axis & 1) != 0;
+            const double at = !far ? low[axis] : few ? low[axis] + 3.001 * (high[axis] - low[axis]) : high[axis];
+            corner += axes[static_cast<std::size_t>(axis)] * at;
+        }
+        corners.push_back(corner);
+    }
+    return convex_hull(corners);
+}
+
+/// Returns how far the farthest vertex of the outer polytope is from the nearest of the inner one.
+static double reach_beyond(const Polytope& outer, const Polytope& inner) {
+    double farthest = 0;
+    for (const Vec3& v : outer.surface.vertices) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const Vec3& w : inner.surface.vertices) {
+            nearest = std::min(nearest, distance(v, w));
+        }
+        farthest = std::max(farthest, nearest);
+    }
+    return farthest;
+}
+
 std::shared_ptr<const Polytope> with_room(const Polytope& hull, double length) {
     const Vec3 middle = inner_point(hull);
     double depth = std::numeric_limits<double>::infinity();
@@ -148,16 +215,20 @@ std::shared_ptr<const Polytope> with_room(const Polytope& hull, double length) {
         return scaled(hull, middle, (length / depth + 1e-15 * (size + norm(middle)) / depth) * (1 + rounding));
     }
     const std::vector<double> lengths(hull.faces.size(), length);
-    if (auto moved = with_faces_moved(hull, lengths, {}, length)) {
+    constexpr double far = 8; // lengths: beyond, faces meet at a sharp edge, which would reach out like a spike
+    const auto moved = with_faces_moved(hull, lengths, {}, length);
+    if (moved && reach_beyond(*moved, hull) <= far * length) {
         return moved;
     }
-    for (double more = 1e-2; depth > 0 && more < 1e6; more *= 8) {
-        auto result = scaled(hull, middle, length / depth * (1 + more));
-        if (surrounds(*result, hull.surface.vertices, length)) {
-            return result;
-        }
+    const auto box = box_with_room(hull, length);
+    const bool holds = surrounds(*box, hull.surface.vertices, length);
+    if (moved && (!holds || signed_volume(moved->surface) <= signed_volume(box->surface))) {
+        return moved;
     }
-    throw Error(ErrorCode::geometry, "a hull is too thin to be enlarged; remedy: use another kind of element");
+    if (!holds) {
+        throw Error(ErrorCode::geometry, "a hull is too thin to be enlarged; remedy: use another kind of element");
+    }
+    return box;
 }
 
 Element grown(const Element& element, double length) {

@@ -19,6 +19,10 @@ constexpr std::size_t compared_elements = 4;
 /// Growth beyond what is uncovered, in slacks: elements that meet then overlap by enough for a proof.
 constexpr double room_in_slacks = 8;
 
+double twice_area(const Corners& t) {
+    return norm(cross(t.b - t.a, t.c - t.a));
+}
+
 /// The points that each element is to contain, from the uncovered parts of a surface.
 class Demands {
 public:
@@ -104,11 +108,20 @@ private:
         }
     }
 
-    /// Queues the parts of a piece cut between two elements. Returns false if there are none.
+    /// Queues the parts of a piece cut between two elements. Returns false if there are none. Not where boxes or hulls
+    /// are near: rest() has cut along those, and their growth takes long to compute.
     bool divide_between(const Piece& piece, std::size_t begin, std::size_t end) {
         const auto near = std::span(near_).subspan(begin, end - begin);
+        if (std::any_of(near.begin(), near.end(), [&](std::uint32_t i) { return !bodies_.planes(i).empty(); })) {
+            return false;
+        }
         const std::vector<Corners> parts =
             piece.curved ? std::vector<Corners>{} : cuts_.between_nearest(piece.corners, near);
+        constexpr double most = 0.9; // share of a part: to cut beside a corner, again and again, would lead nowhere
+        const double limit = most * twice_area(piece.corners);
+        if (std::any_of(parts.begin(), parts.end(), [&](const Corners& part) { return twice_area(part) > limit; })) {
+            return false;
+        }
         for (const Corners& part : parts) {
             waiting_.push_back({BodyCuts::part_of(piece, part), begin, end});
         }
@@ -197,7 +210,7 @@ void grow_around_round_parts(const Solid& solid, std::vector<Element>& elements)
 }
 
 bool covered(const Solid& solid, const std::vector<Element>& elements) {
-    return certify(solid, ElementsView{{}, elements}).holds;
+    return covers(solid, ElementsView{{}, elements});
 }
 
 void grow_to_cover(const Solid& solid, std::vector<Element>& elements) {
@@ -214,10 +227,10 @@ void grow_to_cover(const Solid& solid, std::vector<Element>& elements) {
         }
     }
     for (int round = 0; round < rounds; ++round) {
-        const Certificate certificate = certify(solid, ElementsView{{}, elements});
-        if (certificate.holds) {
+        if (covered(solid, elements)) {
             return;
         }
+        const Certificate certificate = certify(solid, ElementsView{{}, elements});
         if (!std::isfinite(certificate.growth)) {
             break;
         }
@@ -239,7 +252,7 @@ Approximation::Level grown_to_cover(const Solid& solid, Approximation::Level lev
     if (std::none_of(elements.begin(), elements.end(), is_valid)) {
         throw Error(ErrorCode::geometry, "there is no valid element that could grow to cover the solid");
     }
-    if (certify(solid, level.view()).holds) {
+    if (covers(solid, level.view())) {
         return level;
     }
     const Bodies bodies(ElementsView{{}, elements}, solid.bounds().center(), solid.bounds().diagonal(), growth_cuts);

@@ -23,8 +23,9 @@ Box box_around(const Piece& piece) {
 
 class ElementProof {
 public:
-    ElementProof(const Solid& solid, const ElementsView& elements, int depth)
-        : shrink_(std::ldexp(1.0, -depth)), most_halvings_(static_cast<std::uint32_t>(3 * depth)),
+    /// `gap`: finds the largest gap where the elements do not cover; else it stops at the first one.
+    ElementProof(const Solid& solid, const ElementsView& elements, int depth, bool gap)
+        : gap_(gap), shrink_(std::ldexp(1.0, -depth)), most_halvings_(static_cast<std::uint32_t>(3 * depth)),
           pieces_(solid, {}, most_halvings_),
           bodies_(elements, solid.bounds().center(), pieces_.extent(), most_halvings_),
           open_(solid, elements, pieces_, bodies_), cuts_(bodies_, most_halvings_),
@@ -36,6 +37,9 @@ public:
         for (const std::uint32_t i : open_.triangles()) {
             asking_.check();
             examine(pieces_.piece(i));
+            if (done()) {
+                break;
+            }
         }
         if (!certificate_.holds) {
             certificate_.growth = std::max(certificate_.growth, proved_gap_);
@@ -84,7 +88,7 @@ private:
             near_.push_back(i);
         }
         waiting_.assign(1, {whole, 0, near_.size()});
-        while (!waiting_.empty()) {
+        while (!waiting_.empty() && !done()) {
             asking_.check();
             const Waiting next = waiting_.back();
             waiting_.pop_back();
@@ -143,7 +147,11 @@ private:
         certificate_.triangle = piece.triangle;
     }
 
+    /// Returns whether all that is to be found has been found.
+    bool done() const { return !gap_ && !certificate_.holds; }
+
     CancellationCounter asking_{64};
+    bool gap_;
     double shrink_;
     std::uint32_t most_halvings_;
     Balls pieces_;
@@ -260,7 +268,15 @@ Certificate certify(const Solid& solid, const ElementsView& elements, int depth)
     if (elements.others.empty()) {
         return certify(solid, elements.spheres, depth);
     }
-    return ElementProof(solid, elements, std::clamp(depth, 0, 60)).run();
+    return ElementProof(solid, elements, std::clamp(depth, 0, 60), true).run();
+}
+
+bool covers(const Solid& solid, const ElementsView& elements) {
+    if (elements.others.empty()) {
+        return certify(solid, elements.spheres).holds;
+    }
+    constexpr int depth = 40;
+    return ElementProof(solid, elements, depth, false).run().holds;
 }
 
 } // namespace foam::geometry

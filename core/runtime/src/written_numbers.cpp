@@ -97,6 +97,23 @@ Element up_on_grid(Element element, const DecimalGrid& grid) {
     return element;
 }
 
+/// Returns the elements with numbers on the grid, grown by no less than they move to it: they contain the given ones.
+static Approximation::Level grown_onto_grid(Approximation::Level level, const DecimalGrid& grid) {
+    const double move = farthest_move(grid);
+    for (Sphere& sphere : level.spheres) {
+        sphere = {grid.nearest(sphere.center), sphere.radius + move};
+    }
+    for (Element& element : level.others) {
+        if (element.kind == Element::Kind::hull) {
+            element = up_on_grid(std::move(element), grid);
+        } else {
+            element = grown(element, move);
+            element.pose.translation = grid.nearest(element.pose.translation);
+        }
+    }
+    return level;
+}
+
 double finish_elements(const Solid& solid, Approximation::Level& level, const DecimalGrid& grid, bool outer,
                        Numbers numbers) {
     const Approximation::Level given = level;
@@ -105,6 +122,9 @@ double finish_elements(const Solid& solid, Approximation::Level& level, const De
     }
     for (Element& element : level.others) {
         element = on_grid(std::move(element), grid);
+    }
+    if (outer && !level.others.empty() && !covers(solid, level.view())) {
+        level = grown_onto_grid(given, grid); // much quicker than to find what their moves to the grid have opened
     }
     const Approximation::Level placed = level;
     if (outer) {

@@ -14,6 +14,8 @@ inline namespace [[gnu::visibility("default")]] geometry {
 /// corners of a convex piece contains the piece; otherwise the piece is cut along the faces of an element, or halved.
 /// Rounding is on the safe side: an uncovered point never passes. `depth` as in certify() for spheres.
 Certificate certify(const Solid& solid, const ElementsView& elements, int depth = 40);
+/// Returns whether certify() holds. Where it does not, this takes much less time: the gap is not searched for.
+bool covers(const Solid& solid, const ElementsView& elements);
 
 /// Measures the figures. `Measures::spheres` counts all elements. Volumes are integrated along lines, exactly along
 /// each line, where elements are not all spheres. Elements that are not valid count as absent.
