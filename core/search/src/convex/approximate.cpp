@@ -6,6 +6,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/parallel.hpp>
+#include <foam/geometry/directions.hpp>
 #include <foam/geometry/internal/own_frame.hpp>
 #include <foam/search/approximate.hpp>
 #include <foam/search/least_element.hpp>
@@ -59,6 +60,39 @@ std::vector<Vec3> points_of(const Partition& partition, const Piece& piece, cons
     return points;
 }
 
+/// Appends the points that are farthest along some directions, all around: enough of them for a quick fit.
+void add_extremes(std::span<const Vec3> points, std::vector<Vec3>& extremes) {
+    static const std::vector<Vec3> directions = fibonacci_directions(64); // opposite ones are not both needed
+    constexpr std::size_t few = 24;
+    if (points.size() <= few) {
+        extremes.assign(points.begin(), points.end());
+        return;
+    }
+    std::vector<char> taken(points.size(), 0);
+    for (std::size_t d = 0; d < directions.size() / 2; ++d) {
+        const Vec3& direction = directions[d];
+        std::size_t lowest = 0, highest = 0;
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const double at = dot(direction, points[i]);
+            if (at < low) {
+                low = at;
+                lowest = i;
+            }
+            if (at > high) {
+                high = at;
+                highest = i;
+            }
+        }
+        taken[lowest] = taken[highest] = 1;
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (taken[i]) {
+            extremes.push_back(points[i]);
+        }
+    }
+}
+
 /// Returns the count whose elements those of a count of at least 2 are compared with.
 std::size_t rung_below(std::size_t count) {
     constexpr std::size_t every = 4;
@@ -93,12 +127,18 @@ struct ApproximationSearch::Data {
 
     /// Returns the least volume of quick fits of the kinds.
     convex::Price price_of_kinds() const {
-        return [this](std::span<const Vec3> points) {
-            convex::HullOfPoints hull;
-            const double of_hull = hull.run_quickly(points);
+        const bool with_hulls = std::find(kinds.begin(), kinds.end(), Element::Kind::hull) != kinds.end();
+        return [this, with_hulls](std::span<const Vec3> points) {
             convex::Cloud cloud;
-            for (const std::uint32_t i : hull.vertices()) {
-                cloud.points.push_back(points[i]);
+            double of_hull = 0;
+            if (with_hulls) {
+                convex::HullOfPoints hull;
+                of_hull = hull.run_quickly(points);
+                for (const std::uint32_t i : hull.vertices()) {
+                    cloud.points.push_back(points[i]);
+                }
+            } else {
+                convex::add_extremes(points, cloud.points);
             }
             double least = std::numeric_limits<double>::infinity();
             for (const Element::Kind kind : kinds) {
@@ -304,4 +344,4 @@ Element least_element(Element::Kind kind, std::span<const Vec3> points, Effort e
     return convex::element_of(convex::least_fit(kind, cloud, effort, axis_aligned), cloud);
 }
 
-} // namespace foam::inline search
+} // namespace foam::search
