@@ -17,7 +17,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <map>
 #include <set>
+#include <tuple>
 
 namespace foam::cli {
 namespace {
@@ -102,10 +105,10 @@ Figure figure_of(const GalleryArguments& arguments, const ViewedRobot& robot, co
             sphere_panel(spheres_of(robot, options, registry, count, {}, &stop_on_interrupt()), poses));
         tell(fmt::format("{} of at most {}", figure.panels.back().caption, count));
     }
-    constexpr int width_of_panel = 440, height = 640;
-    std::tie(figure.width, figure.height) =
-        arguments.size.empty() ? std::pair{width_of_panel * static_cast<int>(figure.panels.size()), height}
-                               : size_of(arguments.size);
+    constexpr int width_of_panel = 440, height = 640, widest = 8192;
+    const int width =
+        std::min(widest, width_of_panel * static_cast<int>(std::min<std::size_t>(figure.panels.size(), 100)));
+    std::tie(figure.width, figure.height) = arguments.size.empty() ? std::pair{width, height} : size_of(arguments.size);
     return figure;
 }
 
@@ -179,7 +182,6 @@ void add_gallery(Program& program) {
     command->add_option("counts", arguments->counts, "Numbers of spheres of the whole robot, a view each")
         ->type_name("N")
         ->required()
-        ->expected(1, 12)
         ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}).description(""));
     command
         ->add_option("-o,--output", arguments->output, "The picture, a PNG; default: the name of INPUT with _gallery")

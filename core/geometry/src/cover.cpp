@@ -76,7 +76,8 @@ std::optional<std::pair<Piece, Piece>> halves_of_needle(const Piece& piece, int 
     const double share = squared_length > 0 ? std::clamp(dot(aside, along) / squared_length, 0.0, 1.0) : 0;
     const double far = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
     if (std::min(share, 1 - share) * length > 4 * height + rounding * (length + far)) {
-        const Vec3 foot = p * (1 - share) + q * share;
+        const double of_p = 1 - share, of_q = 1 - of_p; // add up to exactly 1
+        const Vec3 foot = p * of_p + q * of_q;
         Piece first = piece, second = piece;
         first.corners = {p, foot, r};
         second.corners = {foot, q, r};
