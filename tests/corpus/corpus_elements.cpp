@@ -80,8 +80,10 @@ TEST_P(CorpusElementsOfRobot, AreProvedAndMoreAreNoWorse) {
     if (!fs::exists(file)) {
         GTEST_SKIP() << file << " is not there";
     }
-    std::map<std::string, double> least; // by link
-    for (const std::size_t most : {1, 2, 4, 8}) {
+    std::map<std::string, double> least;     // by link
+    const std::vector<std::size_t> budgets = // of a link; the others take too long for every day
+        robot.starts_with("panda") ? std::vector<std::size_t>{1, 2, 4, 8} : std::vector<std::size_t>{1, 2};
+    for (const std::size_t most : budgets) {
         const TemporaryFolder folder;
         const RunResult result =
             approximated("robot: {urdf: '" + file.string() + "'}\n", by, most, folder.path() / "out");
@@ -92,7 +94,9 @@ TEST_P(CorpusElementsOfRobot, AreProvedAndMoreAreNoWorse) {
             EXPECT_TRUE(link.measures.certified) << link.link;
             EXPECT_LE(link.measures.spheres, most) << link.link;
             const auto [known, first] = least.emplace(link.link, link.measures.excess);
-            EXPECT_LE(link.measures.excess, known->second * (1 + 1e-3) + 1e-6) << link.link << " by " << most;
+            constexpr double accuracy = 2e-3; // of the volume of the union
+            EXPECT_LE(link.measures.excess, known->second + accuracy * (1 + known->second))
+                << link.link << " by " << most;
             known->second = std::min(known->second, link.measures.excess);
         }
         std::cout << robot << ", " << by << ": " << result.total.spheres << " elements, excess " << result.total.excess

@@ -133,6 +133,15 @@ TEST_F(Extremes, EverySpherizerCoversWhatIsWithinBounds) {
     }
 }
 
+TEST_F(Extremes, ACapsuleAroundABallComesBackAsACapsule) {
+    write("one.urdf", "<robot name=\"one\"><link name=\"ball\"><collision><geometry><sphere radius=\"0.1\"/></geometry>"
+                      "</collision></link></robot>\n");
+    const Outcome made =
+        outcome("name: x\nrobot: {urdf: one.urdf}\nstages: [approximate.capsules]\nbudget: {elements: 1}\n"
+                "outputs: [write.urdf: {file: x.urdf}, write.json: {file: x.json}]\n");
+    EXPECT_TRUE(made.certified) << made.error;
+}
+
 TEST_F(Extremes, EveryFilterTakesOrRefusesWhatIsWithinBounds) {
     for (const auto& [name, mesh] : legal_meshes()) {
         for (const std::string& filter : stages_of(StageKind::mesh_filter)) {

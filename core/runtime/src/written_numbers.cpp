@@ -94,6 +94,9 @@ Element up_on_grid(Element element, const DecimalGrid& grid) {
         element.half[axis] = grid.up(element.half[axis]);
     }
     element.radius = grid.up(element.radius);
+    if (element.kind == Element::Kind::capsule && !(element.half.z > 0)) { // formats take it for a sphere
+        element.half.z = std::max(grid.step(), 1e-6 * element.radius);
+    }
     return element;
 }
 
