@@ -188,6 +188,8 @@ struct ApproximationSearch::Data {
         return *body_;
     }
     ConvexCover cover_of(const convex::Partition& partition) {
+        // Neighbours meet in a plane, and cover with numbers of six digits, too. What that adds to slivers counts.
+        constexpr double overlap = 1e-6;
         const convex::BodyOfSolid& all = body();
         std::vector<std::optional<Element>> elements(partition.pieces.size());
         parallel_for(elements.size(), [&](std::size_t i) {
@@ -197,7 +199,7 @@ struct ApproximationSearch::Data {
             }
             if (!points.empty()) {
                 elements[i] = element_around(points, options.effort);
-                elements[i] = grown(*elements[i], 1e-9 * all.unit); // neighbours meet in a plane
+                elements[i] = grown(*elements[i], overlap * all.unit);
             }
         });
         Approximation::Level level;
