@@ -19,6 +19,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -36,8 +37,10 @@ struct GalleryArguments {
     bool force = false;
 };
 
-/// Width and height of "1600x600".
-std::pair<int, int> size_of(const std::string& text) {
+using Size = std::pair<int, int>; ///< width and height in pixels
+
+/// Returns the size of "1600x600".
+Size size_of(const std::string& text) {
     int width = 0, height = 0;
     const char* const end = text.data() + text.size();
     const auto [between, wrong] = std::from_chars(text.data(), end, width);
@@ -91,8 +94,8 @@ Panel sphere_panel(const std::vector<std::vector<Sphere>>& spheres, const std::v
 }
 
 /// Returns the picture: what the robot looks like, what collides, and the spheres for each count, fewest first.
-Figure figure_of(const GalleryArguments& arguments, const ViewedRobot& robot, const SubjectOptions& options,
-                 Registry& registry) {
+Figure figure_of(const GalleryArguments& arguments, std::optional<Size> size, const ViewedRobot& robot,
+                 const SubjectOptions& options, Registry& registry) {
     const std::vector<Pose> poses = link_poses(robot, arguments.pose);
     Figure figure;
     Panel looks = geometry_panel(robot, poses, "visual geometry", &ViewedLink::visuals);
@@ -108,7 +111,7 @@ Figure figure_of(const GalleryArguments& arguments, const ViewedRobot& robot, co
     constexpr int width_of_panel = 440, height = 640, widest = 8192;
     const int width =
         std::min(widest, width_of_panel * static_cast<int>(std::min<std::size_t>(figure.panels.size(), 100)));
-    std::tie(figure.width, figure.height) = arguments.size.empty() ? std::pair{width, height} : size_of(arguments.size);
+    std::tie(figure.width, figure.height) = size.value_or(Size{width, height});
     return figure;
 }
 
@@ -138,9 +141,7 @@ int gallery(Program& program, const GalleryArguments& arguments) {
     if (registry.find(renderer_stage) == nullptr) {
         throw Error(ErrorCode::plugin, fmt::format("no plugin offers {}, which draws pictures", renderer_stage));
     }
-    if (!arguments.size.empty()) {
-        size_of(arguments.size);
-    }
+    const std::optional<Size> size = arguments.size.empty() ? std::nullopt : std::optional(size_of(arguments.size));
     const SubjectOptions options{.files = {arguments.input},
                                  .unit = arguments.unit,
                                  .geometry = covered_geometry(arguments.geometry),
@@ -160,7 +161,7 @@ int gallery(Program& program, const GalleryArguments& arguments) {
     const auto inputs = inputs_of(subject, options);
     refuse_overwriting(output, inputs, arguments.force);
     refuse_overwriting(arguments.turntable, inputs, arguments.force);
-    const Figure figure = figure_of(arguments, robot, options, registry);
+    const Figure figure = figure_of(arguments, size, robot, options, registry);
     write_whole_file(output, drawn(registry, figure, {}));
     tell(fmt::format("written: {}", output));
     if (!arguments.turntable.empty()) {

@@ -17,17 +17,6 @@ namespace fs = std::filesystem;
 
 const std::vector<std::string> approximators{"capsules", "boxes", "swept_boxes", "cylinders", "hulls", "mixed"};
 
-/// One model of each robot.
-const std::vector<std::string> robots{
-    "panda/moveit_resources_panda_description/urdf/panda.urdf",
-    "fetch/fetch_description/robots/fetch.urdf",
-    "baxter/example-robot-data/robots/baxter_description/urdf/baxter.urdf",
-    "iiwa/model.urdf",
-    "jaco/kinova_description/urdf/j2s7s300.urdf",
-    "stretch/RE1V0/stretch_description_RE1V0_tool_stretch_gripper.urdf",
-    "ur5/example-robot-data/robots/ur_description/urdf/ur5_robot.urdf",
-};
-
 /// Returns the result with at most `most` elements on each link.
 RunResult approximated(const std::string& input, const std::string& by, std::size_t most, const fs::path& out) {
     static Registry& registry = *[] {
@@ -107,7 +96,8 @@ TEST_P(CorpusElementsOfRobot, AreProvedAndMoreAreNoWorse) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shared, CorpusElementsOfRobot,
-                         ::testing::Combine(::testing::ValuesIn(robots), ::testing::ValuesIn(approximators)),
+                         ::testing::Combine(::testing::ValuesIn(one_model_of_each_robot()),
+                                            ::testing::ValuesIn(approximators)),
                          [](const auto& test) {
                              const std::string& robot = std::get<0>(test.param);
                              return name_of_case(robot.substr(0, robot.find('/')) + " " + std::get<1>(test.param));

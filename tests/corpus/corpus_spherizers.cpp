@@ -14,17 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One model of each robot.
-const std::vector<std::string> robots{
-    "panda/moveit_resources_panda_description/urdf/panda.urdf",
-    "fetch/fetch_description/robots/fetch.urdf",
-    "baxter/example-robot-data/robots/baxter_description/urdf/baxter.urdf",
-    "iiwa/model.urdf",
-    "jaco/kinova_description/urdf/j2s7s300.urdf",
-    "stretch/RE1V0/stretch_description_RE1V0_tool_stretch_gripper.urdf",
-    "ur5/example-robot-data/robots/ur_description/urdf/ur5_robot.urdf",
-};
-
 using Case = std::tuple<std::string, std::string>;
 class CorpusSpherizer : public ::testing::TestWithParam<Case> {};
 
@@ -52,7 +41,8 @@ TEST_P(CorpusSpherizer, CoversEveryLinkWithFourSpheres) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shared, CorpusSpherizer,
-                         ::testing::Combine(::testing::ValuesIn(robots), ::testing::ValuesIn(test::spherizer_names())),
+                         ::testing::Combine(::testing::ValuesIn(one_model_of_each_robot()),
+                                            ::testing::ValuesIn(test::spherizer_names())),
                          [](const auto& test) {
                              const std::string& robot = std::get<0>(test.param);
                              return name_of_case(robot.substr(0, robot.find('/')) + " " + std::get<1>(test.param));

@@ -6,8 +6,23 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace foam {
+
+/// Returns the file of one model of each shared robot, below the folder of robots.
+inline const std::vector<std::string>& one_model_of_each_robot() {
+    static const std::vector<std::string> files{
+        "panda/moveit_resources_panda_description/urdf/panda.urdf",
+        "fetch/fetch_description/robots/fetch.urdf",
+        "baxter/example-robot-data/robots/baxter_description/urdf/baxter.urdf",
+        "iiwa/model.urdf",
+        "jaco/kinova_description/urdf/j2s7s300.urdf",
+        "stretch/RE1V0/stretch_description_RE1V0_tool_stretch_gripper.urdf",
+        "ur5/example-robot-data/robots/ur_description/urdf/ur5_robot.urdf",
+    };
+    return files;
+}
 
 /// Runs a recipe of which the version, the name and the outputs corpus.urdf and corpus.json are given.
 inline RunResult run_text(const std::string& rest, Registry& registry, const std::filesystem::path& out) {

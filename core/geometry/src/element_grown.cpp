@@ -136,19 +136,22 @@ static std::shared_ptr<const Polytope> scaled(const Polytope& hull, const Vec3& 
     return result;
 }
 
-/// Returns the unit normal of the face that has the others nearest behind it, and the distance to the farthest of them.
-static std::pair<Vec3, double> thinnest(const Polytope& hull) {
-    std::pair<Vec3, double> result{{}, std::numeric_limits<double>::infinity()};
+/// Returns the normal of the face from which the farthest vertex is nearest: the direction in which the polytope is
+/// thinnest.
+static Vec3 thinnest_direction(const Polytope& hull) {
+    Vec3 direction{};
+    double least = std::numeric_limits<double>::infinity();
     for (const Polytope::Face& face : hull.faces) {
         double thickness = 0;
         for (const Vec3& v : hull.surface.vertices) {
             thickness = std::max(thickness, face.offset - dot(face.normal, v));
         }
-        if (thickness < result.second) {
-            result = {face.normal, thickness};
+        if (thickness < least) {
+            least = thickness;
+            direction = face.normal;
         }
     }
-    return result;
+    return direction;
 }
 
 /// Returns a box around the polytope with room for the length, flat where the polytope is; a tetrahedron around one
@@ -160,7 +163,7 @@ static std::shared_ptr<const Polytope> box_with_room(const Polytope& hull, doubl
             return squared_norm(a - p) < squared_norm(b - p);
         });
     };
-    const Vec3 z = thinnest(hull).first, end = farthest_from(vertices.front());
+    const Vec3 z = thinnest_direction(hull), end = farthest_from(vertices.front());
     const Vec3 along = farthest_from(end) - end;
     const Vec3 x = normalized(along - z * dot(along, z));
     const std::array<Vec3, 3> axes{x, cross(z, x), z};

@@ -126,11 +126,12 @@ double finish_elements(const Solid& solid, Approximation::Level& level, const De
     for (Element& element : level.others) {
         element = on_grid(std::move(element), grid);
     }
-    if (outer && !level.others.empty() && !covers(solid, level.view())) {
+    const bool covered = outer && !level.others.empty() && covers(solid, level.view());
+    if (outer && !level.others.empty() && !covered) {
         level = grown_onto_grid(given, grid); // much quicker than to find what their moves to the grid have opened
     }
     const Approximation::Level placed = level;
-    if (outer) {
+    if (outer && !covered) {
         level = grown_to_cover(solid, std::move(level));
         level.parents = given.parents;
     }

@@ -60,13 +60,12 @@ std::vector<Vec3> points_of(const Partition& partition, const Piece& piece, cons
     return points;
 }
 
-/// Appends the points that are farthest along some directions, all around: enough of them for a quick fit.
-void add_extremes(std::span<const Vec3> points, std::vector<Vec3>& extremes) {
+/// Returns the points that are farthest along some directions, all around: enough of them for a quick fit.
+std::vector<Vec3> extremes_of(std::span<const Vec3> points) {
     static const std::vector<Vec3> directions = fibonacci_directions(64); // opposite ones are not both needed
     constexpr std::size_t few = 24;
     if (points.size() <= few) {
-        extremes.assign(points.begin(), points.end());
-        return;
+        return {points.begin(), points.end()};
     }
     std::vector<char> taken(points.size(), 0);
     for (std::size_t d = 0; d < directions.size() / 2; ++d) {
@@ -86,11 +85,13 @@ void add_extremes(std::span<const Vec3> points, std::vector<Vec3>& extremes) {
         }
         taken[lowest] = taken[highest] = 1;
     }
+    std::vector<Vec3> extremes;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (taken[i]) {
             extremes.push_back(points[i]);
         }
     }
+    return extremes;
 }
 
 /// Returns the count whose elements those of a count of at least 2 are compared with.
@@ -138,7 +139,7 @@ struct ApproximationSearch::Data {
                     cloud.points.push_back(points[i]);
                 }
             } else {
-                convex::add_extremes(points, cloud.points);
+                cloud.points = convex::extremes_of(points);
             }
             double least = std::numeric_limits<double>::infinity();
             for (const Element::Kind kind : kinds) {
