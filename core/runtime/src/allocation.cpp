@@ -105,10 +105,10 @@ Cost Allocation::cost(const std::vector<std::size_t>& counts) const {
 }
 
 std::vector<std::size_t> next_rungs(std::size_t explored, std::size_t least, std::size_t most) {
-    constexpr std::size_t at_first = 4, later = 2;
+    constexpr std::size_t at_once = 2;
     std::vector<std::size_t> rungs;
     std::size_t count = explored;
-    while (count < most && rungs.size() < (explored == 0 ? at_first : later)) {
+    while (count < most && rungs.size() < at_once) {
         count = std::clamp(rung_above(count), least, most);
         rungs.push_back(count);
     }

@@ -66,7 +66,7 @@ private:
     std::vector<std::uint32_t> choice_;
 };
 
-/// Returns the counts to explore next if all up to `explored` are known: two candidate counts, four at first. Candidate
+/// Returns the counts to explore next if all up to `explored` are known: two candidate counts. Candidate
 /// counts increase by one up to eight, and by four steps an octave after that. The bounds `least` and `most` are
 /// candidate counts too. Empty if `explored` has reached `most`. The counts do not depend on the number of spheres to
 /// allocate.

@@ -194,13 +194,16 @@ Cut explore(const Workspace& workspace, std::vector<ShapeWork>& shapes,
 namespace {
 
 /// Returns the expected reduction of excess volume by one more sphere, m³. On links of robots, costs were observed to
-/// fall as count^-0.4. Excess volume in a cavity hardly falls: only spheres much smaller than the cavity leave it free.
+/// fall as count^-0.4, and faster for the first few: one sphere suits hardly any link. Excess volume in a cavity hardly
+/// falls: only spheres much smaller than the cavity leave it free.
 double expected_gain(const Recipe& recipe, const ShapeWork& work) {
-    constexpr double least_share = 0.05;
+    constexpr double least_share = 0.05, steep = 0.7, usual = 0.4;
+    constexpr std::size_t few = 2;
+    const std::size_t explored = work.known.asked.rbegin()->first;
     const double wrong = work.known.curve.least().volume;
     const double may_fall = std::max(wrong - work.cavities, least_share * wrong);
-    return work.known.asked.rbegin()->first < most_of(recipe, work)
-               ? 0.4 * may_fall / static_cast<double>(work.known.asked.rbegin()->first)
+    return explored < most_of(recipe, work)
+               ? (explored <= few ? steep : usual) * may_fall / static_cast<double>(explored)
                : 0;
 }
 
