@@ -1,4 +1,5 @@
 #include "cli/program.hpp"
+#include "cli/recipe_file.hpp"
 #include "commands.hpp"
 
 #include <foam/base/error.hpp>
@@ -18,8 +19,8 @@ struct CheckArguments {
 };
 
 int check_recipe(Program& program, const CheckArguments& arguments) {
-    RecipeResult read =
-        read_recipe(arguments.recipe, program.registry(), settings_of(arguments.settings), arguments.variants);
+    RecipeResult read = read_recipe(recipe_file(arguments.recipe), program.registry(), settings_of(arguments.settings),
+                                    arguments.variants);
     add_unknown_names(read, program.registry());
     if (arguments.json) {
         print_json(json_of_findings<nlohmann::ordered_json>(read));
@@ -46,7 +47,7 @@ void add_check(Program& program) {
                                     "  foam check my_robot.yaml\n"
                                     "  foam check my_robot.yaml --set budget.spheres=60 --json");
     auto arguments = std::make_shared<CheckArguments>();
-    command->add_option("recipe", arguments->recipe, "The recipe, a YAML file")->type_name("RECIPE")->required();
+    command->add_option("recipe", arguments->recipe, recipe_help)->type_name("RECIPE")->required();
     add_variants(*command, arguments->variants);
     add_settings(*command, arguments->settings);
     add_strict(*command, arguments->settings);

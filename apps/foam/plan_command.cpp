@@ -1,4 +1,5 @@
 // foam plan: what would run.
+#include "cli/recipe_file.hpp"
 #include "commands.hpp"
 #include "execute.hpp"
 #include "table.hpp"
@@ -280,7 +281,7 @@ Json json_of_planned(const Plan& plan, const Recipe& recipe) {
 int plan_recipe(Program& program, const PlanArguments& arguments) {
     Registry& registry = program.registry();
     const RecipeResult read =
-        read_recipe(arguments.recipe, registry, settings_of(arguments.settings), arguments.variants);
+        read_recipe(recipe_file(arguments.recipe), registry, settings_of(arguments.settings), arguments.variants);
     require_ok(read, arguments.recipe);
     Json runs = Json::array();
     std::string text;
@@ -314,7 +315,7 @@ void add_plan(Program& program) {
                                     "  foam plan configs/panda_22.yaml\n"
                                     "  foam plan my_robot.yaml --variant fine --json");
     auto arguments = std::make_shared<PlanArguments>();
-    command->add_option("recipe", arguments->recipe, "The recipe, a YAML file")->type_name("RECIPE")->required();
+    command->add_option("recipe", arguments->recipe, recipe_help)->type_name("RECIPE")->required();
     add_variants(*command, arguments->variants);
     add_settings(*command, arguments->settings);
     add_strict(*command, arguments->settings);

@@ -1,3 +1,4 @@
+#include "cli/recipe_file.hpp"
 #include "commands.hpp"
 #include "execute.hpp"
 #include "summary.hpp"
@@ -58,7 +59,8 @@ int run_recipe(Program& program, RunArguments arguments) {
     } else if (arguments.recipe.empty()) {
         throw Error(ErrorCode::usage, "recipe is required; `foam run --help` explains its use");
     }
-    RecipeResult read = read_recipe(arguments.recipe, registry, settings_of(arguments.settings), arguments.variants);
+    RecipeResult read =
+        read_recipe(recipe_file(arguments.recipe), registry, settings_of(arguments.settings), arguments.variants);
     if (lock && !read.ok()) {
         lock->check_plugins(registry);
     }
@@ -102,7 +104,7 @@ void add_run(Program& program) {
                                     "  foam run my_robot.yaml --variant fine\n"
                                     "  foam run --locked manifest.json panda_22.yaml");
     auto arguments = std::make_shared<RunArguments>();
-    command->add_option("recipe", arguments->recipe, "The recipe, a YAML file")->type_name("RECIPE");
+    command->add_option("recipe", arguments->recipe, recipe_help)->type_name("RECIPE");
     command
         ->add_option(
             "--locked", arguments->locked,

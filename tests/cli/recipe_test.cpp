@@ -77,6 +77,33 @@ TEST_F(CliRecipe, MissingRecipe) {
     EXPECT_THAT(outcome.err, HasSubstr("none.yaml: error[cannot-read]: there is no such file"));
 }
 
+TEST_F(CliRecipe, OneThatComesWithFoamByName) {
+    const Outcome check = foam("check panda_11");
+    EXPECT_EQ(check.code, 0) << check.out << check.err;
+    EXPECT_EQ(check.err, "foam: panda_11: valid, 1 run\n");
+    std::filesystem::create_directory(path() / "panda_11"); // as `--out panda_11` does
+    const Outcome run = foam("run panda_11");
+    EXPECT_EQ(run.code, 0) << run.out << run.err;
+    EXPECT_TRUE(std::filesystem::exists(path() / "runs/panda_11/manifest.json"));
+    EXPECT_EQ(foam("plan panda_11").code, 0);
+}
+
+TEST_F(CliRecipe, AFileComesBeforeOneThatComesWithFoam) {
+    write("panda_11", recipe);
+    EXPECT_THAT(foam("plan panda_11").out, HasSubstr("box.csv"));
+}
+
+TEST_F(CliRecipe, ANameThatNoRecipeHas) {
+    for (const std::string command : {"check", "plan", "run"}) {
+        const Outcome outcome = foam(command + " panda_12");
+        EXPECT_EQ(outcome.code, 2);
+        EXPECT_EQ(outcome.err,
+                  "foam: error: panda_12: there is no such file, and no recipe of this name comes with "
+                  "foam; remedy: check the path, or name one of panda_11, panda_22, panda_22_medial, panda_27, "
+                  "panda_316, panda_92, panda_sweep; did you mean 'panda_11'?\n");
+    }
+}
+
 TEST_F(CliRecipe, RunWritesItsFolderAndPrintsATable) {
     const Outcome outcome = foam("run box.yaml");
     ASSERT_EQ(outcome.code, 0) << outcome.err;

@@ -81,5 +81,18 @@ TEST(RunDirectory, NeverReplacesWhatIsNotARun) {
     EXPECT_EQ(entries(folder.path()), 2u);
 }
 
+TEST(RunDirectory, ThatCannotBeMadeHasARemedy) {
+    const TemporaryFolder folder;
+    write_file(folder.path() / "file", "x");
+    const fs::path target = folder.path() / "file" / "run";
+    try {
+        RunDirectory run(target);
+        ADD_FAILURE() << "it was made";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.what(), target.string() + ": the run directory cannot be made: Not a directory; remedy: choose "
+                                                  "another folder with --out");
+    }
+}
+
 } // namespace
 } // namespace foam

@@ -14,17 +14,19 @@ MaybePart in_swept_box(const Vec3& o, const Vec3& d, const Vec3& half, double ra
     if (!in_box(o, d, half + Vec3{radius, radius, radius})) {
         return {};
     }
-    std::array<double, 8> cuts{-without_end, without_end};
-    std::size_t count = 2;
+    std::array<double, 8> cuts;
+    cuts.fill(without_end);
+    cuts[0] = -without_end;
+    std::size_t count = 1;
     for (int axis = 0; axis < 3; ++axis) {
         if (d[axis] != 0) {
             cuts[count++] = (-half[axis] - o[axis]) / d[axis];
             cuts[count++] = (half[axis] - o[axis]) / d[axis];
         }
     }
-    std::sort(cuts.begin(), cuts.begin() + count);
+    std::sort(cuts.begin(), cuts.end());
     MaybePart result;
-    for (std::size_t k = 0; k + 1 < count; ++k) {
+    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
         const double from = cuts[k], to = cuts[k + 1];
         if (!(from < to)) {
             continue;

@@ -144,8 +144,9 @@ void Kinematics::connect() {
     }
     order_.push_back(links.at(robot_->root));
     for (std::size_t i = 0; i < order_.size(); ++i) {
-        const std::vector<std::size_t>& next = below[order_[i]];
-        order_.insert(order_.end(), next.begin(), next.end());
+        for (const std::size_t next : below[order_[i]]) {
+            order_.push_back(next);
+        }
     }
 }
 

@@ -18,18 +18,22 @@ fs::path library_folder() {
     return fs::weakly_canonical(info.dli_fname).parent_path();
 }
 
-fs::path sdk_prefix() {
+fs::path installation_prefix() {
     const fs::path libraries = library_folder();
-    const fs::path package = libraries / "cmake" / "foam" / "foamConfig.cmake";
+    // <prefix>/lib, or <prefix>/lib/<architecture> as on Debian.
+    const fs::path above = libraries.parent_path();
+    return libraries.filename() != "lib" && above.filename() == "lib" ? above.parent_path() : above;
+}
+
+fs::path sdk_prefix() {
+    const fs::path package = library_folder() / "cmake" / "foam" / "foamConfig.cmake";
     if (!fs::exists(package)) {
         throw Error(ErrorCode::usage,
                     fmt::format("the SDK is not installed: there is no {}; remedy: install the package foam-dev, or "
                                 "`cmake --install` with the component sdk",
                                 package.string()));
     }
-    // <prefix>/lib, or <prefix>/lib/<architecture> as on Debian.
-    const fs::path above = libraries.parent_path();
-    return libraries.filename() != "lib" && above.filename() == "lib" ? above.parent_path() : above;
+    return installation_prefix();
 }
 
 } // namespace foam::sdk

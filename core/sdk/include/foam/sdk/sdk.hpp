@@ -10,8 +10,12 @@ inline namespace [[gnu::visibility("default")]] sdk {
 /// the build folder for a program run from there. Throws Error(usage) if the SDK is not installed.
 std::filesystem::path sdk_prefix();
 
+/// Returns the folder that this foam is installed in, which has lib and share; the build folder for a program run from
+/// there.
+std::filesystem::path installation_prefix();
+
 /// Returns the folder of foam's libraries, symbolic links resolved.
 std::filesystem::path library_folder();
 
-} // namespace sdk
+} // namespace gnu::visibility("default")]]sdk
 } // namespace foam
