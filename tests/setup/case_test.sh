@@ -15,6 +15,7 @@ expect_no_call "^apt-get.*pack-[abd]"
 expect_out "100% tests passed"
 expect_call "-DFOAM_TESTS=ON"
 expect_call "--output-on-failure -R mesh"
+expect_no_call "pack-o" # which Debian 13 does not have
 # The program is then up to date, and stays configured with tests.
 run_foam version
 expect_calls ninja 2
@@ -54,3 +55,9 @@ printf '%s\n' pack-a pack-b pack-t >"$installed"
 FOAM_NO_INSTALL=1 run_foam test
 expect_code 0
 expect_err "the tests that need these packages are skipped"
+
+# A group for Debian 12 alone belongs to its group there.
+printf '%s\n' 'VERSION_ID="12"' >"$FOAM_OS_RELEASE"
+run_foam test
+expect_code 0
+expect_call "install -y --no-install-recommends pack-p pack-q pack-c pack-o"

@@ -40,7 +40,9 @@ SphereTree refined_by(const Workspace& workspace, ShapeWork& work, RefinementWor
     try {
         require_known(workspace, refinement, tree);
         SphereTree result = refinement.refinement->refine(tree, most, context);
-        check_tree(result, {.max_spheres = most}, workspace.registry.find(stage)->info.kinds, "refiner");
+        Budget limit;
+        limit.max_spheres = most;
+        check_tree(result, limit, workspace.registry.find(stage)->info.kinds, "refiner");
         tree = std::move(result);
     } catch (const Error& error) {
         if (error.code() != ErrorCode::cancelled) {
