@@ -161,6 +161,35 @@ TEST_F(CliHostileNames, ColumnsHold) {
     EXPECT_THAT(outcome.out, HasSubstr("\nbase                                               "));
 }
 
+/// Names of links, meshes, robots and recipes are text in every place, whatever they hold.
+TEST_F(CliHostileNames, PagesShowThemAsText) {
+    const std::string markup = "<img src=x onerror=alert(1)>", mesh = "part\u202e\u009b\x7f" + markup + "'\"&.obj";
+    write(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+    const std::string name = "&#x202e;&#x9b;&#127;&lt;img src=x onerror=alert(1)&gt;&apos;&quot;&amp;";
+    const std::string geometry = "<geometry><mesh filename=\"part" + name + ".obj\"/></geometry>";
+    write("evil.urdf", "<robot name=\"robot" + name + "\"><link name=\"link&#10;forged" + name + "\"><visual>" +
+                           geometry + "</visual><collision>" + geometry + "</collision></link></robot>");
+    const std::string recipe = "recipe\u202e\u009b\x07\n" + markup + "\".yaml";
+    write(recipe, "foam: 1\nrobot: {urdf: evil.urdf}\nstages: [spherize.grid]\nname: plain\n"
+                  "outputs: [write.urdf: {file: out.urdf}]\n");
+    for (const std::string& command :
+         {"check '" + recipe + "'", "plan '" + recipe + "'", "run '" + recipe + "'", std::string("info evil.urdf"),
+          std::string("view evil.urdf runs/plain/out.urdf --html view.html")}) {
+        const Outcome outcome = foam(command);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        expect_harmless(outcome.out + outcome.err, command);
+    }
+    const std::string steers = "\\u{202e}\\u{009b}\\x7f&lt;img src=x onerror=alert(1)&gt;";
+    const std::string report = contents(path() / "runs/plain/report.html"), page = contents(path() / "view.html");
+    for (const std::string kind : {"part", "robot", "link\\x0aforged"}) {
+        EXPECT_THAT(report, HasSubstr(kind + steers));
+    }
+    for (const auto& [what, html] : {std::pair{"report", report}, std::pair{"view", page}}) {
+        expect_harmless(html, what);
+        EXPECT_THAT(html, Not(HasSubstr("<img src=x"))) << what;
+    }
+}
+
 TEST_F(CliHostileNames, NorDoFilesOfSpheres) {
     write("bad.csv", "link,x,y,z,radius\nbase,0,0,\x1b[31m\x07,1\n");
     write("name.csv", "link,x,y,z,radius\nbase,0,0,0,1\n\"\x1b[2J\nforged\xff\",0,0,0,1\n");

@@ -2,8 +2,7 @@
 
 large_robot.py FOLDER: large.urdf, its 100 meshes, and large.csv. Then
 
-    foam view large.urdf large.csv --no-open
-    node browser/frames.mjs CHROMIUM ADDRESS
+    node browser/speed.mjs CHROMIUM FOAM large.urdf,large.csv
 """
 import math
 import pathlib

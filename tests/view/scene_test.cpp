@@ -1,6 +1,7 @@
 // The scene and the page that is one file.
 #include "arm.hpp"
 
+#include "coarse_mesh.hpp"
 #include "drawn_mesh.hpp"
 
 #include <foam/view/page.hpp>
@@ -29,11 +30,21 @@ protected:
         }
         page = static_page(subject, models);
         bytes = scene_bytes(subject, models, "null");
+        json = head_of(bytes);
+        arrays = (12 + length_of(bytes) + 7) / 8 * 8;
+    }
+
+    static std::uint32_t length_of(const std::string& bytes) {
         std::uint32_t length = 0;
         std::memcpy(&length, bytes.data() + 8, sizeof length);
-        json = nlohmann::json::parse(bytes.substr(12, length));
-        arrays = (12 + length + 7) / 8 * 8;
+        return length;
     }
+
+    static nlohmann::json head_of(const std::string& bytes) {
+        return nlohmann::json::parse(bytes.substr(12, length_of(bytes)));
+    }
+
+    static nlohmann::json fine_meshes(const Subject& subject) { return head_of(fine_mesh_bytes(subject))["meshes"]; }
 
     template <class T> std::vector<T> array(const nlohmann::json& place) const {
         std::vector<T> values(place["count"].get<std::size_t>());
@@ -72,6 +83,57 @@ TEST_F(Scene, NamesAreTextThatCannotSteer) {
     EXPECT_THAT(page, Not(HasSubstr("alert(1)"))); // only within the bytes of the scene
     EXPECT_THAT(page, HasSubstr("script-src 'sha256-"));
     EXPECT_THAT(page, Not(HasSubstr("unsafe")));
+}
+
+/// A square of n x n x 2 triangles in the plane z = 0, the left half in one colour and the right in another.
+ViewedMesh chequered(std::uint32_t n) {
+    Mesh mesh;
+    ViewedMesh result;
+    for (std::uint32_t y = 0; y <= n; ++y) {
+        for (std::uint32_t x = 0; x <= n; ++x) {
+            mesh.vertices.push_back({x / double(n), y / double(n), 0});
+        }
+    }
+    for (std::uint32_t y = 0; y < n; ++y) {
+        for (std::uint32_t x = 0; x < n; ++x) {
+            const std::uint32_t a = y * (n + 1) + x, b = a + n + 1;
+            mesh.triangles.push_back({a, a + 1, b});
+            mesh.triangles.push_back({a + 1, b + 1, b});
+            result.colours.insert(result.colours.end(), 2, 2 * x < n ? 0xFF0000FFu : 0x0000FFFFu);
+        }
+    }
+    result.mesh = std::make_shared<const Mesh>(std::move(mesh));
+    return result;
+}
+
+TEST(CoarseMesh, MergesVerticesAndKeepsColours) {
+    const ViewedMesh fine = chequered(100), coarse = coarsened(fine, 0.1);
+    ASSERT_EQ(coarse.colours.size(), coarse.mesh->triangles.size());
+    EXPECT_LT(coarse.mesh->triangles.size(), 400u);
+    EXPECT_GT(coarse.mesh->triangles.size(), 150u);
+    EXPECT_NEAR(surface_area(*coarse.mesh), 1, 0.2);
+    for (std::size_t t = 0; t < coarse.colours.size(); ++t) {
+        const double x = coarse.mesh->vertices[coarse.mesh->triangles[t][0]].x;
+        EXPECT_TRUE(coarse.colours[t] == 0xFF0000FFu ? x < 0.65 : x > 0.35) << x;
+    }
+    EXPECT_EQ(coarsened(fine, 1e-3).mesh->triangles, fine.mesh->triangles); // every vertex in a cell of its own
+}
+
+TEST_F(Scene, HasCoarseMeshesFirstWhereThereAreManyTriangles) {
+    Subject arm = subject(with({"arm.urdf", "arm.csv"}));
+    for (const auto& mesh : fine_meshes(arm)) {
+        EXPECT_TRUE(mesh.is_null());
+    }
+    arm.robots[0].links[0].visuals[0].mesh = std::make_shared<const ViewedMesh>(chequered(200)); // 80,000 triangles
+    read(arm);
+    EXPECT_LT(json["meshes"][0]["corners"]["count"], 3 * 40'000);
+    EXPECT_EQ(json["meshes"][0]["box"][1], (std::vector<double>{1, 1, 0})); // of all vertices, not of their means
+    const auto fine = fine_meshes(arm);
+    ASSERT_EQ(fine.size(), json["meshes"].size());
+    EXPECT_EQ(fine[0]["corners"]["count"], 3 * 80'000);
+    for (std::size_t i = 1; i < fine.size(); ++i) {
+        EXPECT_TRUE(fine[i].is_null()); // boxes
+    }
 }
 
 TEST(DrawnMesh, KeepsEdgesSharpAndRoundsSmoothSurfaces) {

@@ -18,6 +18,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 class ServerTest : public ArmTest {
 protected:
@@ -88,6 +89,7 @@ TEST_F(ServerTest, ServesThePageToWhoKnowsTheAddress) {
     EXPECT_EQ(get(base + "view.css"), 200);
     auto scene = client().Get(base + "scene");
     EXPECT_EQ(scene->body.substr(0, 8), "foamview");
+    EXPECT_THAT(client().Get(base + "meshes")->body, AllOf(StartsWith("foamview"), HasSubstr("\"meshes\":[null")));
     EXPECT_EQ(base.size(), 34u); // 32 digits
 }
 
@@ -117,8 +119,9 @@ TEST_F(ServerTest, RefusesOtherHostsAndOrigins) {
     EXPECT_EQ(post("undo", R"({"version":0})", {})->status, 403); // a change names its origin
     EXPECT_EQ(post("undo", R"({"version":0})", {{"Origin", "http://evil.example"}})->status, 403);
     EXPECT_EQ(post("undo", R"({"version":0})", {{"Origin", origin + "0"}})->status, 403);
-    EXPECT_THAT(raw("GET " + base + " HTTP/1.1\r\nHost: " + host() + "\r\nHost: evil.example\r\nConnection: close\r\n\r\n"),
-                HasSubstr(" 421 "));
+    EXPECT_THAT(
+        raw("GET " + base + " HTTP/1.1\r\nHost: " + host() + "\r\nHost: evil.example\r\nConnection: close\r\n\r\n"),
+        HasSubstr(" 421 "));
     EXPECT_THAT(raw("GET " + base + " HTTP/1.0\r\n\r\n"), HasSubstr(" 421 ")); // without a host
 }
 
@@ -130,7 +133,8 @@ TEST_F(ServerTest, RefusesOtherMethodsTypesAndLengths) {
     EXPECT_EQ(post("edit", std::string(Server::most_body + 1, ' '))->status, 413);
     const std::string head = "POST " + base + "undo HTTP/1.1\r\nHost: " + host() + "\r\nOrigin: " + origin +
                              "\r\nContent-Type: application/json\r\n";
-    EXPECT_THAT(raw(head + "Connection: close\r\nTransfer-Encoding: chunked\r\n\r\n2\r\n{}\r\n0\r\n\r\n"), HasSubstr(" 411 "));
+    EXPECT_THAT(raw(head + "Connection: close\r\nTransfer-Encoding: chunked\r\n\r\n2\r\n{}\r\n0\r\n\r\n"),
+                HasSubstr(" 411 "));
     EXPECT_EQ(get(base), 200); // it lives on
 }
 

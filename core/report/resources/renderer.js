@@ -54,14 +54,14 @@ const MESH_FRAGMENT = `#version 300 es
 const SPHERE_VERTEX = `#version 300 es
   uniform mat4 view;
   uniform vec3 scale;
-  in vec2 corner;       // of the square, -1 to 1
-  in vec4 sphere;       // centre, radius
+  in vec4 sphere;       // centre, radius; the same for the four corners of its square
   in vec3 tint;
   out vec2 place;       // in radii
   flat out vec2 depth;  // of the centre and of a radius, in clip space
   flat out vec3 base;
   void main() {
     vec3 centre = (view * vec4(sphere.xyz, 1.0)).xyz;
+    vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1 & 1) * 2.0 - 1.0;
     place = corner;
     base = tint;
     depth = vec2(centre.z, sphere.w) * scale.z;
@@ -99,8 +99,7 @@ class Renderer {
     this.meshes = scene.meshes.map((mesh) => this.uploadMesh(mesh));
     this.links = scene.links;
     this.elements = [];
-    this.square = this.upload(gl.ARRAY_BUFFER, new Float32Array([-1, -1, 1, -1, -1, 1, 1, 1]));
-    this.spheres = { array: gl.createVertexArray(), buffer: gl.createBuffer(), count: 0 };
+    this.spheres = { array: gl.createVertexArray(), buffer: gl.createBuffer(), indices: gl.createBuffer(), count: 0, room: 0 };
     this.describeSpheres();
   }
 
@@ -147,24 +146,44 @@ class Renderer {
   describeSpheres() {
     const gl = this.gl, at = (name) => gl.getAttribLocation(this.sphereProgram, name);
     gl.bindVertexArray(this.spheres.array);
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.square);
-    gl.enableVertexAttribArray(at("corner"));
-    gl.vertexAttribPointer(at("corner"), 2, gl.FLOAT, false, 0, 0);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.spheres.indices);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.spheres.buffer);
     for (const [name, size, offset] of [["sphere", 4, 0], ["tint", 3, 16]]) {
       gl.enableVertexAttribArray(at(name));
       gl.vertexAttribPointer(at(name), size, gl.FLOAT, false, 28, offset);
-      gl.vertexAttribDivisor(at(name), 1);
     }
     gl.bindVertexArray(null);
   }
 
   /// `rows`: x, y, z, radius, red, green, blue of each sphere, in the robot's frame.
   setSpheres(rows) {
-    const gl = this.gl;
+    const gl = this.gl, all = rows instanceof Float32Array ? rows : new Float32Array(rows), count = rows.length / 7;
+    const corners = new Float32Array(28 * count);   // no instances: each takes renderers in software a call of its own
+    for (let i = 0; i < count; ++i) {
+      for (let corner = 0; corner < 4; ++corner) {
+        corners.set(all.subarray(7 * i, 7 * i + 7), 28 * i + 7 * corner);
+      }
+    }
     gl.bindBuffer(gl.ARRAY_BUFFER, this.spheres.buffer);
-    gl.bufferData(gl.ARRAY_BUFFER, rows instanceof Float32Array ? rows : new Float32Array(rows), gl.DYNAMIC_DRAW);
-    this.spheres.count = rows.length / 7;
+    gl.bufferData(gl.ARRAY_BUFFER, corners, gl.DYNAMIC_DRAW);
+    this.spheres.count = count;
+    this.indexSpheres(count);
+  }
+
+  /// Indexes two triangles for the square of each sphere.
+  indexSpheres(count) {
+    const gl = this.gl;
+    if (count <= this.spheres.room) {
+      return;
+    }
+    const indices = new Uint32Array(6 * count);
+    for (let i = 0; i < count; ++i) {
+      indices.set([0, 1, 2, 2, 1, 3].map((corner) => 4 * i + corner), 6 * i);
+    }
+    gl.bindVertexArray(this.spheres.array);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.DYNAMIC_DRAW);
+    gl.bindVertexArray(null);
+    this.spheres.room = count;
   }
 
   /// `camera`: {right, up, back: unit vectors; target; height: of what is seen, m; depth: half of what is kept, m}.
@@ -184,7 +203,7 @@ class Renderer {
     if (clear === "geometry") {
       this.drawElements(1);
       gl.clear(gl.DEPTH_BUFFER_BIT);   // the geometry shows through the spheres that hold it
-      this.nearestLayer(() => this.drawMeshes(parts, 0.45));
+      this.drawVeil(parts, 0.45, area);
     } else {
       this.drawMeshes(parts, 1);
       if (clear === "spheres") {
@@ -203,6 +222,11 @@ class Renderer {
   drawElements(opacity) {
     this.drawMeshes(this.elements, opacity);
     this.drawSpheres(opacity);
+  }
+
+  /// Draws meshes that are seen through. Their nearest surfaces only show.
+  drawVeil(parts, opacity) {
+    this.nearestLayer(() => this.drawMeshes(parts, opacity));
   }
 
   /// Depth first, then colour: of what is transparent only the nearest surface shows.
@@ -244,7 +268,7 @@ class Renderer {
     gl.useProgram(this.sphereProgram);
     gl.uniform1f(gl.getUniformLocation(this.sphereProgram, "opacity"), opacity);
     gl.bindVertexArray(this.spheres.array);
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, this.spheres.count);
+    gl.drawElements(gl.TRIANGLES, 6 * this.spheres.count, gl.UNSIGNED_INT, 0);
     gl.bindVertexArray(null);
   }
 }

@@ -12,4 +12,4 @@ extern const EmbeddedText palette_js;  ///< colours
 extern const EmbeddedText renderer_js; ///< meshes and spheres with WebGL 2
 extern const EmbeddedText viewer_js;   ///< controls of the viewer
 
-} // namespace foam::inline report::resources
+} // namespace foam::report::resources

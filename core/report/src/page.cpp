@@ -1,5 +1,6 @@
 #include "page.hpp"
 #include "embedded_resources.hpp"
+#include "text.hpp"
 
 #include <foam/base/markup.hpp>
 #include <foam/report/html_page.hpp>
@@ -35,7 +36,7 @@ std::string page(const std::string& title, const std::string& body, const std::v
         "script-src{}; base-uri 'none'; form-action 'none'\">\n"
         "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n<title>{}</title>\n"
         "<style>{}</style>\n</head>\n<body>\n{}{}</body>\n</html>\n",
-        policy_source(resources::page_css), sources, markup_escaped(title), resources::page_css.text, body, elements);
+        policy_source(resources::page_css), sources, as_text(title), resources::page_css.text, body, elements);
 }
 
 std::string html_page(const std::string& title, const std::string& body) {

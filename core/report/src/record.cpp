@@ -2,7 +2,6 @@
 #include "sections.hpp"
 #include "text.hpp"
 
-#include <foam/base/markup.hpp>
 #include <foam/report/bar_scale.hpp>
 
 #include <fmt/format.h>
@@ -42,7 +41,7 @@ std::string quoted(const std::string& text) {
     for (const char c : text) {
         result += c == '\'' ? std::string("'\\''") : std::string(1, c);
     }
-    return markup_escaped(result + "'");
+    return as_text(result + "'");
 }
 
 /// Returns a file that `foam certify` reads, if there is one.
@@ -117,7 +116,7 @@ std::string recipe_section(const Report& report) {
     return section(
         "recipe", "Recipe",
         "<p>As it ran, every default written out: <code>recipe.resolved.yaml</code> beside this file.</p>\n" +
-            commands(markup_escaped(report.recipe)));
+            commands(as_lines(report.recipe)));
 }
 
 std::string files_section(const Report& report) {
@@ -140,13 +139,13 @@ std::string files_section(const Report& report) {
                         escaped(plugin["plugin"]), escaped(plugin["version"]), escaped(plugin["license"]), build);
     }
     for (const auto& [name, version] : manifest["libraries"].items()) {
-        libraries += fmt::format("{}{} {}", libraries.empty() ? "" : ", ", markup_escaped(name), escaped(version));
+        libraries += fmt::format("{}{} {}", libraries.empty() ? "" : ", ", as_text(name), escaped(version));
     }
     html += "<h3>Versions</h3>\n" + fmt::format("<p>foam {}; {}.</p>\n", escaped(manifest["foam_version"]), libraries) +
             table("Plugins", heads({"plugin", "version", "licence", "build"}), plugins);
     std::string others;
     for (const std::string& file : report.files) {
-        others += fmt::format("<li>{}</li>\n", markup_escaped(file));
+        others += fmt::format("<li>{}</li>\n", as_text(file));
     }
     if (!others.empty()) {
         html += "<details><summary>Further files of the run</summary>\n<ul>\n" + others + "</ul>\n</details>\n";
@@ -196,7 +195,7 @@ static std::string stage_table(const Json& execution) {
     const BarScale scale(all, 0, true);
     std::string rows;
     for (const auto& [stage, time] : times) {
-        rows += fmt::format("<tr><th scope=\"row\">{}</th>{}{}{}</tr>\n", markup_escaped(stage),
+        rows += fmt::format("<tr><th scope=\"row\">{}</th>{}{}{}</tr>\n", as_text(stage),
                             cell(static_cast<double>(time.calls), fmt::format("{}", time.calls)),
                             cell(static_cast<double>(time.cached), fmt::format("{}", time.cached)),
                             cell(time.seconds, number(time.seconds, 3) + scale.svg(time.seconds)));

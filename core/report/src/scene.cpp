@@ -1,6 +1,7 @@
 #include <foam/report/internal/scene.hpp>
 
 #include <foam/base/markup.hpp>
+#include <foam/base/text.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -201,7 +202,8 @@ std::string scene_json(const std::vector<SceneLink>& links, std::size_t max_tria
         for (const std::vector<Sphere>& level : link.levels) {
             levels.push_back(to_floats(level));
         }
-        list.push_back({{"name", link.name}, {"pose", to_json(link.pose)}, {"meshes", indices}, {"levels", levels}});
+        list.push_back(
+            {{"name", shown(link.name)}, {"pose", to_json(link.pose)}, {"meshes", indices}, {"levels", levels}});
         for (const std::vector<Element>& level : link.other_levels) {
             Json elements = Json::array();
             for (const Element& element : level) {

@@ -43,7 +43,7 @@ std::string mesh_caption(const Json& manifest, const SceneLink& link, std::size_
         text = *made.mesh == *link.meshes[stage - 1].mesh ? "unchanged"
                                                           : text + distance_text(manifest, link.name, made.stage);
     }
-    return fmt::format("<strong>{}</strong> {}", markup_escaped(made.stage), text);
+    return fmt::format("<strong>{}</strong> {}", as_text(made.stage), text);
 }
 
 std::string frame(std::size_t link, const std::string& shows, const std::string& caption) {
@@ -59,9 +59,9 @@ std::string strip(const Report& report, std::size_t index) {
         frames += frame(index, fmt::format("{}", stage), mesh_caption(report.manifest, link.scene, stage));
     }
     frames += frame(index, "spheres",
-                    fmt::format("<strong>{}</strong> {}", markup_escaped(link.spherizer),
+                    fmt::format("<strong>{}</strong> {}", as_text(link.spherizer),
                                 counted(link.scene.levels.back().size(), "sphere")));
-    return fmt::format("<h3>{}</h3>\n<div class=\"strip\">\n{}</div>\n", markup_escaped(link.scene.name), frames);
+    return fmt::format("<h3>{}</h3>\n<div class=\"strip\">\n{}</div>\n", as_text(link.scene.name), frames);
 }
 
 std::vector<SceneLink> scene_of(const Report& report) {

@@ -3,8 +3,6 @@
 #include "text.hpp"
 #include "verdict.hpp"
 
-#include <foam/base/markup.hpp>
-
 #include <fmt/format.h>
 
 namespace foam::inline report {
@@ -65,9 +63,8 @@ std::string header_section(const Report& report) {
     const Json& manifest = report.manifest;
     return fmt::format("<header>\n<h1>{}</h1>\n<p>{} · {} · made by foam {}</p>\n"
                        "<p class=\"verdict {}\">{}</p>\n{}</header>\n",
-                       escaped(manifest["settings"]["name"]), markup_escaped(report.name),
-                       escaped(manifest["input"]["file"]), escaped(manifest["foam_version"]), verdict_class(report),
-                       verdict(report), omissions(report));
+                       escaped(manifest["settings"]["name"]), as_text(report.name), escaped(manifest["input"]["file"]),
+                       escaped(manifest["foam_version"]), verdict_class(report), verdict(report), omissions(report));
 }
 
 std::string summary_section(const Report& report) {

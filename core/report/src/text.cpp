@@ -1,6 +1,7 @@
 #include "text.hpp"
 
 #include <foam/base/markup.hpp>
+#include <foam/base/text.hpp>
 
 #include <fmt/format.h>
 
@@ -17,8 +18,16 @@ std::string number(double value, int digits) {
     return std::isfinite(value) ? fmt::format("{:.{}f}", value, digits) : "∞";
 }
 
+std::string as_text(std::string_view text) {
+    return markup_escaped(shown(text));
+}
+
+std::string as_lines(std::string_view text) {
+    return markup_escaped(shown_lines(text));
+}
+
 std::string escaped(const Json& text) {
-    return markup_escaped(text.get<std::string>());
+    return as_text(text.get<std::string>());
 }
 
 std::string cell(double value, const std::string& html) {

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace foam::inline report {
 
@@ -17,6 +18,11 @@ inline constexpr double mm_per_m = 1000;
 double value_of(const Json& number);
 /// Returns "12.3" or "∞".
 std::string number(double value, int digits);
+/// Returns HTML that shows the text in one line: no markup in it, and neither control characters nor marks of writing
+/// direction (shown()).
+std::string as_text(std::string_view text);
+/// Returns the same for a text of several lines.
+std::string as_lines(std::string_view text);
 std::string escaped(const Json& text);
 /// Returns a cell that sorts by its value. `html`: its content.
 std::string cell(double value, const std::string& html);

@@ -2,7 +2,6 @@
 
 #include "text.hpp"
 
-#include <foam/base/markup.hpp>
 #include <foam/robot/proved_links.hpp>
 
 #include <fmt/format.h>
@@ -53,12 +52,12 @@ std::string verdict(const Report& report) {
         std::any_of(links.begin(), links.end(), [](const Json& link) { return link.contains("kinds"); });
     std::string text = verdict_of(proved_links(report), others ? "elements" : "spheres");
     text.erase(text.find_last_not_of('\n') + 1);
-    return markup_escaped(text);
+    return as_lines(text);
 }
 
 std::string omissions(const Report& report) {
     const std::string text = omissions_of(proved_links(report));
-    return text.empty() ? "" : fmt::format("<p class=\"note\">{}</p>\n", markup_escaped(text));
+    return text.empty() ? "" : fmt::format("<p class=\"note\">{}</p>\n", as_lines(text));
 }
 
 std::string verdict_class(const Report& report) {
@@ -68,4 +67,4 @@ std::string verdict_class(const Report& report) {
     return certified(report) ? "yes" : proved_links(report).proved > 0 ? "plain" : "no";
 }
 
-} // namespace foam::inline report
+} // namespace foam::report

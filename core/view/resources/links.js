@@ -63,7 +63,7 @@ class LinkPanel {
       line.textContent = "Without the original geometry nothing is proved.";
     } else if (!model.verdicts) {
       line.className = "quiet";
-      line.textContent = "Proving …";
+      line.textContent = "Not judged yet: proving …";
     } else {
       const open = judged.filter(([v]) => !v.holds);
       line.className = open.length === 0 ? "yes" : "no";

@@ -27,16 +27,17 @@ const head = (world) => {
 };
 
 const start = async () => {
-  const scene = await loadedScene();
+  const canvas = find("view"), loading = loaded("scene");
+  loading.catch(() => {});   // it is awaited next
+  const renderer = new RobotRenderer(canvas), scene = await loading;
   let stage = null, panels = [];
   const world = new World(scene, (what) => {
     what === "pose" || what === "drag" ? stage.move() : stage.draw();
     requestAnimationFrame(() => panels.forEach((panel) => panel.show()));
   });
   const session = new SessionLink(world, told), edits = new Edits(world, session, told);
-  const canvas = find("view");
   let selection = null;
-  stage = new Stage(world, canvas, (event) => selection.take(event));
+  stage = new Stage(world, canvas, renderer, (event) => selection.take(event));
   selection = new SelectionPanel(world, stage, edits);
   panels = [new ModelPanel(world, edits), new JointPanel(world), new LinkPanel(world), new ContactPanel(world), selection,
     edits];
@@ -46,10 +47,11 @@ const start = async () => {
   find("reset").addEventListener("click", () => stage.camera.reset());
   find("message").hidden = true;
   find("panel").hidden = false;
-  stage.render(false);
+  stage.render(true);
   panels.forEach((panel) => panel.show());
   canvas.dataset.ready = Math.round(performance.now());
   canvas.addEventListener("webglcontextlost", () => told("The graphics driver gave up the picture; reload the page."));
+  stage.refine(await loaded("meshes"));
   if (world.edits) {
     for (const m of world.models.keys()) {
       await session.learn(m);

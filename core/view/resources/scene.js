@@ -1,28 +1,16 @@
-// The scene as scene.hpp describes it: from bytes to numbers.
+// The scene and its fine meshes as scene.hpp describes them: from bytes to numbers.
 
-/// Returns the scene: its JSON, with `array(place, Type)` for the arrays behind it.
+/// Returns the JSON of the bytes, with `array(place, Type)` for the arrays behind it.
 const parsedScene = (buffer) => {
   const head = new DataView(buffer), length = head.getUint32(8, true);
   const scene = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 12, length)));
   const begin = Math.ceil((12 + length) / 8) * 8;
   scene.array = ({ at, count }, Type) => new Type(buffer, begin + at, count);
-  for (const mesh of scene.meshes) {
+  for (const mesh of scene.meshes.filter((one) => one)) {
     mesh.places = new Uint16Array(buffer, begin + mesh.vertices.at, 4 * mesh.vertices.count);   // x, y, z, normal
     mesh.indices = scene.array(mesh.corners, Uint32Array);
-    mesh.size = largestPlaces(mesh.places);
   }
   return scene;
-};
-
-/// Returns the largest place along each axis.
-const largestPlaces = (places) => {
-  const most = [0, 0, 0];
-  for (let i = 0; i < places.length; i += 4) {
-    for (let k = 0; k < 3; ++k) {
-      most[k] = Math.max(most[k], places[i + k]);
-    }
-  }
-  return most;
 };
 
 /// Returns where a ray (origin, direction) in a mesh's frame first meets it, in lengths of the direction; null if it does
@@ -42,13 +30,27 @@ const hitOfMesh = (mesh, origin, direction) => {
   return nearest < Infinity ? nearest : null;
 };
 
-/// Returns the scene of a page that is one file, or of the session that serves this page.
-const loadedScene = async () => {
-  const inside = find("scene");
-  if (inside) {
-    return parsedScene(Uint8Array.from(atob(inside.textContent), (c) => c.charCodeAt(0)).buffer);
+/// Returns the bytes of a text in base64.
+const bytesOf = (base64) => {
+  const text = atob(base64), bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) {
+    bytes[i] = text.charCodeAt(i);
   }
-  const answer = await fetch("scene");
+  return bytes.buffer;
+};
+
+/// Returns a part of a page that is one file, or of the session that serves this page: "scene" or "meshes".
+const loaded = async (part) => {
+  const inFile = find("scene") !== null;
+  if (inFile && part === "meshes" && document.readyState === "loading") {   // they are the end of the page
+    await new Promise((done) => { document.addEventListener("DOMContentLoaded", done); });
+  }
+  if (inFile) {
+    const bytes = bytesOf(find(part).textContent);
+    find(part).textContent = "";
+    return parsedScene(bytes);
+  }
+  const answer = await fetch(part);
   if (!answer.ok) {
     throw new Error(`the session does not answer (${answer.status}): is foam view still running?`);
   }

@@ -1,15 +1,24 @@
 // The canvas: one cell for each model, all with one camera; what is written and drawn over it.
 
+const NO_ROWS = new Float32Array();
+
 class Stage {
-  constructor(world, canvas, onPress) {
-    Object.assign(this, { world, canvas, waiting: false, still: null, fast: 1, took: 20, last: 0 });
-    this.renderer = new RobotRenderer(canvas, { meshes: [], links: [] });
-    this.renderer.take(world.scene);
+  constructor(world, canvas, renderer, onPress) {
+    Object.assign(this, { world, canvas, renderer, waiting: false, still: null, fast: 1, triangles: 50000, took: 20,
+      last: 0, movements: 0, complete: false });
+    renderer.take(world.scene);
     const { low, high } = world.bounds();
     this.reach = 4 * Math.hypot(...high.map((x, i) => x - low[i])) || 1;
     this.camera = new Camera(canvas, this.reach, () => this.move(),
       { heightOf: () => this.cells()[0].height, taken: (event) => onPress(event) });
-    new ResizeObserver(() => this.draw()).observe(canvas);
+    new ResizeObserver(() => this.move()).observe(canvas);
+  }
+
+  /// Takes the fine meshes; until then no picture is final.
+  refine(scene) {
+    this.renderer.refine(scene);
+    this.complete = true;
+    this.draw();
   }
 
   /// The cells of the canvas, in pixels of the page from its upper left corner: as many columns as make them squarest.
@@ -28,12 +37,22 @@ class Stage {
   /// Draws soon: coarsely while something moves, finely when it rests.
   move() {
     this.schedule(true);
+  }
+
+  /// Draws finely when no movement follows the picture that was just drawn. The browser asks for the next one when it has
+  /// taken this one, so that slow pictures are no rest.
+  rest() {
+    const drawn = ++this.movements;
     clearTimeout(this.still);
-    this.still = setTimeout(() => this.schedule(false), Math.max(180, 2 * this.took));   // slow pictures are no rest
+    requestAnimationFrame(() => {
+      if (drawn === this.movements) {
+        this.still = setTimeout(() => this.complete && this.schedule(false), Math.max(200, 4 * this.took));
+      }
+    });
   }
 
   draw() {
-    this.schedule(false);
+    this.schedule(!this.complete);
   }
 
   schedule(moving) {
@@ -44,11 +63,14 @@ class Stage {
         this.waiting = false;
         this.adapt(time, this.moving);
         this.render(this.moving);
+        if (this.moving) {
+          this.rest();
+        }
       });
     }
   }
 
-  /// Pixels of the buffer for one of the page. While something moves it falls until pictures take less than 1/30 s.
+  /// Pixels of the buffer for one of the page.
   ratio(moving) {
     const screen = window.devicePixelRatio || 1;
     return moving ? Math.min(screen, 1) * this.fast : Math.max(2, screen);
@@ -67,30 +89,42 @@ class Stage {
       world.models.forEach((model) => { model.rows = world.rows(model); });
       world.dirty = false;
     }
-    let meshes = 0, spheres = 0;
+    let meshes = 0, spheres = 0, triangles = 0;
     cells.forEach((cell, m) => {
-      const model = world.models[m], parts = world.parts(model);
-      renderer.setSpheres(world.layers.spheres ? model.rows : new Float32Array());
-      renderer.draw(this.seen, parts, world.layers.spheres && parts.length > 0 && model.rows.length > 0
+      const model = world.models[m], all = world.parts(model);
+      const parts = renderer.chosen(all, this.seen, cell.width / cell.height,
+        moving ? this.triangles / cells.length : Infinity);
+      const rows = world.layers.spheres ? model.rows : NO_ROWS;
+      if (rows !== this.rows) {
+        this.rows = rows;
+        renderer.setSpheres(rows);
+      }
+      renderer.draw(this.seen, parts, world.layers.spheres && all.length > 0 && model.rows.length > 0
         ? world.through : "none", { x: Math.round(ratio * cell.x),
         y: Math.round(size[1] - ratio * (cell.y + cell.height)), width: Math.round(ratio * cell.width),
         height: Math.round(ratio * cell.height) });
-      meshes += parts.length;
+      meshes += all.length;
+      triangles += parts.reduce((sum, { drawn }) => sum + drawn.triangles, 0);
       spheres += renderer.spheres.count;
     });
-    Object.assign(canvas.dataset, { meshes, spheres, frames: Number(canvas.dataset.frames ?? 0) + 1 });
+    Object.assign(canvas.dataset, { meshes, spheres, triangles, frames: Number(canvas.dataset.frames ?? 0) + 1 });
+    canvas.dataset.picture = moving ? "moving" : "final";
     this.overlay(cells);
   }
 
-  /// Learns from the time between pictures of a movement how coarse they have to be.
+  /// Learns from the time between pictures of a movement how coarse they have to be to take less than 1/30 s: fewer
+  /// triangles and fewer pixels.
   adapt(time, moving) {
     const passed = time - this.last;
     if (moving && this.last && passed < 2000) {
       this.took = 0.7 * this.took + 0.3 * passed;
       if (this.took > 30) {
+        this.triangles *= 0.6;
         this.fast = Math.max(0.4, this.fast * (this.took > 100 ? 0.75 : 0.92));
-      } else if (this.took < 19) {
+      } else if (this.took < 19 && this.fast < 1) {
         this.fast = Math.min(1, this.fast * 1.04);
+      } else if (this.took < 19) {
+        this.triangles = Math.min(1e8, this.triangles * 1.1 + 1000);
       }
     }
     this.last = moving ? time : 0;

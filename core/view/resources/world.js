@@ -183,9 +183,9 @@ class World {
       low[i] = Math.min(low[i], x - r);
       high[i] = Math.max(high[i], x + r);
     });
-    const box = (pose, { low: from, step, size }) => {
+    const box = (pose, ends) => {
       for (let k = 0; k < 8; ++k) {
-        add(moved(pose, from.map((x, i) => x + (k >> i & 1 ? step * size[i] : 0))), 0);
+        add(moved(pose, [0, 1, 2].map((i) => ends[k >> i & 1][i])), 0);
       }
     };
     for (const model of this.models) {
@@ -195,7 +195,7 @@ class World {
           return;
         }
         for (const { mesh, pose } of [...link.visuals, ...link.collisions]) {
-          box(composed(robot.placed[l], pose), this.scene.meshes[mesh]);
+          box(composed(robot.placed[l], pose), this.scene.meshes[mesh].box);
         }
         for (const { kind, row } of model.links[l]) {
           add(moved(robot.placed[l], KINDS[kind].centre(row)), KINDS[kind].radius(row));

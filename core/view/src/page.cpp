@@ -33,10 +33,12 @@ std::string static_page(const Subject& subject, const std::vector<SceneModel>& m
         "script-src {}; base-uri 'none'; form-action 'none'\">\n<link rel=\"icon\" "
         "href=\"data:,\">\n<style>{}</style>\n",
         policy_source(resources::view_css), policy_source(resources::view_js), resources::view_css.text);
-    return page(
-        head, title_of(subject),
-        fmt::format("<script type=\"text/plain\" id=\"scene\">{}</script>\n<script type=\"module\">{}</script>\n",
-                    base64(scene_bytes(subject, models, "null")), resources::view_js.text));
+    return page(head, title_of(subject),
+                fmt::format("<script type=\"text/plain\" id=\"scene\">{}</script>\n"
+                            "<script type=\"module\" async>{}</script>\n" // draws before the rest of the page is read
+                            "<script type=\"text/plain\" id=\"meshes\">{}</script>\n",
+                            base64(scene_bytes(subject, models, "null")), resources::view_js.text,
+                            base64(fine_mesh_bytes(subject))));
 }
 
 PageFile served_file(const std::string& name) {

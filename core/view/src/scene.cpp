@@ -1,5 +1,6 @@
 #include <foam/view/scene.hpp>
 
+#include "coarse_mesh.hpp"
 #include "drawn_mesh.hpp"
 #include "link_index.hpp"
 
@@ -63,41 +64,95 @@ const char* name_of(Joint::Kind kind) {
     return names[static_cast<std::size_t>(kind)];
 }
 
+/// How many triangles of visuals, or of collision elements, the first picture has at most: about what software draws in
+/// a few hundredths of a second.
+constexpr std::size_t most_at_first = 30'000;
+constexpr double worth_it = 0.7; ///< a coarse mesh with more of the triangles than this is not made
+
 /// The distinct meshes of the subject, in the order of their first use.
 class Meshes {
 public:
-    std::size_t index_of(const ViewedElement& element) {
-        const auto [it, fresh] = index_.try_emplace(element.mesh.get(), meshes_.size());
-        if (fresh) {
-            meshes_.push_back(element.mesh.get());
+    explicit Meshes(const Subject& subject) {
+        for (const ViewedRobot& robot : subject.robots) {
+            for (const auto kind : {&ViewedLink::visuals, &ViewedLink::collisions}) {
+                double area = 0;
+                std::size_t triangles = 0;
+                for (const ViewedLink& link : robot.links) {
+                    for (const ViewedElement& element : link.*kind) {
+                        const std::size_t at = index_.try_emplace(element.mesh.get(), meshes_.size()).first->second;
+                        if (at == meshes_.size()) {
+                            meshes_.push_back(element.mesh.get());
+                            areas_.push_back(surface_area(*element.mesh->mesh));
+                        }
+                        area += areas_[at];
+                        triangles += element.mesh->mesh->triangles.size();
+                    }
+                }
+                if (triangles > most_at_first) {
+                    cell_ = std::max(cell_, cell_for(area, most_at_first));
+                }
+            }
         }
-        return it->second;
     }
 
-    Json to_json(Arrays& arrays) const {
-        std::vector<DrawnMesh> all(meshes_.size());
-        parallel_for(meshes_.size(), [&](std::size_t i) { all[i] = drawn(*meshes_[i]); });
+    std::size_t index_of(const ViewedElement& element) const { return index_.at(element.mesh.get()); }
+
+    /// Returns the meshes of the first picture.
+    Json first(Arrays& arrays) const {
+        return to_json(arrays, [&](std::size_t i) {
+            const std::optional<ViewedMesh> coarse = coarse_of(i);
+            return std::optional(drawn(coarse ? *coarse : *meshes_[i]));
+        });
+    }
+
+    /// Returns the meshes of which the first picture has coarse ones; null instead of others.
+    Json fine(Arrays& arrays) const {
+        return to_json(arrays,
+                       [&](std::size_t i) { return coarse_of(i) ? std::optional(drawn(*meshes_[i])) : std::nullopt; });
+    }
+
+private:
+    std::optional<ViewedMesh> coarse_of(std::size_t i) const {
+        if (!(cell_ > 0)) {
+            return std::nullopt;
+        }
+        ViewedMesh coarse = coarsened(*meshes_[i], cell_);
+        const auto most = worth_it * static_cast<double>(meshes_[i]->mesh->triangles.size());
+        return static_cast<double>(coarse.mesh->triangles.size()) <= most ? std::optional(std::move(coarse))
+                                                                          : std::nullopt;
+    }
+
+    template <class DrawnOf> Json to_json(Arrays& arrays, const DrawnOf& drawn_of) const {
+        std::vector<std::optional<DrawnMesh>> all(meshes_.size());
+        parallel_for(meshes_.size(), [&](std::size_t i) { all[i] = drawn_of(i); });
         Json list = Json::array();
-        for (const DrawnMesh& mesh : all) {
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (!all[i]) {
+                list.push_back(nullptr);
+                continue;
+            }
+            const Box box = bounds(*meshes_[i]->mesh);
             Json ranges = Json::array();
-            for (const ColourRange& range : mesh.ranges) {
+            for (const ColourRange& range : all[i]->ranges) {
                 ranges.push_back({range.first, range.count, view::to_json(range.colour)});
             }
-            list.push_back({{"low", view::to_json(mesh.low)},
-                            {"step", mesh.step},
-                            {"vertices", arrays.add(mesh.vertices)},
-                            {"corners", arrays.add(mesh.corners)},
+            list.push_back({{"box", {view::to_json(box.low), view::to_json(box.high)}},
+                            {"low", view::to_json(all[i]->low)},
+                            {"step", all[i]->step},
+                            {"vertices", arrays.add(all[i]->vertices)},
+                            {"corners", arrays.add(all[i]->corners)},
                             {"ranges", std::move(ranges)}});
         }
         return list;
     }
 
-private:
     std::vector<const ViewedMesh*> meshes_;
+    std::vector<double> areas_;
     std::map<const ViewedMesh*, std::size_t> index_;
+    double cell_ = 0; ///< of coarse meshes, m; 0: there are none
 };
 
-Json elements_json(const std::vector<ViewedElement>& elements, Meshes& meshes) {
+Json elements_json(const std::vector<ViewedElement>& elements, const Meshes& meshes) {
     Json list = Json::array();
     for (const ViewedElement& element : elements) {
         list.push_back(
@@ -139,7 +194,7 @@ Json freedoms_json(const Kinematics& kinematics) {
     return list;
 }
 
-Json robot_json(const ViewedRobot& robot, Meshes& meshes) {
+Json robot_json(const ViewedRobot& robot, const Meshes& meshes) {
     Json links = Json::array(), poses = Json::array();
     for (std::size_t l = 0; l < robot.links.size(); ++l) {
         links.push_back({{"name", shown(robot.robot->links[l].name)},
@@ -200,12 +255,22 @@ Json model_json(const SceneModel& model, Arrays& arrays) {
     return json;
 }
 
+std::string framed(const Json& json, const Arrays& arrays) {
+    const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    std::string bytes = "foamview";
+    const auto length = static_cast<std::uint32_t>(text.size());
+    bytes.append(reinterpret_cast<const char*>(&length), sizeof length);
+    bytes += text;
+    bytes.resize((bytes.size() + 7) / 8 * 8);
+    return bytes + arrays.bytes();
+}
+
 } // namespace
 
 std::string scene_bytes(const Subject& subject, const std::vector<SceneModel>& models,
                         const std::string& session_json) {
     Arrays arrays;
-    Meshes meshes;
+    const Meshes meshes(subject);
     Json json{{"foam", version()}, {"session", Json::parse(session_json)}, {"notes", Json::array()}};
     for (const std::string& note : subject.notes) {
         json["notes"].push_back(shown(note));
@@ -218,14 +283,14 @@ std::string scene_bytes(const Subject& subject, const std::vector<SceneModel>& m
     for (const SceneModel& model : models) {
         json["models"].push_back(model_json(model, arrays));
     }
-    json["meshes"] = meshes.to_json(arrays);
-    const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    std::string bytes = "foamview";
-    const auto length = static_cast<std::uint32_t>(text.size());
-    bytes.append(reinterpret_cast<const char*>(&length), sizeof length);
-    bytes += text;
-    bytes.resize((bytes.size() + 7) / 8 * 8);
-    return bytes + arrays.bytes();
+    json["meshes"] = meshes.first(arrays);
+    return framed(json, arrays);
+}
+
+std::string fine_mesh_bytes(const Subject& subject) {
+    Arrays arrays;
+    Json json{{"meshes", Meshes(subject).fine(arrays)}};
+    return framed(json, arrays);
 }
 
 } // namespace foam::inline view

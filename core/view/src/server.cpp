@@ -127,6 +127,7 @@ struct [[gnu::visibility("hidden")]] Server::Data {
             get(name, [name] { return served_file(name); });
         }
         get("scene", [this] { return PageFile{session_scene(session), "application/octet-stream"}; });
+        get("meshes", [this] { return PageFile{fine_mesh_bytes(session.subject()), "application/octet-stream"}; });
         post("edit", answer_edit);
         post("undo", answer_undo);
         post("redo", answer_redo);

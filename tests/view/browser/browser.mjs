@@ -32,6 +32,11 @@ export const spheres = async (page) => Number(await page.getAttribute("#view", "
 export const meshes = async (page) => Number(await page.getAttribute("#view", "data-meshes"));
 /// Waits until an expression of the page is true.
 export const until = (page, expression, argument) => page.waitForFunction(expression, argument, { timeout: 60000 });
+/// Waits until what is drawn is as fine as it becomes.
+export const settled = async (page) => {
+  await page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
+  await until(page, () => document.getElementById("view").dataset.picture === "final");
+};
 export const text = (page, selector) => page.textContent(selector);
 
 /// The box of an element of the overlay, which is made anew with each picture.

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import { pathToFileURL } from "node:url";
-import { box, foam, launch, meshes, opened, run, spheres, text, until } from "./browser.mjs";
+import { box, foam, launch, meshes, opened, run, settled, spheres, text, until } from "./browser.mjs";
 
 const [chromium, program, source] = process.argv.slice(2);
 const panda = `${source}/configs/robots/panda/panda.urdf`;
@@ -13,6 +13,24 @@ fs.writeFileSync("hostile.urdf", `<robot name="${escaped}"><link name="${escaped
   <joint name="${escaped}" type="revolute"><parent link="${escaped}"/><child link="tip"/><origin xyz="0 0 2"/>
   <limit lower="-1" upper="1" effort="1" velocity="1"/></joint></robot>`);
 
+const SIDE = 260, sheet = [], place = (x, y) => `v ${x / SIDE} ${y / SIDE} ${Math.sin(x / 9) * Math.sin(y / 7) / 20}`;
+for (let y = 0; y <= SIDE; ++y) {
+  for (let x = 0; x <= SIDE; ++x) {
+    sheet.push(place(x, y));
+  }
+}
+for (let y = 0; y < SIDE; ++y) {
+  for (let x = 1; x <= SIDE; ++x) {
+    const a = y * (SIDE + 1) + x, b = a + SIDE + 1;
+    sheet.push(`f ${a} ${a + 1} ${b}`, `f ${a + 1} ${b + 1} ${b}`);
+  }
+}
+fs.writeFileSync("sheet.obj", sheet.join("\n"));
+const beside = '<origin xyz="3 0 0"/><geometry><box size="0.5 0.5 0.5"/></geometry>';
+fs.writeFileSync("sheet.urdf", `<robot name="sheet"><link name="sheet"><visual><origin xyz="-4 0 0"/><geometry>
+  <mesh filename="sheet.obj"/></geometry></visual><visual>${beside}</visual><collision>${beside}</collision></link></robot>`);
+
+await foam(program, "view", "sheet.urdf", "-n", "1", "--html", "sheet.html");
 await foam(program, "view", panda, "-n", "11", "-n", "22", "-n", "44", "--html", "panda.html");
 await foam(program, "spherize", panda, "-n", "20", "-o", "a.urdf");
 await foam(program, "view", panda, "a.urdf", "a.urdf", "--html", "two.html");
@@ -134,20 +152,50 @@ await run({
   async keyboard() {
     const page = await open(), shot = async () => (await page.locator("#view").screenshot()).toString("base64");
     await page.focus("#view");   // its outline is in the picture
+    await settled(page);
     const before = await shot();
     for (const key of ["ArrowLeft", "ArrowUp", "Shift+ArrowRight", "+", "-"]) {
       await page.keyboard.press(key);
     }
-    await page.waitForTimeout(600);
+    await settled(page);
     assert.ok(await shot() !== before);
     await page.keyboard.press("0");
-    await page.waitForTimeout(600);
+    await settled(page);
     assert.ok(await shot() === before);
     await page.focus("#reset");
     await page.keyboard.press("Tab");
     assert.equal(await page.evaluate(() => document.activeElement.id), "theme");
     await page.keyboard.press("Enter");
     assert.equal(await text(page, "#theme"), "Theme: light");
+    await ended(page);
+  },
+  async coarseThenFine() {
+    const page = await open("sheet.html"), view = () => page.evaluate(() => ({ ...document.getElementById("view").dataset }));
+    await settled(page);
+    const all = Number((await view()).triangles);
+    assert.ok(all > 2 * SIDE * SIDE - 1000, all);   // those without area are left out
+    await page.focus("#view");
+    await page.evaluate(() => {   // the picture after this one moves
+      const canvas = document.getElementById("view");
+      canvas.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft" }));
+    });
+    await until(page, () => document.getElementById("view").dataset.picture === "moving");
+    const { triangles } = await view();
+    assert.ok(Number(triangles) < all / 2 && Number(triangles) > 1000, triangles);
+    await settled(page);
+    assert.equal(Number((await view()).triangles), all);
+    for (let i = 0; i < 40; ++i) {   // what is out of sight is not drawn: there is nothing in the middle
+      await page.keyboard.press("+");
+    }
+    await settled(page);
+    assert.equal((await view()).triangles, "0");
+    const { frames } = await view();
+    await page.evaluate(async () => {   // nothing changes, so nothing is drawn
+      for (let i = 0; i < 20; ++i) {
+        await new Promise(requestAnimationFrame);
+      }
+    });
+    assert.equal((await view()).frames, frames);
     await ended(page);
   },
   async darkAndPhone() {

@@ -61,8 +61,12 @@ struct SceneModel {
 
 /// Returns the scene: "foamview", the length of the JSON as 32-bit number, the JSON, zeros up to a multiple of 8, and
 /// arrays, each at a multiple of 8. Little-endian. The JSON refers to an array by {"at": byte, "count": numbers}.
-/// Names are fit for display (shown()).
+/// Names are fit for display (shown()). Of robots with many triangles it has coarse meshes, so that the first picture
+/// comes soon; fine_mesh_bytes() has the others.
 std::string scene_bytes(const Subject& subject, const std::vector<SceneModel>& models, const std::string& session_json);
 
-} // namespace view
+/// Returns the meshes that are coarse in the scene, in its form: {"meshes": [mesh or null, …]} in the scene's order.
+std::string fine_mesh_bytes(const Subject& subject);
+
+} // namespace gnu::visibility("default")]]view
 } // namespace foam
