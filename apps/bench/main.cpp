@@ -2,6 +2,7 @@
 #include "cli/entry.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/overwriting.hpp"
+#include "cli/run_directory.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/bench/experiment.hpp>
@@ -14,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Arguments {
-    std::string experiment, out;
+    std::string experiment, run_dir;
     std::size_t threads = 1;
     bool check = false, force = false;
 };
@@ -31,7 +32,8 @@ int bench(Program& program, const Arguments& arguments) {
         return 0;
     }
     ExperimentOptions options;
-    options.out = arguments.out.empty() ? fs::path("benchmarks") / read.experiment->name : fs::path(arguments.out);
+    options.out =
+        arguments.run_dir.empty() ? fs::path("benchmarks") / read.experiment->name : fs::path(arguments.run_dir);
     refuse_replacing(options.out, {arguments.experiment}, arguments.force);
     options.threads = arguments.threads;
     options.cancel = &stop_on_interrupt();
@@ -51,16 +53,15 @@ int bench(Program& program, const Arguments& arguments) {
 void add_bench(Program& program) {
     CLI::App* command = add_command(program, "bench", "Measure stages, write tables and plots",
                                     "  foam bench configs/experiments/filters.yaml\n"
-                                    "  foam bench configs/experiments/methods.yaml -o methods -j 4\n"
+                                    "  foam bench configs/experiments/methods.yaml --run-dir methods -j 4\n"
                                     "  foam bench my_experiment.yaml --check");
     auto arguments = std::make_shared<Arguments>();
     command->add_option("experiment", arguments->experiment, "The experiment, a YAML file")
         ->type_name("EXPERIMENT")
         ->required();
-    command
-        ->add_option("-o,--out", arguments->out,
-                     "Folder of the results; default: benchmarks/NAME with the name of the experiment")
-        ->type_name("DIR");
+    add_run_directory(*command, arguments->run_dir,
+                      "Folder of the results; default: benchmarks/NAME with the name of the experiment");
+    refuse_output_file(*command);
     command
         ->add_option("-j,--threads", arguments->threads,
                      "Threads that a stage may use, at most 1024; 0: one per core; several threads distort CPU times")

@@ -80,7 +80,7 @@ def line_of(foam, case):
     name, arguments, kind = case
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)
-        given = ["--out", "out"] if kind is None else ["-o", f"out/spheres.{kind}", "--json"]
+        given = ["--run-dir", "out"] if kind is None else ["-o", f"out/spheres.{kind}", "--json"]
         (folder / "out").mkdir()
         if kind is None:
             (folder / "out").rmdir()

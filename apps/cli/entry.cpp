@@ -22,10 +22,14 @@ const CLI::App& current(const CLI::App& app) {
     return chosen.empty() ? app : *chosen.front();
 }
 
+bool shown_in_help(const CLI::Option* option) {
+    return !option->get_group().empty();
+}
+
 std::vector<std::string> option_names(const CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::App* level : {&current(app), &app}) {
-        for (const CLI::Option* option : level->get_options()) {
+        for (const CLI::Option* option : level->get_options(shown_in_help)) {
             for (const std::string& name : option->get_lnames()) {
                 names.push_back("--" + name);
             }

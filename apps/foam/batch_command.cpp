@@ -4,6 +4,7 @@
 #include "execute.hpp"
 
 #include "cli/interrupt.hpp"
+#include "cli/run_directory.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
@@ -22,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct BatchArguments {
-    std::string what, folder, out, recipe, method = "cover", table;
+    std::string what, folder, run_dir, recipe, method = "cover", table;
     QuickBudget budget;
     std::vector<std::string> settings;
     BatchOptions batch;
@@ -133,7 +134,7 @@ std::vector<std::string> task_command(const BatchArguments& arguments, char** gi
         }
         std::error_code error;
         const bool is_path =
-            (text == arguments.what || text == arguments.out || text == arguments.recipe) && text != "-";
+            (text == arguments.what || text == arguments.run_dir || text == arguments.recipe) && text != "-";
         words.push_back(is_path ? fs::absolute(text).lexically_normal().string() : text);
     }
     return words;
@@ -146,10 +147,10 @@ int prepare_command(const BatchArguments& arguments, std::vector<BatchItem> item
     }
     prepare_batch(std::move(items), recipe, program.registry(), arguments.batch,
                   task_command(arguments, program.arguments));
-    const BatchStatus status = batch_status(arguments.out);
+    const BatchStatus status = batch_status(arguments.run_dir);
     print(fmt::format(
         "{} meshes in {} shards\nWritten: {}/foam.sbatch, Snakefile, README.md\nNext: sbatch {}/foam.sbatch\n",
-        status.meshes, status.shards, arguments.out, arguments.out));
+        status.meshes, status.shards, arguments.run_dir, arguments.run_dir));
     return 0;
 }
 
@@ -163,14 +164,18 @@ int batch_command(Program& program, BatchArguments& arguments) {
     if (!arguments.folder.empty()) {
         throw Error(ErrorCode::usage, fmt::format("'{}' is one argument too many", arguments.folder));
     }
-    if (arguments.out.empty()) {
-        throw Error(ErrorCode::usage, "foam batch needs --out DIR, the folder of the results");
+    if (!arguments.table.empty()) {
+        throw Error(ErrorCode::usage,
+                    fmt::format("-o names the table of foam batch collect; remedy: --run-dir {}", arguments.table));
+    }
+    if (arguments.run_dir.empty()) {
+        throw Error(ErrorCode::usage, "foam batch needs --run-dir DIR, the folder of the results");
     }
     Registry& registry = program.registry();
     std::vector<BatchItem> items = read_batch_list(arguments.what, registry);
     const Recipe recipe = recipe_of_batch(arguments, registry);
     BatchOptions& options = arguments.batch;
-    options.folder = arguments.out;
+    options.folder = arguments.run_dir;
     options.shards = arguments.shards;
     if (arguments.slurm) {
         return prepare_command(arguments, std::move(items), recipe, program);
@@ -187,7 +192,7 @@ int batch_command(Program& program, BatchArguments& arguments) {
         tell(fmt::format("{} shards are left out: other processes work on them", outcome.busy));
     }
     if (outcome.complete && (outcome.added > 0 || !fs::exists(options.folder / "index.html"))) {
-        write_batch_page(arguments.out);
+        write_batch_page(arguments.run_dir);
     }
     print(fmt::format("{} meshes: {} with spheres, {} failed, {} without a result yet\n", outcome.meshes,
                       outcome.meshes - outcome.failed - outcome.missing, outcome.failed, outcome.missing));
@@ -197,8 +202,7 @@ int batch_command(Program& program, BatchArguments& arguments) {
 }
 
 void add_batch_work(CLI::App& command, BatchArguments& arguments) {
-    command.add_option("--out", arguments.out, "Folder of the results; a second run goes on with what is left")
-        ->type_name("DIR");
+    add_run_directory(command, arguments.run_dir, "Folder of the results; a second run goes on with what is left");
     CLI::Option* recipe = command
                               .add_option("--recipe", arguments.recipe,
                                           "The recipe for each mesh; its own mesh, outputs and pictures play no part")
@@ -245,9 +249,9 @@ void add_batch_work(CLI::App& command, BatchArguments& arguments) {
 
 void add_batch(Program& program) {
     CLI::App* command = add_command(program, "batch", "Approximate each mesh of a data set by spheres",
-                                    "  foam batch objects/ -n 8 --out spheres/\n"
-                                    "  foam batch objects.jsonl --recipe eight.yaml --out spheres/ --slurm\n"
-                                    "  foam batch objects.jsonl --recipe eight.yaml --out spheres/ --shard 17\n"
+                                    "  foam batch objects/ -n 8 --run-dir spheres/\n"
+                                    "  foam batch objects.jsonl --recipe eight.yaml --run-dir spheres/ --slurm\n"
+                                    "  foam batch objects.jsonl --recipe eight.yaml --run-dir spheres/ --shard 17\n"
                                     "  foam batch status spheres/\n"
                                     "  foam batch collect spheres/ -o spheres.jsonl.zst");
     auto arguments = std::make_shared<BatchArguments>();

@@ -163,12 +163,12 @@ void add_convert(Program& program) {
         ->required();
     command->add_option("robot", arguments->robot, "The robot, a URDF; some formats need it")->type_name("ROBOT");
     command->add_option("-o,--output", arguments->output, "Output file; its extension selects the format")
-        ->type_name("OUT")
+        ->type_name("FILE")
         ->required();
-    command->add_option("--format", arguments->format, "Format of OUT: curobo, xrdf, srdf, mjcf, pyroki, …")
+    command->add_option("--format", arguments->format, "Format of the output: curobo, xrdf, srdf, mjcf, pyroki, …")
         ->type_name("FORMAT");
     add_reader(*command, arguments->reader);
-    command->add_option("--into", arguments->into, "Copy this file to OUT, with its spheres replaced")
+    command->add_option("--into", arguments->into, "Copy this file to the output, with its spheres replaced")
         ->type_name("FILE");
     command->add_option("--pad", arguments->pad, "Add a length to all radii: 1cm, 10mm, or a number of metres")
         ->type_name("M");

@@ -3,6 +3,8 @@
 #include "execute.hpp"
 #include "summary.hpp"
 
+#include "cli/run_directory.hpp"
+
 #include <foam/base/error.hpp>
 #include <foam/runtime/run_json.hpp>
 #include <foam/runtime/verify.hpp>
@@ -18,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct RunArguments {
-    std::string recipe, out, locked;
+    std::string recipe, run_dir, locked;
     std::vector<std::string> settings, variants;
     ExecuteOptions execute;
     bool json = false;
@@ -73,8 +75,8 @@ int run_recipe(Program& program, RunArguments arguments) {
     nlohmann::ordered_json runs = nlohmann::ordered_json::array();
     for (const Recipe& recipe : read.recipes) {
         // A sweep has a folder for each point, and so have several variants.
-        fs::path directory = arguments.out.empty() ? fs::path("runs") / recipe.name : fs::path(arguments.out);
-        if (!arguments.out.empty() && read.recipes.size() > 1) {
+        fs::path directory = arguments.run_dir.empty() ? fs::path("runs") / recipe.name : fs::path(arguments.run_dir);
+        if (!arguments.run_dir.empty() && read.recipes.size() > 1) {
             directory /= recipe.name;
         }
         const RunResult result = execute(recipe, registry, directory, arguments.execute);
@@ -99,7 +101,7 @@ int run_recipe(Program& program, RunArguments arguments) {
 void add_run(Program& program) {
     CLI::App* command = add_command(program, "run", "Run a recipe",
                                     "  foam run configs/panda_22.yaml\n"
-                                    "  foam run configs/panda_22.yaml --set budget.spheres=60 --out panda_60\n"
+                                    "  foam run configs/panda_22.yaml --set budget.spheres=60 --run-dir panda_60\n"
                                     "  foam run configs/panda_22.yaml -j 4 --fresh --json\n"
                                     "  foam run my_robot.yaml --variant fine\n"
                                     "  foam run --locked manifest.json panda_22.yaml");
@@ -111,8 +113,8 @@ void add_run(Program& program) {
             "Refuse versions, inputs, settings and outputs that differ from this manifest; without RECIPE, run "
             "the recipe.resolved.yaml next to it")
         ->type_name("MANIFEST");
-    command->add_option("-o,--out", arguments->out, "Run directory; default: runs/NAME with the name of the recipe")
-        ->type_name("DIR");
+    add_run_directory(*command, arguments->run_dir, "Run directory; default: runs/NAME with the name of the recipe");
+    refuse_output_file(*command);
     add_variants(*command, arguments->variants);
     add_settings(*command, arguments->settings);
     add_strict(*command, arguments->settings);

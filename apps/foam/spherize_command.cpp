@@ -5,6 +5,8 @@
 #include "telling.hpp"
 #include "written_files.hpp"
 
+#include "cli/run_directory.hpp"
+
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/recipe/quick_recipe.hpp>
@@ -27,7 +29,7 @@ namespace fs = std::filesystem;
 
 struct SpherizeArguments {
     bool elements = false; ///< of any kind: foam approximate
-    std::string input, method, output, format, out;
+    std::string input, method, output, format, run_dir;
     std::vector<std::string> kinds, costs;
     std::string objective, effort;
     std::optional<std::uint64_t> seed;
@@ -163,7 +165,7 @@ int run_quick(const SpherizeArguments& arguments, const Recipe& recipe, const Qu
         throw Error(ErrorCode::output, fmt::format("{}: there is no folder {}", target.string(), beside.string()));
     }
     const ScratchFolder scratch = to_stdout(arguments) ? ScratchFolder() : ScratchFolder(beside);
-    const fs::path directory = arguments.out.empty() ? scratch.path() / "run" : fs::path(arguments.out);
+    const fs::path directory = arguments.run_dir.empty() ? scratch.path() / "run" : fs::path(arguments.run_dir);
     ExecuteOptions options = arguments.execute;
     const OutputCall& output = recipe.outputs.at(0);
     const StageInfo& writer = registry.find(output.writer.stage)->info;
@@ -171,7 +173,7 @@ int run_quick(const SpherizeArguments& arguments, const Recipe& recipe, const Qu
         throw Error(ErrorCode::usage, fmt::format("{} writes several files; remedy: -o FILE", writer.name));
     }
     options.targets = to_stdout(arguments) ? std::vector<fs::path>{} : files_of(writer, target);
-    options.report = !arguments.out.empty(); // the scratch folder is removed
+    options.report = !arguments.run_dir.empty(); // the scratch folder is removed
     const RunResult result = execute(recipe, registry, directory, options);
     const std::vector<WrittenFile> files =
         result_for(to_stdout(arguments) ? fs::path() : target, directory / output.file, result, output, registry);
@@ -187,7 +189,7 @@ int run_quick(const SpherizeArguments& arguments, const Recipe& recipe, const Qu
         deliver(files[i].bytes, scratch.path(), files[i].file);
     }
     if (arguments.json) {
-        auto json = json_of_run<nlohmann::ordered_json>(result, recipe, arguments.out);
+        auto json = json_of_run<nlohmann::ordered_json>(result, recipe, arguments.run_dir);
         json["files"] = file_names(files);
         print_json(json);
     } else if (!options.quiet) {
@@ -272,12 +274,12 @@ void add_common_options(CLI::App& command, Program& program, const std::shared_p
                     fmt::format("Output file; its extension selects the format; - is the standard output; default: the "
                                 "name of INPUT with _{}, as URDF or JSON",
                                 elements))
-        ->type_name("OUT");
+        ->type_name("FILE");
     command
         .add_option("--format", arguments->format,
-                    "Format of OUT, regardless of its extension: urdf, json, csv, ply, …")
+                    "Format of the output, regardless of its extension: urdf, json, csv, ply, …")
         ->type_name("FORMAT");
-    command.add_option("--out", arguments->out, "Keep the whole run directory in this folder")->type_name("DIR");
+    add_run_directory(command, arguments->run_dir, "Keep the whole run directory in this folder");
     command.add_flag("--print-recipe", arguments->print_recipe, "Print the equivalent recipe, and run nothing");
     add_settings(command, arguments->settings);
     add_strict(command, arguments->settings);

@@ -93,7 +93,7 @@ function(foam_add_plugin_tests NAME)
     cmake_path(ABSOLUTE_PATH RECIPE)
     cmake_path(GET RECIPE STEM STEM)
     add_test(NAME ${NAME}.${STEM}
-      COMMAND foam::program run "${RECIPE}" --plugin $<TARGET_FILE:${NAME}> --fresh --out "${CMAKE_CURRENT_BINARY_DIR}/runs/${STEM}")
+      COMMAND foam::program run "${RECIPE}" --plugin $<TARGET_FILE:${NAME}> --fresh --run-dir "${CMAKE_CURRENT_BINARY_DIR}/runs/${STEM}")
     list(APPEND TESTS ${NAME}.${STEM})
   endforeach()
   set_tests_properties(${TESTS} PROPERTIES TIMEOUT 900)

@@ -33,7 +33,7 @@ def main():
         foam, folder = Foam(sys.argv[1], scratch), pathlib.Path(scratch)
         write_boxes(folder / "boxes", 12)
         shutil.copy(folder / "boxes/box000.obj", folder / "boxes/é copy.obj")
-        foam("boxes", "-n", 3, "--out", "out", "--shards", 3, code=4)
+        foam("boxes", "-n", 3, "--run-dir", "out", "--shards", 3, code=4)
         _, err = foam("collect", "out", "-o", "table.jsonl")
         expect("13 meshes, 2 of them failed, 2 with the bytes of another one" in err, err)
         text = (folder / "table.jsonl").read_text()
@@ -70,7 +70,7 @@ def main():
         _, err = foam("collect", "out", "-o", "part.jsonl", code=4)
         expect("have no result yet" in err, err)
         for arguments, message in ((("collect", "out"), "needs -o FILE"), (("status",), "needs the folder"),
-                                   (("status", "boxes"), "no results of foam batch in it"), (("boxes", "-n", 3), "--out DIR")):
+                                   (("status", "boxes"), "no results of foam batch in it"), (("boxes", "-n", 3), "--run-dir DIR")):
             process = foam.start(*arguments)
             err = process.communicate()[1]
             expect(process.returncode in (1, 2) and message in err, f"{arguments}: {err}")

@@ -18,11 +18,11 @@ def main():
         foam, folder = Foam(sys.argv[1], scratch), pathlib.Path(scratch)
         write_boxes(folder / "it's boxes", 24)
         arguments = ("it's boxes", "-n", 4)
-        foam(*arguments, "--out", "plain", code=4)
+        foam(*arguments, "--run-dir", "plain", code=4)
         truth = foam.table("plain")
         done = []
         for engine in ("parallel", "snakemake"):
-            out, _ = foam(*arguments, "--out", engine, "--shards", 4, "--slurm")
+            out, _ = foam(*arguments, "--run-dir", engine, "--shards", 4, "--slurm")
             expect(out.startswith("24 meshes in 4 shards\n"), out)
             expect(not list((folder / engine).glob("shard-*")), "--slurm works on nothing")
             if not shutil.which(engine):

@@ -18,12 +18,12 @@ def main():
         for wish in WISHES:
             (folder / f"{wish}.ill").write_text(wish + "\n")
         limits = ("--time-limit", 6, "--memory-limit", 300)
-        if "sanitizer" in foam.start("set", "-n", 1, "--out", "none", *limits).communicate()[1]:
+        if "sanitizer" in foam.start("set", "-n", 1, "--run-dir", "none", *limits).communicate()[1]:
             limits = limits[:2]  # it cannot enforce a limit of memory
             (folder / "eat.ill").unlink()
             del WISHES["eat"]
         for _ in range(2):  # the second time from what was written
-            foam("set", "-n", 1, "--out", "out", *limits, "-j", 2, code=4)
+            foam("set", "-n", 1, "--run-dir", "out", *limits, "-j", 2, code=4)
         results = foam.results("out")
         expect(set(results) == {f"{wish}.ill" for wish in WISHES}, sorted(results))
         for wish, code in WISHES.items():

@@ -59,40 +59,40 @@ def main():
             file.write_text(text)
         (folder / "set" / "notes.md").write_text("no mesh")
         write_archives(folder, {**files, "notes.md": "no mesh"})
-        foam("set", "-n", 3, "--out", "folder")
+        foam("set", "-n", 3, "--run-dir", "folder")
         truth = spheres(foam.results("folder"))
         expect(set(truth) == set(files), truth)
         for source in ("set.zip", "set.tar"):
-            foam(source, "-n", 3, "--out", source + ".out")
+            foam(source, "-n", 3, "--run-dir", source + ".out")
             expect(spheres(foam.results(source + ".out")) == truth, source)
 
         (folder / "list.txt").write_text("".join(f"set/{name}\r\n" for name in files))
-        foam("list.txt", "-n", 3, "--out", "text")
+        foam("list.txt", "-n", 3, "--run-dir", "text")
         expect(list(spheres(foam.results("text")).values()) == [truth[name] for name in sorted(truth)], "text")
         (folder / "list.csv").write_text('id,path,scale,unit,spheres\n"one, two",set/a.obj,,,\nmm,set/a.obj,,mm,\n'
                                          "large,set.zip::a.obj,1000,mm,\nfew,set.tar::a.obj,,,1\n")
-        foam("list.csv", "-n", 3, "--out", "table")
+        foam("list.csv", "-n", 3, "--run-dir", "table")
         table = foam.results("table")
         expect(table["one, two"]["spheres"] == table["large"]["spheres"] == truth["a.obj"], "scales")
         expect(len(table["few"]["spheres"]) == 1 and table["mm"]["size_m"] == [1e-3, 5e-4, 2.5e-4], table)
         (folder / "spreadsheet.csv").write_text("\ufeffpath\nset/a.obj\n", encoding="utf-8")
-        foam("spreadsheet.csv", "-n", 3, "--out", "marked")
+        foam("spreadsheet.csv", "-n", 3, "--run-dir", "marked")
         expect(spheres(foam.results("marked")) == {"set/a.obj": truth["a.obj"]}, "a byte order mark")
-        foam("set/*.obj", "-n", 3, "--out", "glob")
+        foam("set/*.obj", "-n", 3, "--run-dir", "glob")
         expect(spheres(foam.results("glob")) == {"set/a.obj": truth["a.obj"]}, "glob")
 
         lines = "".join(json.dumps({"id": i, "path": f"set/{name}"}) + "\n" for i, name in enumerate(files))
-        piped = subprocess.run([*foam.command, "-", "-n", "3", "--out", "piped"], cwd=scratch, input=lines, text=True,
+        piped = subprocess.run([*foam.command, "-", "-n", "3", "--run-dir", "piped"], cwd=scratch, input=lines, text=True,
                                capture_output=True)
         expect(piped.returncode == 0 and set(foam.results("piped")) == {"0", "1", "2"}, piped.stderr)
         for name, (text, message) in BAD.items():
             (folder / name).write_bytes(text if isinstance(text, bytes) else text.encode())
-            _, err = foam(name, "-n", 3, "--out", "bad", code=1)
+            _, err = foam(name, "-n", 3, "--run-dir", "bad", code=1)
             expect(message in err, f"{name}: {err}")
         expect(not (folder / "bad").exists(), "a bad list leaves no folder")
         missing = {"gone": "set/gone.obj", "member": "set.zip::gone.obj", "tar": "set.tar::gone.obj", "zip": "no.zip::a.obj"}
         (folder / "missing.jsonl").write_text("".join(json.dumps({"id": i, "path": p}) + "\n" for i, p in missing.items()))
-        foam("missing.jsonl", "-n", 3, "--out", "missing", code=4)
+        foam("missing.jsonl", "-n", 3, "--run-dir", "missing", code=4)
         for name, line in foam.results("missing").items():
             expect(line["error"]["code"] == "input" and "there is no such" in line["error"]["reason"] or
                    "no file 'gone.obj' in the archive" in line["error"]["reason"], line)

@@ -23,7 +23,7 @@ def ids_of_any_text(foam, folder):
     (folder / "box.obj").write_text(BOX)
     write_list(folder / "ids.jsonl", [{"id": name, "path": "box.obj"} for name in ids] +
                [{"id": f"no {name}", "path": "gone.obj"} for name in ids])
-    foam("ids.jsonl", "-n", 2, "--out", "ids", code=4)
+    foam("ids.jsonl", "-n", 2, "--run-dir", "ids", code=4)
     results = foam.results("ids")
     expect(set(results) == {*ids, *(f"no {name}" for name in ids)}, "every id has its line")
     expect(all("spheres" in results[name] and "error" in results[f"no {name}"] for name in ids), "spheres and errors")
@@ -46,7 +46,7 @@ def paths_of_any_kind(foam, folder):
     with zipfile.ZipFile(folder / "good.zip", "w") as archive:
         archive.writestr("box.obj", BOX)
     write_list(folder / "paths.jsonl", [{"id": "good", "path": "good.zip::box.obj"}] + [{"path": path} for path in paths])
-    foam("paths.jsonl", "-n", 2, "--out", "paths", code=4)
+    foam("paths.jsonl", "-n", 2, "--run-dir", "paths", code=4)
     results = foam.results("paths")
     expect(results.pop("good")["certified"], "the good one")
     expect(set(results) == set(paths), results)
@@ -64,7 +64,7 @@ def names_that_leave_an_archive(foam, folder):
             entry.size = len(BOX)
             tar.addfile(entry, io.BytesIO(BOX.encode()))
     for source in ("leave.zip", "leave.tar"):
-        foam(source, "-n", 2, "--out", source + ".out")
+        foam(source, "-n", 2, "--run-dir", source + ".out")
         results = foam.results(source + ".out")
         expect(len(results) == len(names) and all(line["certified"] for line in results.values()), results)
     expect(not (folder / "escape.obj").exists() and not (folder.parent / "escape.obj").exists() and
@@ -81,7 +81,7 @@ def links_in_a_tar(foam, folder):
         link = tarfile.TarInfo("b.obj")
         link.type, link.linkname = tarfile.LNKTYPE, "a.obj"
         archive.addfile(link)
-    foam("links.tar", "-n", 2, "--out", "links")
+    foam("links.tar", "-n", 2, "--run-dir", "links")
     results = foam.results("links")
     expect(set(results) == {"a.obj", "b.obj"} and results["a.obj"]["spheres"] == results["b.obj"]["spheres"], results)
 
@@ -95,7 +95,7 @@ def links_in_a_folder(foam, folder):
     for target, name in (("../elsewhere", "linked"), ("..", "real/up"), ("real/../..", "round"), ("nowhere", "gone.obj"),
                          ("self.obj", "self.obj"), ("nowhere", "gone")):
         os.symlink(target, tree / name)
-    foam("tree", "-n", 2, "--out", "tree.out", code=4)
+    foam("tree", "-n", 2, "--run-dir", "tree.out", code=4)
     results = foam.results("tree.out")
     found = {name for name in results if not name.startswith("round/")}
     expect(found == {"real/box.obj", "linked/other.obj", "gone.obj", "self.obj"}, sorted(results))
@@ -109,7 +109,7 @@ def reasons_that_show_a_path(foam, folder):
     for place in ("here", "there/below"):
         (folder / place).mkdir(parents=True)
         (folder / place / "bad\u2028name.obj").write_text("no mesh\n")
-        foam(place, "-n", 1, "--out", place + ".out", code=4)
+        foam(place, "-n", 1, "--run-dir", place + ".out", code=4)
         lines.append(foam.results(place + ".out")["bad\u2028name.obj"]["error"])
     expect(lines[0] == lines[1] and str(folder) not in json.dumps(lines), lines)
 
@@ -120,7 +120,7 @@ def a_stage_that_ends_its_process(folder):
     (folder / "ill").mkdir()
     (folder / "ill/two.ill").write_text("exit_two\n")
     (folder / "ill/well.ill").write_text("well\n")
-    foam("ill", "-n", 1, "--out", "ill.out", code=4)
+    foam("ill", "-n", 1, "--run-dir", "ill.out", code=4)
     results = foam.results("ill.out")
     expect(results["two.ill"]["error"]["code"] == "crash" and results["well.ill"]["certified"], results)
 
@@ -132,15 +132,15 @@ def damaged_folders(foam, folder):
         out = folder / "damaged"
         out.mkdir(exist_ok=True)
         (out / "batch.json").write_text(text)
-        _, err = foam("some", "-n", 1, "--out", "damaged", code=1)
+        _, err = foam("some", "-n", 1, "--run-dir", "damaged", code=1)
         expect("damaged/batch.json: not foam's record of a batch; remedy: another folder" in err, err)
     (folder / "file").write_text("")
     for out in ("file", "file/below"):
-        process = foam.start("some", "-n", 1, "--out", out)
+        process = foam.start("some", "-n", 1, "--run-dir", out)
         err = process.communicate()[1]
         expect(process.returncode not in (0, 4) and "file" in err and "remedy" not in err[:0], err)
-    foam("some", "-n", 1, "--out", "twice", "--shard", 0, "--shard", 0)
-    out, _ = foam("some", "-n", 1, "--out", "twice", "--shard", 0, "--shard", 0)
+    foam("some", "-n", 1, "--run-dir", "twice", "--shard", 0, "--shard", 0)
+    out, _ = foam("some", "-n", 1, "--run-dir", "twice", "--shard", 0, "--shard", 0)
     expect(out.startswith("1 meshes: 1 with spheres"), out)
 
 
@@ -151,7 +151,7 @@ def two_recipes_at_once(foam, folder):
         (folder / f"many/{i}.obj").write_text(box_text(1 + i, 1, 1))
     write_list(folder / "half.jsonl", [{"path": f"many/{i}.obj"} for i in range(20)])
     for attempt in range(4):
-        runs = [foam.start(what, "-n", n, "--out", f"race{attempt}", "-j", 1)
+        runs = [foam.start(what, "-n", n, "--run-dir", f"race{attempt}", "-j", 1)
                 for what, n in (("many", 1), ("many", 2), ("half.jsonl", 1))]
         texts = [run.communicate()[1] for run in runs]
         codes = sorted(run.returncode for run in runs)

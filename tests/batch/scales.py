@@ -44,7 +44,7 @@ def main():
         random.Random(1).shuffle(lines)
         (folder / "list.jsonl").write_text("".join(json.dumps(line) + "\n" for line in lines))
         for shards, workers in ((1, 1), (1, 3), (2, 2), (5, 1)):
-            foam("list.jsonl", "-n", 6, "--out", f"of{shards}{workers}", "--shards", shards, "-j", workers, code=4)
+            foam("list.jsonl", "-n", 6, "--run-dir", f"of{shards}{workers}", "--shards", shards, "-j", workers, code=4)
             expect(foam.table(f"of{shards}{workers}") == foam.table("of11"), f"{shards} shards, {workers} workers")
         results = foam.results("of11")
         for name in "abc":
@@ -61,7 +61,7 @@ def main():
         # A recipe with a length: each scale is another problem, and has a search of its own.
         (folder / "grid.yaml").write_text("foam: 1\nname: grid\nmesh: a.obj\nbudget: {spheres: 6}\npad: 1cm\n"
                                           "stages: [spherize.cover]\n")
-        foam("list.jsonl", "--recipe", "grid.yaml", "--out", "padded", code=4)
+        foam("list.jsonl", "--recipe", "grid.yaml", "--run-dir", "padded", code=4)
         padded = foam.results("padded")
         for scale in (0.001, 1000):
             expect(all(abs(ours[3] - scale * theirs[3]) > 1e-3 for ours, theirs in
@@ -75,7 +75,7 @@ def main():
                 copy.write_text(source.read_text() + f"# {i}\n")
                 line["path"] = copy.name
         (folder / "apart.jsonl").write_text("".join(json.dumps(line) + "\n" for line in lines))
-        foam("apart.jsonl", "-n", 6, "--out", "apart", code=4)
+        foam("apart.jsonl", "-n", 6, "--run-dir", "apart", code=4)
         cpu = [json.loads(foam("status", out, "--json")[0])["cpu_seconds"] for out in ("of11", "apart")]
         print(f"{len(lines)} lines, {len(SCALES)} scales: {cpu[0]:.2f} CPU s, and {cpu[1]:.2f} with a search each")
 

@@ -152,9 +152,9 @@ def main():
         os.chmod(place, 0o755)
         foam, folder = Foam(sys.argv[1], scratch), pathlib.Path(scratch)
         write_boxes(folder / "boxes", 300)
-        foam("boxes", "-n", 6, "--out", "plain", code=4)
+        foam("boxes", "-n", 6, "--run-dir", "plain", code=4)
         truth = foam.table("plain")
-        foam("boxes", "-n", 6, "--out", "array", "--shards", 4, "--slurm", "--memory-limit", 900)
+        foam("boxes", "-n", 6, "--run-dir", "array", "--shards", 4, "--slurm", "--memory-limit", 900)
         script = folder / "array/foam.sbatch"
         script.write_text(script.read_text().replace("#SBATCH --array=0-3", "#SBATCH --array=0-1"))
         with Slurm(pathlib.Path(place)) as slurm:

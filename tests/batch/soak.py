@@ -73,7 +73,7 @@ def main():
         folder = pathlib.Path(scratch)
         write_archive(folder / "set.tar", count)
         begin = time.monotonic()
-        process = subprocess.Popen([program, "batch", "set.tar", "-n", "4", "--out", "out", "-j", "1", "--set",
+        process = subprocess.Popen([program, "batch", "set.tar", "-n", "4", "--run-dir", "out", "-j", "1", "--set",
                                     "stages.spherize.cover.effort=fast"], cwd=folder, stdout=subprocess.PIPE)
         samples, workers = [], set()
         while process.poll() is None:

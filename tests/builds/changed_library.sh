@@ -15,7 +15,7 @@ cd "$room"
 
 # made NAME [VARIABLE=VALUE]: runs the recipe.
 made() {
-    quietly env "${@:2}" "$foam" run part.yaml --out "$1"
+    quietly env "${@:2}" "$foam" run part.yaml --run-dir "$1"
 }
 made one
 made one_again

@@ -188,7 +188,7 @@ TEST_F(CliConvert, SpherizeAndRunWriteAllFilesOfVamp) {
                 HasSubstr("write.vamp writes several files; remedy: -o FILE"));
     const std::string begin = "foam: 1\nname: arm\nrobot: {urdf: [arm.urdf]}\nstages: [spherize.grid]\noutputs:\n";
     write("vamp.yaml", begin + "  - write.vamp: {file: vamp/arm.urdf}\n");
-    EXPECT_EQ(foam("run vamp.yaml --out run").code, 0);
+    EXPECT_EQ(foam("run vamp.yaml --run-dir run").code, 0);
     EXPECT_TRUE(std::filesystem::exists(path() / "run/vamp/arm.srdf"));
     EXPECT_EQ(nlohmann::json::parse(contents(path() / "run/manifest.json"))["outputs"].size(), 3u);
     EXPECT_EQ(foam("verify run").code, 0);

@@ -161,7 +161,7 @@ TEST_F(CliReferences, LeadFromWhereTheFileLies) {
     fs::create_directory(path() / "out");
     ASSERT_EQ(foam("spherize in/robot.urdf -n 2 -m grid -o out/robot.urdf").code, 0);
     EXPECT_EQ(visual_of("out/robot.urdf"), "../in/meshes/box.obj");
-    ASSERT_EQ(foam("spherize in/robot.urdf -n 2 -m grid -o in/spheres.urdf --out kept").code, 0);
+    ASSERT_EQ(foam("spherize in/robot.urdf -n 2 -m grid -o in/spheres.urdf --run-dir kept").code, 0);
     EXPECT_EQ(visual_of("in/spheres.urdf"), "meshes/box.obj");
     EXPECT_EQ(visual_of("kept/robot_spheres.urdf"), "../in/meshes/box.obj") << "the run directory's own file";
     const Outcome again = foam("spherize out/robot.urdf -n 2 -m grid -o again.urdf -v");
@@ -173,13 +173,13 @@ TEST_F(CliReferences, LeadFromTheRunDirectory) {
     ASSERT_EQ(foam("run in/recipe.yaml").code, 0);
     EXPECT_EQ(visual_of("runs/robot/sub/robot.urdf"), "../../../in/meshes/box.obj");
     EXPECT_EQ(foam("verify runs/robot").code, 0) << "where it is made again does not matter";
-    const Outcome locked = foam("run --locked runs/robot/manifest.json in/recipe.yaml --out deep/er/run");
+    const Outcome locked = foam("run --locked runs/robot/manifest.json in/recipe.yaml --run-dir deep/er/run");
     EXPECT_EQ(locked.code, 0) << locked.err;
     EXPECT_EQ(visual_of("deep/er/run/sub/robot.urdf"), "../../../../in/meshes/box.obj");
-    ASSERT_EQ(foam("run in/recipe.yaml --out absolute --set outputs.write.urdf.mesh_paths=absolute").code, 0);
+    ASSERT_EQ(foam("run in/recipe.yaml --run-dir absolute --set outputs.write.urdf.mesh_paths=absolute").code, 0);
     EXPECT_THAT(contents(path() / "absolute/sub/robot.urdf"),
                 HasSubstr("<mesh filename=\"" + (fs::canonical(path()) / "in/meshes/box.obj").string() + "\""));
-    ASSERT_EQ(foam("run in/recipe.yaml --out keep --set outputs.write.urdf.mesh_paths=keep").code, 0);
+    ASSERT_EQ(foam("run in/recipe.yaml --run-dir keep --set outputs.write.urdf.mesh_paths=keep").code, 0);
     EXPECT_THAT(contents(path() / "keep/sub/robot.urdf"), HasSubstr("<mesh filename=\"meshes/box.obj\""));
 }
 

@@ -116,7 +116,7 @@ TEST_F(CliRecipe, RunWritesItsFolderAndPrintsATable) {
 }
 
 TEST_F(CliRecipe, RunWithSettingsFolderAndJson) {
-    const Outcome outcome = foam("run box.yaml --set budget.spheres=2 --out here -j 2 --fresh --json");
+    const Outcome outcome = foam("run box.yaml --set budget.spheres=2 --run-dir here -j 2 --fresh --json");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const json data = json::parse(outcome.out)["runs"][0];
     EXPECT_EQ(data["directory"], "here");
@@ -129,7 +129,7 @@ TEST_F(CliRecipe, ASweepHasAFolderForEachPoint) {
     std::string swept = recipe;
     swept.erase(swept.find("budget"), swept.find("outputs") - swept.find("budget"));
     write("sweep.yaml", swept + "sweep: {budget.spheres: [1, 3]}\n");
-    const Outcome good = foam("run sweep.yaml --out points --json");
+    const Outcome good = foam("run sweep.yaml --run-dir points --json");
     const json runs = json::parse(good.code == 0 ? good.out : "{\"runs\":[]}")["runs"];
     ASSERT_EQ(runs.size(), 2u) << good.err;
     EXPECT_EQ(runs[0]["total"]["spheres"], 1);
@@ -186,7 +186,7 @@ TEST_F(CliRecipe, TheResolvedRecipeRunsAgainToTheSameDigests) {
     std::filesystem::create_directories(path() / "mine");
     std::filesystem::create_directories(path() / "elsewhere");
     write("mine/composed.yaml", composed);
-    ASSERT_EQ(foam("run mine/composed.yaml --variant small --out first --set links.*.max_spheres=9").code, 0);
+    ASSERT_EQ(foam("run mine/composed.yaml --variant small --run-dir first --set links.*.max_spheres=9").code, 0);
     for (const char* name : {"composed-small-seed=1", "composed-small-seed=2"}) {
         const auto first = path() / "first" / name;
         const std::string resolved = contents(first / "recipe.resolved.yaml");
@@ -194,7 +194,7 @@ TEST_F(CliRecipe, TheResolvedRecipeRunsAgainToTheSameDigests) {
             EXPECT_EQ(resolved.find(key), resolved.npos) << resolved;
         }
         const Outcome again = shell("cd elsewhere && '" FOAM_TEST_BINARY "' run '" +
-                                    (first / "recipe.resolved.yaml").string() + "' --fresh --out again");
+                                    (first / "recipe.resolved.yaml").string() + "' --fresh --run-dir again");
         ASSERT_EQ(again.code, 0) << again.err;
         const auto second = path() / "elsewhere/again";
         const json a = json::parse(contents(first / "manifest.json")),

@@ -73,7 +73,7 @@ TEST_F(CliSpherize, ThePrintedRecipeGivesTheSame) {
 }
 
 TEST_F(CliSpherize, TheRunDirectoryIsKeptIfAskedFor) {
-    ASSERT_EQ(foam("spherize box.obj -n 3 --method grid -o out.csv --out kept").code, 0);
+    ASSERT_EQ(foam("spherize box.obj -n 3 --method grid -o out.csv --run-dir kept").code, 0);
     EXPECT_TRUE(std::filesystem::exists(path() / "kept/manifest.json"));
     EXPECT_TRUE(std::filesystem::exists(path() / "out.csv"));
 }

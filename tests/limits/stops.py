@@ -48,25 +48,25 @@ def commands(folder):
     panda = program.SOURCE / "configs/robots/panda/panda.urdf"
     mesh = folder / "big.obj"
     big_mesh(mesh)
-    spherize = ["spherize", panda, "--fresh", "--out", "run"]
-    yield "loading", ["spherize", mesh, "-n", 8, "--fresh", "--out", "run"]
-    yield "filtering", ["spherize", mesh, "-n", 8, "-m", "medial", "--fresh", "--out", "run"]
+    spherize = ["spherize", panda, "--fresh", "--run-dir", "run"]
+    yield "loading", ["spherize", mesh, "-n", 8, "--fresh", "--run-dir", "run"]
+    yield "filtering", ["spherize", mesh, "-n", 8, "-m", "medial", "--fresh", "--run-dir", "run"]
     yield "searching", [*spherize, "-n", 2000]
     yield "searching, medial", [*spherize, "-n", 500, "-m", "medial"]
-    yield "pictures", ["run", many_pictures(folder), "--fresh", "--out", "run"]
+    yield "pictures", ["run", many_pictures(folder), "--fresh", "--run-dir", "run"]
     yield "self-collision", ["self-collision", panda]
     balls = folder / "balls.csv"
     many_balls(balls)
     yield "certify", ["certify", mesh, balls]
     yield "evaluate", ["evaluate", mesh, balls]
     yield "compare", ["compare", mesh, balls, balls]
-    subprocess.run([program.FOAM, "spherize", panda, "-n", "300", "--fresh", "--out", folder / "done"], check=True,
+    subprocess.run([program.FOAM, "spherize", panda, "-n", "300", "--fresh", "--run-dir", folder / "done"], check=True,
                    capture_output=True)
     yield "verify", ["verify", folder / "done"]
-    yield "bench", ["bench", program.SOURCE / "configs/experiments/filters.yaml", "--out", "results"]
+    yield "bench", ["bench", program.SOURCE / "configs/experiments/filters.yaml", "--run-dir", "results"]
     twin = program.SHARED / "meshes/real/Generic_Twin_7081.1.t0_right.obj"
     if twin.exists():
-        yield "growing", ["spherize", twin, "-n", 8, "--fresh", "--out", "run"]
+        yield "growing", ["spherize", twin, "-n", 8, "--fresh", "--run-dir", "run"]
 
 
 def stopped(folder, arguments, delay):

@@ -238,7 +238,7 @@ def test_a_recipe_runs_as_by_the_command_line(tmp_path):
     events = []
     run = foam.run(recipe, set=changes, out=tmp_path / "python", progress=events.append)
     settings = [f"--set={key}={json.dumps(value)}" for key, value in changes.items()]
-    command("run", recipe, *settings, "--out", tmp_path / "program")
+    command("run", recipe, *settings, "--run-dir", tmp_path / "program")
     assert (tmp_path / "python/model.json").read_bytes() == (tmp_path / "program/model.json").read_bytes()
     assert run.certified and run.model.count <= 20 and tmp_path / "python/model.json" in run.outputs
     assert run.manifest["certified"] is True and run.total.excess == run.summary["total"]["excess"]
@@ -304,7 +304,7 @@ def test_results_of_data_sets_are_read(tmp_path):
     (tmp_path / "meshes").mkdir()
     foam.Mesh(*box()).export(tmp_path / "meshes/box.stl")
     (tmp_path / "meshes/broken\u2028.stl").write_text("no mesh")  # a line end to str.splitlines()
-    command("batch", tmp_path / "meshes", "-n", 3, "--out", tmp_path / "out", code=4)
+    command("batch", tmp_path / "meshes", "-n", 3, "--run-dir", tmp_path / "out", code=4)
     good, bad = foam.read_batch(tmp_path / "out")
     assert good.id == "box.stl" and good.certified and good.spheres.shape == (3, 4) and good.error is None
     assert bad.error and len(bad.spheres) == 0

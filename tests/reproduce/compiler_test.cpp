@@ -97,7 +97,7 @@ TEST_F(Compiler, PluginsOfClangMakeTheSameBytes) {
     theirs.load_directory(FOAM_TEST_PLUGINS);
     EXPECT_EQ(made_by(ours, path() / "bumpy.obj"), made_by(theirs, path() / "bumpy.obj"));
 
-    must("run two.yaml --fresh --out out");
+    must("run two.yaml --fresh --run-dir out");
     const Outcome outcome = foam(options + "verify out --json");
     EXPECT_EQ(outcome.code, 0) << outcome.out;
     EXPECT_THAT(outcome.out, ContainsRegex("plugin smooth [0-9.]+: another build of it"))
@@ -106,7 +106,7 @@ TEST_F(Compiler, PluginsOfClangMakeTheSameBytes) {
 
 TEST_F(Compiler, FastMathIsFound) {
     write("sum.yaml", "foam: 1\nname: sum\nrobot: {urdf: two.urdf}\nstages: [spherize.summing]\n");
-    must("--plugin '" FOAM_TEST_STRICT "' run sum.yaml --fresh --out out");
+    must("--plugin '" FOAM_TEST_STRICT "' run sum.yaml --fresh --run-dir out");
     EXPECT_EQ(foam("--plugin '" FOAM_TEST_STRICT "' verify out").code, 0);
     const Outcome outcome = foam("--plugin '" FOAM_TEST_FAST "' verify out");
     EXPECT_EQ(outcome.code, 1);

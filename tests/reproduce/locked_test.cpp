@@ -14,12 +14,12 @@ class Locked : public Reproduce {
 protected:
     void SetUp() override {
         Reproduce::SetUp();
-        must("run two.yaml --fresh --out made");
+        must("run two.yaml --fresh --run-dir made");
         std::filesystem::copy_file(path() / "made/manifest.json", path() / "manifest.json");
     }
     /// Standard error of a run that is refused.
     std::string refusal(int code, const std::string& more = "") const {
-        const Outcome outcome = foam("run --locked manifest.json two.yaml --out again " + more);
+        const Outcome outcome = foam("run --locked manifest.json two.yaml --run-dir again " + more);
         EXPECT_EQ(outcome.code, code);
         EXPECT_FALSE(std::filesystem::exists(path() / "again"));
         return outcome.err;
@@ -27,13 +27,13 @@ protected:
 };
 
 TEST_F(Locked, TheSameRunIsMade) {
-    must("run --locked manifest.json two.yaml --fresh --out again");
+    must("run --locked manifest.json two.yaml --fresh --run-dir again");
     expect_same("made", "again");
 }
 
 TEST_F(Locked, WithoutARecipeTheResolvedOneIsTaken) {
-    must("run --locked made/manifest.json --out again");
-    must("run --locked made --out folder");
+    must("run --locked made/manifest.json --run-dir again");
+    must("run --locked made --run-dir folder");
     expect_same("made", "again");
     expect_same("made", "folder");
     const Outcome none = foam("run --locked manifest.json");
@@ -42,7 +42,7 @@ TEST_F(Locked, WithoutARecipeTheResolvedOneIsTaken) {
 }
 
 TEST_F(Locked, PlacesAndDebugMeshesMayDiffer) {
-    const std::string reader = "cd reader && '" FOAM_TEST_BINARY "' run --locked manifest.json two.yaml --out ";
+    const std::string reader = "cd reader && '" FOAM_TEST_BINARY "' run --locked manifest.json two.yaml --run-dir ";
     ASSERT_EQ(shell("mkdir reader && mv bumpy.obj two.urdf two.yaml manifest.json reader").code, 0);
     EXPECT_EQ(shell(reader + "../without --set debug.meshes=false").code, 0);
     EXPECT_EQ(contents(path() / "without/two.json"), contents(path() / "made/two.json"));
@@ -119,17 +119,17 @@ TEST_F(Locked, OfASweepTheRunOfTheManifestIsTaken) {
     std::string recipe = two_links_recipe;
     recipe += "sweep: {budget.spheres: [5, 6]}\n";
     write("sweep.yaml", recipe);
-    must("run sweep.yaml --out swept");
+    must("run sweep.yaml --run-dir swept");
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(path() / "swept")) {
         names.push_back(entry.path().filename().string());
     }
     ASSERT_EQ(names.size(), 2u);
     for (const std::string& name : names) {
-        must("run --locked swept/" + name + "/manifest.json sweep.yaml --out again/" + name);
+        must("run --locked swept/" + name + "/manifest.json sweep.yaml --run-dir again/" + name);
         expect_same("swept/" + name, "again/" + name);
     }
-    const Outcome other = foam("run --locked manifest.json sweep.yaml --out again");
+    const Outcome other = foam("run --locked manifest.json sweep.yaml --run-dir again");
     EXPECT_EQ(other.code, 2);
     EXPECT_EQ(other.err, "foam: error: manifest.json is of a run 'two', which is not among those of the recipe\n");
 }

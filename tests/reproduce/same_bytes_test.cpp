@@ -13,17 +13,17 @@ using ::testing::HasSubstr;
 using SameBytes = Reproduce;
 
 TEST_F(SameBytes, OnOneAndFourThreads) {
-    must("run two.yaml --fresh -j1 --out one");
-    must("run two.yaml --fresh -j4 --out four");
+    must("run two.yaml --fresh -j1 --run-dir one");
+    must("run two.yaml --fresh -j4 --run-dir four");
     expect_same("one", "four");
 }
 
 TEST_F(SameBytes, FromTheCacheWholeOrInPart) {
-    must("run two.yaml --fresh --out fresh");
+    must("run two.yaml --fresh --run-dir fresh");
     // A smaller budget asks for some of the same counts: they are in the cache already when two.yaml runs.
-    must("run two.yaml --set budget.spheres=5 --out other");
-    must("run two.yaml --out partly");
-    must("run two.yaml --out cached");
+    must("run two.yaml --set budget.spheres=5 --run-dir other");
+    must("run two.yaml --run-dir partly");
+    must("run two.yaml --run-dir cached");
     expect_same("fresh", "partly");
     expect_same("fresh", "cached");
     const auto cached = manifest("cached");
@@ -38,17 +38,17 @@ TEST_F(SameBytes, FromTheCacheWholeOrInPart) {
 }
 
 TEST_F(SameBytes, FromAnotherWorkingDirectory) {
-    must("run two.yaml --fresh --out here");
+    must("run two.yaml --fresh --run-dir here");
     ASSERT_EQ(shell("mkdir -p away/deep && cd away/deep && '" FOAM_TEST_BINARY "' run ../../two.yaml --fresh "
-                    "--out ../../there")
+                    "--run-dir ../../there")
                   .code,
               0);
     expect_same("here", "there");
 }
 
 TEST_F(SameBytes, FromTheResolvedRecipe) {
-    must("run two.yaml --fresh --set budget.spheres=7 --out first");
-    must("run first/recipe.resolved.yaml --fresh --out second");
+    must("run two.yaml --fresh --set budget.spheres=7 --run-dir first");
+    must("run first/recipe.resolved.yaml --fresh --run-dir second");
     expect_same("first", "second");
 }
 
@@ -56,15 +56,15 @@ TEST_F(SameBytes, OfASingleMeshFromTheResolvedRecipe) {
     write("mesh.yaml",
           "foam: 1\nname: mesh\nmesh: bumpy.obj\nstages: [spherize.octree]\nbudget: {spheres: 4}\n"
           "outputs: [write.urdf: {file: mesh.urdf}, write.json: {file: mesh.json}]\ndebug: {meshes: true}\n");
-    must("run mesh.yaml --fresh --out first");
-    must("run first/recipe.resolved.yaml --fresh --out second");
+    must("run mesh.yaml --fresh --run-dir first");
+    must("run first/recipe.resolved.yaml --fresh --run-dir second");
     expect_same("first", "second");
     EXPECT_THAT(contents(path() / "first/mesh.urdf"), HasSubstr("filename=\"../bumpy.obj\""));
 }
 
 TEST_F(SameBytes, UnderAGermanLocaleOfTheEnvironment) {
-    must("run two.yaml --fresh --out classic");
-    ASSERT_EQ(shell("LC_ALL=de_DE.UTF-8 '" FOAM_TEST_BINARY "' run two.yaml --fresh --out german").code, 0);
+    must("run two.yaml --fresh --run-dir classic");
+    ASSERT_EQ(shell("LC_ALL=de_DE.UTF-8 '" FOAM_TEST_BINARY "' run two.yaml --fresh --run-dir german").code, 0);
     expect_same("classic", "german");
 }
 

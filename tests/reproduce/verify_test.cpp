@@ -15,7 +15,7 @@ class Verify : public Reproduce {
 protected:
     void SetUp() override {
         Reproduce::SetUp();
-        must("run two.yaml --fresh --out out");
+        must("run two.yaml --fresh --run-dir out");
     }
     json verify_json(int code = 1) const {
         const Outcome outcome = foam("verify out --json");
@@ -70,7 +70,7 @@ TEST_F(Verify, NamesTheFirstStageOfTheFirstLinkThatDiffers) {
 }
 
 TEST_F(Verify, ADamagedCacheIsNotRead) {
-    must("run two.yaml --out out"); // fills the cache
+    must("run two.yaml --run-dir out"); // fills the cache
     ASSERT_EQ(shell("find cache -type f -exec truncate -s 20 {} +").code, 0);
     EXPECT_EQ(foam("verify out").code, 0);
 }
@@ -130,7 +130,7 @@ TEST_F(Verify, APackageThatIsNotOnThePathIsNamedWithWhatToSet) {
     write("other.urdf", "<robot name=\"two\"><link name=\"base\"><collision><geometry><sphere radius=\"1\"/>"
                         "</geometry></collision></link></robot>\n");
     const std::string folder = (path() / "packages").string(), set = "FOAM_PACKAGE_PATH='" + folder + "' ";
-    ASSERT_EQ(shell(set + "'" FOAM_TEST_BINARY "' run two.yaml --fresh --out packed").code, 0);
+    ASSERT_EQ(shell(set + "'" FOAM_TEST_BINARY "' run two.yaml --fresh --run-dir packed").code, 0);
     EXPECT_EQ(shell(set + "'" FOAM_TEST_BINARY "' verify packed").code, 0);
 
     const std::string place = "input: the run found 'package://two_description/two.urdf' at " + folder +
@@ -143,7 +143,7 @@ TEST_F(Verify, APackageThatIsNotOnThePathIsNamedWithWhatToSet) {
     const Outcome none = foam("verify packed");
     EXPECT_EQ(none.code, 1);
     EXPECT_THAT(none.out, ::testing::EndsWith("likely reasons:\n  " + place));
-    const Outcome locked = foam("run --locked packed/manifest.json two.yaml --out again");
+    const Outcome locked = foam("run --locked packed/manifest.json two.yaml --run-dir again");
     EXPECT_EQ(locked.code, 2);
     EXPECT_THAT(locked.err, HasSubstr("  " + place));
 

@@ -47,6 +47,6 @@ with open(f"{sys.argv[2]}/box.yaml", "w") as file:
     file.write("foam: 1\nname: box\nmesh: [box.obj]\nstages: [spherize.cover: {}]\nbudget: {spheres: 8}\n"
                "guarantee: outer\noutputs: [write.csv: {file: box.csv}]\n")
 PYTHON
-    quietly "$prefix/bin/foam" run "$room/box.yaml" --out "$room/run"
+    quietly "$prefix/bin/foam" run "$room/box.yaml" --run-dir "$room/run"
     PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$example quietly python3 "$FOAM_TEST_SOURCE/tests/c/by_ctypes.py" "$library" "$room/run/box.csv"
 fi

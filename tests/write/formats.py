@@ -67,7 +67,7 @@ def recipe(urdf, formats):
 def results_of(program, urdf, formats, folder):
     """By format: "yes", or what is wrong."""
     (folder / "all.yaml").write_text(recipe(urdf, formats))
-    run = foam(program, "run", folder / "all.yaml", "--out", folder / "run")
+    run = foam(program, "run", folder / "all.yaml", "--run-dir", folder / "run")
     if run.returncode:
         return {f["format"]: run.stderr.strip() for f in formats}
     table = next((folder / "run/csv").iterdir()).read_text()

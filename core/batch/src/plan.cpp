@@ -110,10 +110,11 @@ bool write_new_file(const fs::path& file, const std::string& bytes) {
 
 void require_same(const fs::path& folder, const char* what, const std::string& there, const std::string& here) {
     if (there != here) {
-        throw Error(ErrorCode::usage,
-                    fmt::format("{}: its results are of another {} ({}, not {}); remedy: another folder for --out, or "
-                                "delete this one",
-                                folder.string(), what, there, here));
+        throw Error(
+            ErrorCode::usage,
+            fmt::format("{}: its results are of another {} ({}, not {}); remedy: another folder for --run-dir, or "
+                        "delete this one",
+                        folder.string(), what, there, here));
     }
 }
 
@@ -264,7 +265,7 @@ Plan read_plan(const fs::path& folder) {
     if (!fs::exists(folder / head_name)) {
         throw Error(ErrorCode::input,
                     fmt::format("{}: no results of foam batch in it ({} is missing); remedy: the folder "
-                                "that --out named",
+                                "that --run-dir named",
                                 folder.string(), head_name));
     }
     const Head head = head_of_folder(folder);

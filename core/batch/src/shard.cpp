@@ -44,7 +44,7 @@ bool lock(int descriptor, const fs::path& file) {
     }
     if (errno != EAGAIN && errno != EACCES) {
         throw Error(ErrorCode::output,
-                    fmt::format("{}: it cannot be locked ({}); remedy: a file system with locks for --out",
+                    fmt::format("{}: it cannot be locked ({}); remedy: a file system with locks for --run-dir",
                                 file.string(), std::strerror(errno)));
     }
     return false;

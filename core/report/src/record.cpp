@@ -158,7 +158,7 @@ std::string reproduce_section(const Report& report) {
         "<p>In the folder of this file, make the run again and compare every digest:</p>\n" +
         commands("foam verify .") +
         "<p>Make it again under the lock of its manifest, which refuses other inputs and versions:</p>\n" +
-        commands("foam run --locked manifest.json --out again");
+        commands("foam run --locked manifest.json --run-dir again");
     const std::string file = certifiable(report);
     const std::string guarantee = report.manifest["settings"]["guarantee"].get<std::string>();
     if (!file.empty() && guarantee != "fitted") {

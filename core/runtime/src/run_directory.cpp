@@ -34,7 +34,7 @@ RunDirectory::RunDirectory(fs::path target, const char* mark) : target_(fs::abso
     if (!replaceable(target_, mark)) {
         throw Error(ErrorCode::output,
                     fmt::format("{}: exists, but is not the folder of a run (no {} in it), so foam does not replace "
-                                "it; remedy: choose another folder with --out, or remove it",
+                                "it; remedy: choose another folder with --run-dir, or remove it",
                                 target_.string(), mark));
     }
     temporary_ = target_.parent_path() / fmt::format(".{}.partial-{}", target_.filename().string(), getpid());

@@ -156,7 +156,7 @@ await run({
     await page.fill("#file", "same.csv");
     await page.click("#save-button");
     await until(page, () => document.getElementById("saved").textContent.includes("same.csv"));
-    await foam(program, "run", "saved.yaml", "--out", "again");
+    await foam(program, "run", "saved.yaml", "--run-dir", "again");
     const urdf = fs.readdirSync("again").find((file) => file.endsWith(".urdf"));
     await foam(program, "convert", `again/${urdf}`, panda, "-o", "again.csv");
     assert.deepEqual(fs.readFileSync("again.csv", "utf8").split("\n").sort(), fs.readFileSync("same.csv", "utf8").split("\n").sort());
