@@ -33,7 +33,7 @@ in_debian id foam-user >/dev/null 2>&1 || quietly in_debian useradd --create-hom
 expect "foam 0." as_user "foam --version"
 expect "Written to runs/panda_22: panda_22.urdf" as_user "foam run panda_22"
 expect "panda_link0" as_user "cat runs/panda_22/panda_22.urdf"
-expect "the run directory cannot be made: Permission denied; remedy: choose another folder with --out" \
+expect "the run directory cannot be made: Permission denied; remedy: choose another folder with --run-dir" \
     as_user "cd / && ! foam run panda_22"
 expect "User Commands" as_user "man foam && man foam-run"
 expect "spherize" as_user \

@@ -90,7 +90,7 @@ TEST(RunDirectory, ThatCannotBeMadeHasARemedy) {
         ADD_FAILURE() << "it was made";
     } catch (const Error& error) {
         EXPECT_EQ(error.what(), target.string() + ": the run directory cannot be made: Not a directory; remedy: choose "
-                                                  "another folder with --out");
+                                                  "another folder with --run-dir");
     }
 }
 
