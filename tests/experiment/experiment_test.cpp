@@ -221,6 +221,39 @@ TEST_F(Queries, TablesAndFiles) {
     }
 }
 
+TEST_F(Queries, ElementChecks) {
+    const std::string text =
+        "foam_experiment: 1\nname: x\nkind: element_checks\nrobots: {arm: arm.urdf, none: no.urdf}\n"
+        "methods: [spherize.octree, spherize.grid]\nelements: [1, 2]\nposes: 5\npairs: 3\n"
+        "repeats: 2\n";
+    const ExperimentResult result = run(text);
+    EXPECT_THAT(result.files, UnorderedElementsAre("results.csv", "measured_on.csv", "results.md"));
+    EXPECT_THAT(result.csv, HasSubstr("robot,method,elements_per_link,elements,pairs,mean_cost,engine,version,"
+                                      "near_pair_ns,near_pair_ratio,robot_us,robot_ratio,near_pairs_in_contact,"
+                                      "poses_in_contact,remark\n"));
+    EXPECT_THAT(result.markdown, HasSubstr("| method | cost by default | FCL | FCL, pair by pair | Bullet | MuJoCo |"));
+    EXPECT_THAT(result.markdown, HasSubstr("Left out, as no candidate is here: none."));
+    EXPECT_THAT(told, HasSubstr("warning: x: none is skipped: "));
+    const Table table = parse_csv(result.csv, "results.csv");
+    ASSERT_EQ(table.rows.size(), 16u); // 2 counts, 2 methods, 4 engines
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        const bool here = have(cell(table, row, "engine").c_str());
+        EXPECT_EQ(cell(table, row, "near_pair_ns").empty(), !here);
+        EXPECT_EQ(cell(table, row, "robot_us").empty(), !here);
+        EXPECT_EQ(cell(table, row, "remark").empty(), here);
+        EXPECT_EQ(cell(table, row, "mean_cost"), "1"); // spheres
+        if (here) {
+            EXPECT_EQ(cell(table, row, "near_pairs_in_contact"), "0");
+        }
+        if (here && cell(table, row, "method") == "spherize.octree") {
+            EXPECT_EQ(cell(table, row, "robot_ratio"), "1");
+        }
+    }
+    // One sphere a link: base and tip alone are no neighbours.
+    EXPECT_EQ(cell(table, 0, "elements"), "3");
+    EXPECT_EQ(cell(table, 0, "pairs"), "1");
+}
+
 TEST_F(Queries, AMissingLibraryIsNamed) {
     if (have("mujoco")) {
         GTEST_SKIP() << "libmujoco-dev is here";

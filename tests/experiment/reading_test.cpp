@@ -53,11 +53,12 @@ TEST_F(Reading, NoExperiment) {
               "x.yaml:1:1: error[missing-key]: this is a recipe; remedy: run it by `foam run`\n");
     EXPECT_EQ(findings("foam_experiment: 1\nname: x\n"),
               "x.yaml:1:1: error[missing-key]: 'kind' is missing; remedy: write kind: time_against_triangles\n");
-    EXPECT_EQ(findings("foam_experiment: 1\nkind: time_against_triangle\n"),
-              "x.yaml:2:7: error[unknown-choice]: 'kind' expects one of time_against_triangles, program_against_size, "
-              "quality_against_spheres, "
-              "collision_queries, fidelity, throughput, got the text 'time_against_triangle'; did you mean "
-              "'time_against_triangles'?\n");
+    EXPECT_EQ(
+        findings("foam_experiment: 1\nkind: time_against_triangle\n"),
+        "x.yaml:2:7: error[unknown-choice]: 'kind' expects one of time_against_triangles, program_against_size, "
+        "quality_against_spheres, "
+        "collision_queries, element_checks, fidelity, throughput, got the text 'time_against_triangle'; did you mean "
+        "'time_against_triangles'?\n");
 }
 
 TEST_F(Reading, AllThatIsMissing) {
@@ -107,6 +108,30 @@ TEST_F(Reading, StagesWhereTheyDoNotBelong) {
         "x.yaml:7:24: error[wrong-kind]: 'load.mesh' is a mesh loader; 'methods' holds mesh filters and spherizers\n"
         "x.yaml:7:35: error[unsupported]: 'spherize.grid' is measured in this process; remedy: delete isolate, "
         "time_limit, memory_limit\n");
+}
+
+const std::string checks = head + "kind: element_checks\n";
+
+TEST_F(Reading, ElementChecks) {
+    const auto good = parse_experiment(checks + "robots: {r: [a.urdf, b.urdf]}\nmethods: [spherize.grid]\n"
+                                                "elements: [1, 3]\nengines: [bullet]\nposes: 4\n",
+                                       "x.yaml", registry);
+    ASSERT_TRUE(good.ok());
+    EXPECT_EQ(good.experiment->stages(), (std::set<std::string>{"spherize.grid"}));
+    EXPECT_EQ(findings(checks),
+              "x.yaml:1:1: error[missing-key]: 'robots' is missing; remedy: write robots: {panda: FILE.urdf}\n"
+              "x.yaml:1:1: error[missing-key]: 'methods' is missing; remedy: write methods: [spherize.cover, "
+              "approximate.capsules]\n"
+              "x.yaml:1:1: error[missing-key]: 'elements' is missing; remedy: write elements: [1, 2]\n");
+    EXPECT_EQ(
+        findings(checks + "robots: {}\nmethods: [repair.soup]\nelements: [2, 1]\nengines: fcll\nposes: 0\n"),
+        "x.yaml:4:9: error[wrong-type]: 'robots' expects at least one robot\n"
+        "x.yaml:5:10: error[missing-stage]: the method 'repair.soup' has no spherizer; remedy: add one as its last "
+        "stage\n"
+        "x.yaml:6:15: error[out-of-order]: 'elements' expects ascending numbers, got 1 after 2\n"
+        "x.yaml:7:10: error[unknown-choice]: 'engines' holds fcl, fcl_pairs, bullet, mujoco, got 'fcll'; did you mean "
+        "'fcl'?\n"
+        "x.yaml:8:8: error[out-of-bounds]: 'poses' expects an integer between 1 and 1000000, got 0\n");
 }
 
 const std::string collision = head + "kind: collision_queries\n";

@@ -258,9 +258,12 @@ TEST(IllEngine, CancellationIsHeard) {
 
 TEST(Problem, IsReadBack) {
     EngineProblem problem = five_places();
-    problem.models[0].bodies[0].push_back({at({1, 2, 3}), std::make_shared<const Mesh>(box_mesh({1, 1, 1}))});
+    problem.models[0].bodies[0].push_back({at({1, 2, 3}), std::make_shared<const Mesh>(box_mesh({1, 1, 1})), true});
+    problem.queries[0].self_checks = 3;
     const std::string bytes = to_bytes(problem);
     EXPECT_EQ(to_bytes(problem_from_bytes(bytes)), bytes);
+    EXPECT_TRUE(problem_from_bytes(bytes).models[0].bodies[0].back().convex);
+    EXPECT_EQ(problem_from_bytes(bytes).queries[0].self_checks, 3u);
     EXPECT_THROW(problem_from_bytes(bytes.substr(1)), Error);
     EXPECT_THROW(problem_from_bytes(""), Error);
 }

@@ -22,7 +22,7 @@ public:
         }
         return x_ > 0;
     }
-    bool hits_itself() override { return false; }
+    bool hits_itself(bool) override { return false; }
     double distance_to_obstacles() override { return x_; }
     double distance_to_itself() override { return 5; }
 

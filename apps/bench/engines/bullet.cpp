@@ -69,10 +69,12 @@ constexpr int obstacle_index = -1;
 /// Whether anything that is asked for touches.
 struct Touching final : btCollisionWorld::ContactResultCallback {
     std::function<bool(int)> asked; ///< by the index of the other object
+    bool every_pair = false;        ///< also after the first that touches
     bool found = false;
 
     bool needsCollision(btBroadphaseProxy* proxy) const override {
-        return !found && asked(static_cast<const btCollisionObject*>(proxy->m_clientObject)->getUserIndex());
+        return (every_pair || !found) &&
+               asked(static_cast<const btCollisionObject*>(proxy->m_clientObject)->getUserIndex());
     }
     btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
                              const btCollisionObjectWrapper*, int, int) override {
@@ -131,14 +133,15 @@ public:
         }
     }
     bool hits_obstacle() override {
-        return touches([](std::size_t) { return [](int other) { return other == obstacle_index; }; });
+        return touches([](std::size_t) { return [](int other) { return other == obstacle_index; }; }, false);
     }
-    bool hits_itself() override {
-        return touches([this](std::size_t b) {
+    bool hits_itself(bool every_pair) override {
+        const auto partner_of = [this](std::size_t b) {
             return [&partners = partners_[b]](int other) {
                 return std::find(partners.begin(), partners.end(), other) != partners.end();
             };
-        });
+        };
+        return touches(partner_of, every_pair);
     }
     double distance_to_obstacles() override {
         Nearest nearest;
@@ -177,9 +180,10 @@ private:
         body.object.setWorldTransform(to_bullet(pose));
         world_.updateSingleAabb(&body.object);
     }
-    template <class Filter> bool touches(Filter&& filter) {
+    template <class Filter> bool touches(Filter&& filter, bool every_pair) {
         Touching touching;
-        for (std::size_t b = 0; b < links_.size() && !touching.found; ++b) {
+        touching.every_pair = every_pair;
+        for (std::size_t b = 0; b < links_.size() && (every_pair || !touching.found); ++b) {
             touching.asked = filter(b);
             world_.contactTest(&links_[b]->object, touching);
         }

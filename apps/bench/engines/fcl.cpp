@@ -41,13 +41,13 @@ std::shared_ptr<fcl::CollisionGeometryd> to_fcl(const Primitive& p) {
     return nullptr;
 }
 
-std::shared_ptr<fcl::CollisionGeometryd> to_fcl(const std::shared_ptr<const Mesh>& mesh) {
+std::shared_ptr<fcl::CollisionGeometryd> surface_of(const Mesh& mesh) {
     std::vector<fcl::Vector3d> vertices;
     std::vector<fcl::Triangle> triangles;
-    for (const Vec3& v : mesh->vertices) {
+    for (const Vec3& v : mesh.vertices) {
         vertices.emplace_back(v.x, v.y, v.z);
     }
-    for (const Triangle& t : mesh->triangles) {
+    for (const Triangle& t : mesh.triangles) {
         triangles.emplace_back(t[0], t[1], t[2]);
     }
     auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
@@ -55,6 +55,26 @@ std::shared_ptr<fcl::CollisionGeometryd> to_fcl(const std::shared_ptr<const Mesh
     model->addSubModel(vertices, triangles);
     model->endModel();
     return model;
+}
+
+std::shared_ptr<fcl::CollisionGeometryd> convex_solid_of(const Mesh& mesh) {
+    auto vertices = std::make_shared<std::vector<fcl::Vector3d>>();
+    auto faces = std::make_shared<std::vector<int>>();
+    for (const Vec3& v : mesh.vertices) {
+        vertices->emplace_back(v.x, v.y, v.z);
+    }
+    for (const Triangle& t : mesh.triangles) {
+        faces->insert(faces->end(), {3, static_cast<int>(t[0]), static_cast<int>(t[1]), static_cast<int>(t[2])});
+    }
+    return std::make_shared<fcl::Convexd>(vertices, static_cast<int>(mesh.triangles.size()), faces);
+}
+
+std::shared_ptr<fcl::CollisionGeometryd> to_fcl(const EngineShape& shape) {
+    if (const auto* primitive = std::get_if<Primitive>(&shape.geometry)) {
+        return to_fcl(*primitive);
+    }
+    const Mesh& mesh = *std::get<std::shared_ptr<const Mesh>>(shape.geometry);
+    return shape.convex ? convex_solid_of(mesh) : surface_of(mesh);
 }
 
 /// A shape that moves with a body.
@@ -114,6 +134,7 @@ double distance_between(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b) {
 
 struct CollisionSearch {
     const Tested& tested;
+    bool every_pair = false;
     bool found = false;
 
     static bool visit(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* data) {
@@ -121,7 +142,7 @@ struct CollisionSearch {
         if (search.tested(part_of(a), part_of(b)) && collide(a, b)) {
             search.found = true;
         }
-        return search.found;
+        return search.found && !search.every_pair;
     }
 };
 
@@ -144,8 +165,7 @@ public:
     explicit Fcl(const EngineRobot& robot) : tested_(robot.bodies.size(), robot.pairs) {
         for (std::size_t b = 0; b < robot.bodies.size(); ++b) {
             for (const EngineShape& shape : robot.bodies[b]) {
-                parts_.push_back(make_part(static_cast<std::int64_t>(b), shape.pose,
-                                           std::visit([](const auto& g) { return to_fcl(g); }, shape.geometry)));
+                parts_.push_back(make_part(static_cast<std::int64_t>(b), shape.pose, to_fcl(shape)));
             }
         }
     }
@@ -188,8 +208,8 @@ public:
         robot_tree_.collide(&obstacle_tree_, &search, CollisionSearch::visit);
         return search.found;
     }
-    bool hits_itself() override {
-        CollisionSearch search{tested_};
+    bool hits_itself(bool every_pair) override {
+        CollisionSearch search{tested_, every_pair};
         robot_tree_.collide(&search, CollisionSearch::visit);
         return search.found;
     }
@@ -219,38 +239,55 @@ private:
 
 class Pairs final : public Fcl {
 public:
-    using Fcl::Fcl;
-
-    bool hits_obstacle() override {
-        return any(&parts_, &obstacles_, [](auto* a, auto* b) { return collide(a, b); });
-    }
-    bool hits_itself() override {
-        return any(&parts_, &parts_, [](auto* a, auto* b) { return collide(a, b); });
-    }
-    double distance_to_obstacles() override { return least(&parts_, &obstacles_); }
-    double distance_to_itself() override { return least(&parts_, &parts_); }
-
-private:
-    /// Whether the condition holds for a pair; later ones are not looked at.
-    template <class Condition> bool any(const Parts* first, const Parts* second, Condition&& condition) const {
-        for (std::size_t i = 0; i < first->size(); ++i) {
-            for (std::size_t j = first == second ? i + 1 : 0; j < second->size(); ++j) {
-                const Part &a = *(*first)[i], &b = *(*second)[j];
-                if (tested_(a, b) && condition(a.object.get(), b.object.get())) {
-                    return true;
+    explicit Pairs(const EngineRobot& robot) : Fcl(robot) {
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            for (std::size_t j = i + 1; j < parts_.size(); ++j) {
+                if (tested_(*parts_[i], *parts_[j])) {
+                    own_.emplace_back(parts_[i]->object.get(), parts_[j]->object.get());
                 }
             }
         }
-        return false;
     }
-    double least(const Parts* first, const Parts* second) const {
+
+    bool hits_obstacle() override {
+        return any_with_obstacle([](auto* a, auto* b) { return collide(a, b); });
+    }
+    bool hits_itself(bool every_pair) override {
+        bool found = false;
+        for (const auto& [a, b] : own_) {
+            found = collide(a, b) || found;
+            if (found && !every_pair) {
+                break;
+            }
+        }
+        return found;
+    }
+    double distance_to_obstacles() override {
         double result = std::numeric_limits<double>::infinity();
-        any(first, second, [&](auto* a, auto* b) {
+        any_with_obstacle([&](auto* a, auto* b) {
             result = std::min(result, distance_between(a, b));
             return false;
         });
         return result;
     }
+    double distance_to_itself() override {
+        double result = std::numeric_limits<double>::infinity();
+        for (const auto& [a, b] : own_) {
+            result = std::min(result, distance_between(a, b));
+        }
+        return result;
+    }
+
+private:
+    /// Whether the condition holds for a shape and an obstacle; later ones are not looked at.
+    template <class Condition> bool any_with_obstacle(Condition&& condition) const {
+        return std::any_of(parts_.begin(), parts_.end(), [&](const auto& a) {
+            return std::any_of(obstacles_.begin(), obstacles_.end(),
+                               [&](const auto& b) { return condition(a->object.get(), b->object.get()); });
+        });
+    }
+
+    std::vector<std::pair<fcl::CollisionObjectd*, fcl::CollisionObjectd*>> own_; ///< of the robot's shapes
 };
 
 } // namespace

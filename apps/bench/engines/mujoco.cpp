@@ -185,7 +185,10 @@ public:
         found_ = Found::nothing;
     }
     bool hits_obstacle() override { return least(Found::collisions, true) <= 0; }
-    bool hits_itself() override { return least(Found::collisions, false) <= 0; }
+    bool hits_itself(bool every_pair) override {
+        found_ = every_pair ? Found::nothing : found_; // asked anew, as it is measured
+        return least(Found::collisions, false) <= 0;
+    }
     double distance_to_obstacles() override { return least(Found::distances, true); }
     double distance_to_itself() override { return least(Found::distances, false); }
 

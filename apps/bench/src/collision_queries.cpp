@@ -176,29 +176,6 @@ RobotSource read_robot(const Value& value, const std::string& name, Findings& fi
     return robot;
 }
 
-std::vector<std::string> read_engines(const Value* value, Findings& findings) {
-    std::vector<std::string> known;
-    for (const EngineName& engine : engine_names()) {
-        known.emplace_back(engine.name);
-    }
-    if (!value) {
-        return known;
-    }
-    const std::vector<std::string> engines = read_texts(*value, "engines", findings);
-    for (std::size_t i = 0; i < engines.size(); ++i) {
-        const Place& where = value->is(Value::Kind::list) ? value->items[i].where : value->where;
-        if (std::find(known.begin(), known.end(), engines[i]) == known.end()) {
-            findings.error(where, "unknown-choice",
-                           fmt::format("'engines' holds {}, got {}{}", fmt::join(known, ", "), in_quotes(engines[i]),
-                                       suggestion(engines[i], known)));
-        } else if (std::find(engines.begin(), engines.begin() + static_cast<std::ptrdiff_t>(i), engines[i]) !=
-                   engines.begin() + static_cast<std::ptrdiff_t>(i)) {
-            findings.error(where, "twice", fmt::format("'engines' holds {} twice", in_quotes(engines[i])));
-        }
-    }
-    return engines;
-}
-
 /// A number for all engines, or {ENGINE: NUMBER, …}; those that are not named ask for none.
 std::vector<std::size_t> read_distances(const Value* value, const std::vector<std::string>& engines,
                                         Findings& findings) {
@@ -239,6 +216,29 @@ const std::vector<Parameter>& plain_values() {
 }
 
 } // namespace
+
+std::vector<std::string> read_engines(const Value* value, Findings& findings) {
+    std::vector<std::string> known;
+    for (const EngineName& engine : engine_names()) {
+        known.emplace_back(engine.name);
+    }
+    if (!value) {
+        return known;
+    }
+    const std::vector<std::string> engines = read_texts(*value, "engines", findings);
+    for (std::size_t i = 0; i < engines.size(); ++i) {
+        const Place& where = value->is(Value::Kind::list) ? value->items[i].where : value->where;
+        if (std::find(known.begin(), known.end(), engines[i]) == known.end()) {
+            findings.error(where, "unknown-choice",
+                           fmt::format("'engines' holds {}, got {}{}", fmt::join(known, ", "), in_quotes(engines[i]),
+                                       suggestion(engines[i], known)));
+        } else if (std::find(engines.begin(), engines.begin() + static_cast<std::ptrdiff_t>(i), engines[i]) !=
+                   engines.begin() + static_cast<std::ptrdiff_t>(i)) {
+            findings.error(where, "twice", fmt::format("'engines' holds {} twice", in_quotes(engines[i])));
+        }
+    }
+    return engines;
+}
 
 std::unique_ptr<Experiment> read_collision_queries(const Value& root, const Checking& checking) {
     auto experiment = std::make_unique<CollisionQueries>();

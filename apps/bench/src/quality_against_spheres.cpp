@@ -19,11 +19,6 @@ namespace {
 
 using namespace reading;
 
-struct RobotSource {
-    std::string name;
-    std::vector<std::string> candidates;
-};
-
 /// One method on one robot at one count.
 struct Case {
     std::size_t per_link = 0;
@@ -37,7 +32,7 @@ struct Curve {
 };
 
 struct RobotResult {
-    const RobotSource* robot;
+    const NamedRobot* robot;
     std::string input; ///< the candidate that was taken
     std::vector<Curve> curves;
 };
@@ -57,7 +52,7 @@ constexpr Quantity quantities[] = {
 
 class QualityAgainstSpheres final : public Experiment {
 public:
-    std::vector<RobotSource> robots;
+    std::vector<NamedRobot> robots;
     std::vector<StageCall> filters;
     std::vector<Chain> methods;
     std::vector<std::size_t> spheres; ///< a link, at most
@@ -79,7 +74,7 @@ public:
         std::vector<RobotResult> results;
         std::vector<std::string> missing;
         std::string why;
-        for (const RobotSource& robot : robots) {
+        for (const NamedRobot& robot : robots) {
             std::string chosen;
             try {
                 resolve_input(recipe_of(robot, methods.front()), &chosen);
@@ -101,7 +96,7 @@ public:
     }
 
 private:
-    Recipe recipe_of(const RobotSource& robot, const Chain& method) const {
+    Recipe recipe_of(const NamedRobot& robot, const Chain& method) const {
         Recipe recipe;
         recipe.file = file;
         recipe.name = name;
@@ -114,7 +109,7 @@ private:
     }
 
     /// The preparation is done once and counts for every case, as it would if each ran alone.
-    Curve measured(const Bench& bench, const RobotSource& robot, const Chain& method) const {
+    Curve measured(const Bench& bench, const NamedRobot& robot, const Chain& method) const {
         Recipe recipe = recipe_of(robot, method);
         RunOptions options;
         options.cancel = bench.cancel();
@@ -282,20 +277,6 @@ private:
     }
 };
 
-std::vector<RobotSource> read_robots(const Value& value, Findings& findings) {
-    std::vector<RobotSource> robots;
-    if (!expect_map(value, "robots", "robots: {panda: FILE.urdf}", findings)) {
-        return robots;
-    }
-    for (std::size_t i = 0; i < value.keys.size(); ++i) {
-        robots.push_back({value.keys[i].text, read_references(value.items[i], value.keys[i].text, findings)});
-    }
-    if (robots.empty()) {
-        findings.error(value.where, "wrong-type", "'robots' expects at least one robot");
-    }
-    return robots;
-}
-
 } // namespace
 
 std::unique_ptr<Experiment> read_quality_against_spheres(const Value& root, const Checking& checking) {
@@ -314,15 +295,7 @@ std::unique_ptr<Experiment> read_quality_against_spheres(const Value& root, cons
         }
     }
     if (const Value* methods = required(root, "methods", "methods: [spherize.grid]", findings)) {
-        experiment->methods =
-            read_chains(*methods, "methods", {false, true, true, "mesh filters and spherizers"}, checking);
-        for (std::size_t i = 0; i < experiment->methods.size(); ++i) {
-            if (!experiment->methods[i].spherizer) {
-                findings.error(methods->where, "missing-stage",
-                               fmt::format("the method {} has no spherizer; remedy: add one as its last stage",
-                                           in_quotes(experiment->methods[i].label)));
-            }
-        }
+        experiment->methods = read_spherizing(*methods, checking);
     }
     if (const Value* spheres = required(root, "spheres", "spheres: [1, 2, 4, 8]", findings)) {
         experiment->spheres = read_counts(*spheres, "spheres", 1, 1e5, findings);

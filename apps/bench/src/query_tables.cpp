@@ -11,11 +11,6 @@ namespace {
 
 constexpr const char* not_measured = "not measured";
 
-const EngineName& engine_called(const std::string& name) {
-    const auto engines = engine_names();
-    return *std::find_if(engines.begin(), engines.end(), [&](const EngineName& e) { return name == e.name; });
-}
-
 std::string in_milliseconds(const Mean& mean) {
     return short_number(1e3 * mean.value());
 }
@@ -42,7 +37,7 @@ std::string signed_percent(const Mean& share) {
 Table difference_table(const QueryResults& results) {
     Table table{{"robot"}, {}};
     for (const std::string& engine : results.engines) {
-        const char* label = engine_called(engine).label;
+        const char* label = find_engine(engine).label;
         for (const char* quantity : {"Δ collision, ms", "Δ distance, ms", "Δ validity, %"}) {
             table.columns.push_back(fmt::format("{}: {}", label, quantity));
         }
@@ -98,7 +93,7 @@ Table validity_table(const QueryResults& results) {
         for (std::size_t e = 0; e < results.engines.size(); ++e) {
             const EngineComparison c = compare_models(robot.reports[e].answers);
             if (const std::size_t n = c.queries(); n > 0) {
-                table.rows.push_back({robot.name, engine_called(results.engines[e]).label,
+                table.rows.push_back({robot.name, find_engine(results.engines[e]).label,
                                       in_percent(c.collides.holds[0], n), in_percent(c.collides.holds[1], n),
                                       signed_percent(c.collides.difference), signed_percent(c.hits_obstacle.difference),
                                       signed_percent(c.hits_itself.difference), std::to_string(c.collides.only_spheres),
@@ -128,7 +123,7 @@ Table missed_table(const QueryResults& results) {
         for (std::size_t e = 0; exact && e < results.engines.size(); ++e) {
             if (compare_models(robot.reports[e].answers).queries() > 0) {
                 const Missed missed = missed_by(robot.reports[e].answers, exact->answers);
-                table.rows.push_back({robot.name, engine_called(results.engines[e]).label,
+                table.rows.push_back({robot.name, find_engine(results.engines[e]).label,
                                       std::to_string(missed.obstacle_hits), std::to_string(missed.obstacles),
                                       std::to_string(missed.self_hits), std::to_string(missed.selves)});
             }
@@ -166,7 +161,7 @@ std::string missed_text(const QueryResults& results) {
 std::string distances_text(const QueryResults& results) {
     std::vector<std::string> each;
     for (std::size_t e = 0; e < results.engines.size(); ++e) {
-        each.push_back(fmt::format("{} in {}", results.distances[e], engine_called(results.engines[e]).label));
+        each.push_back(fmt::format("{} in {}", results.distances[e], find_engine(results.engines[e]).label));
     }
     return fmt::format("{}", fmt::join(each, "; "));
 }
@@ -242,7 +237,7 @@ std::string engine_text(const QueryResults& results, std::size_t engine) {
 }
 
 std::string engine_title(const QueryResults& results, std::size_t engine) {
-    const EngineName& name = engine_called(results.engines[engine]);
+    const EngineName& name = find_engine(results.engines[engine]);
     for (const RobotQueries& robot : results.robots) {
         if (!robot.reports[engine].version.empty()) {
             return fmt::format("{} ({})", name.label, robot.reports[engine].version);

@@ -1,5 +1,6 @@
 #include "kinds.hpp"
 
+#include <foam/recipe/internal/extend.hpp>
 #include <foam/recipe/internal/source.hpp>
 
 #include <fmt/format.h>
@@ -118,10 +119,11 @@ ExperimentReading finish(std::unique_ptr<Experiment> experiment, const std::stri
 } // namespace
 
 std::span<const Kind> kinds() {
-    static constexpr std::array<Kind, 6> all{{{"time_against_triangles", read_time_against_triangles},
+    static constexpr std::array<Kind, 7> all{{{"time_against_triangles", read_time_against_triangles},
                                               {"program_against_size", read_program_against_size},
                                               {"quality_against_spheres", read_quality_against_spheres},
                                               {"collision_queries", read_collision_queries},
+                                              {"element_checks", read_element_checks},
                                               {"fidelity", read_fidelity},
                                               {"throughput", read_throughput}}};
     return all;
@@ -145,6 +147,19 @@ std::optional<Chain> read_method(const Value& value, const Checking& checking) {
                                 "'method' has no spherizer; remedy: add one as its last stage");
     }
     return method;
+}
+
+std::vector<Chain> read_spherizing(const Value& value, const Checking& checking) {
+    std::vector<Chain> methods =
+        read_chains(value, "methods", {false, true, true, "mesh filters and spherizers"}, checking);
+    for (const Chain& method : methods) {
+        if (!method.spherizer) {
+            checking.findings.error(value.where, "missing-stage",
+                                    fmt::format("the method {} has no spherizer; remedy: add one as its last stage",
+                                                in_quotes(method.label)));
+        }
+    }
+    return methods;
 }
 
 const Value* required(const Value& root, const char* key, const char* example, Findings& findings) {
@@ -177,6 +192,20 @@ std::vector<std::size_t> read_counts(const Value& value, const char* key, double
         counts.push_back(count);
     }
     return counts;
+}
+
+std::vector<NamedRobot> read_robots(const Value& value, Findings& findings) {
+    std::vector<NamedRobot> robots;
+    if (!expect_map(value, "robots", "robots: {panda: FILE.urdf}", findings)) {
+        return robots;
+    }
+    for (std::size_t i = 0; i < value.keys.size(); ++i) {
+        robots.push_back({value.keys[i].text, read_references(value.items[i], value.keys[i].text, findings)});
+    }
+    if (robots.empty()) {
+        findings.error(value.where, "wrong-type", "'robots' expects at least one robot");
+    }
+    return robots;
 }
 
 } // namespace experiment

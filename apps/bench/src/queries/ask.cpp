@@ -64,16 +64,6 @@ std::string why_missing(const EngineName& engine) {
                        engine.program, engine.package);
 }
 
-const EngineName& find_engine(const std::string& name) {
-    const auto engines = engine_names();
-    const auto it =
-        std::find_if(engines.begin(), engines.end(), [&](const EngineName& engine) { return name == engine.name; });
-    if (it == engines.end()) {
-        throw Error(ErrorCode::internal, fmt::format("there is no collision engine '{}'", name));
-    }
-    return *it;
-}
-
 } // namespace
 
 std::span<const EngineName> engine_names() {
@@ -82,6 +72,16 @@ std::span<const EngineName> engine_names() {
                                                     {"bullet", "Bullet", "foam-engine-bullet", "libbullet-dev"},
                                                     {"mujoco", "MuJoCo", "foam-engine-mujoco", "libmujoco-dev"}}};
     return all;
+}
+
+const EngineName& find_engine(const std::string& name) {
+    const auto engines = engine_names();
+    const auto it =
+        std::find_if(engines.begin(), engines.end(), [&](const EngineName& engine) { return name == engine.name; });
+    if (it == engines.end()) {
+        throw Error(ErrorCode::internal, fmt::format("there is no collision engine '{}'", name));
+    }
+    return *it;
 }
 
 std::filesystem::path engine_program(const EngineName& engine) {

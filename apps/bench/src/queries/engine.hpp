@@ -20,12 +20,16 @@ struct EngineName {
     const char* package; ///< of Debian
 };
 std::span<const EngineName> engine_names();
+/// Throws Error(internal) for any other name.
+const EngineName& find_engine(const std::string& name);
 
 /// The robot's configuration as the poses of its bodies.
 struct EngineQuery {
     std::uint32_t environment = 0;
     bool distance = false; ///< whether distances are asked for too
-    std::vector<Pose> poses;
+    std::vector<Pose> poses{};
+    /// Above 0: the robot is only checked against itself, every pair, this number of times; times are of one check.
+    std::uint32_t self_checks = 0;
 };
 
 /// Two models of a robot, body by body, and what is asked of both.

@@ -41,16 +41,6 @@ bool moves(const Kinematics& kinematics, std::size_t link) {
     return false;
 }
 
-/// Uniform over all rotations: three uniform numbers to a unit quaternion (Shoemake, 1992).
-Pose random_rotation(Random& random) {
-    const double u = random.uniform(), a = random.uniform(0, 2 * std::numbers::pi),
-                 b = random.uniform(0, 2 * std::numbers::pi);
-    const double x = std::sqrt(1 - u) * std::sin(a), y = std::sqrt(1 - u) * std::cos(a), z = std::sqrt(u) * std::sin(b),
-                 w = std::sqrt(u) * std::cos(b);
-    const double sine = norm({x, y, z});
-    return sine > 0 ? Pose::from_axis_angle(Vec3{x, y, z} / sine, 2 * std::atan2(sine, w)) : Pose{};
-}
-
 double distance_to(const Box& box, const Vec3& p) {
     double square = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -75,6 +65,16 @@ Primitive random_shape(bool box, const EnvironmentRule& rule, Random& random) {
 }
 
 } // namespace
+
+/// Three uniform numbers to a unit quaternion (Shoemake, 1992).
+Pose random_rotation(Random& random) {
+    const double u = random.uniform(), a = random.uniform(0, 2 * std::numbers::pi),
+                 b = random.uniform(0, 2 * std::numbers::pi);
+    const double x = std::sqrt(1 - u) * std::sin(a), y = std::sqrt(1 - u) * std::cos(a), z = std::sqrt(u) * std::sin(b),
+                 w = std::sqrt(u) * std::cos(b);
+    const double sine = norm({x, y, z});
+    return sine > 0 ? Pose::from_axis_angle(Vec3{x, y, z} / sine, 2 * std::atan2(sine, w)) : Pose{};
+}
 
 std::vector<Box> body_bounds(const EngineRobot& robot) {
     std::vector<Box> result;

@@ -14,6 +14,8 @@ struct EnvironmentRule {
     double smallest = 0.05, largest = 0.3; ///< m; of edges and diameters, uniform
 };
 
+/// Returns a rotation uniform over all rotations.
+Pose random_rotation(Random& random);
 /// The bounds of bodies in their own frames.
 std::vector<Box> body_bounds(const EngineRobot& robot);
 /// Where the robot is over `samples` random configurations. `links`: of each body, its index in the robot's links.

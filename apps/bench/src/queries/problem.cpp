@@ -32,6 +32,7 @@ void put_robot(std::string& out, const EngineRobot& robot) {
             put(out, static_cast<std::uint64_t>(mesh != nullptr));
             if (mesh) {
                 put_mesh(out, **mesh);
+                put(out, static_cast<std::uint64_t>(shape.convex));
             } else {
                 put_primitive(out, std::get<Primitive>(shape.geometry));
             }
@@ -49,6 +50,7 @@ EngineRobot take_robot(ByteReader& in) {
             shape.pose = in.take<Pose>();
             if (in.take<std::uint64_t>() != 0) {
                 shape.geometry = std::make_shared<const Mesh>(take_mesh(in));
+                shape.convex = in.take<std::uint64_t>() != 0;
             } else {
                 shape.geometry = take_primitive(in);
             }
@@ -79,6 +81,7 @@ std::string to_bytes(const EngineProblem& problem) {
         put(out, query.environment);
         put(out, static_cast<std::uint32_t>(query.distance));
         put_values(out, query.poses);
+        put(out, query.self_checks);
     }
     put(out, problem.time_limit);
     put(out, problem.first);
@@ -105,6 +108,7 @@ EngineProblem problem_from_bytes(std::string_view bytes) {
         query.environment = in.take<std::uint32_t>();
         query.distance = in.take<std::uint32_t>() != 0;
         query.poses = in.take_values<Pose>();
+        query.self_checks = in.take<std::uint32_t>();
     }
     problem.time_limit = in.take<double>();
     problem.first = in.take<std::uint64_t>();

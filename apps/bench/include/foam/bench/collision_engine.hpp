@@ -22,6 +22,7 @@ inline namespace [[gnu::visibility("default")]] bench {
 struct EngineShape {
     Pose pose;
     std::variant<Primitive, std::shared_ptr<const Mesh>> geometry;
+    bool convex = false; ///< whether a mesh is the surface of a convex solid, which libraries take as one where they can
 };
 
 /// A link.
@@ -51,7 +52,8 @@ public:
     virtual void move(std::span<const Pose> poses) = 0;
     /// Returns whether the robot hits an obstacle. May stop at the first collision.
     virtual bool hits_obstacle() = 0;
-    virtual bool hits_itself() = 0;
+    /// Returns whether two bodies of a pair touch. `every_pair`: looks at all pairs, also after the first collision.
+    virtual bool hits_itself(bool every_pair) = 0;
     /// Returns the distance, m; 0 or below in collision; infinity if there is no pair.
     virtual double distance_to_obstacles() = 0;
     virtual double distance_to_itself() = 0;
