@@ -71,6 +71,9 @@ std::string budget_text(const Recipe& recipe) {
     if (recipe.budget_share) {
         parts.push_back("share " + word_of(*recipe.budget_share));
     }
+    if (recipe.budget_for == BudgetFor::poses) {
+        parts.emplace_back("for poses");
+    }
     const std::string cover = recipe.cover ? fmt::format("; covers {}", to_string(*recipe.cover)) : "";
     const std::string pad = recipe.pad ? fmt::format("; padding {} m", to_text(*recipe.pad)) : "";
     return fmt::format("{}; guarantee {}{}{}; seed {}", fmt::join(parts, ", "), to_string(recipe.guarantee), cover, pad,
@@ -257,6 +260,9 @@ Json json_of_planned(const Plan& plan, const Recipe& recipe) {
     }
     if (recipe.budget_share) {
         json["budget"]["share"] = word_of(*recipe.budget_share);
+    }
+    if (recipe.budget_for) {
+        json["budget"]["for"] = recipe.budget_for == BudgetFor::poses ? "poses" : "geometry";
     }
     if (recipe.budget_time_limit) {
         json["budget"]["time_limit"] = *recipe.budget_time_limit;

@@ -256,6 +256,32 @@ void refuse_inner_elements(const Value& root, const Recipe& recipe, const Checki
     }
 }
 
+/// Refuses `budget: {for: poses}` where it has no effect, or contradicts another key.
+void check_budget_for(const Value& root, const Recipe& recipe, Findings& findings) {
+    if (recipe.budget_for != BudgetFor::poses) {
+        return;
+    }
+    const Place where = root.find("budget")->find_key("for")->where;
+    const auto refuse = [&](const char* why) { findings.error(where, "conflict", why); };
+    if (root.find("mesh")) {
+        refuse("'for: poses' needs a robot: a mesh has no poses; remedy: delete it");
+    }
+    if (recipe.guarantee != Guarantee::outer) {
+        refuse(
+            "'for: poses' is about elements that extend beyond the geometry, of guarantee: outer; remedy: delete it");
+    }
+    if (recipe.budget_excess) {
+        refuse("'for: poses' distributes a budget, and 'excess' takes as few elements as it needs; remedy: delete one "
+               "of them");
+    } else if (!recipe.budget_spheres && !recipe.budget_cost) {
+        refuse("'for: poses' is a rule of the allocation of elements: it has no effect without budget: {spheres: …}, "
+               "{elements: …} or {cost: …}; remedy: give one of them, or delete it");
+    }
+    if (recipe.self_collision) {
+        refuse("'for: poses' and 'self_collision' are two rules for the same budget; remedy: delete one of them");
+    }
+}
+
 /// Refuses keys without effect on this input or this guarantee.
 void refuse_idle_keys(const Value& root, const Recipe& recipe, Findings& findings) {
     if (const Key* cover = root.find_key("cover"); cover && root.find("mesh")) {
@@ -272,6 +298,7 @@ void refuse_idle_keys(const Value& root, const Recipe& recipe, Findings& finding
                        "'share' is a rule of the allocation of spheres: it has no effect without budget: {spheres: …} "
                        "or {excess: …}; remedy: give one of them, or delete it");
     }
+    check_budget_for(root, recipe, findings);
 }
 
 } // namespace

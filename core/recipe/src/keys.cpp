@@ -271,6 +271,11 @@ const std::vector<KeyOf<Recipe>>& budget_keys() {
                      "that volume / the volume of its geometry, so that small links get more spheres; protrusion: "
                      "that volume / the area of its geometry. Absent: volume."),
             &Recipe::budget_share),
+        choice(Parameter::choice("for", {"geometry", "poses"}, "geometry")
+                   .doc("What the allocation serves. geometry: `share` alone; poses: links whose elements touch in 500 "
+                        "random poses, though their geometry does not, get more of the budget where that gives fewer "
+                        "such contacts. Absent: geometry."),
+               &Recipe::budget_for),
         without_effect(Parameter::number("time_limit", 10)
                            .at_least(0.001)
                            .unit("s")

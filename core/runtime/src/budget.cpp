@@ -111,7 +111,8 @@ void require_affordable(const Recipe& recipe, const std::vector<ShapeWork>& shap
 /// Returns the count of every group, 0 for those with an error. With a number of spheres as budget: at most that many,
 /// with the least weighted cost. With an excess as budget: the fewest that keep it.
 ChosenCounts share_spheres(const Workspace& workspace, const std::vector<LinkWork>& links,
-                           std::vector<ShapeWork>& shapes, const std::vector<Group>& groups, ReferencePose* pose) {
+                           std::vector<ShapeWork>& shapes, const std::vector<Group>& groups, ReferencePose* pose,
+                           RandomPoses* poses) {
     const Recipe& recipe = workspace.recipe;
     Goal goal;
     goal.most = total_of(recipe).value_or(SIZE_MAX);
@@ -137,6 +138,9 @@ ChosenCounts share_spheres(const Workspace& workspace, const std::vector<LinkWor
     }
     if (pose && !shared.counts.empty()) {
         shared = keep_apart(workspace, shapes, groups, goal, *pose, std::move(shared), chosen.cut);
+    }
+    if (poses && !shared.counts.empty() && chosen.cut == Cut::none) {
+        shared = with_fewer_false_contacts(workspace, shapes, groups, goal, *poses, std::move(shared), chosen.cut);
     }
     chosen.of_group.assign(groups.size(), 0);
     const std::vector<std::size_t> allocated_groups = foam::allocated_groups(shapes, groups);
@@ -251,7 +255,8 @@ void require_enough(const Recipe& recipe, const std::vector<ShapeWork>& shapes, 
 } // namespace
 
 ChosenCounts choose_counts(const Workspace& preparing, const std::vector<LinkWork>& links,
-                           std::vector<ShapeWork>& shapes, const std::vector<Group>& groups, ReferencePose* pose) {
+                           std::vector<ShapeWork>& shapes, const std::vector<Group>& groups, ReferencePose* pose,
+                           RandomPoses* poses) {
     const Recipe& recipe = preparing.recipe;
     const Workspace workspace = preparing.in(Phase::searching);
     const StopScope scope(workspace.in(Phase::finishing).request()); // a search that ends early keeps its result
@@ -261,7 +266,7 @@ ChosenCounts choose_counts(const Workspace& preparing, const std::vector<LinkWor
     const bool shared = (total_of(recipe) || recipe.budget_excess) &&
                         (groups.size() != 1 || !has_fixed_count(recipe, shapes.front(), 1));
     ChosenCounts chosen =
-        shared ? share_spheres(workspace, links, shapes, groups, pose) : count_each(workspace, shapes, groups);
+        shared ? share_spheres(workspace, links, shapes, groups, pose, poses) : count_each(workspace, shapes, groups);
     report_cut(workspace, chosen.cut);
     return chosen;
 }

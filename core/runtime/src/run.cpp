@@ -4,6 +4,7 @@
 #include "loose_links.hpp"
 #include "manifest.hpp"
 #include "names.hpp"
+#include "random_poses.hpp"
 #include "report.hpp"
 #include "separation.hpp"
 #include "visual_gap.hpp"
@@ -181,7 +182,11 @@ RunResult run_in(const Workspace& preparing, std::optional<RunDirectory>& direct
     if (recipe.self_collision) {
         pose.emplace(input.robot, recipe.self_collision_pose, links);
     }
-    SpherizedLinks spherized = spherize_links(preparing, links, pose ? &*pose : nullptr);
+    std::optional<RandomPoses> poses;
+    if (recipe.budget_for.value_or(BudgetFor::geometry) == BudgetFor::poses) {
+        poses.emplace(input.robot, links, recipe.seed);
+    }
+    SpherizedLinks spherized = spherize_links(preparing, links, pose ? &*pose : nullptr, poses ? &*poses : nullptr);
     result.cut = spherized.cut;
     const Workspace workspace = preparing.in(Phase::finishing);
     scope.reset();

@@ -1,7 +1,7 @@
 #include "separation.hpp"
 
-#include <foam/geometry/element_measure.hpp>
-#include <foam/geometry/measure.hpp>
+#include "covering.hpp"
+
 #include <foam/runtime/internal/elements.hpp>
 
 #include <fmt/format.h>
@@ -17,9 +17,9 @@ namespace {
 class Parting {
 public:
     Parting(const Workspace& workspace, std::vector<ShapeWork>& shapes, const std::vector<Group>& groups,
-               const Goal& goal, ReferencePose& pose)
+            const Goal& goal, ReferencePose& pose)
         : workspace_(workspace), shapes_(shapes), groups_(groups), goal_(goal), pose_(pose),
-          allocated_groups_(allocated_groups(shapes, groups)) {}
+          allocated_groups_(allocated_groups(shapes, groups)), covering_(workspace, shapes) {}
 
     /// Returns the overlaps. Their indices refer to the groups without an error.
     std::vector<Overlap> overlaps(const std::vector<std::size_t>& counts) {
@@ -75,7 +75,7 @@ private:
 
     ElementsOfLink spheres_of(std::size_t allocated, std::size_t count) {
         const Group& group = groups_[allocated_groups_[allocated]];
-        return {group.link, moved(covering(group.shape, count), group.frame)};
+        return {group.link, moved(covering_.of(group.shape, count), group.frame)};
     }
 
     /// Returns the most spheres that two groups can have beside the others.
@@ -129,25 +129,14 @@ private:
         return any;
     }
 
-    const Approximation::Level& covering(std::size_t shape, std::size_t count) {
-        const auto [known, fresh] = covering_.try_emplace({shape, count});
-        if (fresh) {
-            known->second = level_of(shapes_[shape].known.trees.at(count).elements());
-            if (workspace_.recipe.guarantee == Guarantee::outer) {
-                known->second = grown_to_cover(shapes_[shape].shape->original(), std::move(known->second));
-            }
-        }
-        return known->second;
-    }
-
     const Workspace& workspace_;
     std::vector<ShapeWork>& shapes_;
     const std::vector<Group>& groups_;
     const Goal& goal_;
     ReferencePose& pose_;
     std::vector<std::size_t> allocated_groups_;
-    std::map<std::pair<std::size_t, std::size_t>, Approximation::Level> covering_; ///< by shape and count
-    std::map<std::pair<std::size_t, std::size_t>, int> parted_;                    ///< restrictions by pair of groups
+    CoveringElements covering_;
+    std::map<std::pair<std::size_t, std::size_t>, int> parted_; ///< restrictions by pair of groups
 };
 
 double total_depth(const std::vector<Overlap>& overlaps) {

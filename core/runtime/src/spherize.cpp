@@ -93,7 +93,8 @@ Recipe without_kept(const Workspace& workspace, const std::vector<LinkWork>& lin
 
 } // namespace
 
-SpherizedLinks spherize_links(const Workspace& workspace, std::vector<LinkWork>& links, ReferencePose* pose) {
+SpherizedLinks spherize_links(const Workspace& workspace, std::vector<LinkWork>& links, ReferencePose* pose,
+                              RandomPoses* poses) {
     std::vector<Group> groups = make_groups(workspace, links);
     std::vector<Group> done = take_covered_groups(workspace, links, groups);
     std::vector<ShapeWork> shapes = distinct_shapes(workspace, links, groups);
@@ -109,7 +110,7 @@ SpherizedLinks spherize_links(const Workspace& workspace, std::vector<LinkWork>&
     });
     weigh(workspace.recipe, links, shapes, groups);
     const Recipe rest = without_kept(workspace, links, groups, done);
-    const ChosenCounts chosen = choose_counts(workspace.with(rest), links, shapes, groups, pose);
+    const ChosenCounts chosen = choose_counts(workspace.with(rest), links, shapes, groups, pose, poses);
     const std::vector<std::size_t>& counts = chosen.of_group;
     for (std::size_t g = 0; g < groups.size(); ++g) {
         ShapeWork& work = shapes[groups[g].shape];
@@ -144,4 +145,4 @@ SpherizedLinks spherize_links(const Workspace& workspace, std::vector<LinkWork>&
     return {std::move(done), chosen.cut};
 }
 
-} // namespace foam::runtime
+} // namespace foam::inline runtime

@@ -9,7 +9,7 @@
 namespace foam::inline runtime {
 namespace {
 
-constexpr std::size_t most = 4;
+constexpr std::size_t most_asked = 4;
 
 /// Returns a tree of one sphere around the solid.
 SphereTree one_around(const Solid& solid) {
@@ -22,8 +22,8 @@ double covering_volume(const Solid& solid, const SphereTree& tree) {
 
 void require_good(const SphereTree& tree) {
     require(!tree.levels.empty() && !tree.finest().empty(), "it returns no spheres");
-    require(tree.finest().size() <= most,
-            fmt::format("it returns {} spheres where at most {} are allowed", tree.finest().size(), most));
+    require(tree.finest().size() <= most_asked,
+            fmt::format("it returns {} spheres where at most {} are allowed", tree.finest().size(), most_asked));
     for (const Sphere& s : tree.finest()) {
         require(is_finite(s.center) && std::isfinite(s.radius) && s.radius >= 0, "it returns a sphere that is not finite");
     }
@@ -49,9 +49,9 @@ void check_refiner(const Refiner& refiner, Promises& promises) {
     promises.check("keeps the budget, and gives the same spheres every time", [&] {
         for_each_solid(refiner, [](const Solid& solid, Refinement& refinement) {
             QuietContext context;
-            const SphereTree tree = one_around(solid), first = refinement.refine(tree, most, context);
+            const SphereTree tree = one_around(solid), first = refinement.refine(tree, most_asked, context);
             require_good(first);
-            require(refinement.refine(tree, most, context).finest() == first.finest(),
+            require(refinement.refine(tree, most_asked, context).finest() == first.finest(),
                     "the second call gives other spheres");
         });
     });
@@ -60,7 +60,7 @@ void check_refiner(const Refiner& refiner, Promises& promises) {
             QuietContext context;
             const SphereTree tree = one_around(solid);
             const double before = covering_volume(solid, tree),
-                         after = covering_volume(solid, refinement.refine(tree, most, context));
+                         after = covering_volume(solid, refinement.refine(tree, most_asked, context));
             require(after <= before * (1 + 1e-4),
                     fmt::format("spheres and solid together have {:.6g} m³ after {:.6g} m³", after, before));
         });
@@ -69,7 +69,7 @@ void check_refiner(const Refiner& refiner, Promises& promises) {
         for_each_solid(refiner, [](const Solid& solid, Refinement& refinement) {
             Stopped stopped;
             try {
-                require_good(refinement.refine(one_around(solid), most, stopped));
+                require_good(refinement.refine(one_around(solid), most_asked, stopped));
             } catch (const Error& error) {
                 require(error.code() == ErrorCode::cancelled, error.what());
             }

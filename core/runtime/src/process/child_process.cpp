@@ -27,10 +27,10 @@ std::atomic<std::size_t> running{0};
 
 // Process groups of the children, where a signal handler can read them. If more children than this run at once, the
 // others survive a sudden end of the program until the kernel sees that their parent is gone.
-std::array<std::atomic<pid_t>, 256> groups;
+std::array<std::atomic<pid_t>, 256> process_groups;
 
 void remember(pid_t group) {
-    for (auto& slot : groups) {
+    for (auto& slot : process_groups) {
         pid_t none = 0;
         if (slot.compare_exchange_strong(none, group)) {
             return;
@@ -39,7 +39,7 @@ void remember(pid_t group) {
 }
 
 void forget(pid_t group) {
-    for (auto& slot : groups) {
+    for (auto& slot : process_groups) {
         pid_t expected = group;
         if (slot.compare_exchange_strong(expected, 0)) {
             return;
@@ -168,7 +168,7 @@ void begin_child(std::int64_t parent, std::uint64_t mebibytes) {
 }
 
 void end_children() {
-    for (const auto& slot : groups) {
+    for (const auto& slot : process_groups) {
         if (const pid_t group = slot.load(); group > 0) {
             kill(-group, SIGKILL);
         }

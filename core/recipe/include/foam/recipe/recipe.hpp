@@ -44,6 +44,12 @@ enum class Share {
 /// Returns the words in recipes, in the order of the enumeration.
 const std::vector<std::string>& words_of_share();
 
+/// What the allocation of elements serves.
+enum class BudgetFor {
+    geometry, ///< the sum of `Share`
+    poses,    ///< then also few false contacts of links in random poses
+};
+
 /// The inside of hollow geometry in figures and in the allocation; the proof is of the geometry as it is.
 enum class Hollow {
     keep, ///< as it is: empty
@@ -131,6 +137,7 @@ struct Recipe : StageChain {
     std::optional<double> budget_max_protrusion; ///< m; of each link without its own value
     std::optional<double> budget_time_limit;     ///< s; the search for better spheres ends then
     std::optional<Share> budget_share;           ///< absent: volume
+    std::optional<BudgetFor> budget_for;         ///< absent: geometry
     std::optional<CoveredGeometry> cover;        ///< of a robot; absent: its collision geometry
     std::optional<double> pad;                   ///< m; added to all radii
     std::optional<Hollow> hollow;                ///< absent: keep

@@ -11,6 +11,7 @@
 namespace foam {
 inline namespace [[gnu::visibility("default")]] runtime {
 
+class RandomPoses;
 class ReferencePose;
 
 /// A unit of spherization: a link, or one collision element of it.
@@ -37,8 +38,10 @@ struct SpherizedLinks {
 
 /// Spherizes all links without an error, within the recipe's budget. Errors go to the links. Throws for a budget that
 /// cannot be met (fewer spheres than groups), for cancellation, and for a stop before there is a model. `pose`: the
-/// reference pose in which spheres of links are to stay apart; null: they need not.
-SpherizedLinks spherize_links(const Workspace& workspace, std::vector<LinkWork>& links, ReferencePose* pose = nullptr);
+/// reference pose in which spheres of links are to stay apart; null: they need not. `poses`: those in which the
+/// allocation is to avoid false contacts; null: it need not.
+SpherizedLinks spherize_links(const Workspace& workspace, std::vector<LinkWork>& links, ReferencePose* pose = nullptr,
+                              RandomPoses* poses = nullptr);
 
-} // namespace runtime
+} // namespace gnu::visibility("default")]]runtime
 } // namespace foam

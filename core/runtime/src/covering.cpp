@@ -1,0 +1,19 @@
+#include "covering.hpp"
+
+#include <foam/geometry/element_measure.hpp>
+#include <foam/runtime/internal/elements.hpp>
+
+namespace foam::inline runtime {
+
+const Approximation::Level& CoveringElements::of(std::size_t shape, std::size_t count) {
+    const auto [known, fresh] = known_.try_emplace({shape, count});
+    if (fresh) {
+        known->second = level_of(shapes_[shape].known.trees.at(count).elements());
+        if (workspace_.recipe.guarantee == Guarantee::outer) {
+            known->second = grown_to_cover(shapes_[shape].shape->original(), std::move(known->second));
+        }
+    }
+    return known->second;
+}
+
+} // namespace foam::runtime
