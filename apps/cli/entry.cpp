@@ -1,6 +1,7 @@
 #include "entry.hpp"
 
 #include "interrupt.hpp"
+#include "messages.hpp"
 #include "suggestion.hpp"
 
 #include <foam/base/error.hpp>
@@ -97,6 +98,7 @@ int run_program(int count, char** arguments, const std::function<void(Program&)>
         program.app.parse(count, arguments);
         const InterruptRequest request;
         const StopScope scope(&request);
+        program.standard_input.take();
         return program.action();
     } catch (const CLI::CallForHelp&) {
         const CLI::App& command = current(program.app);
@@ -129,6 +131,7 @@ int run_main(int count, char** arguments, const std::function<void(Program&)>& a
     serve_isolated_call(count, arguments);
     report_crashes();
     stop_on_interrupt();
+    choose_colours(Colour::automatic);
     const int code = guarded(count, arguments, add_commands);
     std::fflush(nullptr); // a signal would leave what is buffered
     return exit_code_after(code);

@@ -42,6 +42,14 @@ std::string entry(const std::string& name, const std::string& description) {
 
 } // namespace
 
+std::string HelpFormatter::make_help(const CLI::App* command, std::string name, CLI::AppFormatMode mode) const {
+    std::string text = CLI::Formatter::make_help(command, std::move(name), mode);
+    for (std::size_t at; (at = text.find("\n\n\n")) != text.npos;) {
+        text.erase(at, 1);
+    }
+    return text;
+}
+
 std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
     return entry(command->get_name(), command->get_description());
 }

@@ -11,6 +11,8 @@ namespace foam::cli {
 /// Formats the help of the program and of its commands. CLI11's own formatter never breaks a line.
 class HelpFormatter final : public CLI::Formatter {
 public:
+    /// Returns the help without the empty line that CLI11 leaves for options that are not shown.
+    std::string make_help(const CLI::App* command, std::string name, CLI::AppFormatMode mode) const override;
     std::string make_subcommand(const CLI::App* command) const override;
     std::string make_option(const CLI::Option* option, bool is_positional) const override;
     /// Returns the type of the option's value. The default is part of the description.

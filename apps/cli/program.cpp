@@ -2,6 +2,7 @@
 
 #include "build_text.hpp"
 #include "help.hpp"
+#include "messages.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
@@ -31,6 +32,14 @@ Program::Program() : app("foam approximates robots and objects by spheres that a
         ->expected(1)
         ->take_all()
         ->check(CLI::Validator(CLI::ExistingDirectory).description("")); // the help would say DIR:DIR
+    app.add_option_function<std::string>(
+           "--color",
+           [](const std::string& word) {
+               choose_colours(word == "always" ? Colour::always : word == "never" ? Colour::never : Colour::automatic);
+           },
+           "Colours in messages; auto: on a terminal, unless NO_COLOR is set or TERM is dumb; default: auto")
+        ->type_name("auto|always|never")
+        ->check(CLI::IsMember({"auto", "always", "never"}).description(""));
     app.footer("Examples:\n"
                "  foam run configs/panda_22.yaml              run a recipe\n"
                "  foam spherize robot.urdf -n 60              a robot, without a recipe\n"
@@ -149,7 +158,7 @@ std::vector<Setting> settings_of(const std::vector<std::string>& texts) {
 }
 
 void print(std::string_view text) {
-    print_data(shown_lines(text));
+    print_data(coloured(shown_lines(with_names(std::string(text))), Stream::out));
 }
 
 void print_data(std::string_view bytes) {
@@ -160,7 +169,7 @@ void print_data(std::string_view bytes) {
 
 void print_json(const nlohmann::ordered_json& json) {
     const auto dumped = [&json](bool ascii) {
-        return json.dump(2, ' ', ascii, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+        return with_names(json.dump(2, ' ', ascii, nlohmann::ordered_json::error_handler_t::replace)) + "\n";
     };
     const std::string text = dumped(false);
     print_data(shown_lines(text) == text ? text : dumped(true));
@@ -171,7 +180,7 @@ void tell(std::string_view line) {
 }
 
 void tell_text(std::string_view text) {
-    fmt::print(stderr, "{}", shown_lines(text));
+    fmt::print(stderr, "{}", coloured(shown_lines(with_names(std::string(text))), Stream::err));
 }
 
 void tell_findings(const std::vector<Diagnostic>& findings) {

@@ -1,6 +1,8 @@
 // What all subcommands share: the registry, filled when it is first asked for, and the chosen action.
 #pragma once
 
+#include "standard_input.hpp"
+
 #include <foam/recipe/recipe.hpp>
 #include <foam/sdk/registry.hpp>
 
@@ -24,6 +26,7 @@ public:
     CLI::App app;
     /// The command line as the program got it; null-terminated.
     char** arguments = nullptr;
+    StandardInput standard_input;
     /// Set by the subcommand that was named; returns the exit code.
     std::function<int()> action;
 

@@ -66,9 +66,9 @@ int certify_spheres(Program& program, const CertifyArguments& arguments) {
     } else if (failed == 0) {
         const KindCounts kinds = kinds_of_model(model);
         print(fmt::format("Certified ({}): {} on {} link{}, {}.\n", arguments.guarantee,
-                          !outer                ? "the spheres lie inside the geometry"
+                          !outer                 ? "the spheres lie inside the geometry"
                           : spheres_alone(kinds) ? "the geometry lies inside the spheres"
-                                                : "the geometry lies inside the elements",
+                                                 : "the geometry lies inside the elements",
                           proofs.size(), proofs.size() == 1 ? "" : "s", counts_text(kinds)) +
               not_judged_text(proved));
     } else {
@@ -92,8 +92,11 @@ void add_certify(Program& program) {
                                     "the nearest sphere would have to grow to cover it (growth).\n"
                                     "Exit codes: 0 certified, 1 not certified, 2 invalid command line");
     auto arguments = std::make_shared<CertifyArguments>();
-    add_judge_options(*command, arguments->judge);
-    command->add_option("spheres", arguments->spheres, "The sphere model")->type_name("SPHERES")->required();
+    add_judge_options(*command, program, arguments->judge);
+    command->add_option("spheres", arguments->spheres, "The sphere model; - is the standard input")
+        ->type_name("SPHERES")
+        ->required();
+    program.standard_input.may_be(arguments->spheres, StandardInput::Holds::model);
     command
         ->add_option("--guarantee", arguments->guarantee,
                      "outer: the geometry lies inside the spheres; inner: the spheres lie inside the geometry")

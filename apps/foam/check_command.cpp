@@ -19,8 +19,8 @@ struct CheckArguments {
 };
 
 int check_recipe(Program& program, const CheckArguments& arguments) {
-    RecipeResult read = read_recipe(recipe_file(arguments.recipe), program.registry(), settings_of(arguments.settings),
-                                    arguments.variants);
+    RecipeResult read =
+        read_recipe_argument(arguments.recipe, program.registry(), settings_of(arguments.settings), arguments.variants);
     add_unknown_names(read, program.registry());
     if (arguments.json) {
         print_json(json_of_findings<nlohmann::ordered_json>(read));
@@ -34,7 +34,7 @@ int check_recipe(Program& program, const CheckArguments& arguments) {
     if (!read.ok()) {
         return exit_code(ErrorCode::recipe);
     }
-    tell(fmt::format("{}: valid, {} run{}{}", arguments.recipe, read.recipes.size(),
+    tell(fmt::format("{}: valid, {} run{}{}", named(arguments.recipe), read.recipes.size(),
                      read.recipes.size() == 1 ? "" : "s",
                      read.variants.empty() ? "" : fmt::format("; variants: {}", fmt::join(read.variants, ", "))));
     return 0;

@@ -1,4 +1,5 @@
 // foam compare: several sphere models of one robot.
+#include "cli/messages.hpp"
 #include "cli/overwriting.hpp"
 #include "commands.hpp"
 #include "comparison.hpp"
@@ -58,7 +59,7 @@ int compare_models(Program& program, const CompareArguments& arguments) {
     }
     require_renames(arguments.judge.renames, files);
     if (!arguments.html.empty()) {
-        write_whole_file(arguments.html, html_of(comparison, pictures_of(program, comparison)));
+        write_whole_file(arguments.html, with_names(html_of(comparison, pictures_of(program, comparison))));
         tell(fmt::format("written: {}", arguments.html));
     }
     if (arguments.json) {
@@ -78,8 +79,11 @@ void add_compare(Program& program) {
                                     "\n"
                                     "The figures are those of `foam evaluate`.");
     auto arguments = std::make_shared<CompareArguments>();
-    add_judge_options(*command, arguments->judge);
-    command->add_option("models", arguments->models, "The sphere models")->type_name("SPHERES")->required();
+    add_judge_options(*command, program, arguments->judge);
+    command->add_option("models", arguments->models, "The sphere models; one may be -, the standard input")
+        ->type_name("SPHERES")
+        ->required();
+    program.standard_input.may_be(arguments->models, StandardInput::Holds::model);
     command->add_option("--html", arguments->html, "Also write one HTML file with tables and pictures")
         ->type_name("FILE");
     add_force(*command, arguments->force);

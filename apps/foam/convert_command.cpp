@@ -139,8 +139,8 @@ int convert(Program& program, const ConvertArguments& arguments) {
         write_whole_file(files[i].file, files[i].bytes);
     }
     print(fmt::format("Read: {}, {}, {} of {} link{}\nWritten: {} by {}\n{}{}.\n", arguments.model, file.format,
-                      counts_text(kinds), model.groups.size(),
-                      model.groups.size() == 1 ? "" : "s", fmt::join(file_names(files), ", "), format.info.name,
+                      counts_text(kinds), model.groups.size(), model.groups.size() == 1 ? "" : "s",
+                      fmt::join(file_names(files), ", "), format.info.name,
                       static_cast<char>(std::toupper(proof.front())), proof.substr(1)));
     return 0;
 }
@@ -158,10 +158,14 @@ void add_convert(Program& program) {
                                     "the pairs of links that need no check where the format has them.\n"
                                     "`foam formats` lists the formats.");
     auto arguments = std::make_shared<ConvertArguments>();
-    command->add_option("model", arguments->model, "The sphere model, in any format that is read")
+    command
+        ->add_option("model", arguments->model, "The sphere model, in any format that is read; - is the standard input")
         ->type_name("MODEL")
         ->required();
     command->add_option("robot", arguments->robot, "The robot, a URDF; some formats need it")->type_name("ROBOT");
+    program.standard_input.may_be(arguments->model, StandardInput::Holds::model);
+    program.standard_input.may_be(arguments->robot, StandardInput::Holds::geometry);
+    program.standard_input.add_format(*command);
     command->add_option("-o,--output", arguments->output, "Output file; its extension selects the format")
         ->type_name("FILE")
         ->required();

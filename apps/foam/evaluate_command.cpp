@@ -110,10 +110,11 @@ nlohmann::ordered_json planes_json(const std::vector<LinkPlane>& planes, const O
                                    const MatchedModel& model) {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     for (const auto& [link, plane] : planes) {
-        json.push_back({{"link", original.links[link].link},
-                        {"normal", {plane.normal.x, plane.normal.y, plane.normal.z}},
-                        {"offset_m", plane.offset},
-                        {"reached_m", json_number<nlohmann::ordered_json>(reached({plane}, model.of(link)).front().reached)}});
+        json.push_back(
+            {{"link", original.links[link].link},
+             {"normal", {plane.normal.x, plane.normal.y, plane.normal.z}},
+             {"offset_m", plane.offset},
+             {"reached_m", json_number<nlohmann::ordered_json>(reached({plane}, model.of(link)).front().reached)}});
     }
     return json;
 }
@@ -158,9 +159,10 @@ int evaluate_spheres(Program& program, const EvaluateArguments& arguments) {
 void add_pose_options(CLI::App& command, PoseOptions& options) {
     CLI::Option* random =
         command
-            .add_option("--poses", options.random,
-                        "Count missed contacts and falsely refused poses in N random poses, at most 1000000, beside the "
-                        "original geometry")
+            .add_option(
+                "--poses", options.random,
+                "Count missed contacts and falsely refused poses in N random poses, at most 1000000, beside the "
+                "original geometry")
             ->type_name("N")
             ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}).description(""));
     CLI::Option* given =
@@ -201,8 +203,11 @@ void add_evaluate(Program& program) {
                                     "  certified  gap = 0 is proved\n"
                                     "A number after ± is a standard error.");
     auto arguments = std::make_shared<EvaluateArguments>();
-    add_judge_options(*command, arguments->judge);
-    command->add_option("spheres", arguments->spheres, "The sphere model")->type_name("SPHERES")->required();
+    add_judge_options(*command, program, arguments->judge);
+    command->add_option("spheres", arguments->spheres, "The sphere model; - is the standard input")
+        ->type_name("SPHERES")
+        ->required();
+    program.standard_input.may_be(arguments->spheres, StandardInput::Holds::model);
     command
         ->add_option("--clip", arguments->clips,
                      "Report how far the spheres of LINK extend beyond the plane n · p = OFFSET of its frame, with the "

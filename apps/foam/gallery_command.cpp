@@ -141,6 +141,9 @@ int gallery(Program& program, const GalleryArguments& arguments) {
     if (registry.find(renderer_stage) == nullptr) {
         throw Error(ErrorCode::plugin, fmt::format("no plugin offers {}, which draws pictures", renderer_stage));
     }
+    if (arguments.output.empty() && program.standard_input.is(arguments.input)) {
+        throw Error(ErrorCode::usage, "the input - gives the picture no name; remedy: -o FILE");
+    }
     const std::optional<Size> size = arguments.size.empty() ? std::nullopt : std::optional(size_of(arguments.size));
     const SubjectOptions options{.files = {arguments.input},
                                  .unit = arguments.unit,
@@ -179,7 +182,11 @@ void add_gallery(Program& program) {
                                     "  foam gallery part.stl 4 16 -o part.png --size 1600x600\n"
                                     "  foam gallery robot.urdf 60 --turntable robot.webp");
     auto arguments = std::make_shared<GalleryArguments>();
-    command->add_option("input", arguments->input, "A URDF or a mesh file")->type_name("INPUT")->required();
+    command->add_option("input", arguments->input, "A URDF or a mesh file; - is the standard input")
+        ->type_name("INPUT")
+        ->required();
+    program.standard_input.may_be(arguments->input, StandardInput::Holds::geometry);
+    program.standard_input.add_format(*command);
     command->add_option("counts", arguments->counts, "Numbers of spheres of the whole robot, a view each")
         ->type_name("N")
         ->required()

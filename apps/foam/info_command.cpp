@@ -128,15 +128,18 @@ int inform(Program& program, const InfoArguments& arguments) {
 } // namespace
 
 void add_info(Program& program) {
-    CLI::App* command =
-        add_command(program, "info", "Show what a robot or a mesh consists of",
-                    "  foam info robot.urdf\n"
-                    "  foam info part.stl --unit mm\n"
-                    "\n"
-                    "closed: no if a mesh of the link has holes; its volume is then that of\n"
-                    "the points whose winding number is above one half.");
+    CLI::App* command = add_command(program, "info", "Show what a robot or a mesh consists of",
+                                    "  foam info robot.urdf\n"
+                                    "  foam info part.stl --unit mm\n"
+                                    "\n"
+                                    "closed: no if a mesh of the link has holes; its volume is then that of\n"
+                                    "the points whose winding number is above one half.");
     auto arguments = std::make_shared<InfoArguments>();
-    command->add_option("input", arguments->input.original, "A URDF or a mesh file")->type_name("INPUT")->required();
+    command->add_option("input", arguments->input.original, "A URDF or a mesh file; - is the standard input")
+        ->type_name("INPUT")
+        ->required();
+    program.standard_input.may_be(arguments->input.original, StandardInput::Holds::geometry);
+    program.standard_input.add_format(*command);
     add_geometry(*command, arguments->input.geometry,
                  "The geometry of a robot that is shown: collision, visual or both");
     add_mesh_unit(*command, arguments->input.unit);

@@ -68,10 +68,12 @@ CoveredGeometry covered_geometry(const std::string& word) {
     return static_cast<CoveredGeometry>(std::find(words.begin(), words.end(), word) - words.begin());
 }
 
-void add_judge_options(CLI::App& command, JudgeOptions& options) {
-    command.add_option("original", options.original, "The geometry: a URDF or a mesh file")
+void add_judge_options(CLI::App& command, Program& program, JudgeOptions& options) {
+    command.add_option("original", options.original, "The geometry: a URDF or a mesh file; - is the standard input")
         ->type_name("ORIGINAL")
         ->required();
+    program.standard_input.may_be(options.original, StandardInput::Holds::geometry);
+    program.standard_input.add_format(command);
     add_geometry(command, options.geometry,
                  "The geometry of a robot that spheres are judged by: collision, visual or both");
     add_mesh_unit(command, options.unit);

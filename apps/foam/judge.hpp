@@ -35,7 +35,7 @@ void add_geometry(CLI::App& command, std::string& geometry, const std::string& t
 /// Returns the geometry that --geometry names.
 CoveredGeometry covered_geometry(const std::string& word);
 /// ORIGINAL, --geometry, --unit, --scale, --reader, --rename, --link, -j.
-void add_judge_options(CLI::App& command, JudgeOptions& options);
+void add_judge_options(CLI::App& command, Program& program, JudgeOptions& options);
 
 /// The geometry, with what its loader warned of told on stderr.
 Original original_of(Program& program, const JudgeOptions& options);

@@ -287,8 +287,8 @@ Json json_of_planned(const Plan& plan, const Recipe& recipe) {
 int plan_recipe(Program& program, const PlanArguments& arguments) {
     Registry& registry = program.registry();
     const RecipeResult read =
-        read_recipe(recipe_file(arguments.recipe), registry, settings_of(arguments.settings), arguments.variants);
-    require_ok(read, arguments.recipe);
+        read_recipe_argument(arguments.recipe, registry, settings_of(arguments.settings), arguments.variants);
+    require_ok(read, named(arguments.recipe));
     Json runs = Json::array();
     std::string text;
     bool unreadable = false;

@@ -62,11 +62,11 @@ int run_recipe(Program& program, RunArguments arguments) {
         throw Error(ErrorCode::usage, "recipe is required; `foam run --help` explains its use");
     }
     RecipeResult read =
-        read_recipe(recipe_file(arguments.recipe), registry, settings_of(arguments.settings), arguments.variants);
+        read_recipe_argument(arguments.recipe, registry, settings_of(arguments.settings), arguments.variants);
     if (lock && !read.ok()) {
         lock->check_plugins(registry);
     }
-    require_ok(read, arguments.recipe);
+    require_ok(read, named(arguments.recipe));
     if (lock) {
         keep_locked(read.recipes, lock->name(), arguments.locked);
         lock->check_start(read.recipes.front(), registry);

@@ -195,10 +195,15 @@ int self_collision(Program& program, SelfCollisionArguments& arguments) {
     return 0;
 }
 
-void add_model_options(CLI::App& command, SelfCollisionArguments& arguments) {
-    command.add_option("robot", arguments.urdf, "The robot, a URDF; its collision spheres are used as they are")
+void add_model_options(CLI::App& command, Program& program, SelfCollisionArguments& arguments) {
+    command
+        .add_option("robot", arguments.urdf,
+                    "The robot, a URDF; its collision spheres are used as they are; - is the standard input")
         ->type_name("ROBOT")
         ->required();
+    program.standard_input.may_be(arguments.urdf, StandardInput::Holds::geometry);
+    program.standard_input.may_be(arguments.model, StandardInput::Holds::model);
+    program.standard_input.add_format(command);
     command
         .add_option("--spheres", arguments.spheres,
                     "Maximum number of certified spheres that cover a link with other geometry, 1 to 1000")
@@ -261,7 +266,7 @@ void add_self_collision(Program& program) {
                                     "foam proves Always and Never, or prints a bound from random samples. All other\n"
                                     "pairs need a check.");
     auto arguments = std::make_shared<SelfCollisionArguments>();
-    add_model_options(*command, *arguments);
+    add_model_options(*command, program, *arguments);
     add_sampling_options(*command, *arguments);
     command->add_option("--srdf", arguments->srdf, "Write the pairs as an SRDF, <disable_collisions>")
         ->type_name("FILE");

@@ -199,8 +199,33 @@ int run_quick(const SpherizeArguments& arguments, const Recipe& recipe, const Qu
     return exit_code_of(result);
 }
 
+/// Throws Error(usage) for what needs a name of the input.
+void require_no_name(const SpherizeArguments& arguments, const Registry& registry) {
+    if (arguments.print_recipe) {
+        throw Error(ErrorCode::usage, "a recipe names its input, and - has no name; remedy: a file instead of -");
+    }
+    if (!arguments.run_dir.empty()) {
+        throw Error(ErrorCode::usage, "a run directory names its input, so that the run can be repeated, and - has no "
+                                      "name; remedy: a file instead of -, or without --run-dir");
+    }
+    if (arguments.output.empty()) {
+        throw Error(ErrorCode::usage, "the input - gives the output no name; remedy: -o FILE, or -o - with --format");
+    }
+    const StageInfo& writer = writer_for(output_ending(arguments, registry), registry).info;
+    const bool names_meshes = std::any_of(writer.parameters.begin(), writer.parameters.end(),
+                                          [](const Parameter& parameter) { return parameter.name == "mesh_paths"; });
+    if (names_meshes && is_mesh(arguments.input, registry)) {
+        throw Error(ErrorCode::usage, fmt::format("{} writes the name of the mesh, and - has no name; remedy: another "
+                                                  "format, or a file instead of -",
+                                                  writer.name));
+    }
+}
+
 int spherize(Program& program, const SpherizeArguments& arguments) {
     Registry& registry = program.registry();
+    if (program.standard_input.is(arguments.input)) {
+        require_no_name(arguments, registry);
+    }
     std::error_code error;
     if (!fs::is_regular_file(arguments.input, error)) {
         throw Error(ErrorCode::input, fmt::format("{}: {}", arguments.input,
@@ -225,7 +250,11 @@ int spherize(Program& program, const SpherizeArguments& arguments) {
 /// Adds the options that both commands have.
 void add_common_options(CLI::App& command, Program& program, const std::shared_ptr<SpherizeArguments>& arguments) {
     const std::string elements = arguments->elements ? "elements" : "spheres";
-    command.add_option("input", arguments->input, "A URDF or a mesh file")->type_name("INPUT")->required();
+    command.add_option("input", arguments->input, "A URDF or a mesh file; - is the standard input")
+        ->type_name("INPUT")
+        ->required();
+    program.standard_input.may_be(arguments->input, StandardInput::Holds::geometry);
+    program.standard_input.add_format(command);
     command
         .add_option(arguments->elements ? "-n,--elements" : "-n,--spheres", arguments->budget.spheres,
                     fmt::format("Maximum number of {} of the whole robot, at most 1000000; default: the method's own "

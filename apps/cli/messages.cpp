@@ -1,0 +1,101 @@
+#include "messages.hpp"
+
+#include <fmt/color.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <unistd.h>
+
+namespace foam::cli {
+namespace {
+
+/// Set once, before the command runs.
+struct Showing {
+    bool colour_out = false, colour_err = false;
+    std::string standard_input;
+};
+
+Showing& showing() {
+    static Showing one;
+    return one;
+}
+
+bool takes_colour(int descriptor) {
+    const char* refused = std::getenv("NO_COLOR");
+    const char* terminal = std::getenv("TERM");
+    return isatty(descriptor) == 1 && !(refused && *refused) && terminal && std::string_view(terminal) != "dumb";
+}
+
+struct Highlight {
+    std::string_view begin; ///< of a line, or after ": "
+    fmt::terminal_color colour;
+};
+
+constexpr std::array highlights{
+    Highlight{"error:", fmt::terminal_color::red},      Highlight{"error[", fmt::terminal_color::red},
+    Highlight{"Not proved", fmt::terminal_color::red},  Highlight{"Not certified", fmt::terminal_color::red},
+    Highlight{"warning:", fmt::terminal_color::yellow}, Highlight{"warning[", fmt::terminal_color::yellow},
+    Highlight{"stopped:", fmt::terminal_color::yellow}, Highlight{"Proved", fmt::terminal_color::green},
+    Highlight{"Certified", fmt::terminal_color::green},
+};
+
+/// Returns the line with its first highlighted word in colour. A word counts at the begin of the line or after ": ".
+std::string coloured_line(std::string_view line) {
+    std::size_t first = line.npos;
+    const Highlight* found = nullptr;
+    for (const Highlight& word : highlights) {
+        std::size_t at = line.find(word.begin);
+        while (at != line.npos && at != 0 && !line.substr(0, at).ends_with(": ")) {
+            at = line.find(word.begin, at + 1);
+        }
+        if (at < first) {
+            first = at;
+            found = &word;
+        }
+    }
+    if (!found) {
+        return std::string(line);
+    }
+    const std::size_t length = found->begin.size() - (found->begin.ends_with('[') ? 1 : 0);
+    return std::string(line.substr(0, first)) +
+           fmt::format(fmt::emphasis::bold | fmt::fg(found->colour), "{}", line.substr(first, length)) +
+           std::string(line.substr(first + length));
+}
+
+std::string coloured_lines(std::string_view text) {
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        result += coloured_line(text.substr(0, end));
+        result += text.substr(end, 1);
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return result;
+}
+
+} // namespace
+
+void choose_colours(Colour colour) {
+    showing().colour_out = colour == Colour::always || (colour == Colour::automatic && takes_colour(STDOUT_FILENO));
+    showing().colour_err = colour == Colour::always || (colour == Colour::automatic && takes_colour(STDERR_FILENO));
+}
+
+void show_as_standard_input(const std::string& file) {
+    showing().standard_input = file;
+}
+
+std::string with_names(std::string text) {
+    const std::string& file = showing().standard_input;
+    for (std::size_t at = 0; !file.empty() && (at = text.find(file, at)) != text.npos;) {
+        text.replace(at, file.size(), "stdin");
+    }
+    return text;
+}
+
+std::string coloured(const std::string& text, Stream stream) {
+    const bool wanted = stream == Stream::out ? showing().colour_out : showing().colour_err;
+    return wanted ? coloured_lines(text) : text;
+}
+
+} // namespace foam::cli
