@@ -43,9 +43,10 @@ RunDirectory::RunDirectory(fs::path target, const char* mark) : target_(fs::abso
     fs::remove_all(temporary_, error);
     fs::create_directories(temporary_, error);
     if (error) {
-        throw Error(ErrorCode::output,
-                    fmt::format("{}: the run directory cannot be made: {}; remedy: choose another folder with --run-dir",
-                                target_.string(), error.message()));
+        throw Error(
+            ErrorCode::output,
+            fmt::format("{}: the run directory cannot be made: {}; remedy: choose another folder with --run-dir",
+                        target_.string(), error.message()));
     }
 }
 
