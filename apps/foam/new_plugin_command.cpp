@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 struct Kind {
     const char *name, *templates, *noun;
 };
-constexpr std::array<Kind, 8> kinds{{{"load", "load", "Loader"},
+constexpr std::array<Kind, 8> stage_kinds{{{"load", "load", "Loader"},
                                      {"read", "read", "Reader"},
                                      {"refine", "refine", "Refiner"},
                                      {"repair", "filter", "Filter"},
@@ -52,7 +52,7 @@ std::string camel_case(const std::string& words) {
 
 Kind kind_of(const std::string& name, const std::string& method) {
     std::vector<std::string> names;
-    for (const Kind& kind : kinds) {
+    for (const Kind& kind : stage_kinds) {
         if (name == kind.name) {
             return kind;
         }

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* nothing = "nothing";
+constexpr const char* no_value = "nothing";
 
 [[noreturn]] void damaged(const std::string& source, const std::string& what) {
     throw Error(ErrorCode::usage, fmt::format("{}: the manifest is damaged: {}; remedy: restore it from where it was "
@@ -74,7 +74,7 @@ void flatten(const Json& json, const std::string& path, std::vector<std::pair<st
             flatten(json[i], fmt::format("{}[{}]", path, i), values);
         }
     } else {
-        values.emplace_back(path, json.is_structured() ? nothing : json.dump());
+        values.emplace_back(path, json.is_structured() ? no_value : json.dump());
     }
 }
 
@@ -201,12 +201,12 @@ std::vector<Difference> compare(const std::vector<Checkpoint>& expected, const s
             met.insert(f);
         }
         if (!f || f->digest != e.digest) {
-            differences.push_back({e.link, e.stage, e.input, e.digest, f ? f->digest : nothing});
+            differences.push_back({e.link, e.stage, e.input, e.digest, f ? f->digest : no_value});
         }
     }
     for (const Checkpoint& f : found) {
         if (!met.contains(&f)) {
-            differences.push_back({f.link, f.stage, f.input, nothing, f.digest});
+            differences.push_back({f.link, f.stage, f.input, no_value, f.digest});
         }
     }
     return differences;
