@@ -27,7 +27,7 @@ INVISIBLE |= {"extends_missing", "extends_folder", "extends_circle", "extends_it
               "extends_without_stages", "extends_wrong_override"}
 # It is the value at a path, or it contradicts another value:
 INVISIBLE |= {"guarantee_inner", "idle_limits", "idle_weight", "clip_inner", "inner_pad", "unit_of_robot", "variants_wrong_values",
-              "variants_swept", "variants_same_name"}
+              "variants_swept", "variants_same_name", "budget_for", "budget_for_variants"}
 
 
 class CoreLoader(yaml.SafeLoader):

@@ -11,8 +11,8 @@
 namespace foam {
 inline namespace [[gnu::visibility("default")]] runtime {
 
-class RandomPoses;
-class ReferencePose;
+class [[gnu::visibility("hidden")]] RandomPoses;
+class [[gnu::visibility("hidden")]] ReferencePose;
 
 /// A unit of spherization: a link, or one collision element of it.
 struct Group {
@@ -43,5 +43,5 @@ struct SpherizedLinks {
 SpherizedLinks spherize_links(const Workspace& workspace, std::vector<LinkWork>& links, ReferencePose* pose = nullptr,
                               RandomPoses* poses = nullptr);
 
-} // namespace gnu::visibility("default")]]runtime
+} // namespace runtime
 } // namespace foam
