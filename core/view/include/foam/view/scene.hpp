@@ -68,5 +68,5 @@ std::string scene_bytes(const Subject& subject, const std::vector<SceneModel>& m
 /// Returns the meshes that are coarse in the scene, in its form: {"meshes": [mesh or null, …]} in the scene's order.
 std::string fine_mesh_bytes(const Subject& subject);
 
-} // namespace gnu::visibility("default")]]view
+} // namespace view
 } // namespace foam
