@@ -69,7 +69,10 @@ public:
     /// Returns the allocation with the fewest false contacts of some rounds; of equals the earlier one.
     Shared improved(Shared shared, Cut& cut) {
         std::optional<FalseContacts> found = contacts_of(shared, cut);
-        const std::size_t before = found ? found->all : 0;
+        if (!found) {
+            return shared; // no time to count any
+        }
+        const std::size_t before = found->all;
         Shared best = shared;
         std::size_t least = before;
         std::vector<Group> weighted = groups_;
@@ -130,6 +133,9 @@ private:
     static void blame(std::vector<Group>& weighted, const FalseContacts& found) {
         constexpr double step = 4;
         const std::size_t most = *std::max_element(found.of_groups.begin(), found.of_groups.end());
+        if (most == 0) {
+            return; // they are of kept spheres alone
+        }
         for (std::size_t g = 0; g < weighted.size(); ++g) {
             weighted[g].weight *= 1 + (step - 1) * static_cast<double>(found.of_groups[g]) / static_cast<double>(most);
         }
