@@ -406,6 +406,40 @@ TEST(ElementCertificate, PolytopesThatMeetAtAPlane) {
     }
 }
 
+Element swept_box_between(double from, double to, const Pose& pose) {
+    Element e{.kind = Kind::swept_box, .radius = 0.1};
+    e.half = {(to - from) / 2 - e.radius, 1 - e.radius, 1 - e.radius};
+    e.pose.translation = {(from + to) / 2, 0, 0};
+    return moved(e, pose);
+}
+
+Element cylinder_between(double from, double to, const Pose& pose) {
+    Element e{.kind = Kind::cylinder, .radius = 2};
+    e.half = {0, 0, (to - from) / 2};
+    e.pose = Pose::from_axis_angle({0, 1, 0}, std::numbers::pi / 2);
+    e.pose.translation = {(from + to) / 2, 0, 0};
+    return moved(e, pose);
+}
+
+TEST(ElementCertificate, RoundElementsThatHardlyOverlap) {
+    Random random(7);
+    for (int run = 0; run < 20; ++run) {
+        const Pose pose = run == 0 ? Pose{} : test::random_pose(random, 1);
+        const auto solid = Solid::make(transformed(test::box({-0.9, -0.8, -0.8}, {0.9, 0.8, 0.8}), pose));
+        for (const auto& make : {swept_box_between, cylinder_between}) {
+            for (const double gap : {1e-3, 1e-6, 1e-8}) {
+                const std::vector<Element> apart{make(-1, -gap / 2, pose), make(gap / 2, 1, pose)};
+                EXPECT_FALSE(certify(*solid, ElementsView{{}, apart}).holds) << gap;
+                const std::vector<Element> over{make(-1, gap / 2, pose), make(-gap / 2, 1, pose)};
+                const Certificate closed = certify(*solid, ElementsView{{}, over});
+                EXPECT_TRUE(closed.holds) << gap;
+                EXPECT_LT(closed.pieces, 100u); // cut where they meet, not halved
+                EXPECT_EQ(Jury(over).outside(solid->surface(), 10'000, random), 0u);
+            }
+        }
+    }
+}
+
 TEST(ElementCertificate, AHoleInsideATriangleWhoseEdgesAreCovered) {
     const auto solid = Solid::make(Mesh{{{0, 0, 0}, {4, 0, 0}, {2, 3, 0}}, {{0, 1, 2}}});
     const std::vector<Vec3>& c = solid->surface().vertices;

@@ -1,5 +1,8 @@
 #include "body_cuts.hpp"
 
+#include <algorithm>
+#include <bit>
+
 namespace foam::inline geometry {
 namespace {
 
@@ -172,34 +175,61 @@ std::vector<Corners> BodyCuts::between_nearest(const Corners& triangle, std::spa
 
 /// Returns false if a corner is in no body, or if the polygon cannot be divided further.
 bool BodyCuts::prove(const Polygon& polygon) {
-    std::array<bool, Polygon::most_corners> open;
-    open.fill(true);
-    std::vector<std::pair<std::size_t, std::uint32_t>> order; // corners in it, body
+    const std::uint32_t all = (1u << polygon.corners) - 1;
+    std::uint32_t held = 0;
+    holders_.clear();
     for (std::size_t n = polygon.begin; n < polygon.end; ++n) {
-        std::size_t count = 0;
+        Holder holder{indices_[n], 0};
         for (std::size_t k = 0; k < polygon.corners; ++k) {
-            const bool inside = bodies_.holds(indices_[n], polygon.corner[k]);
-            count += inside;
-            open[k] = open[k] && !inside;
+            holder.corners |= static_cast<std::uint32_t>(bodies_.holds(holder.body, polygon.corner[k])) << k;
         }
-        if (count == polygon.corners) {
+        if (holder.corners == all) {
             return true;
         }
-        if (!bodies_.planes(indices_[n]).empty()) {
-            order.push_back({count, indices_[n]});
-        }
+        held |= holder.corners;
+        holders_.push_back(holder);
     }
-    if (std::any_of(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(polygon.corners),
-                    [](bool is) { return is; })) {
+    if (held != all) {
         return false;
     }
-    std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-    for (const auto& [count, polytope] : order) {
-        if (cut_out(polygon, polytope)) {
+    std::stable_sort(holders_.begin(), holders_.end(), [](const Holder& a, const Holder& b) {
+        return std::popcount(a.corners) > std::popcount(b.corners);
+    });
+    for (const Holder& holder : holders_) {
+        if (!bodies_.planes(holder.body).empty() && cut_out(polygon, holder.body)) {
             return true;
         }
     }
-    return divide(polygon);
+    return held_by_two(polygon) || divide(polygon);
+}
+
+/// Returns whether two bodies hold a part of the polygon each. Both are convex: where they hold each edge together, a
+/// cut through places of the edges that both hold leaves one part in each of them.
+bool BodyCuts::held_by_two(const Polygon& polygon) {
+    const std::uint32_t all = (1u << polygon.corners) - 1;
+    const auto in = [&](const Polygon& part, std::uint32_t body) {
+        const std::span<const Vec3> corners(part.corner.data(), part.corners);
+        return std::all_of(corners.begin(), corners.end(), [&](const Vec3& p) { return bodies_.holds(body, p); });
+    };
+    std::size_t tries = 8;
+    Parts parts;
+    for (std::size_t i = 0; i < holders_.size(); ++i) {
+        for (std::size_t k = i + 1; k < holders_.size(); ++k) {
+            const auto [a, corners_of_a] = holders_[i];
+            const auto [b, corners_of_b] = holders_[k];
+            if ((corners_of_a | corners_of_b) != all || tries == 0) {
+                continue;
+            }
+            --tries;
+            const auto nearer = [&](const Vec3& p) { return bodies_.depth(a, p) - bodies_.depth(b, p); };
+            if (split(polygon, nearer, parts) && in(parts.low, a) && in(parts.high, b)) {
+                pieces_ += 2;
+                most_cuts_ = std::max({most_cuts_, parts.low.cuts, parts.high.cuts});
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 /// Cuts a polytope out of the polygon, and queues what is left. Returns false if they do not meet, or if rounding does
@@ -270,4 +300,4 @@ bool BodyCuts::divide(const Polygon& polygon) {
     return split(polygon, beyond, parts) && parts.low.corners > 2 && parts.high.corners > 2 && queue();
 }
 
-} // namespace foam::geometry
+} // namespace foam::inline geometry

@@ -12,7 +12,8 @@ constexpr double long_piece = 4;
 
 /// Proves single triangles by cutting them into convex polygons that one body contains each. A box or a hull is cut out
 /// along its planes: what is left is proved by other bodies. So a triangle that many polytopes share takes one piece
-/// for each of them and the sides of its rest, however little they overlap. Between other bodies it is halved.
+/// for each of them and the sides of its rest, however little they overlap. Two other bodies that hold its edges hold
+/// it, cut between them; among more of them it is halved.
 class BodyCuts {
 public:
     /// Roundings of a corner on a cut, in halvings.
@@ -65,6 +66,7 @@ private:
     void begin(const Corners& triangle, std::span<const std::uint32_t> candidates, std::size_t most_pieces);
     bool take(Polygon& next);
     bool prove(const Polygon& polygon);
+    bool held_by_two(const Polygon& polygon);
     bool cut_out(const Polygon& polygon, std::uint32_t polytope);
     bool divide(const Polygon& polygon);
     void push(Polygon polygon, const Polygon& whole, std::uint32_t without);
@@ -78,8 +80,13 @@ private:
     std::size_t pieces_ = 0, most_pieces_ = 0;
     std::uint32_t most_cuts_ = 0;
     std::vector<Polygon> waiting_;
-    std::vector<std::uint32_t> indices_, order_;
+    /// A body with the corners of the present polygon that it holds, a bit each.
+    struct Holder {
+        std::uint32_t body, corners;
+    };
+    std::vector<Holder> holders_;
+    std::vector<std::uint32_t> indices_;
     CancellationCounter asking_{256};
 };
 
-} // namespace foam::geometry
+} // namespace foam::inline geometry
