@@ -15,7 +15,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <map>
+#include <numbers>
+#include <numeric>
 
 namespace foam::inline search {
 namespace convex {
@@ -121,15 +124,30 @@ struct ApproximationSearch::Data {
             throw Error(ErrorCode::geometry, "approximate: the solid cannot be covered: " + why);
         }
         only_hulls = kinds == std::vector{Element::Kind::hull};
-        price = only_hulls ? convex::price_of_hull() : price_of_kinds();
+        if (only_hulls) {
+            prices = {convex::price_of_hull()};
+        } else if (has(Element::Kind::capsule)) {
+            constexpr double share =
+                0.4; // on links of robots: shares near it give hardly better covers, and others worse
+            prices = {price_of_kinds(0), price_of_kinds(share)};
+        } else {
+            prices = {price_of_kinds(0)};
+        }
     }
 
     ConvexCover cover(std::size_t count);
 
-    /// Returns the least volume of quick fits of the kinds.
-    convex::Price price_of_kinds() const {
-        const bool with_hulls = std::find(kinds.begin(), kinds.end(), Element::Kind::hull) != kinds.end();
-        return [this, with_hulls](std::span<const Vec3> points) {
+    bool has(Element::Kind kind) const { return std::find(kinds.begin(), kinds.end(), kind) != kinds.end(); }
+
+    /// Returns the least volume of quick fits of the kinds, without a share of the caps of capsules, which lie in the
+    /// neighbours.
+    convex::Price price_of_kinds(double share) const {
+        const auto alone = [share](const convex::Fit& fit) {
+            constexpr double of_caps = 4 * std::numbers::pi / 3;
+            const double caps = fit.kind == Element::Kind::capsule ? of_caps * std::pow(fit.radius, 3) : 0;
+            return convex::volume(fit) - share * caps;
+        };
+        return [this, alone, with_hulls = has(Element::Kind::hull)](std::span<const Vec3> points) {
             convex::Cloud cloud;
             double of_hull = 0;
             if (with_hulls) {
@@ -145,7 +163,7 @@ struct ApproximationSearch::Data {
             for (const Element::Kind kind : kinds) {
                 least = std::min(least, kind == Element::Kind::hull
                                             ? of_hull
-                                            : convex::volume(convex::quick_fit(kind, cloud, options.axis_aligned)));
+                                            : alone(convex::quick_fit(kind, cloud, options.axis_aligned)));
             }
             return least;
         };
@@ -211,53 +229,77 @@ struct ApproximationSearch::Data {
         }
         return convex::proved(solid, std::move(level));
     }
-    /// Returns bricks for hulls, several for each: those of bricks_of(), put together where that adds little.
-    std::vector<convex::Brick> hull_bricks(std::size_t count) {
-        const std::size_t bricks = std::max(plan.hull_bricks, 4 * count);
-        const auto found = bricks_.find(bricks);
-        const std::vector<convex::Brick>& fine =
-            found != bricks_.end() ? found->second
-                                   : bricks_.emplace(bricks, convex::bricks_of(body().body, bricks)).first->second;
-        const std::size_t enough = std::max<std::size_t>(40, 4 * count);
-        return enough < fine.size() ? convex::united(fine, convex::merged(fine, {enough}).front()) : fine;
+    using BricksByNumber = std::map<std::size_t, std::vector<convex::Brick>>;
+    /// Returns the bricks under this number; makes them once.
+    template <class Make>
+    static const std::vector<convex::Brick>& once(BricksByNumber& known, std::size_t number, Make make) {
+        const auto found = known.find(number);
+        return found != known.end() ? found->second : known.emplace(number, make()).first->second;
+    }
+    /// Returns bricks for hulls, about `most`: those of bricks_of(), put together where that adds little.
+    const std::vector<convex::Brick>& hull_bricks(std::size_t most) {
+        return once(hull_bricks_, most, [&] {
+            const std::size_t number = std::max(plan.hull_bricks, most);
+            const std::vector<convex::Brick>& fine =
+                once(fine_bricks_, number, [&] { return convex::bricks_of(body().body, number); });
+            return most < fine.size() ? convex::united(fine, convex::merged(fine, {most}).front()) : fine;
+        });
+    }
+    /// Returns how many bricks so many pieces are made of.
+    std::size_t bricks_for(std::size_t count) const {
+        constexpr std::size_t few_for_hulls = 40;
+        return only_hulls ? std::max(few_for_hulls, 4 * count) : std::max(plan.bricks, 6 * count);
     }
     /// Returns the partition into hulls that a merge of bricks gives.
     static convex::Partition by_merging(const std::vector<convex::Brick>& bricks, std::size_t count) {
         return {bricks, convex::merged(bricks, {count}).front()};
     }
-    convex::Partition by_splitting(std::vector<convex::Brick> bricks, std::size_t count) {
-        convex::Partition partition;
-        if (only_hulls) {
-            partition.bricks = std::move(bricks);
-        } else {
-            partition.bricks = convex::halved_bricks(body().body, std::max(plan.bricks, 6 * count));
-        }
+    /// Returns the bricks as one piece.
+    static convex::Partition whole(std::vector<convex::Brick> bricks, const convex::Price& price) {
+        convex::Partition partition{.bricks = std::move(bricks), .pieces = {}};
         std::vector<std::uint32_t> all(partition.bricks.size());
-        for (std::uint32_t i = 0; i < all.size(); ++i) {
-            all[i] = i;
-        }
+        std::iota(all.begin(), all.end(), 0);
         partition.pieces.push_back(convex::piece_of(partition.bricks, std::move(all), price));
-        convex::split_until(partition, price, count, plan.recut);
         return partition;
     }
-    ConvexCover several(std::size_t count) {
+    /// Returns the partition that cuts of pieces give. Goes on from that into fewer pieces of the same bricks.
+    convex::Partition by_splitting(std::size_t price, std::size_t count) {
+        const std::size_t bricks = bricks_for(count);
+        auto& known = splits_[{price, bricks}];
+        const auto above = known.upper_bound(count);
+        convex::Partition partition = above != known.begin() ? std::prev(above)->second
+                                      : only_hulls           ? whole(hull_bricks(bricks), prices[price])
+                                                   : whole(convex::halved_bricks(body().body, bricks), prices[price]);
+        convex::split_until(partition, prices[price], count, plan.recut);
+        known.insert_or_assign(count, partition);
+        return partition;
+    }
+    /// Returns the partition of the least sum that was found for a price.
+    convex::Partition partition_for(std::size_t price, std::size_t count) {
         constexpr std::size_t few = 12; // pieces, for which another start is cheap
         std::optional<convex::Partition> best;
         const auto offer = [&](convex::Partition partition) {
-            convex::recut(partition, price, plan.recut);
+            convex::recut(partition, prices[price], plan.recut);
             if (!best || partition.price() < best->price()) {
                 best = std::move(partition);
             }
         };
-        std::vector<convex::Brick> bricks;
         if (only_hulls) {
-            bricks = hull_bricks(count);
-            offer(by_merging(bricks, count));
+            offer(by_merging(hull_bricks(bricks_for(count)), count));
         }
         if (!only_hulls || count <= few) {
-            offer(by_splitting(std::move(bricks), count));
+            offer(by_splitting(price, count));
         }
-        return cover_of(*best);
+        return std::move(*best);
+    }
+    ConvexCover several(std::size_t count) {
+        std::optional<ConvexCover> best;
+        for (std::size_t price = 0; price < prices.size(); ++price) {
+            if (ConvexCover found = cover_of(partition_for(price, count)); !best || better(found, *best)) {
+                best = std::move(found);
+            }
+        }
+        return std::move(*best);
     }
     bool better(const ConvexCover& a, const ConvexCover& b) const {
         return convex::figure_of(solid, a, options.objective) < convex::figure_of(solid, b, options.objective);
@@ -268,9 +310,11 @@ struct ApproximationSearch::Data {
     ApproximateOptions options;
     convex::Plan plan;
     bool only_hulls = false;
-    convex::Price price;
+    std::vector<convex::Price> prices; ///< each gives a partition; the better cover is taken
     std::optional<convex::BodyOfSolid> body_;
-    std::map<std::size_t, std::vector<convex::Brick>> bricks_; ///< by the number asked for
+    BricksByNumber fine_bricks_, hull_bricks_; ///< by the number asked for
+    /// By price and number of bricks: partitions by number of pieces.
+    std::map<std::pair<std::size_t, std::size_t>, std::map<std::size_t, convex::Partition>> splits_;
     std::map<std::size_t, ConvexCover> known;
 };
 
@@ -280,17 +324,16 @@ ConvexCover ApproximationSearch::Data::cover(std::size_t count) {
     }
     std::optional<ConvexCover> best;
     const bool done = cover::completed_unless_stopped(options.stop, [&] {
-        best = single(Effort::fast);
-        if (ConvexCover one = single(options.effort); better(one, *best)) {
-            best = std::move(one);
+        if (count == 1) {
+            best = single(Effort::fast);
+            if (ConvexCover one = single(options.effort); better(one, *best)) {
+                best = std::move(one);
+            }
+            return;
         }
-        if (count > 1) {
-            if (ConvexCover more = several(count); better(more, *best)) {
-                best = std::move(more);
-            }
-            if (ConvexCover fewer = cover(convex::rung_below(count)); !better(*best, fewer)) {
-                best = std::move(fewer);
-            }
+        best = cover(convex::rung_below(count));
+        if (ConvexCover more = several(count); better(more, *best)) {
+            best = std::move(more);
         }
     });
     if (!best) {
@@ -347,4 +390,4 @@ Element least_element(Element::Kind kind, std::span<const Vec3> points, Effort e
     return convex::element_of(convex::least_fit(kind, cloud, effort, axis_aligned), cloud);
 }
 
-} // namespace foam::search
+} // namespace foam::inline search

@@ -4,6 +4,7 @@
 #include "cut_search.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace foam::inline search::convex {
@@ -14,6 +15,8 @@ struct Piece {
     std::vector<Vec3> hull;            ///< vertices of the hull around them
     double price = 0;
     Box box;
+    std::optional<Cut>
+        split; ///< the best found that cuts it in two, of infinite price if there is none; once looked for
 };
 
 /// The bricks and the pieces that they form. Every brick is in one piece.

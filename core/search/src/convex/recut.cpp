@@ -5,8 +5,8 @@
 #include <foam/base/parallel.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <optional>
 
 namespace foam::inline search::convex {
 namespace {
@@ -53,48 +53,40 @@ public:
         }
     }
     void split_until(std::size_t count) {
-        std::vector<std::optional<Cut>> cuts(partition_.pieces.size());
-        std::vector<char> known(cuts.size(), 0);
-        while (partition_.pieces.size() < count) {
-            parallel_for(cuts.size(), [&](std::size_t i) {
-                if (!known[i]) {
-                    cuts[i] = best_split(i);
-                }
-            });
-            std::fill(known.begin(), known.end(), 1);
-            std::size_t best = cuts.size();
-            for (std::size_t i = 0; i < cuts.size(); ++i) {
-                if (cuts[i] && (best == cuts.size() || gain(i, cuts[i]) > gain(best, cuts[best]))) {
-                    best = i;
-                }
+        std::vector<Piece>& pieces = partition_.pieces;
+        while (pieces.size() < count) {
+            find_splits();
+            std::size_t best = 0;
+            for (std::size_t i = 1; i < pieces.size(); ++i) {
+                best = gain(pieces[i]) > gain(pieces[best]) ? i : best;
             }
-            if (best == cuts.size()) {
+            if (!std::isfinite(pieces[best].split->price)) {
                 return;
             }
             Piece a, b;
-            apply(partition_.pieces[best].bricks, cuts[best]->plane, a, b);
+            apply(pieces[best].bricks, pieces[best].split->plane, a, b);
             if (a.bricks.empty() || b.bricks.empty()) {
-                cuts[best].reset();
+                pieces[best].split = Cut{};
                 continue;
             }
-            partition_.pieces[best] = std::move(a);
-            partition_.pieces.push_back(std::move(b));
-            cuts.emplace_back();
-            known[best] = 0;
-            known.push_back(0);
+            pieces[best] = std::move(a);
+            pieces.push_back(std::move(b));
         }
     }
 
 private:
-    double gain(std::size_t i, const std::optional<Cut>& cut) const {
-        return cut ? partition_.pieces[i].price - cut->price : -std::numeric_limits<double>::infinity();
-    }
-    /// Returns the best plane found that cuts one piece in two.
-    std::optional<Cut> best_split(std::size_t i) const {
-        check_cancelled();
-        CutSearch search(named(partition_.pieces[i].bricks), price_);
-        const Cut start = search.start();
-        return std::isfinite(start.price) ? std::optional(search.improved(start, plan_.split_tries)) : std::nullopt;
+    static double gain(const Piece& piece) { return piece.price - piece.split->price; }
+    /// Looks for the planes that cut each piece in two, where that was not done before.
+    void find_splits() {
+        parallel_for(partition_.pieces.size(), [&](std::size_t i) {
+            Piece& piece = partition_.pieces[i];
+            if (!piece.split) {
+                check_cancelled();
+                CutSearch search(named(piece.bricks), price_);
+                const Cut start = search.start();
+                piece.split = std::isfinite(start.price) ? search.improved(start, plan_.split_tries) : start;
+            }
+        });
     }
     void apply(const std::vector<std::uint32_t>& members, const Plane& plane, Piece& a, Piece& b) {
         std::vector<std::uint32_t> low, high;
@@ -183,11 +175,7 @@ private:
     /// Merges two pieces where that costs less than another piece gains from a cut.
     bool exchange() {
         std::vector<Piece>& pieces = partition_.pieces;
-        std::vector<std::optional<Cut>> splits(pieces.size());
-        parallel_for(pieces.size(), [&](std::size_t i) {
-            check_cancelled();
-            splits[i] = best_split(i);
-        });
+        find_splits();
         std::vector<Pair> pairs;
         for (std::uint32_t a = 0; a < pieces.size(); ++a) {
             for (std::uint32_t b = a + 1; b < pieces.size(); ++b) {
@@ -209,7 +197,7 @@ private:
             order[i] = i;
         }
         std::stable_sort(order.begin(), order.end(),
-                         [&](std::size_t a, std::size_t b) { return gain(a, splits[a]) > gain(b, splits[b]); });
+                         [&](std::size_t a, std::size_t b) { return gain(pieces[a]) > gain(pieces[b]); });
         std::vector<char> used(pieces.size(), 0);
         const double least = 1e-5 * partition_.price();
         std::size_t next = 0;
@@ -221,13 +209,13 @@ private:
             while (next < order.size() && (used[order[next]] || order[next] == pair.a || order[next] == pair.b)) {
                 ++next;
             }
-            if (next == order.size() || gain(order[next], splits[order[next]]) + pair.gain <= least) {
+            if (next == order.size() || gain(pieces[order[next]]) + pair.gain <= least) {
                 break;
             }
             const std::size_t split = order[next];
             pieces[pair.a] = piece_of(partition_.bricks, together(pieces[pair.a], pieces[pair.b]), price_);
             Piece a, b;
-            apply(pieces[split].bricks, splits[split]->plane, a, b);
+            apply(pieces[split].bricks, pieces[split].split->plane, a, b);
             pieces[split] = std::move(a);
             pieces[pair.b] = std::move(b);
             used[pair.a] = used[pair.b] = used[split] = 1;

@@ -137,9 +137,9 @@ Fit stepped(const Fit& fit, const Variables& step, const Cloud& cloud) {
     return next;
 }
 
-/// Returns directions to start from: principal directions of the hull's box, and others spread over the hemisphere.
+/// Returns directions to start from: those of a box around the points, and others spread over the hemisphere.
 std::vector<Vec3> start_directions(const Cloud& cloud, Effort effort) {
-    const Fit box = least_box(cloud, Effort::fast);
+    const Fit box = quick_box(cloud);
     std::vector<Vec3> directions(box.axes.begin(), box.axes.end());
     const std::size_t spread = effort == Effort::fast ? 16 : effort == Effort::normal ? 48 : 300;
     for (const Vec3& direction : fibonacci_directions(2 * spread)) {
@@ -275,7 +275,7 @@ Fit least_capsule(const Cloud& cloud, Effort effort) {
 Fit least_swept_box(const Cloud& cloud, Effort effort) {
     const int steps = effort == Effort::fast ? 15 : 80;
     Fit box = least_box(cloud, effort);
-    Fit capsule = least_capsule(cloud, effort);
+    Fit capsule = least_capsule(cloud, Effort::fast); // a start, no more
     capsule.kind = Kind::swept_box;
     Fit best = capsule;
     for (const Fit& start : {rounded(box, cloud), capsule, rounded(box_along(cloud, capsule.axes), cloud)}) {
