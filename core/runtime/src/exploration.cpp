@@ -7,10 +7,13 @@
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/internal/cover.hpp>
 #include <foam/runtime/internal/elements.hpp>
+#include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -193,18 +196,30 @@ Cut explore(const Workspace& workspace, std::vector<ShapeWork>& shapes,
 
 namespace {
 
-/// Returns the expected reduction of excess volume by one more sphere, m³. On links of robots, costs were observed to
-/// fall as count^-0.4, and faster for the first few: one sphere suits hardly any link. Excess volume in a cavity hardly
-/// falls: only spheres much smaller than the cavity leave it free.
-double expected_gain(const Recipe& recipe, const ShapeWork& work) {
-    constexpr double least_share = 0.05, steep = 0.7, usual = 0.4;
+/// Returns the power of the count with which a shape's costs are expected to fall. On links of robots, costs of spheres
+/// were observed to fall as count^-0.4, and faster for the first few: one sphere suits hardly any link. Other elements
+/// differ more: what was seen of the shape counts, beside one doubling at the usual power.
+double expected_power(const ShapeWork& work, std::size_t explored) {
+    constexpr double steep = 0.7, usual = 0.4, doubling = std::numbers::ln2;
     constexpr std::size_t few = 2;
+    if (spheres_alone(work.kinds)) {
+        return explored <= few ? steep : usual;
+    }
+    const double first = work.known.curve.known().begin()->second.volume, now = work.known.curve.least().volume;
+    const double fallen = now > 0 ? std::log(std::max(first / now, 1.0)) : 0;
+    const double seen = std::log(static_cast<double>(explored) / static_cast<double>(work.least));
+    return (usual * doubling + fallen) / (doubling + std::max(seen, 0.0));
+}
+
+/// Returns the expected reduction of excess volume by one more element, m³. Excess volume in a cavity hardly falls:
+/// only elements much smaller than the cavity leave it free.
+double expected_gain(const Recipe& recipe, const ShapeWork& work) {
+    constexpr double least_share = 0.05;
     const std::size_t explored = work.known.asked.rbegin()->first;
     const double wrong = work.known.curve.least().volume;
     const double may_fall = std::max(wrong - work.cavities, least_share * wrong);
-    return explored < most_of(recipe, work)
-               ? (explored <= few ? steep : usual) * may_fall / static_cast<double>(explored)
-               : 0;
+    return explored < most_of(recipe, work) ? expected_power(work, explored) * may_fall / static_cast<double>(explored)
+                                            : 0;
 }
 
 class Exploration {
@@ -218,30 +233,53 @@ public:
         }
     }
 
-    /// Explores the curves. Shapes that do not keep their limit come first. After that, always the shape where one more
-    /// sphere is expected to save most. The exploration ends when, at the price of that saving, the shapes would take
-    /// all available spheres, or as many as are enough for the goal. The goal decides only when the exploration ends,
-    /// not its order: with more spheres the same counts are known and perhaps more, and the best allocation is never
-    /// worse.
+    /// Explores the curves as far as the goal needs: with more elements the same counts are known and perhaps more, and
+    /// the best allocation is never worse. A search for elements other than spheres takes long. Those are explored for
+    /// each number up to the goal's in turn, and never with more than that number leaves to one shape.
     Cut run() {
-        std::vector<std::vector<std::size_t>> wanted(shapes_.size());
+        std::vector<std::vector<std::size_t>> first(shapes_.size());
         for (std::size_t s = 0; s < shapes_.size(); ++s) {
-            wanted[s] = nothing_to_choose() ? std::vector{shapes_[s].least}
-                                            : first_counts(workspace_.recipe, shapes_[s], groups_.size());
+            first[s] = nothing_to_choose() ? std::vector{shapes_[s].least}
+                                           : first_counts(workspace_.recipe, shapes_[s], groups_.size());
         }
-        Cut cut = Cut::none;
-        do {
-            cut = explore(workspace_, shapes_, wanted);
-            workspace_.journal.round(explored_share());
-            wanted = rungs_over_limit();
-            if (wanted.empty() && !nothing_to_choose()) {
-                wanted = rungs_that_save();
-            }
-        } while (!wanted.empty() && cut == Cut::none);
+        in_turn_ = can_take_turns();
+        most_ = in_turn_ ? least_ : goal_.most;
+        Cut cut = explore_from(first);
+        while (most_ < goal_.most && cut == Cut::none) {
+            ++most_;
+            cut = explore_from(next());
+        }
         return cut;
     }
 
 private:
+    bool can_take_turns() const {
+        constexpr std::size_t most_turns = 10'000;
+        return goal_.most >= least_ && goal_.most - least_ <= most_turns && !goal_.enough && groups_.size() > 1 &&
+               std::none_of(shapes_.begin(), shapes_.end(),
+                            [](const ShapeWork& shape) { return shape.unit != 1 || spheres_alone(shape.kinds); });
+    }
+
+    /// Explores these counts, and then others for the present number of elements. Shapes that do not keep their limit
+    /// come first. After that, always the shape where one more element is expected to save most. The exploration ends
+    /// when, at the price of that saving, the shapes would take all available elements, or as many as are enough for
+    /// the goal. The goal decides only when the exploration ends, not its order.
+    Cut explore_from(std::vector<std::vector<std::size_t>> wanted) {
+        Cut cut = Cut::none;
+        while (!wanted.empty() && cut == Cut::none) {
+            cut = explore(workspace_, shapes_, wanted);
+            workspace_.journal.round(explored_share());
+            wanted = next();
+        }
+        return cut;
+    }
+
+    /// Returns the counts of each shape that the present number of elements needs known. Empty: none.
+    std::vector<std::vector<std::size_t>> next() const {
+        std::vector<std::vector<std::size_t>> wanted = rungs_over_limit();
+        return wanted.empty() && !nothing_to_choose() ? rungs_that_save() : wanted;
+    }
+
     /// Returns whether the budget is just enough for the least count of every group.
     bool nothing_to_choose() const { return groups_.size() > 1 && goal_.most == least_; }
 
@@ -255,10 +293,18 @@ private:
         return std::min(0.95, explored / static_cast<double>(goal_.most));
     }
 
-    double gain(std::size_t s) const { return weights_[s] * expected_gain(workspace_.recipe, shapes_[s]); }
+    double gain(std::size_t s) const {
+        return in_turn_ && rungs(s).empty() ? 0 : weights_[s] * expected_gain(workspace_.recipe, shapes_[s]);
+    }
 
     std::vector<std::size_t> rungs(std::size_t s) const {
-        return rungs_above(shapes_[s], shapes_[s].known.asked.rbegin()->first, most_of(workspace_.recipe, shapes_[s]));
+        const ShapeWork& shape = shapes_[s];
+        std::vector<std::size_t> rungs =
+            rungs_above(shape, shape.known.asked.rbegin()->first, most_of(workspace_.recipe, shape));
+        if (in_turn_) { // the others take their least count
+            std::erase_if(rungs, [&](std::size_t count) { return count > most_ - (least_ - shape.least); });
+        }
+        return rungs;
     }
 
     /// Returns the next candidate counts of shapes that keep their limit with no known count. Empty: none of them could
@@ -270,7 +316,7 @@ private:
             const ShapeWork& work = shapes_[s];
             // The other shapes take their least count.
             if (!work.error && work.known.curve.least().over > 0 &&
-                least_ - work.least + work.known.asked.rbegin()->first < goal_.most) {
+                least_ - work.least + work.known.asked.rbegin()->first < most_) {
                 wanted[s] = rungs(s);
                 any = any || !wanted[s].empty();
             }
@@ -295,7 +341,7 @@ private:
             demand += shapes_[groups_[g].shape].known.curve.demand(price, groups_[g].weight);
         }
         const std::size_t total = total_wanted();
-        if (price == 0 || demand >= total || explored >= total) {
+        if (price <= least_price() || demand >= total || explored >= total) {
             return {};
         }
         constexpr double nearly = 0.5;
@@ -308,9 +354,20 @@ private:
         return wanted;
     }
 
+    /// Returns the price below which it is not worth exploring for elements other than spheres: a small share of what
+    /// is wrong with an element on average.
+    double least_price() const {
+        constexpr double small = 0.05;
+        double wrong = 0;
+        for (const std::size_t g : allocated_groups(shapes_, groups_)) {
+            wrong += groups_[g].weight * shapes_[groups_[g].shape].known.curve.least().volume;
+        }
+        return in_turn_ ? small * wrong / static_cast<double>(most_) : 0;
+    }
+
     std::size_t total_wanted() const {
         const Shared shared = goal_.enough ? share(shapes_, groups_, goal_) : Shared{};
-        return shared.enough ? std::accumulate(shared.counts.begin(), shared.counts.end(), std::size_t{0}) : goal_.most;
+        return shared.enough ? std::accumulate(shared.counts.begin(), shared.counts.end(), std::size_t{0}) : most_;
     }
 
     const Workspace& workspace_;
@@ -318,7 +375,9 @@ private:
     const std::vector<Group>& groups_;
     const Goal& goal_;
     std::vector<double> weights_; ///< of each shape, the largest of its groups
-    std::size_t least_ = 0;       ///< number of spheres that all groups need
+    std::size_t least_ = 0;       ///< number of elements that all groups need
+    std::size_t most_ = 0;        ///< number of elements that is explored for at present
+    bool in_turn_ = false;        ///< whether it is every number up to the goal's in turn
 };
 
 /// Bisects between two candidate counts for the fewest spheres that are enough, for a single group.
