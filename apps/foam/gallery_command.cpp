@@ -70,13 +70,24 @@ std::vector<Pose> link_poses(const ViewedRobot& robot, const std::string& name) 
     return robot.kinematics->link_poses(pose->configuration);
 }
 
+/// Returns the colour of each triangle: the file's, else the material's. Empty: there is none.
+std::vector<view::Colour> colours_of(const ViewedElement& element) {
+    std::vector<view::Colour> colours = element.mesh->colours;
+    if (element.colour) {
+        colours.resize(element.mesh->mesh->triangles.size());
+        std::replace(colours.begin(), colours.end(), view::Colour{0}, *element.colour);
+    }
+    return colours;
+}
+
 Panel geometry_panel(const ViewedRobot& robot, const std::vector<Pose>& poses, const char* caption,
                      std::vector<ViewedElement> ViewedLink::*elements) {
     Panel panel;
     panel.caption = caption;
     for (std::size_t i = 0; i < robot.links.size(); ++i) {
         for (const ViewedElement& element : robot.links[i].*elements) {
-            panel.meshes.push_back({std::shared_ptr<const Mesh>(element.mesh->mesh), poses[i] * element.pose, false});
+            panel.meshes.push_back(
+                {.mesh = element.mesh->mesh, .pose = poses[i] * element.pose, .colours = colours_of(element)});
         }
     }
     return panel;

@@ -29,6 +29,9 @@ std::uint32_t colour_of_effect(const ColladaDocument& document, const Element& e
         const Element* found = technique ? below(*technique, part) : nullptr;
         const Element* colour = found ? found->child("color") : nullptr;
         if (!colour) {
+            if (found) {
+                return 0; // a texture: what such a surface emits, mostly 0 0 0, is not its colour
+            }
             continue;
         }
         std::array<double, 4> shares{0, 0, 0, 1};

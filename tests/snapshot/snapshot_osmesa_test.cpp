@@ -118,6 +118,20 @@ TEST_F(Snapshot, SpheresAreColouredByRadiusBesideABar) {
     EXPECT_FALSE(blank(mesh_only));
 }
 
+TEST_F(Snapshot, MeshesHaveTheirColours) {
+    FigureMesh mesh{.mesh = box({1, 1, 1}), .pose = {}};
+    const int grey = coloured(draw(small({{"", {mesh}, {}}})));
+    EXPECT_EQ(grey, 0);
+    mesh.colours.assign(12, 0xd01010ff);
+    const cv::Mat3b red = draw(small({{"", {mesh}, {}}}));
+    const cv::Scalar middle = cv::mean(red({150, 110, 20, 20}));
+    EXPECT_GT(middle[2], middle[0] + 60) << "not red (blue, green, red)";
+    mesh.colours.assign(12, 0); // the file has a colour for none of them
+    EXPECT_EQ(coloured(draw(small({{"", {mesh}, {}}}))), 0);
+    mesh.colours.assign(3, 0xd01010ff); // fewer colours than triangles
+    EXPECT_FALSE(blank(draw(small({{"", {mesh}, {}}}))));
+}
+
 TEST_F(Snapshot, SpheresShineThroughATranslucentMesh) {
     const std::vector<Sphere> inside{{{0, 0, 0}, 0.3}};
     const auto cube = box({1, 1, 1});

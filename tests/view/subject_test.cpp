@@ -127,6 +127,39 @@ TEST_F(ArmTest, AMeshHasTheColoursOfItsMaterials) {
               (std::vector<Colour>{0xFF0000FFu, 0xFF0000FFu, 0x00FF0080u, 0}));
 }
 
+TEST_F(ArmTest, AColladaMeshHasTheColoursOfItsEffects) {
+    // Painted in a colour, with a texture (what it emits is no colour of it), and with nothing but what it emits.
+    const std::pair<const char*, const char*> effects[] = {
+        {"painted", "<emission><color>0 0 0 1</color></emission><diffuse><color>1 0 0 1</color></diffuse>"},
+        {"textured",
+         "<emission><color>0 0 0 1</color></emission><diffuse><texture texture='t' texcoord='u'/></diffuse>"},
+        {"glowing", "<emission><color>0 0 1 1</color></emission>"}};
+    std::string library, materials, triangles, bindings;
+    for (const auto& [name, parts] : effects) {
+        const std::string id = name;
+        library += "<effect id='" + id + "-effect'><profile_COMMON><technique sid='common'><phong>" + parts +
+                   "</phong></technique></profile_COMMON></effect>";
+        materials += "<material id='" + id + "'><instance_effect url='#" + id + "-effect'/></material>";
+        triangles += "<triangles material='" + id + "' count='1'><input semantic='VERTEX' source='#v' offset='0'/>" +
+                     "<p>0 1 2</p></triangles>";
+        bindings += "<instance_material symbol='" + id + "' target='#" + id + "'/>";
+    }
+    write("part.dae",
+          "<COLLADA version='1.4.1'><library_effects>" + library + "</library_effects><library_materials>" + materials +
+              "</library_materials><library_geometries><geometry id='g'><mesh><source id='p'><float_array id='a' "
+              "count='9'>0 0 0 1 0 0 0 1 0</float_array><technique_common><accessor source='#a' count='3' stride='3'/>"
+              "</technique_common></source><vertices id='v'><input semantic='POSITION' source='#p'/></vertices>" +
+              triangles +
+              "</mesh></geometry></library_geometries><library_visual_scenes><visual_scene id='s'><node>"
+              "<instance_geometry url='#g'><bind_material><technique_common>" +
+              bindings +
+              "</technique_common></bind_material></instance_geometry></node></visual_scene></library_visual_scenes>"
+              "<scene><instance_visual_scene url='#s'/></scene></COLLADA>");
+    const Subject read = subject(with({"part.dae"}));
+    EXPECT_EQ(read.robots[0].links.at(0).visuals.at(0).mesh->colours,
+              (std::vector<Colour>{0xFF0000FFu, 0, 0x0000FFFFu}));
+}
+
 TEST_F(ArmTest, AMissingVisualMeshIsLeftOutWithANote) {
     std::string text = arm_urdf;
     text.replace(text.find("<box size=\"0.2 0.2 0.1\"/>"), 25, "<mesh filename=\"none.stl\"/>");

@@ -33,7 +33,11 @@ void draw_corners(const Gl& gl, const std::vector<Corner>& corners) {
         return;
     }
     const Vertices vertices(gl, corners.data(), corners.size() * sizeof(Corner), sizeof(Corner),
-                            {{3, offsetof(Corner, position)}, {3, offsetof(Corner, normal)}}, false);
+                            {{3, offsetof(Corner, position)},
+                             {3, offsetof(Corner, normal)},
+                             {3, offsetof(Corner, colour)},
+                             {1, offsetof(Corner, edges)}},
+                            false);
     gl.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
 }
 

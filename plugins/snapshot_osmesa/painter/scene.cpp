@@ -25,6 +25,14 @@ void store(float (&target)[3], const Vec3& v) {
     target[2] = static_cast<float>(v.z);
 }
 
+void store_colour(float (&target)[3], std::uint32_t colour) {
+    constexpr std::uint32_t grey = 0xdbe0e8ff;
+    for (int channel = 0; channel < 3; ++channel) {
+        const std::uint32_t byte = (colour != 0 ? colour : grey) >> (24 - 8 * channel) & 0xff;
+        target[channel] = static_cast<float>(byte) / 255.0f;
+    }
+}
+
 /// Appends the triangles of a mesh. Returns how many could not be drawn.
 std::size_t add_mesh(const FigureMesh& item, const Projection& project, std::vector<Corner>& corners) {
     const Mesh& mesh = *item.mesh;
@@ -36,8 +44,9 @@ std::size_t add_mesh(const FigureMesh& item, const Projection& project, std::vec
     std::size_t dropped = 0;
     corners.reserve(corners.size() + 3 * mesh.triangles.size());
     CancellationCounter asking(8192);
-    for (const Triangle& t : mesh.triangles) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         asking.check();
+        const Triangle& t = mesh.triangles[i];
         if (std::max({t[0], t[1], t[2]}) >= points.size()) {
             ++dropped;
             continue;
@@ -52,6 +61,8 @@ std::size_t add_mesh(const FigureMesh& item, const Projection& project, std::vec
             Corner& corner = corners.emplace_back();
             store(corner.position, point);
             store(corner.normal, normal);
+            store_colour(corner.colour, i < item.colours.size() ? item.colours[i] : 0);
+            corner.edges = item.colours.empty() ? 1.0f : 0.0f;
         }
     }
     return dropped;

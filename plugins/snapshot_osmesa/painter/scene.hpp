@@ -14,6 +14,8 @@ namespace foam::snapshot {
 struct Corner {
     float position[3]; ///< pixels from the middle of the view: right, up, towards the eye
     float normal[3];   ///< unit, of the facet; in the same axes
+    float colour[3];   ///< red, green, blue, 0 to 1
+    float edges;       ///< 1: the edges are drawn; 0: they are not
 };
 
 /// A ball, for the graphics pipeline.

@@ -17,14 +17,18 @@ vec3 shade(vec3 base, vec3 n, float gloss) {
 const char* const facet_vertex = R"(
 layout(location = 0) in vec3 position;   // samples from the view's middle
 layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 tint;
+layout(location = 3) in float edges;
 uniform vec2 middle;                     // of the view, samples from the lower left corner
 uniform vec2 size;                       // of the picture, samples
 uniform float depth;                     // all geometry is within ± depth
 uniform float factor;                    // samples a pixel
 flat out vec3 facet_normal;
+flat out vec4 facet_tint;
 out vec3 barycentric;
 void main() {
     facet_normal = normal;
+    facet_tint = vec4(tint, edges);
     int corner = gl_VertexID % 3;
     barycentric = vec3(corner == 0, corner == 1, corner == 2);
     gl_Position = vec4((middle + factor * position.xy) / size * 2.0 - 1.0, -position.z / depth, 1.0);
@@ -35,18 +39,19 @@ void main() {
 // after Baerentzen et al. 2006, "Single-pass wireframe rendering").
 const char* const facet_fragment = R"(
 flat in vec3 facet_normal;
+flat in vec4 facet_tint;
 in vec3 barycentric;
 uniform float factor;
 layout(location = 0) out vec4 colour;
 void main() {
     vec3 n = facet_normal.z < 0.0 ? -facet_normal : facet_normal;
-    vec3 surface = shade(vec3(0.86, 0.88, 0.91), n, 0.05);
+    vec3 surface = shade(facet_tint.rgb, n, 0.05);
     vec3 slope = sqrt(dFdx(barycentric) * dFdx(barycentric) + dFdy(barycentric) * dFdy(barycentric));
     slope = max(slope, vec3(1e-9)) * factor;
     vec3 pixels = barycentric / slope;
     float line = 1.0 - smoothstep(0.25, 1.0, min(pixels.x, min(pixels.y, pixels.z)));
     float height = 1.0 / max(slope.x, max(slope.y, slope.z));
-    line *= smoothstep(2.0, 12.0, height);
+    line *= facet_tint.a * smoothstep(2.0, 12.0, height);
     colour = vec4(mix(surface, vec3(0.16, 0.20, 0.28), 0.62 * line), 1.0);
 }
 )";

@@ -4,6 +4,7 @@
 #include <foam/geometry/mesh.hpp>
 #include <foam/geometry/sphere.hpp>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,6 +17,9 @@ struct FigureMesh {
     std::shared_ptr<const Mesh> mesh;
     Pose pose;                ///< from the mesh's frame to the panel's
     bool translucent = false; ///< drawn over the spheres, which stay visible
+    /// Colours 0xRRGGBBAA of each triangle, of which 0 and missing ones are grey; where there are any, edges are not
+    /// drawn. Opaque meshes only; AA is not looked at.
+    std::vector<std::uint32_t> colours{};
 };
 
 /// One view: meshes and spheres in one frame (z up), seen from a fixed direction, scaled to the panel.
@@ -39,5 +43,5 @@ struct Image {
     std::string png;
 };
 
-} // namespace geometry
+} // namespace gnu::visibility("default")]]geometry
 } // namespace foam
