@@ -132,10 +132,13 @@ std::vector<std::string> task_command(const BatchArguments& arguments, char** gi
         if (text == "--slurm") {
             continue;
         }
-        std::error_code error;
+        const std::size_t value =
+            text.starts_with("--") ? text.find('=') + 1 : 0; // 0: the word has no option before it
+        const std::string given_path = text.substr(value);
         const bool is_path =
-            (text == arguments.what || text == arguments.run_dir || text == arguments.recipe) && text != "-";
-        words.push_back(is_path ? fs::absolute(text).lexically_normal().string() : text);
+            (given_path == arguments.what || given_path == arguments.run_dir || given_path == arguments.recipe) &&
+            given_path != "-";
+        words.push_back(is_path ? text.substr(0, value) + fs::absolute(given_path).lexically_normal().string() : text);
     }
     return words;
 }

@@ -22,7 +22,9 @@ def main():
         truth = foam.table("plain")
         done = []
         for engine in ("parallel", "snakemake"):
-            out, _ = foam(*arguments, "--run-dir", engine, "--shards", 4, "--slurm")
+            # Both ways to write an option's value: the tasks run in other folders.
+            folder_of_results = (f"--run-dir={engine}",) if engine == "parallel" else ("--run-dir", engine)
+            out, _ = foam(*arguments, *folder_of_results, "--shards", 4, "--slurm")
             expect(out.startswith("24 meshes in 4 shards\n"), out)
             expect(not list((folder / engine).glob("shard-*")), "--slurm works on nothing")
             if not shutil.which(engine):
