@@ -3,7 +3,7 @@
 add_library(foam_compiler INTERFACE)
 # -Wno-restrict: g++ 12 sees overlap in std::string operator+ (GCC bug 105651).
 target_compile_options(foam_compiler INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-restrict -Wno-sign-conversion
+  -Wall -Wextra -Wpedantic $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow> -Wconversion -Wno-restrict -Wno-sign-conversion
   -ffp-contract=off)   # the same bits with and without fused multiply-add
 if(FOAM_SANITIZE)
   add_compile_options(-fsanitize=${FOAM_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)

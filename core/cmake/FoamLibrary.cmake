@@ -1,9 +1,8 @@
 # foam_unity(TARGET): with FOAM_UNITY the sources of the target are compiled together. Names in unnamed namespaces must then be
-# unique in it.
+# unique in it. There is no warning then of names that names of other sources hide.
 function(foam_unity TARGET)
   if(FOAM_UNITY)
     set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 20)
-    target_compile_options(${TARGET} PRIVATE -Wno-shadow) # by names of other sources
   endif()
 endfunction()
 

@@ -100,6 +100,18 @@ TEST_F(PosesOfPlates, WithoutFalseContactsNothingChanges) {
     EXPECT_EQ(written(), by_volume);
 }
 
+TEST_F(PosesOfPlates, ContactsOfKeptSpheresAloneChangeNothing) {
+    const std::string links = "\nlinks: {table: {keep: [[0, 0, 0, 0.45]]}, tool: {keep: [[0, 0, 0, 0.25]]}}";
+    const auto with_kept = [&](const std::string& budget) {
+        return run(recipe("stages: [spherize.grid]\nbudget: {" + budget + "}" + links + "\n"), registry, options());
+    };
+    with_kept("spheres: 20");
+    const std::string by_volume = written();
+    const RunResult result = with_kept("spheres: 20, for: poses");
+    EXPECT_EQ(written(), by_volume);
+    EXPECT_THAT(notes_of(result), Contains(MatchesRegex("budget\\.for: poses: ([1-9][0-9]*) false contacts .*")));
+}
+
 TEST_F(PosesOfPlates, ATimeLimitEndsTheRounds) {
     const RunResult result = made("spheres: 300, for: poses, time_limit: 0.2");
     EXPECT_TRUE(result.certified);

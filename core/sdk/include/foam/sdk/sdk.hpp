@@ -17,5 +17,5 @@ std::filesystem::path installation_prefix();
 /// Returns the folder of foam's libraries, symbolic links resolved.
 std::filesystem::path library_folder();
 
-} // namespace gnu::visibility("default")]]sdk
+} // namespace sdk
 } // namespace foam
