@@ -107,11 +107,10 @@ private:
     }
 
     FalseContacts counted_in_poses(const Shared& shared) {
-        std::vector<Approximation::Level> of_link;
+        std::vector<Approximation::Level> of_link(poses_.links()); // kept spheres may be all that a link has
         const std::vector<std::size_t> allocated = allocated_groups(shapes_, groups_);
         for (std::size_t i = 0; i < allocated.size(); ++i) {
             const Group& group = groups_[allocated[i]];
-            of_link.resize(std::max(of_link.size(), group.link + 1));
             const Approximation::Level level = moved(covering_.of(group.shape, shared.counts[i]), group.frame);
             Approximation::Level& all = of_link[group.link];
             all.spheres.insert(all.spheres.end(), level.spheres.begin(), level.spheres.end());

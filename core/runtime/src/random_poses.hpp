@@ -23,6 +23,8 @@ public:
     /// Returns what the elements of each link do in the poses, with those that it keeps, padded: one level for each of
     /// the run's links, in the link's frame. Throws Error(cancelled).
     Consequences consequences(const std::vector<Approximation::Level>& of_link);
+    /// Returns the number of the run's links.
+    std::size_t links() const { return links_.size(); }
     /// Returns the index in the robot's links of one of the run's.
     std::size_t robot_link(std::size_t link) const { return robot_links_[link]; }
 
