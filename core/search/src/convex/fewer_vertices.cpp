@@ -5,8 +5,6 @@
 #include <foam/base/cancellation.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -25,76 +23,41 @@ struct Collapse {
     double added; ///< volume
 };
 
-/// Looks for the point on or beyond all planes for which the sum of area · height is least: a corner of three planes.
-class OutermostPoint {
-public:
-    explicit OutermostPoint(const std::vector<HalfSpace>& planes) : planes_(planes) {
-        for (std::size_t i = 0; i < planes.size(); ++i) {
-            for (std::size_t k = i + 1; k < planes.size(); ++k) {
-                try_line(planes[i], planes[k]);
+/// Returns the point on or beyond all planes for which the sum of area · height is least: a corner of three planes.
+/// Nothing if there is none within reach.
+std::optional<Vec3> outermost(const std::vector<HalfSpace>& planes, double& least) {
+    constexpr double inside = 1e-9; // units
+    std::optional<Vec3> best;
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+        for (std::size_t j = i + 1; j < planes.size(); ++j) {
+            const Vec3 along = cross(planes[i].normal, planes[j].normal);
+            for (std::size_t k = j + 1; k < planes.size(); ++k) {
+                const double det = dot(along, planes[k].normal);
+                if (std::abs(det) < 1e-4) {
+                    continue;
+                }
+                const Vec3 p =
+                    (cross(planes[j].normal, planes[k].normal) * planes[i].offset +
+                     cross(planes[k].normal, planes[i].normal) * planes[j].offset + along * planes[k].offset) /
+                    det;
+                double added = 0;
+                for (const HalfSpace& plane : planes) {
+                    const double height = dot(plane.normal, p) - plane.offset;
+                    if (height < -inside) {
+                        added = std::numeric_limits<double>::infinity();
+                        break;
+                    }
+                    added += plane.area * height / 3;
+                }
+                if (added < least) {
+                    least = added;
+                    best = p;
+                }
             }
         }
     }
-    /// Nothing if no corner is within reach.
-    const std::optional<Vec3>& point() const { return best_; }
-
-private:
-    static constexpr double inside = 1e-9; ///< units
-    static constexpr double steep = 1e-4;  ///< a corner of flatter planes is far away, and inaccurate
-
-    /// Tries both ends of the part of the line of two planes that is on or beyond all others.
-    void try_line(const HalfSpace& first, const HalfSpace& second) {
-        const Vec3 along = cross(first.normal, second.normal);
-        const double squared = squared_norm(along);
-        if (!(squared > steep * steep)) {
-            return;
-        }
-        const Vec3 at =
-            (cross(second.normal, along) * first.offset + cross(along, first.normal) * second.offset) / squared;
-        double low = -std::numeric_limits<double>::infinity(), high = -low;
-        const auto cut = [&](const HalfSpace& plane) {
-            const double slope = dot(plane.normal, along);
-            if (std::abs(slope) >= steep) {
-                const double t = (plane.offset - dot(plane.normal, at)) / slope;
-                (slope > 0 ? low : high) = slope > 0 ? std::max(low, t) : std::min(high, t);
-            }
-            return low <= high + 2 * inside / steep;
-        };
-        if (!cut(planes_[suspects_[0]]) || !cut(planes_[suspects_[1]])) {
-            return;
-        }
-        for (std::size_t i = 0; i < planes_.size(); ++i) {
-            if (!cut(planes_[i])) { // the last ones that left nothing are likely to leave nothing of the next line
-                suspects_ = {i, suspects_[0]};
-                return;
-            }
-        }
-        for (const double t : {low, high}) {
-            if (std::isfinite(t)) {
-                try_point(at + along * t);
-            }
-        }
-    }
-    void try_point(const Vec3& p) {
-        double added = 0;
-        for (const HalfSpace& plane : planes_) {
-            const double height = dot(plane.normal, p) - plane.offset;
-            if (height < -inside) {
-                return;
-            }
-            added += plane.area * height / 3;
-        }
-        if (added < least_) {
-            least_ = added;
-            best_ = p;
-        }
-    }
-
-    const std::vector<HalfSpace>& planes_;
-    std::array<std::size_t, 2> suspects_{};
-    double least_ = std::numeric_limits<double>::infinity();
-    std::optional<Vec3> best_;
-};
+    return best;
+}
 
 /// Lists the triangles at each point of a hull.
 class Fans {
@@ -132,7 +95,8 @@ public:
         if (planes.size() > most_planes) {
             return std::nullopt;
         }
-        const std::optional<Vec3> to = OutermostPoint(planes).point();
+        double least = std::numeric_limits<double>::infinity();
+        const std::optional<Vec3> to = outermost(planes, least);
         return to ? std::optional(Collapse{a, b, *to, added_by(*to)}) : std::nullopt;
     }
     /// Calls visit(point) for the points of the triangles at a point.
