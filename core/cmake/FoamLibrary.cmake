@@ -1,5 +1,5 @@
 # foam_unity(TARGET): with FOAM_UNITY the sources of the target are compiled together. Names in unnamed namespaces must then be
-# unique in it. There is no warning then of names that names of other sources hide.
+# unique in it. -Wshadow is off then: it would warn of names in other sources.
 function(foam_unity TARGET)
   if(FOAM_UNITY)
     set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 20)

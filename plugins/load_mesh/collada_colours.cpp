@@ -27,12 +27,12 @@ std::uint32_t colour_of_effect(const ColladaDocument& document, const Element& e
     const Element* technique = below(effect, "technique");
     for (const char* part : {"diffuse", "emission"}) {
         const Element* found = technique ? below(*technique, part) : nullptr;
-        const Element* colour = found ? found->child("color") : nullptr;
-        if (!colour) {
-            if (found) {
-                return 0; // a texture: what such a surface emits, mostly 0 0 0, is not its colour
-            }
+        if (!found) {
             continue;
+        }
+        const Element* colour = found->child("color");
+        if (!colour) {
+            return 0; // a texture: what such a surface emits, mostly 0 0 0, is not its colour
         }
         std::array<double, 4> shares{0, 0, 0, 1};
         ElementWords words(document.source(), *colour);

@@ -213,11 +213,11 @@ bool BodyCuts::held_by_two(const Polygon& polygon) {
     };
     std::size_t tries = 8;
     Parts parts;
-    for (std::size_t i = 0; i < holders_.size(); ++i) {
-        for (std::size_t k = i + 1; k < holders_.size(); ++k) {
+    for (std::size_t i = 0; i < holders_.size() && tries > 0; ++i) {
+        for (std::size_t k = i + 1; k < holders_.size() && tries > 0; ++k) {
             const auto [a, corners_of_a] = holders_[i];
             const auto [b, corners_of_b] = holders_[k];
-            if ((corners_of_a | corners_of_b) != all || tries == 0) {
+            if ((corners_of_a | corners_of_b) != all) {
                 continue;
             }
             --tries;
@@ -300,4 +300,4 @@ bool BodyCuts::divide(const Polygon& polygon) {
     return split(polygon, beyond, parts) && parts.low.corners > 2 && parts.high.corners > 2 && queue();
 }
 
-} // namespace foam::inline geometry
+} // namespace foam::geometry

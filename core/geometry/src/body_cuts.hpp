@@ -89,4 +89,4 @@ private:
     CancellationCounter asking_{256};
 };
 
-} // namespace foam::inline geometry
+} // namespace foam::geometry

@@ -253,6 +253,7 @@ public:
     }
 
 private:
+    /// Returns whether the exploration is for every number up to the goal's in turn; turns cost time as well.
     bool can_take_turns() const {
         constexpr std::size_t most_turns = 10'000;
         return goal_.most >= least_ && goal_.most - least_ <= most_turns && !goal_.enough && groups_.size() > 1 &&

@@ -127,8 +127,8 @@ struct ApproximationSearch::Data {
         if (only_hulls) {
             prices = {convex::price_of_hull()};
         } else if (has(Element::Kind::capsule)) {
-            constexpr double share =
-                0.4; // on links of robots: shares near it give hardly better covers, and others worse
+            // On links of robots, shares near this one give hardly better covers, and others worse ones.
+            constexpr double share = 0.4;
             prices = {price_of_kinds(0), price_of_kinds(share)};
         } else {
             prices = {price_of_kinds(0)};
@@ -236,9 +236,13 @@ struct ApproximationSearch::Data {
         const auto found = known.find(number);
         return found != known.end() ? found->second : known.emplace(number, make()).first->second;
     }
-    /// Returns bricks for hulls, about `most`: those of bricks_of(), put together where that adds little.
-    const std::vector<convex::Brick>& hull_bricks(std::size_t most) {
-        return once(hull_bricks_, most, [&] {
+    /// Returns the bricks that pieces are made of, about `most`. For hulls they are those of bricks_of(), put together
+    /// where that adds little.
+    const std::vector<convex::Brick>& bricks(std::size_t most) {
+        return once(bricks_, most, [&] {
+            if (!only_hulls) {
+                return convex::halved_bricks(body().body, most);
+            }
             const std::size_t number = std::max(plan.hull_bricks, most);
             const std::vector<convex::Brick>& fine =
                 once(fine_bricks_, number, [&] { return convex::bricks_of(body().body, number); });
@@ -264,12 +268,11 @@ struct ApproximationSearch::Data {
     }
     /// Returns the partition that cuts of pieces give. Goes on from that into fewer pieces of the same bricks.
     convex::Partition by_splitting(std::size_t price, std::size_t count) {
-        const std::size_t bricks = bricks_for(count);
-        auto& known = splits_[{price, bricks}];
+        const std::size_t number = bricks_for(count);
+        auto& known = splits_[{price, number}];
         const auto above = known.upper_bound(count);
-        convex::Partition partition = above != known.begin() ? std::prev(above)->second
-                                      : only_hulls           ? whole(hull_bricks(bricks), prices[price])
-                                                   : whole(convex::halved_bricks(body().body, bricks), prices[price]);
+        convex::Partition partition =
+            above != known.begin() ? std::prev(above)->second : whole(bricks(number), prices[price]);
         convex::split_until(partition, prices[price], count, plan.recut);
         known.insert_or_assign(count, partition);
         return partition;
@@ -285,7 +288,7 @@ struct ApproximationSearch::Data {
             }
         };
         if (only_hulls) {
-            offer(by_merging(hull_bricks(bricks_for(count)), count));
+            offer(by_merging(bricks(bricks_for(count)), count));
         }
         if (!only_hulls || count <= few) {
             offer(by_splitting(price, count));
@@ -312,7 +315,7 @@ struct ApproximationSearch::Data {
     bool only_hulls = false;
     std::vector<convex::Price> prices; ///< each gives a partition; the better cover is taken
     std::optional<convex::BodyOfSolid> body_;
-    BricksByNumber fine_bricks_, hull_bricks_; ///< by the number asked for
+    BricksByNumber fine_bricks_, bricks_; ///< by the number asked for
     /// By price and number of bricks: partitions by number of pieces.
     std::map<std::pair<std::size_t, std::size_t>, std::map<std::size_t, convex::Partition>> splits_;
     std::map<std::size_t, ConvexCover> known;
@@ -390,4 +393,4 @@ Element least_element(Element::Kind kind, std::span<const Vec3> points, Effort e
     return convex::element_of(convex::least_fit(kind, cloud, effort, axis_aligned), cloud);
 }
 
-} // namespace foam::inline search
+} // namespace foam::search

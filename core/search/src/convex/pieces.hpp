@@ -15,8 +15,8 @@ struct Piece {
     std::vector<Vec3> hull;            ///< vertices of the hull around them
     double price = 0;
     Box box;
-    std::optional<Cut>
-        split; ///< the best found that cuts it in two, of infinite price if there is none; once looked for
+    /// The best cut found that makes two of it, of infinite price if there is none; nothing until it is looked for.
+    std::optional<Cut> split;
 };
 
 /// The bricks and the pieces that they form. Every brick is in one piece.

@@ -43,5 +43,5 @@ struct Image {
     std::string png;
 };
 
-} // namespace gnu::visibility("default")]]geometry
+} // namespace geometry
 } // namespace foam
