@@ -1,8 +1,10 @@
 #include "../cover/unless_stopped.hpp"
 #include "body_of.hpp"
 #include "finish.hpp"
+#include "joint_descent.hpp"
 #include "least_fit.hpp"
 #include "pieces.hpp"
+#include "pricing.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/parallel.hpp>
@@ -17,14 +19,10 @@
 #include <bit>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <numeric>
 
 namespace foam::inline search {
 namespace convex {
-namespace {
-
-using Kind = Element::Kind;
 
 /// How long to search.
 struct Plan {
@@ -33,12 +31,16 @@ struct Plan {
     RecutPlan recut;
 };
 
+namespace {
+
+using Kind = Element::Kind;
+
 Plan plan_for(Effort effort) {
     switch (effort) {
     case Effort::fast:
-        return {80, 32, {.sweeps = 1, .tries = 12, .split_tries = 6}};
+        return {80, 32, {.sweeps = 1, .tries = 12, .split_tries = 9}};
     case Effort::normal:
-        return {120, 40, {.sweeps = 2, .tries = 18, .split_tries = 6}};
+        return {120, 40, {.sweeps = 2, .tries = 18, .split_tries = 18}};
     case Effort::best:
         break;
     }
@@ -61,40 +63,6 @@ std::vector<Vec3> points_of(const Partition& partition, const Piece& piece, cons
         }
     }
     return points;
-}
-
-/// Returns the points that are farthest along some directions, all around: enough of them for a quick fit.
-std::vector<Vec3> extremes_of(std::span<const Vec3> points) {
-    static const std::vector<Vec3> directions = fibonacci_directions(64); // opposite ones are not both needed
-    constexpr std::size_t few = 24;
-    if (points.size() <= few) {
-        return {points.begin(), points.end()};
-    }
-    std::vector<char> taken(points.size(), 0);
-    for (std::size_t d = 0; d < directions.size() / 2; ++d) {
-        const Vec3& direction = directions[d];
-        std::size_t lowest = 0, highest = 0;
-        double low = std::numeric_limits<double>::infinity(), high = -low;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const double at = dot(direction, points[i]);
-            if (at < low) {
-                low = at;
-                lowest = i;
-            }
-            if (at > high) {
-                high = at;
-                highest = i;
-            }
-        }
-        taken[lowest] = taken[highest] = 1;
-    }
-    std::vector<Vec3> extremes;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (taken[i]) {
-            extremes.push_back(points[i]);
-        }
-    }
-    return extremes;
 }
 
 /// Returns the count whose elements those of a count of at least 2 are compared with.
@@ -124,14 +92,8 @@ struct ApproximationSearch::Data {
             throw Error(ErrorCode::geometry, "approximate: the solid cannot be covered: " + why);
         }
         only_hulls = kinds == std::vector{Element::Kind::hull};
-        if (only_hulls) {
-            prices = {convex::price_of_hull()};
-        } else if (has(Element::Kind::capsule)) {
-            // On links of robots, shares near this one give hardly better covers, and others worse ones.
-            constexpr double share = 0.4;
-            prices = {price_of_kinds(0), price_of_kinds(share)};
-        } else {
-            prices = {price_of_kinds(0)};
+        if (has(Element::Kind::hull)) { // whose first cut tells what it saves
+            plan.recut.split_tries = options.effort == Effort::best ? 30 : 6;
         }
     }
 
@@ -139,34 +101,51 @@ struct ApproximationSearch::Data {
 
     bool has(Element::Kind kind) const { return std::find(kinds.begin(), kinds.end(), kind) != kinds.end(); }
 
-    /// Returns the least volume of quick fits of the kinds, without a share of the caps of capsules, which lie in the
-    /// neighbours.
-    convex::Price price_of_kinds(double share) const {
-        const auto alone = [share](const convex::Fit& fit) {
-            constexpr double of_caps = 4 * std::numbers::pi / 3;
-            const double caps = fit.kind == Element::Kind::capsule ? of_caps * std::pow(fit.radius, 3) : 0;
-            return convex::volume(fit) - share * caps;
-        };
-        return [this, alone, with_hulls = has(Element::Kind::hull)](std::span<const Vec3> points) {
-            convex::Cloud cloud;
-            double of_hull = 0;
-            if (with_hulls) {
-                convex::HullOfPoints hull;
-                of_hull = hull.run_quickly(points);
-                for (const std::uint32_t i : hull.vertices()) {
-                    cloud.points.push_back(points[i]);
+    /// Returns the quick fit of least volume of any of the kinds but the hull around points in units.
+    convex::Fit quick_fit_around(const std::vector<Vec3>& points) const {
+        convex::Cloud cloud;
+        cloud.points = points;
+        std::optional<convex::Fit> best;
+        for (const Element::Kind kind : kinds) {
+            if (kind != Element::Kind::hull) {
+                const convex::Fit fit = convex::quick_fit(kind, cloud, options.axis_aligned);
+                if (!best || convex::volume(fit) < convex::volume(*best)) {
+                    best = fit;
                 }
-            } else {
-                cloud.points = convex::extremes_of(points);
             }
-            double least = std::numeric_limits<double>::infinity();
-            for (const Element::Kind kind : kinds) {
-                least = std::min(least, kind == Element::Kind::hull
-                                            ? of_hull
-                                            : alone(convex::quick_fit(kind, cloud, options.axis_aligned)));
-            }
-            return least;
-        };
+        }
+        return *best;
+    }
+    /// Returns the least volume of a hull and of quick fits of the other kinds.
+    double price_with_hull(std::span<const Vec3> points) const {
+        convex::HullOfPoints hull;
+        const double of_hull = hull.run_quickly(points);
+        if (only_hulls) {
+            return of_hull;
+        }
+        std::vector<Vec3> vertices;
+        for (const std::uint32_t i : hull.vertices()) {
+            vertices.push_back(points[i]);
+        }
+        return std::min(of_hull, convex::volume(quick_fit_around(vertices)));
+    }
+    const cover::Occupancy& occupancy() {
+        constexpr int resolution = 48;
+        if (!occupancy_) {
+            occupancy_.emplace(solid, cover::Frame(solid.bounds()), resolution);
+        }
+        return *occupancy_;
+    }
+    const convex::Pricing& pricing() {
+        if (!pricing_ && has(Element::Kind::hull)) {
+            pricing_ = std::make_unique<convex::SumOfVolumes>(
+                [this](std::span<const Vec3> points) { return price_with_hull(points); });
+        } else if (!pricing_) {
+            pricing_ = std::make_unique<convex::VolumeOutside>(occupancy(), [this](std::span<const Vec3> points) {
+                return quick_fit_around(convex::few_extremes_of(points));
+            });
+        }
+        return *pricing_;
     }
     /// Returns the element of least volume of any of the kinds around points in metres.
     Element element_around(const std::vector<Vec3>& points, Effort effort) const {
@@ -206,28 +185,65 @@ struct ApproximationSearch::Data {
         }
         return *body_;
     }
-    ConvexCover cover_of(const convex::Partition& partition) {
-        // Neighbours meet in a plane, and cover with numbers of six digits, too. What that adds to slivers counts.
-        constexpr double overlap = 1e-6;
+    /// Returns an element around each piece that has a part of the surface.
+    std::vector<Element> elements_of(const convex::Partition& partition, Effort effort) {
         const convex::BodyOfSolid& all = body();
-        std::vector<std::optional<Element>> elements(partition.pieces.size());
-        parallel_for(elements.size(), [&](std::size_t i) {
+        std::vector<std::optional<Element>> found(partition.pieces.size());
+        parallel_for(found.size(), [&](std::size_t i) {
             std::vector<Vec3> points = convex::points_of(partition, partition.pieces[i], all.body, only_hulls);
             for (Vec3& p : points) {
                 p = all.origin + p * all.unit;
             }
             if (!points.empty()) {
-                elements[i] = element_around(points, options.effort);
-                elements[i] = grown(*elements[i], overlap * all.unit);
+                found[i] = element_around(points, effort);
             }
         });
-        Approximation::Level level;
-        for (std::optional<Element>& element : elements) {
+        std::vector<Element> elements;
+        for (std::optional<Element>& element : found) {
             if (element) {
-                add(level, std::move(*element));
+                elements.push_back(std::move(*element));
             }
         }
+        return elements;
+    }
+    /// Returns the cover by elements of pieces that meet in planes.
+    ConvexCover cover_by(const std::vector<Element>& elements) {
+        // They cover with numbers of six digits, too. What this adds to slivers counts.
+        const double overlap = 1e-6 * body().unit;
+        Approximation::Level level;
+        for (const Element& element : elements) {
+            add(level, grown(element, overlap));
+        }
         return convex::proved(solid, std::move(level));
+    }
+    std::vector<Element> descended(const std::vector<Element>& elements) {
+        const convex::BodyOfSolid& all = body();
+        std::vector<convex::Fit> fits;
+        for (const Element& element : elements) {
+            fits.push_back(convex::fit_of(element, all.origin, all.unit));
+        }
+        fits = convex::descended_together(all.body, occupancy(), std::move(fits), options.effort, options.axis_aligned);
+        convex::Cloud frame;
+        frame.origin = all.origin;
+        frame.unit = all.unit;
+        std::vector<Element> result;
+        for (const convex::Fit& fit : fits) {
+            result.push_back(convex::element_of(fit, frame));
+        }
+        return result;
+    }
+    ConvexCover cover_of(const convex::Partition& partition) {
+        if (has(Element::Kind::hull)) {
+            return cover_by(elements_of(partition, options.effort));
+        }
+        const std::vector<Element> start = elements_of(partition, Effort::fast);
+        ConvexCover best = cover_by(descended(start));
+        if (options.objective != ApproximationObjective::excess) { // the descent is for excess volume alone
+            if (ConvexCover other = cover_by(start); better(other, best)) {
+                best = std::move(other);
+            }
+        }
+        return best;
     }
     using BricksByNumber = std::map<std::size_t, std::vector<convex::Brick>>;
     /// Returns the bricks under this number; makes them once.
@@ -259,30 +275,30 @@ struct ApproximationSearch::Data {
         return {bricks, convex::merged(bricks, {count}).front()};
     }
     /// Returns the bricks as one piece.
-    static convex::Partition whole(std::vector<convex::Brick> bricks, const convex::Price& price) {
+    static convex::Partition whole(std::vector<convex::Brick> bricks, const convex::Pricing& pricing) {
         convex::Partition partition{.bricks = std::move(bricks), .pieces = {}};
         std::vector<std::uint32_t> all(partition.bricks.size());
         std::iota(all.begin(), all.end(), 0);
-        partition.pieces.push_back(convex::piece_of(partition.bricks, std::move(all), price));
+        partition.pieces.push_back(convex::piece_of(partition.bricks, std::move(all), pricing));
         return partition;
     }
     /// Returns the partition that cuts of pieces give. Goes on from that into fewer pieces of the same bricks.
-    convex::Partition by_splitting(std::size_t price, std::size_t count) {
+    convex::Partition by_splitting(std::size_t count) {
         const std::size_t number = bricks_for(count);
-        auto& known = splits_[{price, number}];
-        const auto above = known.upper_bound(count);
+        auto& known_splits = splits_[number];
+        const auto above = known_splits.upper_bound(count);
         convex::Partition partition =
-            above != known.begin() ? std::prev(above)->second : whole(bricks(number), prices[price]);
-        convex::split_until(partition, prices[price], count, plan.recut);
-        known.insert_or_assign(count, partition);
+            above != known_splits.begin() ? std::prev(above)->second : whole(bricks(number), pricing());
+        convex::split_until(partition, pricing(), count, plan.recut);
+        known_splits.insert_or_assign(count, partition);
         return partition;
     }
-    /// Returns the partition of the least sum that was found for a price.
-    convex::Partition partition_for(std::size_t price, std::size_t count) {
+    /// Returns the partition of the least price that was found.
+    convex::Partition partition_for(std::size_t count) {
         constexpr std::size_t few = 12; // pieces, for which another start is cheap
         std::optional<convex::Partition> best;
         const auto offer = [&](convex::Partition partition) {
-            convex::recut(partition, prices[price], plan.recut);
+            convex::recut(partition, pricing(), plan.recut);
             if (!best || partition.price() < best->price()) {
                 best = std::move(partition);
             }
@@ -291,19 +307,11 @@ struct ApproximationSearch::Data {
             offer(by_merging(bricks(bricks_for(count)), count));
         }
         if (!only_hulls || count <= few) {
-            offer(by_splitting(price, count));
+            offer(by_splitting(count));
         }
         return std::move(*best);
     }
-    ConvexCover several(std::size_t count) {
-        std::optional<ConvexCover> best;
-        for (std::size_t price = 0; price < prices.size(); ++price) {
-            if (ConvexCover found = cover_of(partition_for(price, count)); !best || better(found, *best)) {
-                best = std::move(found);
-            }
-        }
-        return std::move(*best);
-    }
+    ConvexCover several(std::size_t count) { return cover_of(partition_for(count)); }
     bool better(const ConvexCover& a, const ConvexCover& b) const {
         return convex::figure_of(solid, a, options.objective) < convex::figure_of(solid, b, options.objective);
     }
@@ -313,11 +321,12 @@ struct ApproximationSearch::Data {
     ApproximateOptions options;
     convex::Plan plan;
     bool only_hulls = false;
-    std::vector<convex::Price> prices; ///< each gives a partition; the better cover is taken
+    std::optional<cover::Occupancy> occupancy_;
+    std::unique_ptr<convex::Pricing> pricing_;
     std::optional<convex::BodyOfSolid> body_;
     BricksByNumber fine_bricks_, bricks_; ///< by the number asked for
-    /// By price and number of bricks: partitions by number of pieces.
-    std::map<std::pair<std::size_t, std::size_t>, std::map<std::size_t, convex::Partition>> splits_;
+    /// By number of bricks: partitions by number of pieces.
+    std::map<std::size_t, std::map<std::size_t, convex::Partition>> splits_;
     std::map<std::size_t, ConvexCover> known;
 };
 

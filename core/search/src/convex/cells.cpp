@@ -237,7 +237,8 @@ private:
         check_cancelled();
         const Brick seen = seen_of(cell);
         const Price volume = price_of_hull();
-        CutSearch search({&seen}, volume, corners_in_plane(cell));
+        const PairPrice sum = [&](std::span<const Vec3> a, std::span<const Vec3> b) { return volume(a) + volume(b); };
+        CutSearch search({&seen}, sum, corners_in_plane(cell));
         Cut best{{{1, 0, 0}, 0}};
         std::vector<Cut> cuts;
         for (const Plane& plane : candidates(seen.points)) {

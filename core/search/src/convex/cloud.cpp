@@ -1,6 +1,7 @@
 #include "cloud.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/geometry/directions.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -145,6 +146,19 @@ Element element_of(const Fit& fit, const Cloud& cloud) {
         element.half.y += spare;
     }
     return element;
+}
+
+Fit fit_of(const Element& element, const Vec3& origin, double unit) {
+    Fit fit{.kind = element.kind};
+    const auto& rows = element.pose.rotation;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        fit.axes[axis] = {rows[0][static_cast<int>(axis)], rows[1][static_cast<int>(axis)],
+                          rows[2][static_cast<int>(axis)]};
+    }
+    fit.center = (element.pose.translation - origin) / unit;
+    fit.half = element.half / unit;
+    fit.radius = element.radius / unit;
+    return fit;
 }
 
 std::array<Vec3, 3> frame_along(const Vec3& z) {

@@ -28,6 +28,12 @@ Cloud cloud_of(std::span<const Vec3> points);
 /// Returns the same of the vertices of a hull.
 Cloud cloud_of(const Polytope& hull);
 
+/// Returns the points that are farthest along one of 400 directions all around, or all of few points. To the precision
+/// of `float`. O(n).
+std::vector<Vec3> extremes_of(std::span<const Vec3> points);
+/// Returns the same for 64 directions: enough for a quick fit.
+std::vector<Vec3> few_extremes_of(std::span<const Vec3> points);
+
 /// An element of any kind but the hull in the frame of a cloud.
 struct Fit {
     Element::Kind kind = Element::Kind::box;
@@ -47,6 +53,8 @@ struct Fit {
 double volume(const Fit& fit);
 /// Returns the element in metres, larger by more than the rounding of its numbers.
 Element element_of(const Fit& fit, const Cloud& cloud);
+/// Returns an element of any kind but the hull in a frame of this origin and unit (m).
+Fit fit_of(const Element& element, const Vec3& origin, double unit);
 /// Returns a right-handed frame with the z axis along a unit vector.
 std::array<Vec3, 3> frame_along(const Vec3& z);
 /// Returns axes turned by a small rotation vector, in the frame of the axes; orthonormal.

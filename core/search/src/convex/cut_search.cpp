@@ -6,7 +6,7 @@
 
 namespace foam::inline search::convex {
 
-CutSearch::CutSearch(std::vector<const Brick*> bricks, const Price& price, PointsInPlane in_plane)
+CutSearch::CutSearch(std::vector<const Brick*> bricks, const PairPrice& price, PointsInPlane in_plane)
     : bricks_(std::move(bricks)), price_(price), in_plane_(std::move(in_plane)) {
     for (const Brick* brick : bricks_) {
         box_.add(brick->box);
@@ -28,7 +28,7 @@ Cut CutSearch::at(const Plane& plane) {
         below_.insert(below_.end(), both_.begin(), both_.end());
         above_.insert(above_.end(), both_.begin(), both_.end());
     }
-    return {plane, price_(below_) + price_(above_)};
+    return {plane, price_(below_, above_)};
 }
 
 Cut CutSearch::start() {

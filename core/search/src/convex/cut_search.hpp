@@ -9,10 +9,12 @@
 
 namespace foam::inline search::convex {
 
-/// The price of putting points into one element: its volume in cubic units, or what else is to be the least.
+/// The price of putting points into one element: its volume in cubic units.
 using Price = std::function<double(std::span<const Vec3>)>;
+/// The price of putting points into two elements, or into one if the second has none.
+using PairPrice = std::function<double(std::span<const Vec3>, std::span<const Vec3>)>;
 
-/// A plane through bricks, with the sum of the prices of both parts.
+/// A plane through bricks, with the price of both parts.
 struct Cut {
     Plane plane;
     double price = std::numeric_limits<double>::infinity(); ///< infinite: a part is empty
@@ -23,7 +25,7 @@ using PointsInPlane = std::function<void(const Plane&, std::vector<Vec3>&)>;
 
 class CutSearch {
 public:
-    CutSearch(std::vector<const Brick*> bricks, const Price& price, PointsInPlane in_plane = {});
+    CutSearch(std::vector<const Brick*> bricks, const PairPrice& price, PointsInPlane in_plane = {});
 
     Cut at(const Plane& plane);
     /// Returns the best of the planes across directions spread evenly, at a few offsets each.
@@ -35,7 +37,7 @@ public:
 private:
     std::vector<const Brick*> bricks_;
     Box box_;
-    const Price& price_;
+    const PairPrice& price_;
     PointsInPlane in_plane_;
     std::vector<Vec3> below_, above_, both_;
 };

@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <optional>
 
 namespace foam::inline search::convex {
 namespace {
@@ -110,33 +111,53 @@ Fit quick_box(const Cloud& cloud) {
     return box_along(cloud, best.axes);
 }
 
-Fit least_box(const Cloud& cloud, Effort effort) {
+/// Returns boxes of little volume, the least first.
+static std::vector<Oriented> boxes_from(const Cloud& cloud, const std::vector<Vec3>& normals, Effort effort) {
     Search search(cloud);
-    std::vector<Oriented> starts{search.as_is({Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}),
-                                 search.as_is(principal_axes_of(cloud.points))};
+    std::vector<Oriented> boxes{search.as_is({Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}),
+                                search.as_is(principal_axes_of(cloud.points))};
     const std::size_t flush = effort == Effort::fast ? 12 : effort == Effort::normal ? 40 : 200;
-    for (std::size_t i = 0; i < std::min(flush, cloud.normals.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(flush, normals.size()); ++i) {
         check_cancelled();
-        starts.push_back(search.about(cloud.normals[i]));
+        boxes.push_back(search.about(normals[i]));
     }
     const std::size_t spread = effort == Effort::fast ? 8 : effort == Effort::normal ? 24 : 200;
     for (const Vec3& direction : fibonacci_directions(2 * spread)) {
         check_cancelled();
         if (direction.z >= 0) {
-            starts.push_back(search.about(direction));
+            boxes.push_back(search.about(direction));
         }
     }
-    std::stable_sort(starts.begin(), starts.end(),
-                     [](const Oriented& a, const Oriented& b) { return a.volume < b.volume; });
-    const std::size_t descents = effort == Effort::fast ? 3 : effort == Effort::normal ? 10 : starts.size();
-    Oriented best = starts.front();
-    for (std::size_t i = 0; i < std::min(descents, starts.size()); ++i) {
+    const auto less = [](const Oriented& a, const Oriented& b) { return a.volume < b.volume; };
+    std::stable_sort(boxes.begin(), boxes.end(), less);
+    const std::size_t descents = effort == Effort::fast ? 3 : effort == Effort::normal ? 10 : boxes.size();
+    boxes.resize(std::min(descents, boxes.size()));
+    for (Oriented& box : boxes) {
         check_cancelled();
-        if (const Oriented found = search.descended(starts[i]); found.volume < best.volume * (1 - 1e-9)) {
-            best = found;
+        box = search.descended(box);
+    }
+    std::stable_sort(boxes.begin(), boxes.end(), less);
+    return boxes;
+}
+
+Fit least_box(const Cloud& cloud, Effort effort) {
+    // Of many points, the extreme ones tell which boxes are worth a look at all.
+    Cloud coarse;
+    coarse.points = extremes_of(cloud.points);
+    const std::vector<Oriented> found = boxes_from(coarse, cloud.normals, effort);
+    if (coarse.points.size() == cloud.points.size()) {
+        return box_along(cloud, found.front().axes);
+    }
+    const std::size_t looks = effort == Effort::fast ? 1 : effort == Effort::normal ? 6 : found.size();
+    Search search(cloud);
+    std::optional<Oriented> best;
+    for (std::size_t i = 0; i < std::min(looks, found.size()); ++i) {
+        const Oriented box = search.descended(search.as_is(found[i].axes));
+        if (!best || box.volume < best->volume * (1 - 1e-9)) {
+            best = box;
         }
     }
-    return box_along(cloud, best.axes);
+    return box_along(cloud, best->axes);
 }
 
 } // namespace foam::inline search::convex

@@ -1,4 +1,4 @@
-#include "pieces.hpp"
+#include "pricing.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/parallel.hpp>
@@ -25,7 +25,7 @@ struct Offer {
 class Merging {
 public:
     explicit Merging(const std::vector<Brick>& bricks) {
-        const Price volume = price_of_hull();
+        const SumOfVolumes volume(price_of_hull());
         pieces_.resize(bricks.size());
         parallel_for(bricks.size(),
                      [&](std::size_t i) { pieces_[i] = piece_of(bricks, {static_cast<std::uint32_t>(i)}, volume); });
@@ -143,7 +143,7 @@ Price price_of_hull() {
     return [](std::span<const Vec3> points) { return HullOfPoints().run_quickly(points); };
 }
 
-Piece piece_of(const std::vector<Brick>& bricks, std::vector<std::uint32_t> members, const Price& price) {
+Piece piece_of(const std::vector<Brick>& bricks, std::vector<std::uint32_t> members, const Pricing& pricing) {
     Piece piece;
     std::vector<Vec3> points;
     for (const std::uint32_t i : members) {
@@ -155,8 +155,8 @@ Piece piece_of(const std::vector<Brick>& bricks, std::vector<std::uint32_t> memb
     for (const std::uint32_t v : hull.vertices()) {
         piece.hull.push_back(points[v]);
     }
-    piece.price = price(piece.hull);
     piece.bricks = std::move(members);
+    pricing.appraise(piece);
     return piece;
 }
 

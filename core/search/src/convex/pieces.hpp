@@ -1,6 +1,7 @@
 // Bricks put together to pieces, one convex hull each.
 #pragma once
 
+#include "cloud.hpp"
 #include "cut_search.hpp"
 
 #include <cstddef>
@@ -14,9 +15,27 @@ struct Piece {
     std::vector<std::uint32_t> bricks; ///< indices, ascending
     std::vector<Vec3> hull;            ///< vertices of the hull around them
     double price = 0;
+    Fit fit; ///< its element, where that is not its hull
     Box box;
     /// The best cut found that makes two of it, of infinite price if there is none; nothing until it is looked for.
     std::optional<Cut> split;
+    double split_gain = 0; ///< what that cut saves
+};
+
+/// What some pieces cost beside the others, and what others in their place would.
+struct Beside {
+    double now = 0;
+    PairPrice price;
+};
+
+/// The prices of a search.
+class Pricing {
+public:
+    virtual ~Pricing() = default;
+    /// Sets the price of a piece alone, and its fit.
+    virtual void appraise(Piece& piece) const = 0;
+    /// Returns the prices in place of one or two pieces, beside the others. For several threads at once.
+    virtual Beside beside(const std::vector<Piece>& pieces, std::span<const std::size_t> replaced) const = 0;
 };
 
 /// The bricks and the pieces that they form. Every brick is in one piece.
@@ -29,7 +48,7 @@ struct Partition {
 
 /// Returns the price of the hull: its volume.
 Price price_of_hull();
-Piece piece_of(const std::vector<Brick>& bricks, std::vector<std::uint32_t> members, const Price& price);
+Piece piece_of(const std::vector<Brick>& bricks, std::vector<std::uint32_t> members, const Pricing& pricing);
 
 /// Returns the partitions for hulls into each of the counts, which descend: from one piece a brick, the two pieces
 /// whose common hull adds least volume become one, again and again (Mamou and Ghorbel 2009). Pieces that do not touch
@@ -45,10 +64,10 @@ struct RecutPlan {
     int split_tries = 6; ///< planes to improve the cut of one piece
 };
 
-/// Makes the sum of the prices less: two neighbours are cut anew by a plane that is moved and tilted, and two pieces
+/// Makes the price less: two neighbours are cut anew by a plane that is moved and tilted, and two pieces
 /// become one where another gains more from being cut in two. The number of pieces stays.
-void recut(Partition& partition, const Price& price, const RecutPlan& plan);
+void recut(Partition& partition, const Pricing& pricing, const RecutPlan& plan);
 /// Cuts pieces until there are `count`, or none can be cut: the piece that gains most by its cut is the next.
-void split_until(Partition& partition, const Price& price, std::size_t count, const RecutPlan& plan);
+void split_until(Partition& partition, const Pricing& pricing, std::size_t count, const RecutPlan& plan);
 
 } // namespace foam::inline search::convex

@@ -38,8 +38,8 @@ Plane between(const Piece& a, const Piece& b) {
 
 class Recutting {
 public:
-    Recutting(Partition& partition, const Price& price, const RecutPlan& plan)
-        : partition_(partition), price_(price), plan_(plan) {
+    Recutting(Partition& partition, const Pricing& pricing, const RecutPlan& plan)
+        : partition_(partition), pricing_(pricing), plan_(plan) {
         changed_.assign(partition.pieces.size(), 1);
     }
 
@@ -67,6 +67,7 @@ public:
             apply(pieces[best].bricks, pieces[best].split->plane, a, b);
             if (a.bricks.empty() || b.bricks.empty()) {
                 pieces[best].split = Cut{};
+                pieces[best].split_gain = -std::numeric_limits<double>::infinity();
                 continue;
             }
             pieces[best] = std::move(a);
@@ -75,16 +76,19 @@ public:
     }
 
 private:
-    static double gain(const Piece& piece) { return piece.price - piece.split->price; }
+    static double gain(const Piece& piece) { return piece.split_gain; }
     /// Looks for the planes that cut each piece in two, where that was not done before.
     void find_splits() {
         parallel_for(partition_.pieces.size(), [&](std::size_t i) {
             Piece& piece = partition_.pieces[i];
             if (!piece.split) {
                 check_cancelled();
-                CutSearch search(named(piece.bricks), price_);
+                const std::array replaced{i};
+                const Beside beside = pricing_.beside(partition_.pieces, replaced);
+                CutSearch search(named(piece.bricks), beside.price);
                 const Cut start = search.start();
                 piece.split = std::isfinite(start.price) ? search.improved(start, plan_.split_tries) : start;
+                piece.split_gain = beside.now - piece.split->price;
             }
         });
     }
@@ -103,8 +107,8 @@ private:
             partition_.bricks.push_back(std::move(parts[1]));
         }
         std::sort(high.begin(), high.end());
-        a = piece_of(partition_.bricks, std::move(low), price_);
-        b = piece_of(partition_.bricks, std::move(high), price_);
+        a = piece_of(partition_.bricks, std::move(low), pricing_);
+        b = piece_of(partition_.bricks, std::move(high), pricing_);
     }
 
     std::vector<const Brick*> named(const std::vector<std::uint32_t>& members) const {
@@ -148,12 +152,13 @@ private:
         parallel_for(pairs.size(), [&](std::size_t i) {
             check_cancelled();
             Pair& pair = pairs[i];
-            CutSearch search(named(together(pieces[pair.a], pieces[pair.b])), price_);
-            const double now = pieces[pair.a].price + pieces[pair.b].price;
+            const std::array<std::size_t, 2> replaced{pair.a, pair.b};
+            const Beside beside = pricing_.beside(pieces, replaced);
+            CutSearch search(named(together(pieces[pair.a], pieces[pair.b])), beside.price);
             const Cut start = search.at(between(pieces[pair.a], pieces[pair.b]));
-            if (start.price < 1.3 * now) { // else a plane is far from what separates them
+            if (start.price < 1.3 * beside.now) { // else a plane is far from what separates them
                 pair.cut = search.improved(start, plan_.tries);
-                pair.gain = now - pair.cut.price;
+                pair.gain = beside.now - pair.cut.price;
             }
         });
         std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.gain > b.gain; });
@@ -189,7 +194,9 @@ private:
             Pair& pair = pairs[i];
             std::vector<Vec3> points = pieces[pair.a].hull;
             points.insert(points.end(), pieces[pair.b].hull.begin(), pieces[pair.b].hull.end());
-            pair.gain = pieces[pair.a].price + pieces[pair.b].price - price_(points);
+            const std::array<std::size_t, 2> replaced{pair.a, pair.b};
+            const Beside beside = pricing_.beside(pieces, replaced);
+            pair.gain = beside.now - beside.price(points, {});
         });
         std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.gain > b.gain; });
         std::vector<std::size_t> order(pieces.size());
@@ -213,7 +220,7 @@ private:
                 break;
             }
             const std::size_t split = order[next];
-            pieces[pair.a] = piece_of(partition_.bricks, together(pieces[pair.a], pieces[pair.b]), price_);
+            pieces[pair.a] = piece_of(partition_.bricks, together(pieces[pair.a], pieces[pair.b]), pricing_);
             Piece a, b;
             apply(pieces[split].bricks, pieces[split].split->plane, a, b);
             pieces[split] = std::move(a);
@@ -226,19 +233,19 @@ private:
     }
 
     Partition& partition_;
-    const Price& price_;
+    const Pricing& pricing_;
     const RecutPlan plan_;
     std::vector<char> changed_;
 };
 
 } // namespace
 
-void recut(Partition& partition, const Price& price, const RecutPlan& plan) {
-    Recutting(partition, price, plan).run();
+void recut(Partition& partition, const Pricing& pricing, const RecutPlan& plan) {
+    Recutting(partition, pricing, plan).run();
 }
 
-void split_until(Partition& partition, const Price& price, std::size_t count, const RecutPlan& plan) {
-    Recutting(partition, price, plan).split_until(count);
+void split_until(Partition& partition, const Pricing& pricing, std::size_t count, const RecutPlan& plan) {
+    Recutting(partition, pricing, plan).split_until(count);
 }
 
 } // namespace foam::inline search::convex

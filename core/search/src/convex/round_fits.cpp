@@ -1,6 +1,6 @@
 #include "circle.hpp"
+#include "fit_programme.hpp"
 #include "least_fit.hpp"
-#include "quadratic_step.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/directions.hpp>
@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace foam::inline search::convex {
 namespace {
@@ -36,107 +37,6 @@ Seen seen_along(const Cloud& cloud, const Vec3& direction) {
     return seen;
 }
 
-/// Returns the vector from the nearest point of the core of a fit, in the frame of the fit.
-Vec3 from_core(const Fit& fit, const Vec3& local) {
-    const auto beyond = [](double t, double half) { return t > half ? t - half : t < -half ? t + half : 0.0; };
-    return {beyond(local.x, fit.half.x), beyond(local.y, fit.half.y), beyond(local.z, fit.half.z)};
-}
-
-/// Makes the lengths of a fit the least that hold the points, about its core: its radius, and a cylinder's half length.
-void close_around(Fit& fit, const Cloud& cloud) {
-    double squared = 0, length = 0;
-    for (const Vec3& p : cloud.points) {
-        const Vec3 q = fit.local(p);
-        if (fit.kind == Kind::cylinder) {
-            squared = std::max(squared, q.x * q.x + q.y * q.y);
-            length = std::max(length, std::abs(q.z));
-        } else {
-            squared = std::max(squared, squared_norm(from_core(fit, q)));
-        }
-    }
-    fit.radius = std::max(std::sqrt(squared), thin);
-    if (fit.kind == Kind::cylinder) {
-        fit.half.z = std::max(length, thin);
-    }
-}
-
-/// The variables of a fit: rotation (3, in its frame), centre (3, in its frame), half lengths (3), radius.
-Variables gradient_of(const Fit& fit) {
-    constexpr double pi = std::numbers::pi;
-    Variables g = Variables::Zero();
-    const Vec3& h = fit.half;
-    const double r = fit.radius;
-    if (fit.kind == Kind::swept_box) {
-        g(6) = 8 * h.y * h.z + 8 * r * (h.y + h.z) + 2 * pi * r * r;
-        g(7) = 8 * h.x * h.z + 8 * r * (h.x + h.z) + 2 * pi * r * r;
-        g(8) = 8 * h.x * h.y + 8 * r * (h.x + h.y) + 2 * pi * r * r;
-        g(9) = 8 * (h.x * h.y + h.y * h.z + h.z * h.x) + 4 * pi * r * (h.x + h.y + h.z) + 4 * pi * r * r;
-    } else {
-        g(8) = 2 * pi * r * r;
-        g(9) = 4 * pi * r * h.z + (fit.kind == Kind::capsule ? 4 * pi * r * r : 0);
-    }
-    return g;
-}
-
-/// Writes the constraint that a point with direction `n` from the core (in the frame) stays within `room`.
-Constraint constraint_of(const Vec3& q, const Vec3& n, double room) {
-    const Vec3 w = cross(n, q); // d(n · R⁻¹ p) for a turn ω: -ω · (q × n)
-    Constraint c{Variables::Zero(), room};
-    c.slope << w.x, w.y, w.z, -n.x, -n.y, -n.z, 0, 0, 0, 0;
-    return c;
-}
-
-void add_length_constraints(const Fit& fit, std::vector<Constraint>& constraints) {
-    const int first = fit.kind == Kind::swept_box ? 6 : 8;
-    for (int i = first; i <= 9; ++i) {
-        Constraint positive{Variables::Zero(), i == 9 ? fit.radius - thin : fit.half[i - 6]};
-        if (i == 8 && fit.kind == Kind::cylinder) {
-            positive.room -= thin;
-        }
-        positive.slope(i) = -1;
-        constraints.push_back(positive);
-    }
-}
-
-/// Writes the constraints of points that a step of this length may reach.
-void set_constraints(const Fit& fit, const Cloud& cloud, double reach, std::vector<Constraint>& constraints) {
-    constraints.clear();
-    add_length_constraints(fit, constraints);
-    for (const Vec3& p : cloud.points) {
-        const Vec3 q = fit.local(p);
-        const Vec3 d = fit.kind == Kind::cylinder ? Vec3{q.x, q.y, 0} : from_core(fit, q);
-        const double length = norm(d);
-        if (length > 0 && length > fit.radius - reach) {
-            const Vec3 n = d / length;
-            Constraint c = constraint_of(q, n, fit.radius - length);
-            if (fit.kind != Kind::cylinder) {
-                c.slope(6) = fit.kind == Kind::swept_box ? -std::abs(n.x) : 0;
-                c.slope(7) = fit.kind == Kind::swept_box ? -std::abs(n.y) : 0;
-                c.slope(8) = -std::abs(n.z);
-            }
-            c.slope(9) = -1;
-            constraints.push_back(c);
-        }
-        if (fit.kind == Kind::cylinder && std::abs(q.z) > fit.half.z - reach) {
-            const Vec3 n{0, 0, q.z > 0 ? 1.0 : -1.0};
-            Constraint c = constraint_of(q, n, fit.half.z - std::abs(q.z));
-            c.slope(8) = -1;
-            constraints.push_back(c);
-        }
-    }
-}
-
-Fit stepped(const Fit& fit, const Variables& step, const Cloud& cloud) {
-    Fit next = fit;
-    const Vec3 move{step(3), step(4), step(5)};
-    next.center = fit.center + fit.axes[0] * move.x + fit.axes[1] * move.y + fit.axes[2] * move.z;
-    next.axes = turned(fit.axes, {step(0), step(1), step(2)});
-    next.half = {std::max(fit.half.x + step(6), 0.0), std::max(fit.half.y + step(7), 0.0),
-                 std::max(fit.half.z + step(8), 0.0)};
-    close_around(next, cloud);
-    return next;
-}
-
 /// Returns directions to start from: those of a box around the points, and others spread over the hemisphere.
 std::vector<Vec3> start_directions(const Cloud& cloud, Effort effort) {
     const Fit box = quick_box(cloud);
@@ -150,23 +50,27 @@ std::vector<Vec3> start_directions(const Cloud& cloud, Effort effort) {
     return directions;
 }
 
-/// Returns the best result of descents from the best fits along directions.
+/// Returns the best result of descents from the best fits along directions. Of many points, the extreme ones tell which
+/// directions are worth a look at all.
 template <class Along> Fit least_along(const Cloud& cloud, Effort effort, Along along) {
+    Cloud coarse;
+    coarse.points = extremes_of(cloud.points);
     std::vector<Fit> starts;
-    for (const Vec3& direction : start_directions(cloud, effort)) {
+    for (const Vec3& direction : start_directions(coarse, effort)) {
         check_cancelled();
-        starts.push_back(along(cloud, direction));
+        starts.push_back(along(coarse, direction));
     }
     std::stable_sort(starts.begin(), starts.end(), [](const Fit& a, const Fit& b) { return volume(a) < volume(b); });
     const std::size_t descents = effort == Effort::fast ? 2 : effort == Effort::normal ? 6 : 40;
     const int steps = effort == Effort::fast ? 15 : 60;
-    Fit best = starts.front();
+    std::optional<Fit> best;
     for (std::size_t i = 0; i < std::min(descents, starts.size()); ++i) {
-        if (const Fit found = descended(starts[i], cloud, steps); volume(found) < volume(best) * (1 - 1e-9)) {
+        close_around(starts[i], cloud);
+        if (const Fit found = descended(starts[i], cloud, steps); !best || volume(found) < volume(*best) * (1 - 1e-9)) {
             best = found;
         }
     }
-    return best;
+    return *best;
 }
 
 /// Returns the swept box of the same bounds as a box with the largest radius that still holds the points.
@@ -205,13 +109,8 @@ Fit descended(const Fit& start, const Cloud& cloud, int most_steps, bool keep_ax
     std::vector<Constraint> constraints;
     for (int i = 0; i < most_steps && reach > shortest; ++i) {
         check_cancelled();
-        const Variables gradient = gradient_of(best);
-        set_constraints(best, cloud, 6 * reach, constraints);
-        if (keep_axes) {
-            for (Constraint& c : constraints) {
-                c.slope.head<3>().setZero();
-            }
-        }
+        const Variables gradient = volume_slopes(best);
+        set_constraints(best, cloud, 6 * reach, constraints, keep_axes);
         const Variables step = quadratic_step(gradient, gradient.norm() / reach, constraints);
         const Fit next = stepped(best, step, cloud);
         const double reached = volume(next);

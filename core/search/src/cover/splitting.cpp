@@ -18,7 +18,7 @@ namespace {
 
 // These only choose which ball to split and where: the result is compared by exact volumes.
 constexpr int occupancy_resolution = 24;
-constexpr std::size_t sampled_points = 500, sampled_directions = 64, first_points = 300;
+constexpr std::size_t sampled_points = 500, sampled_directions = 64, points_at_first = 300;
 constexpr ExchangePlan plan{.split = {12, 5, 2, 30}, .evaluations = 0, .rounds = 0, .cells = 12};
 /// Number of points above which surfaces are coarsened; the final growth covers the parts beyond the coarse skin.
 constexpr std::size_t most_points = 4000;
@@ -53,7 +53,7 @@ struct [[gnu::visibility("hidden")]] Splitting::Data {
     explicit Data(const Solid& solid)
         : coarse(geometry::coarse_solid(solid)),
           problem(coarse ? *coarse : solid, occupancy_resolution, sampled_points, 0),
-          improvement(problem, sampled_directions, first_points),
+          improvement(problem, sampled_directions, points_at_first),
           skin(problem.solid->surface(), problem.frame, most_points, coarse_resolution),
           exchange(problem, skin, plan, {}), missing(solid) {}
 

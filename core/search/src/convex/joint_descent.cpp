@@ -1,0 +1,311 @@
+#include "joint_descent.hpp"
+
+#include "fit_programme.hpp"
+#include "hull_of_points.hpp"
+#include "least_fit.hpp"
+#include "outside_lattice.hpp"
+
+#include <foam/base/cancellation.hpp>
+#include <foam/geometry/directions.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace foam::inline search::convex {
+namespace {
+
+using Kind = Element::Kind;
+
+/// Returns a distance that the point is at least away from the fit; not above 0 inside.
+double distance_to(const Fit& fit, const Vec3& p) {
+    const Vec3 q = fit.local(p);
+    if (fit.kind == Kind::cylinder) {
+        return std::max(std::hypot(q.x, q.y) - fit.radius, std::abs(q.z) - fit.half.z);
+    }
+    return norm(from_core(fit, q)) - fit.radius;
+}
+
+bool holds(const Fit& fit, const Vec3& p) {
+    return distance_to(fit, p) <= 0;
+}
+
+/// Calls visit(point, normal, area) for points spread over the boundary, in the frame of the fit.
+template <class Visit> void over_boundary(const Fit& fit, double area_each, Visit visit) {
+    constexpr double pi = std::numbers::pi;
+    const Vec3& h = fit.half;
+    const double r = fit.radius;
+    const auto parts = [](double length, double step) {
+        return std::max(1, static_cast<int>(std::ceil(length / step)));
+    };
+    const double step = std::sqrt(area_each);
+    const bool cylinder = fit.kind == Kind::cylinder;
+    for (int a = 0; a < 3; ++a) {
+        const int u = (a + 1) % 3, v = (a + 2) % 3;
+        if (!cylinder && h[u] > 0 && h[v] > 0) { // two faces across the axis
+            const int nu = parts(2 * h[u], step), nv = parts(2 * h[v], step);
+            const double area = 4 * h[u] * h[v] / (nu * nv);
+            for (int k = 0; k < 2 * nu * nv; ++k) {
+                const double sign = k % 2 == 0 ? 1 : -1;
+                const int i = k / 2 % nu, j = k / 2 / nu;
+                Vec3 p, n{};
+                p[a] = sign * (h[a] + r);
+                p[u] = h[u] * ((2 * i + 1.0) / nu - 1);
+                p[v] = h[v] * ((2 * j + 1.0) / nv - 1);
+                n[a] = sign;
+                visit(p, n, area);
+            }
+        }
+        if (r > 0 && h[a] > 0 && (!cylinder || a == 2)) { // round edges along the axis
+            const int along = parts(2 * h[a], step), around = 4 * parts(pi / 2 * r, step);
+            const double area = 4 * pi * r * h[a] / (along * around);
+            for (int k = 0; k < along * around; ++k) {
+                const double angle = (k % around + 0.5) / around * 2 * pi;
+                Vec3 n{}, p;
+                n[u] = std::cos(angle);
+                n[v] = std::sin(angle);
+                p[u] = std::copysign(h[u], n[u]) + r * n[u];
+                p[v] = std::copysign(h[v], n[v]) + r * n[v];
+                p[a] = h[a] * ((2 * (k / around) + 1.0) / along - 1);
+                visit(p, n, area);
+            }
+        }
+    }
+    if (cylinder) { // its ends
+        const int count = std::max(8, static_cast<int>(pi * r * r / area_each));
+        const double area = pi * r * r / count;
+        for (int k = 0; k < count; ++k) {
+            const double radius = r * std::sqrt((k + 0.5) / count), angle = k * (pi * (3 - std::sqrt(5.0)));
+            for (const double sign : {1.0, -1.0}) {
+                visit(Vec3{radius * std::cos(angle), radius * std::sin(angle), sign * h.z}, Vec3{0, 0, sign}, area);
+            }
+        }
+    } else if (r > 0) { // corners
+        const auto count = std::max<std::size_t>(32, static_cast<std::size_t>(4 * pi * r * r / area_each));
+        const double area = 4 * pi * r * r / static_cast<double>(count);
+        for (const Vec3& n : fibonacci_directions(count)) {
+            visit(Vec3{std::copysign(h.x, n.x), std::copysign(h.y, n.y), std::copysign(h.z, n.z)} + n * r, n, area);
+        }
+    }
+}
+
+Fit least_around(Kind kind, const std::vector<Vec3>& points) {
+    const Cloud cloud = cloud_of(points);
+    Fit fit = least_fit(kind, cloud, Effort::fast, false);
+    fit.center = cloud.origin + fit.center * cloud.unit;
+    fit.half = fit.half * cloud.unit;
+    fit.radius *= cloud.unit;
+    return fit;
+}
+
+class Descent {
+public:
+    Descent(const Body& body, const cover::Occupancy& occupancy, std::vector<Fit> fits, bool keep_axes)
+        : body_(body), lattice_(occupancy), fits_(std::move(fits)), keep_axes_(keep_axes) {}
+
+    std::vector<Fit> run(int sweeps, int steps) {
+        for (int sweep = 0; sweep < sweeps && fits_.size() > 1; ++sweep) {
+            double before = 0, after = 0;
+            for (std::size_t i = 0; i < fits_.size();) {
+                check_cancelled();
+                const Cloud cloud = alone(i);
+                if (cloud.points.empty()) {
+                    fits_.erase(fits_.begin() + static_cast<std::ptrdiff_t>(i));
+                    continue;
+                }
+                before += look(i);
+                after += improve(i, cloud, steps, sweep == 0);
+                ++i;
+            }
+            constexpr double gain = 2e-3;
+            if (after > before * (1 - gain)) {
+                break;
+            }
+        }
+        return std::move(fits_);
+    }
+
+private:
+    /// Returns whether an element besides this one holds the point.
+    bool others_hold(std::size_t i, const Vec3& p) const {
+        for (std::size_t k = 0; k < fits_.size(); ++k) {
+            if (k != i && holds(fits_[k], p)) {
+                return true;
+            }
+        }
+        return false;
+    }
+    /// Appends the corners of the parts of a triangle that none of the elements named holds alone.
+    void add_alone(const std::array<Vec3, 3>& t, std::span<const std::uint32_t> others,
+                   std::vector<Vec3>& points) const {
+        const auto hold = [&](std::uint32_t k) {
+            return holds(fits_[k], t[0]) && holds(fits_[k], t[1]) && holds(fits_[k], t[2]);
+        };
+        const Vec3 middle = (t[0] + t[1] + t[2]) / 3;
+        const double reach = std::sqrt(
+            std::max({squared_norm(t[0] - middle), squared_norm(t[1] - middle), squared_norm(t[2] - middle)}));
+        std::array<std::uint32_t, 8> near;
+        std::size_t count = 0;
+        for (const std::uint32_t k : others) {
+            if (distance_to(fits_[k], middle) > reach) {
+                continue;
+            }
+            if (hold(k)) {
+                return;
+            }
+            if (count < near.size()) { // what more would hold counts as not held
+                near[count++] = k;
+            }
+        }
+        constexpr double finest = 0.01; // units
+        const auto [length, longest] = longest_side(t);
+        if (count == 0 || length < finest) {
+            points.insert(points.end(), t.begin(), t.end());
+            return;
+        }
+        const Vec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3];
+        const Vec3 half_way = (a + b) * 0.5;
+        add_alone({a, half_way, c}, std::span(near).first(count), points);
+        add_alone({half_way, b, c}, std::span(near).first(count), points);
+    }
+    static std::pair<double, std::size_t> longest_side(const std::array<Vec3, 3>& t) {
+        std::size_t longest = 0;
+        double length = 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            if (const double l = squared_norm(t[(c + 1) % 3] - t[c]); l > length) {
+                length = l;
+                longest = c;
+            }
+        }
+        return {std::sqrt(length), longest};
+    }
+    /// Returns the extreme points of what this element holds alone.
+    Cloud alone(std::size_t i) const {
+        std::vector<Vec3> points;
+        const std::vector<Vec3>& corners = body_.surface.corners;
+        const Box box = bounds(fits_[i]);
+        std::vector<std::uint32_t> others;
+        for (std::uint32_t k = 0; k < fits_.size(); ++k) {
+            if (k != i) {
+                others.push_back(k);
+            }
+        }
+        for (std::size_t t = 0; t + 2 < corners.size(); t += 3) {
+            const std::array<Vec3, 3> triangle{corners[t], corners[t + 1], corners[t + 2]};
+            if (meets(box, triangle)) {
+                add_alone(triangle, others, points);
+            }
+        }
+        HullOfPoints hull;
+        Cloud cloud;
+        if (!points.empty()) {
+            hull.run_quickly(points); // what it gives up, the overlap of neighbours holds
+            for (const std::uint32_t v : hull.vertices()) {
+                cloud.points.push_back(points[v]);
+            }
+        }
+        return cloud;
+    }
+    static bool meets(const Box& box, const std::array<Vec3, 3>& t) {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (std::max({t[0][axis], t[1][axis], t[2][axis]}) < box.low[axis] ||
+                std::min({t[0][axis], t[1][axis], t[2][axis]}) > box.high[axis]) {
+                return false;
+            }
+        }
+        return true;
+    }
+    /// Looks at the place of an element without it; returns its share of the volume outside.
+    double look(std::size_t i) {
+        constexpr std::size_t cells = 2000;
+        constexpr double margin = 0.1;
+        std::vector<Fit> others = fits_;
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+        const Box box = bounds(fits_[i]);
+        const Vec3 beyond = Vec3{1, 1, 1} * (margin * box.diagonal());
+        Box region;
+        region.add(box.low - beyond);
+        region.add(box.high + beyond);
+        lattice_.look(others, region, cells);
+        return lattice_.of({&fits_[i], 1});
+    }
+    /// Returns the slopes of the element's share of the volume outside.
+    Variables slopes(std::size_t i, const Fit& fit) const {
+        Variables g = Variables::Zero();
+        constexpr double samples = 400, faces = 6;
+        const double size = std::cbrt(volume(fit));
+        over_boundary(fit, faces * size * size / samples, [&](const Vec3& q, const Vec3& n, double area) {
+            const Vec3 p = fit.outside(q);
+            const double share = area * lattice_.outside_solid(p);
+            if (!(share > 0) || others_hold(i, p)) {
+                return;
+            }
+            const Vec3 turn = cross(q, n);
+            for (int k = 0; k < 3; ++k) {
+                g(k) += keep_axes_ ? 0 : share * turn[k];
+                g(3 + k) += share * n[k];
+                g(6 + k) += uses_half(fit.kind, k) ? share * std::abs(n[k]) : 0;
+            }
+            if (fit.kind != Kind::box) {
+                g(9) += fit.kind == Kind::cylinder ? share * std::hypot(n.x, n.y) : share;
+            }
+        });
+        return g;
+    }
+    /// Improves an element beside the others, which look() has seen. Returns its share of the volume outside.
+    double improve(std::size_t i, const Cloud& cloud, int most_steps, bool anew) {
+        constexpr double first_step = 0.05, longest = 0.1, shortest = 1e-4; // units
+        Fit best = fits_[i];
+        double least = lattice_.of({&best, 1});
+        const auto offer = [&](const Fit& fit) {
+            const double share = lattice_.of({&fit, 1});
+            const bool less = share < least;
+            if (less) {
+                least = share;
+                best = fit;
+            }
+            return less;
+        };
+        if (anew && !keep_axes_) {
+            offer(least_around(best.kind, cloud.points));
+        }
+        double reach = first_step;
+        std::vector<Constraint> constraints;
+        for (int k = 0; k < most_steps && reach > shortest; ++k) {
+            const Variables gradient = slopes(i, best);
+            if (!(gradient.norm() > 0)) {
+                break;
+            }
+            set_constraints(best, cloud, 6 * reach, constraints, keep_axes_);
+            const Variables step = quadratic_step(gradient, gradient.norm() / reach, constraints);
+            const double before = least;
+            if (offer(stepped(best, step, cloud))) {
+                constexpr double too_little = 1e-4;
+                if (before - least < too_little * before) {
+                    break;
+                }
+                reach = std::min(longest, 2 * reach);
+            } else {
+                reach = std::min(reach, step.norm()) / 4;
+            }
+        }
+        fits_[i] = best;
+        return least;
+    }
+
+    const Body& body_;
+    OutsideLattice lattice_;
+    std::vector<Fit> fits_;
+    const bool keep_axes_;
+};
+
+} // namespace
+
+std::vector<Fit> descended_together(const Body& body, const cover::Occupancy& occupancy, std::vector<Fit> fits,
+                                    Effort effort, bool keep_axes) {
+    const int sweeps = effort == Effort::fast ? 1 : effort == Effort::normal ? 4 : 20;
+    const int steps = effort == Effort::fast ? 4 : 10;
+    return Descent(body, occupancy, std::move(fits), keep_axes).run(sweeps, steps);
+}
+
+} // namespace foam::inline search::convex

@@ -1,0 +1,175 @@
+#include "outside_lattice.hpp"
+
+#include "../cover/wide_vectors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace foam::inline search::convex {
+namespace {
+
+using Kind = Element::Kind;
+
+/// A fit in the precision of the lattice.
+struct Held {
+    explicit Held(const Fit& fit, double cell) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            for (int i = 0; i < 3; ++i) {
+                axis[k][i] = static_cast<float>(fit.axes[k][i]);
+            }
+            offset[k] = static_cast<float>(dot(fit.axes[k], fit.center));
+            half[k] = static_cast<float>(fit.half[static_cast<int>(k)]);
+        }
+        radius = static_cast<float>(fit.radius);
+        inverse_cell = static_cast<float>(1 / cell);
+        // |d|² - r² is about 2 r times the distance from the surface.
+        steepness = static_cast<float>(0.5 / (std::max(fit.radius, cell) * cell));
+    }
+    float axis[3][3];
+    float offset[3], half[3];
+    float radius, inverse_cell, steepness;
+};
+
+/// Makes each share at least that of the fit.
+FOAM_FOR_WIDE_VECTORS
+void add_round(const Held& f, std::size_t count, const float* x, const float* y, const float* z, float* held) {
+    const float squared_radius = f.radius * f.radius;
+    for (std::size_t i = 0; i < count; ++i) {
+        float squared = 0;
+        for (int k = 0; k < 3; ++k) {
+            const float q = std::abs(f.axis[k][0] * x[i] + f.axis[k][1] * y[i] + f.axis[k][2] * z[i] - f.offset[k]);
+            const float beyond = std::max(q - f.half[k], 0.0f);
+            squared += beyond * beyond;
+        }
+        const float share = std::clamp(0.5f - (squared - squared_radius) * f.steepness, 0.0f, 1.0f);
+        held[i] = std::max(held[i], share);
+    }
+}
+
+FOAM_FOR_WIDE_VECTORS
+void add_box(const Held& f, std::size_t count, const float* x, const float* y, const float* z, float* held) {
+    for (std::size_t i = 0; i < count; ++i) {
+        float farthest = -1;
+        for (int k = 0; k < 3; ++k) {
+            const float q = std::abs(f.axis[k][0] * x[i] + f.axis[k][1] * y[i] + f.axis[k][2] * z[i] - f.offset[k]);
+            farthest = std::max(farthest, q - f.half[k]);
+        }
+        const float share = std::clamp(0.5f - farthest * f.inverse_cell, 0.0f, 1.0f);
+        held[i] = std::max(held[i], share);
+    }
+}
+
+FOAM_FOR_WIDE_VECTORS
+void add_cylinder(const Held& f, std::size_t count, const float* x, const float* y, const float* z, float* held) {
+    for (std::size_t i = 0; i < count; ++i) {
+        float q[3];
+        for (int k = 0; k < 3; ++k) {
+            q[k] = std::abs(f.axis[k][0] * x[i] + f.axis[k][1] * y[i] + f.axis[k][2] * z[i] - f.offset[k]);
+        }
+        const float side = 0.5f - (q[0] * q[0] + q[1] * q[1] - f.radius * f.radius) * f.steepness;
+        const float end = 0.5f - (q[2] - f.half[2]) * f.inverse_cell;
+        held[i] = std::max(held[i], std::clamp(std::min(side, end), 0.0f, 1.0f));
+    }
+}
+
+bool meet(const Box& a, const Box& b) {
+    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
+           a.low.z <= b.high.z && b.low.z <= a.high.z;
+}
+
+void add_shares(const Fit& fit, double cell, std::size_t count, const float* x, const float* y, const float* z,
+                float* held) {
+    const Held f(fit, cell);
+    if (fit.kind == Kind::box) {
+        add_box(f, count, x, y, z, held);
+    } else if (fit.kind == Kind::cylinder) {
+        add_cylinder(f, count, x, y, z, held);
+    } else {
+        add_round(f, count, x, y, z, held);
+    }
+}
+
+} // namespace
+
+Box bounds(const Fit& fit) {
+    Box box;
+    Vec3 reach;
+    for (int i = 0; i < 3; ++i) {
+        reach[i] = fit.kind == Kind::cylinder ? fit.radius * std::hypot(fit.axes[0][i], fit.axes[1][i])
+                   : fit.kind == Kind::box    ? 0
+                                              : fit.radius;
+        for (int k = 0; k < 3; ++k) {
+            reach[i] += std::abs(fit.axes[static_cast<std::size_t>(k)][i]) * fit.half[k];
+        }
+    }
+    box.add(fit.center - reach);
+    box.add(fit.center + reach);
+    return box;
+}
+
+double OutsideLattice::outside_solid(const Vec3& p) const {
+    constexpr double units = 2; // of the occupancy in one of the body
+    return occupancy_.outside(static_cast<float>(units * p.x), static_cast<float>(units * p.y),
+                              static_cast<float>(units * p.z));
+}
+
+void OutsideLattice::look(std::span<const Fit> others, const Box& region, std::size_t cells) {
+    region_ = region;
+    const Vec3 size = region.size();
+    cell_ = std::cbrt(std::max(size.x, thin) * std::max(size.y, thin) * std::max(size.z, thin) /
+                      static_cast<double>(cells));
+    const auto across = [&](int axis) { return std::max(1, static_cast<int>(std::ceil(size[axis] / cell_))); };
+    const int nx = across(0), ny = across(1), nz = across(2);
+    const Vec3 low = region.center() - Vec3{nx - 1.0, ny - 1.0, nz - 1.0} * (cell_ / 2);
+    x_.clear(), y_.clear(), z_.clear(), weight_.clear();
+    for (int k = 0; k < nz; ++k) {
+        for (int j = 0; j < ny; ++j) {
+            for (int i = 0; i < nx; ++i) {
+                const Vec3 p =
+                    low + Vec3{static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)} * cell_;
+                if (const double weight = outside_solid(p); weight > 0) {
+                    x_.push_back(static_cast<float>(p.x));
+                    y_.push_back(static_cast<float>(p.y));
+                    z_.push_back(static_cast<float>(p.z));
+                    weight_.push_back(static_cast<float>(weight));
+                }
+            }
+        }
+    }
+    held_.assign(x_.size(), 0);
+    for (const Fit& other : others) {
+        if (meet(bounds(other), region)) {
+            add_shares(other, cell_, x_.size(), x_.data(), y_.data(), z_.data(), held_.data());
+        }
+    }
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+        if (held_[i] < 1) {
+            x_[left] = x_[i], y_[left] = y_[i], z_[left] = z_[i];
+            weight_[left++] = weight_[i] * (1 - held_[i]);
+        }
+    }
+    x_.resize(left), y_.resize(left), z_.resize(left), weight_.resize(left);
+}
+
+double OutsideLattice::of(std::span<const Fit> elements) {
+    held_.assign(x_.size(), 0);
+    double beyond = 0;
+    for (const Fit& element : elements) {
+        add_shares(element, cell_, x_.size(), x_.data(), y_.data(), z_.data(), held_.data());
+        const Box box = bounds(element);
+        const Vec3 size = box.size();
+        for (int axis = 0; axis < 3; ++axis) {
+            const double over =
+                std::max(region_.low[axis] - box.low[axis], 0.0) + std::max(box.high[axis] - region_.high[axis], 0.0);
+            beyond += over * size[(axis + 1) % 3] * size[(axis + 2) % 3];
+        }
+    }
+    double sum = 0;
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+        sum += static_cast<double>(held_[i] * weight_[i]);
+    }
+    return sum * cell_ * cell_ * cell_ + beyond;
+}
+
+} // namespace foam::inline search::convex

@@ -1,0 +1,62 @@
+#include "pricing.hpp"
+
+#include "outside_lattice.hpp"
+
+#include <algorithm>
+#include <memory>
+
+namespace foam::inline search::convex {
+
+void SumOfVolumes::appraise(Piece& piece) const {
+    piece.price = price_(piece.hull);
+}
+
+Beside SumOfVolumes::beside(const std::vector<Piece>& pieces, std::span<const std::size_t> replaced) const {
+    Beside result;
+    for (const std::size_t i : replaced) {
+        result.now += pieces[i].price;
+    }
+    result.price = [price = price_](std::span<const Vec3> below, std::span<const Vec3> above) {
+        return price(below) + (above.empty() ? 0 : price(above));
+    };
+    return result;
+}
+
+void VolumeOutside::appraise(Piece& piece) const {
+    piece.fit = fit_around_(piece.hull);
+    piece.price = volume(piece.fit);
+}
+
+Beside VolumeOutside::beside(const std::vector<Piece>& pieces, std::span<const std::size_t> replaced) const {
+    constexpr std::size_t cells = 1000;
+    constexpr double margin = 0.1; // of the diagonal: elements of parts may reach beyond those of the whole
+    std::vector<Fit> others, these;
+    Box region;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        if (std::find(replaced.begin(), replaced.end(), i) == replaced.end()) {
+            others.push_back(pieces[i].fit);
+        } else {
+            these.push_back(pieces[i].fit);
+            region.add(bounds(pieces[i].fit));
+        }
+    }
+    const Vec3 beyond = Vec3{1, 1, 1} * (margin * region.diagonal());
+    Box wide;
+    wide.add(region.low - beyond);
+    wide.add(region.high + beyond);
+    auto lattice = std::make_shared<OutsideLattice>(occupancy_);
+    lattice->look(others, wide, cells);
+    Beside result;
+    result.now = lattice->of(these);
+    result.price = [lattice, this](std::span<const Vec3> below, std::span<const Vec3> above) {
+        std::array<Fit, 2> fits{fit_around_(below)};
+        if (above.empty()) {
+            return lattice->of(std::span(fits).first(1));
+        }
+        fits[1] = fit_around_(above);
+        return lattice->of(fits);
+    };
+    return result;
+}
+
+} // namespace foam::inline search::convex

@@ -1,0 +1,42 @@
+// What pieces of a body cost.
+#pragma once
+
+#include "../cover/occupancy.hpp"
+#include "cut_search.hpp"
+#include "pieces.hpp"
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace foam::inline search::convex {
+
+/// Sums of the volumes of single elements: for hulls, which hardly overlap.
+class SumOfVolumes : public Pricing {
+public:
+    explicit SumOfVolumes(Price price) : price_(std::move(price)) {}
+
+    void appraise(Piece& piece) const override;
+    Beside beside(const std::vector<Piece>& pieces, std::span<const std::size_t> replaced) const override;
+
+private:
+    Price price_;
+};
+
+/// The volume outside the solid of the union of quick fits. What several elements hold counts once.
+class VolumeOutside : public Pricing {
+public:
+    /// Returns the element of a piece from the points that it is to hold.
+    using FitAround = std::function<Fit(std::span<const Vec3>)>;
+    VolumeOutside(const cover::Occupancy& occupancy, FitAround fit_around)
+        : occupancy_(occupancy), fit_around_(std::move(fit_around)) {}
+
+    void appraise(Piece& piece) const override;
+    Beside beside(const std::vector<Piece>& pieces, std::span<const std::size_t> replaced) const override;
+
+private:
+    const cover::Occupancy& occupancy_;
+    FitAround fit_around_;
+};
+
+} // namespace foam::inline search::convex
