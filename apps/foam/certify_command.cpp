@@ -24,8 +24,9 @@ std::string point_text(const Vec3& p) {
 std::string table_of_proofs(const Original& original, const MatchedModel& model, const std::vector<LinkProof>& proofs,
                             bool outer) {
     const std::size_t width = column_width("link", original.links, &OriginalLink::link);
-    std::string table = fmt::format("{:<{}}  {:>9}  {:>8}  {}\n", "link", width, outer ? "growth mm" : "excess mm",
-                                    outer ? "triangle" : "sphere", outer ? "witness, m" : "center, m");
+    const std::string length = outer ? "growth mm" : "protrusion mm";
+    std::string table = fmt::format("{:<{}}  {}  {:>8}  {}\n", "link", width, length, outer ? "triangle" : "sphere",
+                                    outer ? "witness, m" : "center, m");
     for (std::size_t i = 0; i < proofs.size(); ++i) {
         if (proofs[i].holds) {
             continue;
@@ -34,9 +35,9 @@ std::string table_of_proofs(const Original& original, const MatchedModel& model,
             table += padded(original.links[i].link, width) + "  it has no spheres\n";
             continue;
         }
-        table += fmt::format("{}  {:>9}  {:>8}  {}\n", padded(original.links[i].link, width),
-                             millimetres(proofs[i].growth, 6), outer ? proofs[i].triangle : proofs[i].sphere,
-                             point_text(proofs[i].witness));
+        table += fmt::format("{}  {:>{}}  {:>8}  {}\n", padded(original.links[i].link, width),
+                             millimetres(proofs[i].growth, 6), length.size(),
+                             outer ? proofs[i].triangle : proofs[i].sphere, point_text(proofs[i].witness));
     }
     return table;
 }

@@ -96,18 +96,18 @@ nlohmann::ordered_json json_of(const Original& original, const std::vector<LinkI
     nlohmann::ordered_json json{{"file", original.file.string()}, {"kind", mesh ? "mesh" : "robot"}};
     if (!mesh) {
         json["robot"] = original.robot->name;
-        json["links"] = original.robot->links.size();
+        json["links_in_robot"] = original.robot->links.size();
         json["joints"] = original.robot->joints.size();
         json["joints_that_move"] = moving_joints(*original.robot);
     }
-    json["geometry"] = nlohmann::ordered_json::array();
+    json["links"] = nlohmann::ordered_json::array();
     for (const LinkInfo& info : infos) {
-        json["geometry"].push_back({{"link", info.link},
-                                    {"parts", info.elements},
-                                    {"triangles", info.triangles},
-                                    {"closed", info.closed},
-                                    {"volume_m3", info.volume},
-                                    {"size_m", {info.size.x, info.size.y, info.size.z}}});
+        json["links"].push_back({{"link", info.link},
+                                 {"parts", info.elements},
+                                 {"triangles", info.triangles},
+                                 {"closed", info.closed},
+                                 {"volume_m3", info.volume},
+                                 {"size_m", {info.size.x, info.size.y, info.size.z}}});
     }
     return json;
 }

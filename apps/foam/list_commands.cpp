@@ -28,6 +28,21 @@ std::string limits(const Parameter& p) {
     return p.unit_text.empty() || p.unit_text == "1" ? text : text + " " + p.unit_text;
 }
 
+/// By the keys of recipes.
+std::string isolation_text(const Isolation& isolation) {
+    std::vector<std::string> parts;
+    if (isolation.process) {
+        parts.push_back(fmt::format("isolate: {}", *isolation.process ? "process" : "none"));
+    }
+    if (isolation.time_limit) {
+        parts.push_back(fmt::format("time_limit: {}", *isolation.time_limit));
+    }
+    if (isolation.memory_limit) {
+        parts.push_back(fmt::format("memory_limit: {}", *isolation.memory_limit));
+    }
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 std::string description(const RegisteredStage& stage) {
     std::string text = fmt::format("{} ({}, plugin {} {}, {})\n{}\n", stage.info.name, to_string(stage.kind),
                                    stage.plugin, stage.plugin_version, stage.license, stage.info.summary);
@@ -44,12 +59,8 @@ std::string description(const RegisteredStage& stage) {
         text +=
             "Reads the files that no other loader reads, or all of these formats if 'loaders: {prefer: …}' names it.\n";
     }
-    if (const Json isolation = json_of_isolation<Json>(stage.info.isolation); !isolation.empty()) {
-        text += "Default isolation:";
-        for (const auto& [key, value] : isolation.items()) {
-            text += fmt::format(" {}: {},", key, value.is_string() ? value.get<std::string>() : value.dump());
-        }
-        text.back() = '\n';
+    if (const std::string isolation = isolation_text(stage.info.isolation); !isolation.empty()) {
+        text += fmt::format("Default isolation: {}\n", isolation);
     }
     if (stage.info.original_only) {
         text += "Uses only the original geometry: mesh filters before it have no effect.\n";

@@ -184,7 +184,7 @@ std::string text_of(const Plan& plan, const Recipe& recipe) {
 Json json_of_planned(const PlannedStage& stage, bool with_cache) {
     Json json{{"stage", stage.stage},
               {"plugin", stage.plugin},
-              {"version", stage.plugin_version},
+              {"plugin_version", stage.plugin_version},
               {"parameters", Json::object()}};
     for (const auto& [name, value] : stage.given) {
         json["parameters"][name] = std::visit([](const auto& v) { return Json(v); }, value);
@@ -256,7 +256,7 @@ Json json_of_planned(const Plan& plan, const Recipe& recipe) {
         json["budget"]["excess"] = *recipe.budget_excess;
     }
     if (recipe.budget_max_protrusion) {
-        json["budget"]["max_protrusion"] = *recipe.budget_max_protrusion;
+        json["budget"]["max_protrusion_m"] = *recipe.budget_max_protrusion;
     }
     if (recipe.budget_share) {
         json["budget"]["share"] = word_of(*recipe.budget_share);
@@ -265,10 +265,10 @@ Json json_of_planned(const Plan& plan, const Recipe& recipe) {
         json["budget"]["for"] = recipe.budget_for == BudgetFor::poses ? "poses" : "geometry";
     }
     if (recipe.budget_time_limit) {
-        json["budget"]["time_limit"] = *recipe.budget_time_limit;
+        json["budget"]["time_limit_seconds"] = *recipe.budget_time_limit;
     }
     if (recipe.self_collision) {
-        json["self_collision"] = {{"pose", recipe.self_collision_pose}};
+        json["self_collision"] = {{"reference_pose", recipe.self_collision_pose}};
     }
     for (const PlannedLink& link : plan.links) {
         json["links"].push_back(json_of_planned(link));

@@ -41,14 +41,14 @@ class Event(NamedTuple):
 class Finding(NamedTuple):
     """A finding of foam.check()."""
 
-    level: str  #: error or warning
+    severity: str  #: error or warning
     file: str
     line: int
     column: int
     message: str
 
     def __str__(self) -> str:
-        return f"{self.file}:{self.line}:{self.column}: {self.level}: {self.message}"
+        return f"{self.file}:{self.line}:{self.column}: {self.severity}: {self.message}"
 
 
 class Run:
@@ -129,7 +129,7 @@ def run_all(
         )
         summary = json.loads(text)
         warn_of(
-            [f["message"] for f in summary["findings"] if f["severity"] in ("warning", "error")], summary["input_file"]
+            [f["message"] for f in summary["findings"] if f["severity"] in ("warning", "error")], summary["input"]["file"]
         )
         model = SphereModel({link: np.asarray(rows) for link, rows in links}, name=name, summary=summary)
         model._of_run = held
@@ -190,4 +190,4 @@ def check(recipe: Any, *, set: Mapping[str, Any] | None = None, variants: Sequen
     """Return all findings of a recipe, as `foam check` lists them; none: it is right. Arguments as of run()."""
     file, text = _source(recipe)
     found = json.loads(_core.check(registry(), file, text, settings_of(set or {}), list(variants)))
-    return [Finding(f["level"], f["file"], f["line"], f["column"], f["message"]) for f in found["findings"]]
+    return [Finding(f["severity"], f["file"], f["line"], f["column"], f["message"]) for f in found["findings"]]

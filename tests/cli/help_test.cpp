@@ -89,7 +89,7 @@ TEST_F(Cli, InfoOfAMesh) {
     EXPECT_THAT(foam("info box.obj --scale 1000").out, HasSubstr("use --unit mm"));
     const auto json = nlohmann::json::parse(foam("info box.obj --unit mm --json").out);
     EXPECT_EQ(json.at("kind"), "mesh");
-    EXPECT_NEAR(json.at("geometry").at(0).at("volume_m3").get<double>(), 6e-12, 1e-18);
+    EXPECT_NEAR(json.at("links").at(0).at("volume_m3").get<double>(), 6e-12, 1e-18);
 }
 
 TEST_F(Cli, InfoOfWhatIsNoFile) {

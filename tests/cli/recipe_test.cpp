@@ -282,8 +282,8 @@ TEST_F(CliRecipe, PlanSaysTheWholeBudget) {
                           "  apart      spheres of links that are not neighbours, with b at 0.1, others at "
                           "zero\n"));
     const std::string text = foam(settings + "--json").out;
-    EXPECT_THAT(text, HasSubstr("\"spheres\": 9,\n        \"excess\": 0.5,\n        \"max_protrusion\": 0.01,\n"
-                                "        \"time_limit\": 60.0\n"));
+    EXPECT_THAT(text, HasSubstr("\"spheres\": 9,\n        \"excess\": 0.5,\n        \"max_protrusion_m\": 0.01,\n"
+                                "        \"time_limit_seconds\": 60.0\n"));
     EXPECT_THAT(text, HasSubstr("\"b\": 0.1\n"));
 }
 

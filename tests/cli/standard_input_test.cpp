@@ -53,13 +53,13 @@ TEST_F(FromStandardInput, AMeshIsRecognisedByItsContent) {
     const auto info = nlohmann::json::parse(piped("box.obj", "info - --json").out);
     EXPECT_EQ(info.at("kind"), "mesh");
     EXPECT_EQ(info.at("file"), "stdin");
-    EXPECT_EQ(info.at("geometry").at(0).at("triangles"), 12);
+    EXPECT_EQ(info.at("links").at(0).at("triangles"), 12);
 }
 
 TEST_F(FromStandardInput, ARobotFindsItsMeshesFromTheCurrentFolder) {
     const auto info = nlohmann::json::parse(piped("robot.urdf", "info - --json").out);
     EXPECT_EQ(info.at("kind"), "robot");
-    EXPECT_EQ(info.at("geometry").at(0).at("triangles"), 12);
+    EXPECT_EQ(info.at("links").at(0).at("triangles"), 12);
     const Outcome made = piped("robot.urdf", "spherize - -n 3 -m grid -o piped.urdf");
     ASSERT_EQ(made.code, 0) << made.err;
     ASSERT_EQ(foam("spherize robot.urdf -n 3 -m grid -o named.urdf").code, 0);

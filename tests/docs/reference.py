@@ -92,7 +92,8 @@ def stage_page(stage):
     if stage["last_resort"]:
         page += "- reads those that no other loader reads, or all if `loaders: {prefer: …}` names it\n"
     if stage["isolation"]:
-        wishes = ", ".join(f"`{key}: {literal(value)}`" for key, value in stage["isolation"].items())
+        keys = {"isolate": "isolate", "time_limit_seconds": "time_limit", "memory_limit_mib": "memory_limit"}
+        wishes = ", ".join(f"`{keys[name]}: {literal(value)}`" for name, value in stage["isolation"].items())
         page += f"- unless the recipe says otherwise: {wishes}\n"
     if stage["original_only"]:
         page += "- uses only the original geometry: mesh filters before it have no effect\n"

@@ -255,7 +255,7 @@ def test_recipes_may_be_dictionaries_and_texts(tmp_path):
     assert foam.check(recipe) == []
     recipe["stages"] = [{"spherize.covr": {}}]
     (finding,) = foam.check(recipe)
-    assert finding.level == "error" and "did you mean 'spherize.cover'" in str(finding)
+    assert finding.severity == "error" and "did you mean 'spherize.cover'" in str(finding)
     with pytest.raises(foam.UsageError, match="did you mean 'spherize.cover'"):
         foam.run(recipe)
     with pytest.raises(foam.UsageError, match="out="):

@@ -66,8 +66,8 @@ TEST_F(SelfCollisionCli, JsonIsTheSameOnAnyNumberOfThreads) {
     EXPECT_EQ(foam("self-collision arm.urdf --json --samples 5000 --seed 3 --pose elbow=3 -j 3").out, one.out);
     EXPECT_NE(foam("self-collision arm.urdf --json --samples 5000 --seed 4 --pose elbow=3").out, one.out);
     const json data = json::parse(one.out);
-    EXPECT_EQ(data["model"], "its own spheres");
-    EXPECT_EQ(data["reference"], json({{"elbow", 3.0}, {"shoulder", 0.0}}));
+    EXPECT_EQ(data["spheres_from"], "its own spheres");
+    EXPECT_EQ(data["reference_pose"], json({{"elbow", 3.0}, {"shoulder", 0.0}}));
     ASSERT_EQ(data["pairs"].size(), 3u);
     const json& hand = data["pairs"][1];
     EXPECT_EQ(hand["link2"], "hand");

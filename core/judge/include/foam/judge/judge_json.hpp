@@ -60,7 +60,7 @@ template <class Json> Json json_of_proofs(const Original& original, const std::v
             link["halvings"] = proofs[i].halvings;
         }
         if (!proofs[i].holds) {
-            link[outer ? "growth_m" : "excess_m"] = json_number<Json>(proofs[i].growth);
+            link[outer ? "growth_m" : "protrusion_m"] = json_number<Json>(proofs[i].growth);
             link[outer ? "triangle" : "sphere"] = outer ? proofs[i].triangle : proofs[i].sphere;
             const Vec3& p = proofs[i].witness;
             link[outer ? "witness_m" : "center_m"] = {p.x, p.y, p.z};
@@ -137,14 +137,14 @@ Json json_of_matrix(const std::string& robot, const std::string& words, std::uin
     for (std::size_t i = 0; i < matrix.reference.size(); ++i) {
         reference[kinematics.freedoms()[i].joint] = matrix.reference[i];
     }
-    return {{"robot", robot},
-            {"model", words},
+    return {{"original", robot},
+            {"spheres_from", words},
             {"seed", seed},
             {"samples", matrix.samples},
             {"confidence", matrix.confidence},
             {"rate_bound", matrix.samples > 0 ? Json(matrix.rate_bound()) : Json()},
             {"joint_rate_bound", matrix.samples > 0 ? Json(matrix.joint_rate_bound()) : Json()},
-            {"reference", std::move(reference)},
+            {"reference_pose", std::move(reference)},
             {"notes", model.notes},
             {"links", json_of_links<Json>(model)},
             {"pairs", json_of_pairs<Json>(model, matrix)}};

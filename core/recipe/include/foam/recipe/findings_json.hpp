@@ -13,7 +13,7 @@ template <class Json> Json json_of_findings(const RecipeResult& read) {
         json["runs"].push_back(recipe.name);
     }
     for (const Diagnostic& finding : read.diagnostics) {
-        json["findings"].push_back({{"level", finding.level == Diagnostic::Level::error ? "error" : "warning"},
+        json["findings"].push_back({{"severity", finding.level == Diagnostic::Level::error ? "error" : "warning"},
                                     {"code", finding.code},
                                     {"file", finding.where.file},
                                     {"line", finding.where.line},

@@ -34,17 +34,17 @@ template <class Json> Json json_of_parameter(const Parameter& p) {
     return json;
 }
 
-/// By the keys of recipes; those that the stage leaves to the recipe are left out.
+/// What the stage leaves to the recipe is left out.
 template <class Json> Json json_of_isolation(const Isolation& isolation) {
     Json json = Json::object();
     if (isolation.process) {
         json["isolate"] = *isolation.process ? "process" : "none";
     }
     if (isolation.time_limit) {
-        json["time_limit"] = *isolation.time_limit;
+        json["time_limit_seconds"] = *isolation.time_limit;
     }
     if (isolation.memory_limit) {
-        json["memory_limit"] = *isolation.memory_limit;
+        json["memory_limit_mib"] = *isolation.memory_limit;
     }
     return json;
 }

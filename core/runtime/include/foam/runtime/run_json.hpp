@@ -69,8 +69,7 @@ inline std::vector<FilterTotal> filters_of(const RunResult& result) {
 template <class Json>
 Json json_of_run(const RunResult& result, const Recipe& recipe, const std::filesystem::path& directory) {
     Json json{{"name", recipe.name},
-              {"input", result.input},
-              {"input_file", result.input_file.string()},
+              {"input", {{"taken", result.input}, {"file", result.input_file.string()}}},
               {"input_size", json_of_size<Json>(result.input_size)},
               {"directory", directory.string()},
               {"certified", result.certified},
