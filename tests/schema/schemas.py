@@ -25,6 +25,7 @@ debug: {meshes: true}
 variants:
   plain: {seed: 0}
   skipped: {links.tip.skip: true}
+  padded: {pad: 1cm}
   sheet: {links.base.skip: true, budget.spheres: 1}
 """
 
@@ -71,7 +72,7 @@ def check_runs(program):
         (folder / "recipe.yaml").write_text(RECIPE)
         subprocess.run([program, "run", "recipe.yaml", "--variant", "*", "--fresh"], check=True, cwd=folder, capture_output=True)
         manifests = sorted(folder.glob("runs/*/manifest.json"))
-        assert len(manifests) == 3, manifests
+        assert len(manifests) == 4, manifests
         for manifest in manifests:
             document = json.loads(manifest.read_text(encoding="utf-8"))
             spheres = json.loads((manifest.parent / "spheres.json").read_text(encoding="utf-8"))
