@@ -1,9 +1,8 @@
-// What foam is and what its recipes may hold: version, schema.
+// foam version: what foam is made of.
 #include "cli/build_text.hpp"
 #include "cli/program.hpp"
 #include "commands.hpp"
 
-#include <foam/runtime/schemas.hpp>
 #include <foam/runtime/version.hpp>
 #include <foam/sdk/abi.hpp>
 
@@ -45,28 +44,6 @@ void add_version(Program& program) {
                 text += fmt::format("{:<14} {}\n", key, value.get<std::string>());
             }
             print(text);
-            return 0;
-        };
-    });
-}
-
-void add_schema(Program& program) {
-    CLI::App* command = add_command(program, "schema", "Print the JSON Schema of recipes or result files",
-                                    "  foam schema > recipe.schema.json\n"
-                                    "  foam schema manifest > manifest.schema.json\n"
-                                    "\n"
-                                    "For completion in an editor, begin the recipe with this line:\n"
-                                    "  # yaml-language-server: $schema=recipe.schema.json");
-    auto what = std::make_shared<std::string>("recipe");
-    command->add_option("what", *what, "recipe (default), manifest or spheres")
-        ->type_name("WHAT")
-        ->check(CLI::IsMember({"recipe", "manifest", "spheres"}).description(""));
-    command->add_flag("--json")->description("Accepted for uniformity: the schema is always JSON");
-    command->callback([&program, what] {
-        program.action = [&program, what] {
-            print_data(*what == "manifest"  ? manifest_schema()
-                       : *what == "spheres" ? spheres_schema()
-                                            : recipe_schema(program.registry()));
             return 0;
         };
     });

@@ -1,15 +1,17 @@
-// JSON Schemas (draft 2020-12) of the output of a run; that of recipes is recipe_schema().
+// JSON Schemas (draft 2020-12) of the files of a run and of what commands print; that of recipes is recipe_schema().
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace foam {
 inline namespace [[gnu::visibility("default")]] runtime {
 
-/// Returns the schema of manifest.json.
-std::string manifest_schema();
-/// Returns the schema of the sphere database that write.json writes in its layout "links".
-std::string spheres_schema();
+/// Returns "manifest" for manifest.json, "spheres" for the file that write.json writes in its layout "links", and the
+/// names of the commands that print JSON.
+std::vector<std::string> schema_names();
+/// Returns the schema with one of these names; nothing for another name.
+std::string schema_named(const std::string& name);
 
 } // namespace runtime
 } // namespace foam
