@@ -237,11 +237,9 @@ struct ApproximationSearch::Data {
             return cover_by(elements_of(partition, options.effort));
         }
         const std::vector<Element> start = elements_of(partition, Effort::fast);
-        ConvexCover best = cover_by(descended(start));
-        if (options.objective != ApproximationObjective::excess) { // the descent is for excess volume alone
-            if (ConvexCover other = cover_by(start); better(other, best)) {
-                best = std::move(other);
-            }
+        ConvexCover best = cover_by(descended(start)); // which sees a lattice, and excess volume alone
+        if (ConvexCover other = cover_by(start); better(other, best)) {
+            best = std::move(other);
         }
         return best;
     }
