@@ -108,13 +108,16 @@ public:
             double before = 0, after = 0;
             for (std::size_t i = 0; i < fits_.size();) {
                 check_cancelled();
-                const Cloud cloud = alone(i);
-                if (cloud.points.empty()) {
+                std::vector<Vec3> points = held_alone(i);
+                if (points.empty()) {
                     fits_.erase(fits_.begin() + static_cast<std::ptrdiff_t>(i));
                     continue;
                 }
                 before += look(i);
-                after += improve(i, cloud, steps, sweep == 0);
+                if (sweep == 0) { // at first none gives up what another would have to take
+                    add_held(i, points);
+                }
+                after += improve(i, extremes(points), steps, sweep == 0);
                 ++i;
             }
             constexpr double gain = 2e-3;
@@ -126,6 +129,8 @@ public:
     }
 
 private:
+    static constexpr double finest = 0.01; ///< edge of the parts that triangles are cut into, units
+
     /// Returns whether an element besides this one holds the point.
     bool others_hold(std::size_t i, const Vec3& p) const {
         for (std::size_t k = 0; k < fits_.size(); ++k) {
@@ -157,7 +162,6 @@ private:
                 near[count++] = k;
             }
         }
-        constexpr double finest = 0.01; // units
         const auto [length, longest] = longest_side(t);
         if (count == 0 || length < finest) {
             points.insert(points.end(), t.begin(), t.end());
@@ -179,30 +183,55 @@ private:
         }
         return {std::sqrt(length), longest};
     }
-    /// Returns the extreme points of what this element holds alone.
-    Cloud alone(std::size_t i) const {
-        std::vector<Vec3> points;
-        const std::vector<Vec3>& corners = body_.surface.corners;
-        const Box box = bounds(fits_[i]);
+    /// Returns the corners of what this element holds alone.
+    std::vector<Vec3> held_alone(std::size_t i) const {
         std::vector<std::uint32_t> others;
         for (std::uint32_t k = 0; k < fits_.size(); ++k) {
             if (k != i) {
                 others.push_back(k);
             }
         }
+        std::vector<Vec3> points;
+        for_each_triangle_near(i, [&](const std::array<Vec3, 3>& t) { add_alone(t, others, points); });
+        return points;
+    }
+    /// Appends the corners of what this element holds.
+    void add_held(std::size_t i, std::vector<Vec3>& points) const {
+        for_each_triangle_near(i, [&](const std::array<Vec3, 3>& t) { add_held(fits_[i], t, points); });
+    }
+    static void add_held(const Fit& fit, const std::array<Vec3, 3>& t, std::vector<Vec3>& points) {
+        if (holds(fit, t[0]) && holds(fit, t[1]) && holds(fit, t[2])) {
+            points.insert(points.end(), t.begin(), t.end());
+            return;
+        }
+        const Vec3 middle = (t[0] + t[1] + t[2]) / 3;
+        const double reach = std::sqrt(
+            std::max({squared_norm(t[0] - middle), squared_norm(t[1] - middle), squared_norm(t[2] - middle)}));
+        const auto [length, longest] = longest_side(t);
+        if (length < finest || distance_to(fit, middle) > reach) {
+            return;
+        }
+        const Vec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3];
+        const Vec3 half_way = (a + b) * 0.5;
+        add_held(fit, {a, half_way, c}, points);
+        add_held(fit, {half_way, b, c}, points);
+    }
+    template <class Visit> void for_each_triangle_near(std::size_t i, Visit visit) const {
+        const std::vector<Vec3>& corners = body_.surface.corners;
+        const Box box = bounds(fits_[i]);
         for (std::size_t t = 0; t + 2 < corners.size(); t += 3) {
-            const std::array<Vec3, 3> triangle{corners[t], corners[t + 1], corners[t + 2]};
-            if (meets(box, triangle)) {
-                add_alone(triangle, others, points);
+            if (const std::array<Vec3, 3> triangle{corners[t], corners[t + 1], corners[t + 2]}; meets(box, triangle)) {
+                visit(triangle);
             }
         }
+    }
+    /// Returns the vertices of the hull of the points.
+    static Cloud extremes(const std::vector<Vec3>& points) {
         HullOfPoints hull;
+        hull.run_quickly(points); // what it gives up, the overlap of neighbours holds
         Cloud cloud;
-        if (!points.empty()) {
-            hull.run_quickly(points); // what it gives up, the overlap of neighbours holds
-            for (const std::uint32_t v : hull.vertices()) {
-                cloud.points.push_back(points[v]);
-            }
+        for (const std::uint32_t v : hull.vertices()) {
+            cloud.points.push_back(points[v]);
         }
         return cloud;
     }
