@@ -86,10 +86,23 @@ int usage_error(const CLI::App& app, const CLI::ParseError& error) {
     return exit_code(ErrorCode::usage);
 }
 
+/// Makes every option of a command take one value a time, so that none takes the file after it: --with box part.stl.
+void take_one_value_each(CLI::App& app) {
+    for (CLI::App* command : app.get_subcommands(nullptr)) {
+        take_one_value_each(*command);
+    }
+    for (CLI::Option* option : app.get_options()) {
+        if (!option->get_positional()) {
+            option->allow_extra_args(false);
+        }
+    }
+}
+
 int run_program(int count, char** arguments, const std::function<void(Program&)>& add_commands) {
     Program program;
     program.arguments = arguments;
     add_commands(program);
+    take_one_value_each(program.app);
     if (count <= 1) {
         fmt::print(stderr, "{}", program.app.help());
         return exit_code(ErrorCode::usage);

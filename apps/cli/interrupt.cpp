@@ -84,9 +84,11 @@ void give_up(const Unresponsive& what) {
 }
 
 int exit_code_after(int code) {
+    // Nothing is left to stop. What comes from here on ends the program at once, and it does not say that it stops.
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
     const int signal = first_signal.load(std::memory_order_relaxed);
     if (signal == SIGINT) {
-        std::signal(SIGINT, SIG_DFL);
         raise(SIGINT);
     }
     return signal == 0 ? code : exit_code(ErrorCode::cancelled);

@@ -12,7 +12,7 @@ namespace foam::cli {
 /// first if the program has not ended 2 s later.
 const std::atomic<bool>& stop_on_interrupt();
 /// Ends the program as one that the user has cut, if he has: by SIGINT itself, so that a shell's loop ends too, or,
-/// after SIGTERM, with 130. Returns `code` otherwise.
+/// after SIGTERM, with 130. Returns `code` otherwise. A later signal ends the program as any other program.
 int exit_code_after(int code);
 
 /// Whether one came.

@@ -8,6 +8,7 @@ namespace foam::test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 TEST_F(Cli, NoArgumentsPrintTheHelpForPeople) {
@@ -42,6 +43,17 @@ TEST_F(Cli, MissingAndSurplusArguments) {
     const Outcome surplus = foam("check a.yaml b.yaml");
     EXPECT_EQ(surplus.code, 2);
     EXPECT_THAT(surplus.err, HasSubstr("'b.yaml' is one argument too many"));
+}
+
+TEST_F(Cli, OptionsLeaveTheFileAfterThem) {
+    write("part.stl", "solid part\nendsolid part\n");
+    for (const char* arguments :
+         {"approximate --with capsule,box part.stl -n 4", "approximate --cost 4 --costs capsule=2,box=3 part.stl",
+          "approximate --with capsule --with box part.stl -n 4", "spherize --set effort=fast part.stl -n 4"}) {
+        const Outcome outcome = foam(arguments);
+        EXPECT_THAT(outcome.err, HasSubstr("part.stl")) << arguments;
+        EXPECT_THAT(outcome.err, Not(HasSubstr("required"))) << arguments;
+    }
 }
 
 TEST_F(Cli, ValuesOutOfBounds) {

@@ -30,6 +30,15 @@ bool holds(const Fit& fit, const Vec3& p) {
     return distance_to(fit, p) <= 0;
 }
 
+/// Returns the area of the boundary, in square units.
+double boundary_area(const Fit& fit) {
+    constexpr double pi = std::numbers::pi;
+    const Vec3& h = fit.half;
+    const double r = fit.radius;
+    return fit.kind == Kind::cylinder ? 2 * pi * r * (2 * h.z + r)
+                                      : 8 * (h.x * h.y + h.y * h.z + h.z * h.x) + 4 * pi * r * (h.x + h.y + h.z + r);
+}
+
 /// Calls visit(point, normal, area) for points spread over the boundary, in the frame of the fit.
 template <class Visit> void over_boundary(const Fit& fit, double area_each, Visit visit) {
     constexpr double pi = std::numbers::pi;
@@ -261,9 +270,8 @@ private:
     /// Returns the slopes of the element's share of the volume outside.
     Variables slopes(std::size_t i, const Fit& fit) const {
         Variables g = Variables::Zero();
-        constexpr double samples = 400, faces = 6;
-        const double size = std::cbrt(volume(fit));
-        over_boundary(fit, faces * size * size / samples, [&](const Vec3& q, const Vec3& n, double area) {
+        constexpr double samples = 400;
+        over_boundary(fit, boundary_area(fit) / samples, [&](const Vec3& q, const Vec3& n, double area) {
             const Vec3 p = fit.outside(q);
             const double share = area * lattice_.outside_solid(p);
             if (!(share > 0) || others_hold(i, p)) {

@@ -50,14 +50,15 @@ public:
         return {{x, cross(z, x), z}, rectangle.area * extent(cloud_, z)};
     }
     Oriented descended(Oriented best) {
-        constexpr double gain = 1 - 1e-12;
+        // Around balls each step gains less than the one before, and never nothing.
+        constexpr double gain = 1 - 1e-7;
+        constexpr std::size_t most_steps = 300;
         int idle = 0;
-        for (std::size_t axis = 0; idle < 3; axis = (axis + 1) % 3) {
-            const Oriented next = about(best.axes[axis]);
-            ++idle;
-            if (next.volume < best.volume * gain) {
+        for (std::size_t step = 0; idle < 3 && step < most_steps; ++step) {
+            const Oriented next = about(best.axes[step % 3]);
+            idle = next.volume < best.volume * gain ? 0 : idle + 1;
+            if (next.volume < best.volume) {
                 best = next;
-                idle = 0;
             }
         }
         return best;
