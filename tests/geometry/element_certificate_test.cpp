@@ -4,6 +4,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/internal/triangle.hpp>
 
 #include <gtest/gtest.h>
 
@@ -373,6 +374,34 @@ TEST(ElementGrowth, NeedlesAcrossTwoElementsNeedNoMoreThanWhatIsOpen) {
             for (std::size_t i = 0; i < 2; ++i) {
                 EXPECT_LT(grown.others[i].radius - level.others[i].radius, 3 * open + 2 * across + 1e-7) << i;
             }
+        }
+    }
+}
+
+// Only the faces that a point is above are looked at for its distance from a hull.
+TEST(ElementCertificate, TheGapBesideAHullIsTheDistance) {
+    Random random(17);
+    const auto place = [&](double size) {
+        return Vec3{random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
+    };
+    for (int k = 0; k < 300; ++k) {
+        std::vector<Vec3> points;
+        for (int i = 0; i < 5 + k % 40; ++i) {
+            points.push_back(place(1));
+        }
+        Element hull{.kind = Kind::hull};
+        hull.hull = convex_hull(points);
+        const Vec3 p = place(k % 2 == 0 ? 1.2 : 5);
+        double distance = std::numeric_limits<double>::infinity();
+        const Mesh& surface = hull.hull->surface;
+        for (const auto& [a, b, c] : surface.triangles) {
+            const Corners t{surface.vertices[a], surface.vertices[b], surface.vertices[c]};
+            distance = std::min(distance, norm(p - closest_on_triangle(t, p)));
+        }
+        const double side = 1e-9; // of a triangle that is hardly more than the point
+        const auto solid = Solid::make(Mesh{{p, p + Vec3{side, 0, 0}, p + Vec3{0, side, 0}}, {{0, 1, 2}}});
+        if (const Certificate certificate = certify(*solid, ElementsView{{}, {&hull, 1}}); !certificate.holds) {
+            EXPECT_NEAR(certificate.growth, distance, 4 * side + 1e-3 * distance) << k;
         }
     }
 }

@@ -48,15 +48,6 @@ double plane_distance(std::span<const Polytope::Face> faces, const Vec3& p) {
     return farthest;
 }
 
-double distance_to_surface(const Mesh& mesh, const Vec3& p) {
-    double least = unreachable;
-    for (const auto& [a, b, c] : mesh.triangles) {
-        const Corners t{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
-        least = std::min(least, squared_norm(p - closest_on_triangle(t, p)));
-    }
-    return std::sqrt(least);
-}
-
 } // namespace
 
 Bodies::Bodies(const ElementsView& elements, const Vec3& origin, double extent, std::uint32_t most_halvings,
@@ -145,23 +136,29 @@ void Bodies::add(const Element& element, const Vec3& origin, double extent, doub
     }
 }
 
+bool Bodies::set_hull(Body& body, const Element& element) {
+    body.hull = convex_hull(element.hull->surface.vertices);
+    body.middle = inner_point(*body.hull);
+    for (const Polytope::Face& face : body.hull->faces) {
+        body.faces.push_back({face.normal, face.offset - dot(face.normal, body.middle)});
+    }
+    lower_faces(body);
+    return std::all_of(body.faces.begin(), body.faces.end(), [](const Polytope::Face& f) { return f.offset > 0; });
+}
+
 /// Sets the faces so that what they enclose lies in the hull of the vertices. A face's plane is put through the lowest
 /// corner of the triangles that belong to it. Then a point outside the closed surface is outside of a plane: a segment
 /// from the middle to it crosses a triangle, and so leaves the half-space of the face that it belongs to.
-bool Bodies::set_hull(Body& body, const Element& element) {
-    const std::shared_ptr<const Polytope> hull = convex_hull(element.hull->surface.vertices);
-    body.hull = hull;
+void Bodies::lower_faces(Body& body) {
+    const std::vector<Vec3>& vertices = body.hull->surface.vertices;
     Box box;
-    for (const Vec3& v : hull->surface.vertices) {
+    for (const Vec3& v : vertices) {
         box.add(v);
     }
-    body.middle = inner_point(*hull);
-    for (const Polytope::Face& face : hull->faces) {
-        body.faces.push_back({face.normal, face.offset - dot(face.normal, body.middle)});
-    }
-    const std::vector<Vec3>& vertices = hull->surface.vertices;
+    std::vector<std::vector<std::uint32_t>> triangles_of(body.faces.size());
     std::size_t likely = 0; // triangles come in the order of the faces
-    for (const auto& [a, b, c] : hull->surface.triangles) {
+    std::uint32_t triangle = 0;
+    for (const auto& [a, b, c] : body.hull->surface.triangles) {
         const auto lowest = [&](std::size_t f) {
             const Vec3& n = body.faces[f].normal;
             return std::min({dot(n, vertices[a] - body.middle), dot(n, vertices[b] - body.middle),
@@ -182,8 +179,32 @@ bool Bodies::set_hull(Body& body, const Element& element) {
             best = likely;
         }
         body.faces[best].offset = std::min(body.faces[best].offset, lowest(best));
+        triangles_of[best].push_back(triangle++);
     }
-    return std::all_of(body.faces.begin(), body.faces.end(), [](const Polytope::Face& f) { return f.offset > 0; });
+    for (const std::vector<std::uint32_t>& triangles : triangles_of) {
+        body.triangles.insert(body.triangles.end(), triangles.begin(), triangles.end());
+        body.ends.push_back(static_cast<std::uint32_t>(body.triangles.size()));
+    }
+}
+
+/// Returns the distance from the hull of a point outside a face, which is in the body's frame. Only triangles are
+/// looked at whose face has the point outside: the direction from the nearest point is a sum of normals of the faces
+/// there, and not all of them have the point inside.
+double Bodies::distance_to_hull(const Body& body, const Vec3& q) {
+    const Mesh& mesh = body.hull->surface;
+    const Vec3 p = q + body.middle;
+    double least = unreachable;
+    for (std::size_t f = 0; f < body.faces.size(); ++f) {
+        if (!(dot(body.faces[f].normal, q) > body.faces[f].offset)) {
+            continue;
+        }
+        for (std::uint32_t k = f == 0 ? 0 : body.ends[f - 1]; k < body.ends[f]; ++k) {
+            const auto& [a, b, c] = mesh.triangles[body.triangles[k]];
+            const Corners t{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+            least = std::min(least, squared_norm(p - closest_on_triangle(t, p)));
+        }
+    }
+    return std::sqrt(least);
 }
 
 /// Makes the body smaller by its slack.
@@ -312,7 +333,7 @@ double Bodies::growth(std::uint32_t i, const Vec3& p) const {
         return std::max(out, 0.0);
     }
     const Body& body = bodies_[i];
-    return std::max(out, distance_to_surface(body.hull->surface, local(body, p) + body.middle) + 2 * body.slack);
+    return std::max(out, distance_to_hull(body, local(body, p)) + 2 * body.slack);
 }
 
 void Bodies::choose_near(const Piece& piece, std::size_t begin, std::size_t end,
@@ -359,4 +380,4 @@ Bodies::Gap Bodies::gap(const Piece& piece, std::span<const std::uint32_t> bodie
     return result;
 }
 
-} // namespace foam::geometry
+} // namespace foam::inline geometry

@@ -82,11 +82,15 @@ private:
         std::vector<double> blocks;         ///< the same, for many at a time: normals' x, y, z and offsets
         std::vector<Polytope::Face> planes; ///< the same, and those of a box, turned to the surface's frame
         std::shared_ptr<const Polytope> hull;
-        Vec3 middle; ///< hull: origin of the body's frame in that of the hull
+        std::vector<std::uint32_t> triangles; ///< of the hull, by the faces that they belong to
+        std::vector<std::uint32_t> ends;      ///< of each face's triangles among them
+        Vec3 middle;                          ///< hull: origin of the body's frame in that of the hull
     };
 
     void add(const Element& element, const Vec3& origin, double extent, double unit, double placement);
     static bool set_hull(Body& body, const Element& element);
+    static void lower_faces(Body& body);
+    static double distance_to_hull(const Body& body, const Vec3& q);
     static void erode(Body& body, const Element& element);
     static Vec3 local(const Body& body, const Vec3& p) {
         const Vec3 v = p - body.center;
@@ -103,4 +107,4 @@ private:
     std::vector<std::uint32_t> of_;
 };
 
-} // namespace foam::geometry
+} // namespace foam::inline geometry

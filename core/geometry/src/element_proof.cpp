@@ -4,6 +4,7 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/internal/proof.hpp>
 
 namespace foam::inline geometry {
 namespace {
@@ -271,12 +272,16 @@ Certificate certify(const Solid& solid, const ElementsView& elements, int depth)
     return ElementProof(solid, elements, std::clamp(depth, 0, 60), true).run();
 }
 
-bool covers(const Solid& solid, const ElementsView& elements) {
+Certificate certify_to_first_gap(const Solid& solid, const ElementsView& elements) {
     if (elements.others.empty()) {
-        return certify(solid, elements.spheres).holds;
+        return certify(solid, elements.spheres);
     }
     constexpr int depth = 40;
-    return ElementProof(solid, elements, depth, false).run().holds;
+    return ElementProof(solid, elements, depth, false).run();
+}
+
+bool covers(const Solid& solid, const ElementsView& elements) {
+    return certify_to_first_gap(solid, elements).holds;
 }
 
 } // namespace foam::geometry

@@ -4,6 +4,7 @@
 #include "fewer_vertices.hpp"
 
 #include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/internal/proof.hpp>
 
 #include <limits>
 
@@ -55,7 +56,7 @@ Element hull_around(std::vector<Vec3> points, double unit, std::size_t most_vert
 
 ConvexCover proved(const Solid& solid, Approximation::Level elements) {
     ConvexCover cover;
-    cover.certificate = certify(solid, elements.view());
+    cover.certificate = geometry::certify_to_first_gap(solid, elements.view());
     if (!cover.certificate.holds) {
         elements = grown_to_cover(solid, std::move(elements));
         cover.certificate = certify(solid, elements.view());

@@ -1,6 +1,7 @@
-// The proof that spheres cover a solid, with statistics.
+// Proofs that elements cover a solid: with statistics, and up to the first gap.
 #pragma once
 
+#include <foam/geometry/element.hpp>
 #include <foam/geometry/measure.hpp>
 
 #include <cstdint>
@@ -17,6 +18,10 @@ struct CoverProof {
 
 /// Runs the proof of certify().
 CoverProof prove_cover(const Solid& solid, std::span<const Sphere> spheres, int depth = 40);
+
+/// Runs the proof of certify() up to the first gap. If there is one, the certificate does not hold, and its other
+/// figures mean nothing: the worst gap takes many times as long to find.
+Certificate certify_to_first_gap(const Solid& solid, const ElementsView& elements);
 
 } // namespace geometry
 } // namespace foam
