@@ -28,6 +28,8 @@ public:
     void take();
     /// Returns whether this argument was `-`.
     bool is(const std::string& argument) const { return !file_.empty() && argument == file_; }
+    /// Returns the temporary file; empty if no argument was `-`.
+    const std::string& file() const { return file_; }
 
 private:
     struct Single {

@@ -202,7 +202,7 @@ int run_quick(const SpherizeArguments& arguments, const Recipe& recipe, const Qu
 /// Throws Error(usage) for what needs a name of the input.
 void require_no_name(const SpherizeArguments& arguments, const Registry& registry) {
     if (arguments.print_recipe) {
-        throw Error(ErrorCode::usage, "a recipe names its input, and - has no name; remedy: a file instead of -");
+        refuse_naming("recipe", arguments.input, registry);
     }
     if (!arguments.run_dir.empty()) {
         throw Error(ErrorCode::usage, "a run directory names its input, so that the run can be repeated, and - has no "
@@ -211,14 +211,7 @@ void require_no_name(const SpherizeArguments& arguments, const Registry& registr
     if (arguments.output.empty()) {
         throw Error(ErrorCode::usage, "the input - gives the output no name; remedy: -o FILE, or -o - with --format");
     }
-    const StageInfo& writer = writer_for(output_ending(arguments, registry), registry).info;
-    const bool names_meshes = std::any_of(writer.parameters.begin(), writer.parameters.end(),
-                                          [](const Parameter& parameter) { return parameter.name == "mesh_paths"; });
-    if (names_meshes && is_mesh(arguments.input, registry)) {
-        throw Error(ErrorCode::usage, fmt::format("{} writes the name of the mesh, and - has no name; remedy: another "
-                                                  "format, or a file instead of -",
-                                                  writer.name));
-    }
+    refuse_naming(output_ending(arguments, registry), arguments.input, registry);
 }
 
 int spherize(Program& program, const SpherizeArguments& arguments) {

@@ -3,6 +3,7 @@
 #include "judge.hpp"
 
 #include "cli/interrupt.hpp"
+#include "cli/messages.hpp"
 #include "cli/overwriting.hpp"
 
 #include <foam/base/error.hpp>
@@ -34,13 +35,14 @@ struct ViewArguments {
     bool no_open = false, force = false;
 };
 
-SubjectOptions subject_options(const ViewArguments& arguments) {
+SubjectOptions subject_options(const Program& program, const ViewArguments& arguments) {
     SubjectOptions options{.files = {arguments.models.begin(), arguments.models.end()},
                            .renames = renames_of(arguments.renames),
                            .reader = arguments.reader,
                            .unit = arguments.unit,
                            .geometry = covered_geometry(arguments.geometry),
-                           .srdf = arguments.srdf};
+                           .srdf = arguments.srdf,
+                           .nameless = program.standard_input.file()};
     return options;
 }
 
@@ -183,9 +185,10 @@ int serve(const ViewArguments& arguments, Subject subject, const SubjectOptions&
 int view(Program& program, const ViewArguments& arguments) {
     const ThreadLimit limit(arguments.threads);
     Registry& registry = program.registry();
-    const SubjectOptions options = subject_options(arguments);
+    const SubjectOptions options = subject_options(program, arguments);
     Subject subject = load_subject(options, registry);
-    for (const std::string& note : subject.notes) {
+    for (std::string& note : subject.notes) {
+        note = with_names(std::move(note)); // the page shows it, too
         tell(fmt::format("warning: {}", note));
     }
     check_counts(arguments, subject);
@@ -201,15 +204,20 @@ void add_view(Program& program) {
                                     "  foam view robot.urdf a.urdf b.yaml        two models of it, side by side\n"
                                     "  foam view robot_spheres.urdf              a model alone: nothing is proved\n"
                                     "  foam view robot.urdf -n 40 --html robot.html\n"
+                                    "  xacro arm.xacro | foam view -\n"
                                     "\n"
                                     "The page is served on 127.0.0.1 under a secret address, to this computer only.\n"
                                     "It saves to the folder that foam view was started in.");
     auto arguments = std::make_shared<ViewArguments>();
     command
-        ->add_option("models", arguments->models,
-                     "A URDF or a mesh, then sphere models of it in any format that is read; or a sphere model alone")
+        ->add_option(
+            "models", arguments->models,
+            "A URDF or a mesh, then sphere models of it in any format that is read; or a sphere model alone; one may "
+            "be -, the standard input")
         ->type_name("MODEL")
         ->required();
+    program.standard_input.may_be(arguments->models, StandardInput::Holds::model);
+    program.standard_input.add_format(*command);
     command
         ->add_option("-n,--spheres", arguments->counts,
                      "Search for at most N spheres of the whole robot, where no model of it is given; with --html "

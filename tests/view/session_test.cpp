@@ -211,6 +211,27 @@ TEST_F(SessionTest, SavesFormatsThatReadBackTheSame) {
     EXPECT_THAT(refusal([&] { session->save(0, "nonsense", "b.x", false); }), HasSubstr("no format 'nonsense'"));
 }
 
+TEST_F(SessionTest, NothingNamesTheStandardInput) {
+    write("part.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+    const auto begin_nameless = [&](const std::string& file) {
+        SubjectOptions options = with({file});
+        options.nameless = options.files[0];
+        std::filesystem::create_directories(folder.path() / "saved");
+        session.emplace(subject(options), options, registry, folder.path() / "saved");
+        apply({.kind = Kind::count, .spheres = 4});
+    };
+    begin_nameless("arm.urdf");
+    EXPECT_EQ(refusal([&] { session->save(0, "recipe", "a.yaml", false); }),
+              "a recipe names its input, and - has no name; remedy: a file instead of -");
+    session->save(0, "urdf", "a.urdf", false);
+    begin_nameless("part.obj");
+    EXPECT_EQ(refusal([&] { session->save(0, "urdf", "b.urdf", false); }),
+              "write.urdf writes the name of the mesh, and - has no name; remedy: another format, or a file instead of "
+              "-");
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "saved/b.urdf"));
+    session->save(0, "csv", "b.csv", false);
+}
+
 TEST_F(SessionTest, SavesOnlyIntoItsFolder) {
     begin({"arm.urdf", "arm.csv"});
     for (const char* name : {"", ".", "..", "../a.urdf", "/tmp/a.urdf", "b/a.urdf", ".hidden", "a\\b", "a\nb",

@@ -54,7 +54,7 @@ TEST_F(ArmTest, AModelAloneIsShownAndNotJudged) {
     ASSERT_EQ(read.models.size(), 1u);
     EXPECT_FALSE(read.robots[0].judged);
     EXPECT_EQ(read.models[0].spheres.size(), 4u);
-    EXPECT_THAT(read.notes.at(0), HasSubstr("remedy: foam view ROBOT"));
+    EXPECT_THAT(read.notes.at(0), HasSubstr("remedy: foam view ROBOT MODEL"));
 }
 
 TEST_F(ArmTest, AUrdfOfSpheresIsAModelOfItself) {

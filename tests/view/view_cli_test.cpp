@@ -8,6 +8,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class ViewCli : public Cli {
 protected:
@@ -78,13 +79,42 @@ TEST_F(ViewCli, ASrdfIsNoOutput) {
     EXPECT_EQ(contents(path() / "arm.srdf"), "<robot name=\"arm\"/>");
 }
 
+TEST_F(ViewCli, TakesTheStandardInputAsAnyFile) {
+    std::filesystem::create_directory(path() / "tmp");
+    const auto piped = [&](const std::string& file, const std::string& arguments) {
+        return shell("export TMPDIR='@/tmp'; cat " + file + " | '" FOAM_TEST_BINARY "' view " + arguments);
+    };
+    for (const auto& [file, arguments] : std::vector<std::pair<std::string, std::string>>{
+             {"arm.urdf", "- arm.csv"}, {"arm.csv", "arm.urdf -"}, {"arm.csv", "-"}, {"arm.urdf", "- -n 8"}}) {
+        const Outcome written = piped(file, arguments + " --html a.html --force");
+        EXPECT_EQ(written.code, 0) << arguments << written.err;
+        EXPECT_THAT(contents(path() / "a.html"), HasSubstr("id=\"scene\">Zm9hbXZpZX"));
+        EXPECT_THAT(written.err, Not(HasSubstr("/foam-")));
+    }
+    EXPECT_THAT(piped("arm.csv", "- --html b.html").err,
+                HasSubstr("warning: stdin: without its robot all links lie in one frame"));
+    EXPECT_THAT(piped("arm.urdf", "- - --html b.html").err, HasSubstr("the standard input can be read once"));
+    EXPECT_THAT(piped("arm.urdf", "- --input-format obj --html b.html").err,
+                HasSubstr("stdin: there are no triangles in it"));
+    EXPECT_TRUE(std::filesystem::is_empty(path() / "tmp"));
+}
+
+TEST_F(ViewCli, ServesTheStandardInput) {
+    const Outcome served =
+        shell("'" FOAM_TEST_BINARY "' view - --no-open < arm.urdf > address.txt 2> told.txt & child=$!; "
+              "for i in $(seq 100); do [ -s address.txt ] && break; sleep 0.1; done; kill -TERM $child; "
+              "wait $child; echo ended $?");
+    EXPECT_EQ(served.out, "ended 130\n");
+    EXPECT_THAT(contents(path() / "told.txt"), HasSubstr("only this computer can read the page"));
+}
+
 TEST_F(ViewCli, TheFirstSearchCanBeInterrupted) {
     const Outcome served =
         shell("'" FOAM_TEST_BINARY "' view arm.urdf -n 60000 --no-open > address.txt 2> told.txt & child=$!; "
               "sleep 1; kill -TERM $child; wait $child; echo ended $?");
     EXPECT_THAT(served.out, HasSubstr("ended 130"));
     EXPECT_EQ(contents(path() / "address.txt"), ""); // it was at the search
-    EXPECT_THAT(contents(path() / "told.txt"), ::testing::Not(HasSubstr("do not respond")));
+    EXPECT_THAT(contents(path() / "told.txt"), Not(HasSubstr("do not respond")));
 }
 
 TEST_F(ViewCli, ServesUntilItIsInterrupted) {

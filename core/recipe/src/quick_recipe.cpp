@@ -174,6 +174,20 @@ const RegisteredStage& writer_for(const std::string& format, const Registry& reg
     return *fitting.front();
 }
 
+void refuse_naming(const std::string& format, const std::filesystem::path& input, const Registry& registry) {
+    if (format == "recipe") {
+        throw Error(ErrorCode::usage, "a recipe names its input, and - has no name; remedy: a file instead of -");
+    }
+    const StageInfo& writer = writer_for(format, registry).info;
+    const bool names_meshes = std::any_of(writer.parameters.begin(), writer.parameters.end(),
+                                          [](const Parameter& parameter) { return parameter.name == "mesh_paths"; });
+    if (names_meshes && is_mesh(input, registry)) {
+        throw Error(ErrorCode::usage, fmt::format("{} writes the name of the mesh, and - has no name; remedy: another "
+                                                  "format, or a file instead of -",
+                                                  writer.name));
+    }
+}
+
 bool is_mesh(const std::filesystem::path& input, const Registry& registry) {
     const std::string ending = ending_of(input);
     if (registry.find_for_extension(StageKind::mesh_loader, ending)) {

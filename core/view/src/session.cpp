@@ -6,6 +6,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/internal/ladder.hpp>
+#include <foam/recipe/quick_recipe.hpp>
 
 #include <fmt/format.h>
 
@@ -353,6 +354,9 @@ Saved Session::save(std::size_t model, const std::string& format, const std::str
     const std::filesystem::path target = target_of(data_->folder, file);
     require_free(data_->registry, format, target, inputs_of(data_->subject, data_->options), replace);
     const ViewedRobot& robot = data_->robot_of(model);
+    if (!robot.file.empty() && robot.file == data_->options.nameless) {
+        refuse_naming(format, robot.file, data_->registry);
+    }
     const ModelState state = data_->state(model);
     const auto original = data_->original(model);
     return format == "recipe"

@@ -100,8 +100,8 @@ private:
             name_only_link(spheres, nullptr);
             subject_.robots.push_back(robot_of_names(spheres));
             subject_.notes.push_back(fmt::format("{}: without its robot all links lie in one frame, and nothing is "
-                                                 "proved; remedy: foam view ROBOT {}",
-                                                 shown(file.string()), shown(file.string())));
+                                                 "proved; remedy: foam view ROBOT MODEL",
+                                                 shown(file.string())));
         }
         add_model(file, std::move(spheres), first ? Renames{} : options_.renames);
     }

@@ -53,6 +53,10 @@ QuickRecipe quick_recipe(const std::filesystem::path& input, const QuickMethod& 
 /// Throws Error(usage) if there is none, or several.
 const RegisteredStage& writer_for(const std::string& format, const Registry& registry);
 
+/// Throws Error(usage) if a file of this format names the input, which is `-` and has no name: "recipe", and formats
+/// that refer to meshes if the input is one.
+void refuse_naming(const std::string& format, const std::filesystem::path& input, const Registry& registry);
+
 /// Whether the registry can load it as a mesh; otherwise it is taken for a robot. Throws Error(usage) if it is neither.
 bool is_mesh(const std::filesystem::path& input, const Registry& registry);
 

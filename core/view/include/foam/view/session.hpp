@@ -109,8 +109,8 @@ public:
     std::vector<SaveFormat> formats() const;
     /// Writes a model to `file` in the session's folder. Format "recipe": a recipe that keeps all spheres, and gives
     /// them again. Throws Error(usage) for an unknown format, a name with a folder in it, a file that exists unless
-    /// `replace`, one of inputs_of(), and for a recipe of spheres that do not cover their links;
-    /// Error(output).
+    /// `replace`, one of inputs_of(), a recipe of spheres that do not cover their links, and what names a robot or mesh
+    /// without a name; Error(output).
     Saved save(std::size_t model, const std::string& format, const std::string& file, bool replace);
 
     /// Ends searches, for good.

@@ -74,6 +74,7 @@ struct SubjectOptions {
     MeshUnit unit{};
     CoveredGeometry geometry = CoveredGeometry::collision; ///< by which spheres are judged
     std::filesystem::path srdf{};                          ///< with named poses; empty: none
+    std::filesystem::path nameless{}; ///< of `files`, the one that holds the standard input; empty: none
 };
 
 /// Reads the files. The first is a URDF, a mesh or a sphere model; a later one is a sphere model of the robot before
