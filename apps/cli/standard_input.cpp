@@ -10,6 +10,9 @@
 
 #include <fmt/format.h>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -27,16 +30,30 @@ constexpr std::uintmax_t most_bytes = std::uintmax_t{1} << 30; // the default li
 constexpr std::uintmax_t most_recipe_bytes = 1'000'000;        // that of a recipe's file
 constexpr std::size_t enough_to_recognise = 65536;
 
-/// Reads the standard input piece by piece. Throws Error(input).
+/// Returns the bytes that are left of a file on the standard input; 0 for a pipe, which does not tell.
+std::uintmax_t bytes_of_file() {
+    struct stat file {};
+    const off_t at = lseek(STDIN_FILENO, 0, SEEK_CUR);
+    const bool known = at >= 0 && fstat(STDIN_FILENO, &file) == 0 && S_ISREG(file.st_mode) && file.st_size > at;
+    return known ? static_cast<std::uintmax_t>(file.st_size - at) : 0;
+}
+
+/// Throws Error(input) for more than `most` bytes.
+void require_at_most(std::uintmax_t most, std::uintmax_t bytes) {
+    if (bytes > most) {
+        throw Error(ErrorCode::input,
+                    fmt::format("stdin: more than {} bytes; remedy: check that this is the input you mean", most));
+    }
+}
+
+/// Reads the standard input piece by piece; a file that is too long is not read. Throws Error(input).
 std::uintmax_t read_standard_input(std::uintmax_t most, const std::function<void(std::string_view)>& take) {
+    require_at_most(most, bytes_of_file());
     std::array<char, 65536> buffer{};
     std::uintmax_t bytes = 0;
     while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), stdin)) {
         bytes += count;
-        if (bytes > most) {
-            throw Error(ErrorCode::input,
-                        fmt::format("stdin: more than {} bytes; remedy: check that this is the input you mean", most));
-        }
+        require_at_most(most, bytes);
         take({buffer.data(), count});
     }
     if (std::ferror(stdin) != 0) {

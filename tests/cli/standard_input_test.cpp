@@ -1,6 +1,8 @@
 // `-` in the place of a mesh, a robot, a sphere model or a recipe.
 #include "program.hpp"
 
+#include <foam/sdk/abi.hpp>
+
 #include <nlohmann/json.hpp>
 
 namespace foam::test {
@@ -124,6 +126,43 @@ TEST_F(FromStandardInput, ErrorsNameTheStandardInput) {
     EXPECT_THAT(broken.out, Not(HasSubstr("/foam-")));
     const Outcome missing = shell("sed s/box.obj/none.obj/ robot.urdf | '" FOAM_TEST_BINARY "' info -");
     EXPECT_THAT(missing.err, HasSubstr((path() / "meshes/none.obj").string()));
+}
+
+constexpr const char* too_long =
+    "foam: error: stdin: more than 1073741824 bytes; remedy: check that this is the input you mean\n";
+
+/// A file of 4 GB that takes no room, where no file may have more than a megabyte.
+TEST_F(FromStandardInput, ATooLongFileIsRefusedUnread) {
+    write("long.stl", "");
+    fs::resize_file(path() / "long.stl", std::uintmax_t{4} << 30);
+    for (const char* arguments : {"info -", "certify box.obj -", "view - --html a.html"}) {
+        const Outcome outcome =
+            shell("ulimit -f 1000 && '" FOAM_TEST_BINARY "' " + std::string(arguments) + " < long.stl");
+        EXPECT_EQ(outcome.code, 1) << arguments;
+        EXPECT_EQ(outcome.err, too_long) << arguments;
+    }
+}
+
+TEST_F(FromStandardInput, AnEndlessPipeIsRefused) {
+    if (std::string(FOAM_ABI_SANITIZER) != "none") {
+        GTEST_SKIP() << "sanitizers take address space as they like";
+    }
+    if (fs::space(path()).available < std::uintmax_t{3} << 30) {
+        GTEST_SKIP() << "there is no room for a file of a gigabyte";
+    }
+    fs::create_directory(path() / "tmp");
+    const Outcome endless =
+        shell("export TMPDIR='@/tmp'; ulimit -v 1000000; cat /dev/zero | '" FOAM_TEST_BINARY "' info -");
+    EXPECT_EQ(endless.code, 1);
+    EXPECT_EQ(endless.err, too_long);
+    EXPECT_TRUE(fs::is_empty(path() / "tmp"));
+}
+
+TEST_F(FromStandardInput, AnEndlessRecipeIsRefused) {
+    const Outcome endless = shell("yes | '" FOAM_TEST_BINARY "' check -");
+    EXPECT_EQ(endless.code, 1);
+    EXPECT_EQ(endless.err,
+              "foam: error: stdin: more than 1000000 bytes; remedy: check that this is the input you mean\n");
 }
 
 TEST_F(FromStandardInput, FormatIsGivenWhereContentDoesNotShowIt) {
