@@ -57,7 +57,7 @@ int certify_spheres(Program& program, const CertifyArguments& arguments) {
     if (arguments.json) {
         const nlohmann::ordered_json json{{"original", arguments.judge.original},
                                           {"model", arguments.spheres},
-                                          {"format", model.file.format},
+                                          {"model_format", model.file.format},
                                           {"guarantee", arguments.guarantee},
                                           {"certified", failed == 0},
                                           {"proof", json_of_proof<nlohmann::ordered_json>(proved)},

@@ -5,6 +5,7 @@
 
 #include <foam/runtime/version.hpp>
 #include <foam/sdk/abi.hpp>
+#include <foam/sdk/registry.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -13,12 +14,26 @@ namespace foam::cli {
 namespace {
 
 nlohmann::ordered_json about() {
-    nlohmann::ordered_json json{
-        {"foam", version()}, {"build", build_text()}, {"abi", FOAM_ABI_FINGERPRINT}, {"compiler", __VERSION__}};
     auto libraries = library_versions();
     libraries["cli11"] = CLI11_VERSION;
-    json["libraries"] = libraries;
-    return json;
+    return {{"foam_version", version()},  {"foam_build", build_of_libraries()},
+            {"built_from", build_text()}, {"abi", FOAM_ABI_FINGERPRINT},
+            {"compiler", __VERSION__},    {"libraries", libraries}};
+}
+
+std::string text_of(const nlohmann::ordered_json& about) {
+    std::string text;
+    const auto add = [&text](const std::string& name, const nlohmann::ordered_json& value) {
+        text += fmt::format("{:<14} {}\n", name, value.get<std::string>());
+    };
+    add("foam", about["foam_version"]);
+    add("build", about["built_from"]);
+    add("abi", about["abi"]);
+    add("compiler", about["compiler"]);
+    for (const auto& [name, value] : about["libraries"].items()) {
+        add(name, value);
+    }
+    return text;
 }
 
 } // namespace
@@ -32,18 +47,9 @@ void add_version(Program& program) {
             const auto all = about();
             if (*json) {
                 print_json(all);
-                return 0;
+            } else {
+                print(text_of(all));
             }
-            std::string text;
-            for (const auto& [key, value] : all.items()) {
-                if (value.is_string()) {
-                    text += fmt::format("{:<14} {}\n", key, value.get<std::string>());
-                }
-            }
-            for (const auto& [key, value] : all["libraries"].items()) {
-                text += fmt::format("{:<14} {}\n", key, value.get<std::string>());
-            }
-            print(text);
             return 0;
         };
     });

@@ -134,7 +134,7 @@ class SelfCollision(_Result):
 
     @property
     def pairs(self) -> list[dict[str, Any]]:
-        """All pairs of links with spheres: link1, link2, ignored, reason, proved, samples, touching."""
+        """All pairs of links with spheres: link1, link2, ignored, reason, proved, samples, contacts."""
         return list(self._values["pairs"])
 
     def ignored(self) -> list[tuple[str, str, str]]:

@@ -41,7 +41,7 @@ std::string certified(const HeldRobot& robot, const SphereFile& spheres, const R
         }
         return json_text(Json{{"original", robot.original.file.string()},
                               {"model", model.file.file.string()},
-                              {"format", model.file.format},
+                              {"model_format", model.file.format},
                               {"guarantee", outer ? "outer" : "inner"},
                               {"certified", std::find(held.begin(), held.end(), false) == held.end()},
                               {"proof", json_of_proof<Json>(proved_links(robot.original, held, guarantee))},

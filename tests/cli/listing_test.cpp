@@ -97,6 +97,12 @@ TEST_F(Cli, VersionSaysTheAbiAndLibraries) {
         EXPECT_FALSE(data["libraries"].at(library).get<std::string>().empty()) << library;
     }
     EXPECT_THAT(foam("version").out, HasSubstr("yaml-cpp"));
+    write("box.obj", box_obj);
+    ASSERT_EQ(foam("spherize box.obj -n 2 -m grid --run-dir made -q").code, 0);
+    const json manifest = json::parse(contents(path() / "made/manifest.json"));
+    for (const char* name : {"foam_version", "foam_build"}) {
+        EXPECT_EQ(data.at(name), manifest.at(name));
+    }
 }
 
 } // namespace

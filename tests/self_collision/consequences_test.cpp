@@ -50,9 +50,9 @@ TEST_F(Poses, CountsContactsThatAreKnown) {
     EXPECT_EQ(found["falsely_refused"].get<int>(), found["refused"].get<int>() - found["in_contact"].get<int>());
     EXPECT_EQ(found["missed"], 0);
     ASSERT_EQ(found["pairs"].size(), 1u);
-    EXPECT_EQ(found["pairs"][0]["false"], found["falsely_refused"]);
+    EXPECT_EQ(found["pairs"][0]["false_contacts"], found["falsely_refused"]);
     ASSERT_EQ(found["elements"].size(), 2u);
-    EXPECT_EQ(found["elements"][0]["false"], found["falsely_refused"]);
+    EXPECT_EQ(found["elements"][0]["false_contacts"], found["falsely_refused"]);
 }
 
 TEST_F(Poses, CountsContactsThatAModelMisses) {

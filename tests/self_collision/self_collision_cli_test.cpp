@@ -75,7 +75,7 @@ TEST_F(SelfCollisionCli, JsonIsTheSameOnAnyNumberOfThreads) {
     EXPECT_EQ(hand["ignored"], true);
     EXPECT_EQ(hand["proved"], false);
     EXPECT_EQ(hand["samples"], 5000);
-    EXPECT_GT(hand["touching"], 0);
+    EXPECT_GT(hand["contacts"], 0);
     EXPECT_EQ(data["links"][0], json({{"link", "base"}, {"spheres", 1}, {"certified_cover", false}}));
 }
 

@@ -32,7 +32,7 @@ template <class Json> Json json_of_figures(const Figures& figures) {
 template <class Json>
 Json json_of_evaluation(const Original& original, const MatchedModel& model, const Evaluation& evaluation) {
     Json json{{"model", model.file.file.string()},
-              {"format", model.file.format},
+              {"model_format", model.file.format},
               {"notes", model.notes},
               {"proof", json_of_proof<Json>(proved_links(original, certified_links(evaluation), Guarantee::outer))},
               {"total", json_of_figures<Json>(evaluation.total)},
@@ -78,19 +78,16 @@ template <class Json> Json json_of_consequences(const Robot& robot, const Conseq
                          {"link2", robot.links[pair.second].name},
                          {"contacts", pair.contacts},
                          {"missed", pair.missed},
-                         {"false", pair.false_contacts}});
+                         {"false_contacts", pair.false_contacts}});
     }
     for (const ElementConsequence& element : found.elements) {
         elements.push_back({{"link", robot.links[element.link].name},
                             {"element", element.element},
-                            {"false", element.false_contacts}});
+                            {"false_contacts", element.false_contacts}});
     }
-    return {{"poses", found.poses},
-            {"in_contact", found.in_contact},
-            {"refused", found.refused},
-            {"falsely_refused", found.falsely_refused},
-            {"missed", found.missed},
-            {"pairs", std::move(pairs)},
+    return {{"poses", found.poses},           {"in_contact", found.in_contact},
+            {"refused", found.refused},       {"falsely_refused", found.falsely_refused},
+            {"missed", found.missed},         {"pairs", std::move(pairs)},
             {"elements", std::move(elements)}};
 }
 
@@ -122,7 +119,7 @@ template <class Json> Json json_of_pairs(const CollisionModel& model, const Self
                   {"proved", pair.proved}};
         if (pair.samples > 0) {
             json["samples"] = pair.samples;
-            json["touching"] = pair.touching;
+            json["contacts"] = pair.touching;
         }
         pairs.push_back(std::move(json));
     }
