@@ -28,6 +28,17 @@ template <class Use> void for_each_option(const DescribedProgram& program, const
     }
 }
 
+/// Returns the words that the arguments of a command may be; empty: files, or any.
+std::vector<std::string> argument_words(const DescribedCommand& command) {
+    std::vector<std::string> words;
+    for (const DescribedOption& option : command.options) {
+        if (option.positional) {
+            words.insert(words.end(), option.choices.begin(), option.choices.end());
+        }
+    }
+    return words;
+}
+
 /// Returns the text with a backslash before each of the characters.
 std::string escaped(const std::string& text, const std::string& characters) {
     std::string result;
@@ -55,7 +66,7 @@ std::string brief(const std::string& text) {
 }
 
 std::string bash_script(const DescribedProgram& program) {
-    std::string words, values;
+    std::string words, values, arguments;
     for (const DescribedCommand& command : program.commands) {
         std::vector<std::string> names{"--help"};
         for_each_option(program, command, [&](const DescribedOption& option) {
@@ -69,7 +80,11 @@ std::string bash_script(const DescribedProgram& program) {
                 }
             }
         });
-        words += fmt::format("            {}) words=\"{}\" ;;\n", command.name, fmt::join(names, " "));
+        constexpr const char* line = "            {}) words=\"{}\" ;;\n";
+        words += fmt::format(line, command.name, fmt::join(names, " "));
+        if (const auto of_arguments = argument_words(command); !of_arguments.empty()) {
+            arguments += fmt::format(line, command.name, fmt::join(of_arguments, " "));
+        }
     }
     const std::string commands = fmt::format("{}", fmt::join(command_names(program), " "));
     return fmt::format(R"(# Completion of {0} in bash, made by: {0} completion bash
@@ -85,14 +100,16 @@ _{0}() {{
         case $command in
 {3}            *) words="--help --version --plugin --plugin-dir" ;;
         esac
-    elif [[ -z $words && -z $command ]]; then
-        words="{1}"
+    elif [[ -z $words ]]; then
+        case $command in
+{4}            '') words="{1}" ;;
+        esac
     fi
     [[ -z $words ]] || mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")
 }}
 complete -o default -F _{0} {0}
 )",
-                       program.program.name, commands, values, words);
+                       program.program.name, commands, values, words, arguments);
 }
 
 std::string zsh_script(const DescribedProgram& program) {
@@ -111,7 +128,10 @@ std::string zsh_script(const DescribedProgram& program) {
                                 quoted(fmt::format("*{}[{}]{}", name, escaped(brief(option.text), "[]:"), value)));
             }
         });
-        arguments += " \\\n                    '*:file:_files' ;;\n";
+        const auto of_arguments = argument_words(command);
+        arguments +=
+            fmt::format(" \\\n                    '*:{}' ;;\n",
+                        of_arguments.empty() ? "file:_files" : fmt::format("value:({})", fmt::join(of_arguments, " ")));
     }
     return fmt::format(R"(#compdef {0}
 # Completion of {0} in zsh, made by: {0} completion zsh
@@ -139,6 +159,10 @@ std::string fish_script(const DescribedProgram& program) {
     for (const DescribedCommand& command : program.commands) {
         script += fmt::format("complete -c {} -n __fish_use_subcommand -f -a {} -d {}\n", name, command.name,
                               quoted(command.summary));
+        if (const auto words = argument_words(command); !words.empty()) {
+            script += fmt::format("complete -c {} -n '__fish_seen_subcommand_from {}' -f -a '{}'\n", name, command.name,
+                                  fmt::join(words, " "));
+        }
         for_each_option(program, command, [&](const DescribedOption& option) {
             script += fmt::format("complete -c {} -n '__fish_seen_subcommand_from {}'", name, command.name);
             for (const std::string& word : option.names) {

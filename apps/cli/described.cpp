@@ -2,20 +2,8 @@
 
 #include "help.hpp"
 
-#include <sstream>
-
 namespace foam::cli {
 namespace {
-
-/// Returns the words of "mm|cm|m"; nothing for another text.
-std::vector<std::string> words_of(const std::string& type) {
-    std::vector<std::string> words;
-    std::istringstream stream(type);
-    for (std::string word; std::getline(stream, word, '|');) {
-        words.push_back(word);
-    }
-    return words.size() > 1 ? words : std::vector<std::string>();
-}
 
 DescribedOption described_option(const CLI::Option& option) {
     DescribedOption result;
@@ -31,7 +19,7 @@ DescribedOption described_option(const CLI::Option& option) {
     }
     if (option.get_type_size() != 0) {
         result.value = option.get_type_name();
-        result.choices = words_of(result.value);
+        result.choices = words_of(option);
     }
     result.text = HelpFormatter().make_option_desc(&option);
     return result;

@@ -1,5 +1,7 @@
 #include "help.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <sstream>
 
@@ -7,6 +9,7 @@ namespace foam::cli {
 namespace {
 
 constexpr std::size_t terminal_width = 80, name_width = 28;
+constexpr std::size_t most_words = 8; ///< beside a name; more of them are listed in the description
 
 /// Returns the number of code points of a UTF-8 text.
 std::size_t width_of(const std::string& text) {
@@ -42,6 +45,15 @@ std::string entry(const std::string& name, const std::string& description) {
 
 } // namespace
 
+std::vector<std::string> words_of(const CLI::Option& option) {
+    std::vector<std::string> words;
+    std::istringstream stream(option.get_type_name());
+    for (std::string word; std::getline(stream, word, '|');) {
+        words.push_back(word);
+    }
+    return words.size() > 1 ? words : std::vector<std::string>();
+}
+
 std::string HelpFormatter::make_help(const CLI::App* command, std::string name, CLI::AppFormatMode mode) const {
     std::string text = CLI::Formatter::make_help(command, std::move(name), mode);
     for (std::size_t at; (at = text.find("\n\n\n")) != text.npos;) {
@@ -59,7 +71,9 @@ std::string HelpFormatter::make_option(const CLI::Option* option, bool is_positi
 }
 
 std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
-    std::string text = option->get_type_size() == 0 ? "" : " " + option->get_type_name();
+    std::string text = option->get_type_size() == 0             ? ""
+                       : words_of(*option).size() <= most_words ? " " + option->get_type_name()
+                                                                : " WORD";
     if (option->get_expected_max() == CLI::detail::expected_max_vector_size) {
         text += " ...";
     }
@@ -68,6 +82,9 @@ std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
 
 std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
     std::string text = option->get_description();
+    if (const std::vector<std::string> words = words_of(*option); words.size() > most_words) {
+        text += fmt::format("; one of {}", fmt::join(words, ", "));
+    }
     for (const CLI::Option* other : option->get_excludes()) {
         text += "; not together with " + other->get_name();
     }

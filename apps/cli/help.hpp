@@ -5,8 +5,12 @@
 #include <CLI/CLI.hpp>
 
 #include <string>
+#include <vector>
 
 namespace foam::cli {
+
+/// Returns the words that the option's value can be, of its type "mm|cm|m"; empty for another type.
+std::vector<std::string> words_of(const CLI::Option& option);
 
 /// Formats the help of the program and of its commands. CLI11's own formatter never breaks a line.
 class HelpFormatter final : public CLI::Formatter {

@@ -42,8 +42,9 @@ void add_schema(Program& program) {
                     "For completion in an editor, begin the recipe with this line:\n"
                     "  # yaml-language-server: $schema=recipe.schema.json");
     auto name = std::make_shared<std::string>(of_recipes);
-    command->add_option("what", *name, fmt::format("One of {}; default: {}", fmt::join(all_names(), ", "), of_recipes))
-        ->type_name("WHAT");
+    command->add_option("what", *name, "The schema")
+        ->default_str(of_recipes)
+        ->type_name(fmt::format("{}", fmt::join(all_names(), "|")));
     command->add_flag("--json")->description("Accepted for uniformity: the schema is always JSON");
     command->callback([&program, name] { program.action = [&program, name] { return print_schema(program, *name); }; });
 }

@@ -40,6 +40,32 @@ TEST_F(Cli, BashCompletesCommandsOptionsAndWords) {
     EXPECT_EQ(shell(offers("foam spherize -o -", 3)).out, "\n");
 }
 
+TEST_F(Cli, BashCompletesTheWordsOfArguments) {
+    EXPECT_EQ(shell(offers("foam schema man", 2)).out, "manifest\n");
+    EXPECT_EQ(shell(offers("foam schema --js", 2)).out, "--json\n");
+    EXPECT_EQ(shell(offers("foam completion z", 2)).out, "zsh\n");
+    std::string all = shell(offers("foam schema \"\"", 2)).out; // what foam itself lists
+    for (std::size_t at = 0; (at = all.find(' ', at)) != all.npos; at += 2) {
+        all.replace(at, 1, ", ");
+    }
+    all.back() = '\n';
+    EXPECT_THAT(foam("schema nonsense").err, HasSubstr("there are: " + all));
+}
+
+TEST_F(Cli, OtherShellsCompleteTheWordsOfArguments) {
+    EXPECT_THAT(foam("completion zsh").out, HasSubstr("'*:value:(recipe manifest spheres "));
+    EXPECT_THAT(foam("completion fish").out,
+                HasSubstr("'__fish_seen_subcommand_from schema' -f -a 'recipe manifest spheres "));
+}
+
+TEST_F(Cli, HelpListsManyWordsInTheText) {
+    const std::string help = foam("help schema").out;
+    EXPECT_THAT(help, HasSubstr("  what WORD                 The schema; one of recipe, manifest, spheres,\n"));
+    EXPECT_THAT(help, HasSubstr("verify, version; default:"));
+    EXPECT_THAT(foam("help completion").out, HasSubstr("  shell bash|zsh|fish REQUIRED\n"));
+    EXPECT_THAT(foam("manual schema").out, HasSubstr("one of recipe, manifest, spheres"));
+}
+
 TEST_F(Cli, CompletionsOfOtherShellsNameEveryCommand) {
     for (const char* name : {"zsh", "fish"}) {
         const Outcome script = foam(std::string("completion ") + name);
