@@ -6,7 +6,6 @@
 #include "bench.hpp"
 #include "kinds.hpp"
 
-#include <foam/base/error.hpp>
 #include <foam/recipe/internal/extend.hpp>
 
 #include <fmt/format.h>
@@ -18,9 +17,7 @@ namespace {
 
 using namespace reading;
 
-struct RobotSource {
-    std::string name;
-    std::vector<std::string> candidates;
+struct RobotSource : NamedRobot {
     std::optional<std::size_t> count; ///< of spheres, over the whole robot
     std::string file;                 ///< of spheres
 };
@@ -35,7 +32,6 @@ public:
     std::size_t queries = 100000, environments = 100;
     std::uint64_t seed = 0;
     double time_limit = 3600; ///< CPU s, of an engine on a robot
-    Location robots_where;
 
     std::set<std::string> stages() const override {
         std::set<std::string> names;
@@ -53,44 +49,19 @@ public:
                              .method = method ? method->label : "",
                              .robots = {},
                              .missing = {}};
-        std::string why;
-        for (const RobotSource& robot : robots) {
-            try {
-                resolve_input(recipe_of(robot));
-            } catch (const Error& error) {
-                bench.tell(fmt::format("warning: {}: {} is skipped: {}", name, robot.name, error.what()));
-                results.missing.push_back(robot.name);
-                why = error.what();
-                continue;
-            }
+        results.missing = for_each_found(*this, bench, robots, [&](const RobotSource& robot, const std::string&) {
             results.robots.push_back(measured(bench, robot));
-        }
-        if (results.robots.empty()) {
-            throw Error(ErrorCode::input, fmt::format("{}: none of the robots is here; {}", name, why));
-        }
+        });
         return told(results);
     }
 
 private:
     QueryCounts counts() const { return {queries, std::min(environments, queries)}; }
 
-    Recipe recipe_of(const RobotSource& robot) const {
-        Recipe recipe;
-        recipe.file = file;
-        recipe.name = name;
-        recipe.seed = seed;
-        recipe.urdf = robot.candidates;
-        recipe.input_where = robots_where;
-        if (method) {
-            recipe.filters = method->filters;
-            recipe.spherizer = *method->spherizer;
-        }
-        recipe.budget_spheres = robot.count;
-        return recipe;
-    }
-
     TwoModels models_of(const Bench& bench, const RobotSource& robot) const {
-        const Recipe recipe = recipe_of(robot);
+        Recipe recipe = recipe_of(*this, robot, method ? &*method : nullptr);
+        recipe.seed = seed;
+        recipe.budget_spheres = robot.count;
         RunOptions options;
         options.cancel = bench.cancel();
         Journal journal(nullptr);
@@ -151,7 +122,7 @@ private:
 /// {urdf: FILE or [FILE, …], spheres: NUMBER or FILE}
 RobotSource read_robot(const Value& value, const std::string& name, Findings& findings) {
     const std::string example = fmt::format("{}: {{urdf: FILE.urdf, spheres: 60}}", name);
-    RobotSource robot{name, {}, {}, {}};
+    RobotSource robot{{name, {}, findings.locate(value.where)}, {}, {}};
     if (!expect_map(value, name, example, findings)) {
         return robot;
     }
@@ -266,7 +237,6 @@ std::unique_ptr<Experiment> read_collision_queries(const Value& root, const Chec
     }
     if (const Value* robots = required(root, "robots", "robots: {panda: {urdf: FILE.urdf, spheres: 60}}", findings);
         robots && expect_map(*robots, "robots", "robots: {panda: {urdf: FILE.urdf, spheres: 60}}", findings)) {
-        experiment->robots_where = findings.locate(robots->where);
         for (std::size_t i = 0; i < robots->keys.size(); ++i) {
             experiment->robots.push_back(read_robot(robots->items[i], robots->keys[i].text, findings));
             if (experiment->robots.back().count && !root.find("method")) {

@@ -4,7 +4,6 @@
 
 #include "kinds.hpp"
 
-#include <foam/base/error.hpp>
 #include <foam/runtime/internal/input.hpp>
 #include <foam/sdk/elements.hpp>
 #include <foam/sdk/kinds.hpp>
@@ -27,7 +26,6 @@ public:
     std::size_t poses = 1000, pairs = 32, repeats = 8;
     std::uint64_t seed = 0;
     double time_limit = 600; ///< CPU s, of an engine on a model
-    Location robots_where;
 
     std::set<std::string> stages() const override {
         std::set<std::string> names;
@@ -39,43 +37,20 @@ public:
 
     Outcome run(Bench& bench) const override {
         ElementCheckResults results{.engines = engines, .poses = poses, .pairs = pairs, .cases = {}, .missing = {}};
-        std::string why;
-        for (const NamedRobot& robot : robots) {
-            try {
-                resolve_input(recipe_of(robot, methods.front()));
-            } catch (const Error& error) {
-                bench.tell(fmt::format("warning: {}: {} is skipped: {}", name, robot.name, error.what()));
-                results.missing.push_back(robot.name);
-                why = error.what();
-                continue;
-            }
+        results.missing = for_each_found(*this, bench, robots, [&](const NamedRobot& robot, const std::string&) {
             for (const std::size_t each : elements) {
                 for (const Chain& method : methods) {
                     results.cases.push_back(measured(bench, robot, method, each));
                 }
             }
-        }
-        if (results.cases.empty()) {
-            throw Error(ErrorCode::input, fmt::format("{}: none of the robots is here; {}", name, why));
-        }
+        });
         return told(results);
     }
 
 private:
-    Recipe recipe_of(const NamedRobot& robot, const Chain& method) const {
-        Recipe recipe;
-        recipe.file = file;
-        recipe.name = name;
-        recipe.seed = seed;
-        recipe.urdf = robot.candidates;
-        recipe.input_where = robots_where;
-        recipe.filters = method.filters;
-        recipe.spherizer = *method.spherizer;
-        return recipe;
-    }
-
     RunResult model_of(const Bench& bench, const NamedRobot& robot, const Chain& method, std::size_t each) const {
-        Recipe recipe = recipe_of(robot, method);
+        Recipe recipe = recipe_of(*this, robot, &method);
+        recipe.seed = seed;
         RunOptions options;
         options.cancel = bench.cancel();
         Journal journal(nullptr);
@@ -176,16 +151,9 @@ std::unique_ptr<Experiment> read_element_checks(const Value& root, const Checkin
     take(values, "seed", experiment->seed);
     take(values, "time_limit", experiment->time_limit);
     experiment->engines = read_engines(root.find("engines"), findings);
-    if (const Value* robots = required(root, "robots", "robots: {panda: FILE.urdf}", findings)) {
-        experiment->robots = read_robots(*robots, findings);
-        experiment->robots_where = findings.locate(robots->where);
-    }
-    if (const Value* methods = required(root, "methods", "methods: [spherize.cover, approximate.capsules]", findings)) {
-        experiment->methods = read_spherizing(*methods, checking);
-    }
-    if (const Value* elements = required(root, "elements", "elements: [1, 2]", findings)) {
-        experiment->elements = read_counts(*elements, "elements", 1, 1e4, findings);
-    }
+    experiment->robots = read_robots(root, findings);
+    experiment->methods = read_methods(root, "methods: [spherize.cover, approximate.capsules]", checking);
+    experiment->elements = required_counts(root, "elements", "elements: [1, 2]", 1, 1e4, findings);
     return experiment;
 }
 

@@ -137,9 +137,7 @@ std::unique_ptr<Experiment> read_fidelity(const Value& root, const Checking& che
             recipe.spherizer = *experiment->method->spherizer;
         }
     }
-    if (const Value* spheres = required(root, "spheres", "spheres: [11, 22]", findings)) {
-        experiment->spheres = read_counts(*spheres, "spheres", 1, 1e5, findings);
-    }
+    experiment->spheres = required_counts(root, "spheres", "spheres: [11, 22]", 1, 1e5, findings);
     if (const Value* snapshots = required(root, "snapshots", "snapshots: {size: [2520, 720]}", findings)) {
         if (expect_map(*snapshots, "snapshots", "snapshots: {size: [2520, 720]}", findings)) {
             check_snapshots(snapshots, root, recipe, checking);

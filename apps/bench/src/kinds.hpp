@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chain.hpp"
+#include "named_robot.hpp"
 
 #include <foam/bench/experiment.hpp>
 
@@ -52,22 +53,20 @@ void take(const std::map<std::string, ParameterValue>& values, const char* key, 
 }
 /// Mesh filters and the spherizer that is the last of `method`; a finding where there is none.
 std::optional<Chain> read_method(const reading::Value& value, const reading::Checking& checking);
-/// The list `methods`: mesh filters and a spherizer each; a finding for each without one.
-std::vector<Chain> read_spherizing(const reading::Value& value, const reading::Checking& checking);
+/// The list `methods`, which must be there: mesh filters and a spherizer each; a finding for each without one.
+std::vector<Chain> read_methods(const reading::Value& root, const char* example, const reading::Checking& checking);
 /// The value of a key that must be there; nullptr after a finding.
 const reading::Value* required(const reading::Value& root, const char* key, const char* example,
                                reading::Findings& findings);
-/// A robot by a name, and the candidates of its URDF.
-struct NamedRobot {
-    std::string name;
-    std::vector<std::string> candidates;
-};
-/// {NAME: FILE or [FILE, …], …}, at least one.
-std::vector<NamedRobot> read_robots(const reading::Value& value, reading::Findings& findings);
+/// The map `robots`, which must be there: {NAME: FILE or [FILE, …], …}, at least one.
+std::vector<NamedRobot> read_robots(const reading::Value& root, reading::Findings& findings);
 /// Names of collision engines, none twice; all where there is no value.
 std::vector<std::string> read_engines(const reading::Value* value, reading::Findings& findings);
 /// A list of integers within the bounds, each larger than the one before it.
 std::vector<std::size_t> read_counts(const reading::Value& value, const char* key, double low, double high,
                                      reading::Findings& findings);
+/// The same of a key that must be there.
+std::vector<std::size_t> required_counts(const reading::Value& root, const char* key, const char* example, double low,
+                                         double high, reading::Findings& findings);
 
 } // namespace foam::bench::experiment

@@ -3,7 +3,6 @@
 #include "bench.hpp"
 #include "kinds.hpp"
 
-#include <foam/base/error.hpp>
 #include <foam/recipe/internal/extend.hpp>
 #include <foam/runtime/internal/cover.hpp>
 #include <foam/runtime/internal/input.hpp>
@@ -57,7 +56,6 @@ public:
     std::vector<Chain> methods;
     std::vector<std::size_t> spheres; ///< a link, at most
     double time_limit = 60;           ///< s
-    Location robots_where;
 
     std::set<std::string> stages() const override {
         std::set<std::string> names;
@@ -72,45 +70,21 @@ public:
 
     Outcome run(Bench& bench) const override {
         std::vector<RobotResult> results;
-        std::vector<std::string> missing;
-        std::string why;
-        for (const NamedRobot& robot : robots) {
-            std::string chosen;
-            try {
-                resolve_input(recipe_of(robot, methods.front()), &chosen);
-            } catch (const Error& error) {
-                bench.tell(fmt::format("warning: {}: {} is skipped: {}", name, robot.name, error.what()));
-                missing.push_back(robot.name);
-                why = error.what();
-                continue;
-            }
-            results.push_back({&robot, chosen, {}});
-            for (const Chain& method : methods) {
-                results.back().curves.push_back(measured(bench, robot, method));
-            }
-        }
-        if (results.empty()) {
-            throw Error(ErrorCode::input, fmt::format("{}: none of the robots is here; {}", name, why));
-        }
+        const auto missing =
+            for_each_found(*this, bench, robots, [&](const NamedRobot& robot, const std::string& chosen) {
+                results.push_back({&robot, chosen, {}});
+                for (const Chain& method : methods) {
+                    results.back().curves.push_back(measured(bench, robot, method));
+                }
+            });
         return told(results, missing);
     }
 
 private:
-    Recipe recipe_of(const NamedRobot& robot, const Chain& method) const {
-        Recipe recipe;
-        recipe.file = file;
-        recipe.name = name;
-        recipe.urdf = robot.candidates;
-        recipe.input_where = robots_where;
-        recipe.filters = filters;
-        recipe.filters.insert(recipe.filters.end(), method.filters.begin(), method.filters.end());
-        recipe.spherizer = *method.spherizer;
-        return recipe;
-    }
-
     /// The preparation is done once and counts for every case, as it would if each ran alone.
     Curve measured(const Bench& bench, const NamedRobot& robot, const Chain& method) const {
-        Recipe recipe = recipe_of(robot, method);
+        Recipe recipe = recipe_of(*this, robot, &method);
+        recipe.filters.insert(recipe.filters.begin(), filters.begin(), filters.end());
         RunOptions options;
         options.cancel = bench.cancel();
         Journal journal(nullptr);
@@ -285,21 +259,14 @@ std::unique_ptr<Experiment> read_quality_against_spheres(const Value& root, cons
     const auto values = read_kind_values(root, {Parameter::number("time_limit", 60).bounds(0.001, 1e6).unit("s")},
                                          {"robots", "filters", "methods", "spheres"}, checking);
     take(values, "time_limit", experiment->time_limit);
-    if (const Value* robots = required(root, "robots", "robots: {panda: FILE.urdf}", findings)) {
-        experiment->robots = read_robots(*robots, findings);
-        experiment->robots_where = findings.locate(robots->where);
-    }
+    experiment->robots = read_robots(root, findings);
     if (const Value* filters = root.find("filters")) {
         if (const auto chain = read_chain(*filters, "filters", {false, true, false, "mesh filters"}, checking)) {
             experiment->filters = chain->filters;
         }
     }
-    if (const Value* methods = required(root, "methods", "methods: [spherize.grid]", findings)) {
-        experiment->methods = read_spherizing(*methods, checking);
-    }
-    if (const Value* spheres = required(root, "spheres", "spheres: [1, 2, 4, 8]", findings)) {
-        experiment->spheres = read_counts(*spheres, "spheres", 1, 1e5, findings);
-    }
+    experiment->methods = read_methods(root, "methods: [spherize.grid]", checking);
+    experiment->spheres = required_counts(root, "spheres", "spheres: [1, 2, 4, 8]", 1, 1e5, findings);
     return experiment;
 }
 

@@ -149,12 +149,16 @@ std::optional<Chain> read_method(const Value& value, const Checking& checking) {
     return method;
 }
 
-std::vector<Chain> read_spherizing(const Value& value, const Checking& checking) {
+std::vector<Chain> read_methods(const Value& root, const char* example, const Checking& checking) {
+    const Value* value = required(root, "methods", example, checking.findings);
+    if (!value) {
+        return {};
+    }
     std::vector<Chain> methods =
-        read_chains(value, "methods", {false, true, true, "mesh filters and spherizers"}, checking);
+        read_chains(*value, "methods", {false, true, true, "mesh filters and spherizers"}, checking);
     for (const Chain& method : methods) {
         if (!method.spherizer) {
-            checking.findings.error(value.where, "missing-stage",
+            checking.findings.error(value->where, "missing-stage",
                                     fmt::format("the method {} has no spherizer; remedy: add one as its last stage",
                                                 in_quotes(method.label)));
         }
@@ -194,16 +198,26 @@ std::vector<std::size_t> read_counts(const Value& value, const char* key, double
     return counts;
 }
 
-std::vector<NamedRobot> read_robots(const Value& value, Findings& findings) {
+std::vector<std::size_t> required_counts(const Value& root, const char* key, const char* example, double low,
+                                         double high, Findings& findings) {
+    const Value* value = required(root, key, example, findings);
+    return value ? read_counts(*value, key, low, high, findings) : std::vector<std::size_t>{};
+}
+
+std::vector<NamedRobot> read_robots(const Value& root, Findings& findings) {
+    constexpr const char* example = "robots: {panda: FILE.urdf}";
     std::vector<NamedRobot> robots;
-    if (!expect_map(value, "robots", "robots: {panda: FILE.urdf}", findings)) {
+    const Value* value = required(root, "robots", example, findings);
+    if (!value || !expect_map(*value, "robots", example, findings)) {
         return robots;
     }
-    for (std::size_t i = 0; i < value.keys.size(); ++i) {
-        robots.push_back({value.keys[i].text, read_references(value.items[i], value.keys[i].text, findings)});
+    for (std::size_t i = 0; i < value->keys.size(); ++i) {
+        const std::string& name = value->keys[i].text;
+        robots.push_back(
+            {name, read_references(value->items[i], name, findings), findings.locate(value->items[i].where)});
     }
     if (robots.empty()) {
-        findings.error(value.where, "wrong-type", "'robots' expects at least one robot");
+        findings.error(value->where, "wrong-type", "'robots' expects at least one robot");
     }
     return robots;
 }

@@ -57,7 +57,8 @@ Outcome Throughput::run(Bench& bench) const {
                                                    program_name));
     }
     std::string input;
-    const Original original = load_original(resolve_input(recipe_of({}), &input).path, bench.registry());
+    const Original original =
+        load_original(resolve_input(recipe_of(*this, robot, nullptr), &input).path, bench.registry());
     const Kinematics kinematics(original.robot);
     std::vector<GraspModel> models = models_of(bench, original);
     const GraspSetup setup{object, excluded_pairs(kinematics, models, bench), indices(*original.robot, object_ignores),
@@ -79,20 +80,6 @@ Outcome Throughput::run(Bench& bench) const {
     return told(models, results, version, input, setup.excluded.size());
 }
 
-Recipe Throughput::recipe_of(std::optional<std::size_t> budget) const {
-    Recipe recipe;
-    recipe.file = file;
-    recipe.name = name;
-    recipe.urdf = robot;
-    recipe.input_where = robot_where;
-    if (method) {
-        recipe.filters = method->filters;
-        recipe.spherizer = *method->spherizer;
-    }
-    recipe.budget_spheres = budget;
-    return recipe;
-}
-
 std::vector<GraspModel> Throughput::models_of(const Bench& bench, const Original& original) const {
     const Robot& urdf = *original.robot;
     GraspModel bare{.label = "original", .links = std::vector<GraspLink>(urdf.links.size()), .scene = {}};
@@ -104,7 +91,9 @@ std::vector<GraspModel> Throughput::models_of(const Bench& bench, const Original
         RunOptions options;
         options.fresh = true;
         options.cancel = bench.cancel();
-        const RunResult made = foam::run(recipe_of(budget), bench.registry(), options);
+        Recipe recipe = recipe_of(*this, robot, &*method);
+        recipe.budget_spheres = budget;
+        const RunResult made = foam::run(recipe, bench.registry(), options);
         GraspModel model = bare;
         for (LinkSpheres& link : spheres_by_link(made.model)) {
             model.spheres += link.spheres.size();

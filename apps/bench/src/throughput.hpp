@@ -4,6 +4,7 @@
 #include "bench.hpp"
 #include "chain.hpp"
 #include "grasp_scene.hpp"
+#include "named_robot.hpp"
 
 #include <foam/judge/evaluate.hpp>
 
@@ -41,8 +42,7 @@ struct Measurement {
 
 class Throughput final : public Experiment {
 public:
-    std::vector<std::string> robot;
-    Location robot_where;
+    NamedRobot robot;
     std::optional<Chain> method;
     std::vector<std::size_t> spheres; ///< budgets over the whole robot
     std::size_t simulations = 300, repeats = 5, threads = 0;
@@ -55,7 +55,6 @@ public:
     Outcome run(Bench& bench) const override;
 
 private:
-    Recipe recipe_of(std::optional<std::size_t> budget) const;
     std::vector<GraspModel> models_of(const Bench& bench, const Original& original) const;
     /// The pairs that the self-collision matrix of any of the sphere models leaves out: the same for all models.
     LinkPairs excluded_pairs(const Kinematics& kinematics, const std::vector<GraspModel>& models,

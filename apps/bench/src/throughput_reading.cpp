@@ -121,12 +121,9 @@ std::unique_ptr<Experiment> read_throughput(const Value& root, const Checking& c
     take(values, "spread", experiment->spread);
     take(values, "lift", experiment->lift);
     if (const Value* robot = required(root, "robot", "robot: FILE.urdf", findings)) {
-        experiment->robot = read_references(*robot, "robot", findings);
-        experiment->robot_where = findings.locate(robot->where);
+        experiment->robot = {"robot", read_references(*robot, "robot", findings), findings.locate(robot->where)};
     }
-    if (const Value* spheres = required(root, "spheres", "spheres: [11, 22]", findings)) {
-        experiment->spheres = read_counts(*spheres, "spheres", 1, 1e5, findings);
-    }
+    experiment->spheres = required_counts(root, "spheres", "spheres: [11, 22]", 1, 1e5, findings);
     if (const Value* method = required(root, "method", "method: spherize.medial", findings)) {
         experiment->method = read_method(*method, checking);
     }

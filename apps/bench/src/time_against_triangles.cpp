@@ -70,8 +70,7 @@ std::string growth_text(const Points& points) {
 
 class TimeAgainstTriangles final : public Experiment {
 public:
-    std::vector<std::string> candidates; ///< of the mesh
-    Location candidates_where;
+    MeshCandidates candidates;
     std::vector<StageCall> prepare;
     std::vector<std::size_t> triangles;
     std::size_t repeats = 3, spheres = 8;
@@ -111,7 +110,7 @@ private:
     /// The mesh of the experiment in each number of triangles.
     std::vector<SizedMesh> make_meshes(const Bench& bench, std::string& chosen) const {
         LimitedContext context(bench, std::numeric_limits<double>::infinity());
-        Mesh raw = input_mesh(bench, *this, {candidates, candidates_where}, chosen);
+        Mesh raw = input_mesh(bench, *this, candidates, chosen);
         for (const StageCall& call : prepare) {
             raw = bench.registry().make<MeshFilter>(call.stage, call.given)->apply(raw, context);
         }
@@ -333,17 +332,14 @@ std::unique_ptr<Experiment> read_time_against_triangles(const Value& root, const
     take(values, "time_limit", experiment->time_limit);
     take(values, "spheres", experiment->spheres);
     if (const Value* mesh = required(root, "mesh", "mesh: FILE", findings)) {
-        experiment->candidates = read_references(*mesh, "mesh", findings);
-        experiment->candidates_where = findings.locate(mesh->where);
+        experiment->candidates = {read_references(*mesh, "mesh", findings), findings.locate(mesh->where)};
     }
     if (const Value* prepare = root.find("prepare")) {
         if (const auto chain = read_chain(*prepare, "prepare", {false, true, false, "mesh filters"}, checking)) {
             experiment->prepare = chain->filters;
         }
     }
-    if (const Value* triangles = required(root, "triangles", "triangles: [500, 1000, 2000]", findings)) {
-        experiment->triangles = read_counts(*triangles, "triangles", 4, 1e7, findings);
-    }
+    experiment->triangles = required_counts(root, "triangles", "triangles: [500, 1000, 2000]", 4, 1e7, findings);
     if (const Value* figures = required(root, "figures", "figures: {repair: [repair.soup]}", findings)) {
         experiment->groups = read_groups(*figures, checking);
     }
