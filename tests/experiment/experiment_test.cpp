@@ -1,15 +1,10 @@
 // Tiny experiments, run as `foam bench` does.
 #include "bench/src/queries/engine.hpp"
 #include "bench/src/table.hpp"
-#include "support/temporary_folder.hpp"
+#include "experiments.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/bench/experiment.hpp>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <fstream>
 #include <iterator>
 
 namespace foam {
@@ -21,29 +16,16 @@ using experiment::Table;
 using ::testing::HasSubstr;
 using ::testing::UnorderedElementsAre;
 
-class Running : public testing::Test {
+class Running : public ExperimentTest {
 protected:
-    void SetUp() override {
-        for (const char* name : {"FOAM_PACKAGE_PATH", "ROS_PACKAGE_PATH", "AMENT_PREFIX_PATH", "FOAM_SHARED"}) {
-            ::unsetenv(name);
-        }
-        registry.load_directory(FOAM_TEST_PLUGINS);
-    }
-
-    fs::path path() const { return folder.path(); }
-    void write(const std::string& name, const std::string& text) const {
-        std::ofstream(path() / name, std::ios::binary) << text;
-    }
     std::string contents(const fs::path& name) const {
         std::ifstream stream(path() / name, std::ios::binary);
         return {std::istreambuf_iterator<char>(stream), {}};
     }
     ExperimentResult run(const std::string& text, ExperimentOptions options = {}) {
-        const ExperimentReading read = parse_experiment(text, path() / "x.yaml", registry);
-        EXPECT_TRUE(read.ok()) << (read.diagnostics.empty() ? "" : read.diagnostics.front().text());
         options.out = path() / "out";
         options.tell = [this](const std::string& line) { told += line + "\n"; };
-        return run_experiment(*read.experiment, registry, options);
+        return ExperimentTest::run(text, options);
     }
     /// The CSV without its column of times.
     static std::string without(const std::string& csv, std::size_t column) {
@@ -60,8 +42,6 @@ protected:
         return result;
     }
 
-    TemporaryFolder folder;
-    Registry registry;
     std::string told;
 };
 

@@ -1,39 +1,29 @@
 // kind: program_against_size.
-#include <foam/bench/experiment.hpp>
+#include "experiments.hpp"
 
-#include <gtest/gtest.h>
-
-#include <string>
-
+namespace foam {
 namespace {
 
-using namespace foam;
+using ::testing::HasSubstr;
+using ProgramAgainstSize = ExperimentTest;
 
-std::string findings_of(const std::string& text) {
-    const Registry registry;
-    std::string all;
-    for (const Diagnostic& finding :
-         parse_experiment("foam_experiment: 1\nname: a\nkind: program_against_size\n" + text, "x.yaml", registry)
-             .diagnostics) {
-        all += finding.message + "\n";
-    }
-    return all;
+const std::string head = "foam_experiment: 1\nname: a\nkind: program_against_size\n";
+
+TEST_F(ProgramAgainstSize, IsReadWithOneAxis) {
+    EXPECT_EQ(findings(head + "mesh: a.stl\nspheres: [1, 2]\ncurves: {normal: {}}\n"), "");
+    EXPECT_EQ(
+        findings(head + "mesh: a.stl\nspheres: [8]\ntriangles: [10, 20]\ncurves: {fast: {stages.x.effort: fast}}\n"),
+        "");
+    EXPECT_THAT(findings(head + "mesh: a.stl\nspheres: [1, 2]\ntriangles: [10, 20]\ncurves: {normal: {}}\n"),
+                HasSubstr("several numbers of triangles and of spheres"));
 }
 
-TEST(ProgramAgainstSize, IsReadWithOneAxis) {
-    EXPECT_EQ(findings_of("mesh: a.stl\nspheres: [1, 2]\ncurves: {normal: {}}\n"), "");
-    EXPECT_EQ(findings_of("mesh: a.stl\nspheres: [8]\ntriangles: [10, 20]\ncurves: {fast: {stages.x.effort: fast}}\n"),
-              "");
-    EXPECT_NE(findings_of("mesh: a.stl\nspheres: [1, 2]\ntriangles: [10, 20]\ncurves: {normal: {}}\n")
-                  .find("several numbers of triangles and of spheres"),
-              std::string::npos);
-}
-
-TEST(ProgramAgainstSize, SaysWhatIsMissing) {
-    const std::string all = findings_of("spheres: [2, 1]\ncurves: {}\n");
+TEST_F(ProgramAgainstSize, SaysWhatIsMissing) {
+    const std::string all = findings(head + "spheres: [2, 1]\ncurves: {}\n");
     for (const char* what : {"mesh", "'spheres' expects ascending numbers", "'curves' expects at least one curve"}) {
-        EXPECT_NE(all.find(what), std::string::npos) << what << " in\n" << all;
+        EXPECT_THAT(all, HasSubstr(what));
     }
 }
 
 } // namespace
+} // namespace foam

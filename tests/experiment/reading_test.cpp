@@ -1,25 +1,10 @@
 // What is wrong with an experiment is told exactly, all at once.
-#include <foam/bench/experiment.hpp>
-
-#include <gtest/gtest.h>
+#include "experiments.hpp"
 
 namespace foam {
 namespace {
 
-class Reading : public testing::Test {
-protected:
-    void SetUp() override { registry.load_directory(FOAM_TEST_PLUGINS); }
-
-    std::string findings(const std::string& text) const {
-        std::string all;
-        for (const Diagnostic& finding : parse_experiment(text, "x.yaml", registry).diagnostics) {
-            all += finding.text() + "\n";
-        }
-        return all;
-    }
-
-    Registry registry;
-};
+using Reading = ExperimentTest;
 
 const std::string head = "foam_experiment: 1\nname: x\n";
 const std::string time = head + "kind: time_against_triangles\n";

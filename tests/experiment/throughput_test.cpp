@@ -1,16 +1,10 @@
 // kind: throughput. The scene, what is refused, and a gripper that lifts a box where MuJoCo is there.
 #include "bench/src/grasp_scene.hpp"
 #include "bench/src/table.hpp"
-#include "support/temporary_folder.hpp"
+#include "experiments.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/bench/experiment.hpp>
 #include <foam/sdk/sdk.hpp>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <fstream>
 
 namespace foam::experiment {
 namespace {
@@ -38,28 +32,13 @@ const std::string whole = head + "robot: gripper.urdf\nspheres: [3]\nmethod: sph
                                  "motion: [{time: 0, joints: {open: 0.06}}, {time: 0.5, joints: {open: 0}}, "
                                  "{time: 1, joints: {up: 0.1}}]\n";
 
-class ThroughputTest : public testing::Test {
+class ThroughputTest : public ExperimentTest {
 protected:
     void SetUp() override {
-        for (const char* name : {"FOAM_PACKAGE_PATH", "ROS_PACKAGE_PATH", "AMENT_PREFIX_PATH", "FOAM_SHARED"}) {
-            ::unsetenv(name);
-        }
-        registry.load_directory(FOAM_TEST_PLUGINS);
-        std::ofstream(folder.path() / "gripper.urdf") << gripper;
+        ExperimentTest::SetUp();
+        write("gripper.urdf", gripper);
     }
 
-    std::string findings(const std::string& text) {
-        std::string result;
-        for (const Diagnostic& finding : parse_experiment(text, "x.yaml", registry).diagnostics) {
-            result += finding.text() + "\n";
-        }
-        return result;
-    }
-    ExperimentResult run(const std::string& text) {
-        const ExperimentReading read = parse_experiment(text, folder.path() / "x.yaml", registry);
-        EXPECT_TRUE(read.ok()) << (read.diagnostics.empty() ? "" : read.diagnostics.front().text());
-        return run_experiment(*read.experiment, registry);
-    }
     std::string refusal(const std::string& text) {
         try {
             run(text);
@@ -69,9 +48,6 @@ protected:
         return "";
     }
     static bool has_mujoco() { return fs::exists(library_folder() / "foam/engines/foam-engine-mujoco-grasp"); }
-
-    TemporaryFolder folder;
-    Registry registry;
 };
 
 TEST_F(ThroughputTest, Refusals) {
