@@ -380,4 +380,4 @@ Bodies::Gap Bodies::gap(const Piece& piece, std::span<const std::uint32_t> bodie
     return result;
 }
 
-} // namespace foam::inline geometry
+} // namespace foam::geometry
