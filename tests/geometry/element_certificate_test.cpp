@@ -197,7 +197,7 @@ class EachKind : public ::testing::TestWithParam<Kind> {};
 INSTANTIATE_TEST_SUITE_P(Kinds, EachKind,
                          ::testing::Values(Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box,
                                            Kind::hull),
-                         [](const auto& info) { return to_string(info.param); });
+                         [](const auto& kind) { return to_string(kind.param); });
 
 constexpr std::size_t samples = 10'000'000; // a kind
 

@@ -37,7 +37,7 @@ protected:
 INSTANTIATE_TEST_SUITE_P(Kinds, Elements,
                          ::testing::Values(Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box,
                                            Kind::hull),
-                         [](const auto& info) { return to_string(info.param); });
+                         [](const auto& kind) { return to_string(kind.param); });
 
 TEST_P(Elements, WordsNameKinds) {
     EXPECT_EQ(element_kind_named(to_string(GetParam())), GetParam());

@@ -193,8 +193,8 @@ TEST_F(ServerTest, ManyAtOnceAreServedOneAfterTheOther) {
             (answer->status == 200 ? taken : refused) += 1;
         });
     }
-    for (std::thread& thread : threads) {
-        thread.join();
+    for (std::thread& one : threads) {
+        one.join();
     }
     EXPECT_EQ(taken, 1); // the others are of a version that is no more
     EXPECT_EQ(refused, 7);

@@ -94,14 +94,14 @@ inline std::vector<Vec3> points_of(const Element& element, int count) {
 }
 
 /// Whether the elements hold the point, but for the rounding of a support point of an element of that reach.
-inline bool covered(const Vec3& point, const ElementsView& elements, double rounding) {
+inline bool covered(const Vec3& point, const ElementsView& elements, double allowed) {
     for (const Sphere& s : elements.spheres) {
-        if (distance(point, s.center) <= s.radius + rounding) {
+        if (distance(point, s.center) <= s.radius + allowed) {
             return true;
         }
     }
     for (const Element& element : elements.others) {
-        if (distance(element, point) <= rounding) {
+        if (distance(element, point) <= allowed) {
             return true;
         }
     }
@@ -116,10 +116,10 @@ inline void expect_contained(const Element& element, const ElementsView& back, d
     for (std::size_t row = 0; row < 3; ++row) {
         skew = std::max(skew, std::abs(squared_norm(element.pose.rotation[row]) - 1));
     }
-    const double rounding =
+    const double allowed =
         1e-15 * (norm(element.pose.translation) + own.diagonal()) + (skew > 1e-12 ? 2 * skew * own.diagonal() : 0);
     for (const Vec3& point : points_of(element, 300)) {
-        ASSERT_TRUE(covered(point, back, rounding)) << to_string(element.kind);
+        ASSERT_TRUE(covered(point, back, allowed)) << to_string(element.kind);
     }
     Box all;
     for (const Sphere& s : back.spheres) {

@@ -37,9 +37,7 @@ void read_object(const Value& value, GraspObject& object, Findings& findings) {
     }
     const auto values = read_values(value, {Parameter::number("mass", 0.1).bounds(1e-6, 1e3).unit("kg")}, "object",
                                     {"size", "position"}, findings);
-    if (const auto mass = values.find("mass"); mass != values.end()) {
-        object.mass = std::get<double>(mass->second);
-    }
+    take(values, "mass", object.mass);
     if (const Value* size = value.find("size")) {
         object.size = read_vector(*size, "size", 1e-4, findings).value_or(object.size);
     }
@@ -56,9 +54,7 @@ std::optional<Moment> read_moment(const Value& value, Findings& findings) {
     const auto values =
         read_values(value, {Parameter::number("time", 0).bounds(0, 1e4).unit("s")}, "motion", {"joints"}, findings);
     Moment moment;
-    if (const auto time = values.find("time"); time != values.end()) {
-        moment.time = std::get<double>(time->second);
-    }
+    take(values, "time", moment.time);
     const Value* joints = value.find("joints");
     if (joints && expect_map(*joints, "joints", "joints: {elbow: 0.5}", findings)) {
         for (std::size_t i = 0; i < joints->keys.size(); ++i) {

@@ -90,17 +90,6 @@ Json to_json(const GridMesh& mesh) {
             {"triangles", base64(triangles)}};
 }
 
-Json to_json(const Pose& pose) {
-    Json json = Json::array();
-    for (int row = 0; row < 3; ++row) {
-        const Vec3& r = pose.rotation[static_cast<std::size_t>(row)];
-        for (const double value : {r.x, r.y, r.z, pose.translation[row]}) {
-            json.push_back(value);
-        }
-    }
-    return json;
-}
-
 std::string to_floats(const std::vector<Sphere>& spheres) {
     std::string bytes;
     for (const Sphere& sphere : spheres) {
@@ -203,7 +192,7 @@ std::string scene_json(const std::vector<SceneLink>& links, std::size_t max_tria
             levels.push_back(to_floats(level));
         }
         list.push_back(
-            {{"name", shown(link.name)}, {"pose", to_json(link.pose)}, {"meshes", indices}, {"levels", levels}});
+            {{"name", shown(link.name)}, {"pose", rows_of(link.pose)}, {"meshes", indices}, {"levels", levels}});
         for (const std::vector<Element>& level : link.other_levels) {
             Json elements = Json::array();
             for (const Element& element : level) {

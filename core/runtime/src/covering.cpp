@@ -5,7 +5,11 @@
 
 namespace foam::inline runtime {
 
-const Approximation::Level& CoveringElements::of(std::size_t shape, std::size_t count) {
+Approximation::Level CoveringElements::of(const Group& group, std::size_t count) {
+    return moved(of_shape(group.shape, count), group.frame);
+}
+
+const Approximation::Level& CoveringElements::of_shape(std::size_t shape, std::size_t count) {
     const auto [known, fresh] = known_.try_emplace({shape, count});
     if (fresh) {
         known->second = level_of(shapes_[shape].known.trees.at(count).elements());

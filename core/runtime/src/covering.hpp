@@ -15,10 +15,12 @@ public:
     CoveringElements(const Workspace& workspace, const std::vector<ShapeWork>& shapes)
         : workspace_(workspace), shapes_(shapes) {}
 
-    /// Returns the finest level of a known tree, in the shape's frame.
-    const Approximation::Level& of(std::size_t shape, std::size_t count);
+    /// Returns the finest level of a known tree of the group's shape, in the frame of its link.
+    Approximation::Level of(const Group& group, std::size_t count);
 
 private:
+    const Approximation::Level& of_shape(std::size_t shape, std::size_t count);
+
     const Workspace& workspace_;
     const std::vector<ShapeWork>& shapes_;
     std::map<std::pair<std::size_t, std::size_t>, Approximation::Level> known_; ///< by shape and count

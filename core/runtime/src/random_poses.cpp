@@ -111,10 +111,7 @@ private:
         const std::vector<std::size_t> allocated = allocated_groups(shapes_, groups_);
         for (std::size_t i = 0; i < allocated.size(); ++i) {
             const Group& group = groups_[allocated[i]];
-            const Approximation::Level level = moved(covering_.of(group.shape, shared.counts[i]), group.frame);
-            Approximation::Level& all = of_link[group.link];
-            all.spheres.insert(all.spheres.end(), level.spheres.begin(), level.spheres.end());
-            all.others.insert(all.others.end(), level.others.begin(), level.others.end());
+            append(of_link[group.link], covering_.of(group, shared.counts[i]).view());
         }
         const Consequences found = poses_.consequences(of_link);
         FalseContacts result{0, std::vector<std::size_t>(groups_.size(), 0)};

@@ -75,7 +75,7 @@ private:
 
     ElementsOfLink spheres_of(std::size_t allocated, std::size_t count) {
         const Group& group = groups_[allocated_groups_[allocated]];
-        return {group.link, moved(covering_.of(group.shape, count), group.frame)};
+        return {group.link, covering_.of(group, count)};
     }
 
     /// Returns the most spheres that two groups can have beside the others.

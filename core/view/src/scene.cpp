@@ -6,6 +6,7 @@
 
 #include <foam/base/parallel.hpp>
 #include <foam/base/text.hpp>
+#include <foam/report/internal/scene.hpp>
 #include <foam/runtime/version.hpp>
 
 #include <fmt/format.h>
@@ -39,17 +40,6 @@ public:
 private:
     std::string bytes_;
 };
-
-Json to_json(const Pose& pose) {
-    Json json = Json::array();
-    for (int row = 0; row < 3; ++row) {
-        const Vec3& r = pose.rotation[static_cast<std::size_t>(row)];
-        for (const double value : {r.x, r.y, r.z, pose.translation[row]}) {
-            json.push_back(value);
-        }
-    }
-    return json;
-}
 
 Json to_json(const Vec3& v) {
     return Json::array({v.x, v.y, v.z});
@@ -156,7 +146,7 @@ Json elements_json(const std::vector<ViewedElement>& elements, const Meshes& mes
     Json list = Json::array();
     for (const ViewedElement& element : elements) {
         list.push_back(
-            {{"mesh", meshes.index_of(element)}, {"pose", to_json(element.pose)}, {"colour", to_json(element.colour)}});
+            {{"mesh", meshes.index_of(element)}, {"pose", rows_of(element.pose)}, {"colour", to_json(element.colour)}});
     }
     return list;
 }
@@ -171,7 +161,7 @@ Json joints_json(const Kinematics& kinematics) {
                         {"kind", name_of(joint.kind)},
                         {"parent", kinematics.link_above()[j]},
                         {"child", link_index(robot, joint.child)},
-                        {"origin", to_json(joint.origin)},
+                        {"origin", rows_of(joint.origin)},
                         {"axis", to_json(joint.axis)},
                         {"freedom", motion.freedom ? Json(*motion.freedom) : Json()},
                         {"multiplier", motion.multiplier},

@@ -4,6 +4,7 @@
 #include <foam/geometry/mesh.hpp>
 #include <foam/geometry/sphere.hpp>
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,9 +20,9 @@ struct StageMesh {
 
 struct SceneLink {
     std::string name;
-    Pose pose;                                         ///< from its frame to the robot's
-    std::vector<StageMesh> meshes;                     ///< the original first
-    std::vector<std::vector<Sphere>> levels;           ///< coarse to fine; link frame
+    Pose pose;                                        ///< from its frame to the robot's
+    std::vector<StageMesh> meshes;                    ///< the original first
+    std::vector<std::vector<Sphere>> levels;          ///< coarse to fine; link frame
     std::vector<std::vector<Element>> other_levels{}; ///< elements of other kinds of each level; empty: none
 };
 
@@ -37,6 +38,13 @@ struct GridMesh {
 /// Removes degenerate and duplicate triangles (vertex clustering: Rossignac and Borrel, 1993).
 GridMesh on_grid(const Mesh& mesh, int bits);
 
+/// Returns the upper three rows of the matrix of a pose, one behind the other.
+inline std::array<double, 12> rows_of(const Pose& pose) {
+    const auto& [x, y, z] = pose.rotation;
+    const Vec3& t = pose.translation;
+    return {x.x, x.y, x.z, t.x, y.x, y.y, y.z, t.y, z.x, z.y, z.z, t.z};
+}
+
 /// Returns the scene. `max_triangles`: over all distinct meshes. If there are more, those with most are reduced.
 ///
 /// {"links": [{"name", "pose": 3 rows of 4 numbers, "meshes": [index, …], "levels": [float32 x, y, z, radius, …],
@@ -46,5 +54,5 @@ GridMesh on_grid(const Mesh& mesh, int bits);
 /// Little-endian. No '<' in it: it may stand in a script element.
 std::string scene_json(const std::vector<SceneLink>& links, std::size_t max_triangles);
 
-} // namespace report
+} // namespace gnu::visibility("default")]]report
 } // namespace foam
