@@ -45,7 +45,7 @@ TEST_F(EvaluateCli, JsonHasEveryFigure) {
     const json data = json::parse(outcome.out);
     EXPECT_EQ(data["original"], "arm.urdf");
     EXPECT_EQ(data["model"], "thin.yaml");
-    EXPECT_EQ(data["format"], "collision_spheres YAML");
+    EXPECT_EQ(data["model_format"], "collision_spheres YAML");
     ASSERT_EQ(data["links"].size(), 2u);
     const json& base = data["links"][0];
     EXPECT_EQ(base["link"], "base");
