@@ -19,7 +19,7 @@ class Ended:
 
 
 def start(folder, arguments):
-    return subprocess.Popen([FOAM, *map(str, arguments)], cwd=folder, stdout=subprocess.DEVNULL,
+    return subprocess.Popen([FOAM, *map(str, arguments)], cwd=folder, stdout=subprocess.PIPE,
                             stderr=subprocess.PIPE, text=True, errors="replace",
                             env={**os.environ, "XDG_CACHE_HOME": str(folder / "cache")})
 

@@ -9,6 +9,7 @@ import time
 import program
 
 TIME_TO_STOP = 2
+AT_ONCE = 0.2  # s: it had ended by itself while the signal was sent
 DELAYS = (0.05, 0.15, 0.4, 0.8, 1.5, 3)
 
 
@@ -79,7 +80,7 @@ def outcome(folder, arguments, delay):
     begin = time.monotonic()
     process.send_signal(signal.SIGTERM)
     try:
-        _, err = process.communicate(timeout=60)
+        out, err = process.communicate(timeout=60)
     except subprocess.TimeoutExpired:
         process.kill()
         return "did not end within a minute"
@@ -89,8 +90,10 @@ def outcome(folder, arguments, delay):
     left = program.half_written(folder)
     if left:
         return f"left {left}"
-    # Before the program handles signals, and after it has written everything, it ends as any program does.
-    if process.returncode == -signal.SIGTERM and "stopping" not in err:
+    if process.returncode == 0 and "stopping" not in err and seconds < AT_ONCE:
+        return "ended"
+    # Before the program handles signals, and after it has told everything, it ends as any program does.
+    if process.returncode == -signal.SIGTERM and "stopping" not in err and (delay <= 1 or out):
         return "not handled"
     return "stopped" if process.returncode == 130 else f"exit code {process.returncode}:\n{err}"
 

@@ -155,9 +155,7 @@ void Bodies::lower_faces(Body& body) {
     for (const Vec3& v : vertices) {
         box.add(v);
     }
-    std::vector<std::vector<std::uint32_t>> triangles_of(body.faces.size());
     std::size_t likely = 0; // triangles come in the order of the faces
-    std::uint32_t triangle = 0;
     for (const auto& [a, b, c] : body.hull->surface.triangles) {
         const auto lowest = [&](std::size_t f) {
             const Vec3& n = body.faces[f].normal;
@@ -179,11 +177,7 @@ void Bodies::lower_faces(Body& body) {
             best = likely;
         }
         body.faces[best].offset = std::min(body.faces[best].offset, lowest(best));
-        triangles_of[best].push_back(triangle++);
-    }
-    for (const std::vector<std::uint32_t>& triangles : triangles_of) {
-        body.triangles.insert(body.triangles.end(), triangles.begin(), triangles.end());
-        body.ends.push_back(static_cast<std::uint32_t>(body.triangles.size()));
+        body.face_of.push_back(static_cast<std::uint32_t>(best));
     }
 }
 
@@ -194,12 +188,10 @@ double Bodies::distance_to_hull(const Body& body, const Vec3& q) {
     const Mesh& mesh = body.hull->surface;
     const Vec3 p = q + body.middle;
     double least = unreachable;
-    for (std::size_t f = 0; f < body.faces.size(); ++f) {
-        if (!(dot(body.faces[f].normal, q) > body.faces[f].offset)) {
-            continue;
-        }
-        for (std::uint32_t k = f == 0 ? 0 : body.ends[f - 1]; k < body.ends[f]; ++k) {
-            const auto& [a, b, c] = mesh.triangles[body.triangles[k]];
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const Polytope::Face& face = body.faces[body.face_of[i]];
+        if (dot(face.normal, q) > face.offset) {
+            const auto& [a, b, c] = mesh.triangles[i];
             const Corners t{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
             least = std::min(least, squared_norm(p - closest_on_triangle(t, p)));
         }

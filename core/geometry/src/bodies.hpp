@@ -82,8 +82,7 @@ private:
         std::vector<double> blocks;         ///< the same, for many at a time: normals' x, y, z and offsets
         std::vector<Polytope::Face> planes; ///< the same, and those of a box, turned to the surface's frame
         std::shared_ptr<const Polytope> hull;
-        std::vector<std::uint32_t> triangles; ///< of the hull, by the faces that they belong to
-        std::vector<std::uint32_t> ends;      ///< of each face's triangles among them
+        std::vector<std::uint32_t> face_of; ///< hull: the face that each triangle belongs to
         Vec3 middle;                          ///< hull: origin of the body's frame in that of the hull
     };
 

@@ -54,5 +54,5 @@ inline std::array<double, 12> rows_of(const Pose& pose) {
 /// Little-endian. No '<' in it: it may stand in a script element.
 std::string scene_json(const std::vector<SceneLink>& links, std::size_t max_triangles);
 
-} // namespace gnu::visibility("default")]]report
+} // namespace report
 } // namespace foam
