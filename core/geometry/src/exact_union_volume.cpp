@@ -24,9 +24,24 @@ struct Cap {
     double height;
 };
 
-/// Angles from `begin` to `end`, within [−π, π].
+/// An angle t in [−π, π], by cos t and sin t: sines and arcs are not computed where angles are only compared.
+struct Angle {
+    static Angle of(double cosine, double sine) {
+        // (x, y) points along (cos t/2, sin t/2); the other form of the same near ±π, where 1 + cos t is not exact.
+        const double x = cosine < 0 ? std::abs(sine) : 1 + cosine;
+        const double y = cosine < 0 ? std::copysign(1 - cosine, sine) : sine;
+        return {cosine, sine, x, y, y / (x + std::abs(y))};
+    }
+
+    double cosine, sine;
+    double x, y; ///< of the half angle, times a positive factor
+    double rank; ///< rises with t
+};
+
+constexpr Angle first_angle{-1, 0, 0, -1, -1}, last_angle{-1, 0, 0, 1, 1}; ///< −π and π
+
 struct Interval {
-    double begin, end;
+    Angle begin, end;
 };
 
 /// The circle around a cap: axis · height + width · (u cos t + v sin t), t from −π to π. The third component of v is 0.
@@ -97,10 +112,6 @@ bool beyond_amplitude(const Heights& heights) {
     return std::abs(depth) > deep && depth * depth > (a * a + b * b) * (1 + rounding);
 }
 
-bool clearly_hides(const Heights& heights) {
-    return heights.depth > 0 && beyond_amplitude(heights);
-}
-
 /// Adds the angles at which a cap hides the circle, by its heights there. Returns false if it hides the whole circle.
 /// `first`: of two equal caps, this one counts.
 bool add_hidden(const Circle& circle, const Cap& cap, const Heights& heights, bool first,
@@ -119,16 +130,16 @@ bool add_hidden(const Circle& circle, const Cap& cap, const Heights& heights, bo
     if (depth <= -amplitude) {
         return true;
     }
-    const double middle = std::atan2(b, a), half = std::acos(-depth / amplitude);
-    const double begin = middle - half, end = middle + half;
-    if (begin < -pi) {
-        hidden.push_back({-pi, end});
-        hidden.push_back({begin + 2 * pi, pi});
-    } else if (end > pi) {
-        hidden.push_back({begin, pi});
-        hidden.push_back({-pi, end - 2 * pi});
-    } else {
+    // From middle − half to middle + half, with half between 0 and π.
+    const double cosine = -depth / amplitude, sine = std::sqrt((1 - cosine) * (1 + cosine));
+    const double x = a / amplitude, y = b / amplitude;
+    const Angle begin = Angle::of(x * cosine + y * sine, y * cosine - x * sine);
+    const Angle end = Angle::of(x * cosine - y * sine, y * cosine + x * sine);
+    if (begin.rank <= end.rank) {
         hidden.push_back({begin, end});
+    } else {
+        hidden.push_back({first_angle, end});
+        hidden.push_back({begin, last_angle});
     }
     return true;
 }
@@ -136,20 +147,26 @@ bool add_hidden(const Circle& circle, const Cap& cap, const Heights& heights, bo
 struct Exposed : ExposedPart {
     /// Subtracts an arc of the boundary, traversed with the exposed part on its right and the cap on its left.
     void subtract(const Circle& c, const Interval& arc) {
-        const double angle = arc.end - arc.begin;
+        const double angle = 2 * half_angle(arc, 1);
         // ∫ n dA = ½ ∮ p × dp
-        const Vec3 swept = c.width * c.width * angle * c.axis - c.height * c.width *
-                                                                    ((std::sin(arc.end) - std::sin(arc.begin)) * c.u -
-                                                                     (std::cos(arc.end) - std::cos(arc.begin)) * c.v);
+        const Vec3 swept =
+            c.width * c.width * angle * c.axis -
+            c.height * c.width * ((arc.end.sine - arc.begin.sine) * c.u - (arc.end.cosine - arc.begin.cosine) * c.v);
         normal += -0.5 * swept;
         // A = ∮ (x dy − y dx) / (1 + z), z = p · (0, 0, 1), is −height ∫ dt + (axis.z + height) ∫ dt / (1 + z), where
-        // 1 + z = C + D cos t.
+        // 1 + z = C + D cos t. The primitive of the last is 2 atan(ratio · tan(t / 2)).
         const double constant = 1 + c.axis.z * c.height, slope = c.width * c.u.z;
         const double sign = c.axis.z + c.height < 0 ? -1 : 1; // a cap whose edge meets the pole does not hide it
         // A circle without width about the pole has a ratio of 1.
         const double ratio = std::sqrt(std::max(constant - slope, 1e-300) / std::max(constant + slope, 1e-300));
-        const auto primitive = [&](double t) { return 2 * std::atan2(ratio * std::sin(t / 2), std::cos(t / 2)); };
-        area -= -c.height * angle + sign * (primitive(arc.end) - primitive(arc.begin));
+        area -= -c.height * angle + sign * 2 * half_angle(arc, ratio);
+    }
+
+private:
+    /// Returns the angle between the half angles of the ends, in [0, π], once their y are multiplied by `ratio`.
+    static double half_angle(const Interval& arc, double ratio) {
+        const double from = ratio * arc.begin.y, to = ratio * arc.end.y;
+        return std::atan2(to * arc.begin.x - arc.end.x * from, arc.end.x * arc.begin.x + to * from);
     }
 };
 
@@ -223,11 +240,56 @@ std::optional<std::vector<Cap>> caps_of(const Neighbours& neighbours, std::size_
     return caps;
 }
 
-Exposed exposed_part(std::vector<Cap> caps) {
-    constexpr std::size_t few = 6;
-    // The largest come first: they hide most of the other circles.
+/// Returns the caps, the largest first, without those that lie within another: they hide nothing more.
+std::vector<Cap> outermost(std::vector<Cap> caps) {
+    constexpr double rounding = 1e-9;
     std::stable_sort(caps.begin(), caps.end(), [](const Cap& a, const Cap& b) { return a.height < b.height; });
-    const auto largest = std::span(caps).first(std::min(few, caps.size()));
+    std::vector<Cap> result;
+    std::vector<double> widths; // of their circles
+    for (const Cap& cap : caps) {
+        const double width = std::sqrt((1 - cap.height) * (1 + cap.height));
+        bool within = false;
+        for (std::size_t j = 0; j < result.size() && !within; ++j) {
+            // The angle between the axes is at most the difference of the caps' angular radii.
+            within = dot(cap.axis, result[j].axis) > cap.height * result[j].height + width * widths[j] + rounding;
+        }
+        if (!within) {
+            result.push_back(cap);
+            widths.push_back(width);
+        }
+    }
+    return result;
+}
+
+/// Subtracts the arcs of the circle around cap `k` that no cap hides. `hidden`: reused memory.
+void subtract_arcs(const std::vector<Cap>& caps, std::size_t k, HeightTable& heights, std::vector<Interval>& hidden,
+                   Exposed& part) {
+    const Circle circle(caps[k]);
+    heights.look(circle);
+    hidden.clear();
+    for (std::size_t j = 0; j < caps.size(); ++j) {
+        if (j != k && !add_hidden(circle, caps[j], heights.of(j), j < k, hidden)) {
+            return;
+        }
+    }
+    std::sort(hidden.begin(), hidden.end(),
+              [](const Interval& a, const Interval& b) { return a.begin.rank < b.begin.rank; });
+    Angle from = first_angle;
+    for (const Interval& interval : hidden) {
+        if (interval.begin.rank > from.rank) {
+            part.subtract(circle, {from, interval.begin});
+        }
+        if (interval.end.rank > from.rank) {
+            from = interval.end;
+        }
+    }
+    if (from.rank < last_angle.rank) {
+        part.subtract(circle, {from, last_angle});
+    }
+}
+
+Exposed exposed_part(std::vector<Cap> all) {
+    const std::vector<Cap> caps = outermost(std::move(all));
     Exposed part;
     const Vec3 south{0, 0, -1};
     const bool south_hidden =
@@ -236,34 +298,7 @@ Exposed exposed_part(std::vector<Cap> caps) {
     HeightTable heights(caps);
     std::vector<Interval> hidden;
     for (std::size_t k = 0; k < caps.size(); ++k) {
-        const Circle circle(caps[k]);
-        if (std::any_of(largest.begin(), largest.end(),
-                        [&](const Cap& cap) { return clearly_hides(heights_along(circle, cap)); })) {
-            continue;
-        }
-        heights.look(circle);
-        hidden.clear();
-        bool seen = true;
-        for (std::size_t j = 0; j < caps.size() && seen; ++j) {
-            seen = !clearly_hides(heights.of(j));
-        }
-        for (std::size_t j = 0; j < caps.size() && seen; ++j) {
-            seen = j == k || add_hidden(circle, caps[j], heights.of(j), j < k, hidden);
-        }
-        if (!seen) {
-            continue;
-        }
-        std::sort(hidden.begin(), hidden.end(), [](const Interval& a, const Interval& b) { return a.begin < b.begin; });
-        double from = -pi;
-        for (const Interval& interval : hidden) {
-            if (interval.begin > from) {
-                part.subtract(circle, {from, interval.begin});
-            }
-            from = std::max(from, interval.end);
-        }
-        if (from < pi) {
-            part.subtract(circle, {from, pi});
-        }
+        subtract_arcs(caps, k, heights, hidden, part);
     }
     return part;
 }
@@ -395,4 +430,4 @@ double exact_union_volume(std::span<const Sphere> spheres) {
     return geometry::UnionParts(std::move(balls)).volume();
 }
 
-} // namespace foam::geometry
+} // namespace foam::inline geometry
