@@ -60,21 +60,27 @@ bool Quickhull::first_tetrahedron(std::array<std::uint32_t, 4>& corners) const {
 /// The normal comes from differences of corners, with an error of less than 8 u |v| |w| / |v × w| + 4 u; the rest is
 /// for rounding of the distance itself.
 std::uint32_t Quickhull::make(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    HullTriangle t{.corners = {a, b, c}, .at = points_[a]};
-    const Vec3 v = points_[b] - t.at, w = points_[c] - t.at, n = cross(v, w);
+    const Vec3 &at = points_[a], v = points_[b] - at, w = points_[c] - at, n = cross(v, w);
     const double length = norm(n);
+    const std::uint32_t i = place_for_triangle();
+    HullTriangle& t = triangles_[i]; // in place: a copy would wait for what was just written
+    t.corners = {a, b, c};
+    t.at = at;
     t.normal = length > 0 ? n / length : Vec3{};
     t.error = size_ * 16 * unit_roundoff *
               (1 + (length > 0 ? std::sqrt(squared_norm(v) * squared_norm(w)) / length : 1 / unit_roundoff));
+    states_[i] = {.alive = true};
+    return i;
+}
+
+std::uint32_t Quickhull::place_for_triangle() {
     if (free_.empty()) {
-        triangles_.push_back(t);
-        states_.push_back({.alive = true});
+        triangles_.emplace_back();
+        states_.emplace_back();
         return static_cast<std::uint32_t>(triangles_.size() - 1);
     }
     const std::uint32_t i = free_.back();
     free_.pop_back();
-    triangles_[i] = t;
-    states_[i] = {.alive = true};
     return i;
 }
 

@@ -23,41 +23,77 @@ struct Collapse {
     double added; ///< volume
 };
 
-/// Returns the point on or beyond all planes for which the sum of area · height is least: a corner of three planes.
-/// Nothing if there is none within reach.
-std::optional<Vec3> outermost(const std::vector<HalfSpace>& planes, double& least) {
-    constexpr double inside = 1e-9; // units
-    std::optional<Vec3> best;
-    for (std::size_t i = 0; i < planes.size(); ++i) {
-        for (std::size_t j = i + 1; j < planes.size(); ++j) {
-            const Vec3 along = cross(planes[i].normal, planes[j].normal);
-            for (std::size_t k = j + 1; k < planes.size(); ++k) {
-                const double det = dot(along, planes[k].normal);
-                if (std::abs(det) < 1e-4) {
-                    continue;
-                }
-                const Vec3 p =
-                    (cross(planes[j].normal, planes[k].normal) * planes[i].offset +
-                     cross(planes[k].normal, planes[i].normal) * planes[j].offset + along * planes[k].offset) /
-                    det;
-                double added = 0;
-                for (const HalfSpace& plane : planes) {
-                    const double height = dot(plane.normal, p) - plane.offset;
-                    if (height < -inside) {
-                        added = std::numeric_limits<double>::infinity();
-                        break;
-                    }
-                    added += plane.area * height / 3;
-                }
-                if (added < least) {
-                    least = added;
-                    best = p;
-                }
+/// Finds the point on or beyond all planes for which the sum of area · height is least: a corner of three planes.
+class Outermost {
+public:
+    explicit Outermost(const std::vector<HalfSpace>& planes)
+        : planes_(planes), crosses_(planes.size() * planes.size()) {
+        for (std::size_t i = 0; i < planes.size(); ++i) {
+            weight_ += planes[i].area;
+            slope_ += planes[i].normal * planes[i].area;
+            level_ += planes[i].area * planes[i].offset;
+            for (std::size_t k = i + 1; k < planes.size(); ++k) {
+                crosses_[i * planes.size() + k] = cross(planes[i].normal, planes[k].normal);
             }
         }
     }
-    return best;
-}
+
+    /// Nothing if there is none within reach.
+    std::optional<Vec3> find() {
+        const std::size_t n = planes_.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t j = i + 1; j < n; ++j) {
+                const Vec3& along = crosses_[i * n + j];
+                for (std::size_t k = j + 1; k < n; ++k) {
+                    const double det = dot(along, planes_[k].normal);
+                    if (std::abs(det) < 1e-4) {
+                        continue;
+                    }
+                    look_at(crosses_[j * n + k] * planes_[i].offset - crosses_[i * n + k] * planes_[j].offset +
+                                along * planes_[k].offset,
+                            det);
+                }
+            }
+        }
+        return best_;
+    }
+
+private:
+    static constexpr double inside = 1e-9; // units, much more than rounding
+
+    /// Looks at the point `times_det` / `det`.
+    void look_at(const Vec3& times_det, double det) {
+        // Most points are inside of the plane that another one was inside of, or add too much. That needs no division.
+        const double size = std::abs(det), sign = det < 0 ? -1 : 1;
+        const HalfSpace& last = planes_[last_];
+        if (sign * dot(last.normal, times_det) < (last.offset - 2 * inside) * size ||
+            sign * dot(slope_, times_det) > (3 * least_ + 2 * inside * weight_ + level_) * size) {
+            return;
+        }
+        const Vec3 p = times_det / det;
+        double added = 0;
+        for (std::size_t i = 0; i < planes_.size(); ++i) {
+            const double height = dot(planes_[i].normal, p) - planes_[i].offset;
+            if (height < -inside) {
+                last_ = i;
+                return;
+            }
+            added += planes_[i].area * height / 3;
+        }
+        if (added < least_) {
+            least_ = added;
+            best_ = p;
+        }
+    }
+
+    const std::vector<HalfSpace>& planes_;
+    std::vector<Vec3> crosses_; ///< of the normals of planes i < k, at i · count + k
+    double weight_ = 0, level_ = 0;
+    Vec3 slope_{};         ///< of the sum of area · height
+    std::size_t last_ = 0; ///< the plane that a point was inside of
+    double least_ = std::numeric_limits<double>::infinity();
+    std::optional<Vec3> best_;
+};
 
 /// Lists the triangles at each point of a hull.
 class Fans {
@@ -95,8 +131,7 @@ public:
         if (planes.size() > most_planes) {
             return std::nullopt;
         }
-        double least = std::numeric_limits<double>::infinity();
-        const std::optional<Vec3> to = outermost(planes, least);
+        const std::optional<Vec3> to = Outermost(planes).find();
         return to ? std::optional(Collapse{a, b, *to, added_by(*to)}) : std::nullopt;
     }
     /// Calls visit(point) for the points of the triangles at a point.
@@ -113,7 +148,9 @@ private:
     double added_by(const Vec3& p) const {
         double sum = 0;
         for (std::size_t i = 0; i < triangles_.size(); ++i) {
-            sum += areas_[i] * std::max(geometry::distance(triangles_[i], p), 0.0) / 3;
+            if (const double height = geometry::distance(triangles_[i], p); height > 0) {
+                sum += areas_[i] * height / 3;
+            }
         }
         return sum;
     }

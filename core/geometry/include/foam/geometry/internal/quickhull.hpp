@@ -56,6 +56,7 @@ private:
 
     bool first_tetrahedron(std::array<std::uint32_t, 4>& corners) const;
     std::uint32_t make(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+    std::uint32_t place_for_triangle();
     int side(std::uint32_t triangle, const Vec3& p) const;
     void give(std::uint32_t triangle, std::uint32_t point, double height);
     void place(std::uint32_t point, std::span<const std::uint32_t> among);
