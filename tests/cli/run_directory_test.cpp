@@ -9,7 +9,7 @@ using ::testing::Not;
 
 namespace fs = std::filesystem;
 
-constexpr const char* recipe = R"(foam: 1
+constexpr const char* box_recipe = R"(foam: 1
 mesh: box.obj
 stages:
   - spherize.grid
@@ -22,7 +22,7 @@ class RunFolder : public Cli {
 protected:
     void SetUp() override {
         write("box.obj", box_obj);
-        write("box.yaml", recipe);
+        write("box.yaml", box_recipe);
     }
 };
 

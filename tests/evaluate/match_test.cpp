@@ -10,7 +10,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr const char* arm = R"(<robot name="arm">
+constexpr const char* arm_text = R"(<robot name="arm">
   <link name="base"><collision><geometry><box size="0.2 0.2 0.2"/></geometry></collision></link>
   <link name="mid"/>
   <link name="tip"><collision><geometry><sphere radius="0.1"/></geometry></collision></link>
@@ -21,7 +21,7 @@ constexpr const char* arm = R"(<robot name="arm">
 class Match : public Files {
 protected:
     Original original(const std::vector<std::string>& links = {}) const {
-        return load_original(write("arm.urdf", arm), registry, links);
+        return load_original(write("arm.urdf", arm_text), registry, links);
     }
     std::string refusal_of(const std::string& spheres, const Renames& renames = {}) const {
         try {

@@ -20,10 +20,10 @@ std::string attribute(const std::string& key, std::size_t first, std::size_t sec
     return key + "=\"" + std::to_string(first) + "," + std::to_string(second) + "\"";
 }
 
-constexpr const char* chain = "stages: [repair.auto, spherize.octree]\nbudget: {spheres: 9}\n";
+constexpr const char* short_chain = "stages: [repair.auto, spherize.octree]\nbudget: {spheres: 9}\n";
 
 TEST_F(ReportInBrowser, DrawsEveryLinkAndRunsNoForeignScript) {
-    report_of(recipe(chain));
+    report_of(recipe(short_chain));
     const std::string html = document(software_gl);
     if (html.empty()) {
         GTEST_SKIP() << "the browser does not start here: " << read_file(folder.path() / "browser.txt");
@@ -60,7 +60,7 @@ setTimeout(() => {
 )";
 
 TEST_F(ReportInBrowser, SortsFiguresAndShowsALinkAlone) {
-    report_of(recipe(chain));
+    report_of(recipe(short_chain));
     let_in(visitor);
     const std::string shown = document(software_gl);
     if (shown.empty()) {
@@ -78,7 +78,7 @@ TEST_F(ReportInBrowser, SortsFiguresAndShowsALinkAlone) {
 }
 
 TEST_F(ReportInBrowser, SaysWhatIsMissingWithoutWebGl) {
-    report_of(recipe(chain));
+    report_of(recipe(short_chain));
     const std::string html = document("--disable-3d-apis");
     if (html.empty()) {
         GTEST_SKIP() << "the browser does not start here: " << read_file(folder.path() / "browser.txt");

@@ -9,7 +9,7 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-constexpr const char* arm = R"(<robot name="arm">
+constexpr const char* arm_text = R"(<robot name="arm">
   <link name="base"><collision><geometry><sphere radius="0.3"/></geometry></collision></link>
   <link name="upper"><collision><origin xyz="0.5 0 0"/><geometry><sphere radius="0.05"/></geometry></collision></link>
   <link name="hand"><collision><origin xyz="1 0 0"/><geometry><sphere radius="0.2"/></geometry></collision></link>
@@ -20,7 +20,7 @@ constexpr const char* arm = R"(<robot name="arm">
 
 class SelfCollisionCli : public Cli {
 protected:
-    SelfCollisionCli() { write("arm.urdf", arm); }
+    SelfCollisionCli() { write("arm.urdf", arm_text); }
 };
 
 TEST_F(SelfCollisionCli, ATableWithReasons) {
@@ -37,7 +37,7 @@ TEST_F(SelfCollisionCli, ATableWithReasons) {
 }
 
 TEST_F(SelfCollisionCli, SamplesComeWithTheirBound) {
-    std::string narrow = arm;
+    std::string narrow = arm_text;
     narrow.replace(narrow.find("upper=\"3\""), 9, "upper=\"1\"");
     write("narrow.urdf", narrow);
     EXPECT_THAT(foam("self-collision narrow.urdf").out, HasSubstr("\nbase   hand   Never     proved\n"));
@@ -80,7 +80,7 @@ TEST_F(SelfCollisionCli, JsonIsTheSameOnAnyNumberOfThreads) {
 }
 
 TEST_F(SelfCollisionCli, OtherGeometryIsCoveredFirst) {
-    std::string boxes = arm;
+    std::string boxes = arm_text;
     boxes.replace(boxes.find("<sphere radius=\"0.3\"/>"), 22, "<box size=\"0.2 0.2 0.2\"/>");
     write("boxes.urdf", boxes);
     const Outcome outcome = foam("self-collision boxes.urdf --samples 100 --spheres 2");

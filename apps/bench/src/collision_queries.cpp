@@ -173,7 +173,7 @@ std::vector<std::size_t> read_distances(const Value* value, const std::vector<st
     return result;
 }
 
-const std::vector<Parameter>& plain_values() {
+const std::vector<Parameter>& query_values() {
     static const std::vector<Parameter> values{
         Parameter::integer("queries", 100000).bounds(1, 1e8),
         Parameter::integer("environments", 100).bounds(1, 1e5),
@@ -214,7 +214,7 @@ std::vector<std::string> read_engines(const Value* value, Findings& findings) {
 std::unique_ptr<Experiment> read_collision_queries(const Value& root, const Checking& checking) {
     auto experiment = std::make_unique<CollisionQueries>();
     Findings& findings = checking.findings;
-    const auto values = read_kind_values(root, plain_values(), {"robots", "method", "engines", "distances"}, checking);
+    const auto values = read_kind_values(root, query_values(), {"robots", "method", "engines", "distances"}, checking);
     take(values, "queries", experiment->queries);
     take(values, "environments", experiment->environments);
     take(values, "obstacles", experiment->rule.obstacles);

@@ -128,7 +128,7 @@ private:
     }
 };
 
-const std::vector<Parameter>& plain_values() {
+const std::vector<Parameter>& check_values() {
     static const std::vector<Parameter> values{
         Parameter::integer("poses", 1000).bounds(1, 1e6),
         Parameter::integer("pairs", 32).bounds(1, 1000),
@@ -144,7 +144,7 @@ const std::vector<Parameter>& plain_values() {
 std::unique_ptr<Experiment> read_element_checks(const Value& root, const Checking& checking) {
     auto experiment = std::make_unique<ElementChecks>();
     Findings& findings = checking.findings;
-    const auto values = read_kind_values(root, plain_values(), {"robots", "methods", "elements", "engines"}, checking);
+    const auto values = read_kind_values(root, check_values(), {"robots", "methods", "elements", "engines"}, checking);
     take(values, "poses", experiment->poses);
     take(values, "pairs", experiment->pairs);
     take(values, "repeats", experiment->repeats);

@@ -19,14 +19,14 @@ struct Servo {
 };
 constexpr Servo arm_servo{10000, 200, 500}, finger_servo{5000, 100, 20};
 
-std::string text_of(const Vec3& v) {
+std::string numbers_of(const Vec3& v) {
     return fmt::format("{} {} {}", v.x, v.y, v.z);
 }
 
 /// The frame's x and y axes: MJCF's way to say a rotation by its matrix.
-std::string text_of(const Pose& pose) {
+std::string numbers_of(const Pose& pose) {
     const auto& r = pose.rotation;
-    return fmt::format("pos=\"{}\" xyaxes=\"{} {} {} {} {} {}\"", text_of(pose.translation), r[0].x, r[1].x, r[2].x,
+    return fmt::format("pos=\"{}\" xyaxes=\"{} {} {} {} {} {}\"", numbers_of(pose.translation), r[0].x, r[1].x, r[2].x,
                        r[0].y, r[1].y, r[2].y);
 }
 
@@ -39,7 +39,8 @@ std::string inertial_of(const GraspLink& link) {
     const Vec3 s = link.solid->bounds().size();
     const auto about = [&](double a, double b) { return std::max(mass / 12 * (a * a + b * b), 1e-6); };
     return fmt::format("<inertial pos=\"{}\" mass=\"{}\" diaginertia=\"{} {} {}\"/>",
-                       text_of(link.solid->bounds().center()), mass, about(s.y, s.z), about(s.x, s.z), about(s.x, s.y));
+                       numbers_of(link.solid->bounds().center()), mass, about(s.y, s.z), about(s.x, s.z),
+                       about(s.x, s.y));
 }
 
 class Writer {
@@ -52,7 +53,7 @@ public:
     void body(std::size_t link) {
         const auto joint = kinematics_.joint_above()[link];
         bodies +=
-            fmt::format("<body name=\"{}\" {}>", name(link), text_of(joint ? robot_.joints[*joint].origin : Pose{}));
+            fmt::format("<body name=\"{}\" {}>", name(link), numbers_of(joint ? robot_.joints[*joint].origin : Pose{}));
         bodies += inertial_of(links_[link]);
         if (joint && kinematics_.motions()[*joint].freedom) {
             const bool finger = std::find(fingers_.begin(), fingers_.end(), link) != fingers_.end();
@@ -76,9 +77,9 @@ private:
     void add_joint(std::size_t index, const Servo& servo) {
         const Joint& joint = robot_.joints[index];
         const std::string joint_name = markup_escaped(joint.name);
-        bodies +=
-            fmt::format("<joint name=\"{}\" type=\"{}\" axis=\"{}\" damping=\"{}\" armature=\"0.1\"/>", joint_name,
-                        joint.kind == Joint::Kind::prismatic ? "slide" : "hinge", text_of(joint.axis), servo.damping);
+        bodies += fmt::format("<joint name=\"{}\" type=\"{}\" axis=\"{}\" damping=\"{}\" armature=\"0.1\"/>",
+                              joint_name, joint.kind == Joint::Kind::prismatic ? "slide" : "hinge",
+                              numbers_of(joint.axis), servo.damping);
         actuators += fmt::format("<position joint=\"{0}\" kp=\"{1}\" forcelimited=\"true\" forcerange=\"-{2} {2}\"/>\n",
                                  joint_name, servo.stiffness, servo.limit);
         joints.push_back(index);
@@ -87,7 +88,7 @@ private:
     void geometry(const GraspLink& link) {
         for (const Sphere& sphere : link.spheres) {
             bodies +=
-                fmt::format("<geom type=\"sphere\" size=\"{}\" pos=\"{}\"/>", sphere.radius, text_of(sphere.center));
+                fmt::format("<geom type=\"sphere\" size=\"{}\" pos=\"{}\"/>", sphere.radius, numbers_of(sphere.center));
         }
         if (link.spheres.empty() && link.solid) {
             for (const Solid::Part& part : link.solid->parts()) {
@@ -98,17 +99,18 @@ private:
 
     void solid_part(const Solid::Part& part) {
         if (part.primitive && part.primitive->kind == Primitive::Kind::sphere) {
-            bodies += fmt::format("<geom type=\"sphere\" size=\"{}\" {}/>", part.primitive->radius, text_of(part.pose));
+            bodies +=
+                fmt::format("<geom type=\"sphere\" size=\"{}\" {}/>", part.primitive->radius, numbers_of(part.pose));
         } else if (part.primitive && part.primitive->kind == Primitive::Kind::box) {
-            bodies += fmt::format("<geom type=\"box\" size=\"{}\" {}/>", text_of(part.primitive->size / 2),
-                                  text_of(part.pose));
+            bodies += fmt::format("<geom type=\"box\" size=\"{}\" {}/>", numbers_of(part.primitive->size / 2),
+                                  numbers_of(part.pose));
         } else if (part.primitive) {
             bodies += fmt::format("<geom type=\"{}\" size=\"{} {}\" {}/>", to_string(part.primitive->kind),
-                                  part.primitive->radius, part.primitive->length / 2, text_of(part.pose));
+                                  part.primitive->radius, part.primitive->length / 2, numbers_of(part.pose));
         } else {
             std::string vertices;
             for (const Vec3& v : part.mesh->vertices) {
-                vertices += text_of(v) + ' ';
+                vertices += numbers_of(v) + ' ';
             }
             assets += fmt::format("<mesh name=\"m{}\" vertex=\"{}\"/>\n", meshes_, vertices);
             bodies += fmt::format("<geom type=\"mesh\" mesh=\"m{}\"/>", meshes_++);
@@ -129,7 +131,7 @@ Vec3 center_of(const GraspObject& object) {
 std::string object_text(const GraspObject& object) {
     return fmt::format(
         "<body name=\"object\" pos=\"{}\"><freejoint/><geom type=\"box\" size=\"{}\" mass=\"{}\"/></body>\n",
-        text_of(center_of(object)), text_of(object.size / 2), object.mass);
+        numbers_of(center_of(object)), numbers_of(object.size / 2), object.mass);
 }
 
 } // namespace

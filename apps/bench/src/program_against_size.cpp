@@ -51,7 +51,7 @@ struct Run {
     }
 };
 
-struct Curve {
+struct CallCurve {
     const Call* call;
     std::vector<Run> runs;
 
@@ -85,7 +85,7 @@ public:
     Outcome run(Bench& bench) const override {
         std::string chosen;
         const std::vector<Run> cases = make_cases(bench, chosen);
-        std::vector<Curve> curves;
+        std::vector<CallCurve> curves;
         for (const Call& call : calls) {
             curves.push_back(measured(bench, call, cases));
         }
@@ -124,8 +124,8 @@ private:
         return cases;
     }
 
-    Curve measured(const Bench& bench, const Call& call, const std::vector<Run>& cases) const {
-        Curve curve{&call, {}};
+    CallCurve measured(const Bench& bench, const Call& call, const std::vector<Run>& cases) const {
+        CallCurve curve{&call, {}};
         bool over = false;
         for (Run run : cases) {
             if (over) {
@@ -189,10 +189,10 @@ private:
         return text;
     }
 
-    static void add_cases(const std::vector<Curve>& curves, Table& table) {
+    static void add_cases(const std::vector<CallCurve>& curves, Table& table) {
         table.columns = {"curve", "triangles", "spheres", "cpu_seconds", "memory_mb", "excess", "certified", "repeats",
                          "remark"};
-        for (const Curve& curve : curves) {
+        for (const CallCurve& curve : curves) {
             for (const Run& run : curve.runs) {
                 const bool there = !run.repeats.empty();
                 table.rows.push_back({curve.call->label, std::to_string(run.triangles), std::to_string(run.spheres),
@@ -205,7 +205,7 @@ private:
         }
     }
 
-    std::vector<std::string> size_columns(const Curve& curve, const std::string& first) const {
+    std::vector<std::string> size_columns(const CallCurve& curve, const std::string& first) const {
         std::vector<std::string> columns{first};
         for (const Run& run : curve.runs) {
             columns.push_back(std::to_string(against_spheres() ? run.spheres : run.triangles));
@@ -214,7 +214,7 @@ private:
     }
 
     void add_section(const std::string& what, const std::string& unit, const std::string& figure,
-                     double MeasuredProgram::*quantity, double factor, const std::vector<Curve>& curves,
+                     double MeasuredProgram::*quantity, double factor, const std::vector<CallCurve>& curves,
                      bool with_references, Outcome& outcome) const {
         Section section{.title = what, .text = {}, .figure = figure, .table = {}};
         section.table.columns = size_columns(curves.front(), unit);
@@ -228,7 +228,7 @@ private:
             picture.panels[0].series.push_back(
                 {law ? fmt::format("{}, {}", label, growth_of(points)) : label, points, reference});
         };
-        for (const Curve& curve : curves) {
+        for (const CallCurve& curve : curves) {
             const Points points = curve.points(quantity, factor, against_spheres());
             std::vector<std::string> row{curve.call->label};
             for (const Run& run : curve.runs) {
@@ -255,10 +255,10 @@ private:
         outcome.sections.push_back(std::move(section));
     }
 
-    void add_excess(const std::vector<Curve>& curves, Outcome& outcome) const {
+    void add_excess(const std::vector<CallCurve>& curves, Outcome& outcome) const {
         Section section{.title = "Excess", .text = "All are certified, unless a number says otherwise.", .figure = {}, .table = {}};
         section.table.columns = size_columns(curves.front(), "excess");
-        for (const Curve& curve : curves) {
+        for (const CallCurve& curve : curves) {
             std::vector<std::string> row{curve.call->label};
             for (const Run& run : curve.runs) {
                 row.push_back(run.repeats.empty() ? run.left_out

@@ -25,7 +25,7 @@ struct Case {
     double seconds = 0; ///< CPU
 };
 
-struct Curve {
+struct MethodCurve {
     const Chain* method;
     std::vector<Case> cases;
 };
@@ -33,7 +33,7 @@ struct Curve {
 struct RobotResult {
     const NamedRobot* robot;
     std::string input; ///< the candidate that was taken
-    std::vector<Curve> curves;
+    std::vector<MethodCurve> curves;
 };
 
 /// A figure of the measures.
@@ -82,7 +82,7 @@ public:
 
 private:
     /// The preparation is done once and counts for every case, as it would if each ran alone.
-    Curve measured(const Bench& bench, const NamedRobot& robot, const Chain& method) const {
+    MethodCurve measured(const Bench& bench, const NamedRobot& robot, const Chain& method) const {
         Recipe recipe = recipe_of(*this, robot, &method);
         recipe.filters.insert(recipe.filters.begin(), filters.begin(), filters.end());
         RunOptions options;
@@ -96,7 +96,7 @@ private:
         std::vector<LinkWork> links = prepare_links(workspace, *input.robot, mesh_files);
         const double preparation = cpu_seconds() - begin;
 
-        Curve curve{&method, {}};
+        MethodCurve curve{&method, {}};
         for (const std::size_t count : spheres) {
             LinkOverride all;
             all.glob = "*";
@@ -163,7 +163,7 @@ private:
                     {}};
         const auto number = [](double value) { return fmt::format("{:.6g}", value); };
         for (const RobotResult& result : results) {
-            for (const Curve& curve : result.curves) {
+            for (const MethodCurve& curve : result.curves) {
                 for (const Case& c : curve.cases) {
                     const Measures& m = c.measures;
                     table.rows.push_back({result.robot->name, curve.method->label, std::to_string(c.per_link),
@@ -185,7 +185,7 @@ private:
         for (const RobotResult& result : results) {
             plot::Panel& panel = plot.panels.emplace_back();
             panel.title = result.robot->name;
-            for (const Curve& curve : result.curves) {
+            for (const MethodCurve& curve : result.curves) {
                 plot::Series& series = panel.series.emplace_back();
                 series.label = curve.method->label;
                 for (const Case& c : curve.cases) {
@@ -202,7 +202,7 @@ private:
         for (const std::size_t count : spheres) {
             table.columns.push_back(std::to_string(count));
         }
-        for (const Curve& curve : result.curves) {
+        for (const MethodCurve& curve : result.curves) {
             std::vector<std::string> row{curve.method->label};
             for (const Case& c : curve.cases) {
                 row.push_back(short_number(quantity.value(c)));
@@ -219,7 +219,7 @@ private:
         double gap = 0;
         for (const RobotResult& result : results) {
             text += fmt::format("{} is {}. ", result.robot->name, result.input);
-            for (const Curve& curve : result.curves) {
+            for (const MethodCurve& curve : result.curves) {
                 for (const Case& c : curve.cases) {
                     ++models;
                     certified += c.measures.certified ? 1 : 0;

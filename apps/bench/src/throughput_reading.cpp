@@ -90,7 +90,7 @@ std::vector<Moment> read_motion(const Value& value, Findings& findings) {
     return motion;
 }
 
-const std::vector<Parameter>& plain_values() {
+const std::vector<Parameter>& throughput_values() {
     static const std::vector<Parameter> values{
         Parameter::integer("simulations", 300).bounds(1, 1e5),
         Parameter::integer("repeats", 5).bounds(1, 1e4),
@@ -108,7 +108,7 @@ std::unique_ptr<Experiment> read_throughput(const Value& root, const Checking& c
     auto experiment = std::make_unique<Throughput>();
     Findings& findings = checking.findings;
     const auto values =
-        read_kind_values(root, plain_values(),
+        read_kind_values(root, throughput_values(),
                          {"robot", "method", "spheres", "object", "fingers", "object_ignores", "motion"}, checking);
     take(values, "simulations", experiment->simulations);
     take(values, "repeats", experiment->repeats);

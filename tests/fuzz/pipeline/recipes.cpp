@@ -65,9 +65,9 @@ std::string random_value(Dice& dice, const Parameter& parameter) {
     return "null";
 }
 
-class Writer {
+class RecipeWriter {
 public:
-    Writer(std::uint64_t seed, const Registry& registry, const RecipeInput& input)
+    RecipeWriter(std::uint64_t seed, const Registry& registry, const RecipeInput& input)
         : seed_(seed), dice_(seed), registry_(registry), input_(input) {}
 
     std::string recipe() {
@@ -286,7 +286,7 @@ private:
 } // namespace
 
 std::string random_recipe(std::uint64_t seed, const Registry& registry, const RecipeInput& input) {
-    return Writer(seed, registry, input).recipe();
+    return RecipeWriter(seed, registry, input).recipe();
 }
 
 } // namespace foam::fuzz

@@ -64,9 +64,9 @@ double length(Dice& dice, bool odd) {
     return odd && dice.chance(0.4) ? dice.odd_magnitude() : dice.magnitude(0.01, 1);
 }
 
-class Writer {
+class UrdfWriter {
 public:
-    Writer(Dice& dice, bool odd_numbers)
+    UrdfWriter(Dice& dice, bool odd_numbers)
         : dice_(dice), odd_(dice.chance(0.2) && odd_numbers), odd_names_(dice.chance(0.15)) {}
 
     RandomRobot robot() {
@@ -193,7 +193,7 @@ private:
 } // namespace
 
 RandomRobot random_robot(Dice& dice, bool odd_numbers) {
-    return Writer(dice, odd_numbers).robot();
+    return UrdfWriter(dice, odd_numbers).robot();
 }
 
 } // namespace foam::fuzz
