@@ -430,4 +430,4 @@ double exact_union_volume(std::span<const Sphere> spheres) {
     return geometry::UnionParts(std::move(balls)).volume();
 }
 
-} // namespace foam::inline geometry
+} // namespace foam::geometry
