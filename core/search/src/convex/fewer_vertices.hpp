@@ -8,9 +8,8 @@
 
 namespace foam::inline search::convex {
 
-/// Returns a polytope with at most `most` vertices (at least 4) that contains the given one. Edges are collapsed, those
-/// that add least volume first, each to the point beyond the planes of all triangles at its ends for which the added
-/// volume is least: a linear programme (progressive hulls: Sander, Gu, Gortler, Hoppe, Snyder 2000).
+/// Returns a polytope with at most `most` vertices (at least 4) that contains the given one, to about 1e-9 of its
+/// size: by CollapsingHull. A box around it, or a tetrahedron, where that cannot reach the number.
 std::shared_ptr<const Polytope> with_fewer_vertices(const Polytope& polytope, std::size_t most);
 
 } // namespace foam::inline search::convex
