@@ -138,7 +138,7 @@ TEST(Rungs, AreThoseOfALadderWithinBounds) {
     const auto ladder = [](std::size_t least, std::size_t most, std::size_t rungs) {
         std::vector<std::size_t> all;
         while (all.size() < rungs) {
-            const auto next = next_rungs(all.empty() ? 0 : all.back(), least, most);
+            const auto next = next_rungs(all.empty() ? 0 : all.back(), least, most, 2);
             if (next.empty()) {
                 break;
             }

@@ -104,8 +104,7 @@ Cost Allocation::cost(const std::vector<std::size_t>& counts) const {
     return sum;
 }
 
-std::vector<std::size_t> next_rungs(std::size_t explored, std::size_t least, std::size_t most) {
-    constexpr std::size_t at_once = 2;
+std::vector<std::size_t> next_rungs(std::size_t explored, std::size_t least, std::size_t most, std::size_t at_once) {
     std::vector<std::size_t> rungs;
     std::size_t count = explored;
     while (count < most && rungs.size() < at_once) {

@@ -44,11 +44,12 @@ std::size_t fixed_count(const Recipe& recipe, const ShapeWork& shape) {
 }
 
 std::vector<std::size_t> rungs_above(const ShapeWork& shape, std::size_t explored, std::size_t most) {
+    const std::size_t at_once = spheres_alone(shape.kinds) ? 2 : 1; // the search for others takes long
     if (shape.unit == 1) {
-        return next_rungs(explored, shape.least, most);
+        return next_rungs(explored, shape.least, most, at_once);
     }
     const auto in_units = [&](std::size_t count) { return count / shape.unit + (count % shape.unit > 0 ? 1 : 0); };
-    std::vector<std::size_t> rungs = next_rungs(in_units(explored), in_units(shape.least), in_units(most));
+    std::vector<std::size_t> rungs = next_rungs(in_units(explored), in_units(shape.least), in_units(most), at_once);
     for (std::size_t& rung : rungs) {
         rung = std::min(rung * shape.unit, most);
     }

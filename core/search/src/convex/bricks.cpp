@@ -94,8 +94,10 @@ void cut(const Polygons& whole, const Plane& plane, Polygons& below, Polygons& a
 }
 
 Brick brick_around(HullOfPoints& hull, std::vector<Vec3> points, Polygons surface) {
+    // The search needs no more corners than this, in units. Elements are made around the surface itself.
+    constexpr double coarse = 1e-3;
     Brick brick;
-    hull.run(points);
+    hull.run(points, coarse);
     const std::vector<std::uint32_t> vertices = hull.vertices();
     std::vector<std::uint32_t> name(points.size());
     for (std::uint32_t i = 0; i < vertices.size(); ++i) {

@@ -251,19 +251,38 @@ private:
         }
         return parts(cell, best.plane);
     }
+    /// Returns one point in each part of the bounding box that has any.
+    static std::vector<Vec3> spread(const std::vector<Vec3>& points) {
+        constexpr double parts = 24; // along the longest extent
+        Box box;
+        for (const Vec3& p : points) {
+            box.add(p);
+        }
+        const double width = std::max({box.size().x, box.size().y, box.size().z, 1e-9}) / parts;
+        std::vector<std::array<std::uint32_t, 4>> places; // and the index of the point
+        for (std::uint32_t i = 0; i < points.size(); ++i) {
+            const Vec3 at = (points[i] - box.low) / width;
+            places.push_back({static_cast<std::uint32_t>(at.x), static_cast<std::uint32_t>(at.y),
+                              static_cast<std::uint32_t>(at.z), i});
+        }
+        std::sort(places.begin(), places.end());
+        std::vector<Vec3> result;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (i == 0 || !std::equal(places[i].begin(), places[i].begin() + 3, places[i - 1].begin())) {
+                result.push_back(points[places[i][3]]);
+            }
+        }
+        return result;
+    }
     /// Returns the points and edges of a cell's part of the body; of many points, some.
     static Brick seen_of(const SpaceCell& cell) {
         PointsAndEdges seen = distinct(cell.surface);
         Brick brick;
         brick.points = std::move(seen.points);
         brick.edges = std::move(seen.edges);
-        constexpr std::size_t enough = 5000;
-        if (const std::size_t all = brick.points.size(); all > enough) {
-            const std::size_t stride = all / enough;
-            for (std::size_t i = 0; i * stride < all; ++i) {
-                brick.points[i] = brick.points[i * stride];
-            }
-            brick.points.resize((all - 1) / stride + 1);
+        constexpr std::size_t enough = 600;
+        if (brick.points.size() > enough) {
+            brick.points = spread(brick.points);
             brick.edges.clear();
         }
         const auto first = static_cast<std::uint32_t>(brick.points.size());

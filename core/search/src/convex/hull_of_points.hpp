@@ -15,6 +15,8 @@ class HullOfPoints {
 public:
     /// Makes the hull to about 1e-10, and returns its volume; 0 for points that lie in a plane.
     double run(std::span<const Vec3> points);
+    /// Makes the hull to about the tolerance: points that are not farther outside of it do not become vertices.
+    double run(std::span<const Vec3> points, double tolerance);
     /// Makes the hull to about 1e-6. It is quicker where many points lie in a plane: these are moved by about that
     /// much, so that no exact arithmetic is needed to tell on which side they are.
     double run_quickly(std::span<const Vec3> points);
@@ -26,8 +28,6 @@ public:
     const std::vector<geometry::HullTriangle>& triangles() const { return triangles_; }
 
 private:
-    double run(std::span<const Vec3> points, double tolerance);
-
     std::vector<Vec3> moved_;
     std::vector<geometry::HullTriangle> triangles_;
     std::size_t count_ = 0;
