@@ -251,13 +251,16 @@ struct ApproximationSearch::Data {
         return found != known.end() ? found->second : known.emplace(number, make()).first->second;
     }
     /// Returns the bricks that pieces are made of, about `most`. For hulls they are those of bricks_of(), put together
-    /// where that adds little.
+    /// where that adds little, or half as many for large numbers: the same serve for several.
     const std::vector<convex::Brick>& bricks(std::size_t most) {
         return once(bricks_, most, [&] {
             if (!only_hulls) {
                 return convex::halved_bricks(body().body, most);
             }
-            const std::size_t number = std::max(plan.hull_bricks, most);
+            std::size_t number = plan.hull_bricks;
+            while (2 * number < most) {
+                number *= 2;
+            }
             const std::vector<convex::Brick>& fine =
                 once(fine_bricks_, number, [&] { return convex::bricks_of(body().body, number); });
             return most < fine.size() ? convex::united(fine, convex::merged(fine, {most}).front()) : fine;
@@ -291,22 +294,19 @@ struct ApproximationSearch::Data {
         known_splits.insert_or_assign(count, partition);
         return partition;
     }
-    /// Returns the partition of the least price that was found.
+    /// Returns the better partition that merging and splitting give, recut.
     convex::Partition partition_for(std::size_t count) {
         constexpr std::size_t few = 12; // pieces, for which another start is cheap
         std::optional<convex::Partition> best;
-        const auto offer = [&](convex::Partition partition) {
-            convex::recut(partition, pricing(), plan.recut);
-            if (!best || partition.price() < best->price()) {
-                best = std::move(partition);
-            }
-        };
         if (only_hulls) {
-            offer(by_merging(bricks(bricks_for(count)), count));
+            best = by_merging(bricks(bricks_for(count)), count);
         }
         if (!only_hulls || count <= few) {
-            offer(by_splitting(count));
+            if (convex::Partition split = by_splitting(count); !best || split.price() < best->price()) {
+                best = std::move(split);
+            }
         }
+        convex::recut(*best, pricing(), plan.recut);
         return std::move(*best);
     }
     ConvexCover several(std::size_t count) { return cover_of(partition_for(count)); }
