@@ -4,6 +4,8 @@
 #include <foam/base/error.hpp>
 #include <foam/geometry/element.hpp>
 
+#include <foam/geometry/internal/farthest.hpp>
+
 #include <gtest/gtest.h>
 
 #include <set>
@@ -221,6 +223,28 @@ TEST(ConvexHull, RefusesWhatHasNoHull) {
     }
     EXPECT_EQ(message({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, std::numeric_limits<double>::infinity()}}),
               "a convex hull needs points with finite coordinates");
+}
+
+TEST(FarthestPoint, IsThatOfAllPoints) {
+    Random random(7);
+    const auto direction = [&] {
+        return normalized({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+    };
+    for (const std::size_t count : {0u, 1u, 8u, 9u, 1000u}) {
+        std::vector<Vec3> points;
+        for (std::size_t i = 0; i < count; ++i) {
+            points.push_back(i % 3 == 0 ? Vec3{0.5, 0.25, 0} : direction()); // some of them the same
+        }
+        const FarthestPoint farthest(points);
+        for (int k = 0; k < 100; ++k) {
+            const Vec3 normal = direction(), at = direction();
+            double most = -0.25;
+            for (const Vec3& p : points) {
+                most = std::max(most, dot(normal, p - at));
+            }
+            EXPECT_EQ(farthest.above(normal, at, -0.25), most);
+        }
+    }
 }
 
 } // namespace

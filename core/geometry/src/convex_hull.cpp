@@ -1,4 +1,5 @@
 // The convex hull as a polytope: triangles of one plane become one face, and the offsets of faces contain all points.
+#include <foam/geometry/internal/farthest.hpp>
 #include <foam/geometry/internal/quickhull.hpp>
 
 #include <foam/base/cancellation.hpp>
@@ -180,8 +181,8 @@ private:
 /// Returns offsets, in the scale of the points, so that all points are inside of all planes.
 ///
 /// A point in the hull of the triangles is above a triangle's computed plane by no more than the error of its normal
-/// times the size, HullTriangle::error. Where that is much, and where there are few corners, they are looked at one by
-/// one. `near` points may be outside of the hull and are looked at in any case.
+/// times the size, HullTriangle::error. Where that is much, and where there are few corners, the farthest is looked
+/// for. `near` points may be outside of the hull and count in any case.
 std::vector<double> offsets(std::span<const Vec3> points, const std::vector<HullTriangle>& triangles,
                             std::span<const Facets::Facet> facets, std::span<const std::uint32_t> near, double size,
                             double tolerance) {
@@ -199,23 +200,16 @@ std::vector<double> offsets(std::span<const Vec3> points, const std::vector<Hull
         outside.push_back(points[p]);
     }
     constexpr std::size_t few = 200'000; // a fraction of a millisecond
+    const bool look_at_all = corners.size() * facets.size() <= few;
+    const FarthestPoint of_corners(std::move(corners)), of_outside(std::move(outside));
     std::vector<double> result;
     CancellationCounter asking(64);
     for (const Facets::Facet& facet : facets) {
         asking.check();
         const HullTriangle& plane = triangles[facet.seed];
-        double above = 0;
-        const auto look_at = [&](std::span<const Vec3> some) {
-            for (const Vec3& p : some) {
-                above = std::max(above, distance(plane, p));
-            }
-        };
-        if (corners.size() * facets.size() <= few || plane.error > 16 * tolerance) {
-            look_at(corners);
-        } else {
-            above = plane.error;
-        }
-        look_at(outside);
+        const bool look = look_at_all || plane.error > 16 * tolerance;
+        double above = look ? of_corners.above(plane.normal, plane.at, 0) : plane.error;
+        above = of_outside.above(plane.normal, plane.at, above);
         const double offset = dot(plane.normal, plane.at) + above;
         // Distances are off by 8 u of their size, the offset and a product with the normal by 4 u of theirs.
         const double reach = std::abs(plane.at.x) + std::abs(plane.at.y) + std::abs(plane.at.z);

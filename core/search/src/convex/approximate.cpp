@@ -47,14 +47,17 @@ Plan plan_for(Effort effort) {
     return {600, 160, {.sweeps = 20, .tries = 60, .split_tries = 30}};
 }
 
-/// Returns the points of a piece that its element must hold: those of the surface in it, and of a closed body the
-/// corners of its bricks that are inside the body, so that its hull leaves no cavity.
+/// Returns the distinct points of a piece that its element must hold: those of the surface in it, and of a closed body
+/// the corners of its bricks that are inside the body, so that its hull leaves no cavity.
 std::vector<Vec3> points_of(const Partition& partition, const Piece& piece, const Body& body, bool with_inside) {
     std::vector<Vec3> points;
     for (const std::uint32_t i : piece.bricks) {
         const Polygons& surface = partition.bricks[i].surface;
         points.insert(points.end(), surface.corners.begin(), surface.corners.end());
     }
+    const auto key = [](const Vec3& p) { return std::tie(p.x, p.y, p.z); };
+    std::sort(points.begin(), points.end(), [&](const Vec3& a, const Vec3& b) { return key(a) < key(b); });
+    points.erase(std::unique(points.begin(), points.end()), points.end()); // most are corners of several triangles
     if (with_inside && body.closed && !points.empty()) {
         for (const Vec3& p : piece.hull) {
             if (body.inside(p)) {
