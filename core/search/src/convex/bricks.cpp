@@ -97,7 +97,9 @@ Brick brick_around(HullOfPoints& hull, std::vector<Vec3> points, Polygons surfac
     // The search needs no more corners than this, in units. Elements are made around the surface itself.
     constexpr double coarse = 1e-3;
     Brick brick;
-    hull.run(points, coarse);
+    if (hull.run(points, coarse) == 0) { // thinner than that
+        hull.run(points);
+    }
     const std::vector<std::uint32_t> vertices = hull.vertices();
     std::vector<std::uint32_t> name(points.size());
     for (std::uint32_t i = 0; i < vertices.size(); ++i) {
