@@ -42,6 +42,17 @@ DescribedProgram described(const CLI::App& app) {
     for (const CLI::App* command : app.get_subcommands(nullptr)) {
         result.commands.push_back(described_command(*command));
     }
+    std::vector<std::string> names;
+    for (const DescribedCommand& command : result.commands) {
+        names.push_back(command.name);
+    }
+    for (DescribedCommand& command : result.commands) {
+        for (DescribedOption& option : command.options) {
+            if (option.value == "COMMAND") {
+                option.choices = names;
+            }
+        }
+    }
     return result;
 }
 

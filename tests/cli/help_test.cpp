@@ -44,6 +44,8 @@ TEST_F(Cli, BashCompletesTheWordsOfArguments) {
     EXPECT_EQ(shell(offers("foam schema man", 2)).out, "manifest\n");
     EXPECT_EQ(shell(offers("foam schema --js", 2)).out, "--json\n");
     EXPECT_EQ(shell(offers("foam completion z", 2)).out, "zsh\n");
+    EXPECT_EQ(shell(offers("foam help appr", 2)).out, "approximate\n");
+    EXPECT_EQ(shell(offers("foam manual appr", 2)).out, "approximate\n");
     std::string all = shell(offers("foam schema \"\"", 2)).out; // what foam itself lists
     for (std::size_t at = 0; (at = all.find(' ', at)) != all.npos; at += 2) {
         all.replace(at, 1, ", ");
