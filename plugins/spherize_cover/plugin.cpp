@@ -100,8 +100,8 @@ FOAM_PLUGIN("spherize_cover", "1.0", "Apache-2.0") {
         .parameters =
             {
                 foam::Parameter::choice("effort", {"fast", "normal", "best"}, "normal")
-                    .doc("How long to search: fast takes a third to a half of the time of normal, best eight to twenty "
-                         "times as long for a few per cent less."),
+                    .doc("How long to search: fast takes a third to two thirds of the time of normal, best eight to "
+                         "twenty times as long for a few per cent less."),
                 foam::Parameter::choice("objective", {"excess", "protrusion", "radius"}, "excess")
                     .doc("What is minimised: the excess volume, the largest protrusion, or the largest radius, for "
                          "planners that use spheres of one radius."),
