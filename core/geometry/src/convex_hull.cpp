@@ -6,6 +6,7 @@
 #include <foam/base/error.hpp>
 #include <foam/geometry/element.hpp>
 
+#include <algorithm>
 #include <numeric>
 
 namespace foam::inline geometry {

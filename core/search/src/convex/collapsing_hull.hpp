@@ -5,9 +5,11 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <queue>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace foam::inline search::convex {

@@ -1,5 +1,6 @@
 #include "least_beyond.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
