@@ -42,7 +42,7 @@ DescribedProgram described(const CLI::App& app) {
     for (const CLI::App* command : app.get_subcommands(nullptr)) {
         result.commands.push_back(described_command(*command));
     }
-    std::vector<std::string> names;
+    std::vector<std::string> names; // a COMMAND is one of these, all of which are known only here
     for (const DescribedCommand& command : result.commands) {
         names.push_back(command.name);
     }

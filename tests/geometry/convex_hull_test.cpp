@@ -3,7 +3,6 @@
 
 #include <foam/base/error.hpp>
 #include <foam/geometry/element.hpp>
-
 #include <foam/geometry/internal/farthest.hpp>
 
 #include <gtest/gtest.h>

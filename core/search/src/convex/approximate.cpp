@@ -27,7 +27,7 @@ namespace convex {
 
 /// How long to search.
 struct Plan {
-    std::size_t hull_bricks; ///< bricks for a few hulls; several for each hull of many
+    std::size_t hull_bricks; ///< bricks for a few hulls; twice as many, and so on, for many
     std::size_t bricks;      ///< for other kinds
     RecutPlan recut;
 };
@@ -48,7 +48,7 @@ Plan plan_for(Effort effort) {
     return {600, 160, {.sweeps = 20, .tries = 60, .split_tries = 30}};
 }
 
-/// Returns the distinct points of a piece that its element must hold: those of the surface in it, and of a closed body
+/// Returns the points of a piece that its element must hold: those of the surface in it, each once, and of a closed body
 /// the corners of its bricks that are inside the body, so that its hull leaves no cavity.
 std::vector<Vec3> points_of(const Partition& partition, const Piece& piece, const Body& body, bool with_inside) {
     std::vector<Vec3> points;

@@ -217,11 +217,10 @@ bool CollapsingHull::collapse(const Collapse& next) {
     replace_visible(next.to);
     const auto apex = static_cast<std::uint32_t>(points_.size() - 1);
     // Other edges of these points are looked at again when it is their turn: what they add hardly falls.
-    const std::vector<HorizonEdge> horizon = horizon_;
-    for (const HorizonEdge& edge : horizon) {
+    for (const HorizonEdge& edge : horizon_) {
         ++versions_[edge.from];
     }
-    for (const HorizonEdge& edge : horizon) {
+    for (const HorizonEdge& edge : horizon_) {
         offer(edge.from, apex);
     }
     return true;

@@ -14,16 +14,15 @@
 namespace foam::inline search::convex {
 namespace {
 
-/// Returns the corners of a box about the origin, or of a tetrahedron around it where a box has too many.
-std::vector<Vec3> around_box(const Vec3& half, std::size_t most) {
+/// Returns the corners of a cube about the origin, or of a tetrahedron around it where a cube has too many.
+std::vector<Vec3> around_cube(double half, std::size_t most) {
     if (most < 8) {
-        const Vec3 corner = -half; // the plane through the other three has the opposite corner of the box
-        return {corner, corner + Vec3{6 * half.x, 0, 0}, corner + Vec3{0, 6 * half.y, 0},
-                corner + Vec3{0, 0, 6 * half.z}};
+        const Vec3 corner{-half, -half, -half}; // the plane through the other three has the opposite corner of the cube
+        return {corner, corner + Vec3{6 * half, 0, 0}, corner + Vec3{0, 6 * half, 0}, corner + Vec3{0, 0, 6 * half}};
     }
     std::vector<Vec3> corners;
     for (int i = 0; i < 8; ++i) {
-        corners.push_back({i & 1 ? half.x : -half.x, i & 2 ? half.y : -half.y, i & 4 ? half.z : -half.z});
+        corners.push_back({i & 1 ? half : -half, i & 2 ? half : -half, i & 4 ? half : -half});
     }
     return corners;
 }
@@ -122,7 +121,7 @@ std::shared_ptr<const Polytope> with_fewer_vertices(const Polytope& polytope, st
     hull.run(points);
     CollapsingHull collapsing(points, hull.triangles());
     if (hull.triangles().empty() || !collapsing.reduce_to(most)) {
-        points = around_box(Vec3{1, 1, 1} * (0.5 / std::numbers::sqrt3), most);
+        points = around_cube(0.5 / std::numbers::sqrt3, most);
     } else {
         points = collapsing.vertices();
     }

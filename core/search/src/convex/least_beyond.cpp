@@ -22,9 +22,9 @@ public:
     }
     const Vec3& point() const { return point_; }
 
-    /// Puts a plane that the point is inside of in the place of one of the three, so that `sum` remains a sum of the
-    /// normals with factors of at least 0: the point is then the best for these planes. Returns false if no point is
-    /// in all half-spaces.
+    /// Replaces one of the three planes by one that the point is not beyond. `sum` stays a sum of the normals with
+    /// factors of at least 0, so the new point is the best for the new three. Returns false if no point is beyond all
+    /// planes, or if the three are nearly parallel to a line.
     bool enter(const HalfSpace& plane) {
         constexpr double least_share = 1e-7;
         double least = 0;
