@@ -14,8 +14,10 @@
 #include <foam/runtime/scratch_folder.hpp>
 #include <foam/sdk/kinds.hpp>
 #include <foam/sdk/stage.hpp>
+#include <foam/yaml/write.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -36,7 +38,7 @@ struct SpherizeArguments {
     QuickBudget budget;
     std::string max_protrusion, geometry = "collision";
     MeshUnit unit;
-    std::vector<std::string> settings;
+    std::vector<std::string> settings, tool_frames;
     ExecuteOptions execute;
     bool print_recipe = false, json = false;
 };
@@ -112,6 +114,11 @@ std::vector<std::string> all_settings(const SpherizeArguments& arguments, const 
     }
     if (arguments.seed) {
         settings.push_back(fmt::format("seed={}", *arguments.seed));
+    }
+    if (!arguments.tool_frames.empty()) {
+        std::vector<std::string> links;
+        std::ranges::transform(arguments.tool_frames, std::back_inserter(links), yaml::scalar_text);
+        settings.push_back(fmt::format("robot.tool_frames=[{}]", fmt::join(links, ", ")));
     }
     settings.insert(settings.end(), arguments.settings.begin(), arguments.settings.end());
     return settings;
@@ -302,6 +309,12 @@ void add_common_options(CLI::App& command, Program& program, const std::shared_p
                     "Format of the output, regardless of its extension: urdf, json, csv, ply, …")
         ->type_name("FORMAT");
     add_run_directory(command, arguments->run_dir, "Keep the whole run directory in this folder");
+    command
+        .add_option("--tool-frame", arguments->tool_frames,
+                    "A link that a planner moves to a goal, for formats of planners; repeatable")
+        ->type_name("LINK")
+        ->expected(1)
+        ->take_all();
     command.add_flag("--print-recipe", arguments->print_recipe, "Print the equivalent recipe, and run nothing");
     add_settings(command, arguments->settings);
     add_strict(command, arguments->settings);

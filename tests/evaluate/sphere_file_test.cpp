@@ -315,10 +315,8 @@ TEST_F(SphereFiles, WhatIsWrongIsSaidWithItsPlace) {
             "</link></robot>"),
         "FILE:1: <sphere radius>: 'big' is not a finite number");
     const std::string unknown =
-        "FILE: no reader recognises this file as a sphere model; there are read.centers_radii, read.collision_spheres, "
-        "read.commalab, read.csv, read.curobo, read.foam_json, read.ply, read.rows, read.spheres_by_link, read.urdf, "
-        "read.xrdf; remedy: `foam describe read.centers_radii` says what a reader expects, and --reader NAME shows its "
-        "error";
+        "FILE: no reader recognises this file as a sphere model; remedy: `foam formats` lists what is read, and "
+        "--reader NAME shows the error of one reader";
     EXPECT_EQ(refusal("{\"a\": 1}"), unknown);
     EXPECT_EQ(refusal("just words"), unknown);
 }

@@ -100,9 +100,9 @@ std::unique_ptr<ModelReader> reader_for(std::string_view begin, const std::strin
     }
     if (fitting.empty()) {
         throw Error(ErrorCode::input,
-                    fmt::format("{}: no reader recognises this file as a sphere model; there are {}; remedy: `foam "
-                                "describe {}` says what a reader expects, and --reader NAME shows its error",
-                                file, fmt::join(readers, ", "), readers.front()));
+                    fmt::format("{}: no reader recognises this file as a sphere model; remedy: `foam formats` lists "
+                                "what is read, and --reader NAME shows the error of one reader",
+                                file));
     }
     if (fitting.size() > 1) {
         throw Error(ErrorCode::input, fmt::format("{}: several readers recognise this file: {}; remedy: choose one by "

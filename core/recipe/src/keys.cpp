@@ -291,7 +291,7 @@ const std::vector<KeyOf<Recipe>>& debug_keys() {
     static const std::vector<KeyOf<Recipe>> keys{
         held(Parameter::boolean("meshes", false).doc("Write every link's mesh after each stage."),
              &Recipe::debug_meshes),
-        held(Parameter::boolean("snapshots", false).doc("Write a picture of every link after each stage."),
+        held(Parameter::boolean("snapshots", false).doc("Write pictures of every link: its spheres, and the link after each stage."),
              &Recipe::debug_snapshots),
     };
     return keys;

@@ -227,7 +227,7 @@ Json snapshot_schema() {
         {"type", "object"},
         {"additionalProperties", {{"type", "number"}}}};
     properties["renderer"] = reference("renderer");
-    return {{"description", "Pictures of the robot and its links."},
+    return {{"description", "A picture of the robot with its spheres; debug: {snapshots: true} adds pictures of links."},
             {"anyOf", Json::array({{{"type", "boolean"}}, object(std::move(properties))})},
             {"default", false}};
 }

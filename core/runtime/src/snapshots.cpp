@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace foam::inline runtime {
 namespace {
 
@@ -39,17 +41,12 @@ std::shared_ptr<const Mesh> shared_mesh(const LinkWork& link, std::size_t stage)
     return std::make_shared<const Mesh>(link_mesh(link, stage));
 }
 
-Figure figure_of_size(const Recipe& recipe) {
-    Figure figure;
-    figure.width = recipe.snapshot_size[0];
-    figure.height = recipe.snapshot_size[1];
-    return figure;
-}
-
 Figure robot_figure(const Recipe& recipe, const FinishedModel& finished) {
     const Robot& robot = *finished.model.robot;
     const auto poses = link_poses(robot, recipe.pose);
-    Figure figure = figure_of_size(recipe);
+    Figure figure;
+    figure.width = recipe.snapshot_size[0];
+    figure.height = recipe.snapshot_size[1];
     KindCounts kinds{};
     Panel panel;
     for (const FinishedLink& link : finished.links) {
@@ -66,8 +63,12 @@ Figure robot_figure(const Recipe& recipe, const FinishedModel& finished) {
     return figure;
 }
 
+/// Returns the figure of a link over its elements, half as wide and high as that of the robot: there are many.
 Figure link_figure(const Recipe& recipe, const FinishedLink& link) {
-    Figure figure = figure_of_size(recipe);
+    constexpr int smallest = 16; // pixels
+    Figure figure;
+    figure.width = std::max(smallest, recipe.snapshot_size[0] / 2);
+    figure.height = std::max(smallest, recipe.snapshot_size[1] / 2);
     const Measures& m = link.work->report.measures;
     const bool inner = recipe.guarantee == Guarantee::inner;
     const std::string gap = fmt::format("gap {:.1f} mm", 1000 * m.gap);
@@ -84,8 +85,8 @@ Figure link_figure(const Recipe& recipe, const FinishedLink& link) {
 }
 
 /// Returns the figure original → after each filter → spheres, as the figures of Coumar et al. 2025 show a link.
-Figure stages_figure(const Recipe& recipe, const FinishedLink& link) {
-    Figure figure = figure_of_size(recipe);
+Figure stages_figure(const FinishedLink& link) {
+    Figure figure;
     figure.title = link.work->link->name;
     const auto& filters = link.work->recipe.filters;
     for (std::size_t stage = 0; stage <= filters.size(); ++stage) {
@@ -114,11 +115,9 @@ void fill(Album& album, const Recipe& recipe, const FinishedModel& finished, std
     for (const FinishedLink& link : finished.links) {
         const std::string& name = link.work->link->name;
         const std::filesystem::path folder = std::filesystem::path("links") / folder_name(name);
-        if (recipe.snapshots) {
-            album.add(folder / "spheres.png", name, link_figure(recipe, link));
-        }
         if (recipe.debug_snapshots) {
-            album.add(folder / "stages.png", name, stages_figure(recipe, link));
+            album.add(folder / "spheres.png", name, link_figure(recipe, link));
+            album.add(folder / "stages.png", name, stages_figure(link));
         }
     }
 }
@@ -130,8 +129,7 @@ Snapshots write_snapshots(const Workspace& workspace, const FinishedModel& finis
     if (!recipe.snapshots && !recipe.debug_snapshots) {
         return {};
     }
-    workspace.journal.expect((recipe.snapshots ? 1 + finished.links.size() : 0) +
-                             (recipe.debug_snapshots ? finished.links.size() : 0));
+    workspace.journal.expect((recipe.snapshots ? 1 : 0) + (recipe.debug_snapshots ? 2 * finished.links.size() : 0));
     Album album(workspace, directory);
     std::string robot;
     try {

@@ -4,6 +4,9 @@
 #include <foam/sdk/planning.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 namespace foam::inline sdk {
 
@@ -72,13 +75,29 @@ const std::string& base_link(const SphereModel& model) {
     return model.facts.base_link;
 }
 
+/// Returns a sentence about the links that no joint moves another link from: a tool frame is often one of them, or
+/// above them. Names a few.
+static std::string last_links(const Robot& robot) {
+    constexpr std::size_t most = 4;
+    std::vector<std::string> last;
+    for (const Link& link : robot.links) {
+        if (std::none_of(robot.joints.begin(), robot.joints.end(),
+                         [&](const Joint& joint) { return joint.parent == link.name; })) {
+            last.push_back(shown(link.name));
+        }
+    }
+    const bool more = last.size() > most;
+    last.resize(std::min(last.size(), most));
+    return fmt::format("; the last links of the robot are {}{}", fmt::join(last, ", "), more ? ", …" : "");
+}
+
 const std::vector<std::string>& require_tool_frames(const SphereModel& model, const std::string& writer) {
     if (model.facts.tool_frames.empty()) {
         throw Error(ErrorCode::output,
-                    fmt::format("{} needs the links that a planner moves to a goal; remedy: robot: {{tool_frames: "
-                                "[LINK]}} in the recipe, --set robot.tool_frames=[LINK], --tool-frame LINK, or "
+                    fmt::format("{} needs the links that a planner moves to a goal{}; remedy: --tool-frame LINK, robot: "
+                                "{{tool_frames: [LINK]}} in the recipe, --set robot.tool_frames=[LINK], or "
                                 "tool_frames=[\"LINK\"] in Python",
-                                writer));
+                                writer, model.robot ? last_links(*model.robot) : ""));
     }
     for (const std::string& frame : model.facts.tool_frames) {
         require_link(model, frame, "tool_frames");

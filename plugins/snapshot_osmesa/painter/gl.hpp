@@ -44,6 +44,7 @@ namespace foam::snapshot {
     X(PixelStorei, PIXELSTOREI)                                                                                        \
     X(Finish, FINISH)                                                                                                  \
     X(ReadPixels, READPIXELS)                                                                                          \
+    X(Scissor, SCISSOR)                                                                                                \
     X(ShaderSource, SHADERSOURCE)                                                                                      \
     X(TexImage2D, TEXIMAGE2D)                                                                                          \
     X(TexParameteri, TEXPARAMETERI)                                                                                    \

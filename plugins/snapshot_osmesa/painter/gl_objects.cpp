@@ -71,10 +71,10 @@ Target::~Target() {
     gl_.DeleteTextures(1, &depth_); // zero is ignored
 }
 
-void Target::begin() const {
+void Target::begin(float background) const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     gl_.Viewport(0, 0, width_, height_);
-    gl_.ClearColor(0, 0, 0, 0);
+    gl_.ClearColor(background, background, background, background);
     gl_.Clear(GL_COLOR_BUFFER_BIT | (depth_ != 0 ? GL_DEPTH_BUFFER_BIT : 0u));
 }
 

@@ -19,8 +19,8 @@ public:
     Target(const Target&) = delete;
     Target& operator=(const Target&) = delete;
 
-    /// Makes it the current render target, cleared to transparent black and infinite depth.
-    void begin() const;
+    /// Makes it the current render target, with infinite depth. `background`: of all four channels, 0 to 1.
+    void begin(float background = 0) const;
     GLuint colour() const { return colour_; }
     GLuint depth() const { return depth_; }
 

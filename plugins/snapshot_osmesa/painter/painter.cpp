@@ -18,7 +18,7 @@ const cv::Vec3b ink{50, 40, 35};
 
 std::string encode(const cv::Mat3b& picture) {
     std::vector<unsigned char> bytes;
-    if (!cv::imencode(".png", picture, bytes, {cv::IMWRITE_PNG_COMPRESSION, 6})) {
+    if (!cv::imencode(".png", picture, bytes, {cv::IMWRITE_PNG_COMPRESSION, 3})) {
         throw Error(ErrorCode::output, "snapshot.osmesa: OpenCV cannot encode the picture as PNG");
     }
     return {bytes.begin(), bytes.end()};

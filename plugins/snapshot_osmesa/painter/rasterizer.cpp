@@ -60,7 +60,9 @@ void bind(const Gl& gl, GLuint program, GLint unit, const char* name, GLuint tex
     gl.Uniform1i(gl.GetUniformLocation(program, name), unit);
 }
 
-void compose(const Gl& gl, GLuint program, const Target& solid, const Target& glass, int factor, double opacity) {
+/// Composes the parts of the picture that are drawn: most of a picture is background.
+void compose(const Gl& gl, GLuint program, const Scene& scene, const Target& solid, const Target& glass, int factor,
+             double opacity) {
     gl.UseProgram(program);
     bind(gl, program, 0, "solid_colour", solid.colour());
     bind(gl, program, 1, "solid_depth", solid.depth());
@@ -72,7 +74,13 @@ void compose(const Gl& gl, GLuint program, const Target& solid, const Target& gl
     GLuint array = 0;
     gl.GenVertexArrays(1, &array);
     gl.BindVertexArray(array);
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl.Enable(GL_SCISSOR_TEST);
+    for (const View& view : scene.views) {
+        const Drawn part = drawn(scene, view);
+        gl.Scissor(part.left, part.bottom, part.width, part.height);
+        gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    }
+    gl.Disable(GL_SCISSOR_TEST);
     gl.DeleteVertexArrays(1, &array);
     gl.ActiveTexture(GL_TEXTURE0);
 }
@@ -148,8 +156,8 @@ cv::Mat3b Rasterizer::draw(const Scene& scene, int supersampling, double mesh_op
     }
     gl.Disable(GL_DEPTH_TEST);
     end_step();
-    picture.begin();
-    compose(gl, programs_->compose, solid, glass, factor, mesh_opacity);
+    picture.begin(1);
+    compose(gl, programs_->compose, scene, solid, glass, factor, mesh_opacity);
     end_step();
     cv::Mat3b pixels = read_pixels(gl, scene.width, scene.height);
     if (const GLenum error = gl.GetError(); error != GL_NO_ERROR) {

@@ -5,6 +5,8 @@
 #include <foam/base/cancellation.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
 
 namespace foam::snapshot {
@@ -95,6 +97,31 @@ float reach(const View& view) {
 }
 
 } // namespace
+
+Drawn drawn(const Scene& scene, const View& view) {
+    constexpr float outline = 2; // pixels beyond the geometry
+    std::array<float, 2> low{1e9f, 1e9f}, high{-1e9f, -1e9f};
+    const auto add = [&](const float* at, float around) {
+        for (std::size_t k = 0; k < 2; ++k) {
+            low[k] = std::min(low[k], view.middle[k] + at[k] - around);
+            high[k] = std::max(high[k], view.middle[k] + at[k] + around);
+        }
+    };
+    for (const auto* corners : {&view.facets, &view.glass}) {
+        for (const Corner& corner : *corners) {
+            add(corner.position, outline);
+        }
+    }
+    for (const Ball& ball : view.balls) {
+        add(ball.center, ball.radius + outline);
+    }
+    const auto pixel = [](float value, int most) {
+        return static_cast<int>(std::floor(std::clamp(value, 0.0f, static_cast<float>(most))));
+    };
+    const int left = pixel(low[0], scene.width), bottom = pixel(low[1], scene.height);
+    return {left, bottom, std::max(0, pixel(high[0] + 1, scene.width) - left),
+            std::max(0, pixel(high[1] + 1, scene.height) - bottom)};
+}
 
 Scene make_scene(const Figure& figure, const Layout& layout, Context& context) {
     Scene scene;

@@ -40,6 +40,14 @@ struct Scene {
     std::vector<View> views;
 };
 
+/// A part of the picture, pixels from its lower left corner.
+struct Drawn {
+    int left = 0, bottom = 0, width = 0, height = 0;
+};
+
+/// Returns the part of the picture that the view's geometry and its outlines take; of no size if there is none.
+Drawn drawn(const Scene& scene, const View& view);
+
 /// Returns the scene. Leaves out triangles and spheres with values that are not finite, with a warning.
 Scene make_scene(const Figure& figure, const Layout& layout, Context& context);
 

@@ -25,7 +25,7 @@ struct Snapshots {
 /// Returns the reason why a run leaves out output that is for people only.
 std::string why_dropped(const Workspace& workspace);
 
-/// Writes snapshots/robot.png and links/<link>/spheres.png (recipe: snapshots), links/<link>/stages.png (recipe:
+/// Writes snapshots/robot.png (recipe: snapshots), and spheres.png and stages.png of links/<link> (recipe:
 /// debug.snapshots).
 Snapshots write_snapshots(const Workspace& workspace, const FinishedModel& finished, const RunDirectory& directory);
 
