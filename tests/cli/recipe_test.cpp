@@ -115,6 +115,20 @@ TEST_F(CliRecipe, RunWritesItsFolderAndPrintsATable) {
     EXPECT_EQ(outcome.err.find('\r'), std::string::npos) << "a progress bar though stderr is no terminal";
 }
 
+/// Pictures of links are many: only debug draws them. A line says how long pictures took beside the spheres.
+TEST_F(CliRecipe, SnapshotsDrawTheWholeAndDebugTheLinks) {
+    const Outcome whole = foam("run box.yaml --set snapshots.size=[80,60]");
+    ASSERT_EQ(whole.code, 0) << whole.err;
+    EXPECT_THAT(whole.out, ::testing::ContainsRegex("s: spheres [0-9.]+ s, pictures [0-9.]+ s, CPU [0-9.]+ s\\)"));
+    EXPECT_TRUE(std::filesystem::exists(path() / "runs/box/snapshots/robot.png"));
+    EXPECT_FALSE(std::filesystem::exists(path() / "runs/box/links/box/spheres.png"));
+    ASSERT_EQ(foam("run box.yaml --set snapshots.size=[80,60] --set debug.snapshots=true").code, 0);
+    const std::string png = contents(path() / "runs/box/links/box/spheres.png");
+    ASSERT_GT(png.size(), 24u);
+    EXPECT_EQ(png.substr(16, 8), std::string("\0\0\0\x28\0\0\0\x1e", 8)) << "40 x 30 pixels";
+    EXPECT_TRUE(std::filesystem::exists(path() / "runs/box/links/box/stages.png"));
+}
+
 TEST_F(CliRecipe, RunWithSettingsFolderAndJson) {
     const Outcome outcome = foam("run box.yaml --set budget.spheres=2 --run-dir here -j 2 --fresh --json");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
