@@ -56,8 +56,12 @@ export const foam = async (program, ...options) => {
 };
 
 /// Starts foam view; {address, end()}.
-export const served = async (program, ...options) => {
-  const child = spawn(program, ["view", "--no-open", ...options], { stdio: ["ignore", "pipe", "inherit"] });
+export const served = (program, ...options) => servedFrom("", program, ...options);
+
+/// The same, with a text as its standard input.
+export const servedFrom = async (input, program, ...options) => {
+  const child = spawn(program, ["view", "--no-open", ...options], { stdio: ["pipe", "pipe", "inherit"] });
+  child.stdin.end(input);
   const [line] = await once(child.stdout, "data");
   return { address: String(line).trim(), end: async () => { child.kill("SIGTERM"); await once(child, "close"); } };
 };

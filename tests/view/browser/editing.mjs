@@ -1,7 +1,7 @@
 // The served page: edits, searches, the way back, saving, a reload, two windows. Arguments: CHROMIUM FOAM SOURCE.
 import assert from "node:assert/strict";
 import fs from "node:fs";
-import { box, foam, launch, opened, run, served, spheres, text, until } from "./browser.mjs";
+import { box, foam, launch, opened, run, served, servedFrom, spheres, text, until } from "./browser.mjs";
 
 const [chromium, program, source] = process.argv.slice(2);
 const panda = `${source}/configs/robots/panda/panda.urdf`;
@@ -160,6 +160,15 @@ await run({
     const urdf = fs.readdirSync("again").find((file) => file.endsWith(".urdf"));
     await foam(program, "convert", `again/${urdf}`, panda, "-o", "again.csv");
     assert.deepEqual(fs.readFileSync("again.csv", "utf8").split("\n").sort(), fs.readFileSync("same.csv", "utf8").split("\n").sort());
+  },
+  async readsTheStandardInput() {
+    const piped = await servedFrom(fs.readFileSync("model.csv"), program, panda, "-");
+    const other = await opened(browser, piped.address);
+    await until(other, () => document.getElementById("verdict").textContent.startsWith("Proved"));
+    assert.equal(await spheres(other), 22);
+    assert.deepEqual(other.complaints, []);
+    await other.context().close();
+    await piped.end();
   },
   async anotherWindowIsTold() {
     const other = await opened(browser, session.address);
