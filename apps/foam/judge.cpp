@@ -3,14 +3,12 @@
 #include "table.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/base/internal/files.hpp>
 #include <foam/base/text.hpp>
 
 #include <fmt/format.h>
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <fstream>
 
 namespace foam::cli {
 Renames renames_of(const std::vector<std::string>& texts) {
@@ -139,17 +137,7 @@ std::string not_judged_text(ProvedLinks links) {
 }
 
 void write_whole_file(const std::filesystem::path& file, const std::string& text) {
-    const std::filesystem::path partial = file.string() + fmt::format(".partial-{}", getpid());
-    std::ofstream stream(partial, std::ios::binary | std::ios::trunc);
-    stream << text;
-    stream.close();
-    std::error_code error = stream ? std::error_code() : std::make_error_code(std::errc::io_error);
-    if (!error) {
-        std::filesystem::rename(partial, file, error);
-    }
-    if (error) {
-        std::error_code ignored;
-        std::filesystem::remove(partial, ignored);
+    if (replace_file(file, text)) {
         throw Error(ErrorCode::output, fmt::format("{}: it cannot be written; remedy: check that its folder exists and "
                                                    "has room",
                                                    file.string()));

@@ -8,6 +8,7 @@
 #include "cli/run_directory.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/base/internal/files.hpp>
 #include <foam/base/text.hpp>
 #include <foam/recipe/quick_recipe.hpp>
 #include <foam/runtime/run_json.hpp>
@@ -125,18 +126,8 @@ std::vector<std::string> all_settings(const SpherizeArguments& arguments, const 
 }
 
 /// The result in one step, so that a reader never sees half of it.
-void deliver(const std::string& bytes, const fs::path& scratch, const fs::path& target) {
-    std::error_code error;
-    const fs::path staged = scratch / "delivered";
-    std::ofstream stream(staged, std::ios::binary | std::ios::trunc);
-    stream << bytes;
-    stream.close();
-    if (stream) {
-        fs::rename(staged, target, error);
-    } else {
-        error = std::make_error_code(std::errc::io_error);
-    }
-    if (error) {
+void deliver(const std::string& bytes, const fs::path& target) {
+    if (const std::error_code error = replace_file(target, bytes)) {
         throw Error(ErrorCode::output, fmt::format("{}: it cannot be written ({})", target.string(), error.message()));
     }
 }
@@ -171,7 +162,8 @@ int run_quick(const SpherizeArguments& arguments, const Recipe& recipe, const Qu
     if (!to_stdout(arguments) && !fs::is_directory(beside)) {
         throw Error(ErrorCode::output, fmt::format("{}: there is no folder {}", target.string(), beside.string()));
     }
-    const ScratchFolder scratch = to_stdout(arguments) ? ScratchFolder() : ScratchFolder(beside);
+    const ScratchFolder scratch =
+        to_stdout(arguments) || is_special_file(target) ? ScratchFolder() : ScratchFolder(beside);
     const fs::path directory = arguments.run_dir.empty() ? scratch.path() / "run" : fs::path(arguments.run_dir);
     ExecuteOptions options = arguments.execute;
     const OutputCall& output = recipe.outputs.at(0);
@@ -193,7 +185,7 @@ int run_quick(const SpherizeArguments& arguments, const Recipe& recipe, const Qu
     }
     for (std::size_t i = files.size(); i-- > 0;) { // files beside the one first
         make_folder_of(files[i]);
-        deliver(files[i].bytes, scratch.path(), files[i].file);
+        deliver(files[i].bytes, files[i].file);
     }
     if (arguments.json) {
         auto json = json_of_run<nlohmann::ordered_json>(result, recipe, arguments.run_dir);

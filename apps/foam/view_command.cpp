@@ -163,7 +163,7 @@ void search_first(Session& session, const std::vector<std::size_t>& counts) {
 
 int serve(const ViewArguments& arguments, Subject subject, const SubjectOptions& options, Registry& registry) {
     Session session(std::move(subject), options, registry, std::filesystem::current_path());
-    Server server(session, arguments.port);
+    Server server(session, arguments.port, with_names);
     const std::jthread watch([&](const std::stop_token& ended) {
         while (!ended.stop_requested()) {
             if (interrupted()) {

@@ -275,7 +275,11 @@ def _same(first: Path, second: Path) -> bool:
 
 
 def _write_whole(file: Path, content: bytes) -> None:
-    """In one step, so that a reader never sees half of it."""
+    """In one step, so that a reader never sees half of it. A link stays; a device or a pipe is written to."""
+    file = Path(os.path.realpath(file)) if file.is_symlink() else file
+    if file.exists() and not file.is_file() and not file.is_dir():
+        file.write_bytes(content)
+        return
     partial = file.with_name(f"{file.name}.partial-{os.getpid()}")
     try:
         partial.write_bytes(content)

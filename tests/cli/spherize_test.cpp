@@ -30,6 +30,19 @@ TEST_F(CliSpherize, AMeshGivesJsonByDefault) {
     EXPECT_FALSE(std::filesystem::exists(path() / "runs"));
 }
 
+TEST_F(CliSpherize, APipeOrALinkStays) {
+    const Outcome pipe = shell("mkfifo pipe.csv && { timeout 30 cat pipe.csv > got.csv & } && '" FOAM_TEST_BINARY
+                               "' spherize box.obj -n 3 --method grid -o pipe.csv && wait");
+    ASSERT_EQ(pipe.code, 0) << pipe.err;
+    EXPECT_TRUE(std::filesystem::is_fifo(path() / "pipe.csv")) << "-o /dev/null must not replace the device";
+    write("old.csv", "old");
+    std::filesystem::create_symlink("old.csv", path() / "link.csv");
+    ASSERT_EQ(foam("spherize box.obj -n 3 --method grid -o link.csv").code, 0);
+    EXPECT_TRUE(std::filesystem::is_symlink(path() / "link.csv"));
+    EXPECT_THAT(contents(path() / "got.csv"), StartsWith("link,x,y,z"));
+    EXPECT_EQ(contents(path() / "old.csv"), contents(path() / "got.csv"));
+}
+
 TEST_F(CliSpherize, ToolFramesAreOptions) {
     write("arm.urdf",
           "<robot name=\"r\"><link name=\"base\"><collision><geometry><mesh filename=\"box.obj\"/></geometry></collision>"

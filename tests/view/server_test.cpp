@@ -25,7 +25,7 @@ protected:
     ServerTest() {
         const SubjectOptions options = with({"arm.urdf", "arm.csv"});
         session.emplace(subject(options), options, registry, folder.path());
-        server.emplace(*session);
+        server.emplace(*session, 0, [](const std::string& text) { return "in other words, " + text; });
         thread = std::thread([this] { server->serve(); });
         const std::string address = server->address();
         base = address.substr(address.find('/', 8));
@@ -106,6 +106,10 @@ TEST_F(ServerTest, TwoServersHaveOtherTokens) {
     Server other(*session);
     EXPECT_NE(other.address().substr(other.address().find('/', 8)), base);
     EXPECT_THAT(refusal([&] { Server(*session, server->port()); }), HasSubstr("cannot be taken"));
+}
+
+TEST_F(ServerTest, TellsErrorsInTheGivenWords) {
+    EXPECT_THAT(post("save", R"({"version":0,"file":"x.unknown"})")->body, HasSubstr(R"({"error":"in other words, )"));
 }
 
 TEST_F(ServerTest, RefusesOtherHostsAndOrigins) {

@@ -5,12 +5,11 @@
 
 #include <fmt/format.h>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
-#include <fstream>
 
 namespace foam::inline base {
 namespace fs = std::filesystem;
@@ -41,33 +40,60 @@ bool is_within_folder(const fs::path& relative) {
            std::find(relative.begin(), relative.end(), "..") == relative.end();
 }
 
-void write_file(const fs::path& file, std::string_view bytes) {
-    const auto fail = [&](const std::string& why) {
-        throw Error(ErrorCode::output, fmt::format("{}: cannot be written: {}", file.string(), why));
-    };
+/// Writes all bytes to the file, which exists if `made` is not set. Returns what went wrong.
+static std::error_code write_to(const fs::path& file, std::string_view bytes, int made) {
+    const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC | made, 0666);
+    int problem = descriptor < 0 ? errno : 0;
+    while (problem == 0 && !bytes.empty()) {
+        const ssize_t written = write(descriptor, bytes.data(), bytes.size());
+        if (written > 0) {
+            bytes.remove_prefix(static_cast<std::size_t>(written));
+        } else if (written < 0 && errno != EINTR) {
+            problem = errno;
+        }
+    }
+    if (descriptor >= 0 && close(descriptor) != 0 && problem == 0) {
+        problem = errno;
+    }
+    return {problem, std::generic_category()};
+}
+
+bool is_special_file(const fs::path& file) {
+    std::error_code ignored;
+    return fs::is_other(fs::status(file, ignored));
+}
+
+std::error_code replace_file(const fs::path& file, std::string_view bytes) {
+    if (is_special_file(file)) {
+        return write_to(file, bytes, 0);
+    }
     std::error_code error;
-    if (file.has_parent_path()) {
-        fs::create_directories(file.parent_path(), error);
-        if (error) {
-            fail(error.message());
-        }
+    const fs::path target = fs::is_symlink(fs::symlink_status(file, error)) ? fs::weakly_canonical(file, error) : file;
+    if (error && error != std::errc::no_such_file_or_directory) {
+        return error;
     }
-    const fs::path temporary = file.string() + fmt::format(".partial-{}", getpid());
-    {
-        std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
-        stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        stream.close();
-        if (!stream) {
-            const std::string why = std::strerror(errno);
-            fs::remove(temporary, error);
-            fail(why);
-        }
+    const fs::path temporary = target.string() + fmt::format(".partial-{}", getpid());
+    error = write_to(temporary, bytes, O_CREAT | O_TRUNC);
+    if (!error) {
+        fs::rename(temporary, target, error);
     }
-    fs::rename(temporary, file, error);
     if (error) {
         std::error_code ignored;
         fs::remove(temporary, ignored);
-        fail(error.message());
+    }
+    return error;
+}
+
+void write_file(const fs::path& file, std::string_view bytes) {
+    std::error_code error;
+    if (file.has_parent_path()) {
+        fs::create_directories(file.parent_path(), error);
+    }
+    if (!error) {
+        error = replace_file(file, bytes);
+    }
+    if (error) {
+        throw Error(ErrorCode::output, fmt::format("{}: cannot be written: {}", file.string(), error.message()));
     }
 }
 

@@ -33,7 +33,8 @@ constexpr std::size_t ids_of_a_pass = 1'000'000;
 class Table {
 public:
     explicit Table(const fs::path& file)
-        : file_(file), staged_(file.string() + ".new"), compressed_(extension_of(file) == "zst") {
+        : file_(file), staged_(is_special_file(file) ? file : fs::path(file.string() + ".new")),
+          compressed_(extension_of(file) == "zst") {
         if (!file.empty()) {
             stream_.open(staged_, std::ios::binary | std::ios::trunc);
             if (!stream_) {
@@ -43,7 +44,9 @@ public:
     }
     ~Table() {
         std::error_code ignored;
-        fs::remove(staged_, ignored);
+        if (staged_ != file_) {
+            fs::remove(staged_, ignored);
+        }
     }
     Table(const Table&) = delete;
     Table& operator=(const Table&) = delete;
@@ -59,7 +62,9 @@ public:
         if (!file_.empty()) {
             stream_.close();
             std::error_code error;
-            fs::rename(staged_, file_, error);
+            if (staged_ != file_) {
+                fs::rename(staged_, file_, error);
+            }
             if (!stream_ || error) {
                 fail();
             }

@@ -44,11 +44,16 @@ void answer(httplib::Response& response, int status, const std::string& error) {
 
 struct [[gnu::visibility("hidden")]] Server::Data {
     Session& session;
+    Wording wording;
     httplib::Server http;
     std::string token = random_token();
     int port = 0;
 
-    explicit Data(Session & s) : session(s) {}
+    Data(Session & s, Wording w) : session(s), wording(std::move(w)) {}
+
+    std::string told(const std::exception& error) const {
+        return shown_lines(wording ? wording(error.what()) : error.what());
+    }
 
     bool is_own_host(const std::string& host) const {
         return host == fmt::format("{}:{}", loopback, port) || host == fmt::format("localhost:{}", port);
@@ -98,7 +103,7 @@ struct [[gnu::visibility("hidden")]] Server::Data {
                       try {
                           response.set_content(answered(session, request.body), "application/json");
                       } catch (const Error& error) {
-                          answer(response, error.code() == ErrorCode::internal ? 500 : 400, shown_lines(error.what()));
+                          answer(response, error.code() == ErrorCode::internal ? 500 : 400, told(error));
                       }
                   });
     }
@@ -116,11 +121,11 @@ struct [[gnu::visibility("hidden")]] Server::Data {
             response.set_header("Connection", "close"); // its body is not read
             return httplib::Server::HandlerResponse::Handled;
         });
-        http.set_exception_handler([](const httplib::Request&, httplib::Response& response, std::exception_ptr thrown) {
+        http.set_exception_handler([this](const httplib::Request&, httplib::Response& response, std::exception_ptr thrown) {
             try {
                 std::rethrow_exception(thrown);
             } catch (const std::exception& error) {
-                answer(response, 500, shown_lines(error.what()));
+                answer(response, 500, told(error));
             }
         });
         for (const char* name : {"", "view.css", "view.js"}) {
@@ -138,7 +143,8 @@ struct [[gnu::visibility("hidden")]] Server::Data {
     }
 };
 
-Server::Server(Session& session, int port) : data_(std::make_unique<Data>(session)) {
+Server::Server(Session& session, int port, Wording wording)
+    : data_(std::make_unique<Data>(session, std::move(wording))) {
     httplib::Server& http = data_->http;
     http.new_task_queue = [] { return new httplib::ThreadPool(8); };
     http.set_payload_max_length(most_body);

@@ -4,6 +4,7 @@
 #include <foam/view/session.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -17,9 +18,12 @@ public:
     /// Largest body of a request, bytes.
     static constexpr std::size_t most_body = 1 << 16;
 
-    /// Takes a free port of 127.0.0.1, or `port` if it is not 0. The session must outlive the server. Throws
-    /// Error(usage) if the port is taken.
-    explicit Server(Session& session, int port = 0);
+    /// Returns a message as the page shall show it: with "stdin" instead of a temporary file.
+    using Wording = std::function<std::string(std::string)>;
+
+    /// Takes a free port of 127.0.0.1, or `port` if it is not 0. The session must outlive the server. `wording`:
+    /// of errors; absent: as they are. Throws Error(usage) if the port is taken.
+    explicit Server(Session& session, int port = 0, Wording wording = {});
     ~Server();
     Server(const Server&) = delete;
     Server& operator=(const Server&) = delete;
