@@ -56,7 +56,8 @@ def to_mujoco(model: SphereModel, spec: Any, bodies: Mapping[str, str] | None, g
         raise UsageError(f"the MjSpec has no body for {', '.join(missing)}; there are: {', '.join(known)}; remedy: bodies={{…}}")
     count = 0
     for link, rows in model.items():
-        for x, y, z, r in rows.tolist():
+        spheres: Any = rows.tolist()  # the annotations of NumPy 2 name no depth of the lists
+        for x, y, z, r in spheres:
             known[names[link]].add_geom(
                 name=f"{link}_sphere_{count}", type=mujoco.mjtGeom.mjGEOM_SPHERE, pos=[x, y, z], size=[r, 0, 0], group=group,
                 mass=0,

@@ -129,8 +129,10 @@ def _stl(mesh: Mesh) -> bytes:
 
 
 def _obj(mesh: Mesh) -> bytes:
-    lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in mesh.vertices.tolist()]
-    lines += [f"f {a + 1} {b + 1} {c + 1}" for a, b, c in mesh.faces.tolist()]
+    vertices: Any = mesh.vertices.tolist()  # the annotations of NumPy 2 name no depth of the lists
+    faces: Any = mesh.faces.tolist()
+    lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in vertices]
+    lines += [f"f {a + 1} {b + 1} {c + 1}" for a, b, c in faces]
     return ("\n".join(lines) + "\n").encode()
 
 

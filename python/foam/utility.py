@@ -20,7 +20,7 @@ from .errors import Error, InputError
 from .model import Spherization
 
 try:
-    from trimesh import Scene, Trimesh  # type: ignore[import]
+    from trimesh import Scene, Trimesh  # type: ignore
 except ImportError:  # trimesh is optional
     Trimesh = Mesh
 
@@ -233,11 +233,15 @@ def _primitive(shape: str, values: dict[str, str], name: str) -> tuple[NDArray[n
         return corners * half, np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
     radius, length = number("radius"), 0.0 if shape == "sphere" else number("length")
     # Points on rings about the axis, on a polyhedron around the shape.
+    heights: NDArray[Any]
+    poles: NDArray[Any]
+    widths: NDArray[Any]
     around, rows = 48, 2 if shape == "cylinder" else 24
     turn = np.linspace(0, 2 * np.pi, around, endpoint=False)
     if shape == "cylinder":
-        wide, heights, widths = 1 / np.cos(np.pi / around), np.array([-length / 2, length / 2]), np.full(2, radius)
-        poles = heights
+        wide = 1 / np.cos(np.pi / around)
+        heights = poles = np.array([-length / 2, length / 2])
+        widths = np.full(2, radius)
     else:
         polar = (np.arange(rows) + 0.5) / rows * np.pi
         wide = 1 / (np.cos(np.pi / around) * np.cos(np.pi / rows / 2))

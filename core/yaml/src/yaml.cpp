@@ -290,7 +290,7 @@ std::string explain(const std::string& message) {
 void report(const YAML::Exception& error, const PlaceFinder& place, TreeBuilder& builder, Findings& findings) {
     const bool nowhere = error.mark.is_null();
     const bool at_end = error.mark.line == 0 && error.mark.column == 0 && error.mark.pos == 0;
-    if (error.msg == "the referenced anchor is not defined") {
+    if (error.msg.starts_with("the referenced anchor is not defined")) { // yaml-cpp 0.8 adds its name
         builder.refuse_alias(place(error.mark));
     } else if (!nowhere && place.indented_by_tab(error.mark.line)) {
         findings.error(place(error.mark), "syntax", "a tab in the indentation; remedy: indent with spaces");
