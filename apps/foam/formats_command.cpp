@@ -41,8 +41,8 @@ nlohmann::ordered_json json_of_formats(const std::map<std::string, Format>& form
             entry["extensions"] = format.writes->extensions;
             entry["consumer"] = consumer.name;
             entry["into"] = consumer.edits;
-            entry["pairs"] = consumer.pairs;
-            entry["pairs_if"] = consumer.pairs_if;
+            entry["lists_pairs"] = consumer.pairs;
+            entry["lists_pairs_if"] = consumer.pairs_if;
             entry["companions"] = format.writes->companions;
             entry["float32"] = consumer.float32;
         }

@@ -202,7 +202,7 @@ Json json_of_planned(const PlannedFile& file) {
 
 Json json_of_planned(const PlannedLink& link) {
     Json json{{"link", link.link},
-              {"geometry", link.geometry},
+              {"shapes", link.geometry},
               {"skipped", link.skipped},
               {"overrides", Json::array()},
               {"stages", Json::array()}};
@@ -229,7 +229,7 @@ Json json_of_planned(const Plan& plan, const Recipe& recipe) {
               {"variant", recipe.variant},
               {"seed", recipe.seed},
               {"input", {{"taken", plan.input}, {"not_found", plan.not_found}}},
-              {"meshes", Json::array()},
+              {"mesh_files", Json::array()},
               {"stages", Json::array()},
               {"budget", Json::object()},
               {"guarantee", to_string(recipe.guarantee)},
@@ -240,8 +240,8 @@ Json json_of_planned(const Plan& plan, const Recipe& recipe) {
         json["extends"].push_back(base.file.string());
     }
     for (const PlannedFile& mesh : plan.meshes) {
-        json["meshes"].push_back(json_of_planned(mesh));
-        json["meshes"].back()["loader"] = mesh.loader;
+        json["mesh_files"].push_back(json_of_planned(mesh));
+        json["mesh_files"].back()["loader"] = mesh.loader;
     }
     for (const PlannedStage& stage : plan.stages) {
         json["stages"].push_back(json_of_planned(stage, false));

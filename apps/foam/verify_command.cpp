@@ -50,7 +50,7 @@ nlohmann::ordered_json json_of_verification(const Verification& result, const st
                                 {"reasons", result.reasons}};
     for (const Difference& d : result.differences) {
         json["differences"].push_back(
-            {{"link", d.link}, {"stage", d.stage}, {"input", d.input}, {"expected", d.expected}, {"found", d.found}});
+            {{"link", d.link}, {"stage", d.stage}, {"place", d.input}, {"expected", d.expected}, {"found", d.found}});
     }
     return json;
 }

@@ -269,7 +269,7 @@ TEST_F(CliConvert, FormatsAreListed) {
     const auto curobo =
         std::find_if(formats.begin(), formats.end(), [](const auto& f) { return f["format"] == "curobo"; });
     ASSERT_NE(curobo, formats.end());
-    EXPECT_TRUE((*curobo)["reads"] && (*curobo)["writes"] && (*curobo)["into"] && (*curobo)["pairs"] &&
+    EXPECT_TRUE((*curobo)["reads"] && (*curobo)["writes"] && (*curobo)["into"] && (*curobo)["lists_pairs"] &&
                 (*curobo)["float32"]);
     EXPECT_THAT(foam("formats").out, HasSubstr("\ncurobo "));
     EXPECT_THAT(foam("formats").out, HasSubstr("\nurdf               yes   yes    -     drake  urdfdom"));

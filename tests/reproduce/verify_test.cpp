@@ -86,7 +86,7 @@ TEST_F(Verify, FindsChangedTruncatedAndMissingFiles) {
                            "bytes: the file was changed)"};
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_EQ(differences[i]["stage"], "file in the run directory");
-        EXPECT_EQ(differences[i]["input"], files[i]);
+        EXPECT_EQ(differences[i]["place"], files[i]);
         EXPECT_THAT(differences[i]["found"].get<std::string>(), HasSubstr(found[i]));
     }
 }
@@ -104,7 +104,7 @@ TEST_F(Verify, AChangedInputComesFirst) {
     write("bumpy.obj", mesh);
     const json differences = verify_json()["differences"];
     EXPECT_EQ(differences[0]["stage"], "mesh file");
-    EXPECT_EQ(differences[0]["input"], "bumpy.obj");
+    EXPECT_EQ(differences[0]["place"], "bumpy.obj");
     EXPECT_EQ(differences[1]["link"], "base");
     EXPECT_EQ(differences[1]["stage"], "load.mesh");
 }
@@ -114,7 +114,7 @@ TEST_F(Verify, AMissingInputIsSaidWithThePlacesTried) {
     const json differences = verify_json()["differences"];
     ASSERT_EQ(differences.size(), 2u);
     EXPECT_EQ(differences[0]["stage"], "input file");
-    EXPECT_EQ(differences[0]["input"], "two.urdf");
+    EXPECT_EQ(differences[0]["place"], "two.urdf");
     EXPECT_THAT(differences[0]["found"].get<std::string>(), HasSubstr("two.urdf] exists. Looked at:"));
     EXPECT_EQ(differences[1]["stage"], "run");
 }
@@ -157,7 +157,7 @@ TEST_F(Verify, AMeshThatCannotBeReadAnyMoreIsNamedBeforeTheFailure) {
     const json differences = verify_json()["differences"];
     ASSERT_EQ(differences.size(), 2u);
     EXPECT_EQ(differences[0]["stage"], "mesh file");
-    EXPECT_EQ(differences[0]["input"], "bumpy.obj");
+    EXPECT_EQ(differences[0]["place"], "bumpy.obj");
     EXPECT_EQ(differences[1]["stage"], "run");
     EXPECT_EQ(differences[1]["expected"], "a finished run");
     EXPECT_THAT(differences[1]["found"].get<std::string>(), HasSubstr("bumpy.obj"));
@@ -171,7 +171,7 @@ TEST_F(Verify, AChangedRecipeIsADifferentSetting) {
     const json result = verify_json();
     EXPECT_EQ(result["differences"][0], json({{"link", ""},
                                               {"stage", "setting"},
-                                              {"input", "stages[1].smooth.humphrey.iterations"},
+                                              {"place", "stages[1].smooth.humphrey.iterations"},
                                               {"expected", "3"},
                                               {"found", "4"}}));
     EXPECT_EQ(result["differences"][1]["stage"], "smooth.humphrey");
