@@ -26,15 +26,15 @@ struct RunArguments {
     bool json = false;
 };
 
-/// Where most of the time goes: "spheres 0.25 s, pictures 0.31 s, CPU 0.93 s".
+/// A line that says where most of the time went: "Time: 0.62 s (spheres 0.25 s, pictures 0.31 s), CPU 0.93 s".
 std::string times_text(const RunResult& result) {
     std::string text;
     for (const RunPhase& phase : result.phases) {
         if (phase.phase == "spheres" || phase.phase == "pictures") {
-            text += fmt::format("{} {:.2f} s, ", phase.phase, phase.seconds);
+            text += fmt::format("{}{} {:.2f} s", text.empty() ? "" : ", ", phase.phase, phase.seconds);
         }
     }
-    return text + fmt::format("CPU {:.2f} s", result.cpu_seconds);
+    return fmt::format("Time: {:.2f} s ({}), CPU {:.2f} s\n", result.seconds, text, result.cpu_seconds);
 }
 
 /// The outputs and the report by name, the rest by number.
@@ -47,8 +47,7 @@ std::string files_text(const Recipe& recipe, const RunResult& result, const fs::
     if (others > 0) {
         text += fmt::format(" and {} more file{}", others, others == 1 ? "" : "s");
     }
-    text += fmt::format(" ({:.2f} s: {})\n", result.seconds, times_text(result));
-    return text + fmt::format("Report: {}\n", (directory / "report.html").string());
+    return text + fmt::format("\nReport: {}\n", (directory / "report.html").string()) + times_text(result);
 }
 
 /// Of a sweep, the one run that the manifest is of.

@@ -55,9 +55,10 @@ TEST_F(CliLoop, ATerminationExitsWith130) {
 
 /// When all is found, a run is finished: it is a cut all the same.
 TEST_F(CliLoop, SoDoesOneInTheLastPhase) {
-    write("slow.yaml", "foam: 1\nname: slow\nrobot: {urdf: ['" FOAM_TEST_SOURCE "/configs/robots/panda/panda.urdf']}\n"
-                       "stages: [spherize.grid: {}]\n"
-                       "outputs: [write.csv: {file: s.csv}]\nsnapshots: {size: [1280, 960]}\ndebug: {snapshots: true}\n");
+    write("slow.yaml",
+          "foam: 1\nname: slow\nrobot: {urdf: ['" FOAM_TEST_SOURCE "/configs/robots/panda/panda.urdf']}\n"
+          "stages: [spherize.grid: {}]\n"
+          "outputs: [write.csv: {file: s.csv}]\nsnapshots: {size: [1280, 960]}\ndebug: {snapshots: true}\n");
     const Outcome outcome = loop("run slow.yaml --fresh", "runs/.slow.partial-*/snapshots/robot.png", "SIGINT", "0");
     EXPECT_EQ(outcome.out, "ended -2\nround 1\n") << contents(path() / "loop.err");
     EXPECT_TRUE(std::filesystem::exists(path() / "runs/slow/manifest.json")) << contents(path() / "loop.err");

@@ -119,7 +119,8 @@ TEST_F(CliRecipe, RunWritesItsFolderAndPrintsATable) {
 TEST_F(CliRecipe, SnapshotsDrawTheWholeAndDebugTheLinks) {
     const Outcome whole = foam("run box.yaml --set snapshots.size=[80,60]");
     ASSERT_EQ(whole.code, 0) << whole.err;
-    EXPECT_THAT(whole.out, ::testing::ContainsRegex("s: spheres [0-9.]+ s, pictures [0-9.]+ s, CPU [0-9.]+ s\\)"));
+    EXPECT_THAT(whole.out,
+                ::testing::ContainsRegex("\nTime: [0-9.]+ s .spheres [0-9.]+ s, pictures [0-9.]+ s., CPU [0-9.]+ s\n"));
     EXPECT_TRUE(std::filesystem::exists(path() / "runs/box/snapshots/robot.png"));
     EXPECT_FALSE(std::filesystem::exists(path() / "runs/box/links/box/spheres.png"));
     ASSERT_EQ(foam("run box.yaml --set snapshots.size=[80,60] --set debug.snapshots=true").code, 0);

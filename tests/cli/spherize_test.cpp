@@ -39,15 +39,22 @@ TEST_F(CliSpherize, APipeOrALinkStays) {
     std::filesystem::create_symlink("old.csv", path() / "link.csv");
     ASSERT_EQ(foam("spherize box.obj -n 3 --method grid -o link.csv").code, 0);
     EXPECT_TRUE(std::filesystem::is_symlink(path() / "link.csv"));
+    std::filesystem::create_symlink("new.csv", path() / "dangling.csv");
+    ASSERT_EQ(foam("spherize box.obj -n 3 --method grid -o dangling.csv").code, 0);
+    EXPECT_TRUE(std::filesystem::is_symlink(path() / "dangling.csv"));
+    EXPECT_EQ(contents(path() / "new.csv"), contents(path() / "got.csv"));
+    std::filesystem::create_symlink("round.csv", path() / "round.csv");
+    EXPECT_THAT(foam("spherize box.obj -n 3 --method grid -o round.csv").err, HasSubstr("Too many levels"));
     EXPECT_THAT(contents(path() / "got.csv"), StartsWith("link,x,y,z"));
     EXPECT_EQ(contents(path() / "old.csv"), contents(path() / "got.csv"));
 }
 
 TEST_F(CliSpherize, ToolFramesAreOptions) {
-    write("arm.urdf",
-          "<robot name=\"r\"><link name=\"base\"><collision><geometry><mesh filename=\"box.obj\"/></geometry></collision>"
-          "</link><link name=\"arm\"/><joint name=\"j\" type=\"revolute\"><parent link=\"base\"/><child link=\"arm\"/>"
-          "<axis xyz=\"0 0 1\"/><limit lower=\"-1\" upper=\"1\" effort=\"1\" velocity=\"1\"/></joint></robot>\n");
+    write(
+        "arm.urdf",
+        "<robot name=\"r\"><link name=\"base\"><collision><geometry><mesh filename=\"box.obj\"/></geometry></collision>"
+        "</link><link name=\"arm\"/><joint name=\"j\" type=\"revolute\"><parent link=\"base\"/><child link=\"arm\"/>"
+        "<axis xyz=\"0 0 1\"/><limit lower=\"-1\" upper=\"1\" effort=\"1\" velocity=\"1\"/></joint></robot>\n");
     const std::string curobo = "spherize arm.urdf -n 3 --method grid --format curobo -o arm.yml";
     EXPECT_THAT(foam(curobo).err, HasSubstr("the last links of the robot are arm; remedy: --tool-frame LINK"));
     const Outcome outcome = foam(curobo + " --tool-frame arm");

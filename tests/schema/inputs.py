@@ -66,7 +66,7 @@ COMMANDS = [
     (0, "run arm.yaml --json"), (0, "run arm.yaml --variant without --json"), (4, "run lost.yaml --json"), (0, "cache --clear --json"),
     (0, "verify runs/arm --json"), (0, "run arm.yaml --run-dir changed -q"),
     (0, "spherize box.obj -n 1 -m grid -o changed/arm.urdf --force -q"), (1, "verify changed --json"),
-    (0, "spherize box.obj -n 3 -o box.json --json"), (0, "spherize sheet.obj -n 64 --time-limit 0.0001 --fresh -o sheet.json --json"),
+    (0, "spherize box.obj -n 3 -o box.json --json"), (0, "spherize sheet.obj -n 64 --time-limit 0.2 --fresh -o sheet.json --json"),
     (0, "approximate robot.urdf -n 6 --with hull --effort fast -o elements.json --json"),
     (0, "approximate box.obj -n 2 --with sphere,box --effort fast -o boxes.csv --json"),
     (0, "approximate box.obj -n 2 --with swept_box --effort fast -o swept.csv --json"),

@@ -2,14 +2,11 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>
+#include <foam/base/replace_file.hpp>
 
 #include <fmt/format.h>
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 
 namespace foam::inline base {
 namespace fs = std::filesystem;
@@ -38,50 +35,6 @@ DigestedFile digest_of_file(const fs::path& file, std::uintmax_t most, std::stri
 bool is_within_folder(const fs::path& relative) {
     return relative.is_relative() && relative.has_filename() &&
            std::find(relative.begin(), relative.end(), "..") == relative.end();
-}
-
-/// Writes all bytes to the file, which exists if `made` is not set. Returns what went wrong.
-static std::error_code write_to(const fs::path& file, std::string_view bytes, int made) {
-    const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC | made, 0666);
-    int problem = descriptor < 0 ? errno : 0;
-    while (problem == 0 && !bytes.empty()) {
-        const ssize_t written = write(descriptor, bytes.data(), bytes.size());
-        if (written > 0) {
-            bytes.remove_prefix(static_cast<std::size_t>(written));
-        } else if (written < 0 && errno != EINTR) {
-            problem = errno;
-        }
-    }
-    if (descriptor >= 0 && close(descriptor) != 0 && problem == 0) {
-        problem = errno;
-    }
-    return {problem, std::generic_category()};
-}
-
-bool is_special_file(const fs::path& file) {
-    std::error_code ignored;
-    return fs::is_other(fs::status(file, ignored));
-}
-
-std::error_code replace_file(const fs::path& file, std::string_view bytes) {
-    if (is_special_file(file)) {
-        return write_to(file, bytes, 0);
-    }
-    std::error_code error;
-    const fs::path target = fs::is_symlink(fs::symlink_status(file, error)) ? fs::weakly_canonical(file, error) : file;
-    if (error && error != std::errc::no_such_file_or_directory) {
-        return error;
-    }
-    const fs::path temporary = target.string() + fmt::format(".partial-{}", getpid());
-    error = write_to(temporary, bytes, O_CREAT | O_TRUNC);
-    if (!error) {
-        fs::rename(temporary, target, error);
-    }
-    if (error) {
-        std::error_code ignored;
-        fs::remove(temporary, ignored);
-    }
-    return error;
 }
 
 void write_file(const fs::path& file, std::string_view bytes) {

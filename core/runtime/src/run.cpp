@@ -56,7 +56,7 @@ std::vector<PhaseWeight> phases_of(const Recipe& recipe, bool written) {
             phases.push_back({"debug meshes", 2});
         }
         if (recipe.snapshots || recipe.debug_snapshots) {
-            phases.push_back({"pictures", recipe.debug_snapshots ? 60.0 : 10.0});
+            phases.push_back({"pictures", recipe.debug_snapshots ? 60.0 : 30.0});
         }
         phases.push_back({"visual geometry", 3});
         phases.push_back({"record", 2});

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 namespace foam {
 inline namespace [[gnu::visibility("default")]] base {
@@ -28,12 +27,6 @@ struct DigestedFile {
 /// Returns digest_of(read_file(…)) without keeping the file in memory. Errors as read_file().
 DigestedFile digest_of_file(const std::filesystem::path& file, std::uintmax_t most = most_bytes,
                             std::string_view if_too_large = "check that this is the file you mean");
-/// Returns whether something exists there that is neither a file nor a folder, such as a device, a pipe or
-/// /dev/stdout: what is written goes into it, and does not replace it.
-bool is_special_file(const std::filesystem::path& file);
-/// Writes to a temporary name in the same folder, then renames: never half a file. A symbolic link stays, and the file
-/// that it names is replaced; a special file is written to. Returns what went wrong.
-std::error_code replace_file(const std::filesystem::path& file, std::string_view bytes);
 /// Calls replace_file(). Makes missing folders. Throws Error(output).
 void write_file(const std::filesystem::path& file, std::string_view bytes);
 /// Returns whether the path names a file in a folder that it is relative to, without "..".
