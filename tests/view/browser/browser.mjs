@@ -32,9 +32,19 @@ export const spheres = async (page) => Number(await page.getAttribute("#view", "
 export const meshes = async (page) => Number(await page.getAttribute("#view", "data-meshes"));
 /// Waits until an expression of the page is true.
 export const until = (page, expression, argument) => page.waitForFunction(expression, argument, { timeout: 60000 });
+/// Waits until the page has answered what was done and is drawn anew.
+export const answered = (page) => page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
+/// Clicks down the middle of the picture until a sphere is selected.
+export const selectASphere = async (page) => {
+  const view = await box(page, "#view");
+  for (let y = 0.15; y < 0.9 && await page.isHidden("#selection"); y += 0.04) {
+    await page.mouse.click(view.x + view.width / 2, view.y + y * view.height);
+    await answered(page);
+  }
+};
 /// Waits until what is drawn is as fine as it becomes.
 export const settled = async (page) => {
-  await page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
+  await answered(page);
   await until(page, () => document.getElementById("view").dataset.picture === "final");
 };
 export const text = (page, selector) => page.textContent(selector);

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import { pathToFileURL } from "node:url";
-import { box, foam, launch, meshes, opened, run, settled, spheres, text, until } from "./browser.mjs";
+import { box, foam, launch, meshes, opened, run, selectASphere, settled, spheres, text, until } from "./browser.mjs";
 
 const [chromium, program, source] = process.argv.slice(2);
 const panda = `${source}/configs/robots/panda/panda.urdf`;
@@ -121,11 +121,7 @@ await run({
   async pickingAndCopying() {
     const page = await open("panda.html", { permissions: [] });
     await page.check("input[name=through][value=none]");
-    const view = await box(page, "#view");
-    await page.click("#view", { position: { x: view.width / 2, y: view.height / 2 } });
-    for (let y = 0.2; y < 0.9 && await page.isHidden("#selection"); y += 0.05) {   // somewhere is a sphere
-      await page.click("#view", { position: { x: view.width / 2, y: y * view.height } });
-    }
+    await selectASphere(page);
     assert.match(await text(page, "#selected"), /^panda_\S+ · sphere \d+ of \d+$/);
     const numbers = await page.locator("#numbers input").evaluateAll((inputs) => inputs.map((input) => Number(input.value)));
     assert.equal(numbers.length, 4);
