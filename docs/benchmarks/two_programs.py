@@ -7,7 +7,6 @@ cache. The programs take turns, three times; medians of user and system time.
 """
 import json
 import pathlib
-import resource
 import shlex
 import statistics
 import subprocess
