@@ -121,13 +121,14 @@ struct [[gnu::visibility("hidden")]] Server::Data {
             response.set_header("Connection", "close"); // its body is not read
             return httplib::Server::HandlerResponse::Handled;
         });
-        http.set_exception_handler([this](const httplib::Request&, httplib::Response& response, std::exception_ptr thrown) {
-            try {
-                std::rethrow_exception(thrown);
-            } catch (const std::exception& error) {
-                answer(response, 500, told(error));
-            }
-        });
+        http.set_exception_handler(
+            [this](const httplib::Request&, httplib::Response& response, std::exception_ptr thrown) {
+                try {
+                    std::rethrow_exception(thrown);
+                } catch (const std::exception& error) {
+                    answer(response, 500, told(error));
+                }
+            });
         for (const char* name : {"", "view.css", "view.js"}) {
             get(name, [name] { return served_file(name); });
         }
