@@ -39,17 +39,28 @@ bool is_special_file(const fs::path& file) {
     return fs::is_other(fs::status(file, ignored));
 }
 
+fs::path followed(const fs::path& file, std::error_code& error) {
+    fs::path target = file;
+    std::error_code ignored; // what is not there is no link
+    error.clear();
+    for (int links = 0; !error && fs::is_symlink(fs::symlink_status(target, ignored)); ++links) {
+        if (links == most_links) {
+            error = std::make_error_code(std::errc::too_many_symbolic_link_levels);
+        } else {
+            target = target.parent_path() / fs::read_symlink(target, error);
+        }
+    }
+    return target;
+}
+
 std::error_code replace_file(const fs::path& file, std::string_view bytes) {
     if (is_special_file(file)) {
         return write_to(file, bytes, 0);
     }
     std::error_code error;
-    fs::path target = file;
-    for (int links = 0; fs::is_symlink(fs::symlink_status(target, error)); ++links) {
-        if (links == most_links) {
-            return std::make_error_code(std::errc::too_many_symbolic_link_levels);
-        }
-        target = target.parent_path() / fs::read_symlink(target, error);
+    const fs::path target = followed(file, error);
+    if (error) {
+        return error;
     }
     const fs::path temporary = target.string() + fmt::format(".partial-{}", getpid());
     error = write_to(temporary, bytes, O_CREAT | O_TRUNC);

@@ -33,10 +33,16 @@ constexpr std::size_t ids_of_a_pass = 1'000'000;
 /// Where the table goes: into a new file that gets its name at the end, or to the standard output.
 class Table {
 public:
-    explicit Table(const fs::path& file)
-        : file_(file), staged_(is_special_file(file) ? file : fs::path(file.string() + ".new")),
-          compressed_(extension_of(file) == "zst") {
+    explicit Table(const fs::path& file) : file_(file), staged_(file), compressed_(extension_of(file) == "zst") {
         if (!file.empty()) {
+            std::error_code error;
+            if (!is_special_file(file)) {
+                file_ = followed(file, error);
+                staged_ = file_.string() + ".new";
+            }
+            if (error) {
+                fail();
+            }
             stream_.open(staged_, std::ios::binary | std::ios::trunc);
             if (!stream_) {
                 fail();

@@ -12,6 +12,10 @@ inline namespace [[gnu::visibility("default")]] base {
 /// /dev/stdout: what is written goes into it, and does not replace it.
 bool is_special_file(const std::filesystem::path& file);
 
+/// Returns where symbolic links lead in the end, whether something exists there or not; the path itself if it is none.
+/// `error`: what went wrong.
+std::filesystem::path followed(const std::filesystem::path& file, std::error_code& error);
+
 /// Writes to a temporary name in the same folder, then renames. A symbolic link stays, and the file that it names is
 /// replaced. A special file is written to. Returns what went wrong.
 std::error_code replace_file(const std::filesystem::path& file, std::string_view bytes);
