@@ -87,18 +87,37 @@ class ConvexCover:
     Equal covers have equal elements. Covers can be pickled.
     """
 
-    __slots__ = ("elements", "certified", "volume", "excess")
+    __slots__ = ("elements", "certified", "volume", "_mesh", "_excess")
 
     elements: list[dict[str, Any]]  #: spheres first; the dictionaries are those of SphereModel.elements()
     certified: bool  #: whether the elements are proved to cover the whole surface
     volume: float  #: of the union of the elements, m³
-    excess: float  #: the volume of the elements outside the mesh / the volume of the mesh; inf for a mesh without inside
 
-    def __init__(self, elements: list[dict[str, Any]], certified: bool, volume: float, excess: float):
+    def __init__(
+        self,
+        elements: list[dict[str, Any]],
+        certified: bool,
+        volume: float,
+        mesh: Mesh | None,
+        excess: float | None = None,
+    ):
         self.elements = elements
         self.certified = certified
         self.volume = volume
-        self.excess = excess
+        self._mesh = mesh
+        self._excess = excess
+
+    @property
+    def excess(self) -> float:
+        """The volume of the elements outside the mesh / the volume of the mesh; inf for a mesh without inside.
+
+        Computed when it is first read, to about 0.1 % of the volume.
+        """
+        if self._excess is None:
+            assert self._mesh is not None
+            self._excess = _core.excess_of_elements(self._mesh._core, self.elements)
+            self._mesh = None
+        return self._excess
 
     def to_trimesh(self) -> Any:
         """Return meshes around the elements as one trimesh.Trimesh, for pictures."""
@@ -117,7 +136,7 @@ class ConvexCover:
     __hash__ = None  # type: ignore[assignment]
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return ConvexCover, (self.elements, self.certified, self.volume, self.excess)
+        return ConvexCover, (self.elements, self.certified, self.volume, None, self.excess)
 
     def __repr__(self) -> str:
         numbers = Counter(element["kind"] for element in self.elements)
@@ -233,11 +252,13 @@ def approximate(
     Raises:
         As spherize(). UsageError: there is no such kind.
     """
+    given = mesh_of(mesh)
     return ConvexCover(
         *_core.approximate(
-            mesh_of(mesh)._core, _count(elements, "elements"), [kinds] if isinstance(kinds, str) else list(kinds),
+            given._core, _count(elements, "elements"), [kinds] if isinstance(kinds, str) else list(kinds),
             effort, objective, operator.index(max_vertices), bool(axis_aligned), _limit(time_limit),
-        )
+        ),
+        given.copy(),
     )  # fmt: skip
 
 

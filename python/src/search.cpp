@@ -5,6 +5,7 @@
 #include "work.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/geometry/element_measure.hpp>
 #include <foam/sdk/kinds.hpp>
 #include <foam/search/approximate.hpp>
 #include <foam/search/least_element.hpp>
@@ -102,7 +103,7 @@ py::tuple approximated(const HeldMesh& mesh, std::size_t count, const std::vecto
     for (const Element& element : cover.elements.others) {
         elements.append(dict_of(element));
     }
-    return py::make_tuple(elements, cover.certificate.holds, cover.volume, cover.excess);
+    return py::make_tuple(elements, cover.certificate.holds, cover.volume);
 }
 
 py::tuple proved(const HeldMesh& mesh, const std::string& word, double tolerance) {
@@ -119,6 +120,23 @@ std::shared_ptr<HeldMesh> mesh_of_elements(const std::vector<py::dict>& elements
         append(all, enclosing_mesh(element_of_dict(element)));
     }
     return std::make_shared<HeldMesh>(std::move(all));
+}
+
+/// vol(U \ S) / vol(S) of covering elements.
+double excess_of_elements(const HeldMesh& mesh, const std::vector<py::dict>& dicts) {
+    Approximation::Level level;
+    for (const py::dict& dict : dicts) {
+        if (Element element = element_of_dict(dict); element.kind == Element::Kind::sphere) {
+            level.spheres.push_back({element.pose.translation, element.radius});
+        } else {
+            level.others.push_back(std::move(element));
+        }
+    }
+    return worked([&](const Signals&) {
+        const auto solid = mesh.solid();
+        const double own = solid->volume();
+        return own > 0 ? excess_volume(*solid, level.view()) / own : std::numeric_limits<double>::infinity();
+    });
 }
 
 /// vol(U \ S) / vol(S) of covering spheres with the union's volume.
@@ -151,6 +169,7 @@ void add_search(py::module_& module) {
             }));
         },
         py::arg("mesh"), py::arg("spheres"), py::arg("time_limit"));
+    module.def("excess_of_elements", &excess_of_elements, py::arg("mesh"), py::arg("elements"));
     module.def("excess", &excess_of, py::arg("mesh"), py::arg("spheres"), py::arg("volume"));
 }
 

@@ -1,6 +1,8 @@
 // Mesh in memory to certified spheres in memory: median and 99th percentile of single calls.
 #include <foam/base/parallel.hpp>
 #include <foam/runtime/contract.hpp>
+#include <foam/sdk/kinds.hpp>
+#include <foam/search/approximate.hpp>
 #include <foam/search/sphere_cache.hpp>
 
 #include <benchmark/benchmark.h>
@@ -47,6 +49,21 @@ void spherize_torus(benchmark::State& state) {
     state.counters["certified"] = cover.certificate.holds;
 }
 BENCHMARK(spherize_torus)->ArgNames({"spheres", "threads"})->ArgsProduct({{8, 16}, {1, 0}})->Apply(report_p99);
+
+/// Argument: the kind of the one element. On one thread.
+void one_element_around_torus(benchmark::State& state) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+    const Mesh mesh = torus();
+    const auto kind = static_cast<Element::Kind>(state.range(0));
+    ConvexCover cover;
+    for (auto _ : state) {
+        cover = approximate(mesh, 1, {&kind, 1}, {.effort = Effort::fast});
+    }
+    state.SetLabel(noun_of(kind, 1));
+    state.counters["excess"] = cover.volume / signed_volume(mesh) - 1;
+    state.counters["certified"] = cover.certificate.holds;
+}
+BENCHMARK(one_element_around_torus)->DenseRange(1, 5)->Apply(report_p99);
 
 void known_torus(benchmark::State& state) {
     const Mesh mesh = torus();

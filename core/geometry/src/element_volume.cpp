@@ -53,6 +53,9 @@ double union_volume(const ElementsView& elements) {
     if (elements.others.empty()) {
         return union_volume(elements.spheres);
     }
+    if (elements.spheres.empty() && elements.others.size() == 1) {
+        return is_valid(elements.others.front()) ? volume(elements.others.front()) : 0;
+    }
     const ElementSet set(elements);
     return set.size() == 0 ? 0 : volume_of_union(set, set.bounds()).value;
 }

@@ -48,8 +48,8 @@ Plan plan_for(Effort effort) {
     return {600, 160, {.sweeps = 20, .tries = 60, .split_tries = 30}};
 }
 
-/// Returns the points of a piece that its element must hold: those of the surface in it, each once, and of a closed body
-/// the corners of its bricks that are inside the body, so that its hull leaves no cavity.
+/// Returns the points of a piece that its element must hold: those of the surface in it, each once, and of a closed
+/// body the corners of its bricks that are inside the body, so that its hull leaves no cavity.
 std::vector<Vec3> points_of(const Partition& partition, const Piece& piece, const Body& body, bool with_inside) {
     std::vector<Vec3> points;
     for (const std::uint32_t i : piece.bricks) {
@@ -101,7 +101,33 @@ struct ApproximationSearch::Data {
         }
     }
 
-    ConvexCover cover(std::size_t count);
+    /// A cover and the figure that is compared, once that is needed.
+    struct Rated {
+        ConvexCover cover;
+        std::optional<double> figure;
+    };
+    /// Returns the best cover of at most `count` elements.
+    Rated best_of(std::size_t count) {
+        if (const auto found = known.find(count); found != known.end()) {
+            return found->second;
+        }
+        std::optional<Rated> best;
+        const bool done = cover::completed_unless_stopped(options.stop, [&] {
+            if (count == 1) {
+                best = single();
+                return;
+            }
+            best = best_of(convex::rung_below(count));
+            take_better(*best, several(count));
+        });
+        if (!best) {
+            best = Rated{single(Effort::fast), {}};
+        }
+        if (done) {
+            known.emplace(count, *best);
+        }
+        return *best;
+    }
 
     bool has(Element::Kind kind) const { return std::find(kinds.begin(), kinds.end(), kind) != kinds.end(); }
 
@@ -161,7 +187,7 @@ struct ApproximationSearch::Data {
                 element = convex::hull_around(points, solid.bounds().diagonal(), options.max_vertices);
             } else {
                 if (!cloud) {
-                    cloud = convex::cloud_of(points);
+                    cloud = effort == Effort::fast ? convex::quick_cloud_of(points) : convex::cloud_of(points);
                 }
                 element = convex::element_of(convex::least_fit(kind, *cloud, effort, options.axis_aligned), *cloud);
             }
@@ -177,6 +203,14 @@ struct ApproximationSearch::Data {
         } else {
             level.others.push_back(std::move(element));
         }
+    }
+    /// Returns one element: that of the quick search, or a better one.
+    Rated single() const {
+        Rated best{single(Effort::fast), {}};
+        if (options.effort != Effort::fast && !only_hulls) { // a hull is a hull
+            take_better(best, {single(options.effort), {}});
+        }
+        return best;
     }
     ConvexCover single(Effort effort) const {
         Approximation::Level level;
@@ -236,15 +270,13 @@ struct ApproximationSearch::Data {
         }
         return result;
     }
-    ConvexCover cover_of(const convex::Partition& partition) {
+    Rated cover_of(const convex::Partition& partition) {
         if (has(Element::Kind::hull)) {
-            return cover_by(elements_of(partition, options.effort));
+            return {cover_by(elements_of(partition, options.effort)), {}};
         }
         const std::vector<Element> start = elements_of(partition, Effort::fast);
-        ConvexCover best = cover_by(descended(start)); // which sees a lattice, and excess volume alone
-        if (ConvexCover other = cover_by(start); better(other, best)) {
-            best = std::move(other);
-        }
+        Rated best{cover_by(descended(start)), {}}; // which sees a lattice, and excess volume alone
+        take_better(best, {cover_by(start), {}});
         return best;
     }
     using BricksByNumber = std::map<std::size_t, std::vector<convex::Brick>>;
@@ -313,9 +345,17 @@ struct ApproximationSearch::Data {
         convex::recut(*best, pricing(), plan.recut);
         return std::move(*best);
     }
-    ConvexCover several(std::size_t count) { return cover_of(partition_for(count)); }
-    bool better(const ConvexCover& a, const ConvexCover& b) const {
-        return convex::figure_of(solid, a, options.objective) < convex::figure_of(solid, b, options.objective);
+    Rated several(std::size_t count) { return cover_of(partition_for(count)); }
+    double figure(Rated& rated) const {
+        if (!rated.figure) {
+            rated.figure = convex::figure_of(solid, rated.cover, options.objective);
+        }
+        return *rated.figure;
+    }
+    void take_better(Rated& best, Rated other) const {
+        if (figure(other) < figure(best)) {
+            best = std::move(other);
+        }
     }
 
     const Solid& solid;
@@ -329,35 +369,8 @@ struct ApproximationSearch::Data {
     BricksByNumber fine_bricks_, bricks_; ///< by the number asked for
     /// By number of bricks: partitions by number of pieces.
     std::map<std::size_t, std::map<std::size_t, convex::Partition>> splits_;
-    std::map<std::size_t, ConvexCover> known;
+    std::map<std::size_t, Rated> known;
 };
-
-ConvexCover ApproximationSearch::Data::cover(std::size_t count) {
-    if (const auto found = known.find(count); found != known.end()) {
-        return found->second;
-    }
-    std::optional<ConvexCover> best;
-    const bool done = cover::completed_unless_stopped(options.stop, [&] {
-        if (count == 1) {
-            best = single(Effort::fast);
-            if (ConvexCover one = single(options.effort); better(one, *best)) {
-                best = std::move(one);
-            }
-            return;
-        }
-        best = cover(convex::rung_below(count));
-        if (ConvexCover more = several(count); better(more, *best)) {
-            best = std::move(more);
-        }
-    });
-    if (!best) {
-        best = single(Effort::fast);
-    }
-    if (done) {
-        known.emplace(count, *best);
-    }
-    return *best;
-}
 
 ApproximationSearch::ApproximationSearch(const Solid& solid, std::span<const Element::Kind> kinds,
                                          const ApproximateOptions& options)
@@ -370,7 +383,7 @@ ConvexCover ApproximationSearch::cover(std::size_t count) {
         throw Error(ErrorCode::usage,
                     "approximate: a cover needs at least 1 element, got a count of 0; remedy: ask for 1 or more");
     }
-    return data_->cover(count);
+    return data_->best_of(count).cover;
 }
 
 ConvexCover approximate(const Solid& solid, std::size_t count, std::span<const Element::Kind> kinds,

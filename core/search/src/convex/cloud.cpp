@@ -1,5 +1,7 @@
 #include "cloud.hpp"
 
+#include "hull_of_points.hpp"
+
 #include <foam/base/error.hpp>
 #include <foam/geometry/directions.hpp>
 
@@ -7,6 +9,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 namespace foam::inline search::convex {
 namespace {
@@ -48,28 +51,27 @@ void set_frame(Cloud& cloud, std::span<const Vec3> points) {
     }
 }
 
-void set_normals(Cloud& cloud, const Mesh& surface) {
+void set_normals(Cloud& cloud, const std::vector<geometry::HullTriangle>& triangles) {
     struct Face {
         double area;
         Vec3 normal;
     };
     std::vector<Face> faces;
-    for (const Triangle& t : surface.triangles) {
-        const Vec3 n =
-            cross(surface.vertices[t[1]] - surface.vertices[t[0]], surface.vertices[t[2]] - surface.vertices[t[0]]);
-        const double area = norm(n);
-        if (!(area > 0)) {
-            continue;
+    for (const geometry::HullTriangle& t : triangles) {
+        const auto& [a, b, c] = t.corners;
+        const Vec3 n = cross(cloud.points[b] - cloud.points[a], cloud.points[c] - cloud.points[a]);
+        if (const double area = norm(n); area > 0) {
+            faces.push_back({area, n / area});
         }
-        faces.push_back({area, n / area});
     }
     std::stable_sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) { return a.area > b.area; });
     constexpr double same = 1 - 1e-9; // cosine of parallel faces
     constexpr std::size_t most = 200;
-    for (const Face& face : faces) {
+    for (std::size_t f = 0; f < faces.size() && cloud.normals.size() < most; ++f) {
+        const Face& face = faces[f];
         const bool known = std::any_of(cloud.normals.begin(), cloud.normals.end(),
                                        [&](const Vec3& n) { return std::abs(dot(n, face.normal)) > same; });
-        if (!known && cloud.normals.size() < most) {
+        if (!known) {
             cloud.normals.push_back(face.normal);
         }
     }
@@ -77,28 +79,46 @@ void set_normals(Cloud& cloud, const Mesh& surface) {
 
 } // namespace
 
-Cloud cloud_of(const Polytope& hull) {
-    Cloud cloud;
-    set_frame(cloud, hull.surface.vertices);
-    set_normals(cloud, hull.surface);
-    return cloud;
-}
-
-Cloud cloud_of(std::span<const Vec3> points) {
-    Cloud cloud;
-    set_frame(cloud, points);
+/// Makes the hull of the points of a cloud, and sets its normals. Returns nothing of points that lie in a plane.
+static std::optional<HullOfPoints> hull_of(Cloud& cloud) {
     constexpr double flat = 1e-9; // units: below this thickness there is no hull to speak of
     const Vec3 normal = normal_of_flat(cloud.points);
     const auto [low, high] =
         std::minmax_element(cloud.points.begin(), cloud.points.end(),
                             [&](const Vec3& a, const Vec3& b) { return dot(a, normal) < dot(b, normal); });
-    if (dot(*high - *low, normal) > flat) {
-        return cloud_of(*convex_hull(points));
+    // What a hull of this precision leaves out, element_of() has room for.
+    constexpr double precision = 1e-14;
+    if (HullOfPoints hull; dot(*high - *low, normal) > flat && hull.run(cloud.points, precision) > 0) {
+        set_normals(cloud, hull.triangles());
+        return hull;
     }
     cloud.flat = true;
     if (squared_norm(normal) > 0) {
         cloud.normals.push_back(normal);
     }
+    return std::nullopt;
+}
+
+Cloud cloud_of(std::span<const Vec3> points) {
+    Cloud cloud;
+    set_frame(cloud, points);
+    if (const std::optional<HullOfPoints> hull = hull_of(cloud)) {
+        std::vector<Vec3> vertices;
+        for (const std::uint32_t v : hull->vertices()) {
+            vertices.push_back(cloud.points[v]);
+        }
+        cloud.points = std::move(vertices);
+    }
+    return cloud;
+}
+
+Cloud quick_cloud_of(std::span<const Vec3> points) {
+    Cloud cloud;
+    set_frame(cloud, points);
+    Cloud coarse;
+    coarse.points = few_extremes_of(cloud.points);
+    hull_of(coarse);
+    cloud.normals = std::move(coarse.normals);
     return cloud;
 }
 

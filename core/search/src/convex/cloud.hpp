@@ -25,8 +25,9 @@ struct Cloud {
 
 /// Returns the cloud of at least one finite point. O(n log n).
 Cloud cloud_of(std::span<const Vec3> points);
-/// Returns the same of the vertices of a hull.
-Cloud cloud_of(const Polytope& hull);
+/// Returns the cloud of all the points, not of the extreme ones alone, and some normals of their hull. For quick fits:
+/// there is no hull of many points to be made. O(n).
+Cloud quick_cloud_of(std::span<const Vec3> points);
 
 /// Returns the points that are farthest along one of 400 directions all around, or all of few points. To the precision
 /// of `float`. O(n).

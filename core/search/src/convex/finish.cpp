@@ -62,17 +62,13 @@ ConvexCover proved(const Solid& solid, Approximation::Level elements) {
         cover.certificate = certify(solid, elements.view());
     }
     cover.volume = union_volume(elements.view());
-    const double inside = solid.volume();
-    cover.excess =
-        inside > 0 ? excess_volume(solid, elements.view()) / inside : std::numeric_limits<double>::infinity();
     cover.elements = std::move(elements);
     return cover;
 }
 
 double figure_of(const Solid& solid, const ConvexCover& cover, ApproximationObjective objective) {
     if (objective == ApproximationObjective::excess) {
-        const double inside = solid.volume();
-        return inside > 0 ? cover.excess * inside : cover.volume;
+        return excess_volume(solid, cover.elements.view());
     }
     MeasureOptions quick;
     quick.surface_points = 1;

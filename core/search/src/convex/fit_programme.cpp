@@ -99,6 +99,26 @@ void close_around(Fit& fit, const Cloud& cloud) {
     }
 }
 
+Cloud near_boundary(const Fit& fit, const Cloud& cloud, double distance) {
+    Cloud near;
+    for (const Vec3& p : cloud.points) {
+        const Vec3 q = fit.local(p);
+        bool is_near = false;
+        for (int axis = 0; axis < 3; ++axis) {
+            is_near = is_near || (has_flat_end(fit.kind, axis) && std::abs(q[axis]) > fit.half[axis] - distance);
+        }
+        if (fit.kind != Kind::box && !is_near) {
+            const double room = fit.radius - distance;
+            is_near = room <= 0 ||
+                      squared_norm(fit.kind == Kind::cylinder ? Vec3{q.x, q.y, 0} : from_core(fit, q)) > room * room;
+        }
+        if (is_near) {
+            near.points.push_back(p);
+        }
+    }
+    return near;
+}
+
 void set_constraints(const Fit& fit, const Cloud& cloud, double reach, std::vector<Constraint>& constraints,
                      bool keep_axes) {
     constraints.clear();

@@ -16,6 +16,9 @@ Vec3 from_core(const Fit& fit, const Vec3& local);
 /// Makes the lengths of a fit the least that hold the points, about its core: its radius, the half length of a cylinder
 /// and those of a box.
 void close_around(Fit& fit, const Cloud& cloud);
+/// Returns the points within a distance of the boundary of a fit that holds all, in its frame: what a small change of
+/// the fit depends on.
+Cloud near_boundary(const Fit& fit, const Cloud& cloud, double distance);
 /// Writes the constraints of lengths, and of points that a step of this length may reach, to first order.
 /// `keep_axes`: a step does not turn the fit.
 void set_constraints(const Fit& fit, const Cloud& cloud, double reach, std::vector<Constraint>& constraints,

@@ -53,11 +53,17 @@ std::vector<std::uint32_t> HullOfPoints::vertices() const {
         std::iota(result.begin(), result.end(), 0u);
         return result;
     }
+    std::vector<char> used(count_, 0);
     for (const geometry::HullTriangle& t : triangles_) {
-        result.insert(result.end(), t.corners.begin(), t.corners.end());
+        for (const std::uint32_t c : t.corners) {
+            used[c] = 1;
+        }
     }
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
+    for (std::uint32_t i = 0; i < count_; ++i) {
+        if (used[i]) {
+            result.push_back(i);
+        }
+    }
     return result;
 }
 

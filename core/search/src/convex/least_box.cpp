@@ -1,3 +1,4 @@
+#include "fit_programme.hpp"
 #include "least_fit.hpp"
 #include "rectangle.hpp"
 
@@ -49,14 +50,14 @@ public:
         const Vec3 x = normalized(frame[0] * rectangle.along.x + frame[1] * rectangle.along.y);
         return {{x, cross(z, x), z}, rectangle.area * extent(cloud_, z)};
     }
-    Oriented descended(Oriented best) {
+    Oriented descended(Oriented best, Effort effort) {
         // Around balls each step gains less than the one before, and never nothing.
-        constexpr double gain = 1 - 1e-7;
+        const double least_gain = effort == Effort::fast ? 1e-4 : 1e-7;
         constexpr std::size_t most_steps = 300;
         int idle = 0;
         for (std::size_t step = 0; idle < 3 && step < most_steps; ++step) {
             const Oriented next = about(best.axes[step % 3]);
-            idle = next.volume < best.volume * gain ? 0 : idle + 1;
+            idle = next.volume < best.volume * (1 - least_gain) ? 0 : idle + 1;
             if (next.volume < best.volume) {
                 best = next;
             }
@@ -135,7 +136,7 @@ static std::vector<Oriented> boxes_from(const Cloud& cloud, const std::vector<Ve
     boxes.resize(std::min(descents, boxes.size()));
     for (Oriented& box : boxes) {
         check_cancelled();
-        box = search.descended(box);
+        box = search.descended(box, effort);
     }
     std::stable_sort(boxes.begin(), boxes.end(), less);
     return boxes;
@@ -144,16 +145,24 @@ static std::vector<Oriented> boxes_from(const Cloud& cloud, const std::vector<Ve
 Fit least_box(const Cloud& cloud, Effort effort) {
     // Of many points, the extreme ones tell which boxes are worth a look at all.
     Cloud coarse;
-    coarse.points = extremes_of(cloud.points);
+    coarse.points = effort == Effort::fast ? few_extremes_of(cloud.points) : extremes_of(cloud.points);
     const std::vector<Oriented> found = boxes_from(coarse, cloud.normals, effort);
     if (coarse.points.size() == cloud.points.size()) {
         return box_along(cloud, found.front().axes);
     }
-    const std::size_t looks = effort == Effort::fast ? 1 : effort == Effort::normal ? 6 : found.size();
+    if (effort == Effort::fast) {
+        constexpr double near = 0.02; // units
+        const Cloud boundary = near_boundary(box_along(cloud, found.front().axes), cloud, near);
+        Search search(boundary);
+        const Fit box = box_along(cloud, search.descended(search.as_is(found.front().axes), effort).axes);
+        const Fit first = box_along(cloud, found.front().axes);
+        return volume(box) < volume(first) ? box : first;
+    }
+    const std::size_t looks = effort == Effort::normal ? 6 : found.size();
     Search search(cloud);
     std::optional<Oriented> best;
     for (std::size_t i = 0; i < std::min(looks, found.size()); ++i) {
-        const Oriented box = search.descended(search.as_is(found[i].axes));
+        const Oriented box = search.descended(search.as_is(found[i].axes), effort);
         if (!best || box.volume < best->volume * (1 - 1e-9)) {
             best = box;
         }

@@ -31,8 +31,8 @@ Fit quick_fit(Element::Kind kind, const Cloud& cloud, bool axis_aligned = false)
 Fit least_fit(Element::Kind kind, const Cloud& cloud, Effort effort, bool axis_aligned = false);
 
 /// Returns the fit, changed by steps that reduce its volume while it holds all points, until there are none: each step
-/// solves the problem with the constraints made linear (a sequence of quadratic programmes). `keep_axes`: only moves
-/// and lengths change. Not for boxes and spheres.
-Fit descended(const Fit& fit, const Cloud& cloud, int most_steps, bool keep_axes = false);
+/// solves the problem with the constraints made linear (a sequence of quadratic programmes). `first_reach`: length of
+/// the first step, units. `keep_axes`: only moves and lengths change. Not for boxes and spheres.
+Fit descended(const Fit& fit, const Cloud& cloud, int most_steps, double first_reach = 0.1, bool keep_axes = false);
 
 } // namespace foam::inline search::convex

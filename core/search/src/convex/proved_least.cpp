@@ -171,7 +171,7 @@ private:
             cell.lower_bound = bound_of_cylinder(cloud_, here, angle);
         } else {
             constexpr int steps = 60;
-            here = descended(capsule_along(cloud_, direction_at(cell)), cloud_, steps, true);
+            here = descended(capsule_along(cloud_, direction_at(cell)), cloud_, steps, 0.1, true);
             cell.lower_bound = bound_of_capsule(volume(here), angle);
         }
         if (volume(here) < least_) {

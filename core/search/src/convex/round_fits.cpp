@@ -50,23 +50,35 @@ std::vector<Vec3> start_directions(const Cloud& cloud, Effort effort) {
     return directions;
 }
 
+/// Returns the result of a descent about few of the points, and then about those near the boundary.
+Fit quickly_descended(const Fit& start, const Cloud& coarse, const Cloud& cloud) {
+    constexpr int steps = 15, last_steps = 6;
+    constexpr double last_reach = 0.01, near = 6 * last_reach; // units
+    Fit best = descended(start, coarse, steps);
+    close_around(best, cloud);
+    Fit found = descended(best, near_boundary(best, cloud, near), last_steps, last_reach);
+    close_around(found, cloud);
+    return volume(found) < volume(best) ? found : best;
+}
+
 /// Returns the best result of descents from the best fits along directions. Of many points, the extreme ones tell which
-/// directions are worth a look at all.
+/// directions are worth a look at all; the descents of Effort::fast are mostly about these, too.
 template <class Along> Fit least_along(const Cloud& cloud, Effort effort, Along along) {
     Cloud coarse;
-    coarse.points = extremes_of(cloud.points);
+    const bool fast = effort == Effort::fast;
+    coarse.points = fast ? few_extremes_of(cloud.points) : extremes_of(cloud.points);
     std::vector<Fit> starts;
     for (const Vec3& direction : start_directions(coarse, effort)) {
         check_cancelled();
         starts.push_back(along(coarse, direction));
     }
     std::stable_sort(starts.begin(), starts.end(), [](const Fit& a, const Fit& b) { return volume(a) < volume(b); });
-    const std::size_t descents = effort == Effort::fast ? 2 : effort == Effort::normal ? 6 : 40;
-    const int steps = effort == Effort::fast ? 15 : 60;
+    const std::size_t descents = fast ? 2 : effort == Effort::normal ? 6 : 40;
     std::optional<Fit> best;
     for (std::size_t i = 0; i < std::min(descents, starts.size()); ++i) {
         close_around(starts[i], cloud);
-        if (const Fit found = descended(starts[i], cloud, steps); !best || volume(found) < volume(*best) * (1 - 1e-9)) {
+        const Fit found = fast ? quickly_descended(starts[i], coarse, cloud) : descended(starts[i], cloud, 60);
+        if (!best || volume(found) < volume(*best) * (1 - 1e-9)) {
             best = found;
         }
     }
@@ -101,11 +113,11 @@ Fit rounded(const Fit& box, const Cloud& cloud) {
 
 } // namespace
 
-Fit descended(const Fit& start, const Cloud& cloud, int most_steps, bool keep_axes) {
+Fit descended(const Fit& start, const Cloud& cloud, int most_steps, double first_reach, bool keep_axes) {
     constexpr double shortest = 1e-8, longest = 0.1; // units
     Fit best = start;
     double least = volume(best);
-    double reach = longest;
+    double reach = first_reach;
     std::vector<Constraint> constraints;
     for (int i = 0; i < most_steps && reach > shortest; ++i) {
         check_cancelled();
@@ -172,13 +184,20 @@ Fit least_capsule(const Cloud& cloud, Effort effort) {
 }
 
 Fit least_swept_box(const Cloud& cloud, Effort effort) {
-    const int steps = effort == Effort::fast ? 15 : 80;
-    Fit box = least_box(cloud, effort);
+    const bool fast = effort == Effort::fast;
+    constexpr int steps = 80;
+    Cloud coarse;
+    if (fast) {
+        coarse.points = few_extremes_of(cloud.points);
+    }
+    const Fit box = least_box(cloud, effort);
     Fit capsule = least_capsule(cloud, Effort::fast); // a start, no more
     capsule.kind = Kind::swept_box;
     Fit best = capsule;
-    for (const Fit& start : {rounded(box, cloud), capsule, rounded(box_along(cloud, capsule.axes), cloud)}) {
-        if (const Fit found = descended(start, cloud, steps); volume(found) < volume(best)) {
+    const Cloud& seen = fast ? coarse : cloud;
+    for (const Fit& start : {rounded(box, seen), capsule, rounded(box_along(cloud, capsule.axes), seen)}) {
+        const Fit found = fast ? quickly_descended(start, coarse, cloud) : descended(start, cloud, steps);
+        if (volume(found) < volume(best)) {
             best = found;
         }
     }

@@ -37,12 +37,11 @@ struct ApproximateOptions {
     bool axis_aligned = false;     ///< boxes have the axes of the solid's frame
 };
 
-/// Convex elements that cover a solid, with the proof.
+/// Convex elements that cover a solid, with the proof. Figures beside the volume: foam/geometry/element_measure.hpp.
 struct ConvexCover {
     Approximation::Level elements; ///< m, in the solid's frame; at least one
     Certificate certificate;       ///< proof that solid.surface() lies in their union; it always holds
     double volume = 0;             ///< of their union, m³
-    double excess = 0;             ///< vol(U \ S) / vol(S); infinite if vol(S) = 0
 };
 
 /// The search for covering elements of one solid, with one element, two, three…. What the counts have in common is
