@@ -39,8 +39,12 @@ void add_length_constraints(const Fit& fit, std::vector<Constraint>& constraints
 /// Adds the constraint that a point stays within the radius, if a step may reach it.
 void add_round(const Fit& fit, const Vec3& q, double reach, std::vector<Constraint>& constraints) {
     const Vec3 d = fit.kind == Kind::cylinder ? Vec3{q.x, q.y, 0} : from_core(fit, q);
+    const double room = fit.radius - reach;
+    if (room > 0 && squared_norm(d) <= room * room) {
+        return;
+    }
     const double length = norm(d);
-    if (!(length > 0 && length > fit.radius - reach)) {
+    if (!(length > 0)) {
         return;
     }
     const Vec3 n = d / length;
@@ -119,8 +123,12 @@ Cloud near_boundary(const Fit& fit, const Cloud& cloud, double distance) {
     return near;
 }
 
-void set_constraints(const Fit& fit, const Cloud& cloud, double reach, std::vector<Constraint>& constraints,
+void set_constraints(const Fit& fit, const Cloud& cloud, double length, std::vector<Constraint>& constraints,
                      bool keep_axes) {
+    // To first order a point moves by no more than the product of the step and of its constraint's slope, which has
+    // three parts of at most 1 beside the distance of the point from the centre.
+    constexpr double steepest = 2;
+    const double reach = steepest * length;
     constraints.clear();
     add_length_constraints(fit, constraints);
     for (const Vec3& p : cloud.points) {

@@ -313,7 +313,7 @@ private:
             if (!(gradient.norm() > 0)) {
                 break;
             }
-            set_constraints(best, cloud, 6 * reach, constraints, keep_axes_);
+            set_constraints(best, cloud, reach, constraints, keep_axes_);
             const Variables step = quadratic_step(gradient, gradient.norm() / reach, constraints);
             const double before = least;
             if (offer(stepped(best, step, cloud))) {

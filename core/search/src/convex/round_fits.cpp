@@ -122,7 +122,7 @@ Fit descended(const Fit& start, const Cloud& cloud, int most_steps, double first
     for (int i = 0; i < most_steps && reach > shortest; ++i) {
         check_cancelled();
         const Variables gradient = volume_slopes(best);
-        set_constraints(best, cloud, 6 * reach, constraints, keep_axes);
+        set_constraints(best, cloud, reach, constraints, keep_axes);
         const Variables step = quadratic_step(gradient, gradient.norm() / reach, constraints);
         const Fit next = stepped(best, step, cloud);
         const double reached = volume(next);

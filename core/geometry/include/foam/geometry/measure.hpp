@@ -40,7 +40,7 @@ struct MeasureOptions {
     /// other volume follows from vol(U) and vol(S).
     std::size_t volume_rays = 30'000;
     /// The same where S is not closed, with one line for every dozen points: holes cut a line into about as many
-    /// pieces.
+    /// pieces. Around elements that overlap and are not all spheres, one for every four dozen.
     std::size_t volume_points = 200'000;
     std::size_t directions_per_sphere = 1'000;
 };
