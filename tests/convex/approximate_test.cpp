@@ -87,6 +87,31 @@ TEST(Approximate, TwoHullsOfAnLHaveLittleExcess) {
     expect_cover(*solid, two, 2);
 }
 
+/// A column on four legs, as the pedestal of a robot. A first plane between legs gains nothing.
+Mesh pedestal() {
+    Mesh mesh = test::box({-1, -1, 0}, {1, 1, 6});
+    for (const auto& [x, y] : {std::pair{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
+        Mesh leg = test::box({0, -0.6, 0}, {5, 0.6, 1});
+        const Pose pose = Pose::from_axis_angle({0, 0, 1}, std::atan2(y, x));
+        for (Vec3& p : leg.vertices) {
+            p = pose * p;
+        }
+        append(mesh, leg);
+    }
+    return mesh;
+}
+
+TEST(Approximate, LegsGetAnElementEach) {
+    const auto solid = Solid::make(pedestal());
+    for (const Kind kind : {Kind::box, Kind::swept_box}) { // each box is a swept box of no radius
+        for (const auto& [count, most] : {std::pair{6, 0.35}, {8, 0.25}}) {
+            const ConvexCover cover = cover_by(*solid, static_cast<std::size_t>(count), kind, {});
+            EXPECT_LE(excess_of(*solid, cover), most) << to_string(kind) << ' ' << count;
+            expect_cover(*solid, cover, static_cast<std::size_t>(count));
+        }
+    }
+}
+
 TEST(Approximate, MoreElementsHaveNoMoreExcess) {
     const auto solid = Solid::make(torus());
     for (const Kind kind : {Kind::capsule, Kind::box, Kind::hull}) {

@@ -299,17 +299,48 @@ struct ApproximationSearch::Data {
             }
             const std::vector<convex::Brick>& fine =
                 once(fine_bricks_, number, [&] { return convex::bricks_of(body().body, number); });
-            return most < fine.size() ? convex::united(fine, convex::merged(fine, {most}).front()) : fine;
+            return most < fine.size()
+                       ? convex::united(fine, convex::merged(fine, {most}, convex::price_of_hull()).front())
+                       : fine;
         });
     }
-    /// Returns how many bricks so many pieces are made of.
+    static constexpr std::size_t bricks_a_piece = 6; ///< at least, where not all are hulls
+
+    /// Returns how many bricks so many pieces are made of. Several counts have the same, and share what is found.
     std::size_t bricks_for(std::size_t count) const {
         constexpr std::size_t few_for_hulls = 40;
-        return only_hulls ? std::max(few_for_hulls, 4 * count) : std::max(plan.bricks, 6 * count);
+        if (only_hulls) {
+            return std::max(few_for_hulls, 4 * count);
+        }
+        std::size_t number = plan.bricks;
+        while (number < bricks_a_piece * count) {
+            number *= 2;
+        }
+        return number;
     }
-    /// Returns the partition into hulls that a merge of bricks gives.
-    static convex::Partition by_merging(const std::vector<convex::Brick>& bricks, std::size_t count) {
-        return {bricks, convex::merged(bricks, {count}).front()};
+    /// Returns the partition that a merge of bricks gives.
+    convex::Partition by_merging(std::size_t count, std::size_t number) {
+        if (only_hulls) {
+            return {bricks(number), convex::merged(bricks(number), {count}, convex::price_of_hull()).front()};
+        }
+        auto& known_merges = merges_[number];
+        if (known_merges.empty()) {
+            std::vector<std::size_t> counts(2 * number / bricks_a_piece);
+            std::iota(counts.rbegin(), counts.rend(), std::size_t{1});
+            known_merges = convex::merged(bricks(number), counts,
+                                          [this](std::span<const Vec3> points) { return price_of_one(points); });
+            std::reverse(known_merges.begin(), known_merges.end());
+        }
+        convex::Partition partition{bricks(number), known_merges[count - 1]};
+        for (convex::Piece& piece : partition.pieces) {
+            pricing().appraise(piece);
+        }
+        return partition;
+    }
+    /// Returns the volume of the element around points.
+    double price_of_one(std::span<const Vec3> points) const {
+        return has(Element::Kind::hull) ? price_with_hull(points)
+                                        : convex::volume(quick_fit_around(convex::few_extremes_of(points)));
     }
     /// Returns the bricks as one piece.
     static convex::Partition whole(std::vector<convex::Brick> bricks, const convex::Pricing& pricing) {
@@ -330,20 +361,29 @@ struct ApproximationSearch::Data {
         known_splits.insert_or_assign(count, partition);
         return partition;
     }
-    /// Returns the better partition that merging and splitting give, recut.
+    /// Returns the better partition that merging and splitting give, recut. Splitting alone does not get to a body with
+    /// several legs: the first cut between two of them gains nothing.
     convex::Partition partition_for(std::size_t count) {
-        constexpr std::size_t few = 12; // pieces, for which another start is cheap
-        std::optional<convex::Partition> best;
-        if (only_hulls) {
-            best = by_merging(bricks(bricks_for(count)), count);
+        constexpr std::size_t few = 12; // hulls, for which another start is cheap
+        const std::size_t number = bricks_for(count);
+        convex::Partition best = by_merging(count, number);
+        if (!only_hulls && number > plan.bricks) {
+            if (convex::Partition other = by_merging(count, number / 2); price_of(other) < price_of(best)) {
+                best = std::move(other);
+            }
         }
         if (!only_hulls || count <= few) {
-            if (convex::Partition split = by_splitting(count); !best || split.price() < best->price()) {
+            if (convex::Partition split = by_splitting(count); price_of(split) < price_of(best)) {
                 best = std::move(split);
             }
         }
-        convex::recut(*best, pricing(), plan.recut);
-        return std::move(*best);
+        convex::recut(best, pricing(), plan.recut);
+        return best;
+    }
+    double price_of(const convex::Partition& partition) {
+        std::vector<std::size_t> all(partition.pieces.size());
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        return pricing().beside(partition.pieces, all).now;
     }
     Rated several(std::size_t count) { return cover_of(partition_for(count)); }
     double figure(Rated& rated) const {
@@ -369,6 +409,7 @@ struct ApproximationSearch::Data {
     BricksByNumber fine_bricks_, bricks_; ///< by the number asked for
     /// By number of bricks: partitions by number of pieces.
     std::map<std::size_t, std::map<std::size_t, convex::Partition>> splits_;
+    std::map<std::size_t, std::vector<std::vector<convex::Piece>>> merges_; ///< the same, by rising number of pieces
     std::map<std::size_t, Rated> known;
 };
 

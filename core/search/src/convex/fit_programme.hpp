@@ -19,8 +19,8 @@ void close_around(Fit& fit, const Cloud& cloud);
 /// Returns the points within a distance of the boundary of a fit that holds all, in its frame: what a small change of
 /// the fit depends on.
 Cloud near_boundary(const Fit& fit, const Cloud& cloud, double distance);
-/// Writes the constraints of lengths, and of points that a step may reach, to first order. `length`: at most that of the
-/// variables of the step. `keep_axes`: a step does not turn the fit.
+/// Writes the constraints of lengths, and of points that a step may reach, to first order. `length`: at most that of
+/// the variables of the step. `keep_axes`: a step does not turn the fit.
 void set_constraints(const Fit& fit, const Cloud& cloud, double length, std::vector<Constraint>& constraints,
                      bool keep_axes);
 /// Returns the fit after a step, with the lengths that hold the points.

@@ -16,7 +16,7 @@ bool touch(const Box& a, const Box& b) {
 }
 
 struct Offer {
-    double price; ///< volume that the common hull adds
+    double price; ///< what the common element adds
     std::uint32_t a, b;
 
     bool operator>(const Offer& o) const { return std::tie(price, a, b) > std::tie(o.price, o.a, o.b); }
@@ -24,8 +24,8 @@ struct Offer {
 
 class Merging {
 public:
-    explicit Merging(const std::vector<Brick>& bricks) {
-        const SumOfVolumes volume(price_of_hull());
+    Merging(const std::vector<Brick>& bricks, Price price) : price_(std::move(price)) {
+        const SumOfVolumes volume(price_);
         pieces_.resize(bricks.size());
         parallel_for(bricks.size(),
                      [&](std::size_t i) { pieces_[i] = piece_of(bricks, {static_cast<std::uint32_t>(i)}, volume); });
@@ -65,10 +65,9 @@ public:
 
 private:
     double price(std::uint32_t a, std::uint32_t b) const {
-        HullOfPoints hull;
         std::vector<Vec3> points = pieces_[a].hull;
         points.insert(points.end(), pieces_[b].hull.begin(), pieces_[b].hull.end());
-        return hull.run_quickly(points) - pieces_[a].price - pieces_[b].price;
+        return price_(points) - pieces_[a].price - pieces_[b].price;
     }
     void offer(std::vector<Offer> pairs) {
         const auto one = [&](std::size_t i) { pairs[i].price = price(pairs[i].a, pairs[i].b); };
@@ -103,10 +102,11 @@ private:
         std::vector<Vec3> points = pieces_[a].hull;
         points.insert(points.end(), pieces_[b].hull.begin(), pieces_[b].hull.end());
         HullOfPoints hull;
-        both.price = hull.run(points);
+        hull.run(points);
         for (const std::uint32_t v : hull.vertices()) {
             both.hull.push_back(points[v]);
         }
+        both.price = price_(both.hull);
         both.box = pieces_[a].box;
         both.box.add(pieces_[b].box);
         dead_[a] = dead_[b] = 1;
@@ -123,6 +123,7 @@ private:
         offer(std::move(pairs));
     }
 
+    Price price_;
     std::vector<Piece> pieces_;
     std::vector<char> dead_;
     std::size_t alive_ = 0;
@@ -160,8 +161,9 @@ Piece piece_of(const std::vector<Brick>& bricks, std::vector<std::uint32_t> memb
     return piece;
 }
 
-std::vector<std::vector<Piece>> merged(const std::vector<Brick>& bricks, const std::vector<std::size_t>& counts) {
-    Merging merging(bricks);
+std::vector<std::vector<Piece>> merged(const std::vector<Brick>& bricks, const std::vector<std::size_t>& counts,
+                                       Price price) {
+    Merging merging(bricks, std::move(price));
     std::vector<std::vector<Piece>> result;
     for (const std::size_t count : counts) {
         result.push_back(merging.down_to(count));

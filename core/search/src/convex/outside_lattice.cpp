@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace foam::inline search::convex {
 namespace {
@@ -33,15 +34,17 @@ struct Held {
 /// Makes each share at least that of the fit.
 FOAM_FOR_WIDE_VECTORS
 void add_round(const Held& f, std::size_t count, const float* x, const float* y, const float* z, float* held) {
-    const float squared_radius = f.radius * f.radius;
     for (std::size_t i = 0; i < count; ++i) {
-        float squared = 0;
+        float squared = 0, deep = -std::numeric_limits<float>::infinity();
         for (int k = 0; k < 3; ++k) {
             const float q = std::abs(f.axis[k][0] * x[i] + f.axis[k][1] * y[i] + f.axis[k][2] * z[i] - f.offset[k]);
             const float beyond = std::max(q - f.half[k], 0.0f);
             squared += beyond * beyond;
+            deep = std::max(deep, q - f.half[k]);
         }
-        const float share = std::clamp(0.5f - (squared - squared_radius) * f.steepness, 0.0f, 1.0f);
+        // In the core, the distance to its boundary counts: a swept box may have no radius.
+        const float distance = std::sqrt(squared) + std::min(deep, 0.0f) - f.radius;
+        const float share = std::clamp(0.5f - distance * f.inverse_cell, 0.0f, 1.0f);
         held[i] = std::max(held[i], share);
     }
 }

@@ -50,10 +50,11 @@ struct Partition {
 Price price_of_hull();
 Piece piece_of(const std::vector<Brick>& bricks, std::vector<std::uint32_t> members, const Pricing& pricing);
 
-/// Returns the partitions for hulls into each of the counts, which descend: from one piece a brick, the two pieces
-/// whose common hull adds least volume become one, again and again (Mamou and Ghorbel 2009). Pieces that do not touch
-/// come together when none is left that touches another.
-std::vector<std::vector<Piece>> merged(const std::vector<Brick>& bricks, const std::vector<std::size_t>& counts);
+/// Returns the partitions into each of the counts, which descend: from one piece a brick, the two pieces whose common
+/// element adds least to the price become one, again and again (Mamou and Ghorbel 2009, for hulls). Pieces that do not
+/// touch come together when none is left that touches another. The prices are those of `price`, without fits.
+std::vector<std::vector<Piece>> merged(const std::vector<Brick>& bricks, const std::vector<std::size_t>& counts,
+                                       Price price);
 
 /// Returns one brick for each piece.
 std::vector<Brick> united(const std::vector<Brick>& bricks, const std::vector<Piece>& pieces);
