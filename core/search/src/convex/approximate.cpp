@@ -279,30 +279,42 @@ struct ApproximationSearch::Data {
         take_better(best, {cover_by(start), {}});
         return best;
     }
-    using BricksByNumber = std::map<std::size_t, std::vector<convex::Brick>>;
-    /// Returns the bricks under this number; makes them once.
-    template <class Make>
-    static const std::vector<convex::Brick>& once(BricksByNumber& known, std::size_t number, Make make) {
-        const auto found = known.find(number);
-        return found != known.end() ? found->second : known.emplace(number, make()).first->second;
-    }
-    /// Returns the bricks that pieces are made of, about `most`. For hulls they are those of bricks_of(), put together
-    /// where that adds little, or half as many for large numbers: the same serve for several.
-    const std::vector<convex::Brick>& bricks(std::size_t most) {
-        return once(bricks_, most, [&] {
-            if (!only_hulls) {
-                return convex::halved_bricks(body().body, most);
-            }
-            std::size_t number = plan.hull_bricks;
+    /// Bricks, and the merges of them.
+    struct Merged {
+        std::vector<convex::Brick> bricks;
+        convex::Merges merges;
+    };
+    /// Returns about so many bricks that make up pieces, and the merges of them. For hulls the same serve for several
+    /// numbers.
+    const Merged& merged_bricks(std::size_t most) {
+        std::size_t number = most;
+        if (only_hulls) {
+            number = plan.hull_bricks;
             while (2 * number < most) {
                 number *= 2;
             }
-            const std::vector<convex::Brick>& fine =
-                once(fine_bricks_, number, [&] { return convex::bricks_of(body().body, number); });
-            return most < fine.size()
-                       ? convex::united(fine, convex::merged(fine, {most}, convex::price_of_hull()).front())
-                       : fine;
-        });
+        }
+        auto found = merged_.find(number);
+        if (found == merged_.end()) {
+            std::vector<convex::Brick> bricks =
+                only_hulls ? convex::bricks_of(body().body, number) : convex::halved_bricks(body().body, number);
+            convex::Merges merges(bricks, [this](std::span<const Vec3> points) { return price_of_one(points); });
+            found = merged_.emplace(number, Merged{std::move(bricks), std::move(merges)}).first;
+        }
+        return found->second;
+    }
+    /// Returns the bricks that pieces are made of, about `most`. For hulls they are put together where that adds
+    /// little.
+    const std::vector<convex::Brick>& bricks(std::size_t most) {
+        const Merged& fine = merged_bricks(most);
+        if (!only_hulls || most >= fine.bricks.size()) {
+            return fine.bricks;
+        }
+        std::vector<convex::Brick>& known_bricks = bricks_[most];
+        if (known_bricks.empty()) {
+            known_bricks = convex::united(fine.bricks, fine.merges.at(most));
+        }
+        return known_bricks;
     }
     static constexpr std::size_t bricks_a_piece = 6; ///< at least, where not all are hulls
 
@@ -318,24 +330,34 @@ struct ApproximationSearch::Data {
         }
         return number;
     }
-    /// Returns the partition that a merge of bricks gives.
+    /// Returns the partition that merges of bricks give.
     convex::Partition by_merging(std::size_t count, std::size_t number) {
-        if (only_hulls) {
-            return {bricks(number), convex::merged(bricks(number), {count}, convex::price_of_hull()).front()};
+        const Merged& fine = merged_bricks(number);
+        convex::Partition partition{bricks(number), fine.merges.at(count)};
+        if (partition.bricks.size() < fine.bricks.size()) {
+            name_bricks(partition.pieces, fine.merges.at(number), fine.bricks.size());
         }
-        auto& known_merges = merges_[number];
-        if (known_merges.empty()) {
-            std::vector<std::size_t> counts(2 * number / bricks_a_piece);
-            std::iota(counts.rbegin(), counts.rend(), std::size_t{1});
-            known_merges = convex::merged(bricks(number), counts,
-                                          [this](std::span<const Vec3> points) { return price_of_one(points); });
-            std::reverse(known_merges.begin(), known_merges.end());
-        }
-        convex::Partition partition{bricks(number), known_merges[count - 1]};
         for (convex::Piece& piece : partition.pieces) {
             pricing().appraise(piece);
         }
         return partition;
+    }
+    /// Renames the bricks of pieces: each is in one of `united`, whose index is its new name.
+    static void name_bricks(std::vector<convex::Piece>& pieces, const std::vector<convex::Piece>& united,
+                            std::size_t bricks) {
+        std::vector<std::uint32_t> name(bricks);
+        for (std::uint32_t i = 0; i < united.size(); ++i) {
+            for (const std::uint32_t brick : united[i].bricks) {
+                name[brick] = i;
+            }
+        }
+        for (convex::Piece& piece : pieces) {
+            for (std::uint32_t& brick : piece.bricks) {
+                brick = name[brick];
+            }
+            std::sort(piece.bricks.begin(), piece.bricks.end());
+            piece.bricks.erase(std::unique(piece.bricks.begin(), piece.bricks.end()), piece.bricks.end());
+        }
     }
     /// Returns the volume of the element around points.
     double price_of_one(std::span<const Vec3> points) const {
@@ -406,10 +428,10 @@ struct ApproximationSearch::Data {
     std::optional<cover::Occupancy> occupancy_;
     std::unique_ptr<convex::Pricing> pricing_;
     std::optional<convex::BodyOfSolid> body_;
-    BricksByNumber fine_bricks_, bricks_; ///< by the number asked for
+    std::map<std::size_t, Merged> merged_;                     ///< by the number asked for
+    std::map<std::size_t, std::vector<convex::Brick>> bricks_; ///< of hulls, the same
     /// By number of bricks: partitions by number of pieces.
     std::map<std::size_t, std::map<std::size_t, convex::Partition>> splits_;
-    std::map<std::size_t, std::vector<std::vector<convex::Piece>>> merges_; ///< the same, by rising number of pieces
     std::map<std::size_t, Rated> known;
 };
 

@@ -29,7 +29,6 @@ public:
         pieces_.resize(bricks.size());
         parallel_for(bricks.size(),
                      [&](std::size_t i) { pieces_[i] = piece_of(bricks, {static_cast<std::uint32_t>(i)}, volume); });
-        alive_ = pieces_.size();
         dead_.assign(pieces_.size(), 0);
         std::vector<Offer> pairs;
         for (std::uint32_t a = 0; a < pieces_.size(); ++a) {
@@ -42,8 +41,12 @@ public:
         offer(std::move(pairs));
     }
 
-    std::vector<Piece> down_to(std::size_t count) {
-        while (alive_ > count) {
+    /// Returns the pieces: one a brick, and then one for each merge. `dead_after`: the number of merges after which a
+    /// piece is part of another.
+    std::vector<Piece> run(std::vector<std::size_t>& dead_after) {
+        const std::size_t bricks = pieces_.size();
+        dead_after.assign(bricks, SIZE_MAX);
+        for (std::size_t alive = bricks; alive > 1;) {
             check_cancelled();
             if (offers_.empty()) {
                 offer_all();
@@ -52,15 +55,11 @@ public:
             offers_.pop();
             if (!dead_[best.a] && !dead_[best.b]) {
                 merge(best.a, best.b);
+                dead_after.push_back(SIZE_MAX);
+                dead_after[best.a] = dead_after[best.b] = bricks - --alive;
             }
         }
-        std::vector<Piece> result;
-        for (std::size_t i = 0; i < pieces_.size(); ++i) {
-            if (!dead_[i]) {
-                result.push_back(pieces_[i]);
-            }
-        }
-        return result;
+        return std::move(pieces_);
     }
 
 private:
@@ -119,14 +118,12 @@ private:
         }
         pieces_.push_back(std::move(both));
         dead_.push_back(0);
-        --alive_;
         offer(std::move(pairs));
     }
 
     Price price_;
     std::vector<Piece> pieces_;
     std::vector<char> dead_;
-    std::size_t alive_ = 0;
     std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers_;
 };
 
@@ -161,12 +158,17 @@ Piece piece_of(const std::vector<Brick>& bricks, std::vector<std::uint32_t> memb
     return piece;
 }
 
-std::vector<std::vector<Piece>> merged(const std::vector<Brick>& bricks, const std::vector<std::size_t>& counts,
-                                       Price price) {
-    Merging merging(bricks, std::move(price));
-    std::vector<std::vector<Piece>> result;
-    for (const std::size_t count : counts) {
-        result.push_back(merging.down_to(count));
+Merges::Merges(const std::vector<Brick>& bricks, Price price) : bricks_(bricks.size()) {
+    pieces_ = Merging(bricks, std::move(price)).run(dead_after_);
+}
+
+std::vector<Piece> Merges::at(std::size_t count) const {
+    const std::size_t merges = bricks_ - std::min(count, bricks_);
+    std::vector<Piece> result;
+    for (std::size_t i = 0; i < bricks_ + merges; ++i) {
+        if (dead_after_[i] > merges) {
+            result.push_back(pieces_[i]);
+        }
     }
     return result;
 }

@@ -50,11 +50,21 @@ struct Partition {
 Price price_of_hull();
 Piece piece_of(const std::vector<Brick>& bricks, std::vector<std::uint32_t> members, const Pricing& pricing);
 
-/// Returns the partitions into each of the counts, which descend: from one piece a brick, the two pieces whose common
-/// element adds least to the price become one, again and again (Mamou and Ghorbel 2009, for hulls). Pieces that do not
-/// touch come together when none is left that touches another. The prices are those of `price`, without fits.
-std::vector<std::vector<Piece>> merged(const std::vector<Brick>& bricks, const std::vector<std::size_t>& counts,
-                                       Price price);
+/// The merges of bricks into fewer and fewer pieces: from one piece a brick, the two pieces whose common element adds
+/// least to the price become one, again and again (Mamou and Ghorbel 2009, for hulls). Pieces that do not touch come
+/// together when none is left that touches another.
+class Merges {
+public:
+    Merges(const std::vector<Brick>& bricks, Price price);
+
+    /// Returns so many pieces (at least 1), or one a brick where those are fewer. They have no fits.
+    std::vector<Piece> at(std::size_t count) const;
+
+private:
+    std::size_t bricks_;
+    std::vector<Piece> pieces_;           ///< one a brick, and then one for each merge
+    std::vector<std::size_t> dead_after_; ///< the number of merges after which a piece is part of another
+};
 
 /// Returns one brick for each piece.
 std::vector<Brick> united(const std::vector<Brick>& bricks, const std::vector<Piece>& pieces);
