@@ -6,7 +6,8 @@
 #include <foam/geometry/element_measure.hpp>
 #include <foam/geometry/joint_volume.hpp>
 
-#include <numeric>
+#include <algorithm>
+#include <limits>
 
 namespace foam::inline geometry {
 namespace {
@@ -31,12 +32,18 @@ double missing_of(const Solid& solid, const ElementSet& set) {
     std::vector<double> rows(lines.rows());
     parallel_for(rows.size(), [&](std::size_t row) {
         Intervals in_elements, outside;
-        ElementSet::Near all(set.size());
-        std::iota(all.begin(), all.end(), 0u);
+        const int axis = lines.axis(row), beside = (axis + 1) % 3;
+        double from = std::numeric_limits<double>::infinity(), to = -from; // of the row, across its lines
+        for (std::size_t line = 0; line < lines.across(); ++line) {
+            from = std::min(from, lines.origin(row, line)[beside]);
+            to = std::max(to, lines.origin(row, line)[beside]);
+        }
+        ElementSet::Near near;
+        set.between(beside, from, to, near);
         for (std::size_t line = 0; line < lines.across(); ++line) {
             const auto inside = lines.inside(row, line);
             if (!inside.empty()) {
-                set.along(all, lines.origin(row, line), lines.axis(row), in_elements);
+                set.along(near, lines.origin(row, line), axis, in_elements);
                 without(inside, in_elements, lines.shortest(), outside);
                 rows[row] += length(outside);
             }

@@ -55,7 +55,7 @@ public:
     void split_until(std::size_t count) {
         std::vector<Piece>& pieces = partition_.pieces;
         while (pieces.size() < count) {
-            find_splits();
+            find_splits(0);
             std::size_t best = 0;
             for (std::size_t i = 1; i < pieces.size(); ++i) {
                 best = gain(pieces[i]) > gain(pieces[best]) ? i : best;
@@ -76,15 +76,21 @@ public:
     }
 
 private:
-    static double gain(const Piece& piece) { return piece.split_gain; }
-    /// Looks for the planes that cut each piece in two, where that was not done before.
-    void find_splits() {
+    static double gain(const Piece& piece) {
+        return piece.split ? piece.split_gain : -std::numeric_limits<double>::infinity();
+    }
+    /// Looks for the planes that cut each piece in two, where that was not done before and may gain more than `least`:
+    /// a cut gains at most what the piece costs.
+    void find_splits(double least) {
         parallel_for(partition_.pieces.size(), [&](std::size_t i) {
             Piece& piece = partition_.pieces[i];
             if (!piece.split) {
                 check_cancelled();
                 const std::array replaced{i};
                 const Beside beside = pricing_.beside(partition_.pieces, replaced);
+                if (beside.now < least) {
+                    return;
+                }
                 CutSearch search(named(piece.bricks), beside.price);
                 const Cut start = search.start();
                 piece.split = std::isfinite(start.price) ? search.improved(start, plan_.split_tries) : start;
@@ -180,7 +186,6 @@ private:
     /// Merges two pieces where that costs less than another piece gains from a cut.
     bool exchange() {
         std::vector<Piece>& pieces = partition_.pieces;
-        find_splits();
         std::vector<Pair> pairs;
         for (std::uint32_t a = 0; a < pieces.size(); ++a) {
             for (std::uint32_t b = a + 1; b < pieces.size(); ++b) {
@@ -199,6 +204,11 @@ private:
             pair.gain = beside.now - beside.price(points, {});
         });
         std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.gain > b.gain; });
+        const double least = 1e-5 * partition_.price();
+        if (pairs.empty()) {
+            return false;
+        }
+        find_splits(least - pairs.front().gain);
         std::vector<std::size_t> order(pieces.size());
         for (std::size_t i = 0; i < order.size(); ++i) {
             order[i] = i;
@@ -206,7 +216,6 @@ private:
         std::stable_sort(order.begin(), order.end(),
                          [&](std::size_t a, std::size_t b) { return gain(pieces[a]) > gain(pieces[b]); });
         std::vector<char> used(pieces.size(), 0);
-        const double least = 1e-5 * partition_.price();
         std::size_t next = 0;
         bool any = false;
         for (const Pair& pair : pairs) {
