@@ -1,16 +1,6 @@
 #include "bricks.hpp"
 
 namespace foam::inline search::convex {
-namespace {
-
-/// Points nearer to a plane than this, in units, lie on it.
-constexpr double on_plane = 1e-9;
-
-Vec3 crossing(const Vec3& a, const Vec3& b, double height_a, double height_b) {
-    return a + (b - a) * (height_a / (height_a - height_b));
-}
-
-} // namespace
 
 void Polygons::append(const Polygons& other) {
     const auto first = static_cast<std::uint32_t>(corners.size());
@@ -116,7 +106,8 @@ Brick brick_around(HullOfPoints& hull, std::vector<Vec3> points, Polygons surfac
     return brick;
 }
 
-void append_parts(const Brick& brick, const Plane& plane, std::vector<Vec3>& below, std::vector<Vec3>& above) {
+/// Appends the points of the parts of a brick below and above a plane.
+static void append_parts(const Brick& brick, const Plane& plane, std::vector<Vec3>& below, std::vector<Vec3>& above) {
     static thread_local std::vector<double> heights;
     heights.clear();
     bool has_below = false, has_above = false;

@@ -18,6 +18,14 @@ struct Plane {
     double height(const Vec3& p) const { return dot(normal, p) - offset; }
 };
 
+/// Points nearer to a plane than this, in units, lie on it.
+constexpr double on_plane = 1e-9;
+
+/// Returns the point of a segment on a plane, from the heights of its ends on both sides.
+inline Vec3 crossing(const Vec3& a, const Vec3& b, double height_a, double height_b) {
+    return a + (b - a) * (height_a / (height_a - height_b));
+}
+
 /// Convex polygons, one after another.
 struct Polygons {
     std::vector<Vec3> corners;
@@ -44,7 +52,5 @@ struct Brick {
 Brick brick_around(HullOfPoints& hull, std::vector<Vec3> points, Polygons surface);
 /// Returns the two parts of a brick on both sides of a plane; a part that is empty has no points.
 std::array<Brick, 2> cut(HullOfPoints& hull, const Brick& brick, const Plane& plane);
-/// Appends the points of the parts of a brick below and above a plane.
-void append_parts(const Brick& brick, const Plane& plane, std::vector<Vec3>& below, std::vector<Vec3>& above);
 
 } // namespace foam::inline search::convex

@@ -3,22 +3,91 @@
 #include <foam/geometry/directions.hpp>
 
 #include <algorithm>
+#include <numeric>
+#include <tuple>
 
 namespace foam::inline search::convex {
 
-CutSearch::CutSearch(std::vector<const Brick*> bricks, const PairPrice& price, PointsInPlane in_plane)
-    : bricks_(std::move(bricks)), price_(price), in_plane_(std::move(in_plane)) {
-    for (const Brick* brick : bricks_) {
+CutSearch::CutSearch(const std::vector<const Brick*>& bricks, const PairPrice& price, PointsInPlane in_plane)
+    : price_(price), in_plane_(std::move(in_plane)) {
+    for (const Brick* brick : bricks) {
         box_.add(brick->box);
+    }
+    set_points(bricks);
+}
+
+void CutSearch::set_points(const std::vector<const Brick*>& bricks) {
+    std::vector<Vec3> all;
+    for (const Brick* brick : bricks) {
+        all.insert(all.end(), brick->points.begin(), brick->points.end());
+        ends_.push_back(static_cast<std::uint32_t>(all.size()));
+    }
+    std::vector<std::uint32_t> order(all.size());
+    std::iota(order.begin(), order.end(), 0u);
+    const auto key = [&](std::uint32_t i) { return std::tie(all[i].x, all[i].y, all[i].z); };
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+    corners_.resize(all.size());
+    for (const std::uint32_t i : order) {
+        if (points_.empty() || points_.back() != all[i]) {
+            points_.push_back(all[i]);
+        }
+        corners_[i] = static_cast<std::uint32_t>(points_.size() - 1);
+    }
+    std::size_t first = 0;
+    for (const Brick* brick : bricks) {
+        for (const auto& [a, b] : brick->edges) {
+            const auto [low, high] = std::minmax(corners_[first + a], corners_[first + b]);
+            edges_.push_back({low, high});
+        }
+        first += brick->points.size();
+    }
+    std::sort(edges_.begin(), edges_.end());
+    edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+}
+
+void CutSearch::divide(const Plane& plane) {
+    heights_.clear();
+    for (const Vec3& p : points_) {
+        heights_.push_back(plane.height(p));
+    }
+    in_.assign(points_.size(), 0);
+    std::size_t first = 0;
+    for (const std::uint32_t end : ends_) {
+        const std::span corners = std::span(corners_).subspan(first, end - first);
+        bool has_below = false, has_above = false;
+        for (const std::uint32_t i : corners) {
+            has_below = has_below || heights_[i] < -on_plane;
+            has_above = has_above || heights_[i] > on_plane;
+        }
+        const bool cut = has_below && has_above;
+        for (const std::uint32_t i : corners) {
+            const bool below = cut ? heights_[i] <= on_plane : !has_above;
+            const bool above = cut ? heights_[i] >= -on_plane : has_above;
+            in_[i] = static_cast<char>(in_[i] | (below ? 1 : 0) | (above ? 2 : 0));
+        }
+        first = end;
+    }
+    below_.clear();
+    above_.clear();
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        if (in_[i] & 1) {
+            below_.push_back(points_[i]);
+        }
+        if (in_[i] & 2) {
+            above_.push_back(points_[i]);
+        }
+    }
+    for (const auto& [a, b] : edges_) {
+        if ((heights_[a] < -on_plane && heights_[b] > on_plane) || (heights_[a] > on_plane && heights_[b] < -on_plane)) {
+            const Vec3 c = crossing(points_[a], points_[b], heights_[a], heights_[b]);
+            below_.push_back(c);
+            above_.push_back(c);
+        }
     }
 }
 
 Cut CutSearch::at(const Plane& plane) {
-    below_.clear();
-    above_.clear();
-    for (const Brick* brick : bricks_) {
-        append_parts(*brick, plane, below_, above_);
-    }
+    divide(plane);
     if (below_.empty() || above_.empty()) {
         return {plane};
     }
@@ -39,11 +108,9 @@ Cut CutSearch::start() {
             continue;
         }
         double low = std::numeric_limits<double>::infinity(), high = -low;
-        for (const Brick* brick : bricks_) {
-            for (const Vec3& p : brick->points) {
-                low = std::min(low, dot(normal, p));
-                high = std::max(high, dot(normal, p));
-            }
+        for (const Vec3& p : points_) {
+            low = std::min(low, dot(normal, p));
+            high = std::max(high, dot(normal, p));
         }
         for (const double share : {0.3, 0.5, 0.7}) {
             if (const Cut cut = at({normal, low + share * (high - low)}); cut.price < best.price) {

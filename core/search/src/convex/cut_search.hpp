@@ -25,7 +25,7 @@ using PointsInPlane = std::function<void(const Plane&, std::vector<Vec3>&)>;
 
 class CutSearch {
 public:
-    CutSearch(std::vector<const Brick*> bricks, const PairPrice& price, PointsInPlane in_plane = {});
+    CutSearch(const std::vector<const Brick*>& bricks, const PairPrice& price, PointsInPlane in_plane = {});
 
     Cut at(const Plane& plane);
     /// Returns the best of the planes across directions spread evenly, at a few offsets each.
@@ -35,7 +35,15 @@ public:
     Cut improved(Cut best, int tries);
 
 private:
-    std::vector<const Brick*> bricks_;
+    void set_points(const std::vector<const Brick*>& bricks);
+    /// Sets below_ and above_ to the points of the parts of all bricks, each once.
+    void divide(const Plane& plane);
+
+    std::vector<Vec3> points_;                        ///< vertices of the bricks, each once
+    std::vector<std::array<std::uint32_t, 2>> edges_; ///< between these, each once
+    std::vector<std::uint32_t> corners_, ends_;       ///< the vertices of each brick, one brick after another
+    std::vector<double> heights_;
+    std::vector<char> in_; ///< of each vertex: 1 for a part below, 2 for one above
     Box box_;
     const PairPrice& price_;
     PointsInPlane in_plane_;
