@@ -78,7 +78,7 @@ void CutSearch::divide(const Plane& plane) {
         }
     }
     for (const auto& [a, b] : edges_) {
-        if ((heights_[a] < -on_plane && heights_[b] > on_plane) || (heights_[a] > on_plane && heights_[b] < -on_plane)) {
+        if (std::min(heights_[a], heights_[b]) < -on_plane && std::max(heights_[a], heights_[b]) > on_plane) {
             const Vec3 c = crossing(points_[a], points_[b], heights_[a], heights_[b]);
             below_.push_back(c);
             above_.push_back(c);
