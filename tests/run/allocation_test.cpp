@@ -135,10 +135,10 @@ TEST(Allocation, TheFewestThatAreEnough) {
 }
 
 TEST(Rungs, AreThoseOfALadderWithinBounds) {
-    const auto ladder = [](std::size_t least, std::size_t most, std::size_t rungs) {
+    const auto ladder = [](std::size_t least, std::size_t most, std::size_t rungs, Rungs kind = Rungs::dense) {
         std::vector<std::size_t> all;
         while (all.size() < rungs) {
-            const auto next = next_rungs(all.empty() ? 0 : all.back(), least, most, 2);
+            const auto next = next_rungs(all.empty() ? 0 : all.back(), least, most, kind);
             if (next.empty()) {
                 break;
             }
@@ -151,6 +151,8 @@ TEST(Rungs, AreThoseOfALadderWithinBounds) {
     EXPECT_EQ(ladder(1, 11, 22), (std::vector<std::size_t>{1, 2, 3, 4, 5, 6, 7, 8, 10, 11}));
     EXPECT_EQ(ladder(9, 21, 22), (std::vector<std::size_t>{9, 10, 12, 14, 16, 20, 21}));
     EXPECT_EQ(ladder(3, 3, 22), (std::vector<std::size_t>{3}));
+    EXPECT_EQ(ladder(1, SIZE_MAX, 11, Rungs::sparse), (std::vector<std::size_t>{1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48}));
+    EXPECT_EQ(ladder(5, 14, 11, Rungs::sparse), (std::vector<std::size_t>{5, 6, 8, 12, 14}));
 }
 
 } // namespace

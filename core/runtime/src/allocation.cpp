@@ -104,11 +104,13 @@ Cost Allocation::cost(const std::vector<std::size_t>& counts) const {
     return sum;
 }
 
-std::vector<std::size_t> next_rungs(std::size_t explored, std::size_t least, std::size_t most, std::size_t at_once) {
+std::vector<std::size_t> next_rungs(std::size_t explored, std::size_t least, std::size_t most, Rungs kind) {
+    const bool dense = kind == Rungs::dense;
+    const std::size_t at_once = dense ? 2 : 1;
     std::vector<std::size_t> rungs;
     std::size_t count = explored;
     while (count < most && rungs.size() < at_once) {
-        count = std::clamp(rung_above(count), least, most);
+        count = std::clamp(dense ? rung_above(count) : sparse_rung_above(count), least, most);
         rungs.push_back(count);
     }
     return rungs;

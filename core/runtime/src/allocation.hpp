@@ -66,11 +66,15 @@ private:
     std::vector<std::uint32_t> choice_;
 };
 
-/// Returns the counts to explore next if all up to `explored` are known: `at_once` candidate counts. Candidate
-/// counts increase by one up to eight, and by four steps an octave after that. The bounds `least` and `most` are
-/// candidate counts too. Empty if `explored` has reached `most`. The counts do not depend on the number of spheres to
-/// allocate.
-std::vector<std::size_t> next_rungs(std::size_t explored, std::size_t least, std::size_t most, std::size_t at_once);
+/// Which counts are tried.
+enum class Rungs {
+    dense, ///< two at once of rung_above()
+    sparse ///< one at once of sparse_rung_above(): where each takes long
+};
+
+/// Returns the counts to explore next if all up to `explored` are known. The bounds `least` and `most` are candidate
+/// counts too. Empty if `explored` has reached `most`. The counts do not depend on the number of elements to allocate.
+std::vector<std::size_t> next_rungs(std::size_t explored, std::size_t least, std::size_t most, Rungs kind);
 
 /// Largest count between which and the next candidate count spheres are added one by one. More spheres would take a
 /// time that grows with the square of their number.

@@ -44,12 +44,12 @@ std::size_t fixed_count(const Recipe& recipe, const ShapeWork& shape) {
 }
 
 std::vector<std::size_t> rungs_above(const ShapeWork& shape, std::size_t explored, std::size_t most) {
-    const std::size_t at_once = spheres_alone(shape.kinds) ? 2 : 1; // the search for others takes long
+    const Rungs kind = spheres_alone(shape.kinds) ? Rungs::dense : Rungs::sparse;
     if (shape.unit == 1) {
-        return next_rungs(explored, shape.least, most, at_once);
+        return next_rungs(explored, shape.least, most, kind);
     }
     const auto in_units = [&](std::size_t count) { return count / shape.unit + (count % shape.unit > 0 ? 1 : 0); };
-    std::vector<std::size_t> rungs = next_rungs(in_units(explored), in_units(shape.least), in_units(most), at_once);
+    std::vector<std::size_t> rungs = next_rungs(in_units(explored), in_units(shape.least), in_units(most), kind);
     for (std::size_t& rung : rungs) {
         rung = std::min(rung * shape.unit, most);
     }
@@ -326,7 +326,7 @@ private:
         return any ? wanted : std::vector<std::vector<std::size_t>>{};
     }
 
-    /// Returns the next candidate counts of the shapes where one more sphere is expected to save most, or nearly as
+    /// Returns the next candidate counts of the shapes where one more element is expected to save most, or nearly as
     /// much, to use all cores. Empty: the exploration is complete.
     std::vector<std::vector<std::size_t>> rungs_that_save() const {
         const std::vector<std::size_t> allocated_groups = foam::allocated_groups(shapes_, groups_);
@@ -346,7 +346,7 @@ private:
         if (price <= least_price() || demand >= total || explored >= total) {
             return {};
         }
-        constexpr double nearly = 0.5;
+        const double nearly = in_turn_ ? 0.9 : 0.5; // a search that is not needed takes long, where turns are taken
         std::vector<std::vector<std::size_t>> wanted(shapes_.size());
         for (std::size_t s = 0; s < shapes_.size(); ++s) {
             if (!shapes_[s].error && gain(s) >= nearly * price) {

@@ -69,7 +69,10 @@ private:
         return price_(points) - pieces_[a].price - pieces_[b].price;
     }
     void offer(std::vector<Offer> pairs) {
-        const auto one = [&](std::size_t i) { pairs[i].price = price(pairs[i].a, pairs[i].b); };
+        const auto one = [&](std::size_t i) {
+            check_cancelled();
+            pairs[i].price = price(pairs[i].a, pairs[i].b);
+        };
         constexpr std::size_t many = 32;
         if (pairs.size() >= many) {
             parallel_for(pairs.size(), one);

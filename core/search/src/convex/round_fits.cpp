@@ -50,15 +50,21 @@ std::vector<Vec3> start_directions(const Cloud& cloud, Effort effort) {
     return directions;
 }
 
-/// Returns the result of a descent about few of the points, and then about those near the boundary.
+/// Returns the result of a descent about few of the points, and then about those near the boundary; it is never larger.
+/// Precondition: the start holds all points.
 Fit quickly_descended(const Fit& start, const Cloud& coarse, const Cloud& cloud) {
     constexpr int steps = 15, last_steps = 6;
     constexpr double last_reach = 0.01, near = 6 * last_reach; // units
-    Fit best = descended(start, coarse, steps);
-    close_around(best, cloud);
-    Fit found = descended(best, near_boundary(best, cloud, near), last_steps, last_reach);
-    close_around(found, cloud);
-    return volume(found) < volume(best) ? found : best;
+    Fit best = start;
+    const auto take = [&](Fit found) {
+        close_around(found, cloud);
+        if (volume(found) < volume(best)) {
+            best = found;
+        }
+    };
+    take(descended(start, coarse, steps));
+    take(descended(best, near_boundary(best, cloud, near), last_steps, last_reach));
+    return best;
 }
 
 /// Returns the best result of descents from the best fits along directions. Of many points, the extreme ones tell which
@@ -193,9 +199,12 @@ Fit least_swept_box(const Cloud& cloud, Effort effort) {
     const Fit box = least_box(cloud, effort);
     Fit capsule = least_capsule(cloud, Effort::fast); // a start, no more
     capsule.kind = Kind::swept_box;
-    Fit best = capsule;
+    Fit best = box; // without a radius
+    best.kind = Kind::swept_box;
+    close_around(best, cloud);
     const Cloud& seen = fast ? coarse : cloud;
-    for (const Fit& start : {rounded(box, seen), capsule, rounded(box_along(cloud, capsule.axes), seen)}) {
+    for (Fit start : {rounded(box, seen), capsule, rounded(box_along(cloud, capsule.axes), seen)}) {
+        close_around(start, cloud);
         const Fit found = fast ? quickly_descended(start, coarse, cloud) : descended(start, cloud, steps);
         if (volume(found) < volume(best)) {
             best = found;

@@ -15,5 +15,11 @@ constexpr std::size_t rung_above(std::size_t count) {
     return count - count % step + step;
 }
 
+/// Returns the same with two per octave: 1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48…
+constexpr std::size_t sparse_rung_above(std::size_t count) {
+    const std::size_t octave = std::bit_floor(std::max<std::size_t>(count, 2)), step = octave / 2;
+    return count - count % step + step;
+}
+
 } // namespace base
 } // namespace foam
