@@ -10,6 +10,7 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <tuple>
 
 namespace foam::inline search::convex {
 namespace {
@@ -107,6 +108,9 @@ Cloud cloud_of(std::span<const Vec3> points) {
         for (const std::uint32_t v : hull->vertices()) {
             vertices.push_back(cloud.points[v]);
         }
+        // Not in the order in which the points were given: what is made of them hardly depends on it.
+        std::sort(vertices.begin(), vertices.end(),
+                  [](const Vec3& p, const Vec3& q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); });
         cloud.points = std::move(vertices);
     }
     return cloud;
