@@ -1,4 +1,4 @@
-// Mesh in memory to certified spheres in memory: median and 99th percentile of single calls.
+// Mesh in memory to certified spheres, or to one other element, in memory: median and 99th percentile of single calls.
 #include <foam/base/parallel.hpp>
 #include <foam/runtime/contract.hpp>
 #include <foam/sdk/kinds.hpp>

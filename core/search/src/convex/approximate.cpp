@@ -48,8 +48,8 @@ Plan plan_for(Effort effort) {
     return {600, 160, {.sweeps = 20, .tries = 60, .split_tries = 30}};
 }
 
-/// Returns the points of a piece that its element must hold: those of the surface in it, each once, and of a closed
-/// body the corners of its bricks that are inside the body, so that its hull leaves no cavity.
+/// Returns the points of a piece that its element must hold: those of the surface in it, each once. `with_inside`: the
+/// corners of its bricks inside a closed body, too. A hull then leaves no cavity.
 std::vector<Vec3> points_of(const Partition& partition, const Piece& piece, const Body& body, bool with_inside) {
     std::vector<Vec3> points;
     for (const std::uint32_t i : piece.bricks) {

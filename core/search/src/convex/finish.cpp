@@ -68,7 +68,7 @@ ConvexCover proved(const Solid& solid, Approximation::Level elements) {
 
 double figure_of(const Solid& solid, const ConvexCover& cover, ApproximationObjective objective) {
     if (objective == ApproximationObjective::excess) {
-        return excess_volume(solid, cover.elements.view());
+        return solid.volume() > 0 ? excess_volume(solid, cover.elements.view()) : cover.volume;
     }
     MeasureOptions quick;
     quick.surface_points = 1;

@@ -125,8 +125,8 @@ Cloud near_boundary(const Fit& fit, const Cloud& cloud, double distance) {
 
 void set_constraints(const Fit& fit, const Cloud& cloud, double length, std::vector<Constraint>& constraints,
                      bool keep_axes) {
-    // To first order a point moves by no more than the product of the step and of its constraint's slope, which has
-    // three parts of at most 1 beside the distance of the point from the centre.
+    // To first order, a point moves by at most the length of the step times that of its constraint's slope. The slope
+    // has a part for turns, at most the distance of the point from the centre, and three others of length 1 at most.
     constexpr double steepest = 2;
     const double reach = steepest * length;
     constraints.clear();

@@ -152,10 +152,10 @@ Fit least_box(const Cloud& cloud, Effort effort) {
     }
     if (effort == Effort::fast) {
         constexpr double near = 0.02; // units
-        const Cloud boundary = near_boundary(box_along(cloud, found.front().axes), cloud, near);
+        const Fit first = box_along(cloud, found.front().axes);
+        const Cloud boundary = near_boundary(first, cloud, near);
         Search search(boundary);
         const Fit box = box_along(cloud, search.descended(search.as_is(found.front().axes), effort).axes);
-        const Fit first = box_along(cloud, found.front().axes);
         return volume(box) < volume(first) ? box : first;
     }
     const std::size_t looks = effort == Effort::normal ? 6 : found.size();
