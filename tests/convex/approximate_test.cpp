@@ -118,7 +118,7 @@ TEST(Approximate, MoreElementsHaveNoMoreExcess) {
         const Kind kinds[] = {kind};
         ApproximationSearch search(*solid, kinds, fast);
         double before = INFINITY;
-        for (const std::size_t count : {1, 2, 3, 4, 8}) {
+        for (const std::size_t count : {1, 2, 4, 8, 16}) {
             const ConvexCover cover = search.cover(count);
             EXPECT_LE(excess_of(*solid, cover), before) << to_string(kind) << ' ' << count;
             before = excess_of(*solid, cover);
@@ -234,6 +234,28 @@ TEST(Approximate, FlatAndOpenMeshes) {
                 expect_cover(*solid, cover_by(*solid, count, kind), count);
             }
         }
+    }
+}
+
+TEST(Approximate, HullsFillAnOpenBody) {
+    Mesh mesh = pedestal();
+    mesh.triangles.pop_back();
+    const auto open = Solid::make(mesh);
+    ASSERT_FALSE(open->closed());
+    for (const auto& [count, most] : {std::pair{4, 0.35}, {8, 0.06}, {16, 0.03}}) {
+        const ConvexCover cover = cover_by(*open, static_cast<std::size_t>(count), Kind::hull, {});
+        expect_cover(*open, cover, static_cast<std::size_t>(count));
+        EXPECT_LE(missing_volume(*open, cover.elements.view()), 0.01 * open->volume()) << count;
+        EXPECT_LE(excess_of(*open, cover), most) << count;
+    }
+}
+
+TEST(Approximate, HullsOfPartsThatOverlap) {
+    const auto solid = Solid::make(pedestal());
+    for (const auto& [count, most] : {std::pair{4, 0.35}, {8, 0.06}, {16, 0.03}}) {
+        const ConvexCover cover = cover_by(*solid, static_cast<std::size_t>(count), Kind::hull, {});
+        expect_cover(*solid, cover, static_cast<std::size_t>(count));
+        EXPECT_LE(excess_of(*solid, cover), most) << count;
     }
 }
 

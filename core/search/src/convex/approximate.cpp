@@ -49,7 +49,7 @@ Plan plan_for(Effort effort) {
 }
 
 /// Returns the points of a piece that its element must hold: those of the surface in it, each once. `with_inside`: the
-/// corners of its bricks inside a closed body, too. A hull then leaves no cavity.
+/// corners of its bricks inside the body, too. A hull then leaves no cavity.
 std::vector<Vec3> points_of(const Partition& partition, const Piece& piece, const Body& body, bool with_inside) {
     std::vector<Vec3> points;
     for (const std::uint32_t i : piece.bricks) {
@@ -59,7 +59,7 @@ std::vector<Vec3> points_of(const Partition& partition, const Piece& piece, cons
     const auto key = [](const Vec3& p) { return std::tie(p.x, p.y, p.z); };
     std::sort(points.begin(), points.end(), [&](const Vec3& a, const Vec3& b) { return key(a) < key(b); });
     points.erase(std::unique(points.begin(), points.end()), points.end()); // most are corners of several triangles
-    if (with_inside && body.closed && !points.empty()) {
+    if (with_inside && body.has_inside && !points.empty()) {
         for (const Vec3& p : piece.hull) {
             if (body.inside(p)) {
                 points.push_back(p);
@@ -69,10 +69,13 @@ std::vector<Vec3> points_of(const Partition& partition, const Piece& piece, cons
     return points;
 }
 
-/// Returns the count whose elements those of a count of at least 2 are compared with.
+/// Returns the count whose elements those of a count of at least 2 are compared with: the largest one below of 1, 2, 4,
+/// 8, 16, 64, 256…
 std::size_t rung_below(std::size_t count) {
-    constexpr std::size_t every = 4;
-    return count <= every ? count - 1 : std::bit_floor(count - 1);
+    constexpr std::size_t few = 32;
+    const std::size_t octave = std::bit_floor(count - 1);
+    const bool between = octave >= few && std::countr_zero(octave) % 2 == 1;
+    return between ? octave / 2 : octave;
 }
 
 } // namespace

@@ -1,9 +1,12 @@
 #include "body_of.hpp"
 
+#include "../cover/occupancy.hpp"
+
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/edges.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace foam::inline search::convex {
 namespace {
@@ -81,6 +84,23 @@ template <class Visit> void for_each_without_area(const Mesh& mesh, Visit visit)
     }
 }
 
+/// Returns whether the surface is closed, and its parts do not overlap.
+bool surface_tells_volume(const Polygons& surface, const Solid& solid, double unit) {
+    constexpr double little = 2e-3; // the volume of several parts is integrated along lines
+    const double by_surface = surface.cone_volume() * std::pow(unit, 3);
+    return solid.closed() && std::abs(by_surface - solid.volume()) <= little * solid.volume();
+}
+
+void set_samples(Body& body, const Solid& solid) {
+    constexpr int resolution = 32;
+    constexpr double units = 2; // of the occupancy in one of the body
+    const cover::Occupancy occupancy(solid, cover::Frame(solid.bounds()), resolution);
+    for (std::size_t i = 0; i < occupancy.inside().size(); ++i) {
+        body.samples.push_back(occupancy.inside().at(i) / units);
+    }
+    body.sample_volume = std::pow(occupancy.cell() / units, 3);
+}
+
 } // namespace
 
 BodyOfSolid body_of(const Solid& solid) {
@@ -105,7 +125,11 @@ BodyOfSolid body_of(const Solid& solid) {
         }
         body.surface.close();
     });
-    body.closed = solid.closed();
+    body.has_inside = solid.volume() > 0;
+    body.volumes_by_surface = surface_tells_volume(body.surface, solid, result.unit);
+    if (body.has_inside && !body.volumes_by_surface) {
+        set_samples(body, solid);
+    }
     body.inside = [&solid, origin = result.origin, unit = result.unit](const Vec3& p) {
         return solid.contains(origin + p * unit);
     };

@@ -55,7 +55,8 @@ struct SpaceCell {
     Polygons faces; ///< of the cell
     Polygons surface, caps;
     PointsAndEdges corners;   ///< of the cell, where they are inside the body, and edges between these
-    std::vector<Vec3> vacant; ///< corners that are not inside
+    std::vector<Vec3> vacant;  ///< corners that are not inside
+    std::vector<Vec3> samples; ///< of the body, in the cell
     double hull_volume = 0, excess = 0;
 };
 
@@ -103,6 +104,7 @@ private:
     SpaceCell whole() const {
         SpaceCell cell;
         cell.surface = body_.surface;
+        cell.samples = body_.samples;
         Box box;
         for (const Vec3& p : cell.surface.corners) {
             box.add(p);
@@ -128,14 +130,15 @@ private:
     }
     /// Finds which corners of a cell are inside, and its excess. `before`: the cell that it is a part of.
     void judge(SpaceCell& cell, const SpaceCell& before) const {
-        if (body_.closed) {
+        if (body_.has_inside) {
             set_corners(cell, before);
         }
         HullOfPoints hull;
         std::vector<Vec3> points = cell.surface.corners;
         points.insert(points.end(), cell.corners.points.begin(), cell.corners.points.end());
         cell.hull_volume = hull.run_quickly(points);
-        const double filled = body_.closed ? cell.surface.cone_volume() + cell.caps.cone_volume() : 0;
+        const double filled = body_.volumes_by_surface ? cell.surface.cone_volume() + cell.caps.cone_volume()
+                                           : body_.sample_volume * static_cast<double>(cell.samples.size());
         cell.excess = cell.hull_volume - std::clamp(filled, 0.0, cell.hull_volume);
     }
     void set_corners(SpaceCell& cell, const SpaceCell& before) const {
@@ -217,7 +220,7 @@ private:
     }
     /// Returns what finds the corners that a plane makes of a cell's edges, as far as they are inside the body.
     PointsInPlane corners_in_plane(const SpaceCell& cell) const {
-        if (!body_.closed) {
+        if (!body_.has_inside) {
             return {};
         }
         auto all = std::make_shared<PointsAndEdges>(distinct(cell.faces));
@@ -299,7 +302,7 @@ private:
         std::array<SpaceCell, 2> two;
         std::vector<Vec3> rim;
         cut(cell.surface, plane, two[0].surface, two[1].surface, &rim);
-        if (body_.closed) {
+        if (body_.volumes_by_surface) {
             cut(cell.caps, plane, two[0].caps, two[1].caps, &rim);
             for (std::size_t i = 0; i + 1 < rim.size(); i += 2) {
                 for (const Vec3& p : {rim.front(), rim[i + 1], rim[i]}) {
@@ -311,6 +314,9 @@ private:
                 two[0].caps.close();
                 two[1].caps.close();
             }
+        }
+        for (const Vec3& p : cell.samples) {
+            two[plane.height(p) > 0 ? 1 : 0].samples.push_back(p);
         }
         std::vector<Vec3> edge;
         cut(cell.faces, plane, two[0].faces, two[1].faces, &edge);

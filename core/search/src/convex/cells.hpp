@@ -12,9 +12,11 @@ namespace foam::inline search::convex {
 /// A surface in units, and what is known of its inside.
 struct Body {
     Polygons surface;
-    bool closed = false;                     ///< volumes of its parts mean something
-    double volume = 0;                       ///< cubic units; of closed bodies
+    bool has_inside = false;                 ///< also of an open surface that encloses most of a volume
+    bool volumes_by_surface = false;         ///< the surface tells the volumes of the body's parts
     std::function<bool(const Vec3&)> inside; ///< whether a point is within the surface
+    std::vector<Vec3> samples;               ///< points evenly spread inside, where the surface tells no volumes
+    double sample_volume = 0;                ///< cubic units that each of them stands for
     std::vector<Plane> creases;              ///< planes through concave edges, important ones first
 };
 

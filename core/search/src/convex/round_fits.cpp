@@ -91,28 +91,40 @@ template <class Along> Fit least_along(const Cloud& cloud, Effort effort, Along 
     return *best;
 }
 
-/// Returns the swept box of the same bounds as a box with the largest radius that still holds the points.
-Fit rounded(const Fit& box, const Cloud& cloud) {
-    Fit fit = box;
-    fit.kind = Kind::swept_box;
-    const double most = std::min({box.half.x, box.half.y, box.half.z});
-    double low = 0, high = most;
-    const auto at = [&](double radius) {
-        fit.half = box.half - Vec3{radius, radius, radius};
-        for (const Vec3& p : cloud.points) {
-            if (squared_norm(from_core(fit, fit.local(p))) > radius * radius * (1 + 1e-12)) {
-                return false;
-            }
+/// Returns the largest radius up to `most` with which a swept box still holds a point. `inset`: how far the point lies
+/// inside each face of the swept box's bounds.
+double radius_for(const Vec3& inset, double most) {
+    const auto holds = [&](double radius) {
+        double squared = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double beyond = std::max(radius - inset[axis], 0.0);
+            squared += beyond * beyond;
         }
-        return true;
+        return squared <= radius * radius * (1 + 1e-12);
     };
+    if (holds(most)) {
+        return most;
+    }
+    double low = 0, high = most;
     constexpr int halvings = 30;
     for (int i = 0; i < halvings; ++i) {
         const double middle = (low + high) / 2;
-        (at(middle) ? low : high) = middle;
+        (holds(middle) ? low : high) = middle;
     }
-    fit.radius = low;
-    fit.half = box.half - Vec3{low, low, low};
+    return low;
+}
+
+/// Returns the swept box of the same bounds as a box with the largest radius that still holds the points.
+Fit rounded(const Fit& box, const Cloud& cloud) {
+    double radius = std::min({box.half.x, box.half.y, box.half.z});
+    for (const Vec3& p : cloud.points) {
+        const Vec3 q = box.local(p);
+        radius = radius_for(box.half - Vec3{std::abs(q.x), std::abs(q.y), std::abs(q.z)}, radius);
+    }
+    Fit fit = box;
+    fit.kind = Kind::swept_box;
+    fit.radius = radius;
+    fit.half = box.half - Vec3{radius, radius, radius};
     close_around(fit, cloud);
     return fit;
 }

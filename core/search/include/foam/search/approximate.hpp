@@ -56,8 +56,7 @@ public:
     ApproximationSearch& operator=(const ApproximationSearch&) = delete;
 
     /// Returns at most `count` elements, whatever was requested before. By the objective they are no worse than those
-    /// for 1, 2, 3, 4, 8, 16, 32… elements, as far as these are fewer. Throws Error(usage) for a
-    /// count of 0.
+    /// for 1, 2, 4, 8, 16, 64, 256… elements, as far as these are fewer. Throws Error(usage) for a count of 0.
     ConvexCover cover(std::size_t count);
 
 private:
