@@ -9,6 +9,7 @@
 #include <foam/base/error.hpp>
 #include <foam/base/parallel.hpp>
 #include <foam/geometry/directions.hpp>
+#include <foam/geometry/element_measure.hpp>
 #include <foam/geometry/internal/own_frame.hpp>
 #include <foam/search/approximate.hpp>
 #include <foam/search/least_element.hpp>
@@ -278,8 +279,11 @@ struct ApproximationSearch::Data {
             return {cover_by(elements_of(partition, options.effort)), {}};
         }
         const std::vector<Element> start = elements_of(partition, Effort::fast);
-        Rated best{cover_by(descended(start)), {}}; // which sees a lattice, and excess volume alone
-        take_better(best, {cover_by(start), {}});
+        Rated best{cover_by(descended(start)), {}};
+        const bool descends_by_figure = options.objective == ApproximationObjective::excess && solid.volume() > 0;
+        if (!descends_by_figure) {
+            take_better(best, {cover_by(start), {}});
+        }
         return best;
     }
     /// Bricks, and the merges of them.
@@ -449,7 +453,9 @@ ConvexCover ApproximationSearch::cover(std::size_t count) {
         throw Error(ErrorCode::usage,
                     "approximate: a cover needs at least 1 element, got a count of 0; remedy: ask for 1 or more");
     }
-    return data_->best_of(count).cover;
+    ConvexCover cover = data_->best_of(count).cover;
+    cover.volume = union_volume(cover.elements.view());
+    return cover;
 }
 
 ConvexCover approximate(const Solid& solid, std::size_t count, std::span<const Element::Kind> kinds,

@@ -54,7 +54,7 @@ PointsAndEdges distinct(const Polygons& surface) {
 struct SpaceCell {
     Polygons faces; ///< of the cell
     Polygons surface, caps;
-    PointsAndEdges corners;   ///< of the cell, where they are inside the body, and edges between these
+    PointsAndEdges corners;    ///< of the cell, where they are inside the body, and edges between these
     std::vector<Vec3> vacant;  ///< corners that are not inside
     std::vector<Vec3> samples; ///< of the body, in the cell
     double hull_volume = 0, excess = 0;
@@ -138,7 +138,7 @@ private:
         points.insert(points.end(), cell.corners.points.begin(), cell.corners.points.end());
         cell.hull_volume = hull.run_quickly(points);
         const double filled = body_.volumes_by_surface ? cell.surface.cone_volume() + cell.caps.cone_volume()
-                                           : body_.sample_volume * static_cast<double>(cell.samples.size());
+                                                       : body_.sample_volume * static_cast<double>(cell.samples.size());
         cell.excess = cell.hull_volume - std::clamp(filled, 0.0, cell.hull_volume);
     }
     void set_corners(SpaceCell& cell, const SpaceCell& before) const {

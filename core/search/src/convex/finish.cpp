@@ -61,14 +61,13 @@ ConvexCover proved(const Solid& solid, Approximation::Level elements) {
         elements = grown_to_cover(solid, std::move(elements));
         cover.certificate = certify(solid, elements.view());
     }
-    cover.volume = union_volume(elements.view());
     cover.elements = std::move(elements);
     return cover;
 }
 
 double figure_of(const Solid& solid, const ConvexCover& cover, ApproximationObjective objective) {
     if (objective == ApproximationObjective::excess) {
-        return solid.volume() > 0 ? excess_volume(solid, cover.elements.view()) : cover.volume;
+        return solid.volume() > 0 ? excess_volume(solid, cover.elements.view()) : union_volume(cover.elements.view());
     }
     MeasureOptions quick;
     quick.surface_points = 1;

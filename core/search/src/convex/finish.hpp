@@ -9,7 +9,7 @@ namespace foam::inline search::convex {
 /// thinner, a millionth thick. At most `most_vertices` vertices, where that is more than 3.
 Element hull_around(std::vector<Vec3> points, double unit, std::size_t most_vertices);
 
-/// Returns the elements, grown where the proof asks for it, with their proof and figures.
+/// Returns the elements, grown where the proof asks for it, with their proof; their volume is left to the caller.
 ConvexCover proved(const Solid& solid, Approximation::Level elements);
 
 /// Returns the figure that the objective compares: m³ of excess volume, or m of protrusion.

@@ -70,8 +70,8 @@ std::vector<Vec2> hull_of(std::vector<Vec2>& points) {
 }
 
 Vec2 direction_of(const Vec2& a, const Vec2& b) {
-    const double length = std::hypot(b.x - a.x, b.y - a.y);
-    return length > 0 ? Vec2{(b.x - a.x) / length, (b.y - a.y) / length} : Vec2{1, 0};
+    const double x = b.x - a.x, y = b.y - a.y, length = std::sqrt(x * x + y * y);
+    return length > 0 ? Vec2{x / length, y / length} : Vec2{1, 0};
 }
 
 /// Returns the rectangle around the hull with a side along a direction.
