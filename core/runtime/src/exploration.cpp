@@ -236,7 +236,7 @@ public:
 
     /// Explores the curves as far as the goal needs: with more elements the same counts are known and perhaps more, and
     /// the best allocation is never worse. A search for elements other than spheres takes long. Those are explored for
-    /// each number up to the goal's in turn, and never with more than that number leaves to one shape.
+    /// each number up to the goal's in turn, and never with more than the others leave to one shape at its price.
     Cut run() {
         std::vector<std::vector<std::size_t>> first(shapes_.size());
         for (std::size_t s = 0; s < shapes_.size(); ++s) {
@@ -296,7 +296,26 @@ private:
     }
 
     double gain(std::size_t s) const {
-        return in_turn_ && rungs(s).empty() ? 0 : weights_[s] * expected_gain(workspace_.recipe, shapes_[s]);
+        const double expected = weights_[s] * expected_gain(workspace_.recipe, shapes_[s]);
+        if (!in_turn_) {
+            return expected;
+        }
+        const std::vector<std::size_t> next = rungs(s);
+        return next.empty() || next.front() > left_by_others(s, expected) ? 0 : expected;
+    }
+    /// Returns how many elements the other groups leave to a shape if each saves `price` at first. They give up those
+    /// that save less than half as much again.
+    std::size_t left_by_others(std::size_t s, double price) const {
+        constexpr double worth = 1.5; // expectations are rough
+        std::size_t others = 0;
+        bool itself = true;
+        for (const std::size_t g : allocated_groups(shapes_, groups_)) {
+            if (!(itself && groups_[g].shape == s)) {
+                others += shapes_[groups_[g].shape].known.curve.demand(worth * price, groups_[g].weight);
+            }
+            itself = itself && groups_[g].shape != s;
+        }
+        return most_ - std::min(most_, others);
     }
 
     std::vector<std::size_t> rungs(std::size_t s) const {
