@@ -307,5 +307,23 @@ TEST_F(Extremes, AProgramsSolidsAreTreatedAlike) {
     }
 }
 
+/// Where elements only just overlap, a proof depends on their last digits. Curved primitives are proved by halving
+/// alone, and show it.
+TEST_F(Extremes, ElementsThatOnlyJustOverlapAreProved) {
+    for (const auto& [shape, elements] : {std::pair{"capsule radius='0.1' length='0.3'", "boxes"},
+                                          {"cylinder radius='0.2' length='0.1'", "boxes"},
+                                          {"sphere radius='0.1'", "cylinders"}}) {
+        write("robot.urdf", fmt::format("<robot name='r'><link name='a'><collision><geometry><{}/></geometry>"
+                                        "</collision></link></robot>",
+                                        shape));
+        for (const int count : {2, 4, 6}) {
+            const std::string text = fmt::format("robot: {{urdf: robot.urdf}}\nstages: [approximate.{}]\n"
+                                                 "budget: {{elements: {}}}\noutputs: [write.json]\n",
+                                                 elements, count);
+            EXPECT_TRUE(run(recipe_of(text), registry, options()).certified) << text;
+        }
+    }
+}
+
 } // namespace
 } // namespace foam

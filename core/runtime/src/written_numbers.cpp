@@ -117,6 +117,31 @@ static Approximation::Level grown_onto_grid(Approximation::Level level, const De
     return level;
 }
 
+/// Rounds the lengths of an element's numbers up to the grid, after a growth for what the numbers of a file lose.
+static Element with_written_numbers(Element element, const Element& placed, const DecimalGrid& grid, double slack) {
+    if (slack > 0) {
+        element = grown(element, slack);
+    }
+    const bool on_grid_already = element.kind == Element::Kind::hull && element == placed;
+    return on_grid_already ? element : up_on_grid(std::move(element), grid);
+}
+
+/// Grows elements until they are proved to cover as they are. Elements that cover may not be proved to once their
+/// lengths are rounded up: where they only just overlap, pieces of the surface become too small for a proof.
+static void grow_until_proved(const Solid& solid, Approximation::Level& level, const DecimalGrid& grid) {
+    constexpr int rounds = 12;
+    constexpr double least = 1e-10; // of the size
+    for (int round = 0; round < rounds && !covers(solid, level.view()); ++round) {
+        const double length = std::ldexp(std::max(grid.step(), least * solid.bounds().diagonal()), round);
+        for (Sphere& sphere : level.spheres) {
+            sphere.radius = grid.up(sphere.radius + length);
+        }
+        for (Element& element : level.others) {
+            element = up_on_grid(grown(element, length), grid);
+        }
+    }
+}
+
 double finish_elements(const Solid& solid, Approximation::Level& level, const DecimalGrid& grid, bool outer,
                        Numbers numbers) {
     const Approximation::Level given = level;
@@ -141,11 +166,10 @@ double finish_elements(const Solid& solid, Approximation::Level& level, const De
     for (std::size_t i = 0; i < level.others.size(); ++i) {
         Element& element = level.others[i];
         const double slack = outer ? slack_of(element, numbers) : 0;
-        if (slack > 0) {
-            element = grown(element, slack);
-        }
-        const bool on_grid_already = element.kind == Element::Kind::hull && element == placed.others[i];
-        element = on_grid_already ? std::move(element) : up_on_grid(std::move(element), grid);
+        element = with_written_numbers(std::move(element), placed.others[i], grid, slack);
+    }
+    if (outer && !level.others.empty() && !(level == placed)) {
+        grow_until_proved(solid, level, grid);
     }
     return growth_between(given, level);
 }

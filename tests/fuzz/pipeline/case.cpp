@@ -31,15 +31,16 @@ std::string quoted(const std::string& text) {
     return result + "\"";
 }
 
-Case make_case(std::uint64_t seed, const Registry& registry, bool odd_numbers) {
+Case make_case(std::uint64_t seed, const Registry& registry, const CaseOptions& options) {
     Dice dice(derive_seed(seed, "pipeline"));
     Case made;
     made.seed = seed;
     made.robot = dice.chance(0.35);
     RecipeInput input;
     input.robot = made.robot;
+    input.elements = options.elements;
     if (made.robot) {
-        RandomRobot robot = random_robot(dice, odd_numbers);
+        RandomRobot robot = random_robot(dice, options.odd_numbers);
         made.files = std::move(robot.files);
         made.input = "robot.urdf";
         input.links = robot.links;
@@ -47,7 +48,7 @@ Case make_case(std::uint64_t seed, const Registry& registry, bool odd_numbers) {
     } else {
         const std::string format = random_format(dice);
         made.input = "mesh." + ending_of(format);
-        made.files[made.input] = mesh_file(random_mesh(dice, dice.chance(0.3) && odd_numbers), format);
+        made.files[made.input] = mesh_file(random_mesh(dice, dice.chance(0.3) && options.odd_numbers), format);
     }
     input.file = made.input;
     made.files["recipe.yaml"] = random_recipe(derive_seed(seed, "recipe"), registry, input);

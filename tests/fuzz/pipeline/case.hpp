@@ -16,12 +16,17 @@ struct Case {
     std::string input;                        ///< the mesh or the URDF among them
     bool robot = false;
     std::size_t threads = 1;
-    bool cached = false;           ///< the run may use a cache
-    bool again = false;            ///< run it on another number of threads, too, and compare the bytes
+    bool cached = false; ///< the run may use a cache
+    bool again = false;  ///< run it on another number of threads, too, and compare the bytes
 };
 
-/// The same seed and the same stages give the same case. `odd_numbers`: whether some have numbers that no robot has.
-Case make_case(std::uint64_t seed, const Registry& registry, bool odd_numbers = true);
+struct CaseOptions {
+    bool odd_numbers = true; ///< some cases have numbers that no robot has
+    bool elements = false;   ///< elements of any kind instead of spheres
+};
+
+/// The same seed, options and stages give the same case.
+Case make_case(std::uint64_t seed, const Registry& registry, const CaseOptions& options);
 
 /// Writes its files. Then `foam run FOLDER/recipe.yaml` does what run_case() does.
 void write_case(const Case& made, const std::filesystem::path& folder);

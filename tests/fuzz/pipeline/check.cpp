@@ -251,9 +251,9 @@ private:
                 continue;
             }
             const bool inner = recipe_->guarantee == Guarantee::inner;
-            const auto objection = !inner               ? ::judge::outside_of_balls(link, found->second)
+            const auto objection = !inner                 ? ::judge::outside_of_balls(link, found->second)
                                    : ::judge::plain(link) ? ::judge::outside_of_solid(link, found->second)
-                                                        : std::nullopt;
+                                                          : std::nullopt;
             if (objection) {
                 find("FALSE PROOF: link '" + link.name + "', off by " +
                      text_of_number(static_cast<double>(objection->distance)) + " m");

@@ -14,7 +14,8 @@ bool sound(const Sphere& sphere) {
 
 bool all_sound(const SphereTree& tree) {
     return !tree.levels.empty() && std::all_of(tree.levels.begin(), tree.levels.end(), [](const auto& level) {
-        return !level.spheres.empty() && std::all_of(level.spheres.begin(), level.spheres.end(), sound);
+        return level.size() > 0 && std::all_of(level.spheres.begin(), level.spheres.end(), sound) &&
+               std::all_of(level.others.begin(), level.others.end(), is_valid);
     });
 }
 
@@ -70,6 +71,7 @@ bool excess_first(const Recipe& recipe, const std::string& link) {
     const Recipe::LinkRecipe own = recipe.for_link(link);
     const auto objective = own.spherizer.given.find("objective");
     return recipe.guarantee == Guarantee::outer && recipe.per_link && own.clip.empty() &&
+           !own.spherizer.stage.starts_with("approximate.") && // a box around a ball has more than the ball
            (objective == own.spherizer.given.end() || to_text(objective->second) == "excess");
 }
 

@@ -1,6 +1,6 @@
 // pipeline_fuzz: random geometry, recipes and options through whole runs; docs/dev/fuzzing.md.
 //   pipeline_fuzz --from SEED --count N [--jobs J] [--limit S] [--memory MIB] [--record FILE]
-//                 [--numbers odd|ordinary]
+//                 [--numbers odd|ordinary] [--models spheres|elements]
 //   pipeline_fuzz --seeds FILE         the seeds of a list, one a line, "#" begins a comment
 //   pipeline_fuzz --seed S [--keep DIR]   one case in this process, for debuggers; its files stay in DIR
 // Exit codes: 0 all passed, 1 findings, 2 usage.
@@ -64,7 +64,9 @@ Arguments read_arguments(int count, char** words) {
         } else if (key == "--memory") {
             arguments.limits.memory = number(value);
         } else if (key == "--numbers" && (value == "odd" || value == "ordinary")) {
-            arguments.limits.odd_numbers = value == "odd";
+            arguments.limits.cases.odd_numbers = value == "odd";
+        } else if (key == "--models" && (value == "spheres" || value == "elements")) {
+            arguments.limits.cases.elements = value == "elements";
         } else if (key == "--record") {
             arguments.record = value;
         } else if (key == "--seeds") {
@@ -203,7 +205,7 @@ private:
 bool replay(const Arguments& arguments, foam::Registry& registry) {
     const Scratch scratch;
     const fs::path folder = arguments.keep.empty() ? scratch.path() / "case" : fs::absolute(arguments.keep);
-    const Case made = make_case(*arguments.single, registry, arguments.limits.odd_numbers);
+    const Case made = make_case(*arguments.single, registry, arguments.limits.cases);
     write_case(made, folder);
     std::printf("%s\nthreads %zu%s%s\n", made.files.at("recipe.yaml").c_str(), made.threads,
                 made.cached ? ", cached" : "", made.again ? ", run again" : "");

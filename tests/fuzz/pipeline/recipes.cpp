@@ -11,9 +11,10 @@ namespace {
 /// The most that is drawn for parameters that buy precision with time, by their names.
 double work_limit(const std::string& parameter) {
     static const std::map<std::string, double> limits{
-        {"leaves", 1000},   {"numCover", 120}, {"num_samples", 80}, {"initSpheres", 80}, {"minSpheres", 50},
-        {"min_samples", 8}, {"minCover", 8},   {"branch", 12},      {"depth", 2},        {"testerLevels", 2},
-        {"most", 48},       {"spheres", 12},   {"iterations", 60},  {"subdivisions", 2}, {"maxOptLevel", 2}};
+        {"leaves", 1000},    {"numCover", 120}, {"num_samples", 80}, {"initSpheres", 80},   {"minSpheres", 50},
+        {"min_samples", 8},  {"minCover", 8},   {"branch", 12},      {"depth", 2},          {"testerLevels", 2},
+        {"most", 48},        {"spheres", 12},   {"elements", 12},    {"max_vertices", 200}, {"iterations", 60},
+        {"subdivisions", 2}, {"maxOptLevel", 2}};
     const auto found = limits.find(parameter);
     return found == limits.end() ? 1e300 : found->second;
 }
@@ -60,7 +61,10 @@ std::string random_value(Dice& dice, const Parameter& parameter) {
                : parameter.name == "effort" ? quoted(random_effort(dice))
                                             : quoted(dice.of(parameter.choices));
     case Parameter::Type::text:
-        return quoted(std::get<std::string>(parameter.default_value));
+        return parameter.name == "kinds" && dice.chance(0.7)
+                   ? quoted(dice.of(
+                         {"box, hull", "sphere, capsule, cylinder, box, swept_box, hull", "swept_box", "capsule"}))
+                   : quoted(std::get<std::string>(parameter.default_value));
     }
     return "null";
 }
@@ -73,7 +77,7 @@ public:
     std::string recipe() {
         text_ = "foam: 1\nname: case\n";
         text_ += input_.robot ? "robot: {urdf: " + input_.file + "}\n" : "mesh: " + input_.file + "\n";
-        guarantee_ = dice_.chance(0.7) ? "outer" : dice_.chance(0.6) ? "inner" : "fitted";
+        guarantee_ = dice_.chance(0.7) ? "outer" : dice_.chance(0.6) && !input_.elements ? "inner" : "fitted";
         text_ += "guarantee: " + guarantee_ + "\n";
         if (dice_.chance(0.2)) {
             text_ += "seed: " + std::to_string(dice_.below(1000)) + "\n";
@@ -102,8 +106,8 @@ private:
         for (const auto& [name, stage] : registry_.stages()) {
             // Formats of other programs refuse models for reasons of their own: no tool frame, more than one link.
             // Refiners, guarantees and constraints of these recipes are for spheres alone.
-            const bool others = kind == StageKind::spherizer && !spheres_alone(stage.info.kinds);
-            if (stage.kind == kind && stage.info.consumer.name.empty() && !others) {
+            const bool fits = kind != StageKind::spherizer || spheres_alone(stage.info.kinds) != input_.elements;
+            if (stage.kind == kind && stage.info.consumer.name.empty() && fits) {
                 names.push_back(name);
             }
         }
@@ -143,6 +147,9 @@ private:
         for (const std::string& stage : chain_) {
             text_ += "  - " + stage + ": " + parameters(stage, 0.25, "") + "\n";
         }
+        if (input_.elements) {
+            return;
+        }
         Dice dice(derive_seed(seed_, "refiners"));            // of its own: the draws of the seeds on record stay
         text_ += "  - refine.fit: {}\n  - refine.clip: {}\n"; // without them constraints would be broken
         text_ += dice.chance(0.8) ? "  - refine.row: {}\n" : "";
@@ -155,7 +162,8 @@ private:
         if (spheres_) {
             const int least =
                 input_.links.size() > 1 && dice_.chance(0.8) ? static_cast<int>(input_.links.size()) - 1 : 0;
-            parts.push_back("spheres: " + std::to_string(least + static_cast<int>(dice_.magnitude(1, 13))));
+            parts.push_back((input_.elements ? "elements: " : "spheres: ") +
+                            std::to_string(least + static_cast<int>(dice_.magnitude(1, 13))));
         }
         if (guarantee_ != "inner" && dice_.chance(0.12)) {
             shared_ = true;
@@ -208,7 +216,7 @@ private:
         if (input_.robot && dice_.chance(0.1)) {
             parts.push_back("skip: " + std::string(dice_.chance(0.7) ? "true" : "false"));
         }
-        if (guarantee_ != "inner" && dice_.chance(0.2)) {
+        if (guarantee_ != "inner" && dice_.chance(0.2) && !input_.elements) {
             parts.push_back(clip());
         }
         if (dice_.chance(0.1)) {
@@ -256,6 +264,10 @@ private:
 
     void outputs() {
         const std::vector<std::string> writers = stages_of(StageKind::writer);
+        if (input_.elements) {
+            text_ += "outputs:\n  - write.json: {file: elements.json}\n";
+            return;
+        }
         const std::string judged = dice_.of({"write.urdf", "write.urdf", "write.csv"});
         text_ += "outputs:\n  - " + judged + ": {file: case." + registry_.find(judged)->info.extensions.at(0) + "}\n";
         const std::size_t more = dice_.chance(0.3) ? 1 + dice_.below(2) : 0;

@@ -11,6 +11,7 @@ namespace foam::fuzz {
 struct RecipeInput {
     std::string file; ///< beside the recipe
     bool robot = false;
+    bool elements = false;                         ///< of any kind, instead of spheres
     std::vector<std::string> links, moving_joints; ///< of a robot
 };
 

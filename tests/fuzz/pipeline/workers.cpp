@@ -163,7 +163,7 @@ private:
             const fs::path folder = folder_ / "case";
             Outcome outcome;
             try {
-                outcome = run_case(make_case(seeds_[i], registry_, limits_.odd_numbers), registry_, folder);
+                outcome = run_case(make_case(seeds_[i], registry_, limits_.cases), registry_, folder);
             } catch (const std::exception& error) {
                 outcome.findings.push_back(std::string("the fuzzer itself: ") + error.what());
             }

@@ -11,8 +11,8 @@ struct Limits {
     double cpu_seconds = 10; ///< of one case; ten times as long by the clock
     std::size_t jobs = 1;    ///< processes at once
     std::size_t batch = 100; ///< cases of one process
-    bool odd_numbers = true; ///< of the cases
-    std::size_t memory = 0;  ///< MiB of address space a process may take; 0: any
+    CaseOptions cases;
+    std::size_t memory = 0; ///< MiB of address space a process may take; 0: any
 };
 
 /// Called in the order in which cases end.
