@@ -3,12 +3,11 @@
 #include "finish.hpp"
 #include "joint_descent.hpp"
 #include "least_fit.hpp"
-#include "pieces.hpp"
+#include "partitions.hpp"
 #include "pricing.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/parallel.hpp>
-#include <foam/geometry/directions.hpp>
 #include <foam/geometry/element_measure.hpp>
 #include <foam/geometry/internal/own_frame.hpp>
 #include <foam/search/approximate.hpp>
@@ -18,26 +17,17 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <map>
-#include <numeric>
 #include <tuple>
 
 namespace foam::inline search {
 namespace convex {
 
-/// How long to search.
-struct Plan {
-    std::size_t hull_bricks; ///< bricks for a few hulls; twice as many, and so on, for many
-    std::size_t bricks;      ///< for other kinds
-    RecutPlan recut;
-};
-
 namespace {
 
 using Kind = Element::Kind;
 
-Plan plan_for(Effort effort) {
+PartitionPlan plan_for(Effort effort) {
     switch (effort) {
     case Effort::fast:
         return {80, 32, {.sweeps = 1, .tries = 12, .split_tries = 9}};
@@ -286,135 +276,20 @@ struct ApproximationSearch::Data {
         }
         return best;
     }
-    /// Bricks, and the merges of them.
-    struct Merged {
-        std::vector<convex::Brick> bricks;
-        convex::Merges merges;
-    };
-    /// Returns about so many bricks that make up pieces, and the merges of them. For hulls the same serve for several
-    /// numbers.
-    const Merged& merged_bricks(std::size_t most) {
-        std::size_t number = most;
-        if (only_hulls) {
-            number = plan.hull_bricks;
-            while (2 * number < most) {
-                number *= 2;
-            }
-        }
-        auto found = merged_.find(number);
-        if (found == merged_.end()) {
-            std::vector<convex::Brick> bricks =
-                only_hulls ? convex::bricks_of(body().body, number) : convex::halved_bricks(body().body, number);
-            convex::Merges merges(bricks, [this](std::span<const Vec3> points) { return price_of_one(points); });
-            found = merged_.emplace(number, Merged{std::move(bricks), std::move(merges)}).first;
-        }
-        return found->second;
-    }
-    /// Returns the bricks that pieces are made of, about `most`. For hulls they are put together where that adds
-    /// little.
-    const std::vector<convex::Brick>& bricks(std::size_t most) {
-        const Merged& fine = merged_bricks(most);
-        if (!only_hulls || most >= fine.bricks.size()) {
-            return fine.bricks;
-        }
-        std::vector<convex::Brick>& known_bricks = bricks_[most];
-        if (known_bricks.empty()) {
-            known_bricks = convex::united(fine.bricks, fine.merges.at(most));
-        }
-        return known_bricks;
-    }
-    static constexpr std::size_t bricks_a_piece = 6; ///< at least, where not all are hulls
-
-    /// Returns how many bricks so many pieces are made of. Several counts have the same, and share what is found.
-    std::size_t bricks_for(std::size_t count) const {
-        constexpr std::size_t few_for_hulls = 40;
-        if (only_hulls) {
-            return std::max(few_for_hulls, 4 * count);
-        }
-        std::size_t number = plan.bricks;
-        while (number < bricks_a_piece * count) {
-            number *= 2;
-        }
-        return number;
-    }
-    /// Returns the partition that merges of bricks give.
-    convex::Partition by_merging(std::size_t count, std::size_t number) {
-        const Merged& fine = merged_bricks(number);
-        convex::Partition partition{bricks(number), fine.merges.at(count)};
-        if (partition.bricks.size() < fine.bricks.size()) {
-            name_bricks(partition.pieces, fine.merges.at(number), fine.bricks.size());
-        }
-        for (convex::Piece& piece : partition.pieces) {
-            pricing().appraise(piece);
-        }
-        return partition;
-    }
-    /// Renames the bricks of pieces: each is in one of `united`, whose index is its new name.
-    static void name_bricks(std::vector<convex::Piece>& pieces, const std::vector<convex::Piece>& united,
-                            std::size_t bricks) {
-        std::vector<std::uint32_t> name(bricks);
-        for (std::uint32_t i = 0; i < united.size(); ++i) {
-            for (const std::uint32_t brick : united[i].bricks) {
-                name[brick] = i;
-            }
-        }
-        for (convex::Piece& piece : pieces) {
-            for (std::uint32_t& brick : piece.bricks) {
-                brick = name[brick];
-            }
-            std::sort(piece.bricks.begin(), piece.bricks.end());
-            piece.bricks.erase(std::unique(piece.bricks.begin(), piece.bricks.end()), piece.bricks.end());
-        }
-    }
     /// Returns the volume of the element around points.
     double price_of_one(std::span<const Vec3> points) const {
         return has(Element::Kind::hull) ? price_with_hull(points)
                                         : convex::volume(quick_fit_around(convex::few_extremes_of(points)));
     }
-    /// Returns the bricks as one piece.
-    static convex::Partition whole(std::vector<convex::Brick> bricks, const convex::Pricing& pricing) {
-        convex::Partition partition{.bricks = std::move(bricks), .pieces = {}};
-        std::vector<std::uint32_t> all(partition.bricks.size());
-        std::iota(all.begin(), all.end(), 0);
-        partition.pieces.push_back(convex::piece_of(partition.bricks, std::move(all), pricing));
-        return partition;
-    }
-    /// Returns the partition that cuts of pieces give. Goes on from that into fewer pieces of the same bricks.
-    convex::Partition by_splitting(std::size_t count) {
-        const std::size_t number = bricks_for(count);
-        auto& known_splits = splits_[number];
-        const auto above = known_splits.upper_bound(count);
-        convex::Partition partition =
-            above != known_splits.begin() ? std::prev(above)->second : whole(bricks(number), pricing());
-        convex::split_until(partition, pricing(), count, plan.recut);
-        known_splits.insert_or_assign(count, partition);
-        return partition;
-    }
-    /// Returns the better partition that merging and splitting give, recut. Splitting alone does not get to a body with
-    /// several legs: the first cut between two of them gains nothing.
-    convex::Partition partition_for(std::size_t count) {
-        constexpr std::size_t few = 12; // hulls, for which another start is cheap
-        const std::size_t number = bricks_for(count);
-        convex::Partition best = by_merging(count, number);
-        if (!only_hulls && number > plan.bricks) {
-            if (convex::Partition other = by_merging(count, number / 2); price_of(other) < price_of(best)) {
-                best = std::move(other);
-            }
+    convex::Partitions& partitions() {
+        if (!partitions_) {
+            partitions_.emplace(
+                body().body, pricing(), [this](std::span<const Vec3> points) { return price_of_one(points); },
+                only_hulls, plan);
         }
-        if (!only_hulls || count <= few) {
-            if (convex::Partition split = by_splitting(count); price_of(split) < price_of(best)) {
-                best = std::move(split);
-            }
-        }
-        convex::recut(best, pricing(), plan.recut);
-        return best;
+        return *partitions_;
     }
-    double price_of(const convex::Partition& partition) {
-        std::vector<std::size_t> all(partition.pieces.size());
-        std::iota(all.begin(), all.end(), std::size_t{0});
-        return pricing().beside(partition.pieces, all).now;
-    }
-    Rated several(std::size_t count) { return cover_of(partition_for(count)); }
+    Rated several(std::size_t count) { return cover_of(partitions().best(count)); }
     double figure(Rated& rated) const {
         if (!rated.figure) {
             rated.figure = convex::figure_of(solid, rated.cover, options.objective);
@@ -430,15 +305,12 @@ struct ApproximationSearch::Data {
     const Solid& solid;
     std::vector<Element::Kind> kinds;
     ApproximateOptions options;
-    convex::Plan plan;
+    convex::PartitionPlan plan;
     bool only_hulls = false;
     std::optional<cover::Occupancy> occupancy_;
     std::unique_ptr<convex::Pricing> pricing_;
     std::optional<convex::BodyOfSolid> body_;
-    std::map<std::size_t, Merged> merged_;                     ///< by the number asked for
-    std::map<std::size_t, std::vector<convex::Brick>> bricks_; ///< of hulls, the same
-    /// By number of bricks: partitions by number of pieces.
-    std::map<std::size_t, std::map<std::size_t, convex::Partition>> splits_;
+    std::optional<convex::Partitions> partitions_;
     std::map<std::size_t, Rated> known;
 };
 
