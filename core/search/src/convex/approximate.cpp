@@ -90,8 +90,9 @@ struct ApproximationSearch::Data {
             throw Error(ErrorCode::geometry, "approximate: the solid cannot be covered: " + why);
         }
         only_hulls = kinds == std::vector{Element::Kind::hull};
-        if (has(Element::Kind::hull)) { // whose first cut tells what it saves
-            plan.recut.split_tries = options.effort == Effort::best ? 30 : 6;
+        if (has(Element::Kind::hull) && options.effort != Effort::best) { // whose first cuts tell what they save
+            plan.recut.tries = 12;
+            plan.recut.split_tries = 6;
         }
     }
 
@@ -238,10 +239,16 @@ struct ApproximationSearch::Data {
         }
         return elements;
     }
+    bool has_round_parts() const {
+        return std::any_of(solid.parts().begin(), solid.parts().end(), [](const Solid::Part& part) {
+            return part.primitive && part.primitive->kind != Primitive::Kind::box;
+        });
+    }
     /// Returns the cover by elements of pieces that meet in planes.
     ConvexCover cover_by(const std::vector<Element>& elements) {
-        // They cover with numbers of six digits, too. What this adds to slivers counts.
-        const double overlap = 1e-6 * body().unit;
+        // They cover with numbers of six digits, too. What this adds to slivers counts. The proof halves the surfaces of
+        // round primitives down to the overlap, but cuts triangles along the elements.
+        const double overlap = (has_round_parts() ? 3e-4 : 1e-6) * body().unit;
         Approximation::Level level;
         for (const Element& element : elements) {
             add(level, grown(element, overlap));
