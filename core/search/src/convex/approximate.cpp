@@ -246,8 +246,8 @@ struct ApproximationSearch::Data {
     }
     /// Returns the cover by elements of pieces that meet in planes.
     ConvexCover cover_by(const std::vector<Element>& elements) {
-        // They cover with numbers of six digits, too. What this adds to slivers counts. The proof halves the surfaces of
-        // round primitives down to the overlap, but cuts triangles along the elements.
+        // They cover with numbers of six digits, too. What this adds to slivers counts. The proof halves the surfaces
+        // of round primitives down to the overlap, but cuts triangles along the elements.
         const double overlap = (has_round_parts() ? 3e-4 : 1e-6) * body().unit;
         Approximation::Level level;
         for (const Element& element : elements) {
