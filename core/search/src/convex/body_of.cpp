@@ -91,6 +91,7 @@ bool surface_tells_volume(const Polygons& surface, const Solid& solid, double un
     return solid.closed() && std::abs(by_surface - solid.volume()) <= little * solid.volume();
 }
 
+/// Sets the points inside, and the volume that each stands for.
 void set_samples(Body& body, const Solid& solid) {
     constexpr int resolution = 32;
     constexpr double units = 2; // of the occupancy in one of the body
