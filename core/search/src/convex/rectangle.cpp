@@ -17,15 +17,29 @@ double along(const Vec2& d, const Vec2& p) {
     return d.x * p.x + d.y * p.y;
 }
 
+/// Returns the farthest points along eight directions, counter-clockwise.
+std::array<Vec2, 8> farthest_points(const std::vector<Vec2>& points) {
+    const auto heights = [](const Vec2& p) {
+        return std::array{p.x, p.x + p.y, p.y, p.y - p.x, -p.x, -p.x - p.y, -p.y, p.x - p.y};
+    };
+    std::array<Vec2, 8> farthest;
+    farthest.fill(points.front());
+    std::array<double, 8> most = heights(points.front());
+    for (const Vec2& p : points) {
+        const std::array<double, 8> height = heights(p);
+        for (std::size_t k = 0; k < 8; ++k) {
+            if (height[k] > most[k]) {
+                most[k] = height[k];
+                farthest[k] = p;
+            }
+        }
+    }
+    return farthest;
+}
+
 /// Drops points inside the octagon of the farthest ones along eight directions (Akl and Toussaint 1978).
 void drop_inner(std::vector<Vec2>& points) {
-    constexpr std::array<Vec2, 8> directions{{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
-    std::array<Vec2, 8> corners;
-    for (std::size_t k = 0; k < 8; ++k) {
-        corners[k] = *std::max_element(points.begin(), points.end(), [&](const Vec2& a, const Vec2& b) {
-            return along(directions[k], a) < along(directions[k], b);
-        });
-    }
+    const std::array<Vec2, 8> corners = farthest_points(points);
     std::erase_if(points, [&](const Vec2& p) {
         bool inner = false; // not if all corners are one place
         for (std::size_t k = 0; k < 8; ++k) {
