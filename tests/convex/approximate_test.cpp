@@ -118,7 +118,7 @@ TEST(Approximate, MoreElementsHaveNoMoreExcess) {
         const Kind kinds[] = {kind};
         ApproximationSearch search(*solid, kinds, fast);
         double before = INFINITY;
-        for (const std::size_t count : {1, 2, 4, 8, 16}) {
+        for (const std::size_t count : {1, 2, 3, 4, 8, 16}) {
             const ConvexCover cover = search.cover(count);
             EXPECT_LE(excess_of(*solid, cover), before) << to_string(kind) << ' ' << count;
             before = excess_of(*solid, cover);

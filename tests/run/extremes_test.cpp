@@ -3,7 +3,10 @@
 #include "support/runs.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/geometry/element_measure.hpp>
 #include <foam/runtime/contract.hpp>
+#include <foam/runtime/internal/cover.hpp>
+#include <foam/search/approximate.hpp>
 #include <foam/search/spherize.hpp>
 
 #include <fmt/format.h>
@@ -322,6 +325,24 @@ TEST_F(Extremes, ElementsThatOnlyJustOverlapAreProved) {
                                                  elements, count);
             EXPECT_TRUE(run(recipe_of(text), registry, options()).certified) << text;
         }
+    }
+}
+
+/// Boxes whose rounded numbers were not proved, before they were grown until they are.
+TEST(ExtremesOfNumbers, BoxesThatOverlapByAMillionthAreProved) {
+    const auto solid = Solid::make(std::vector<Solid::Part>{
+        {nullptr, Primitive{.kind = Primitive::Kind::capsule, .radius = 0.1, .length = 0.3}, Pose{}}});
+    const Element::Kind kinds[] = {Element::Kind::box};
+    ApproximationSearch search(*solid, kinds, {});
+    for (const std::size_t count : {2, 3, 4, 5, 6, 7, 8}) {
+        SphereTree tree;
+        tree.levels.push_back(search.cover(count).elements);
+        const double less = (3e-4 - 1e-6) * solid->bounds().diagonal(); // of the overlap
+        for (Element& box : tree.levels.back().others) {
+            box.half -= Vec3{less, less, less};
+        }
+        const runtime::FinishedTree finished = runtime::finished_tree(*solid, std::move(tree), Guarantee::outer);
+        EXPECT_TRUE(certify(*solid, finished.tree.levels.back().view()).holds) << count;
     }
 }
 
