@@ -2,8 +2,6 @@
 
 #include "orient3d.hpp"
 
-#include <foam/base/cancellation.hpp>
-
 namespace foam::inline geometry {
 namespace {
 
@@ -26,10 +24,16 @@ Quickhull::Quickhull(std::span<const Vec3> points, double size, double tolerance
     : points_(points), size_(size), tolerance_(tolerance), next_(points.size(), none), begin_(points.size(), none) {}
 
 bool Quickhull::first_tetrahedron(std::array<std::uint32_t, 4>& corners) const {
-    std::array<std::uint32_t, 6> extreme{};
-    for (int axis = 0; axis < 3; ++axis) {
-        extreme[static_cast<std::size_t>(2 * axis)] = largest(points_, [&](const Vec3& p) { return p[axis]; });
-        extreme[static_cast<std::size_t>(2 * axis) + 1] = largest(points_, [&](const Vec3& p) { return -p[axis]; });
+    std::array<std::uint32_t, 6> extreme{}; // lowest and highest along each axis
+    for (std::uint32_t i = 1; i < points_.size(); ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto at = static_cast<std::size_t>(2 * axis);
+            if (points_[i][axis] < points_[extreme[at]][axis]) {
+                extreme[at] = i;
+            } else if (points_[i][axis] > points_[extreme[at + 1]][axis]) {
+                extreme[at + 1] = i;
+            }
+        }
     }
     double longest = -1;
     for (std::size_t i = 0; i < extreme.size(); ++i) {
@@ -69,7 +73,7 @@ std::uint32_t Quickhull::make(std::uint32_t a, std::uint32_t b, std::uint32_t c)
     t.normal = length > 0 ? n / length : Vec3{};
     t.error = size_ * 16 * unit_roundoff *
               (1 + (length > 0 ? std::sqrt(squared_norm(v) * squared_norm(w)) / length : 1 / unit_roundoff));
-    states_[i] = {.alive = true};
+    states_[i] = {.two_areas = length, .alive = true};
     return i;
 }
 
@@ -106,6 +110,11 @@ void Quickhull::give(std::uint32_t triangle, std::uint32_t point, double height)
     }
 }
 
+bool Quickhull::is_corner(const Vec3& p, std::uint32_t triangle) const {
+    const std::array<std::uint32_t, 3>& corners = triangles_[triangle].corners;
+    return std::any_of(corners.begin(), corners.end(), [&](std::uint32_t c) { return points_[c] == p; });
+}
+
 /// Gives the point to one of the triangles that it is above. If it is above none of them it is in the hull.
 void Quickhull::place(std::uint32_t point, std::span<const std::uint32_t> among) {
     const Vec3& p = points_[point];
@@ -118,7 +127,7 @@ void Quickhull::place(std::uint32_t point, std::span<const std::uint32_t> among)
         }
         near = d > -triangles_[i].error ? i : near;
     }
-    if (near != none) {
+    if (near != none && !is_corner(p, near)) {
         place_beyond(point, near);
     }
 }
@@ -197,7 +206,7 @@ void Quickhull::replace_visible(std::uint32_t apex) {
     }
 }
 
-bool Quickhull::run() {
+bool Quickhull::begin() {
     std::array<std::uint32_t, 4> c{};
     if (points_.size() < 4 || !first_tetrahedron(c)) {
         return false;
@@ -208,35 +217,58 @@ bool Quickhull::run() {
     triangles_[1].across = {3, 2, 0};
     triangles_[2].across = {1, 3, 0};
     triangles_[3].across = {2, 1, 0};
+    six_volumes_ = -distance(triangles_[0], points_[c[3]]) * states_[0].two_areas;
     for (std::uint32_t i = 0; i < points_.size(); ++i) {
         if (std::find(c.begin(), c.end(), i) == c.end()) {
             place(i, made_);
         }
     }
-    CancellationCounter asking(256);
+    return true;
+}
+
+bool Quickhull::grow() {
+    while (turn_ < waiting_.size()) {
+        const std::uint32_t next = waiting_[turn_++];
+        if (has_points(next)) {
+            add_corner(next);
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Adds the point that is farthest above a triangle.
+void Quickhull::add_corner(std::uint32_t triangle) {
+    asking_.check();
+    const std::uint32_t apex = states_[triangle].farthest;
+    find_visible(triangle, points_[apex]);
+    replace_visible(apex);
+    open_.clear();
+    for (const std::uint32_t i : visible_) {
+        six_volumes_ += distance(triangles_[i], points_[apex]) * states_[i].two_areas;
+        for (std::uint32_t p = states_[i].first; p != none; p = next_[p]) {
+            open_.push_back(p);
+        }
+        states_[i].first = none;
+    }
+    for (const std::uint32_t p : open_) {
+        if (p != apex) {
+            place(p, made_);
+        }
+    }
+    free_.insert(free_.end(), visible_.begin(), visible_.end());
+}
+
+bool Quickhull::run() {
+    if (!begin()) {
+        return false;
+    }
     while (!waiting_.empty()) {
-        asking.check();
-        const std::uint32_t start = waiting_.back();
+        const std::uint32_t last = waiting_.back();
         waiting_.pop_back();
-        if (!states_[start].alive || states_[start].first == none) {
-            continue;
+        if (has_points(last)) {
+            add_corner(last);
         }
-        const std::uint32_t apex = states_[start].farthest;
-        find_visible(start, points_[apex]);
-        replace_visible(apex);
-        open_.clear();
-        for (const std::uint32_t i : visible_) {
-            for (std::uint32_t p = states_[i].first; p != none; p = next_[p]) {
-                open_.push_back(p);
-            }
-            states_[i].first = none;
-        }
-        for (const std::uint32_t p : open_) {
-            if (p != apex) {
-                place(p, made_);
-            }
-        }
-        free_.insert(free_.end(), visible_.begin(), visible_.end());
     }
     drop_dead();
     return true;

@@ -126,33 +126,18 @@ struct ApproximationSearch::Data {
 
     bool has(Element::Kind kind) const { return std::find(kinds.begin(), kinds.end(), kind) != kinds.end(); }
 
-    /// Returns the quick fit of least volume of any of the kinds but the hull around points in units.
+    /// Returns the quick fit of least volume of any of the kinds around points in units.
     convex::Fit quick_fit_around(const std::vector<Vec3>& points) const {
         convex::Cloud cloud;
         cloud.points = points;
         std::optional<convex::Fit> best;
         for (const Element::Kind kind : kinds) {
-            if (kind != Element::Kind::hull) {
-                const convex::Fit fit = convex::quick_fit(kind, cloud, options.axis_aligned);
-                if (!best || convex::volume(fit) < convex::volume(*best)) {
-                    best = fit;
-                }
+            const convex::Fit fit = convex::quick_fit(kind, cloud, options.axis_aligned);
+            if (!best || convex::volume(fit) < convex::volume(*best)) {
+                best = fit;
             }
         }
         return *best;
-    }
-    /// Returns the least volume of a hull and of quick fits of the other kinds.
-    double price_with_hull(std::span<const Vec3> points) const {
-        convex::HullOfPoints hull;
-        const double of_hull = hull.run_quickly(points);
-        if (only_hulls) {
-            return of_hull;
-        }
-        std::vector<Vec3> vertices;
-        for (const std::uint32_t i : hull.vertices()) {
-            vertices.push_back(points[i]);
-        }
-        return std::min(of_hull, convex::volume(quick_fit_around(vertices)));
     }
     const cover::Occupancy& occupancy() {
         constexpr int resolution = 48;
@@ -163,8 +148,7 @@ struct ApproximationSearch::Data {
     }
     const convex::Pricing& pricing() {
         if (!pricing_ && has(Element::Kind::hull)) {
-            pricing_ = std::make_unique<convex::SumOfVolumes>(
-                [this](std::span<const Vec3> points) { return price_with_hull(points); });
+            pricing_ = std::make_unique<convex::SumOfHulls>();
         } else if (!pricing_) {
             pricing_ = std::make_unique<convex::VolumeOutside>(occupancy(), [this](std::span<const Vec3> points) {
                 return quick_fit_around(convex::few_extremes_of(points));
@@ -285,7 +269,7 @@ struct ApproximationSearch::Data {
     }
     /// Returns the volume of the element around points.
     double price_of_one(std::span<const Vec3> points) const {
-        return has(Element::Kind::hull) ? price_with_hull(points)
+        return has(Element::Kind::hull) ? convex::volume_of_hull(points)
                                         : convex::volume(quick_fit_around(convex::few_extremes_of(points)));
     }
     convex::Partitions& partitions() {

@@ -117,15 +117,19 @@ BodyOfSolid body_of(const Solid& solid) {
     for (const Triangle& t : mesh.triangles) {
         for (const std::uint32_t i : t) {
             body.surface.corners.push_back(mesh.vertices[i]);
+            body.vertices.push_back(i);
         }
         body.surface.close();
     }
+    auto vertices = static_cast<std::uint32_t>(mesh.vertices.size());
     for_each_without_area(solid.surface(), [&](const std::array<Vec3, 3>& corners) {
         for (const Vec3& p : corners) {
             body.surface.corners.push_back(to_unit(p));
+            body.vertices.push_back(vertices++);
         }
         body.surface.close();
     });
+    body.vertex_count = vertices;
     body.has_inside = solid.volume() > 0;
     body.volumes_by_surface = surface_tells_volume(body.surface, solid, result.unit);
     if (body.has_inside && !body.volumes_by_surface) {

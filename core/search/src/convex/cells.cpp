@@ -133,10 +133,9 @@ private:
         if (body_.has_inside) {
             set_corners(cell, before);
         }
-        HullOfPoints hull;
         std::vector<Vec3> points = cell.surface.corners;
         points.insert(points.end(), cell.corners.points.begin(), cell.corners.points.end());
-        cell.hull_volume = hull.run_quickly(points);
+        cell.hull_volume = volume_of_hull(points);
         const double filled = body_.volumes_by_surface ? cell.surface.cone_volume() + cell.caps.cone_volume()
                                                        : body_.sample_volume * static_cast<double>(cell.samples.size());
         cell.excess = cell.hull_volume - std::clamp(filled, 0.0, cell.hull_volume);
@@ -239,20 +238,17 @@ private:
     std::array<SpaceCell, 2> halves(const SpaceCell& cell) const {
         check_cancelled();
         const Brick seen = seen_of(cell);
-        const Price volume = price_of_hull();
-        const PairPrice sum = [&](std::span<const Vec3> a, std::span<const Vec3> b) { return volume(a) + volume(b); };
+        const PairPrice sum = volume_of_hulls;
         CutSearch search({&seen}, sum, corners_in_plane(cell));
-        Cut best{{{1, 0, 0}, 0}};
-        std::vector<Cut> cuts;
-        for (const Plane& plane : candidates(seen.points)) {
-            cuts.push_back(search.at(plane));
+        const std::vector<Plane> planes = candidates(seen.points);
+        Cut best{planes.front()};
+        for (const Plane& plane : planes) {
+            if (const Cut cut = search.at(plane, best.price); cut.price < best.price) {
+                best = cut;
+            }
         }
-        std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.price < b.price; });
         constexpr int tries = 6;
-        if (!cuts.empty()) {
-            best = search.improved(cuts.front(), tries);
-        }
-        return parts(cell, best.plane);
+        return parts(cell, search.improved(best, tries).plane);
     }
     /// Returns one point in each part of the bounding box that has any.
     static std::vector<Vec3> spread(const std::vector<Vec3>& points) {

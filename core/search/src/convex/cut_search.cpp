@@ -86,7 +86,7 @@ void CutSearch::divide(const Plane& plane) {
     }
 }
 
-Cut CutSearch::at(const Plane& plane) {
+Cut CutSearch::at(const Plane& plane, double limit) {
     divide(plane);
     if (below_.empty() || above_.empty()) {
         return {plane};
@@ -97,7 +97,7 @@ Cut CutSearch::at(const Plane& plane) {
         below_.insert(below_.end(), both_.begin(), both_.end());
         above_.insert(above_.end(), both_.begin(), both_.end());
     }
-    return {plane, price_(below_, above_)};
+    return {plane, price_(below_, above_, limit)};
 }
 
 Cut CutSearch::start() {
@@ -113,7 +113,7 @@ Cut CutSearch::start() {
             high = std::max(high, dot(normal, p));
         }
         for (const double share : {0.3, 0.5, 0.7}) {
-            if (const Cut cut = at({normal, low + share * (high - low)}); cut.price < best.price) {
+            if (const Cut cut = at({normal, low + share * (high - low)}, best.price); cut.price < best.price) {
                 best = cut;
             }
         }
@@ -139,7 +139,7 @@ Cut CutSearch::improved(Cut best, int tries) {
                 plane.normal = normalized(plane.normal + (k < 4 ? x : y) * (length / reach));
                 plane.offset = dot(plane.normal, middle);
             }
-            if (const Cut found = at(plane); found.price < next.price) {
+            if (const Cut found = at(plane, next.price); found.price < next.price) {
                 next = found;
             }
         }

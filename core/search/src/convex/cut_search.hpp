@@ -11,8 +11,9 @@ namespace foam::inline search::convex {
 
 /// The price of putting points into one element: its volume in cubic units.
 using Price = std::function<double(std::span<const Vec3>)>;
-/// The price of putting points into two elements, or into one if the second has none.
-using PairPrice = std::function<double(std::span<const Vec3>, std::span<const Vec3>)>;
+/// The price of putting points into two elements, or into one if the second has none; of `limit` or more, a lower bound
+/// that is also `limit` or more.
+using PairPrice = std::function<double(std::span<const Vec3>, std::span<const Vec3>, double limit)>;
 
 /// A plane through bricks, with the price of both parts.
 struct Cut {
@@ -27,7 +28,8 @@ class CutSearch {
 public:
     CutSearch(const std::vector<const Brick*>& bricks, const PairPrice& price, PointsInPlane in_plane = {});
 
-    Cut at(const Plane& plane);
+    /// Returns the cut by the plane; where its price is `limit` or more, with a bound for it that is, too.
+    Cut at(const Plane& plane, double limit = std::numeric_limits<double>::infinity());
     /// Returns the best of the planes across directions spread evenly, at a few offsets each.
     Cut start();
     /// Moves and tilts the plane by shorter and shorter steps, as long as that makes the price less; about as many

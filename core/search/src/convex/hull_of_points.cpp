@@ -7,27 +7,63 @@
 
 namespace foam::inline search::convex {
 
-double HullOfPoints::run(std::span<const Vec3> points) {
-    constexpr double tolerance = 1e-10;
-    return run(points, tolerance);
-}
+namespace {
 
-double HullOfPoints::run_quickly(std::span<const Vec3> points) {
-    constexpr double tolerance = 2e-6, moved_by = 1e-6;
-    moved_.assign(points.begin(), points.end());
+constexpr double size = 4; // of the problem, at most
+
+/// Returns the points moved by about 1e-6, each by another vector.
+std::vector<Vec3> moved(std::span<const Vec3> points) {
+    constexpr double moved_by = 1e-6;
+    std::vector<Vec3> moved(points.begin(), points.end());
     Random random(points.size());
-    for (Vec3& p : moved_) {
+    for (Vec3& p : moved) {
         const std::uint64_t bits = random.bits();
         const auto part = [&](int shift) {
             return (static_cast<double>((bits >> shift) & 0xFFFFF) * 0x1p-20 - 0.5) * moved_by;
         };
         p += {part(0), part(20), part(40)};
     }
-    return run(moved_, tolerance);
+    return moved;
+}
+
+/// A hull that grows corner by corner.
+struct GrowingHull {
+    explicit GrowingHull(std::span<const Vec3> given)
+        : points(moved(given)), hull(points, size, tolerance), grows(hull.begin()) {}
+    double volume() const { return hull.volume(); }
+    void grow() { grows = grows && hull.grow(); }
+
+    static constexpr double tolerance = 2e-6;
+    std::vector<Vec3> points;
+    geometry::Quickhull hull;
+    bool grows;
+};
+
+} // namespace
+
+double volume_of_hull(std::span<const Vec3> points) {
+    GrowingHull hull(points);
+    while (hull.grows) {
+        hull.grow();
+    }
+    return hull.volume();
+}
+
+double volume_of_hulls(std::span<const Vec3> a, std::span<const Vec3> b, double limit) {
+    GrowingHull one(a), other(b);
+    while ((one.grows || other.grows) && one.volume() + other.volume() < limit) {
+        one.grow();
+        other.grow();
+    }
+    return one.volume() + other.volume();
+}
+
+double HullOfPoints::run(std::span<const Vec3> points) {
+    constexpr double tolerance = 1e-10;
+    return run(points, tolerance);
 }
 
 double HullOfPoints::run(std::span<const Vec3> points, double tolerance) {
-    constexpr double size = 4;
     triangles_.clear();
     count_ = points.size();
     if (points.size() < 4) {

@@ -17,9 +17,6 @@ public:
     double run(std::span<const Vec3> points);
     /// Makes the hull to about the tolerance: points that are not farther outside of it do not become vertices.
     double run(std::span<const Vec3> points, double tolerance);
-    /// Makes the hull to about 1e-6. It is quicker where many points lie in a plane: these are moved by about that
-    /// much, so that no exact arithmetic is needed to tell on which side they are.
-    double run_quickly(std::span<const Vec3> points);
     /// Indices of the points that are vertices, ascending; all for points that lie in a plane.
     std::vector<std::uint32_t> vertices() const;
     /// Edges between indices of points; none for points that lie in a plane.
@@ -28,9 +25,15 @@ public:
     const std::vector<geometry::HullTriangle>& triangles() const { return triangles_; }
 
 private:
-    std::vector<Vec3> moved_;
     std::vector<geometry::HullTriangle> triangles_;
     std::size_t count_ = 0;
 };
+
+/// Returns the volume of the hull to about 1e-6. It is quicker than HullOfPoints where many points lie in a plane: these
+/// are moved by about that much, so that no exact arithmetic is needed to tell on which side they are.
+double volume_of_hull(std::span<const Vec3> points);
+/// Returns the sum of the volumes of the hulls of a and of b, to about 1e-6, if it is less than `limit`. Returns what is
+/// known to be in them as soon as that is `limit` or more.
+double volume_of_hulls(std::span<const Vec3> a, std::span<const Vec3> b, double limit);
 
 } // namespace foam::inline search::convex

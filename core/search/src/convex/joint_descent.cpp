@@ -1,6 +1,7 @@
 #include "joint_descent.hpp"
 
 #include "fit_programme.hpp"
+#include "hull_in_plane.hpp"
 #include "hull_of_points.hpp"
 #include "least_fit.hpp"
 #include "outside_lattice.hpp"
@@ -110,13 +111,15 @@ Fit least_around(Kind kind, const std::vector<Vec3>& points) {
 class Descent {
 public:
     Descent(const Body& body, const cover::Occupancy& occupancy, std::vector<Fit> fits, bool keep_axes)
-        : body_(body), lattice_(occupancy), fits_(std::move(fits)), keep_axes_(keep_axes) {}
+        : body_(body), lattice_(occupancy), fits_(std::move(fits)), keep_axes_(keep_axes),
+          taken_(body.vertex_count, 0) {}
 
     std::vector<Fit> run(int sweeps, int steps) {
         for (int sweep = 0; sweep < sweeps && fits_.size() > 1; ++sweep) {
             double before = 0, after = 0;
             for (std::size_t i = 0; i < fits_.size();) {
                 check_cancelled();
+                ++turn_;
                 std::vector<Vec3> points = held_alone(i);
                 if (points.empty()) {
                     fits_.erase(fits_.begin() + static_cast<std::ptrdiff_t>(i));
@@ -193,7 +196,7 @@ private:
         return {std::sqrt(length), longest};
     }
     /// Returns the corners of what this element holds alone.
-    std::vector<Vec3> held_alone(std::size_t i) const {
+    std::vector<Vec3> held_alone(std::size_t i) {
         std::vector<std::uint32_t> others;
         for (std::uint32_t k = 0; k < fits_.size(); ++k) {
             if (k != i) {
@@ -201,12 +204,12 @@ private:
             }
         }
         std::vector<Vec3> points;
-        for_each_triangle_near(i, [&](const std::array<Vec3, 3>& t) { add_alone(t, others, points); });
+        add_near(i, points, [&](const auto& t, std::vector<Vec3>& found) { add_alone(t, others, found); });
         return points;
     }
     /// Appends the corners of what this element holds.
-    void add_held(std::size_t i, std::vector<Vec3>& points) const {
-        for_each_triangle_near(i, [&](const std::array<Vec3, 3>& t) { add_held(fits_[i], t, points); });
+    void add_held(std::size_t i, std::vector<Vec3>& points) {
+        add_near(i, points, [&](const auto& t, std::vector<Vec3>& found) { add_held(fits_[i], t, found); });
     }
     static void add_held(const Fit& fit, const std::array<Vec3, 3>& t, std::vector<Vec3>& points) {
         if (holds(fit, t[0]) && holds(fit, t[1]) && holds(fit, t[2])) {
@@ -225,19 +228,57 @@ private:
         add_held(fit, {a, half_way, c}, points);
         add_held(fit, {half_way, b, c}, points);
     }
-    template <class Visit> void for_each_triangle_near(std::size_t i, Visit visit) const {
+    /// Appends what add(triangle, found) finds of each triangle near an element. Vertices of triangles that it finds
+    /// whole are appended once in a turn.
+    template <class Add> void add_near(std::size_t i, std::vector<Vec3>& points, Add add) {
         const std::vector<Vec3>& corners = body_.surface.corners;
         const Box box = bounds(fits_[i]);
         for (std::size_t t = 0; t + 2 < corners.size(); t += 3) {
-            if (const std::array<Vec3, 3> triangle{corners[t], corners[t + 1], corners[t + 2]}; meets(box, triangle)) {
-                visit(triangle);
+            const std::array<Vec3, 3> triangle{corners[t], corners[t + 1], corners[t + 2]};
+            if (!meets(box, triangle)) {
+                continue;
+            }
+            found_.clear();
+            add(triangle, found_);
+            if (!std::equal(found_.begin(), found_.end(), triangle.begin(), triangle.end())) {
+                append_extremes(triangle, points);
+                continue;
+            }
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (std::uint32_t& turn = taken_[body_.vertices[t + k]]; turn != turn_) {
+                    turn = turn_;
+                    points.push_back(triangle[k]);
+                }
+            }
+        }
+    }
+    /// Appends the corners of the hull of what was found of a triangle. Parts of it have many corners in common.
+    void append_extremes(const std::array<Vec3, 3>& t, std::vector<Vec3>& points) const {
+        struct Point {
+            double x, y;
+            Vec3 whole;
+        };
+        const Vec3 n = cross(t[1] - t[0], t[2] - t[0]);
+        const int across = std::abs(n.x) > std::abs(n.y) ? (std::abs(n.x) > std::abs(n.z) ? 0 : 2)
+                                                         : (std::abs(n.y) > std::abs(n.z) ? 1 : 2);
+        if (n[across] == 0) { // a segment
+            points.insert(points.end(), found_.begin(), found_.end());
+            return;
+        }
+        std::vector<Point> in_plane;
+        for (const Vec3& p : found_) {
+            in_plane.push_back({p[(across + 1) % 3], p[(across + 2) % 3], p});
+        }
+        if (!in_plane.empty()) {
+            for (const Point& p : hull_in_plane(in_plane)) {
+                points.push_back(p.whole);
             }
         }
     }
     /// Returns the vertices of the hull of the points.
     static Cloud extremes(const std::vector<Vec3>& points) {
         HullOfPoints hull;
-        hull.run_quickly(points); // what it gives up, the overlap of neighbours holds
+        hull.run(points, 2e-6); // what it gives up, the overlap of neighbours holds
         Cloud cloud;
         for (const std::uint32_t v : hull.vertices()) {
             cloud.points.push_back(points[v]);
@@ -334,6 +375,9 @@ private:
     OutsideLattice lattice_;
     std::vector<Fit> fits_;
     const bool keep_axes_;
+    std::uint32_t turn_ = 0;           ///< of an element
+    std::vector<std::uint32_t> taken_; ///< of each vertex of the surface, the last turn in which it was appended
+    std::vector<Vec3> found_;
 };
 
 } // namespace

@@ -25,10 +25,11 @@ struct Offer {
 class Merging {
 public:
     Merging(const std::vector<Brick>& bricks, Price price) : price_(std::move(price)) {
-        const SumOfVolumes volume(price_);
         pieces_.resize(bricks.size());
-        parallel_for(bricks.size(),
-                     [&](std::size_t i) { pieces_[i] = piece_of(bricks, {static_cast<std::uint32_t>(i)}, volume); });
+        parallel_for(bricks.size(), [&](std::size_t i) {
+            pieces_[i] = piece_of(bricks, {static_cast<std::uint32_t>(i)});
+            pieces_[i].price = price_(pieces_[i].hull);
+        });
         dead_.assign(pieces_.size(), 0);
         std::vector<Offer> pairs;
         for (std::uint32_t a = 0; a < pieces_.size(); ++a) {
@@ -140,11 +141,7 @@ double Partition::price() const {
     return sum;
 }
 
-Price price_of_hull() {
-    return [](std::span<const Vec3> points) { return HullOfPoints().run_quickly(points); };
-}
-
-Piece piece_of(const std::vector<Brick>& bricks, std::vector<std::uint32_t> members, const Pricing& pricing) {
+Piece piece_of(const std::vector<Brick>& bricks, std::vector<std::uint32_t> members) {
     Piece piece;
     std::vector<Vec3> points;
     for (const std::uint32_t i : members) {
@@ -157,6 +154,11 @@ Piece piece_of(const std::vector<Brick>& bricks, std::vector<std::uint32_t> memb
         piece.hull.push_back(points[v]);
     }
     piece.bricks = std::move(members);
+    return piece;
+}
+
+Piece piece_of(const std::vector<Brick>& bricks, std::vector<std::uint32_t> members, const Pricing& pricing) {
+    Piece piece = piece_of(bricks, std::move(members));
     pricing.appraise(piece);
     return piece;
 }

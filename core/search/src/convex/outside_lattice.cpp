@@ -33,7 +33,7 @@ struct Held {
 
 /// Makes each share at least that of the fit.
 FOAM_FOR_WIDE_VECTORS
-void add_round(const Held& f, std::size_t count, const float* x, const float* y, const float* z, float* held) {
+void hold_by_round(const Held& f, std::size_t count, const float* x, const float* y, const float* z, float* held) {
     for (std::size_t i = 0; i < count; ++i) {
         float squared = 0, deep = -std::numeric_limits<float>::infinity();
         for (int k = 0; k < 3; ++k) {
@@ -50,7 +50,7 @@ void add_round(const Held& f, std::size_t count, const float* x, const float* y,
 }
 
 FOAM_FOR_WIDE_VECTORS
-void add_box(const Held& f, std::size_t count, const float* x, const float* y, const float* z, float* held) {
+void hold_by_box(const Held& f, std::size_t count, const float* x, const float* y, const float* z, float* held) {
     for (std::size_t i = 0; i < count; ++i) {
         float farthest = -1;
         for (int k = 0; k < 3; ++k) {
@@ -63,7 +63,7 @@ void add_box(const Held& f, std::size_t count, const float* x, const float* y, c
 }
 
 FOAM_FOR_WIDE_VECTORS
-void add_cylinder(const Held& f, std::size_t count, const float* x, const float* y, const float* z, float* held) {
+void hold_by_cylinder(const Held& f, std::size_t count, const float* x, const float* y, const float* z, float* held) {
     for (std::size_t i = 0; i < count; ++i) {
         float q[3];
         for (int k = 0; k < 3; ++k) {
@@ -78,18 +78,6 @@ void add_cylinder(const Held& f, std::size_t count, const float* x, const float*
 bool meet(const Box& a, const Box& b) {
     return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
            a.low.z <= b.high.z && b.low.z <= a.high.z;
-}
-
-void add_shares(const Fit& fit, double cell, std::size_t count, const float* x, const float* y, const float* z,
-                float* held) {
-    const Held f(fit, cell);
-    if (fit.kind == Kind::box) {
-        add_box(f, count, x, y, z, held);
-    } else if (fit.kind == Kind::cylinder) {
-        add_cylinder(f, count, x, y, z, held);
-    } else {
-        add_round(f, count, x, y, z, held);
-    }
 }
 
 } // namespace
@@ -121,15 +109,22 @@ void OutsideLattice::look(std::span<const Fit> others, const Box& region, std::s
     const Vec3 size = region.size();
     cell_ = std::cbrt(std::max(size.x, thin) * std::max(size.y, thin) * std::max(size.z, thin) /
                       static_cast<double>(cells));
-    const auto across = [&](int axis) { return std::max(1, static_cast<int>(std::ceil(size[axis] / cell_))); };
-    const int nx = across(0), ny = across(1), nz = across(2);
-    const Vec3 low = region.center() - Vec3{nx - 1.0, ny - 1.0, nz - 1.0} * (cell_ / 2);
+    std::array<int, 3> count;
+    Vec3 low;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto at = static_cast<std::size_t>(axis);
+        count[at] = std::max(1, static_cast<int>(std::ceil(size[axis] / cell_)));
+        low[axis] = region.center()[axis] - (count[at] - 1) * (cell_ / 2);
+    }
+    const auto longest = static_cast<std::size_t>(std::max_element(count.begin(), count.end()) - count.begin());
+    longest_ = static_cast<int>(longest);
     x_.clear(), y_.clear(), z_.clear(), weight_.clear();
-    for (int k = 0; k < nz; ++k) {
-        for (int j = 0; j < ny; ++j) {
-            for (int i = 0; i < nx; ++i) {
-                const Vec3 p =
-                    low + Vec3{static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)} * cell_;
+    const std::size_t u = (longest + 1) % 3, v = (longest + 2) % 3;
+    std::array<int, 3> i{};
+    for (i[longest] = 0; i[longest] < count[longest]; ++i[longest]) {
+        for (i[v] = 0; i[v] < count[v]; ++i[v]) {
+            for (i[u] = 0; i[u] < count[u]; ++i[u]) {
+                const Vec3 p = low + Vec3{i[0] * cell_, i[1] * cell_, i[2] * cell_};
                 if (const double weight = outside_solid(p); weight > 0) {
                     x_.push_back(static_cast<float>(p.x));
                     y_.push_back(static_cast<float>(p.y));
@@ -142,7 +137,7 @@ void OutsideLattice::look(std::span<const Fit> others, const Box& region, std::s
     held_.assign(x_.size(), 0);
     for (const Fit& other : others) {
         if (meet(bounds(other), region)) {
-            add_shares(other, cell_, x_.size(), x_.data(), y_.data(), z_.data(), held_.data());
+            hold(other);
         }
     }
     std::size_t left = 0;
@@ -155,11 +150,25 @@ void OutsideLattice::look(std::span<const Fit> others, const Box& region, std::s
     x_.resize(left), y_.resize(left), z_.resize(left), weight_.resize(left);
 }
 
+void OutsideLattice::hold(const Fit& fit) {
+    const std::vector<float>& along = longest_ == 0 ? x_ : longest_ == 1 ? y_ : z_;
+    const Box box = bounds(fit);
+    const auto low = static_cast<float>(box.low[longest_] - cell_), high = static_cast<float>(box.high[longest_] + cell_);
+    const auto from = std::lower_bound(along.begin(), along.end(), low);
+    const auto first = static_cast<std::size_t>(from - along.begin());
+    const auto count = static_cast<std::size_t>(std::upper_bound(from, along.end(), high) - from);
+    const Held f(fit, cell_);
+    const auto add = fit.kind == Kind::box        ? hold_by_box
+                     : fit.kind == Kind::cylinder ? hold_by_cylinder
+                                                  : hold_by_round;
+    add(f, count, x_.data() + first, y_.data() + first, z_.data() + first, held_.data() + first);
+}
+
 double OutsideLattice::of(std::span<const Fit> elements) {
     held_.assign(x_.size(), 0);
     double beyond = 0;
     for (const Fit& element : elements) {
-        add_shares(element, cell_, x_.size(), x_.data(), y_.data(), z_.data(), held_.data());
+        hold(element);
         const Box box = bounds(element);
         const Vec3 size = box.size();
         for (int axis = 0; axis < 3; ++axis) {

@@ -25,9 +25,13 @@ public:
     double outside_solid(const Vec3& p) const;
 
 private:
+    /// Makes the share that is held at each place at least that of the fit.
+    void hold(const Fit& fit);
+
     const cover::Occupancy& occupancy_;
     Box region_;
     double cell_ = 1;
+    int longest_ = 0; ///< axis of the region: places ascend along it
     std::vector<float> x_, y_, z_, weight_; ///< places not entirely inside others or the solid
     std::vector<float> held_;
 };

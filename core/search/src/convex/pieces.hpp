@@ -46,8 +46,9 @@ struct Partition {
     double price() const; ///< sum over the pieces
 };
 
-/// Returns the price of the hull: its volume.
-Price price_of_hull();
+/// Returns the piece of these bricks, without a price and a fit.
+Piece piece_of(const std::vector<Brick>& bricks, std::vector<std::uint32_t> members);
+/// Returns the piece of these bricks, appraised.
 Piece piece_of(const std::vector<Brick>& bricks, std::vector<std::uint32_t> members, const Pricing& pricing);
 
 /// The merges of bricks into fewer and fewer pieces: from one piece a brick, the two pieces whose common element adds

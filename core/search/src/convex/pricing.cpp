@@ -7,18 +7,16 @@
 
 namespace foam::inline search::convex {
 
-void SumOfVolumes::appraise(Piece& piece) const {
-    piece.price = price_(piece.hull);
+void SumOfHulls::appraise(Piece& piece) const {
+    piece.price = volume_of_hull(piece.hull);
 }
 
-Beside SumOfVolumes::beside(const std::vector<Piece>& pieces, std::span<const std::size_t> replaced) const {
+Beside SumOfHulls::beside(const std::vector<Piece>& pieces, std::span<const std::size_t> replaced) const {
     Beside result;
     for (const std::size_t i : replaced) {
         result.now += pieces[i].price;
     }
-    result.price = [price = price_](std::span<const Vec3> below, std::span<const Vec3> above) {
-        return price(below) + (above.empty() ? 0 : price(above));
-    };
+    result.price = volume_of_hulls;
     return result;
 }
 
@@ -48,10 +46,14 @@ Beside VolumeOutside::beside(const std::vector<Piece>& pieces, std::span<const s
     lattice->look(others, wide, cells);
     Beside result;
     result.now = lattice->of(these);
-    result.price = [lattice, this](std::span<const Vec3> below, std::span<const Vec3> above) {
+    result.price = [lattice, this](std::span<const Vec3> below, std::span<const Vec3> above, double limit) {
+        if (below.size() < above.size()) { // the larger part alone may cost too much
+            std::swap(below, above);
+        }
         std::array<Fit, 2> fits{fit_around_(below)};
-        if (above.empty()) {
-            return lattice->of(std::span(fits).first(1));
+        const double one = lattice->of(std::span(fits).first(1));
+        if (above.empty() || one >= limit) {
+            return one;
         }
         fits[1] = fit_around_(above);
         return lattice->of(fits);

@@ -11,16 +11,11 @@
 
 namespace foam::inline search::convex {
 
-/// Sums of the volumes of single elements: for hulls, which hardly overlap.
-class SumOfVolumes : public Pricing {
+/// Sums of the volumes of hulls, which hardly overlap. No other element around a piece has less volume.
+class SumOfHulls : public Pricing {
 public:
-    explicit SumOfVolumes(Price price) : price_(std::move(price)) {}
-
     void appraise(Piece& piece) const override;
     Beside beside(const std::vector<Piece>& pieces, std::span<const std::size_t> replaced) const override;
-
-private:
-    Price price_;
 };
 
 /// The volume outside the solid of the union of quick fits. What several elements hold counts once.

@@ -1,7 +1,8 @@
 #include "rectangle.hpp"
 
+#include "hull_in_plane.hpp"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -9,78 +10,8 @@
 namespace foam::inline search::convex {
 namespace {
 
-double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 double along(const Vec2& d, const Vec2& p) {
     return d.x * p.x + d.y * p.y;
-}
-
-/// Returns the farthest points along eight directions, counter-clockwise.
-std::array<Vec2, 8> farthest_points(const std::vector<Vec2>& points) {
-    const auto heights = [](const Vec2& p) {
-        return std::array{p.x, p.x + p.y, p.y, p.y - p.x, -p.x, -p.x - p.y, -p.y, p.x - p.y};
-    };
-    std::array<Vec2, 8> farthest;
-    farthest.fill(points.front());
-    std::array<double, 8> most = heights(points.front());
-    for (const Vec2& p : points) {
-        const std::array<double, 8> height = heights(p);
-        for (std::size_t k = 0; k < 8; ++k) {
-            if (height[k] > most[k]) {
-                most[k] = height[k];
-                farthest[k] = p;
-            }
-        }
-    }
-    return farthest;
-}
-
-/// Drops points inside the octagon of the farthest ones along eight directions (Akl and Toussaint 1978).
-void drop_inner(std::vector<Vec2>& points) {
-    const std::array<Vec2, 8> corners = farthest_points(points);
-    std::erase_if(points, [&](const Vec2& p) {
-        bool inner = false; // not if all corners are one place
-        for (std::size_t k = 0; k < 8; ++k) {
-            const Vec2 &a = corners[k], &b = corners[(k + 1) % 8];
-            if (a.x == b.x && a.y == b.y) {
-                continue;
-            }
-            inner = turn(a, b, p) > 0;
-            if (!inner) {
-                return false;
-            }
-        }
-        return inner;
-    });
-}
-
-/// Returns the hull, counter-clockwise (Andrew 1979).
-std::vector<Vec2> hull_of(std::vector<Vec2>& points) {
-    constexpr std::size_t many = 64;
-    if (points.size() > many) {
-        drop_inner(points);
-    }
-    std::sort(points.begin(), points.end(),
-              [](const Vec2& a, const Vec2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
-    std::vector<Vec2> hull(2 * points.size() + 1);
-    std::size_t size = 0;
-    const auto add = [&](const Vec2& p, std::size_t first) {
-        while (size >= first + 2 && turn(hull[size - 2], hull[size - 1], p) <= 0) {
-            --size;
-        }
-        hull[size++] = p;
-    };
-    for (const Vec2& p : points) {
-        add(p, 0);
-    }
-    const std::size_t lower = size - 1;
-    for (std::size_t i = points.size() - 1; i-- > 0;) {
-        add(points[i], lower);
-    }
-    hull.resize(std::max<std::size_t>(1, size - 1));
-    return hull;
 }
 
 Vec2 direction_of(const Vec2& a, const Vec2& b) {
@@ -132,7 +63,7 @@ Rectangle by_calipers(const std::vector<Vec2>& hull, double least) {
 
 Rectangle least_rectangle(std::vector<Vec2>& points, double least) {
     constexpr double rounding = 1e-9;
-    const std::vector<Vec2> hull = hull_of(points);
+    const std::vector<Vec2> hull = hull_in_plane(points);
     const Rectangle found = by_calipers(hull, least);
     Rectangle best = rectangle_along(hull, found.along, least);
     if (best.area > found.area * (1 + rounding)) {

@@ -161,8 +161,9 @@ private:
             const std::array<std::size_t, 2> replaced{pair.a, pair.b};
             const Beside beside = pricing_.beside(pieces, replaced);
             CutSearch search(named(together(pieces[pair.a], pieces[pair.b])), beside.price);
-            const Cut start = search.at(between(pieces[pair.a], pieces[pair.b]));
-            if (start.price < 1.3 * beside.now) { // else a plane is far from what separates them
+            const double far = 1.3 * beside.now; // a plane is then far from what separates them
+            const Cut start = search.at(between(pieces[pair.a], pieces[pair.b]), far);
+            if (start.price < far) {
                 pair.cut = search.improved(start, plan_.tries);
                 pair.gain = beside.now - pair.cut.price;
             }
@@ -201,7 +202,7 @@ private:
             points.insert(points.end(), pieces[pair.b].hull.begin(), pieces[pair.b].hull.end());
             const std::array<std::size_t, 2> replaced{pair.a, pair.b};
             const Beside beside = pricing_.beside(pieces, replaced);
-            pair.gain = beside.now - beside.price(points, {});
+            pair.gain = beside.now - beside.price(points, {}, std::numeric_limits<double>::infinity());
         });
         std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.gain > b.gain; });
         const double least = 1e-5 * partition_.price();

@@ -1,6 +1,7 @@
 // The convex hull of points as triangles.
 #pragma once
 
+#include <foam/base/cancellation.hpp>
 #include <foam/geometry/vector.hpp>
 
 #include <cstdint>
@@ -39,6 +40,16 @@ public:
     /// Computes the hull. Returns false if the points lie in a plane, to within the tolerance.
     bool run();
 
+    /// Begins with a tetrahedron, for a caller who may know before the end that the hull is too large. Returns false if
+    /// the points lie in a plane.
+    bool begin();
+    /// Makes one more point a corner, in turn all around: the volume is soon close to that of the whole. Returns false
+    /// if none is left that is outside.
+    bool grow();
+    /// Returns the volume so far: not more than that of the whole hull, but for rounding.
+    double volume() const { return six_volumes_ / 6; }
+
+    /// The triangles of the hull that run() made.
     const std::vector<HullTriangle>& triangles() const { return triangles_; }
     /// Points that may be outside of the hull, by no more than the tolerance and rounding.
     const std::vector<std::uint32_t>& near() const { return near_; }
@@ -50,6 +61,7 @@ private:
         std::uint32_t first = none; ///< of the points above it, a list by next_
         std::uint32_t farthest = none;
         double height = 0; ///< of the farthest
+        double two_areas = 0;
         std::uint64_t seen = 0;
         bool alive = false;
     };
@@ -58,18 +70,23 @@ private:
     std::uint32_t make(std::uint32_t a, std::uint32_t b, std::uint32_t c);
     std::uint32_t place_for_triangle();
     int side(std::uint32_t triangle, const Vec3& p) const;
+    bool is_corner(const Vec3& p, std::uint32_t triangle) const;
     void give(std::uint32_t triangle, std::uint32_t point, double height);
     void place(std::uint32_t point, std::span<const std::uint32_t> among);
     void place_beyond(std::uint32_t point, std::uint32_t start);
     void find_visible(std::uint32_t start, const Vec3& apex);
     void replace_visible(std::uint32_t apex);
+    bool has_points(std::uint32_t triangle) const { return states_[triangle].alive && states_[triangle].first != none; }
+    void add_corner(std::uint32_t triangle);
     void drop_dead();
 
     std::span<const Vec3> points_;
     double size_, tolerance_;
     std::vector<HullTriangle> triangles_;
     std::vector<State> states_;
-    std::vector<std::uint32_t> free_, waiting_;
+    std::vector<std::uint32_t> free_;
+    std::vector<std::uint32_t> waiting_; ///< triangles in the order in which they were given their first point
+    std::size_t turn_ = 0;               ///< the next of them
     std::vector<std::uint32_t> next_;  ///< of each point, the next in its list
     std::vector<std::uint32_t> begin_; ///< of each point, the new triangle whose edge on the horizon begins there
     std::vector<std::uint32_t> near_, visible_, made_, open_, looked_at_;
@@ -78,6 +95,8 @@ private:
     };
     std::vector<HorizonEdge> horizon_;
     std::uint64_t stamp_ = 0;
+    double six_volumes_ = 0;
+    CancellationCounter asking_{256};
 };
 
 } // namespace geometry
