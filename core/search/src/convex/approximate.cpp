@@ -3,6 +3,7 @@
 #include "finish.hpp"
 #include "joint_descent.hpp"
 #include "least_fit.hpp"
+#include "least_protrusion.hpp"
 #include "partitions.hpp"
 #include "pricing.hpp"
 
@@ -188,8 +189,29 @@ struct ApproximationSearch::Data {
         Rated best{single(Effort::fast), {}};
         if (options.effort != Effort::fast && !only_hulls) { // a hull is a hull
             take_better(best, {single(options.effort), {}});
+            if (options.objective != ApproximationObjective::excess) {
+                take_less_protruding(best);
+            }
         }
         return best;
+    }
+    /// Takes the element of any one of the kinds if it protrudes less.
+    void take_less_protruding(Rated& best) const {
+        const std::vector<Vec3>& points = solid.surface().vertices;
+        const convex::Cloud cloud = convex::cloud_of(points);
+        for (const Element::Kind kind : kinds) {
+            Approximation::Level level;
+            if (kind == Element::Kind::hull) {
+                add(level, convex::hull_around(points, solid.bounds().diagonal(), options.max_vertices));
+            } else if (kind == Element::Kind::sphere) {
+                add(level, convex::element_of(convex::least_sphere(cloud), cloud));
+            } else {
+                const convex::Fit fit = convex::least_protrusion(kind, cloud, solid, options.objective, options.effort,
+                                                                 options.axis_aligned);
+                add(level, convex::element_of(fit, cloud));
+            }
+            take_better(best, {convex::proved(solid, std::move(level)), {}});
+        }
     }
     ConvexCover single(Effort effort) const {
         Approximation::Level level;

@@ -279,7 +279,7 @@ private:
         Brick brick;
         brick.points = std::move(seen.points);
         brick.edges = std::move(seen.edges);
-        constexpr std::size_t enough = 600;
+        constexpr std::size_t enough = 2000;
         if (brick.points.size() > enough) {
             brick.points = spread(brick.points);
             brick.edges.clear();
