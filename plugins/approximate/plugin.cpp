@@ -195,7 +195,7 @@ foam::StageInfo info(std::string name, std::string summary, std::string referenc
     info.original_only = true;
     info.objective_parameter = "objective";
     info.kinds = std::move(kinds);
-    info.revision = 4;
+    info.revision = 5;
     return info;
 }
 

@@ -259,6 +259,26 @@ TEST(Approximate, HullsOfPartsThatOverlap) {
     }
 }
 
+TEST(Approximate, OneElementProtrudesLeastWhereThatIsTheObjective) {
+    for (const Mesh& mesh : {l_shape(), torus()}) {
+        const auto solid = Solid::make(mesh);
+        const auto measured = [&](Kind kind, ApproximationObjective objective) {
+            return measure(*solid, cover_by(*solid, 1, kind, {.objective = objective}).elements.view());
+        };
+        using enum ApproximationObjective;
+        for (const Kind kind : {Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box}) {
+            SCOPED_TRACE(to_string(kind));
+            const Measures least = measured(kind, excess);
+            EXPECT_LE(measured(kind, protrusion).protrusion_max, 1.001 * least.protrusion_max);
+            EXPECT_LE(measured(kind, mean_protrusion).protrusion_mean, 1.001 * least.protrusion_mean);
+        }
+        for (const Kind kind : {Kind::capsule, Kind::box}) { // a swept box may be either
+            EXPECT_LE(measured(Kind::swept_box, protrusion).protrusion_max,
+                      1.02 * measured(kind, protrusion).protrusion_max);
+        }
+    }
+}
+
 TEST(Approximate, LinesAndBoxesWithoutThickness) {
     // Of such boxes whole sides are lines, and of a line all.
     for (const Vec3& size : {Vec3{1, 1, 0}, Vec3{1, 1, 1e-9}, Vec3{1, 1e-9, 1e-9}, Vec3{1, 0, 0}}) {

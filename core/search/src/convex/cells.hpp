@@ -12,7 +12,7 @@ namespace foam::inline search::convex {
 /// A surface in units, and what is known of its inside.
 struct Body {
     Polygons surface;
-    std::vector<std::uint32_t> vertices;     ///< of each corner of the surface, the number of its vertex
+    std::vector<std::uint32_t> vertices; ///< of each corner of the surface, the number of its vertex
     std::size_t vertex_count = 0;
     bool has_inside = false;                 ///< also of an open surface that encloses most of a volume
     bool volumes_by_surface = false;         ///< the surface tells the volumes of the body's parts

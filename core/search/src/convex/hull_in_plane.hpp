@@ -10,7 +10,8 @@
 namespace foam::inline search::convex {
 
 /// A point with two coordinates, and whatever else it carries.
-template <class Point> concept PointInPlane = requires(const Point& p) {
+template <class Point>
+concept PointInPlane = requires(const Point& p) {
     { p.x } -> std::convertible_to<double>;
     { p.y } -> std::convertible_to<double>;
 };

@@ -29,11 +29,11 @@ private:
     std::size_t count_ = 0;
 };
 
-/// Returns the volume of the hull to about 1e-6. It is quicker than HullOfPoints where many points lie in a plane: these
-/// are moved by about that much, so that no exact arithmetic is needed to tell on which side they are.
+/// Returns the volume of the hull to about 1e-6. It is quicker than HullOfPoints where many points lie in a plane:
+/// these are moved by about that much, so that no exact arithmetic is needed to tell on which side they are.
 double volume_of_hull(std::span<const Vec3> points);
-/// Returns the sum of the volumes of the hulls of a and of b, to about 1e-6, if it is less than `limit`. Returns what is
-/// known to be in them as soon as that is `limit` or more.
+/// Returns the sum of the volumes of the hulls of a and of b, to about 1e-6, if it is less than `limit`. Returns what
+/// is known to be in them as soon as that is `limit` or more.
 double volume_of_hulls(std::span<const Vec3> a, std::span<const Vec3> b, double limit);
 
 } // namespace foam::inline search::convex

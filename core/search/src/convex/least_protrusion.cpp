@@ -76,42 +76,62 @@ Fit descended(Fit best, const Cloud& cloud, const Protrusion& protrusion, int mo
     return best;
 }
 
-/// Returns elements of little volume. A swept box may be a box or a capsule, and is also begun half-way between.
-std::vector<Fit> starts(Kind kind, const Cloud& cloud, Effort effort, bool axis_aligned) {
-    std::vector<Fit> fits{least_fit(kind, cloud, effort, axis_aligned)};
-    if (kind == Kind::swept_box) {
-        fits.push_back(least_box(cloud, Effort::fast));
-        for (const double share : {0.25, 0.5, 0.75}) {
-            Fit fit = fits[1];
-            fit.radius = share * std::min({fit.half.x, fit.half.y, fit.half.z});
-            fit.half = fit.half - Vec3{fit.radius, fit.radius, fit.radius};
-            fits.push_back(fit);
+/// Finds the element that protrudes least by one measure.
+class LeastProtrusion {
+public:
+    LeastProtrusion(const Cloud& cloud, const Protrusion& protrusion, Effort effort, bool axis_aligned)
+        : cloud_(cloud), protrusion_(protrusion), effort_(effort), axis_aligned_(axis_aligned) {}
+
+    Fit least(Kind kind) const {
+        std::optional<Fit> best;
+        for (const Fit& start : starts(kind)) {
+            const Fit found = further(start);
+            if (!best || protrusion_.of(found) < protrusion_.of(*best)) {
+                best = found;
+            }
         }
-        fits.push_back(least_capsule(cloud, Effort::fast));
-        for (Fit& fit : fits) {
-            fit.kind = kind;
-            close_around(fit, cloud);
-        }
+        return *best;
     }
-    return fits;
-}
+    Fit further(const Fit& fit) const {
+        const int steps = effort_ == Effort::best ? 100 : 25;
+        return descended(fit, cloud_, protrusion_, steps, axis_aligned_ && fit.kind == Kind::box);
+    }
+
+private:
+    /// Returns elements to begin from. A swept box may be a capsule, a box, or something between box and ball.
+    std::vector<Fit> starts(Kind kind) const {
+        std::vector<Fit> fits{least_fit(kind, cloud_, effort_, axis_aligned_)};
+        if (kind == Kind::swept_box) {
+            const Fit box = least(Kind::box);
+            fits.push_back(least(Kind::capsule));
+            for (const double share : {0.0, 0.25, 0.5, 0.75}) {
+                Fit fit = box;
+                fit.radius = share * std::min({box.half.x, box.half.y, box.half.z});
+                fit.half = box.half - Vec3{fit.radius, fit.radius, fit.radius};
+                fits.push_back(fit);
+            }
+            for (Fit& fit : fits) {
+                fit.kind = kind;
+                close_around(fit, cloud_);
+            }
+        }
+        return fits;
+    }
+
+    const Cloud& cloud_;
+    const Protrusion& protrusion_;
+    const Effort effort_;
+    const bool axis_aligned_;
+};
 
 } // namespace
 
-Fit least_protrusion(Kind kind, const Cloud& cloud, const Solid& solid, ApproximationObjective objective, Effort effort,
-                     bool axis_aligned) {
+Fit least_protrusion(Element::Kind kind, const Cloud& cloud, const Solid& solid, ApproximationObjective objective,
+                     Effort effort, bool axis_aligned) {
     const bool mean = objective == ApproximationObjective::mean_protrusion;
-    const Protrusion smooth(cloud, solid, mean ? 1 : 12);
-    const int steps = effort == Effort::best ? 100 : 25;
-    const bool keep_axes = axis_aligned && kind == Kind::box;
-    std::optional<Fit> best;
-    for (const Fit& start : starts(kind, cloud, effort, axis_aligned)) {
-        const Fit found = descended(start, cloud, smooth, steps, keep_axes);
-        if (!best || smooth.of(found) < smooth.of(*best)) {
-            best = found;
-        }
-    }
-    return mean ? *best : descended(*best, cloud, Protrusion(cloud, solid, 48), steps, keep_axes);
+    const Protrusion smooth(cloud, solid, mean ? 1 : 12), sharp(cloud, solid, 48);
+    const Fit fit = LeastProtrusion(cloud, smooth, effort, axis_aligned).least(kind);
+    return mean ? fit : LeastProtrusion(cloud, sharp, effort, axis_aligned).further(fit);
 }
 
 } // namespace foam::inline search::convex

@@ -153,7 +153,8 @@ void OutsideLattice::look(std::span<const Fit> others, const Box& region, std::s
 void OutsideLattice::hold(const Fit& fit) {
     const std::vector<float>& along = longest_ == 0 ? x_ : longest_ == 1 ? y_ : z_;
     const Box box = bounds(fit);
-    const auto low = static_cast<float>(box.low[longest_] - cell_), high = static_cast<float>(box.high[longest_] + cell_);
+    const auto low = static_cast<float>(box.low[longest_] - cell_),
+               high = static_cast<float>(box.high[longest_] + cell_);
     const auto from = std::lower_bound(along.begin(), along.end(), low);
     const auto first = static_cast<std::size_t>(from - along.begin());
     const auto count = static_cast<std::size_t>(std::upper_bound(from, along.end(), high) - from);

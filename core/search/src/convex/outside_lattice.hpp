@@ -31,7 +31,7 @@ private:
     const cover::Occupancy& occupancy_;
     Box region_;
     double cell_ = 1;
-    int longest_ = 0; ///< axis of the region: places ascend along it
+    int longest_ = 0;                       ///< axis of the region: places ascend along it
     std::vector<float> x_, y_, z_, weight_; ///< places not entirely inside others or the solid
     std::vector<float> held_;
 };

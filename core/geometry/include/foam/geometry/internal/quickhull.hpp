@@ -87,8 +87,8 @@ private:
     std::vector<std::uint32_t> free_;
     std::vector<std::uint32_t> waiting_; ///< triangles in the order in which they were given their first point
     std::size_t turn_ = 0;               ///< the next of them
-    std::vector<std::uint32_t> next_;  ///< of each point, the next in its list
-    std::vector<std::uint32_t> begin_; ///< of each point, the new triangle whose edge on the horizon begins there
+    std::vector<std::uint32_t> next_;    ///< of each point, the next in its list
+    std::vector<std::uint32_t> begin_;   ///< of each point, the new triangle whose edge on the horizon begins there
     std::vector<std::uint32_t> near_, visible_, made_, open_, looked_at_;
     struct HorizonEdge {
         std::uint32_t from, to, beyond;
