@@ -1,7 +1,7 @@
 #include "joint_descent.hpp"
 
 #include "boundary.hpp"
-#include "fit_programme.hpp"
+#include "fit_descent.hpp"
 #include "hull_in_plane.hpp"
 #include "hull_of_points.hpp"
 #include "least_fit.hpp"
@@ -248,42 +248,18 @@ private:
     }
     /// Improves an element beside the others, which look() has seen. Returns its share of the volume outside.
     double improve(std::size_t i, const Cloud& cloud, int most_steps, bool anew) {
-        constexpr double first_step = 0.05, longest = 0.1, shortest = 1e-4; // units
-        Fit best = fits_[i];
-        double least = lattice_.of({&best, 1});
-        const auto offer = [&](const Fit& fit) {
-            const double share = lattice_.of({&fit, 1});
-            const bool less = share < least;
-            if (less) {
-                least = share;
-                best = fit;
-            }
-            return less;
-        };
+        const StepPlan plan{.most = most_steps, .first = 0.05, .longest = 0.1, .shortest = 1e-4, .too_little = 1e-4};
+        const auto share = [&](const Fit& fit) { return lattice_.of({&fit, 1}); };
+        Fit& fit = fits_[i];
+        double least = share(fit);
         if (anew && !keep_axes_) {
-            offer(least_around(best.kind, cloud.points));
-        }
-        double reach = first_step;
-        std::vector<Constraint> constraints;
-        for (int k = 0; k < most_steps && reach > shortest; ++k) {
-            const Variables gradient = slopes(i, best);
-            if (!(gradient.norm() > 0)) {
-                break;
-            }
-            set_constraints(best, cloud, reach, constraints, keep_axes_);
-            const Variables step = quadratic_step(gradient, gradient.norm() / reach, constraints);
-            const double before = least;
-            if (offer(stepped(best, step, cloud))) {
-                constexpr double too_little = 1e-4;
-                if (before - least < too_little * before) {
-                    break;
-                }
-                reach = std::min(longest, 2 * reach);
-            } else {
-                reach = std::min(reach, step.norm()) / 4;
+            const Fit other = least_around(fit.kind, cloud.points);
+            if (const double found = share(other); found < least) {
+                fit = other;
+                least = found;
             }
         }
-        fits_[i] = best;
+        descend(fit, least, cloud, plan, keep_axes_, share, [&](const Fit& f) { return slopes(i, f); });
         return least;
     }
 

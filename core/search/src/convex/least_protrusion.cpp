@@ -1,9 +1,8 @@
 #include "least_protrusion.hpp"
 
 #include "boundary.hpp"
+#include "fit_descent.hpp"
 #include "least_fit.hpp"
-
-#include <foam/base/cancellation.hpp>
 
 #include <cmath>
 #include <optional>
@@ -31,11 +30,13 @@ public:
     }
     /// Returns its slopes, but for a factor and what the area of the boundary changes.
     Variables slopes(const Fit& fit, bool keep_axes) const {
-        return boundary_slopes(fit, keep_axes, [&](const Vec3& p, const Vec3& normal, double area) {
+        const Variables g = boundary_slopes(fit, keep_axes, [&](const Vec3& p, const Vec3& normal, double area) {
             const Vec3 d = away(p);
             const double distance = norm(d);
             return distance > 0 ? area * std::pow(distance, power_ - 1) * (dot(d, normal) / distance) : 0;
         });
+        const double length = g.norm(); // of a high power it may be minute
+        return length > 0 ? Variables(g / length) : g;
     }
 
 private:
@@ -49,32 +50,6 @@ private:
     const Solid& solid_;
     const double power_;
 };
-
-Fit descended(Fit best, const Cloud& cloud, const Protrusion& protrusion, int most_steps, bool keep_axes) {
-    constexpr double first_reach = 0.05, longest = 0.1, shortest = 1e-4; // units
-    double least = protrusion.of(best), reach = first_reach;
-    std::vector<Constraint> constraints;
-    for (int k = 0; k < most_steps && reach > shortest; ++k) {
-        check_cancelled();
-        Variables gradient = protrusion.slopes(best, keep_axes);
-        const double length = gradient.norm();
-        if (!(length > 0)) {
-            break;
-        }
-        gradient /= length; // of a high power they may be minute
-        set_constraints(best, cloud, reach, constraints, keep_axes);
-        const Variables step = quadratic_step(gradient, 1 / reach, constraints);
-        const Fit next = stepped(best, step, cloud);
-        if (const double found = protrusion.of(next); found < least) {
-            best = next;
-            least = found;
-            reach = std::min(longest, 2 * reach);
-        } else {
-            reach = std::min(reach, step.norm()) / 4;
-        }
-    }
-    return best;
-}
 
 /// Finds the element that protrudes least by one measure.
 class LeastProtrusion {
@@ -92,9 +67,15 @@ public:
         }
         return *best;
     }
-    Fit further(const Fit& fit) const {
-        const int steps = effort_ == Effort::best ? 100 : 25;
-        return descended(fit, cloud_, protrusion_, steps, axis_aligned_ && fit.kind == Kind::box);
+    Fit further(Fit fit) const {
+        const bool keep_axes = axis_aligned_ && fit.kind == Kind::box;
+        const StepPlan plan{
+            .most = effort_ == Effort::best ? 100 : 25, .first = 0.05, .longest = 0.1, .shortest = 1e-4};
+        double least = protrusion_.of(fit);
+        descend(
+            fit, least, cloud_, plan, keep_axes, [&](const Fit& f) { return protrusion_.of(f); },
+            [&](const Fit& f) { return protrusion_.slopes(f, keep_axes); });
+        return fit;
     }
 
 private:

@@ -1,5 +1,5 @@
 #include "circle.hpp"
-#include "fit_programme.hpp"
+#include "fit_descent.hpp"
 #include "least_fit.hpp"
 
 #include <foam/base/cancellation.hpp>
@@ -132,31 +132,12 @@ Fit rounded(const Fit& box, const Cloud& cloud) {
 } // namespace
 
 Fit descended(const Fit& start, const Cloud& cloud, int most_steps, double first_reach, bool keep_axes) {
-    constexpr double shortest = 1e-8, longest = 0.1; // units
-    Fit best = start;
-    double least = volume(best);
-    double reach = first_reach;
-    std::vector<Constraint> constraints;
-    for (int i = 0; i < most_steps && reach > shortest; ++i) {
-        check_cancelled();
-        const Variables gradient = volume_slopes(best);
-        set_constraints(best, cloud, reach, constraints, keep_axes);
-        const Variables step = quadratic_step(gradient, gradient.norm() / reach, constraints);
-        const Fit next = stepped(best, step, cloud);
-        const double reached = volume(next);
-        if (reached < least) {
-            const double gain = (least - reached) / least;
-            best = next;
-            least = reached;
-            reach = std::min(longest, 2 * reach);
-            if (gain < 1e-9) {
-                break;
-            }
-        } else {
-            reach = std::min(reach, step.norm()) / 4;
-        }
-    }
-    return best;
+    Fit fit = start;
+    double least = volume(fit);
+    const StepPlan plan{.most = most_steps, .first = first_reach, .longest = 0.1, .shortest = 1e-8, .too_little = 1e-9};
+    descend(
+        fit, least, cloud, plan, keep_axes, [](const Fit& f) { return volume(f); }, volume_slopes);
+    return fit;
 }
 
 Fit least_sphere(const Cloud& cloud) {
