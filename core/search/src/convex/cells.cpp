@@ -250,38 +250,46 @@ private:
         constexpr int tries = 6;
         return parts(cell, search.improved(best, tries).plane);
     }
-    /// Returns one point in each part of the bounding box that has any.
+    /// Returns one point in each part of the bounding box that has any: the least by its coordinates. O(n).
     static std::vector<Vec3> spread(const std::vector<Vec3>& points) {
-        constexpr double parts = 24; // along the longest extent
+        constexpr std::size_t parts = 24; // along the longest extent
+        constexpr std::uint32_t none = UINT32_MAX;
         Box box;
         for (const Vec3& p : points) {
             box.add(p);
         }
         const double width = std::max({box.size().x, box.size().y, box.size().z, 1e-9}) / parts;
-        std::vector<std::array<std::uint32_t, 4>> places; // and the index of the point
+        const auto key = [&](std::uint32_t i) { return std::tie(points[i].x, points[i].y, points[i].z); };
+        constexpr std::size_t places = parts + 1; // the farthest point is at the end of the last part
+        std::vector<std::uint32_t> least(places * places * places, none);
         for (std::uint32_t i = 0; i < points.size(); ++i) {
             const Vec3 at = (points[i] - box.low) / width;
-            places.push_back({static_cast<std::uint32_t>(at.x), static_cast<std::uint32_t>(at.y),
-                              static_cast<std::uint32_t>(at.z), i});
+            std::uint32_t& known =
+                least[(static_cast<std::size_t>(at.x) * places + static_cast<std::size_t>(at.y)) * places +
+                      static_cast<std::size_t>(at.z)];
+            if (known == none || key(i) < key(known)) {
+                known = i;
+            }
         }
-        std::sort(places.begin(), places.end());
         std::vector<Vec3> result;
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            if (i == 0 || !std::equal(places[i].begin(), places[i].begin() + 3, places[i - 1].begin())) {
-                result.push_back(points[places[i][3]]);
+        for (const std::uint32_t i : least) {
+            if (i != none) {
+                result.push_back(points[i]);
             }
         }
         return result;
     }
     /// Returns the points and edges of a cell's part of the body; of many points, some.
     static Brick seen_of(const SpaceCell& cell) {
-        PointsAndEdges seen = distinct(cell.surface);
+        constexpr std::size_t enough = 2000, corners_a_point = 12; // mostly 6
         Brick brick;
-        brick.points = std::move(seen.points);
-        brick.edges = std::move(seen.edges);
-        constexpr std::size_t enough = 2000;
-        if (brick.points.size() > enough) {
-            brick.points = spread(brick.points);
+        if (cell.surface.corners.size() <= enough * corners_a_point) {
+            PointsAndEdges seen = distinct(cell.surface);
+            brick.points = std::move(seen.points);
+            brick.edges = std::move(seen.edges);
+        }
+        if (brick.points.empty() || brick.points.size() > enough) {
+            brick.points = spread(cell.surface.corners);
             brick.edges.clear();
         }
         const auto first = static_cast<std::uint32_t>(brick.points.size());
