@@ -51,12 +51,17 @@ def links_of(robot):
     return len(foam.load(robot).links_with_geometry)
 
 
+def run_timed(*command):
+    """Return what the command prints, and its CPU time."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    done = subprocess.run([*command, "--fresh", "-j1"], capture_output=True, text=True, check=True)
+    return done.stdout, resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+
+
 def timed(program, robot, kind, count, model):
     """Make a model and return the CPU time of the command."""
     name = ["spherize"] if kind == "sphere" else ["approximate", "--with", kind]
-    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    subprocess.run([program, *name, robot, "-n", str(count), "-o", model, "--fresh", "-j1", "-q"], check=True, stderr=subprocess.DEVNULL)
-    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+    return run_timed(program, *name, robot, "-n", str(count), "-o", model, "-q")[1]
 
 
 def made(program, robot, kind, count, folder):
@@ -120,13 +125,11 @@ def bounds(robot):
 
 def links_by(program, robot, count, kind, *options):
     """Return the figures of each covered link, of the whole, and the CPU time."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    budget = [] if count is None else ["-n", str(count)]
     with tempfile.TemporaryDirectory() as folder:
-        done = subprocess.run([program, "approximate", robot, *([] if count is None else ["-n", str(count)]), "--with", kind, "-o", f"{folder}/out.json", "--fresh",
-                               "-j1", "--json", *options], capture_output=True, text=True, check=True)
-    data = json.loads(done.stdout)
-    links = {link["link"]: link for link in data["links"] if not link["skipped"]}
-    return links, data["total"], resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+        printed, seconds = run_timed(program, "approximate", robot, *budget, "--with", kind, "-o", f"{folder}/out.json", "--json", *options)
+    data = json.loads(printed)
+    return {link["link"]: link for link in data["links"] if not link["skipped"]}, data["total"], seconds
 
 
 def protrusions(program, panda):
@@ -143,8 +146,8 @@ def protrusions(program, panda):
 
 def capsules(program, robots):
     """Return the tables of capsules for whole robots and an arm."""
-    text = ("Capsules of least volume, one, two and three a link on average. *Volume / hull* is the volume of a link's capsules as a share of that of its hull, *largest* the\n"
-            "largest protrusion of a link, both averaged over the links. Published figures for one capsule a link: UR5e 1.78 and 28 mm, UR10e 1.76 and 34 mm,\n"
+    text = ("Capsules of least volume, one, two and three a link on average. *Volume / hull* compares the volume of a link's capsules\n"
+            "with that of its hull. *Largest* is the largest protrusion of a link. Both are means over the links. Published figures for one capsule a link: UR5e 1.78 and 28 mm, UR10e 1.76 and 34 mm,\n"
             "Panda 1.84 and 38 mm; the links and meshes that were used are not stated.\n\n"
             "| robot | capsules | volume / hull | largest, mm |\n|---|---|---|---|\n")
     for name, robot in robots.items():
@@ -156,7 +159,7 @@ def capsules(program, robots):
             largest = [data["protrusion_max_m"] for data in links.values()]
             text += f"| {name} | {total['spheres']} | {sum(shares) / len(shares):.2f} | {1000 * sum(largest) / len(largest):.0f} |\n"
     text += ("\nThe eight links of the Panda's arm by capsules. Another tool's capsules of the FR3's arm leave gaps of 6.7, 2.3 and 1.3 mm with 8, 10 and 39 capsules,\n"
-             "and take 12.7, 21.8 and 56.8 s. To choose the numbers of links takes most of the time; the last row allows each link as many.\n\n"
+             "and take 12.7, 21.8 and 56.8 s. Choosing the number for each link takes most of the time. In the last row foam does not choose: each link may have five.\n\n"
              "| capsules allowed | used | effort | gap, mm | excess | largest, mm | CPU, s |\n|---|---|---|---|---|---|---|\n")
     arm = ["--set", "links={panda_hand: {skip: true}, panda_leftfinger: {skip: true}, panda_rightfinger: {skip: true}}"]
     five = ["--set", "stages.approximate.capsules.elements=5"]

@@ -157,6 +157,9 @@ struct ApproximationSearch::Data {
         }
         return *pricing_;
     }
+    Element hull_of(const std::vector<Vec3>& points) const {
+        return convex::hull_around(points, solid.bounds().diagonal(), options.max_vertices);
+    }
     /// Returns the element of least volume of any of the kinds around points in metres.
     Element element_around(const std::vector<Vec3>& points, Effort effort) const {
         std::optional<Element> best;
@@ -164,7 +167,7 @@ struct ApproximationSearch::Data {
         for (const Element::Kind kind : kinds) {
             Element element;
             if (kind == Element::Kind::hull) {
-                element = convex::hull_around(points, solid.bounds().diagonal(), options.max_vertices);
+                element = hull_of(points);
             } else {
                 if (!cloud) {
                     cloud = effort == Effort::fast ? convex::quick_cloud_of(points) : convex::cloud_of(points);
@@ -202,12 +205,12 @@ struct ApproximationSearch::Data {
         for (const Element::Kind kind : kinds) {
             Approximation::Level level;
             if (kind == Element::Kind::hull) {
-                add(level, convex::hull_around(points, solid.bounds().diagonal(), options.max_vertices));
-            } else if (kind == Element::Kind::sphere) {
-                add(level, convex::element_of(convex::least_sphere(cloud), cloud));
+                add(level, hull_of(points));
             } else {
-                const convex::Fit fit = convex::least_protrusion(kind, cloud, solid, options.objective, options.effort,
-                                                                 options.axis_aligned);
+                const convex::Fit fit = kind == Element::Kind::sphere
+                                            ? convex::least_sphere(cloud)
+                                            : convex::least_protrusion(kind, cloud, solid, options.objective,
+                                                                       options.effort, options.axis_aligned);
                 add(level, convex::element_of(fit, cloud));
             }
             take_better(best, {convex::proved(solid, std::move(level)), {}});

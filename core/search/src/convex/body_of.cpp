@@ -129,7 +129,6 @@ BodyOfSolid body_of(const Solid& solid) {
         }
         body.surface.close();
     });
-    body.vertex_count = vertices;
     body.has_inside = solid.volume() > 0;
     body.volumes_by_surface = surface_tells_volume(body.surface, solid, result.unit);
     if (body.has_inside && !body.volumes_by_surface) {

@@ -87,7 +87,7 @@ Brick brick_around(HullOfPoints& hull, std::vector<Vec3> points, Polygons surfac
     // The search needs no more corners than this, in units. Elements are made around the surface itself.
     constexpr double coarse = 1e-3;
     Brick brick;
-    if (hull.run(points, coarse) == 0) { // thinner than that
+    if (!hull.run(points, coarse)) { // thinner than that
         hull.run(points);
     }
     const std::vector<std::uint32_t> vertices = hull.vertices();

@@ -13,7 +13,6 @@ namespace foam::inline search::convex {
 struct Body {
     Polygons surface;
     std::vector<std::uint32_t> vertices; ///< of each corner of the surface, the number of its vertex
-    std::size_t vertex_count = 0;
     bool has_inside = false;                 ///< also of an open surface that encloses most of a volume
     bool volumes_by_surface = false;         ///< the surface tells the volumes of the body's parts
     std::function<bool(const Vec3&)> inside; ///< whether a point is within the surface

@@ -89,7 +89,7 @@ static std::optional<HullOfPoints> hull_of(Cloud& cloud) {
                             [&](const Vec3& a, const Vec3& b) { return dot(a, normal) < dot(b, normal); });
     // What a hull of this precision leaves out, element_of() has room for.
     constexpr double precision = 1e-14;
-    if (HullOfPoints hull; dot(*high - *low, normal) > flat && hull.run(cloud.points, precision) > 0) {
+    if (HullOfPoints hull; dot(*high - *low, normal) > flat && hull.run(cloud.points, precision)) {
         set_normals(cloud, hull.triangles());
         return hull;
     }

@@ -2,7 +2,7 @@
 
 #include <foam/base/random.hpp>
 
-#include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace foam::inline search::convex {
@@ -42,11 +42,7 @@ struct GrowingHull {
 } // namespace
 
 double volume_of_hull(std::span<const Vec3> points) {
-    GrowingHull hull(points);
-    while (hull.grows) {
-        hull.grow();
-    }
-    return hull.volume();
+    return volume_of_hulls(points, {}, std::numeric_limits<double>::infinity());
 }
 
 double volume_of_hulls(std::span<const Vec3> a, std::span<const Vec3> b, double limit) {
@@ -58,28 +54,20 @@ double volume_of_hulls(std::span<const Vec3> a, std::span<const Vec3> b, double 
     return one.volume() + other.volume();
 }
 
-double HullOfPoints::run(std::span<const Vec3> points) {
+bool HullOfPoints::run(std::span<const Vec3> points) {
     constexpr double tolerance = 1e-10;
     return run(points, tolerance);
 }
 
-double HullOfPoints::run(std::span<const Vec3> points, double tolerance) {
+bool HullOfPoints::run(std::span<const Vec3> points, double tolerance) {
     triangles_.clear();
     count_ = points.size();
-    if (points.size() < 4) {
-        return 0;
-    }
     geometry::Quickhull hull(points, size, tolerance);
     if (!hull.run()) {
-        return 0;
+        return false;
     }
     triangles_ = hull.triangles();
-    const Vec3& o = points[triangles_.front().corners[0]];
-    double sum = 0;
-    for (const geometry::HullTriangle& t : triangles_) {
-        sum += dot(points[t.corners[0]] - o, cross(points[t.corners[1]] - o, points[t.corners[2]] - o));
-    }
-    return sum / 6;
+    return true;
 }
 
 std::vector<std::uint32_t> HullOfPoints::vertices() const {

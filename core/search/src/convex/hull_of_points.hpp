@@ -1,4 +1,4 @@
-// The hull of few points, over and over: its volume, its vertices and edges.
+// The hull of few points, over and over: its vertices and edges, its volume.
 #pragma once
 
 #include <foam/geometry/internal/quickhull.hpp>
@@ -13,10 +13,10 @@ namespace foam::inline search::convex {
 /// A hull of a problem whose size is about 1.
 class HullOfPoints {
 public:
-    /// Makes the hull to about 1e-10, and returns its volume; 0 for points that lie in a plane.
-    double run(std::span<const Vec3> points);
+    /// Makes the hull to about 1e-10. Returns false for points that lie in a plane.
+    bool run(std::span<const Vec3> points);
     /// Makes the hull to about the tolerance: points that are not farther outside of it do not become vertices.
-    double run(std::span<const Vec3> points, double tolerance);
+    bool run(std::span<const Vec3> points, double tolerance);
     /// Indices of the points that are vertices, ascending; all for points that lie in a plane.
     std::vector<std::uint32_t> vertices() const;
     /// Edges between indices of points; none for points that lie in a plane.

@@ -43,7 +43,7 @@ class Descent {
 public:
     Descent(const Body& body, const cover::Occupancy& occupancy, std::vector<Fit> fits, bool keep_axes)
         : body_(body), lattice_(occupancy), fits_(std::move(fits)), keep_axes_(keep_axes),
-          taken_(body.vertex_count, 0) {}
+          taken_(body.surface.corners.size(), 0) {}
 
     std::vector<Fit> run(int sweeps, int steps) {
         for (int sweep = 0; sweep < sweeps && fits_.size() > 1; ++sweep) {
