@@ -197,14 +197,29 @@ Cut explore(const Workspace& workspace, std::vector<ShapeWork>& shapes,
 
 namespace {
 
+/// Returns the power of the count with which the costs of a shape fell over the last doubling of the count, or more
+/// where fewer counts are known.
+double power_of_last_doubling(const ShapeWork& work, std::size_t explored) {
+    const std::map<std::size_t, Cost>& known = work.known.curve.known();
+    const auto above = known.upper_bound(explored / 2);
+    const auto& [count, cost] = *(above == known.begin() ? above : std::prev(above));
+    const double now = work.known.curve.least().volume;
+    return count < explored && now > 0 ? std::log(std::max(cost.volume / now, 1.0)) /
+                                             std::log(static_cast<double>(explored) / static_cast<double>(count))
+                                       : 0;
+}
+
 /// Returns the power of the count with which a shape's costs are expected to fall. On links of robots, costs of spheres
-/// were observed to fall as count^-0.4, and faster for the first few: one sphere suits hardly any link. Other elements
-/// differ more: what was seen of the shape counts, beside one doubling at the usual power.
+/// were observed to fall as count^-0.4, and faster for the first few: one sphere suits hardly any link. Then they are
+/// expected to fall as they did last. Other elements differ more: what was seen of the shape counts, beside one doubling
+/// at the usual power.
 double expected_power(const ShapeWork& work, std::size_t explored) {
-    constexpr double steep = 0.7, usual = 0.4, doubling = std::numbers::ln2;
-    constexpr std::size_t few = 2;
+    constexpr double steep = 0.7, usual = 0.4, flattest = 0.25, steepest = 0.6, doubling = std::numbers::ln2;
+    constexpr std::size_t few = 2, some = 4;
     if (spheres_alone(work.kinds)) {
-        return explored <= few ? steep : usual;
+        return explored <= few    ? steep
+               : explored <= some ? usual
+                                  : std::clamp(power_of_last_doubling(work, explored), flattest, steepest);
     }
     const double first = work.known.curve.known().begin()->second.volume, now = work.known.curve.least().volume;
     const double fallen = now > 0 ? std::log(std::max(first / now, 1.0)) : 0;
@@ -318,10 +333,16 @@ private:
         return most_ - std::min(most_, others);
     }
 
+    /// Returns the next candidate counts of a shape, beyond the first few one at once: further ones are often not
+    /// needed.
     std::vector<std::size_t> rungs(std::size_t s) const {
+        constexpr std::size_t first_few = 4;
         const ShapeWork& shape = shapes_[s];
-        std::vector<std::size_t> rungs =
-            rungs_above(shape, shape.known.asked.rbegin()->first, most_of(workspace_.recipe, shape));
+        const std::size_t explored = shape.known.asked.rbegin()->first;
+        std::vector<std::size_t> rungs = rungs_above(shape, explored, most_of(workspace_.recipe, shape));
+        if (explored >= first_few * shape.unit && rungs.size() > 1) {
+            rungs.resize(1);
+        }
         if (in_turn_) { // the others take their least count
             std::erase_if(rungs, [&](std::size_t count) { return count > most_ - (least_ - shape.least); });
         }
@@ -365,7 +386,7 @@ private:
         if (price <= least_price() || demand >= total || explored >= total) {
             return {};
         }
-        const double nearly = in_turn_ ? 0.9 : 0.5; // a search that is not needed takes long, where turns are taken
+        const double nearly = in_turn_ ? 0.9 : 0.8; // a search that is not needed takes long, where turns are taken
         std::vector<std::vector<std::size_t>> wanted(shapes_.size());
         for (std::size_t s = 0; s < shapes_.size(); ++s) {
             if (!shapes_[s].error && gain(s) >= nearly * price) {

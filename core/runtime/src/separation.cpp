@@ -32,7 +32,7 @@ public:
 
     /// Restricts the counts of two groups that overlap to counts that do not. The first time the counts found are lower
     /// bounds. The second time they are fixed: with at most as many spheres as the two groups have or need. Unknown
-    /// counts are explored, up to four times the present ones. Returns false if both was done already, or there are no
+    /// counts are explored, up to eight times the present ones. Returns false if both was done already, or there are no
     /// such counts.
     bool part(const Overlap& overlap, const std::vector<std::size_t>& counts, std::vector<Bounds>& bounds, Cut& cut) {
         int& times = parted_[{overlap.first, overlap.second}];
@@ -120,7 +120,7 @@ private:
             const ShapeWork& work = shape_of(t);
             const std::size_t asked = work.known.asked.rbegin()->first;
             const std::size_t most = std::min(most_of(workspace_.recipe, work), goal_.most);
-            if (asked < most && asked < 4 * counts[t]) {
+            if (asked < most && asked < 8 * counts[t]) {
                 wanted[groups_[allocated_groups_[t]].shape] = rungs_above(work, asked, most);
                 any = true;
             }

@@ -35,4 +35,9 @@ constexpr std::size_t quick_count_before(std::size_t count) {
     return count <= few ? count_before(count) : std::min(std::bit_floor(count - 1), most_growing);
 }
 
+/// Returns whether a candidate count above 16 lies between those of two per octave: 20, 28, 40, 56.
+constexpr bool is_between(std::size_t count) {
+    return rung_above(count - 1) == count && sparse_rung_above(count - 1) != count;
+}
+
 } // namespace foam::search::cover

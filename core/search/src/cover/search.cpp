@@ -1,7 +1,6 @@
 #include "search.hpp"
 
 #include "conditional_gradient.hpp"
-#include "ladder.hpp"
 #include "many_search.hpp"
 #include "missing_volume.hpp"
 #include "proved.hpp"
@@ -35,6 +34,7 @@ Plan plan_for(Effort effort) {
                 .most_moves = 3,
                 .most_quick = 16,
                 .most_exchanged = 16,
+                .most_behind = 1.5,
                 .skin_resolution = 32,
                 .few = {48, 6, 4, 40, exchange},
                 .some = {48, 6, 4, 40, exchange},
@@ -52,10 +52,11 @@ Plan plan_for(Effort effort) {
             .most_moves = 0,
             .most_quick = 16,
             .most_exchanged = 8,
+            .most_behind = 1.06,
             .skin_resolution = 16,
-            .few = {1, 2, 2, 10, {split, 20, 4, 12}},
+            .few = {1, 1, 2, 10, {split, 20, 4, 12}},
             .some = {2, 1, 4, 20, {split, 20, 6, 16}},
-            .between = {2, 1, 4, 20, {split, 20, 6, 16}},
+            .between = {0, 1, 4, 20, {split, 20, 6, 16}},
             .many = {2, 1, 4, 20, {split, 20, 6, 16}}};
 }
 
@@ -115,7 +116,7 @@ Search::Model Search::model(std::size_t count) {
         if (!more.empty()) {
             take(more);
         }
-        for (const Balls& balls : found(count, before.balls, more)) {
+        for (const Balls& balls : found(count, before.balls, more, best.joint)) {
             take(balls);
         }
         if (stopped()) {
@@ -195,7 +196,7 @@ Balls Search::one_more(const Balls& cover) const {
 
 /// Returns the candidates. For few balls the quick search is sufficient, and exchanges refine its results. For many
 /// balls it is not: those start with clusters, and with long steps that move lost balls to better places.
-std::vector<Balls> Search::found(std::size_t count, const Balls& before, const Balls& more) {
+std::vector<Balls> Search::found(std::size_t count, const Balls& before, const Balls& more, double joint) {
     const DescentSurface& surface = quick_.surface_for(count);
     const CountPlan& plan = plan_.of(count);
     std::vector<CoverCandidate> rated;
@@ -212,13 +213,16 @@ std::vector<Balls> Search::found(std::size_t count, const Balls& before, const B
     }
     std::stable_sort(rated.begin(), rated.end(), has_less_volume);
     rated.resize(std::min(rated.size(), plan.kept));
+    if (stopped()) {
+        return rated.empty() ? std::vector<Balls>{} : std::vector<Balls>{rated.front().balls};
+    }
+    if (count <= plan_.most_exchanged) {
+        drop_hopeless(rated, joint);
+    }
     if (count > plan_.most_quick && !more.empty()) {
         rated.push_back(settled(surface, more, plan.first_gradient_steps));
     }
     std::vector<Balls> balls(rated.size());
-    if (stopped()) {
-        return {rated.front().balls};
-    }
     parallel_for(balls.size(), [&](std::size_t i) {
         const Balls& start = rated[i].balls;
         const bool few = count <= plan_.most_exchanged, many = count > plan_.most_quick;
@@ -233,6 +237,14 @@ std::vector<Balls> Search::found(std::size_t count, const Balls& before, const B
         }
     });
     return balls;
+}
+
+void Search::drop_hopeless(std::vector<CoverCandidate>& candidates, double joint) const {
+    const double unit = problem_.frame.unit;
+    const double excess = joint / (unit * unit * unit) - problem_.volume;
+    std::erase_if(candidates, [&](const CoverCandidate& candidate) {
+        return candidate.volume - problem_.volume > plan_.most_behind * excess;
+    });
 }
 
 void Search::add_restarts(std::size_t count, std::vector<CoverCandidate>& rated) {

@@ -3,13 +3,13 @@
 
 #include "exchange.hpp"
 #include "improvement.hpp"
+#include "ladder.hpp"
 #include "quick_search.hpp"
 
 #include <foam/base/random.hpp>
 #include <foam/search/spherize.hpp>
 #include <foam/search/splitting.hpp>
 
-#include <bit>
 #include <map>
 #include <optional>
 
@@ -35,13 +35,14 @@ struct Plan {
     int most_moves;             ///< rounds of moves of those, each of every ball
     std::size_t most_quick;     ///< counts up to this start with the results of the quick search
     std::size_t most_exchanged; ///< counts up to this exchange pieces
+    double most_behind;         ///< excess, relative to the best, up to which starts are worth it
     int skin_resolution;        ///< of a finely meshed surface, for the search
     CountPlan few, some;        ///< for counts up to 4, and up to most_quick
-    CountPlan between, many;    ///< for larger ones: between powers of two, and those
+    CountPlan between, many;    ///< for larger ones: every second candidate count, 20, 28, 40 and 56, and the others
 
     const CountPlan& of(std::size_t count) const {
         constexpr std::size_t few_balls = 4;
-        return count <= few_balls ? few : count <= most_quick ? some : std::has_single_bit(count) ? many : between;
+        return count <= few_balls ? few : count <= most_quick ? some : is_between(count) ? between : many;
     }
 };
 Plan plan_for(Effort effort);
@@ -82,8 +83,10 @@ private:
     /// Returns balls split in two one after another, those where it helps, until there are `count`.
     Balls grown(const Model& cover, std::size_t count);
     /// Returns sets of balls, larger than `before`, that cover the surface or nearly do; `more`, if not empty, is a set
-    /// to be improved.
-    std::vector<Balls> found(std::size_t count, const Balls& before, const Balls& more);
+    /// to be improved. `joint`: of the best model so far.
+    std::vector<Balls> found(std::size_t count, const Balls& before, const Balls& more, double joint);
+    /// Removes candidates that are too far behind the best model for a refinement to make up for it.
+    void drop_hopeless(std::vector<CoverCandidate>& candidates, double joint) const;
     /// Adds candidates from many random starts.
     void add_restarts(std::size_t count, std::vector<CoverCandidate>& rated);
     void add_starts_of_many(std::size_t count, std::vector<CoverCandidate>& rated);
