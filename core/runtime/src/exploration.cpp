@@ -211,8 +211,8 @@ double power_of_last_doubling(const ShapeWork& work, std::size_t explored) {
 
 /// Returns the power of the count with which a shape's costs are expected to fall. On links of robots, costs of spheres
 /// were observed to fall as count^-0.4, and faster for the first few: one sphere suits hardly any link. Then they are
-/// expected to fall as they did last. Other elements differ more: what was seen of the shape counts, beside one doubling
-/// at the usual power.
+/// expected to fall as they did last. Other elements differ more: what was seen of the shape counts, beside one
+/// doubling at the usual power.
 double expected_power(const ShapeWork& work, std::size_t explored) {
     constexpr double steep = 0.7, usual = 0.4, flattest = 0.25, steepest = 0.6, doubling = std::numbers::ln2;
     constexpr std::size_t few = 2, some = 4;
