@@ -39,14 +39,14 @@ TEST_F(Run, AStopGivesTheBestSoFar) {
     const Recipe r = recipe("stages: [spherize.grid]\nbudget: {spheres: 60}\n");
     const RunResult whole = run(r, registry, options("whole"));
     EXPECT_EQ(whole.cut, Cut::none);
-    StopAfter observer("spherize.grid", 4); // the first round of both links, and more
+    StopAfter observer("spherize.grid", 5); // until both links have had two rounds
     RunOptions o = options();
     o.observer = &observer;
     o.stop = &observer.stop;
     const RunResult result = run(r, registry, o);
     EXPECT_EQ(result.cut, Cut::stop);
     EXPECT_TRUE(result.certified);
-    EXPECT_GE(result.total.spheres, 4u) << "counts to two are known of each after the first round";
+    EXPECT_GE(result.total.spheres, 8u) << "counts to four are known of each after two rounds";
     EXPECT_LT(result.total.spheres, whole.total.spheres);
     EXPECT_EQ(warnings_of(result),
               std::vector<std::string>{

@@ -197,8 +197,8 @@ Cut explore(const Workspace& workspace, std::vector<ShapeWork>& shapes,
 
 namespace {
 
-/// Returns the power of the count with which the costs of a shape fell over the last doubling of the count, or more
-/// where fewer counts are known.
+/// Returns the power of the count with which a shape's costs fell over the last doubling of its count. If half the
+/// count is not known, the next smaller known count takes its place, or else the smallest.
 double power_of_last_doubling(const ShapeWork& work, std::size_t explored) {
     const std::map<std::size_t, Cost>& known = work.known.curve.known();
     const auto above = known.upper_bound(explored / 2);

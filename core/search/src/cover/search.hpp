@@ -35,7 +35,7 @@ struct Plan {
     int most_moves;             ///< rounds of moves of those, each of every ball
     std::size_t most_quick;     ///< counts up to this start with the results of the quick search
     std::size_t most_exchanged; ///< counts up to this exchange pieces
-    double most_behind;         ///< excess, relative to the best, up to which starts are worth it
+    double most_behind;         ///< excess, relative to the best, up to which starts are worth exchanges
     int skin_resolution;        ///< of a finely meshed surface, for the search
     CountPlan few, some;        ///< for counts up to 4, and up to most_quick
     CountPlan between, many;    ///< for larger ones: every second candidate count, 20, 28, 40 and 56, and the others
@@ -85,7 +85,7 @@ private:
     /// Returns sets of balls, larger than `before`, that cover the surface or nearly do; `more`, if not empty, is a set
     /// to be improved. `joint`: of the best model so far.
     std::vector<Balls> found(std::size_t count, const Balls& before, const Balls& more, double joint);
-    /// Removes candidates that are too far behind the best model for a refinement to make up for it.
+    /// Removes candidates that are too far behind the best model for exchanges to make up for it.
     void drop_hopeless(std::vector<CoverCandidate>& candidates, double joint) const;
     /// Adds candidates from many random starts.
     void add_restarts(std::size_t count, std::vector<CoverCandidate>& rated);
