@@ -46,12 +46,12 @@ TEST_F(Run, MoreSpheresForTheRobotNeverClaimMore) {
     EXPECT_LT(least, 0.6 * first);
 }
 
-/// Between 16, 32 and 64 spheres the runtime adds spheres one by one, unless the spherizer gains much by itself.
+/// Between 16, 24, 32, 48 and 64 spheres the runtime adds spheres one by one, unless the spherizer gains much by itself.
 TEST_F(Run, MoreSpheresForOneLinkNeverClaimMore) {
     for (const std::string stage : {"spherize.grid", "spherize.octree", "spherize.cover: {effort: fast}"}) {
         SCOPED_TRACE(stage);
         double least = std::numeric_limits<double>::infinity(), error = 0;
-        for (const std::size_t most : {8, 15, 16, 17, 30, 31, 32, 33, 48, 62, 63, 64}) {
+        for (const std::size_t most : {8, 11, 12, 13, 15, 16, 17, 23, 24, 31, 32, 33, 47, 48, 62, 63, 64}) {
             const RunResult result = run(recipe("stages: [" + stage + ", refine.split]\nlinks: {tip: {skip: true}}\n" +
                                                 "budget: {spheres: " + std::to_string(most) + "}\n"),
                                          registry, options());

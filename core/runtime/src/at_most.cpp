@@ -9,6 +9,7 @@
 #include <foam/runtime/internal/cover.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -67,11 +68,12 @@ void refine_up_to(const Workspace& workspace, ShapeWork& work, std::size_t limit
     }
 }
 
-/// Returns whether the spherizer reduced the excess volume from one count to the next by so much that spheres added one
-/// by one between them rarely reduce it as far. Trees between the counts are then kept from doing so.
-bool leaps(const ShapeWork& work, double next, double before) {
-    constexpr double leap = 0.7;
+/// Returns whether the excess volume falls by so much from one count to the next, from the volume `before` to `next`,
+/// that spheres added one by one between them rarely reduce it as far: at least as count^-0.5. Trees between the counts
+/// are then kept from doing so.
+bool leaps(const ShapeWork& work, std::size_t count_before, double before, std::size_t count, double next) {
     const double solid = work.shape->original().volume();
+    const double leap = std::sqrt(static_cast<double>(count_before) / static_cast<double>(count));
     return next - solid <= leap * (before - solid);
 }
 
@@ -100,7 +102,8 @@ private:
     void take(std::size_t i, Candidate& best) {
         constexpr double little_less = 0.97;
         const std::size_t count = counts_[i];
-        if (count <= few || count > most_between || !leaps(work_, asked_[i].volume, best.volume)) {
+        const bool leap = leaps(work_, counts_[i - 1], best.volume, count, asked_[i].volume);
+        if (count <= few || count > most_between || !leap) {
             refine_up_to(workspace_, work_, std::min(count - 1, most_between), best);
             if (count <= most_between && asked_[i].volume > little_less * best.volume) {
                 refine_up_to(workspace_, work_, count, best); // the spherizer itself gains little here
@@ -124,7 +127,8 @@ private:
         const std::size_t limit = std::min(most_, most_between);
         refine_up_to(workspace_, work_, limit, best);
         const std::size_t above = count_after(counts_.back());
-        if (limit == most_between || above <= few || !leaps(work_, best.volume, before.volume)) {
+        const auto leaps_to = [&](double volume) { return leaps(work_, counts_.back(), before.volume, above, volume); };
+        if (limit == most_between || above <= few || !leaps_to(best.volume)) {
             return;
         }
         const std::vector<std::size_t> next{above};
@@ -133,7 +137,7 @@ private:
             return; // there was no time
         }
         const double floor = candidates(workspace_, work_, next).front().volume;
-        if (leaps(work_, floor, before.volume) && best.volume < floor) {
+        if (leaps_to(floor) && best.volume < floor) {
             best = refined_down_to(floor, before, limit);
         }
     }
@@ -195,7 +199,10 @@ std::vector<std::size_t> computed(const Workspace& workspace, ShapeWork& work, s
 }
 
 Digest best_key(const Workspace& workspace, const ShapeWork& work, std::size_t most) {
-    return Hasher().add("best of at most, refined up to 64, with leaps").add(tree_key(workspace, work, most)).finish();
+    return Hasher()
+        .add("best of at most, refined up to 64, two counts an octave, with leaps")
+        .add(tree_key(workspace, work, most))
+        .finish();
 }
 
 } // namespace

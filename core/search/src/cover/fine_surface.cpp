@@ -29,12 +29,14 @@ FineSurface::FineSurface(const Mesh& surface, const Frame& frame, std::size_t pi
     std::size_t most_faces = faces.size() + 100'000;
     while (!halve_long_edges(longest, most_faces)) {
         faces.clear();
+        own_edges.clear();
         points = {};
         add_faces(surface, frame);
         most_faces = faces.size() + 4 * pieces;
         longest *= 1.5;
         fine = false;
     }
+    middles_end = points.size();
 }
 
 void FineSurface::add_faces(const Mesh& surface, const Frame& frame) {
@@ -55,6 +57,8 @@ void FineSurface::add_faces(const Mesh& surface, const Frame& frame) {
         const std::uint32_t a = point(t[0]), b = point(t[1]), c = point(t[2]);
         faces.push_back({a, b, c});
     }
+    own_edges.assign(faces.size(), 7);
+    middles_begin = points.size();
 }
 
 bool FineSurface::halve_long_edges(double longest, std::size_t most_faces) {
@@ -77,8 +81,12 @@ bool FineSurface::halve_long_edges(double longest, std::size_t most_faces) {
             return false;
         }
         // Rotated so that the longest edge goes from a to b.
+        const unsigned own = own_edges[f];
+        unsigned of_ab = own & 1, of_bc = own >> 1 & 1, of_ca = own >> 2;
         if (ab != far) {
             std::tie(a, b, c) = bc == far ? std::tuple(b, c, a) : std::tuple(c, a, b);
+            std::tie(of_ab, of_bc, of_ca) =
+                bc == far ? std::tuple(of_bc, of_ca, of_ab) : std::tuple(of_ca, of_ab, of_bc);
         }
         const auto [low, high] = std::minmax(a, b);
         const auto [middle, fresh] =
@@ -87,7 +95,9 @@ bool FineSurface::halve_long_edges(double longest, std::size_t most_faces) {
             points.add((points.at(a) + points.at(b)) / 2);
         }
         faces[f] = {a, middle->second, c};
+        own_edges[f] = static_cast<std::uint8_t>(of_ab | of_ca << 2);
         faces.push_back({middle->second, b, c});
+        own_edges.push_back(static_cast<std::uint8_t>(of_ab | of_bc << 1));
     }
     return true;
 }

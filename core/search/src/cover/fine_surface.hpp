@@ -15,6 +15,11 @@ namespace foam::inline search::cover {
 struct FineSurface {
     Points points;
     std::vector<std::array<std::uint32_t, 3>> faces;
+    /// For each face, bit k is set if the edge from corner k lies on an edge of the surface. Other edges divide a
+    /// triangle of the surface.
+    std::vector<std::uint8_t> own_edges;
+    /// The points with indices from `middles_begin` to before `middles_end` are middles of halved edges.
+    std::size_t middles_begin = 0, middles_end = 0;
     double area = 0;  ///< units²
     bool fine = true; ///< false: needles still have longer edges
 

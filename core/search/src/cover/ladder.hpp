@@ -8,21 +8,16 @@
 
 namespace foam::inline search::cover {
 
-/// Largest count that builds on the one before. Larger counts build on the next lower one of 12, 14, 16, 20, 24, 28,
-/// 32, 40, 48, 56, 64.
-constexpr std::size_t every_count = 12;
-/// Larger counts are searched by themselves: they are only compared with this one.
+/// Largest count that builds on smaller ones. Larger counts are searched by themselves: they are only compared with
+/// this one.
 constexpr std::size_t most_growing = 64;
 
-/// Returns the candidate count below a count of at least 2.
+/// Returns the candidate count below a count of at least 2: 1 to 8, 10, 12, 14, 16, 20, 24, 28, 32, 40, 48, 56, 64.
 constexpr std::size_t count_before(std::size_t count) {
-    if (count <= every_count) {
-        return count - 1;
-    }
     if (count > most_growing) {
         return most_growing;
     }
-    std::size_t before = every_count;
+    std::size_t before = 1;
     while (rung_above(before) < count) {
         before = rung_above(before);
     }

@@ -12,6 +12,8 @@
 namespace foam::inline search::cover {
 namespace {
 
+constexpr unsigned every_edge = 7; ///< of a triangle
+
 double power(const Ball& ball, const Vec3& p) {
     const Vec3 to{p.x - ball.x, p.y - ball.y, p.z - ball.z};
     return squared_norm(to) - static_cast<double>(ball.r) * ball.r;
@@ -105,15 +107,16 @@ void Owners::find(const Points& points, const Balls& balls) {
     }
 }
 
-void PowerCells::find(const Balls& balls) {
+void PowerCells::find(const Balls& balls, Borders which) {
     owners_.find(skin_.points, balls);
     borders_.clear();
     neighbours_.clear();
     const std::vector<std::uint32_t>& owner = owners_.owner;
-    for (const auto& face : skin_.faces) {
+    for (std::size_t f = 0; f < skin_.faces.size(); ++f) {
+        const auto& face = skin_.faces[f];
         if (owner[face[0]] != owner[face[1]] || owner[face[1]] != owner[face[2]]) {
             if (skin_.fine) {
-                cut(face, balls);
+                cut(face, which == Borders::all ? every_edge : skin_.own_edges[f], balls);
                 continue;
             }
             // The cells are convex: a cell that no edge of a needle meets has no relevant part of it.
@@ -170,17 +173,18 @@ void PowerCells::cut_edge(std::uint32_t from, std::uint32_t to, const Balls& bal
     }
 }
 
-void PowerCells::cut(const std::array<std::uint32_t, 3>& face, const Balls& balls) {
+void PowerCells::cut(const std::array<std::uint32_t, 3>& face, unsigned own_edges, const Balls& balls) {
     std::array<Vec3, 3> corner;
     std::array<std::uint32_t, 3> cell;
     for (std::size_t k = 0; k < 3; ++k) {
         corner[k] = skin_.points.at(face[k]);
         cell[k] = owners_.owner[face[k]];
     }
+    const bool two = cell[0] == cell[1] || cell[1] == cell[2] || cell[2] == cell[0];
     Vec3 middle{};
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t next = (k + 1) % 3;
-        if (cell[k] == cell[next]) {
+        if (cell[k] == cell[next] || (two && !(own_edges >> k & 1))) {
             continue;
         }
         const Ball &a = balls[cell[k]], &b = balls[cell[next]];
@@ -188,7 +192,7 @@ void PowerCells::cut(const std::array<std::uint32_t, 3>& face, const Balls& ball
         add_border(border, cell[k], cell[next]);
         middle += border / 3;
     }
-    if (cell[0] == cell[1] || cell[1] == cell[2] || cell[2] == cell[0]) {
+    if (two) {
         return;
     }
     // Three cells meet. Any interior point can be a corner of all pieces; they are smallest with the point where all
@@ -209,12 +213,20 @@ void PowerCells::cut(const std::array<std::uint32_t, 3>& face, const Balls& ball
     add_border(middle, cell[2], cell[2]);
 }
 
-/// Counts first, so that points are written to their final place without reallocation.
+/// Middles of edges lie between other points of a part. Counts first, so that points are written to their final place
+/// without reallocation.
 void PowerCells::hand_out(std::size_t balls) {
     std::vector<std::size_t> counts(balls);
-    for (const std::uint32_t owner : owners_.owner) {
-        ++counts[owner];
-    }
+    const std::size_t all = owners_.owner.size();
+    const auto for_each_needed = [&](const auto& visit) {
+        for (std::size_t p = 0; p < (skin_.fine ? skin_.middles_begin : all); ++p) {
+            visit(p);
+        }
+        for (std::size_t p = skin_.fine ? skin_.middles_end : all; p < all; ++p) {
+            visit(p);
+        }
+    };
+    for_each_needed([&](std::size_t p) { ++counts[owners_.owner[p]]; });
     for (const auto& [a, b] : neighbours_) {
         ++counts[a];
         ++counts[b];
@@ -230,9 +242,7 @@ void PowerCells::hand_out(std::size_t balls) {
         part.y[place] = from.y[i];
         part.z[place] = from.z[i];
     };
-    for (std::size_t p = 0; p < owners_.owner.size(); ++p) {
-        give(owners_.owner[p], skin_.points, p);
-    }
+    for_each_needed([&](std::size_t p) { give(owners_.owner[p], skin_.points, p); });
     for (std::size_t k = 0; k < neighbours_.size(); ++k) {
         give(neighbours_[k].first, borders_, k);
         give(neighbours_[k].second, borders_, k);
@@ -240,7 +250,7 @@ void PowerCells::hand_out(std::size_t balls) {
 }
 
 Balls PowerCells::shared(const Balls& balls) {
-    find(balls);
+    find(balls, Borders::extreme);
     hand_out(balls.size());
     Balls sharers;
     for (std::size_t i = 0; i < balls.size(); ++i) {

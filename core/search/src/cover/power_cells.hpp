@@ -26,8 +26,11 @@ public:
     explicit PowerCells(const FineSurface& skin, Limits limits = {})
         : skin_(skin), enclosing_ball_(std::move(limits)) {}
 
+    /// Which points on the borders between cells are found: on each edge of the skin, or only those that may be extreme
+    /// points of a part. Within a triangle of the surface a border is straight, so its ends are enough.
+    enum class Borders { all, extreme };
     /// Finds the owners of points, and where edges pass from one owner to another.
-    void find(const Balls& balls);
+    void find(const Balls& balls, Borders which);
     /// The skin; the owners of its points and the points where the last balls' cells meet follow.
     const FineSurface& skin() const { return skin_; }
     const Owners& owners() const { return owners_; }
@@ -38,13 +41,13 @@ public:
     /// Fits each ball to its part: of all balls that contain it, to first order, the one that gives the union the least
     /// excess volume. Returns the balls that have a part. `directions`: for the exposed surface of a ball.
     Balls fitted(const Balls& balls, const Points& directions);
-    /// Extreme points of the part of each ball shared or fitted last.
+    /// The part of each ball shared or fitted last, by points whose convex hull contains it.
     const std::vector<Points>& parts() const { return parts_; }
 
 private:
     /// Returns the point on the segment where the powers of two balls are equal.
     static Vec3 crossing(const Vec3& from, const Vec3& to, const Ball& a, const Ball& b);
-    void cut(const std::array<std::uint32_t, 3>& face, const Balls& balls);
+    void cut(const std::array<std::uint32_t, 3>& face, unsigned own_edges, const Balls& balls);
     void cut_edge(std::uint32_t from, std::uint32_t to, const Balls& balls);
     void add_border(const Vec3& point, std::uint32_t a, std::uint32_t b);
     void hand_out(std::size_t balls);

@@ -49,7 +49,7 @@ Balls descended(const DescentSurface& surface, const Occupancy* occupancy, Balls
     }
     QuickDescent(directions_of_steps(), occupancy).run(balls, plan, [&](const Balls& now, Points& points, float reach) {
         points.clear();
-        cells.find(now);
+        cells.find(now, PowerCells::Borders::all);
         add_some(points, cells.borders(), most_border_points * now.size());
         owners.find(surface.most, now);
         float largest = 0;

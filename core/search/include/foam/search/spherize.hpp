@@ -64,8 +64,8 @@ private:
 Cover spherize(const Solid& solid, std::size_t count, const SpherizeOptions& options = {});
 /// Returns the same for a mesh: metres, any frame.
 Cover spherize(const Mesh& mesh, std::size_t count, const SpherizeOptions& options = {});
-/// Returns the covering spheres for each count, which do not depend on the other counts. Along the counts 1 to 12, 14,
-/// 16, 20, 24, 28, 32, 40, 48, 56, 64 (with Effort::fast and Objective::excess: 1 to 8, 16, 32, 64) more spheres
+/// Returns the covering spheres for each count, which do not depend on the other counts. Along the counts 1 to 8, 10,
+/// 12, 14, 16, 20, 24, 28, 32, 40, 48, 56, 64 (with Effort::fast and Objective::excess: 1 to 8, 16, 32, 64) more spheres
 /// are never worse by the objective (never have more excess volume, protrude farther or have a larger largest radius).
 /// Any other count is no worse than the nearest of these below it.
 std::vector<Cover> spherize_each(const Solid& solid, std::span<const std::size_t> counts,
