@@ -46,7 +46,7 @@ TEST_F(Run, MoreSpheresForTheRobotNeverClaimMore) {
     EXPECT_LT(least, 0.6 * first);
 }
 
-/// Between 16, 24, 32, 48 and 64 spheres the runtime adds spheres one by one, unless the spherizer gains much by itself.
+/// Between 16, 32 and 64 spheres the runtime adds spheres one by one, unless the spherizer gains much by itself.
 TEST_F(Run, MoreSpheresForOneLinkNeverClaimMore) {
     for (const std::string stage : {"spherize.grid", "spherize.octree", "spherize.cover: {effort: fast}"}) {
         SCOPED_TRACE(stage);

@@ -3,6 +3,7 @@
 #include <foam/base/internal/ladder.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <limits>
 
@@ -117,7 +118,7 @@ std::vector<std::size_t> next_rungs(std::size_t explored, std::size_t least, std
 
 std::size_t count_after(std::size_t count) {
     constexpr std::size_t each = 8; // up to here every count
-    return count < each ? count + 1 : sparse_rung_above(count);
+    return count < each ? count + 1 : 2 * std::bit_floor(count);
 }
 
 std::vector<std::size_t> counts_alone(std::size_t least, std::size_t most) {

@@ -80,7 +80,7 @@ std::vector<std::size_t> next_rungs(std::size_t explored, std::size_t least, std
 /// time that grows with the square of their number.
 constexpr std::size_t most_between = 64;
 
-/// Returns the counts that are requested for a shape with the fixed count `most`: 1 to 8, 12, 16, 24, 32, 48, 64
+/// Returns the counts that are requested for a shape with the fixed count `most`: 1, 2, 3, 4, 5, 6, 7, 8, 16, 32, 64
 /// from `least`, which is the first, up to `most`; then `most` itself if it is larger. Precondition: 1 <= least <=
 /// most.
 std::vector<std::size_t> counts_alone(std::size_t least, std::size_t most);

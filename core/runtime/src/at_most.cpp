@@ -9,7 +9,7 @@
 #include <foam/runtime/internal/cover.hpp>
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
 #include <limits>
 #include <optional>
 
@@ -68,18 +68,18 @@ void refine_up_to(const Workspace& workspace, ShapeWork& work, std::size_t limit
     }
 }
 
-/// Returns whether the excess volume falls by so much from one count to the next, from the volume `before` to `next`,
-/// that spheres added one by one between them rarely reduce it as far: at least as count^-0.5. Trees between the counts
-/// are then kept from doing so.
-bool leaps(const ShapeWork& work, std::size_t count_before, double before, std::size_t count, double next) {
+/// Returns whether the spherizer reduced the excess volume from one count to the next by so much that spheres added one
+/// by one between them rarely reduce it as far. Trees between the counts are then kept from doing so.
+bool leaps(const ShapeWork& work, double next, double before) {
+    constexpr double leap = 0.7;
     const double solid = work.shape->original().volume();
-    const double leap = std::sqrt(static_cast<double>(count_before) / static_cast<double>(count));
     return next - solid <= leap * (before - solid);
 }
 
 /// The best tree with at most `most` spheres. Up to most_between spheres, the best tree of a count, and the trees that
 /// are refined from it, do not depend on `most`. So a larger `most` never gives a worse tree; above, it never gives a
 /// worse one than most_between.
+/// In the octaves above 8 spheres, the spherizer is also called for the count halfway: 12, 24, 48.
 class BestBetween {
 public:
     BestBetween(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts, std::size_t most)
@@ -97,14 +97,13 @@ public:
 
 private:
     static constexpr std::size_t few = 16; ///< counts up to this are always compared: that takes little time
+    static constexpr double little_less = 0.97;
 
     /// Takes the tree of a count if it is better. Unless it leaps, the trees up to it are refined from the best so far.
     void take(std::size_t i, Candidate& best) {
-        constexpr double little_less = 0.97;
         const std::size_t count = counts_[i];
-        const bool leap = leaps(work_, counts_[i - 1], best.volume, count, asked_[i].volume);
-        if (count <= few || count > most_between || !leap) {
-            refine_up_to(workspace_, work_, std::min(count - 1, most_between), best);
+        if (count <= few || count > most_between || !leaps(work_, asked_[i].volume, best.volume)) {
+            improve_up_to(counts_[i - 1], std::min(count - 1, most_between), best);
             if (count <= most_between && asked_[i].volume > little_less * best.volume) {
                 refine_up_to(workspace_, work_, count, best); // the spherizer itself gains little here
             }
@@ -114,7 +113,43 @@ private:
         }
     }
 
-    /// Refines the best tree up to `most`.
+    /// Improves the best tree of a count up to `limit` spheres, less than twice as many: it is refined, and compared
+    /// with the spherizer's own halfway. A larger limit never gives a worse tree.
+    void improve_up_to(std::size_t count, std::size_t limit, Candidate& best) {
+        const std::size_t halfway = halfway_above(count);
+        if (halfway > 0 && halfway <= limit) {
+            refine_up_to(workspace_, work_, halfway - 1, best);
+            if (std::optional<Candidate> own = asked(halfway)) {
+                if (own->volume > little_less * best.volume) {
+                    refine_up_to(workspace_, work_, halfway, best);
+                }
+                if (own->volume < best.volume) {
+                    best = std::move(*own);
+                }
+            }
+        }
+        refine_up_to(workspace_, work_, limit, best);
+    }
+
+    /// Returns the count halfway to the double of a count of counts_alone(); 0 if there is none.
+    static std::size_t halfway_above(std::size_t count) {
+        constexpr std::size_t first = 8;
+        return count >= first && count < most_between && std::has_single_bit(count) ? count + count / 2 : 0;
+    }
+
+    /// Calls the spherizer for one more count. Returns its tree; nothing if there was no time.
+    std::optional<Candidate> asked(std::size_t count) {
+        const std::vector<std::size_t> counts{count};
+        if (!work_.known.asked.contains(count) && !workspace_.ended()) {
+            compute_until_cut(workspace_, work_, counts);
+        }
+        if (!work_.known.asked.contains(count)) {
+            return std::nullopt;
+        }
+        return candidates(workspace_, work_, counts).front();
+    }
+
+    /// Improves the best tree up to `most`.
     void last_between(Candidate& best) {
         constexpr double mostly = 0.75;
         if (counts_.back() > most_between) {
@@ -125,31 +160,25 @@ private:
         }
         const Candidate before = best;
         const std::size_t limit = std::min(most_, most_between);
-        refine_up_to(workspace_, work_, limit, best);
+        improve_up_to(counts_.back(), limit, best);
         const std::size_t above = count_after(counts_.back());
-        const auto leaps_to = [&](double volume) { return leaps(work_, counts_.back(), before.volume, above, volume); };
-        if (limit == most_between || above <= few || !leaps_to(best.volume)) {
+        if (limit == most_between || above <= few || !leaps(work_, best.volume, before.volume)) {
             return;
         }
-        const std::vector<std::size_t> next{above};
-        compute_until_cut(workspace_, work_, next);
-        if (!work_.known.asked.contains(next.front())) {
-            return; // there was no time
-        }
-        const double floor = candidates(workspace_, work_, next).front().volume;
-        if (leaps_to(floor) && best.volume < floor) {
-            best = refined_down_to(floor, before, limit);
+        const std::optional<Candidate> next = asked(above);
+        if (next && leaps(work_, next->volume, before.volume) && best.volume < next->volume) {
+            best = improved_down_to(next->volume, before, limit);
         }
     }
 
     /// Returns the best tree up to `limit` spheres that is not better than `floor`: the next count has no better one.
-    Candidate refined_down_to(double floor, const Candidate& before, std::size_t limit) {
+    Candidate improved_down_to(double floor, const Candidate& before, std::size_t limit) {
         Candidate result = before;
         std::size_t low = before.tree.finest().size();
         while (low + 1 < limit && !workspace_.ended()) {
             const std::size_t middle = (low + limit) / 2;
             Candidate tried = before;
-            refine_up_to(workspace_, work_, middle, tried);
+            improve_up_to(counts_.back(), middle, tried);
             if (tried.volume < floor) {
                 limit = middle;
             } else {
@@ -200,7 +229,7 @@ std::vector<std::size_t> computed(const Workspace& workspace, ShapeWork& work, s
 
 Digest best_key(const Workspace& workspace, const ShapeWork& work, std::size_t most) {
     return Hasher()
-        .add("best of at most, refined up to 64, two counts an octave, with leaps")
+        .add("best of at most, refined up to 64, with leaps, and halfway")
         .add(tree_key(workspace, work, most))
         .finish();
 }
