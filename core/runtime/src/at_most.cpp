@@ -53,18 +53,43 @@ std::vector<Candidate> candidates(const Workspace& workspace, const ShapeWork& w
     return result;
 }
 
-/// Refines the best tree up to `limit` spheres. Keeps a result only if its volume is clearly less: by more than the
-/// final growth may add.
-void refine_up_to(const Workspace& workspace, ShapeWork& work, std::size_t limit, Candidate& best) {
-    constexpr double clearly = 1e-5;
-    if (best.tree.finest().size() >= limit || workspace.ended()) {
-        return;
-    }
-    auto more = measured_in(workspace, [&] {
-        return candidate_of(work.shape->original(), refined(workspace, work, best.tree, limit, Refiners::all));
+/// Refines a tree to at most `most` spheres. Returns it with an infinite volume if that adds none, nothing if there was
+/// no time.
+std::optional<Candidate> refined_to(const Workspace& workspace, ShapeWork& work, const SphereTree& tree,
+                                    std::size_t most) {
+    return measured_in(workspace, [&] {
+        SphereTree next = refined(workspace, work, tree, most, Refiners::all);
+        return next.finest().size() > tree.finest().size() ? candidate_of(work.shape->original(), std::move(next))
+                                                           : Candidate{std::move(next)};
     });
-    if (more && more->volume < (1 - clearly) * best.volume) {
-        best = std::move(*more);
+}
+
+/// Replaces the best tree by another if its volume is clearly less: by more than the final growth may add.
+void take_if_less(Candidate candidate, Candidate& best) {
+    constexpr double clearly = 1e-5;
+    if (candidate.volume < (1 - clearly) * best.volume) {
+        best = std::move(candidate);
+    }
+}
+
+/// Refines the best tree up to `limit` spheres, and measures every number of spheres on the way, as more spheres may
+/// grow by more in the end. So a larger limit never gives a worse tree. Where one sphere more does not help, the next
+/// tries add 2, 4, 8… Ends before a tree of less volume than `floor`.
+void refine_up_to(const Workspace& workspace, ShapeWork& work, std::size_t limit, double floor, Candidate& best) {
+    SphereTree now = best.tree;
+    std::size_t more = 1;
+    while (now.finest().size() + more <= limit && !workspace.ended()) {
+        std::optional<Candidate> next = refined_to(workspace, work, now, now.finest().size() + more);
+        if (!next || next->volume < floor) {
+            return;
+        }
+        if (next->tree.finest().size() <= now.finest().size()) {
+            more *= 2;
+            continue;
+        }
+        more = 1;
+        now = next->tree;
+        take_if_less(std::move(*next), best);
     }
 }
 
@@ -78,8 +103,8 @@ bool leaps(const ShapeWork& work, double next, double before) {
 
 /// The best tree with at most `most` spheres. Up to most_between spheres, the best tree of a count, and the trees that
 /// are refined from it, do not depend on `most`. So a larger `most` never gives a worse tree; above, it never gives a
-/// worse one than most_between.
-/// In the octaves above 8 spheres, the spherizer is also called for the count halfway: 12, 24, 48.
+/// worse one than most_between. In the octaves above 8 spheres, the spherizer is also called for the count halfway: 12,
+/// 24, 48.
 class BestBetween {
 public:
     BestBetween(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts, std::size_t most)
@@ -98,14 +123,15 @@ public:
 private:
     static constexpr std::size_t few = 16; ///< counts up to this are always compared: that takes little time
     static constexpr double little_less = 0.97;
+    static constexpr double no_floor = 0;
 
     /// Takes the tree of a count if it is better. Unless it leaps, the trees up to it are refined from the best so far.
     void take(std::size_t i, Candidate& best) {
         const std::size_t count = counts_[i];
         if (count <= few || count > most_between || !leaps(work_, asked_[i].volume, best.volume)) {
-            improve_up_to(counts_[i - 1], std::min(count - 1, most_between), best);
+            improve_up_to(counts_[i - 1], std::min(count - 1, most_between), no_floor, best);
             if (count <= most_between && asked_[i].volume > little_less * best.volume) {
-                refine_up_to(workspace_, work_, count, best); // the spherizer itself gains little here
+                refine_up_to(workspace_, work_, count, no_floor, best); // the spherizer itself gains little here
             }
         }
         if (asked_[i].volume < best.volume) {
@@ -114,21 +140,23 @@ private:
     }
 
     /// Improves the best tree of a count up to `limit` spheres, less than twice as many: it is refined, and compared
-    /// with the spherizer's own halfway. A larger limit never gives a worse tree.
-    void improve_up_to(std::size_t count, std::size_t limit, Candidate& best) {
+    /// with the spherizer's own halfway. A larger limit never gives a worse tree. The result has no less volume than
+    /// `floor`.
+    void improve_up_to(std::size_t count, std::size_t limit, double floor, Candidate& best) {
         const std::size_t halfway = halfway_above(count);
         if (halfway > 0 && halfway <= limit) {
-            refine_up_to(workspace_, work_, halfway - 1, best);
-            if (std::optional<Candidate> own = asked(halfway)) {
+            refine_up_to(workspace_, work_, halfway - 1, floor, best);
+            std::optional<Candidate> own = asked(halfway);
+            if (own && own->volume >= floor) {
                 if (own->volume > little_less * best.volume) {
-                    refine_up_to(workspace_, work_, halfway, best);
+                    refine_up_to(workspace_, work_, halfway, floor, best);
                 }
                 if (own->volume < best.volume) {
                     best = std::move(*own);
                 }
             }
         }
-        refine_up_to(workspace_, work_, limit, best);
+        refine_up_to(workspace_, work_, limit, floor, best);
     }
 
     /// Returns the count halfway to the double of a count of counts_alone(); 0 if there is none.
@@ -154,39 +182,25 @@ private:
         constexpr double mostly = 0.75;
         if (counts_.back() > most_between) {
             if (static_cast<double>(best.tree.finest().size()) < mostly * static_cast<double>(most_)) {
-                refine_up_to(workspace_, work_, most_, best); // the spherizer gives far less than requested
+                // The spherizer gives far less than requested.
+                if (auto more = refined_to(workspace_, work_, best.tree, most_)) {
+                    take_if_less(std::move(*more), best);
+                }
             }
             return;
         }
         const Candidate before = best;
         const std::size_t limit = std::min(most_, most_between);
-        improve_up_to(counts_.back(), limit, best);
+        improve_up_to(counts_.back(), limit, no_floor, best);
         const std::size_t above = count_after(counts_.back());
         if (limit == most_between || above <= few || !leaps(work_, best.volume, before.volume)) {
             return;
         }
         const std::optional<Candidate> next = asked(above);
         if (next && leaps(work_, next->volume, before.volume) && best.volume < next->volume) {
-            best = improved_down_to(next->volume, before, limit);
+            best = before; // the next count has no better tree than that
+            improve_up_to(counts_.back(), limit, next->volume, best);
         }
-    }
-
-    /// Returns the best tree up to `limit` spheres that is not better than `floor`: the next count has no better one.
-    Candidate improved_down_to(double floor, const Candidate& before, std::size_t limit) {
-        Candidate result = before;
-        std::size_t low = before.tree.finest().size();
-        while (low + 1 < limit && !workspace_.ended()) {
-            const std::size_t middle = (low + limit) / 2;
-            Candidate tried = before;
-            improve_up_to(counts_.back(), middle, tried);
-            if (tried.volume < floor) {
-                limit = middle;
-            } else {
-                low = middle;
-                result = std::move(tried);
-            }
-        }
-        return result;
     }
 
     const Workspace& workspace_;
@@ -229,7 +243,7 @@ std::vector<std::size_t> computed(const Workspace& workspace, ShapeWork& work, s
 
 Digest best_key(const Workspace& workspace, const ShapeWork& work, std::size_t most) {
     return Hasher()
-        .add("best of at most, refined up to 64, with leaps, and halfway")
+        .add("best of at most, refined up to 64, one by one, with leaps, and halfway")
         .add(tree_key(workspace, work, most))
         .finish();
 }
