@@ -98,7 +98,7 @@ TEST(Spherize, Capsule) {
 }
 
 TEST(Spherize, MoreBallsNeverClaimMore) {
-    const std::vector<std::size_t> counts{1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 20};
+    const std::vector<std::size_t> counts{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 16, 20};
     for (const char* name : {"Bracket", "Torus"}) {
         SCOPED_TRACE(name);
         const auto solid = sample::solids().at(name)();

@@ -56,7 +56,7 @@ TEST_P(ByObjective, IsClearlyBetterThanByExcess) {
 }
 
 TEST_P(ByObjective, MoreSpheresAreNeverWorseNorWorseThanByExcess) {
-    const std::vector<std::size_t> counts{1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16};
+    const std::vector<std::size_t> counts{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 16};
     for (const char* name : {"Bracket", "Torus"}) {
         SCOPED_TRACE(name);
         const auto solid = sample::solids().at(name)();

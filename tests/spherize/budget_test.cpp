@@ -19,7 +19,7 @@ class GrowingBudget : public testing::TestWithParam<std::string> {};
 
 TEST_P(GrowingBudget, NeverClaimsMoreNorLeavesMoreOpen) {
     std::vector<Budget> budgets;
-    for (const std::size_t count : {1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 16, 24, 32}) {
+    for (const std::size_t count : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 16, 24, 32}) {
         budgets.push_back({count, {}, Guarantee::outer});
     }
     const auto stage = all_spherizers().make<Spherizer>(GetParam());

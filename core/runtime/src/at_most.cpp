@@ -4,6 +4,7 @@
 #include "refinements.hpp"
 #include "trees.hpp"
 
+#include <foam/base/internal/ladder.hpp>
 #include <foam/base/parallel.hpp>
 #include <foam/geometry/joint_volume.hpp>
 #include <foam/runtime/internal/cover.hpp>
@@ -162,7 +163,7 @@ private:
     /// Returns the count halfway to the double of a count of counts_alone(); 0 if there is none.
     static std::size_t halfway_above(std::size_t count) {
         constexpr std::size_t first = 8;
-        return count >= first && count < most_between && std::has_single_bit(count) ? count + count / 2 : 0;
+        return count >= first && count < most_between && std::has_single_bit(count) ? sparse_rung_above(count) : 0;
     }
 
     /// Calls the spherizer for one more count. Returns its tree; nothing if there was no time.

@@ -13,4 +13,4 @@ namespace foam::inline runtime {
 /// with half-space constraints the spherizer is also called with `most` itself, and the best tree of all is taken.
 std::size_t best_of_at_most(const Workspace& workspace, ShapeWork& work, std::size_t most);
 
-} // namespace foam::inline runtime
+} // namespace foam::runtime
