@@ -159,22 +159,33 @@ ObjectiveSearch::Model ObjectiveSearch::found(std::size_t count, const std::vect
     const auto cost = cost_by(field, plan_);
     std::vector<Balls> begin = starts(surface, field, count);
     begin.insert(begin.end(), covers.begin(), covers.end());
-    std::vector<Minimax> looks(begin.size());
-    const auto improve = [&](std::size_t i, const Balls& balls, int rounds) {
-        looks[i] = MinimaxSearch(surface.skin, *cost).improved(balls, count, rounds);
-    };
-    parallel_for(begin.size(), [&](std::size_t i) { improve(i, begin[i], plan_.first_rounds); });
-    std::stable_sort(looks.begin(), looks.end(), cheaper);
-    Minimax best = looks.front();
+    if (field && !stopped()) {
+        // Where no ball is large, none protrudes far.
+        begin.push_back(best_of(surface, RadiusCost(), begin, count).balls);
+    }
+    Minimax best = best_of(surface, *cost, begin, count);
     if (!stopped()) {
-        looks.resize(std::min(looks.size(), plan_.kept));
-        parallel_for(looks.size(), [&](std::size_t i) { improve(i, Balls(looks[i].balls), plan_.last_rounds); });
-        best = *std::min_element(looks.begin(), looks.end(), cheaper);
         best = with_moves(surface, *cost, std::move(best), count);
         constexpr int last_rounds = 8;
         best = MinimaxSearch(surface.skin, *cost).leaner(best, spread_directions(256, 0), last_rounds);
     }
     return model_of(proved(solid_, frame_, best.balls));
+}
+
+Minimax ObjectiveSearch::best_of(const Surface& surface, const BallCost& cost, const std::vector<Balls>& starts,
+                                 std::size_t count) {
+    std::vector<Minimax> looks(starts.size());
+    const auto improve = [&](std::size_t i, const Balls& balls, int rounds) {
+        looks[i] = MinimaxSearch(surface.skin, cost).improved(balls, count, rounds);
+    };
+    parallel_for(starts.size(), [&](std::size_t i) { improve(i, starts[i], plan_.first_rounds); });
+    std::stable_sort(looks.begin(), looks.end(), cheaper);
+    if (stopped()) {
+        return looks.front();
+    }
+    looks.resize(std::min(looks.size(), plan_.kept));
+    parallel_for(looks.size(), [&](std::size_t i) { improve(i, Balls(looks[i].balls), plan_.last_rounds); });
+    return *std::min_element(looks.begin(), looks.end(), cheaper);
 }
 
 std::vector<Balls> ObjectiveSearch::starts(const Surface& surface, const DistanceField* field,

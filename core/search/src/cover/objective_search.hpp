@@ -61,6 +61,8 @@ private:
     const DistanceField* field_for(std::size_t count);
     /// Returns the best from many starts, the given covers among them.
     Model found(std::size_t count, const std::vector<Balls>& covers);
+    /// Returns the cheapest of what becomes of the starts; the best few are refined.
+    Minimax best_of(const Surface& surface, const BallCost& cost, const std::vector<Balls>& starts, std::size_t count);
     std::vector<Balls> starts(const Surface& surface, const DistanceField* field, std::size_t count) const;
     Minimax with_moves(const Surface& surface, const BallCost& cost, Minimax best, std::size_t count);
     bool stopped() { return stopped_ = stopped_ || (options_.stop && options_.stop()); }
