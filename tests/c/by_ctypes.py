@@ -41,10 +41,11 @@ def main():
             assert str(error), (points, corners)
 
     for file in sys.argv[2:]:
-        # A run rounds centres to a millionth of the size, and radii up.
+        # A run rounds centres to a millionth of the size, and radii up. Two spheres do not depend on the seed, which a
+        # run derives from the name of the link.
         written = [tuple(map(float, line.split(",")[1:])) for line in open(file).readlines()[1:]]
-        spheres = example.spherize(library, *BOX, 8)
-        assert len(spheres) == len(written) == 8
+        spheres = example.spherize(library, *BOX, 2)
+        assert len(spheres) == len(written) == 2
         for ours, theirs in zip(spheres, written):
             assert all(abs(a - b) < 2e-6 for a, b in zip(ours, theirs)), (ours, theirs)
 

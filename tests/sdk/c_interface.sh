@@ -44,7 +44,7 @@ with open(f"{sys.argv[2]}/box.obj", "w") as file:
     file.writelines("v %r %r %r\n" % vertex for vertex in spherize.VERTICES)
     file.writelines("f %d %d %d\n" % tuple(corner + 1 for corner in triangle) for triangle in spherize.TRIANGLES)
 with open(f"{sys.argv[2]}/box.yaml", "w") as file:
-    file.write("foam: 1\nname: box\nmesh: [box.obj]\nstages: [spherize.cover: {}]\nbudget: {spheres: 8}\n"
+    file.write("foam: 1\nname: box\nmesh: [box.obj]\nstages: [spherize.cover: {}]\nbudget: {spheres: 2}\n"
                "guarantee: outer\noutputs: [write.csv: {file: box.csv}]\n")
 PYTHON
     quietly "$prefix/bin/foam" run "$room/box.yaml" --run-dir "$room/run"

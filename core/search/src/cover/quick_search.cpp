@@ -42,6 +42,7 @@ const SecondPlan& second_plan_for(std::size_t count) {
                          [&](const SecondPlan& plan) { return count <= plan.most_balls; });
 }
 constexpr int last_fits = 6;
+constexpr std::size_t most_in_a_row = 6; ///< cells of a grid
 
 const Points& directions_of_fits() {
     static const Points directions = spread_directions(256, 0);
@@ -138,16 +139,21 @@ std::vector<CoverCandidate> QuickSearch::found(std::size_t count, const Balls* b
 }
 
 std::vector<CoverCandidate> QuickSearch::found_quickly(std::size_t count, const Balls* before) {
+    std::vector<Balls> begin = starts(surface_for(count), occupancy_for(count), count, before);
+    return refined_best(count, std::move(begin), second_plan_for(count).kept_starts);
+}
+
+std::vector<CoverCandidate> QuickSearch::refined_best(std::size_t count, std::vector<Balls> starts, std::size_t kept) {
     const DescentSurface& surface = surface_for(count);
     const Occupancy* const occupancy = occupancy_for(count);
-    std::vector<Balls> begin = starts(surface, occupancy, count, before);
     if (stopped()) {
-        return {{0, PowerCells(surface.skin).fitted(begin.front(), directions_of_fits())}};
+        return {{0, PowerCells(surface.skin).fitted(starts.front(), directions_of_fits())}};
     }
-    std::vector<CoverCandidate> looks(begin.size());
-    parallel_for(begin.size(), [&](std::size_t i) { looks[i] = first_look(surface, occupancy, std::move(begin[i])); });
+    std::vector<CoverCandidate> looks(starts.size());
+    parallel_for(starts.size(),
+                 [&](std::size_t i) { looks[i] = first_look(surface, occupancy, std::move(starts[i])); });
     std::stable_sort(looks.begin(), looks.end(), has_less_volume);
-    looks.resize(std::min(looks.size(), second_plan_for(count).kept_starts));
+    looks.resize(std::min(looks.size(), kept));
     if (stopped()) {
         return looks;
     }
@@ -186,9 +192,17 @@ std::vector<CoverCandidate> QuickSearch::candidates(std::size_t count, const Bal
     return found(count, &before);
 }
 
+CoverCandidate QuickSearch::candidate(std::size_t count, const Balls& more) {
+    stopped_ = false;
+    std::vector<Balls> starts = grids(surface_for(count).some, count, most_in_a_row);
+    if (!more.empty()) {
+        starts.push_back(more);
+    }
+    return refined_best(count, std::move(starts), 1).front();
+}
+
 std::vector<Balls> QuickSearch::starts(const DescentSurface& surface, const Occupancy* occupancy, std::size_t count,
                                        const Balls* before) const {
-    constexpr std::size_t most_in_a_row = 6;
     const Points& some = surface.some;
     std::vector<Balls> result{divided(some, before ? *before : Balls{}, count)};
     std::ranges::move(grids(some, count, most_in_a_row), std::back_inserter(result));

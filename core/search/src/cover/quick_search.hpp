@@ -36,6 +36,8 @@ public:
     /// and from others; the best few, best first. At least two balls. The volume is that of their union, plus for many
     /// balls the missing volume of the solid.
     std::vector<CoverCandidate> candidates(std::size_t count, const Balls& before);
+    /// Returns the same for the better of grids and of the given balls.
+    CoverCandidate candidate(std::size_t count, const Balls& more);
     const DescentSurface& surface_for(std::size_t count);
 
 private:
@@ -50,6 +52,8 @@ private:
     /// any.
     std::vector<CoverCandidate> found(std::size_t count, const Balls* before);
     std::vector<CoverCandidate> found_quickly(std::size_t count, const Balls* before);
+    /// Returns the results from the best `kept` of these starts, at least one, the best first.
+    std::vector<CoverCandidate> refined_best(std::size_t count, std::vector<Balls> starts, std::size_t kept);
     /// Returns the results for many balls, the best first, by the volume of balls and solid together, m³. None around
     /// needles, which the occupancy misses, and if the search was stopped before there were any.
     std::vector<CoverCandidate> many(std::size_t count);

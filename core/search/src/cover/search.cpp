@@ -2,6 +2,7 @@
 
 #include "conditional_gradient.hpp"
 #include "many_search.hpp"
+#include "merging.hpp"
 #include "missing_volume.hpp"
 #include "proved.hpp"
 #include "starts.hpp"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace foam::inline search::cover {
 namespace {
@@ -24,47 +26,61 @@ constexpr std::size_t few_points = 500;
 Plan plan_for(Effort effort) {
     if (effort == Effort::best) {
         constexpr ExchangePlan exchange{{24, 7, 4, 80}, 80, 12, 20};
+        constexpr CountPlan few{.quick = true,
+                                .restarts = 48,
+                                .kept = 6,
+                                .first_gradient_steps = 4,
+                                .last_gradient_steps = 40,
+                                .exchange = exchange};
+        constexpr CountPlan many{.merged = true,
+                                 .grown = true,
+                                 .restarts = 12,
+                                 .kept = 3,
+                                 .first_gradient_steps = 4,
+                                 .last_gradient_steps = 40,
+                                 .exchange = exchange};
+        CountPlan some = few;
+        some.merged = true;
         return {.resolution = 96,
                 .points = 6000,
                 .first_points = 1000,
                 .directions = 128,
                 .coarse_steps = 200,
                 .fine_steps = 160,
-                .most_split = 12,
                 .most_moves = 3,
-                .most_quick = 16,
-                .most_exchanged = 16,
+                .most_moved = 12,
                 .most_behind = 1.5,
                 .skin_resolution = 32,
-                .few = {48, 6, 4, 40, exchange},
-                .some = {48, 6, 4, 40, exchange},
-                .between = {12, 3, 4, 40, exchange},
-                .many = {12, 3, 4, 40, exchange}};
+                .few = few,
+                .some = some,
+                .between = many,
+                .several = many,
+                .many = many};
     }
-    constexpr TwoBallSearch::Plan split{16, 5, 2, 40};
-    return {.resolution = 48,
-            .points = 3000,
-            .first_points = 500,
-            .directions = 96,
-            .coarse_steps = 120,
-            .fine_steps = 120,
-            .most_split = 8,
-            .most_moves = 0,
-            .most_quick = 16,
-            .most_exchanged = 8,
-            .most_behind = 1.06,
-            .skin_resolution = 16,
-            .few = {1, 1, 2, 10, {split, 20, 4, 12}},
-            .some = {2, 1, 4, 20, {split, 20, 6, 16}},
-            .between = {0, 1, 4, 20, {split, 20, 6, 16}},
-            .many = {2, 1, 4, 20, {split, 20, 6, 16}}};
+    constexpr ExchangePlan exchange{{16, 5, 2, 40}, 12, 1, 12};
+    return {
+        .resolution = 48,
+        .points = 3000,
+        .first_points = 500,
+        .directions = 96,
+        .coarse_steps = 120,
+        .fine_steps = 120,
+        .most_moves = 0,
+        .most_moved = 8,
+        .most_behind = 1.06,
+        .skin_resolution = 16,
+        .few =
+            {.quick = true, .restarts = 1, .first_gradient_steps = 2, .last_gradient_steps = 10, .exchange = exchange},
+        .some = {.merged = true, .first_gradient_steps = 4, .last_gradient_steps = 20, .exchange = exchange},
+        .between = {.grown = true, .first_gradient_steps = 4, .last_gradient_steps = 20},
+        .several = {.merged = true, .grown = true, .first_gradient_steps = 4, .last_gradient_steps = 20},
+        .many = {.merged = true, .grown = true, .restarts = 2, .first_gradient_steps = 4, .last_gradient_steps = 20}};
 }
 
 Plan plan_for_coarse(Effort effort) {
     Plan plan = plan_for(effort);
     if (effort == Effort::normal) {
         plan.most_moves = plan_for(Effort::best).most_moves;
-        plan.most_split = 8;
     }
     return plan;
 }
@@ -101,7 +117,7 @@ Search::Model Search::model(std::size_t count) {
         }
         return stopped_ ? best : models_.emplace(count, std::move(best)).first->second;
     }
-    if (count <= plan_.most_split) {
+    if (count == 2) {
         take(settled(quick_.surface_for(count), one_more(before.balls), plan_.of(count).last_gradient_steps).balls);
         if (stopped()) {
             return best;
@@ -112,18 +128,14 @@ Search::Model Search::model(std::size_t count) {
         take(quick_.candidates(count, before.balls).front().balls);
     }
     if (count > 2) {
-        const Balls more = count > plan_.most_split ? grown(before, count) : Balls{};
-        if (!more.empty()) {
-            take(more);
-        }
-        for (const Balls& balls : found(count, before.balls, more, best.joint)) {
+        for (const Balls& balls : found(count, before, best.joint)) {
             take(balls);
         }
         if (stopped()) {
             return best;
         }
     }
-    for (int round = 0; round < plan_.most_moves && count <= plan_.most_split && !stopped(); ++round) {
+    for (int round = 0; round < plan_.most_moves && count <= plan_.most_moved && !stopped(); ++round) {
         const double joint = best.joint;
         if (best.balls.size() < 3) {
             break; // two balls come from all planes anyway
@@ -163,7 +175,7 @@ std::vector<Balls> Search::moved(const Balls& cover) {
         Balls fewer = cover;
         fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
         fewer = settled(surface, fewer, plan.first_gradient_steps).balls;
-        result[i] = settled(surface, one_more(fewer), plan.last_gradient_steps).balls;
+        result[i] = settled(surface, exchanged(one_more(fewer)), plan.last_gradient_steps).balls;
     });
     return result;
 }
@@ -188,55 +200,81 @@ Balls Search::one_more(const Balls& cover) const {
     std::vector<std::size_t> candidates = improvement_.by_waste(cover);
     candidates.resize(std::min(candidates.size(), most_candidates));
     Exchange exchange(problem_, coarse_skin_, plan_.of(cover.size() + 1).exchange, cover);
-    if (exchange.split(candidates)) {
-        exchange.settle();
-    }
+    exchange.split(candidates);
     return exchange.balls();
 }
 
-/// Returns the candidates. For few balls the quick search is sufficient, and exchanges refine its results. For many
-/// balls it is not: those start with clusters, and with long steps that move lost balls to better places.
-std::vector<Balls> Search::found(std::size_t count, const Balls& before, const Balls& more, double joint) {
+/// The larger set is found once, and merged for all counts that it serves. Sets of more than 48 balls are not merged:
+/// about round bodies clusters are better starts.
+Balls Search::merged(const DescentSurface& surface, std::size_t count) {
+    constexpr std::size_t most = 48, larger_for_some = 32, larger = 64, points_a_ball = 6, fewest_points = 800;
+    if (count > most) {
+        return {};
+    }
+    const bool some = count <= Plan::most_some;
+    const std::size_t before = some ? larger_for_some : larger;
+    auto known = merged_.find(before);
+    if (known == merged_.end()) {
+        Random random(derive_seed(options_.seed, "merged") + before);
+        const Points body = body_points(problem_, std::max(fewest_points, points_a_ball * before));
+        const DescentPlan far{.steps = plan_.coarse_steps, .first_step = 0.2f, .last_step = 0.01f};
+        const Balls balls = improvement_.improved(clusters(body, before, random), far, false);
+        known = merged_
+                    .emplace(before, merged_sets(surface.skin, problem_.occupancy, settled(surface, balls, 1).balls,
+                                                 some ? Plan::most_few : Plan::most_some))
+                    .first;
+    }
+    return count < known->second.size() ? known->second[count] : Balls{};
+}
+
+/// Up to 16 balls exchange pieces with their neighbours. More are refined by descents.
+std::vector<Balls> Search::found(std::size_t count, const Model& before, double joint) {
     const DescentSurface& surface = quick_.surface_for(count);
     const CountPlan& plan = plan_.of(count);
-    std::vector<CoverCandidate> rated;
-    if (count <= plan_.most_quick) {
-        rated = quick_.candidates(count, before);
-        parallel_for(rated.size(),
-                     [&](std::size_t i) { rated[i] = settled(surface, rated[i].balls, plan.first_gradient_steps); });
-        add_restarts(count, rated);
-        if (!more.empty()) {
-            rated.push_back(settled(surface, more, plan.first_gradient_steps));
-        }
-    } else {
-        add_starts_of_many(count, rated);
-    }
+    const bool many = count > Plan::most_some;
+    const Balls more = plan.grown ? grown(before, count) : Balls{};
+    std::vector<CoverCandidate> rated = many ? starts_of_many(count) : starts_of_some(count, before.balls);
     std::stable_sort(rated.begin(), rated.end(), has_less_volume);
     rated.resize(std::min(rated.size(), plan.kept));
     if (stopped()) {
         return rated.empty() ? std::vector<Balls>{} : std::vector<Balls>{rated.front().balls};
     }
-    if (count <= plan_.most_exchanged) {
+    if (!many) {
         drop_hopeless(rated, joint);
     }
-    if (count > plan_.most_quick && !more.empty()) {
+    if (!more.empty()) {
         rated.push_back(settled(surface, more, plan.first_gradient_steps));
     }
     std::vector<Balls> balls(rated.size());
     parallel_for(balls.size(), [&](std::size_t i) {
         const Balls& start = rated[i].balls;
-        const bool few = count <= plan_.most_exchanged, many = count > plan_.most_quick;
-        balls[i] = settled(surface,
-                           few    ? exchanged(start)
-                           : many ? refined(start)
-                                  : start,
-                           plan.last_gradient_steps)
-                       .balls;
-        if (few && coarse_skin_.points.size() < skin_.points.size()) {
+        balls[i] = settled(surface, many ? refined(start) : exchanged(start), plan.last_gradient_steps).balls;
+        if (!many && coarse_skin_.points.size() < skin_.points.size()) {
             balls[i] = settled(surface, exchanged_finely(balls[i]), plan.last_gradient_steps).balls;
         }
     });
+    if (!more.empty()) {
+        balls.push_back(more);
+    }
     return balls;
+}
+
+/// Starts are the balls before with one split, grids, and balls merged from more. For few balls there are enough others
+/// at little cost.
+std::vector<CoverCandidate> Search::starts_of_some(std::size_t count, const Balls& before) {
+    const DescentSurface& surface = quick_.surface_for(count);
+    const CountPlan& plan = plan_.of(count);
+    std::vector<CoverCandidate> rated{{0, one_more(before)}};
+    if (plan.quick) {
+        std::ranges::move(quick_.candidates(count, before), std::back_inserter(rated));
+    }
+    if (plan.merged) {
+        rated.push_back(quick_.candidate(count, merged(surface, count)));
+    }
+    parallel_for(rated.size(),
+                 [&](std::size_t i) { rated[i] = settled(surface, rated[i].balls, plan.first_gradient_steps); });
+    add_restarts(count, rated);
+    return rated;
 }
 
 void Search::drop_hopeless(std::vector<CoverCandidate>& candidates, double joint) const {
@@ -267,11 +305,13 @@ void Search::add_restarts(std::size_t count, std::vector<CoverCandidate>& rated)
     });
 }
 
-void Search::add_starts_of_many(std::size_t count, std::vector<CoverCandidate>& rated) {
+/// Starts are clusters after long steps, which move lost balls to better places, and balls merged from more.
+std::vector<CoverCandidate> Search::starts_of_many(std::size_t count) {
     Random random(derive_seed(options_.seed, "starts") + count);
     constexpr std::size_t points_a_ball = 6; // fewer would make clusters of one point, balls without size
     const Points more = points_a_ball * count > body_.size() ? body_points(problem_, points_a_ball * count) : Points{};
-    rated.resize(plan_.of(count).restarts);
+    const CountPlan& plan = plan_.of(count);
+    std::vector<CoverCandidate> rated(plan.restarts);
     for (CoverCandidate& start : rated) {
         start.balls = clusters(more.size() > body_.size() ? more : body_, count, random);
     }
@@ -281,6 +321,10 @@ void Search::add_starts_of_many(std::size_t count, std::vector<CoverCandidate>& 
         constexpr int gradient_steps = 2; // enough to find the best
         rated[i] = settled(surface, improvement_.improved(rated[i].balls, far, false), gradient_steps);
     });
+    if (const Balls balls = plan.merged ? merged(surface, count) : Balls{}; !balls.empty()) {
+        rated.push_back(settled(surface, balls, plan.first_gradient_steps));
+    }
+    return rated;
 }
 
 CoverCandidate Search::settled(const DescentSurface& surface, const Balls& balls, int steps) const {

@@ -17,10 +17,13 @@ namespace foam::inline search::cover {
 
 /// How much the search does for one count.
 struct CountPlan {
-    std::size_t restarts = 0;                          ///< random starts
-    std::size_t kept = 1;                              ///< refined starts
-    int first_gradient_steps = 0, last_gradient_steps; ///< of each start, and of those that are kept
-    ExchangePlan exchange;
+    bool quick = false;       ///< starts from those of the quick search
+    bool merged = false;      ///< starts from balls merged from more
+    bool grown = false;       ///< starts from the balls for a smaller count, split one by one
+    std::size_t restarts = 0; ///< random starts
+    std::size_t kept = 1;     ///< refined starts
+    int first_gradient_steps = 0, last_gradient_steps = 0; ///< of each start, and of those that are kept
+    ExchangePlan exchange{};                               ///< for counts up to most_some
 };
 
 /// The parameters of the efforts normal and best; fast is QuickSearch.
@@ -30,19 +33,21 @@ struct Plan {
     std::size_t first_points; ///< points that every descent uses
     std::size_t directions;   ///< per ball
     int coarse_steps, fine_steps;
-    std::size_t most_split;     ///< counts up to this start from splits too; two balls from them alone. Larger ones
-                                ///< start from those before with balls split one by one
-    int most_moves;             ///< rounds of moves of those, each of every ball
-    std::size_t most_quick;     ///< counts up to this start with the results of the quick search
-    std::size_t most_exchanged; ///< counts up to this exchange pieces
-    double most_behind;         ///< excess, relative to the best, up to which starts are worth exchanges
-    int skin_resolution;        ///< of a finely meshed surface, for the search
-    CountPlan few, some;        ///< for counts up to 4, and up to most_quick
-    CountPlan between, many;    ///< for larger ones: every second candidate count, 20, 28, 40 and 56, and the others
+    int most_moves;          ///< rounds of moves, each of every ball
+    std::size_t most_moved;  ///< counts up to this have them
+    double most_behind;      ///< excess, relative to the best, up to which starts are worth exchanges
+    int skin_resolution;     ///< of a finely meshed surface, for the search
+    CountPlan few, some;     ///< for counts up to 4, and up to most_some
+    CountPlan between;       ///< for every second candidate count above, 20, 28, 40 and 56
+    CountPlan several, many; ///< for the others, up to 32 and above
 
+    static constexpr std::size_t most_few = 4, most_some = 16, most_several = 32;
     const CountPlan& of(std::size_t count) const {
-        constexpr std::size_t few_balls = 4;
-        return count <= few_balls ? few : count <= most_quick ? some : is_between(count) ? between : many;
+        return count <= most_few       ? few
+               : count <= most_some    ? some
+               : is_between(count)     ? between
+               : count <= most_several ? several
+                                       : many;
     }
 };
 Plan plan_for(Effort effort);
@@ -82,14 +87,17 @@ private:
     std::vector<Balls> moved(const Balls& cover);
     /// Returns balls split in two one after another, those where it helps, until there are `count`.
     Balls grown(const Model& cover, std::size_t count);
-    /// Returns sets of balls, larger than `before`, that cover the surface or nearly do; `more`, if not empty, is a set
-    /// to be improved. `joint`: of the best model so far.
-    std::vector<Balls> found(std::size_t count, const Balls& before, const Balls& more, double joint);
+    /// Returns `count` balls merged from more; none if there are no such.
+    Balls merged(const DescentSurface& surface, std::size_t count);
+    /// Returns sets of balls, larger than `before`, that cover the surface or nearly do. `joint`: of the best model so
+    /// far.
+    std::vector<Balls> found(std::size_t count, const Model& before, double joint);
+    std::vector<CoverCandidate> starts_of_some(std::size_t count, const Balls& before);
+    std::vector<CoverCandidate> starts_of_many(std::size_t count);
     /// Removes candidates that are too far behind the best model for exchanges to make up for it.
     void drop_hopeless(std::vector<CoverCandidate>& candidates, double joint) const;
     /// Adds candidates from many random starts.
     void add_restarts(std::size_t count, std::vector<CoverCandidate>& rated);
-    void add_starts_of_many(std::size_t count, std::vector<CoverCandidate>& rated);
     Balls exchanged(const Balls& balls) const;
     Balls exchanged_finely(const Balls& balls) const;
     Balls refined(const Balls& balls) const;
@@ -106,6 +114,7 @@ private:
     Improvement improvement_;
     std::optional<Splitting> splitting_; ///< made on first use
     QuickSearch quick_;
+    std::map<std::size_t, std::vector<Balls>> merged_; ///< by the number of balls before merging
     std::map<std::size_t, Model> models_;
     bool stopped_ = false;
 };
