@@ -57,7 +57,8 @@ Plan plan_for(Effort effort) {
                 .several = many,
                 .many = many};
     }
-    constexpr ExchangePlan exchange{{16, 5, 2, 40}, 12, 1, 12};
+    constexpr TwoBallSearch::Plan split{16, 5, 2, 40};
+    constexpr ExchangePlan thorough{split, 20, 4, 12}, exchange{split, 12, 1, 12};
     return {
         .resolution = 48,
         .points = 3000,
@@ -70,7 +71,7 @@ Plan plan_for(Effort effort) {
         .most_behind = 1.06,
         .skin_resolution = 16,
         .few =
-            {.quick = true, .restarts = 1, .first_gradient_steps = 2, .last_gradient_steps = 10, .exchange = exchange},
+            {.quick = true, .restarts = 1, .first_gradient_steps = 2, .last_gradient_steps = 10, .exchange = thorough},
         .some = {.merged = true, .first_gradient_steps = 4, .last_gradient_steps = 20, .exchange = exchange},
         .between = {.grown = true, .first_gradient_steps = 4, .last_gradient_steps = 20},
         .several = {.merged = true, .grown = true, .first_gradient_steps = 4, .last_gradient_steps = 20},
@@ -118,7 +119,8 @@ Search::Model Search::model(std::size_t count) {
         return stopped_ ? best : models_.emplace(count, std::move(best)).first->second;
     }
     if (count == 2) {
-        take(settled(quick_.surface_for(count), one_more(before.balls), plan_.of(count).last_gradient_steps).balls);
+        take(settled(quick_.surface_for(count), exchanged(one_more(before.balls)), plan_.of(count).last_gradient_steps)
+                 .balls);
         if (stopped()) {
             return best;
         }
