@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace foam::inline search::cover {
 namespace {
@@ -43,6 +44,10 @@ double added_volume(const Ball& merged, const Ball& a, const Ball& b, const Ball
         return 0;
     }
     const Blurred whole(merged, cell), first(a, cell), second(b, cell);
+    std::vector<Blurred> blurred;
+    for (const Ball& other : others) {
+        blurred.emplace_back(other, cell);
+    }
     const auto low = [&](double least) { return static_cast<float>(least) + cell / 2; };
     double sum = 0;
     for (float z = low(box.low.z); z < box.high.z; z += cell) {
@@ -58,8 +63,8 @@ double added_volume(const Ball& merged, const Ball& a, const Ball& b, const Ball
                     continue;
                 }
                 float free = occupancy.outside(x[i], y, z);
-                for (std::size_t k = 0; k < others.size() && free > 0; ++k) {
-                    free = std::min(free, 1 - Blurred(others[k], cell).share(x[i], y, z));
+                for (std::size_t k = 0; k < blurred.size() && free > 0; ++k) {
+                    free = std::min(free, 1 - blurred[k].share(x[i], y, z));
                 }
                 sum += static_cast<double>(change[i]) * std::max(free, 0.0f);
             }
