@@ -42,7 +42,7 @@ def main():
 
     for file in sys.argv[2:]:
         # A run rounds centres to a millionth of the size, and radii up. Two spheres do not depend on the seed, which a
-        # run derives from the name of the link.
+        # run derives from the stage and the geometry.
         written = [tuple(map(float, line.split(",")[1:])) for line in open(file).readlines()[1:]]
         spheres = example.spherize(library, *BOX, 2)
         assert len(spheres) == len(written) == 2
