@@ -38,7 +38,7 @@ void move(Balls& balls, float step, Random& random) {
 }
 
 /// Returns how many neighbours the lists contain.
-std::size_t expect_all_within(const NearBalls& near, const Balls& balls, float gap) {
+std::size_t expect_all_within(NearBalls& near, const Balls& balls, float gap) {
     std::size_t listed = 0;
     for (std::uint32_t i = 0; i < balls.size(); ++i) {
         const auto list = near.of(i, gap);
@@ -63,6 +63,23 @@ TEST(NearBalls, AreAllThatMeetWhileBallsMove) {
         EXPECT_LT(expect_all_within(near, balls, 0), balls.size() * balls.size() / 2) << "few of all";
         expect_all_within(near, balls, 0.01f);
         expect_all_within(near, balls, 1);
+    }
+}
+
+TEST(NearBalls, AreFewAlsoBeyondTheLists) {
+    Random random(4);
+    Balls balls = balls_at_random(400, random);
+    for (Ball& ball : balls) {
+        ball.r /= 8;
+    }
+    NearBalls near;
+    for (const float gap : {0.0f, 0.1f, 0.05f}) {
+        move(balls, 0.001f, random);
+        near.update(balls, gap);
+        EXPECT_GE(near.listed_gap(), gap);
+        EXPECT_LT(expect_all_within(near, balls, gap), balls.size() * balls.size() / 20);
+        EXPECT_LT(expect_all_within(near, balls, 0.2f), balls.size() * balls.size() / 10);
+        EXPECT_EQ(expect_all_within(near, balls, 4), balls.size() * (balls.size() - 1));
     }
 }
 

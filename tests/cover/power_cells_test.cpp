@@ -1,5 +1,6 @@
 // The parts of a surface that belong to balls.
 #include "search/src/cover/power_cells.hpp"
+#include "search/src/cover/surface_descent.hpp"
 
 #include <foam/base/random.hpp>
 #include <foam/geometry/directions.hpp>
@@ -68,6 +69,52 @@ TEST_P(PartsOfSolid, HullsContainAllPointsOfTheCells) {
             given += cells.parts()[i].size();
         }
         EXPECT_LT(given, skin.points.size() / 2) << count << " balls";
+    }
+}
+
+/// A few large triangles take as many pieces as the balls need.
+TEST(FineSurface, IsFineForThousandsOfBalls) {
+    const auto solid = sample::solids().at("Box")();
+    for (const std::size_t balls : {1, 64, 1500, 5000}) {
+        const DescentSurface surface(*solid, Frame(solid->bounds()), balls);
+        EXPECT_TRUE(surface.skin.fine) << balls << " balls";
+        EXPECT_GT(surface.skin.faces.size(), DescentSurface::pieces_for(balls) / 2) << balls << " balls";
+    }
+}
+
+TEST(Owners, AreTheSameUpdatedAsFoundAnew) {
+    Random random(9);
+    Points points;
+    for (const Ball& ball : balls_at_random(500, random)) {
+        points.add(center_of(ball));
+    }
+    Balls balls = balls_at_random(40, random);
+    Owners updated, anew;
+    updated.find(points, balls);
+    for (int turn = 0; turn < 30; ++turn) {
+        const std::size_t one = random.below(balls.size());
+        std::size_t other = random.below(balls.size());
+        const Balls fresh = balls_at_random(2, random);
+        if (turn % 2 == 0 || other == one) { // a split
+            other = balls.size();
+            balls.emplace_back();
+        }
+        balls[one] = fresh[0];
+        balls[other] = fresh[1];
+        const std::vector<std::uint32_t> before = updated.owner;
+        std::vector<std::uint32_t> changed = updated.update(points, balls, one, other);
+        anew.find(points, balls);
+        ASSERT_EQ(updated.owner, anew.owner);
+        ASSERT_EQ(updated.power, anew.power);
+        std::ranges::sort(changed);
+        std::vector<std::uint32_t> theirs;
+        for (std::uint32_t p = 0; p < points.size(); ++p) {
+            const auto is_theirs = [&](std::uint32_t owner) { return owner == one || owner == other; };
+            if (is_theirs(before[p]) || is_theirs(anew.owner[p])) {
+                theirs.push_back(p);
+            }
+        }
+        ASSERT_EQ(changed, theirs);
     }
 }
 

@@ -73,26 +73,57 @@ void Descent::find_doubtful(const Points& points, const Balls& balls, float slac
     first_.erase(first_.begin());
     first_.push_back(doubtful_index_.size());
     deepest_.clear(doubtful_.size());
-    near_.update(balls);
+    near_.update(balls, 4 * slack); // few points are left outside by more than twice the length of a step
+    far_out_.clear();
     CancellationCounter often(64);
     for (std::uint32_t i = 0; i < balls.size(); ++i) {
         often.check();
-        const std::size_t begin = first_[i], end = first_[i + 1];
-        deepest_.offer(doubtful_, begin, end, balls, {&i, 1});
-        float most = -balls[i].r;
-        for (std::size_t k = begin; k < end; ++k) {
+        deepest_.offer(doubtful_, first_[i], first_[i + 1], balls, {&i, 1});
+        offer_near(i, first_[i], first_[i + 1], balls);
+    }
+    if (!far_out_.empty()) {
+        offer_far_out(balls);
+    }
+}
+
+/// Neighbours of a ball are enough for points that are not far outside it.
+void Descent::offer_near(std::size_t i, std::size_t begin, std::size_t end, const Balls& balls) {
+    const float listed = near_.listed_gap();
+    float most = -balls[i].r;
+    for (std::size_t k = begin; k < end; ++k) {
+        if (2 * deepest_.gap[k] > listed) {
+            far_out_.push_back(k);
+            most = listed / 2;
+        } else {
             most = std::max(most, deepest_.gap[k]);
         }
-        rivals_.clear();
-        for (const std::uint32_t other : begin < end ? near_.of(i, 2 * most) : std::span<const std::uint32_t>()) {
-            // A ball in which one of these lies deeper comes this close.
-            const float reach = balls[i].r + balls[other].r + 2 * most;
-            if (other != i && reach > 0 && squared_distance(balls[i], balls[other]) <= reach * reach) {
-                rivals_.push_back(other);
-            }
-        }
-        deepest_.offer(doubtful_, begin, end, balls, rivals_);
     }
+    offer_within(2 * most, i, begin, end, balls);
+}
+
+/// The ball of least power is deep enough: neighbours of this one are few.
+void Descent::offer_far_out(const Balls& balls) {
+    far_points_.clear();
+    for (const std::size_t k : far_out_) {
+        far_points_.add(doubtful_, k);
+    }
+    far_owners_.find(far_points_, balls);
+    for (std::size_t f = 0; f < far_out_.size(); ++f) {
+        const std::size_t k = far_out_[f];
+        deepest_.offer(doubtful_, k, k + 1, balls, {&far_owners_.owner[f], 1});
+        offer_within(2 * deepest_.gap[k], deepest_.ball[k], k, k + 1, balls);
+    }
+}
+
+void Descent::offer_within(float gap, std::size_t i, std::size_t begin, std::size_t end, const Balls& balls) {
+    rivals_.clear();
+    for (const std::uint32_t other : begin < end ? near_.of(i, gap) : std::span<const std::uint32_t>()) {
+        const float reach = balls[i].r + balls[other].r + gap;
+        if (other != i && reach > 0 && squared_distance(balls[i], balls[other]) <= reach * reach) {
+            rivals_.push_back(other);
+        }
+    }
+    deepest_.offer(doubtful_, begin, end, balls, rivals_);
 }
 
 void Descent::hold(const Points& points, Balls& balls, float slack) {

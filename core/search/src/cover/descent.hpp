@@ -6,6 +6,7 @@
 #include "exposed.hpp"
 #include "held_points.hpp"
 #include "near_balls.hpp"
+#include "power_cells.hpp"
 #include "problem.hpp"
 
 #include <functional>
@@ -41,6 +42,13 @@ private:
     void add_exposed_areas(const Balls& balls, const Points& directions);
     /// Finds the balls in which the doubtful points lie deepest.
     void find_doubtful(const Points& points, const Balls& balls, float slack);
+    /// Offers doubtful points of ball `i` to its neighbours, and leaves those far outside it to offer_far_out().
+    void offer_near(std::size_t i, std::size_t begin, std::size_t end, const Balls& balls);
+    /// Offers points far outside their ball, such as new ones, whose ball is not known yet.
+    void offer_far_out(const Balls& balls);
+    /// Offers doubtful points to the balls that come to within `gap` of ball `i`. A ball in which a point lies deeper
+    /// than in ball `i` comes to within twice the point's distance outside ball `i`.
+    void offer_within(float gap, std::size_t i, std::size_t begin, std::size_t end, const Balls& balls);
     /// Restores points that are outside; points nearer than `slack` to the outside become constraints.
     void hold(const Points& points, Balls& balls, float slack);
     void step(Balls& balls, float length);
@@ -57,7 +65,10 @@ private:
     // State of one call of hold(): points that may lie outside, by the ball that contained them last, and their indices
     // in `points`.
     std::vector<std::uint32_t> doubtful_index_, sorted_;
-    std::vector<std::size_t> first_; ///< start of each ball in these, and the end
+    std::vector<std::size_t> first_;   ///< start of each ball in these, and the end
+    std::vector<std::size_t> far_out_; ///< doubtful points far outside their ball
+    Points far_points_;
+    Owners far_owners_; ///< of these
     std::vector<std::uint32_t> rivals_;
     Points doubtful_;
     Deepest deepest_;

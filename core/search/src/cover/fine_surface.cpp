@@ -26,7 +26,8 @@ FineSurface::FineSurface(const Mesh& surface, const Frame& frame, std::size_t pi
     double longest = std::max(std::sqrt(5 * area / number), 4 / number);
     // Needles could require any number of pieces. Then their edges stay longer: some more pieces are enough to begin
     // with, and power cells cut the long ones.
-    std::size_t most_faces = faces.size() + 100'000;
+    const std::size_t more_than_others_take = std::max<std::size_t>(100'000, 4 * pieces);
+    std::size_t most_faces = faces.size() + more_than_others_take;
     while (!halve_long_edges(longest, most_faces)) {
         faces.clear();
         own_edges.clear();

@@ -3,12 +3,15 @@
 #include "claim.hpp"
 #include "crease_points.hpp"
 #include "exposed.hpp"
+#include "near_balls.hpp"
+#include "power_cells.hpp"
 #include "starts.hpp"
 #include "waiting_points.hpp"
 
 #include <foam/base/cancellation.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace foam::inline search::cover {
@@ -33,6 +36,33 @@ float mean_radius(const Balls& balls) {
         sum += ball.r;
     }
     return sum / static_cast<float>(balls.size());
+}
+
+/// Returns, for each ball, whether it contains one of the points that no other ball contains. `owners`: of the points.
+std::vector<char> hold_some_alone(const Balls& balls, const Points& points, const Owners& owners) {
+    std::vector<char> result(balls.size(), 0);
+    NearBalls near;
+    near.update(balls);
+    CancellationCounter some(64);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        some.check();
+        const auto contained_in = [&](std::uint32_t i) {
+            return balls[i].squared_distance(points.x[p], points.y[p], points.z[p]) <= balls[i].r * balls[i].r;
+        };
+        // A ball that contains it alone has the least power there.
+        const std::uint32_t owner = owners.owner[p];
+        if (!result[owner] && contained_in(owner)) {
+            result[owner] = std::ranges::none_of(
+                near.of(owner), [&](std::uint32_t other) { return other != owner && contained_in(other); });
+        }
+    }
+    return result;
+}
+
+/// Returns how far a point lies outside its owner, negative inside.
+float gap_to_owner(const Balls& balls, const Owners& owners, std::size_t point) {
+    const float r = balls[owners.owner[point]].r;
+    return std::sqrt(std::max(0.0f, owners.power[point] + r * r)) - r;
 }
 
 } // namespace
@@ -74,18 +104,12 @@ Balls Improvement::improved(Balls balls, const DescentPlan& plan, bool creases) 
 }
 
 void Improvement::put_idle_to_use(Balls& balls, const Points& points) const {
-    std::vector<char> needed(balls.size(), 0);
-    CancellationCounter some(64);
+    Owners owners;
+    owners.find(points, balls);
+    std::vector<char> needed = hold_some_alone(balls, points, owners);
+    std::vector<float> gaps(points.size());
     for (std::size_t p = 0; p < points.size(); ++p) {
-        some.check();
-        std::size_t holders = 0, last = 0;
-        for (std::size_t i = 0; i < balls.size() && holders < 2; ++i) {
-            if (balls[i].squared_distance(points.x[p], points.y[p], points.z[p]) <= balls[i].r * balls[i].r) {
-                ++holders;
-                last = i;
-            }
-        }
-        needed[last] |= static_cast<char>(holders == 1);
+        gaps[p] = gap_to_owner(balls, owners, p);
     }
     // Among many balls, moving one hardly changes the excess volume of the others.
     const std::size_t often = 1 + balls.size() / 64;
@@ -100,11 +124,14 @@ void Improvement::put_idle_to_use(Balls& balls, const Points& points) const {
         }
         const auto other = std::find_if(order.begin(), order.end(), [&](std::size_t i) { return i != idle; });
         Random random(idle);
-        if (const Balls more = other == order.end() ? balls : split(balls, *other, points, random);
+        if (const Balls more = other == order.end() ? balls : split(balls, *other, points, gaps, random);
             more.size() > balls.size()) {
             balls[*other] = more[*other];
             balls[idle] = more.back();
             needed[*other] = 1;
+            for (const std::uint32_t p : owners.update(points, balls, *other, idle)) {
+                gaps[p] = gap_to_owner(balls, owners, p);
+            }
         }
         if (other != order.end()) {
             order.erase(other);
@@ -114,25 +141,30 @@ void Improvement::put_idle_to_use(Balls& balls, const Points& points) const {
 
 double Improvement::waste(const Balls& balls, std::size_t i) const {
     Exposed exposed;
+    return exposed.look(balls, i, directions_[0]) ? waste(exposed, balls[i]) : 0;
+}
+
+double Improvement::waste(const Exposed& exposed, const Ball& ball) const {
     const Points& directions = directions_[0];
-    const Ball& ball = balls[i];
     double outside = 0;
-    if (exposed.look(balls, i, directions)) {
-        for (std::size_t k = 0; k < directions.size(); ++k) {
-            if (exposed.depth()[k] > 0) {
-                outside +=
-                    problem_.occupancy.outside(ball.x + ball.r * directions.x[k], ball.y + ball.r * directions.y[k],
-                                               ball.z + ball.r * directions.z[k]);
-            }
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+        if (exposed.depth()[k] > 0) {
+            outside += problem_.occupancy.outside(ball.x + ball.r * directions.x[k], ball.y + ball.r * directions.y[k],
+                                                  ball.z + ball.r * directions.z[k]);
         }
     }
     return outside * ball.r * ball.r * ball.r;
 }
 
 std::vector<std::size_t> Improvement::by_waste(const Balls& balls) const {
-    std::vector<double> wastes;
+    NearBalls near;
+    near.update(balls);
+    Exposed exposed;
+    std::vector<double> wastes(balls.size(), 0);
     for (std::size_t i = 0; i < balls.size(); ++i) {
-        wastes.push_back(waste(balls, i));
+        if (exposed.look(balls, i, directions_[0], near.of(i))) {
+            wastes[i] = waste(exposed, balls[i]);
+        }
     }
     return by_falling(wastes);
 }

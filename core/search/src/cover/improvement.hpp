@@ -23,6 +23,8 @@ public:
     std::vector<Sphere> spheres_of(const Balls& balls) const;
 
 private:
+    /// Returns the measure for a ball that was looked at.
+    double waste(const Exposed& exposed, const Ball& ball) const;
     /// Moves balls that contain no point alone to where a ball has most excess volume.
     void put_idle_to_use(Balls& balls, const Points& points) const;
 

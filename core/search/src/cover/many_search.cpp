@@ -35,7 +35,7 @@ ManyPlan many_plan_for(Effort effort) {
     case Effort::fast:
         return {.starts = {2, 128}, .kept = {1, 1}, .rounds = {2, 512}};
     case Effort::normal:
-        return {.starts = {3, 512}, .kept = {1, 1}, .rounds = {3, 1024}};
+        return {.starts = {3, 512}, .kept = {1, 1}, .rounds = {3, 1024, 2}};
     case Effort::best:
         break;
     }
@@ -96,7 +96,7 @@ ManySearch::Found ManySearch::found(const DescentSurface& surface, const std::fu
             result.stopped = true;
             break;
         }
-        result.sets = std::move(descended);
+        std::ranges::move(descended, std::back_inserter(result.sets));
     }
     std::ranges::transform(candidates, std::back_inserter(result.sets), &CoverCandidate::balls);
     return result;

@@ -13,19 +13,27 @@ namespace foam::inline search::cover {
 /// they stay valid while balls move by less.
 class NearBalls {
 public:
-    /// Finds the neighbours anew if the balls have moved too far, or if their number has changed; else O(n).
-    void update(const Balls& balls);
-    /// Returns all balls that come to within `gap` of ball `i`, ascending, and perhaps some more.
-    std::span<const std::uint32_t> of(std::size_t i, float gap = 0) const;
+    /// Finds the neighbours anew if the balls have moved too far, or if their number has changed; else O(n). The lists
+    /// serve gaps up to `gap` at least.
+    void update(const Balls& balls, float gap = 0);
+    /// Returns all balls that come to within `gap` of ball `i`, ascending, and perhaps some more. What is returned is
+    /// valid until the next call.
+    std::span<const std::uint32_t> of(std::size_t i, float gap = 0);
+    /// Returns the largest gap for which of() looks nothing up.
+    float listed_gap() const { return left_; }
 
 private:
-    void find(const Balls& balls);
+    void find(const Balls& balls, float gap);
+    /// Finds balls that come to within more than listed_gap().
+    void look_up(std::size_t i, float gap);
 
-    Balls then_;       ///< the balls of the last search
-    float margin_ = 0; ///< of that search
-    float left_ = -1;  ///< what moves since then have left of it
-    std::vector<std::uint32_t> order_, all_;
+    Balls then_;                       ///< the balls of the last search
+    float margin_ = 0;                 ///< of that search
+    float left_ = -1;                  ///< what moves since then have left of it
+    std::vector<std::uint32_t> order_; ///< the balls by their low ends along x
+    std::vector<float> high_;          ///< the highest end along x of each of these and those before it
     std::vector<std::vector<std::uint32_t>> lists_;
+    std::vector<std::uint32_t> looked_up_;
 };
 
 } // namespace foam::inline search::cover

@@ -122,7 +122,7 @@ Balls divided(const Points& points, Balls balls, std::size_t count, const Limits
         balls.push_back(most->second);
         best.emplace_back();
         // A split hardly changes the gain of other splits.
-        owners.find(points, balls);
+        owners.update(points, balls, i, balls.size() - 1);
         look(i);
         look(balls.size() - 1);
     }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 namespace foam::inline search::cover {
@@ -105,6 +106,48 @@ void Owners::find(const Points& points, const Balls& balls) {
             find_least_powers(points, begin, end, few_of_them, power.data(), owner.data());
         }
     }
+}
+
+/// Assigns the points to ball `index` where its power is less than that of their owner, or equal and its index is less.
+FOAM_FOR_WIDE_VECTORS
+static void offer(const Points& points, const Ball& ball, std::uint32_t index, float* power, std::uint32_t* owner) {
+    const float *x = points.x.data(), *y = points.y.data(), *z = points.z.data();
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        const float here = ball.squared_distance(x[p], y[p], z[p]) - ball.r * ball.r;
+        const bool taken = (here < power[p]) | ((here == power[p]) & (index < owner[p]));
+        power[p] = taken ? here : power[p];
+        owner[p] = taken ? index : owner[p];
+    }
+}
+
+std::vector<std::uint32_t> Owners::update(const Points& points, const Balls& balls, std::size_t one,
+                                          std::size_t other) {
+    std::vector<std::uint32_t> changed;
+    Points lost;
+    const auto is_theirs = [&](std::size_t p) { return owner[p] == one || owner[p] == other; };
+    for (std::uint32_t p = 0; p < points.size(); ++p) {
+        if (is_theirs(p)) {
+            changed.push_back(p);
+            lost.add(points, p);
+            power[p] = -std::numeric_limits<float>::infinity(); // takes no part in what follows
+        }
+    }
+    for (const std::size_t ball : {one, other}) {
+        offer(points, balls[ball], static_cast<std::uint32_t>(ball), power.data(), owner.data());
+    }
+    const std::size_t lost_count = changed.size();
+    for (std::uint32_t p = 0; p < points.size(); ++p) {
+        if (is_theirs(p) && std::isfinite(power[p])) {
+            changed.push_back(p);
+        }
+    }
+    Owners found;
+    found.find(lost, balls);
+    for (std::size_t k = 0; k < lost_count; ++k) {
+        power[changed[k]] = found.power[k];
+        owner[changed[k]] = found.owner[k];
+    }
+    return changed;
 }
 
 void PowerCells::find(const Balls& balls, Borders which) {

@@ -13,6 +13,9 @@ struct Owners {
     std::vector<std::uint32_t> owner;
 
     void find(const Points& points, const Balls& balls);
+    /// Finds them anew after a change of two balls, of which one may be a new one. Linear in the number of points.
+    /// Returns the indices of the points that belonged to the two or belong to them now.
+    std::vector<std::uint32_t> update(const Points& points, const Balls& balls, std::size_t one, std::size_t other);
 };
 
 /// The parts of a surface that belong to each ball: where its power is least (Aurenhammer 1987). The planes between the

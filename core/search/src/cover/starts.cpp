@@ -1,6 +1,7 @@
 #include "starts.hpp"
 
 #include "claim.hpp"
+#include "wide_vectors.hpp"
 
 #include <foam/base/cancellation.hpp>
 
@@ -8,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <ranges>
 
 namespace foam::inline search::cover {
 namespace {
@@ -65,27 +68,61 @@ void lloyd(const Points& points, Balls& balls, int rounds) {
     tighten(points, balls);
 }
 
-/// Returns the points that lie deepest in ball `i`; of equal balls the first counts. Balls near it are compared first:
-/// most points lie deeper in one of them.
-Points deepest_in(const Balls& balls, std::size_t i, const Points& points) {
-    std::vector<std::uint32_t> others;
-    for (std::uint32_t k = 0; k < balls.size(); ++k) {
-        if (k != i) {
-            others.push_back(k);
+FOAM_FOR_WIDE_VECTORS
+void mark_within(const Points& points, const Ball& ball, const float* gaps, char* marks) {
+    constexpr float wider = 1 + 1e-5f; // more than rounding
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        const float reach = std::max(0.0f, (ball.r + gaps[p]) * wider);
+        marks[p] = ball.squared_distance(points.x[p], points.y[p], points.z[p]) <= reach * reach ? 1 : 0;
+    }
+}
+
+/// Returns the points that lie less than their gap outside the ball.
+Points points_within(const Points& points, const Ball& ball, const std::vector<float>& gaps) {
+    std::vector<char> marks(points.size());
+    mark_within(points, ball, gaps.data(), marks.data());
+    Points within;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        if (marks[p]) {
+            within.add(points, p);
         }
     }
-    std::sort(others.begin(), others.end(), [&](std::uint32_t a, std::uint32_t b) {
-        const float to_a = squared_distance(balls[i], balls[a]), to_b = squared_distance(balls[i], balls[b]);
-        return to_a != to_b ? to_a < to_b : a < b;
-    });
+    return within;
+}
+
+float outside(const Ball& ball, const Points& points, std::size_t p) {
+    return std::sqrt(ball.squared_distance(points.x[p], points.y[p], points.z[p])) - ball.r;
+}
+
+/// Returns the other balls that come to within `gap` of ball `i`, the nearest first.
+std::vector<std::uint32_t> others_near(std::size_t i, const Balls& balls, float gap) {
+    std::vector<std::pair<float, std::uint32_t>> others;
+    for (std::uint32_t k = 0; k < balls.size(); ++k) {
+        const float reach = balls[i].r + balls[k].r + gap, squared = squared_distance(balls[i], balls[k]);
+        if (k != i && squared <= reach * reach) {
+            others.emplace_back(squared, k);
+        }
+    }
+    std::ranges::sort(others);
+    std::vector<std::uint32_t> result;
+    std::ranges::copy(std::views::values(others), std::back_inserter(result));
+    return result;
+}
+
+/// Returns those of the points that lie deepest in ball `i`; of equal balls the first counts. The balls nearest to it
+/// are compared first: most points lie deeper in one of them.
+Points deepest_in(const Balls& balls, std::size_t i, const Points& points) {
+    float farthest = 0;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        farthest = std::max(farthest, outside(balls[i], points, p));
+    }
+    constexpr float wider = 1 + 1e-5f; // more than rounding
+    const std::vector<std::uint32_t> others = others_near(i, balls, 2 * farthest * wider);
     Points owned;
     for (std::size_t p = 0; p < points.size(); ++p) {
-        const auto outside = [&](std::size_t k) {
-            return std::sqrt(balls[k].squared_distance(points.x[p], points.y[p], points.z[p])) - balls[k].r;
-        };
-        const float own = outside(i);
-        if (std::none_of(others.begin(), others.end(), [&](std::uint32_t k) {
-                const float other = outside(k);
+        const float own = outside(balls[i], points, p);
+        if (std::ranges::none_of(others, [&](std::uint32_t k) {
+                const float other = outside(balls[k], points, p);
                 return other < own || (other == own && k < i);
             })) {
             owned.add(points, p);
@@ -183,8 +220,8 @@ std::array<Vec3, 3> axes_of(const Points& points) {
     return {Vec3{v(0, 2), v(1, 2), v(2, 2)}, Vec3{v(0, 1), v(1, 1), v(2, 1)}, Vec3{v(0, 0), v(1, 0), v(2, 0)}};
 }
 
-Balls split(const Balls& balls, std::size_t i, const Points& points, Random& random) {
-    const Points owned = deepest_in(balls, i, points);
+Balls split(const Balls& balls, std::size_t i, const Points& points, const std::vector<float>& gaps, Random& random) {
+    const Points owned = deepest_in(balls, i, points_within(points, balls[i], gaps));
     Balls result = balls;
     if (owned.size() < 2) {
         return result;

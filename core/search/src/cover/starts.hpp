@@ -26,8 +26,8 @@ std::array<std::size_t, 3> most_cubic(const Points& points, const std::array<Vec
 std::array<Vec3, 3> axes_of(const Points& points);
 
 /// Returns the balls with two in place of ball `i`: clusters of the points that lie deepest in it. Returns the same
-/// balls if there are too few points.
-Balls split(const Balls& balls, std::size_t i, const Points& points, Random& random);
+/// balls if there are too few points. `gaps`: how far each point lies outside the balls, at most.
+Balls split(const Balls& balls, std::size_t i, const Points& points, const std::vector<float>& gaps, Random& random);
 
 /// Returns grids of `count` cells or fewer along the frame's axes and along the points' own: nearly cubic cells, and a
 /// row where it is not too long.
