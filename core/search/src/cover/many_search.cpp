@@ -35,7 +35,7 @@ ManyPlan many_plan_for(Effort effort) {
     case Effort::fast:
         return {.starts = {2, 128}, .kept = {1, 1}, .rounds = {2, 512}};
     case Effort::normal:
-        return {.starts = {3, 512}, .kept = {1, 1}, .rounds = {3, 1024, 2}};
+        return {.starts = {3, 512}, .kept = {1, 1}, .rounds = {2, SIZE_MAX}};
     case Effort::best:
         break;
     }

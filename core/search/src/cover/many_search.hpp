@@ -14,10 +14,10 @@ namespace foam::inline search::cover {
 
 /// The parameters of an effort. The more balls, the fewer repetitions.
 struct ManyPlan {
-    /// At most `most`, and not more than `balls` balls in all of them; at least `least`.
+    /// At most `most`, and not more than `balls` balls in all of them; at least one.
     struct Repetitions {
-        std::size_t most, balls, least = 1;
-        std::size_t of(std::size_t count) const { return std::clamp(balls / count, least, most); }
+        std::size_t most, balls;
+        std::size_t of(std::size_t count) const { return std::clamp<std::size_t>(balls / count, 1, most); }
     };
     Repetitions starts; ///< sets of clusters to begin with
     Repetitions kept;   ///< the best of them, which are refined
