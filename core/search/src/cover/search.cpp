@@ -209,7 +209,7 @@ Balls Search::one_more(const Balls& cover) const {
 /// The larger set is found once, and merged for all counts that it serves. Sets of more than 48 balls are not merged:
 /// about round bodies clusters are better starts.
 Balls Search::merged(const DescentSurface& surface, std::size_t count) {
-    constexpr std::size_t most = 48, larger_for_some = 32, larger = 64, points_a_ball = 6, fewest_points = 800;
+    constexpr std::size_t most = 48, larger_for_some = 32, larger = 64;
     if (count > most) {
         return {};
     }
@@ -218,9 +218,7 @@ Balls Search::merged(const DescentSurface& surface, std::size_t count) {
     auto known = merged_.find(before);
     if (known == merged_.end()) {
         Random random(derive_seed(options_.seed, "merged") + before);
-        const Points body = body_points(problem_, std::max(fewest_points, points_a_ball * before));
-        const DescentPlan far{.steps = plan_.coarse_steps, .first_step = 0.2f, .last_step = 0.01f};
-        const Balls balls = improvement_.improved(clusters(body, before, random), far, false);
+        const Balls balls = moved_far(clusters(body_, before, random));
         known = merged_
                     .emplace(before, merged_sets(surface.skin, problem_.occupancy, settled(surface, balls, 1).balls,
                                                  some ? Plan::most_few : Plan::most_some))
@@ -307,21 +305,18 @@ void Search::add_restarts(std::size_t count, std::vector<CoverCandidate>& rated)
     });
 }
 
-/// Starts are clusters after long steps, which move lost balls to better places, and balls merged from more.
+/// Starts are clusters after long steps, and balls merged from more.
 std::vector<CoverCandidate> Search::starts_of_many(std::size_t count) {
     Random random(derive_seed(options_.seed, "starts") + count);
-    constexpr std::size_t points_a_ball = 6; // fewer would make clusters of one point, balls without size
-    const Points more = points_a_ball * count > body_.size() ? body_points(problem_, points_a_ball * count) : Points{};
     const CountPlan& plan = plan_.of(count);
     std::vector<CoverCandidate> rated(plan.restarts);
     for (CoverCandidate& start : rated) {
-        start.balls = clusters(more.size() > body_.size() ? more : body_, count, random);
+        start.balls = clusters(body_, count, random);
     }
     const DescentSurface& surface = quick_.surface_for(count);
-    const DescentPlan far{.steps = plan_.coarse_steps, .first_step = 0.2f, .last_step = 0.01f};
     parallel_for(rated.size(), [&](std::size_t i) {
         constexpr int gradient_steps = 2; // enough to find the best
-        rated[i] = settled(surface, improvement_.improved(rated[i].balls, far, false), gradient_steps);
+        rated[i] = settled(surface, moved_far(rated[i].balls), gradient_steps);
     });
     if (const Balls balls = plan.merged ? merged(surface, count) : Balls{}; !balls.empty()) {
         rated.push_back(settled(surface, balls, plan.first_gradient_steps));
@@ -347,6 +342,11 @@ Balls Search::exchanged_finely(const Balls& balls) const {
     Exchange exchange(problem_, skin_, plan, balls);
     exchange.settle();
     return exchange.balls();
+}
+
+Balls Search::moved_far(const Balls& balls) const {
+    const DescentPlan far{.steps = plan_.coarse_steps, .first_step = 0.2f, .last_step = 0.01f};
+    return improvement_.improved(balls, far, false);
 }
 
 Balls Search::refined(const Balls& balls) const {

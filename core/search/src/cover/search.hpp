@@ -100,6 +100,8 @@ private:
     void add_restarts(std::size_t count, std::vector<CoverCandidate>& rated);
     Balls exchanged(const Balls& balls) const;
     Balls exchanged_finely(const Balls& balls) const;
+    /// Returns the balls after long steps, which move lost ones to better places.
+    Balls moved_far(const Balls& balls) const;
     Balls refined(const Balls& balls) const;
     CoverCandidate settled(const DescentSurface& surface, const Balls& balls, int steps) const;
     Model finished(const Balls& balls) const;
@@ -110,7 +112,7 @@ private:
     Plan plan_;
     Problem problem_;
     IndexedSurface skin_, coarse_skin_; ///< the same where there are few points
-    Points body_;
+    Points body_; ///< more than six a ball: fewer would make clusters of one point, balls without size
     Improvement improvement_;
     std::optional<Splitting> splitting_; ///< made on first use
     QuickSearch quick_;
