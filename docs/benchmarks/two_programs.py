@@ -6,8 +6,10 @@ process `foam spherize` of its own, from the start to the written file, with its
 cache. The programs take turns, three times; medians of user and system time.
 """
 import json
+import os
 import pathlib
 import shlex
+import signal
 import statistics
 import subprocess
 import sys
@@ -46,12 +48,17 @@ def measured(program, input_file, count, effort, folder):
     """(CPU seconds, excess, largest resident MB); None: it takes too long."""
     command = ["/usr/bin/time", "-f", "%U %S %M", "-o", str(folder / "time"), *shlex.split(program), "spherize", str(input_file), "-n", str(count),
                "--fresh", "-j1", "--json", "-o", str(folder / "out.json"), "--set", f"stages.spherize.cover.effort={effort}"]
+    # A group of its own: with the process that measures, the program ends too.
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
     try:
-        done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=LONGEST)
+        output, _ = process.communicate(timeout=LONGEST)
     except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)
+        process.communicate()
         return None
+    assert process.returncode == 0, command
     user, system, size = (folder / "time").read_text().split()[-3:]
-    total = json.loads(done.stdout)["total"]
+    total = json.loads(output)["total"]
     assert total["certified"], command
     return float(user) + float(system), total["excess"], int(size) / 1000
 

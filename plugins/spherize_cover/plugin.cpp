@@ -96,7 +96,7 @@ FOAM_PLUGIN("spherize_cover", "1.0", "Apache-2.0") {
             "Covering spheres with the least excess volume: splits by planes, then refinement of all spheres; proved.",
         .reference =
             "Wang et al.: Variational sphere set approximation for solid objects. The Visual Computer 22, 2006",
-        .revision = 24,
+        .revision = 25,
         .parameters =
             {
                 foam::Parameter::choice("effort", {"fast", "normal", "best"}, "normal")

@@ -211,16 +211,18 @@ double power_of_last_doubling(const ShapeWork& work, std::size_t explored) {
 
 /// Returns the power of the count with which a shape's costs are expected to fall. On links of robots, costs of spheres
 /// were observed to fall as count^-0.4, and faster for the first few: one sphere suits hardly any link. Then they are
-/// expected to fall nearly as they did last: counts that no link gets in the end take much of a run's time. Other
-/// elements differ more: what was seen of the shape counts, beside one doubling at the usual power.
+/// expected to fall as they did last, and by less beyond eight: counts that no link gets in the end take much of a run's
+/// time. Other elements differ more: what was seen of the shape counts, beside one doubling at the usual power.
 double expected_power(const ShapeWork& work, std::size_t explored) {
-    constexpr double steep = 0.7, usual = 0.4, flattest = 0.2, steepest = 0.48, nearly = 0.8;
+    constexpr double steep = 0.7, usual = 0.4, flattest = 0.25, steepest = 0.6, less = 0.8;
     constexpr double doubling = std::numbers::ln2;
-    constexpr std::size_t few = 2, some = 4;
+    constexpr std::size_t few = 2, some = 4, several = 8;
     if (spheres_alone(work.kinds)) {
-        return explored <= few    ? steep
-               : explored <= some ? usual
-                                  : std::clamp(nearly * power_of_last_doubling(work, explored), flattest, steepest);
+        if (explored <= some) {
+            return explored <= few ? steep : usual;
+        }
+        const double last = std::clamp(power_of_last_doubling(work, explored), flattest, steepest);
+        return explored <= several ? last : less * last;
     }
     const double first = work.known.curve.known().begin()->second.volume, now = work.known.curve.least().volume;
     const double fallen = now > 0 ? std::log(std::max(first / now, 1.0)) : 0;
