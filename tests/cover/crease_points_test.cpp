@@ -13,24 +13,24 @@
 namespace {
 
 using namespace foam;
-using cover::SurfacePiece, cover::SurfacePoint;
+using cover::SurfacePiece, cover::PieceCorner;
 
 constexpr float finest = 0.03f;
 
 /// A square of side 2 about the origin, as two triangles.
 const std::vector<SurfacePiece>& square() {
-    constexpr SurfacePoint a{-1, -1, 0}, b{1, -1, 0}, c{1, 1, 0}, d{-1, 1, 0};
+    constexpr PieceCorner a{-1, -1, 0}, b{1, -1, 0}, c{1, 1, 0}, d{-1, 1, 0};
     static const std::vector<SurfacePiece> triangles{{0, {a, b, c}}, {7, {a, c, d}}};
     return triangles;
 }
 
-float between(const SurfacePoint& a, const SurfacePoint& b) {
+float between(const PieceCorner& a, const PieceCorner& b) {
     return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
 }
 
 /// Whether a point lies no farther from a piece than rounding.
 bool lies_in(const SurfacePiece& piece, float x, float y) {
-    const auto turn = [&](const SurfacePoint& a, const SurfacePoint& b) {
+    const auto turn = [&](const PieceCorner& a, const PieceCorner& b) {
         return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
     };
     const auto& [a, b, c] = piece.corners;

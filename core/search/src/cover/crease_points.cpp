@@ -23,7 +23,7 @@ bool holds(const Sphere& s, const Corners& t) {
     return holds(s, t.a) && holds(s, t.b) && holds(s, t.c);
 }
 
-SurfacePoint surface_point(const Vec3& p) {
+PieceCorner piece_corner(const Vec3& p) {
     return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
 }
 
@@ -73,7 +73,7 @@ static std::vector<SurfacePiece> not_in_one(const Solid& solid, const Frame& fra
                 const Corners corners{frame.to_unit(surface.vertices[a]), frame.to_unit(surface.vertices[b]),
                                       frame.to_unit(surface.vertices[c])};
                 if (std::none_of(nearer.begin(), nearer.end(), [&](const Sphere& s) { return holds(s, corners); })) {
-                    open.push_back({i, {surface_point(corners.a), surface_point(corners.b), surface_point(corners.c)}});
+                    open.push_back({i, {piece_corner(corners.a), piece_corner(corners.b), piece_corner(corners.c)}});
                 }
             }
         }

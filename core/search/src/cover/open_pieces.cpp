@@ -45,7 +45,7 @@ struct BlockedBalls {
 };
 
 FOAM_FOR_WIDE_VECTORS
-void find_holders(const BlockedBalls& balls, std::size_t begin, std::size_t blocks, const SurfacePoint& p,
+void find_holders(const BlockedBalls& balls, std::size_t begin, std::size_t blocks, const PieceCorner& p,
                   Holders& holders) {
     // Hot loop of the search, vectorised by hand: eight balls at a time.
     using Lanes = float __attribute__((vector_size(32)));
@@ -65,12 +65,12 @@ void find_holders(const BlockedBalls& balls, std::size_t begin, std::size_t bloc
     std::memcpy(holders.bits.data(), &result, sizeof result);
 }
 
-float squared_length(const SurfacePoint& a, const SurfacePoint& b) {
+float squared_length(const PieceCorner& a, const PieceCorner& b) {
     const float dx = a.x - b.x, dy = a.y - b.y, dz = a.z - b.z;
     return dx * dx + dy * dy + dz * dz;
 }
 
-SurfacePoint middle_of(const SurfacePoint& a, const SurfacePoint& b) {
+PieceCorner middle_of(const PieceCorner& a, const PieceCorner& b) {
     return {(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
 }
 
@@ -97,7 +97,7 @@ public:
 
 private:
     struct Corner {
-        SurfacePoint at;
+        PieceCorner at;
         Holders holders;
     };
     /// The balls that matter to a piece: a list of blocked_, and the same as indices in selected_.
@@ -105,7 +105,7 @@ private:
         std::size_t begin, blocks, first, last;
         int level; ///< of the piece
     };
-    using Corners = std::array<SurfacePoint, 3>;
+    using Corners = std::array<PieceCorner, 3>;
     static constexpr int deepest = 120;
 
     void select_for(std::span<const SurfacePiece> group) {
@@ -113,13 +113,13 @@ private:
         std::iota(selected_.begin(), selected_.end(), 0u);
         Box box;
         for (const SurfacePiece& piece : group) {
-            for (const SurfacePoint& p : piece.corners) {
+            for (const PieceCorner& p : piece.corners) {
                 box.add(Vec3{p.x, p.y, p.z});
             }
         }
         const Vec3 middle = box.center();
-        const SurfacePoint place{static_cast<float>(middle.x), static_cast<float>(middle.y),
-                                 static_cast<float>(middle.z)};
+        const PieceCorner place{static_cast<float>(middle.x), static_cast<float>(middle.y),
+                                static_cast<float>(middle.z)};
         const std::size_t count = selected_.size();
         sift(place, static_cast<float>(box.diagonal() / 2), 0, count);
         selected_.erase(selected_.begin(), selected_.begin() + static_cast<std::ptrdiff_t>(count));
@@ -133,7 +133,7 @@ private:
         const auto& [a, b, c] = t;
         const float ab = squared_length(a, b), bc = squared_length(b, c), ca = squared_length(c, a);
         const float longest = std::max({ab, bc, ca});
-        const SurfacePoint middle{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3};
+        const PieceCorner middle{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3};
         constexpr float farthest = 2.0f / 3; // a corner from the middle, in lengths of the longest edge
         const std::size_t first = selected_.size(), last = sift(middle, farthest * std::sqrt(longest), begin, end);
         if (last - first <= lanes * most_blocks) {
@@ -145,7 +145,7 @@ private:
             open_.push_back({triangle_, t});
         } else {
             const bool is_ab = ab == longest, is_bc = !is_ab && bc == longest;
-            const SurfacePoint half = is_ab ? middle_of(a, b) : is_bc ? middle_of(b, c) : middle_of(c, a);
+            const PieceCorner half = is_ab ? middle_of(a, b) : is_bc ? middle_of(b, c) : middle_of(c, a);
             select(is_ab ? Corners{a, half, c} : Corners{a, b, half}, level + 1, first, last);
             select(is_bc ? Corners{a, half, c} : Corners{half, b, c}, level + 1, first, last);
         }
@@ -178,7 +178,7 @@ private:
         divide(is_bc ? std::array{a, half, c} : std::array{half, b, c}, level + 1, list);
     }
 
-    Corner at(const SurfacePoint& p, const List& list) const {
+    Corner at(const PieceCorner& p, const List& list) const {
         Corner corner{p, {}};
         find_holders(blocked_, list.begin, list.blocks, p, corner.holders);
         return corner;
@@ -195,7 +195,7 @@ private:
     }
 
     /// Appends those that may be nearest to some point within `size` of a place; returns the new end.
-    std::size_t sift(const SurfacePoint& place, float size, std::size_t begin, std::size_t end) {
+    std::size_t sift(const PieceCorner& place, float size, std::size_t begin, std::size_t end) {
         float least = std::numeric_limits<float>::infinity();
         gaps_.clear();
         for (std::size_t k = begin; k < end; ++k) {

@@ -11,14 +11,14 @@
 
 namespace foam::inline search::cover {
 
-struct SurfacePoint {
+struct PieceCorner {
     float x, y, z;
 };
 
 /// A triangle, or a piece of it.
 struct SurfacePiece {
     std::uint32_t triangle; ///< index in the surface
-    std::array<SurfacePoint, 3> corners;
+    std::array<PieceCorner, 3> corners;
 };
 
 /// Divides triangles that no ball contains until each piece is in one ball or its edges are no longer than `finest`.
