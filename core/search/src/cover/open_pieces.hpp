@@ -22,8 +22,8 @@ struct SurfacePiece {
 };
 
 /// Divides triangles that no ball contains until each piece is in one ball or its edges are no longer than `finest`.
-/// Returns the pieces that are in none, in the order of the triangles; nothing if they are more than `most`. Of the balls
-/// near a piece, those that lie behind others everywhere are not looked at: a few pieces may be in one of these.
+/// Returns the pieces that are in none, in the order of the triangles; nothing if they are more than `most`. Balls that
+/// lie behind others everywhere near a piece are not looked at: a few pieces may be in one of these.
 std::optional<std::vector<SurfacePiece>> open_pieces(std::span<const SurfacePiece> triangles, const Balls& balls,
                                                      float finest, std::size_t most);
 
