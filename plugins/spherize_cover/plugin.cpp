@@ -96,12 +96,12 @@ FOAM_PLUGIN("spherize_cover", "1.0", "Apache-2.0") {
             "Covering spheres with the least excess volume: splits by planes, then refinement of all spheres; proved.",
         .reference =
             "Wang et al.: Variational sphere set approximation for solid objects. The Visual Computer 22, 2006",
-        .revision = 25,
+        .revision = 26,
         .parameters =
             {
                 foam::Parameter::choice("effort", {"fast", "normal", "best"}, "normal")
-                    .doc("How long to search: fast takes a third to two thirds of the time of normal, best eight to "
-                         "twenty times as long for a few per cent less."),
+                    .doc("How long to search: fast takes a third to two thirds of the time of normal, best six to "
+                         "twenty-five times as long for a few per cent less."),
                 foam::Parameter::choice("objective", {"excess", "protrusion", "radius"}, "excess")
                     .doc("What is minimised: the excess volume, the largest protrusion, or the largest radius, for "
                          "planners that use spheres of one radius."),

@@ -214,7 +214,7 @@ double power_of_last_doubling(const ShapeWork& work, std::size_t explored) {
 /// expected to fall as they did last, and by less beyond eight: counts that no link gets in the end take much of a run's
 /// time. Other elements differ more: what was seen of the shape counts, beside one doubling at the usual power.
 double expected_power(const ShapeWork& work, std::size_t explored) {
-    constexpr double steep = 0.7, usual = 0.4, flattest = 0.25, steepest = 0.6, less = 0.8;
+    constexpr double steep = 0.7, usual = 0.4, flattest = 0.25, steepest = 0.6, less = 0.7;
     constexpr double doubling = std::numbers::ln2;
     constexpr std::size_t few = 2, some = 4, several = 8;
     if (spheres_alone(work.kinds)) {

@@ -24,58 +24,52 @@ constexpr std::size_t few_points = 500;
 } // namespace
 
 Plan plan_for(Effort effort) {
+    Plan plan{.resolution = 48,
+              .points = 3000,
+              .first_points = 500,
+              .directions = 96,
+              .coarse_steps = 120,
+              .fine_steps = 120,
+              .most_moves = 0,
+              .most_moved = 8,
+              .most_behind = 1.06,
+              .skin_resolution = 16};
     if (effort == Effort::best) {
         constexpr ExchangePlan exchange{{24, 7, 4, 80}, 80, 12, 20};
-        constexpr CountPlan few{.quick = true,
-                                .restarts = 48,
-                                .kept = 6,
+        plan.coarse_steps = 200;
+        plan.fine_steps = 160;
+        plan.most_moves = 3;
+        plan.most_moved = 12;
+        plan.most_behind = 1.5;
+        plan.skin_resolution = 32;
+        plan.few = plan.some = {.quick = true,
+                                .restarts = 12,
+                                .kept = 2,
                                 .first_gradient_steps = 4,
                                 .last_gradient_steps = 40,
                                 .exchange = exchange};
-        constexpr CountPlan many{.merged = true,
-                                 .grown = true,
-                                 .restarts = 12,
-                                 .kept = 3,
-                                 .first_gradient_steps = 4,
-                                 .last_gradient_steps = 40,
-                                 .exchange = exchange};
-        CountPlan some = few;
-        some.merged = true;
-        return {.resolution = 96,
-                .points = 6000,
-                .first_points = 1000,
-                .directions = 128,
-                .coarse_steps = 200,
-                .fine_steps = 160,
-                .most_moves = 3,
-                .most_moved = 12,
-                .most_behind = 1.5,
-                .skin_resolution = 32,
-                .few = few,
-                .some = some,
-                .between = many,
-                .several = many,
-                .many = many};
+        plan.some.merged = true;
+        plan.some.swaps = 48;
+        plan.between = plan.several = plan.many = {.merged = true,
+                                                   .grown = true,
+                                                   .restarts = 3,
+                                                   .first_gradient_steps = 4,
+                                                   .last_gradient_steps = 40,
+                                                   .exchange = exchange};
+        plan.several.swaps = 64;
+        plan.many.swaps = 32;
+        return plan;
     }
     constexpr TwoBallSearch::Plan split{16, 5, 2, 40};
     constexpr ExchangePlan thorough{split, 20, 4, 12}, exchange{split, 12, 1, 12};
-    return {
-        .resolution = 48,
-        .points = 3000,
-        .first_points = 500,
-        .directions = 96,
-        .coarse_steps = 120,
-        .fine_steps = 120,
-        .most_moves = 0,
-        .most_moved = 8,
-        .most_behind = 1.06,
-        .skin_resolution = 16,
-        .few =
-            {.quick = true, .restarts = 1, .first_gradient_steps = 2, .last_gradient_steps = 10, .exchange = thorough},
-        .some = {.merged = true, .first_gradient_steps = 4, .last_gradient_steps = 20, .exchange = exchange},
-        .between = {.grown = true, .first_gradient_steps = 4, .last_gradient_steps = 20},
-        .several = {.merged = true, .grown = true, .first_gradient_steps = 4, .last_gradient_steps = 20},
-        .many = {.merged = true, .grown = true, .restarts = 2, .first_gradient_steps = 4, .last_gradient_steps = 20}};
+    plan.few = {
+        .quick = true, .restarts = 1, .first_gradient_steps = 2, .last_gradient_steps = 10, .exchange = thorough};
+    plan.some = {.merged = true, .first_gradient_steps = 4, .last_gradient_steps = 20, .exchange = exchange};
+    plan.between = {.grown = true, .first_gradient_steps = 4, .last_gradient_steps = 20};
+    plan.several = {.merged = true, .grown = true, .first_gradient_steps = 4, .last_gradient_steps = 20};
+    plan.many = plan.several;
+    plan.many.swaps = 2;
+    return plan;
 }
 
 Plan plan_for_coarse(Effort effort) {
@@ -136,6 +130,10 @@ Search::Model Search::model(std::size_t count) {
         if (stopped()) {
             return best;
         }
+    }
+    if (const int swaps = plan_.of(count).swaps; swaps > 0 && !stopped()) {
+        const RandomSwaps random_swaps(problem_, improvement_, quick_.surface_for(count).skin, coarse_skin_);
+        take(random_swaps.improved(best.balls, count, swaps, options_.seed + count, options_.stop).balls);
     }
     for (int round = 0; round < plan_.most_moves && count <= plan_.most_moved && !stopped(); ++round) {
         const double joint = best.joint;

@@ -5,6 +5,7 @@
 #include "improvement.hpp"
 #include "ladder.hpp"
 #include "quick_search.hpp"
+#include "random_swaps.hpp"
 
 #include <foam/base/random.hpp>
 #include <foam/search/spherize.hpp>
@@ -22,6 +23,7 @@ struct CountPlan {
     bool grown = false;       ///< starts from the balls for a smaller count, split one by one
     std::size_t restarts = 0; ///< random starts
     std::size_t kept = 1;     ///< refined starts
+    int swaps = 0;            ///< random swaps that are tried
     int first_gradient_steps = 0, last_gradient_steps = 0; ///< of each start, and of those that are kept
     ExchangePlan exchange{};                               ///< for counts up to most_some
 };
