@@ -24,12 +24,8 @@ struct Example {
         : solid(sample::solids().at("TwoBoxes")()), problem(*solid, resolution, points, 0),
           improvement(problem, directions, first_points), skin(solid->surface(), problem.frame, pieces),
           coarse(solid->surface(), problem.frame) {
-        const auto balls_of = [&](std::size_t part) {
-            const std::size_t triangle = solid->part_offsets()[part];
-            const auto& surface = solid->surface();
-            return problem.frame.to_unit(surface.vertices[surface.triangles[triangle][0]]);
-        };
-        const Vec3 one = balls_of(0), other = balls_of(1);
+        const auto& vertices = solid->surface().vertices;
+        const Vec3 one = problem.frame.to_unit(vertices.front()), other = problem.frame.to_unit(vertices.back());
         for (int k = 0; k < 5; ++k) {
             balls.push_back(ball_of({one + Vec3{0.01 * k, 0, 0}, 0.5}));
         }
