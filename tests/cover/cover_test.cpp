@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <memory>
+
 namespace {
 
 using namespace foam;
@@ -180,6 +182,24 @@ TEST(Spherize, StoppedAtAnyTimeItIsAsGoodAsFast) {
         if (polls > 2) { // those of the effort fast are over
             EXPECT_LE(cover.volume, fast);
         }
+    }
+}
+
+TEST(Spherize, ASearchThatWasStoppedOnceKeepsNoHalfResult) {
+    const auto solid = sample::solids().at("Bracket")();
+    constexpr std::size_t count = 64; // it ends with random swaps
+    int asked = 0, stopped_at = -1;
+    const auto search = [&] {
+        asked = 0;
+        return std::make_unique<CoverSearch>(*solid, SpherizeOptions{.stop = [&] { return asked++ == stopped_at; }});
+    };
+    const std::vector<Sphere> whole = search()->cover(count).spheres;
+    constexpr int last_questions = 5;
+    const int questions = asked;
+    for (stopped_at = questions - last_questions; stopped_at < questions; ++stopped_at) {
+        const auto stopped = search();
+        stopped->cover(count);
+        EXPECT_EQ(stopped->cover(count).spheres, whole) << "stopped at question " << stopped_at << " of " << questions;
     }
 }
 

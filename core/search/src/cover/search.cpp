@@ -133,7 +133,7 @@ Search::Model Search::model(std::size_t count) {
     }
     if (const int swaps = plan_.of(count).swaps; swaps > 0 && !stopped()) {
         const RandomSwaps random_swaps(problem_, improvement_, quick_.surface_for(count).skin, coarse_skin_);
-        take(random_swaps.improved(best.balls, count, swaps, options_.seed + count, options_.stop).balls);
+        take(random_swaps.improved(best.balls, count, swaps, options_.seed + count, [&] { return stopped(); }).balls);
     }
     for (int round = 0; round < plan_.most_moves && count <= plan_.most_moved && !stopped(); ++round) {
         const double joint = best.joint;
