@@ -1,4 +1,5 @@
 // Fewer balls out of many.
+#include "cover/expect_contained.hpp"
 #include "search/src/cover/added_volume.hpp"
 #include "search/src/cover/merging.hpp"
 
@@ -45,16 +46,7 @@ TEST_P(MergedSets, HaveOneBallFewerEachAndContainTheSurface) {
     const std::size_t last = solid->parts().size(); // parts apart from each other are never merged
     for (std::size_t count = std::max(fewest, last); count < sets.size(); ++count) {
         ASSERT_EQ(sets[count].size(), count);
-        for (std::size_t p = 0; p < example.skin.points.size(); ++p) {
-            const Points& points = example.skin.points;
-            ASSERT_TRUE(std::ranges::any_of(sets[count],
-                                            [&](const Ball& ball) {
-                                                return std::sqrt(ball.squared_distance(points.x[p], points.y[p],
-                                                                                       points.z[p])) <=
-                                                       ball.r * (1 + 1e-5f);
-                                            }))
-                << "point " << p << " of " << count << " balls";
-        }
+        ASSERT_NO_FATAL_FAILURE(test::expect_contained(example.skin, sets[count]));
     }
     for (std::size_t count = 0; count < fewest; ++count) {
         EXPECT_TRUE(sets[count].empty());

@@ -1,14 +1,11 @@
 // Single balls that move to where they are worth more.
+#include "cover/expect_contained.hpp"
 #include "search/src/cover/conditional_gradient.hpp"
 #include "search/src/cover/random_swaps.hpp"
 
-#include <foam/base/parallel.hpp>
 #include <foam/runtime/contract.hpp>
 
 #include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace {
 
@@ -42,25 +39,13 @@ struct Example {
     Balls balls;
 };
 
-void expect_cover(const FineSurface& skin, const Balls& balls) {
-    for (std::size_t p = 0; p < skin.points.size(); ++p) {
-        ASSERT_TRUE(std::ranges::any_of(balls,
-                                        [&](const Ball& ball) {
-                                            return std::sqrt(ball.squared_distance(skin.points.x[p], skin.points.y[p],
-                                                                                   skin.points.z[p])) <=
-                                                   ball.r * (1 + 1e-5f);
-                                        }))
-            << "point " << p;
-    }
-}
-
 TEST(RandomSwaps, MoveBallsToAnotherPart) {
     const Example example;
     const CoverCandidate best = example.swaps().improved(example.balls, example.balls.size(), 24, 1, {});
     EXPECT_LE(best.balls.size(), example.balls.size());
     const double excess = example.settled().volume - example.problem.volume;
     EXPECT_LT(best.volume - example.problem.volume, 0.8 * excess);
-    expect_cover(example.skin, best.balls);
+    test::expect_contained(example.skin, best.balls);
 }
 
 TEST(RandomSwaps, AddMissingBalls) {
@@ -69,7 +54,7 @@ TEST(RandomSwaps, AddMissingBalls) {
     const CoverCandidate best = example.swaps().improved(example.balls, 8, 1, 1, {});
     EXPECT_EQ(best.balls.size(), 8u);
     EXPECT_LT(best.volume, example.settled().volume);
-    expect_cover(example.skin, best.balls);
+    test::expect_contained(example.skin, best.balls);
 }
 
 TEST(RandomSwaps, NeverMakeBallsWorse) {
@@ -89,7 +74,7 @@ TEST(RandomSwaps, EndWhereTheSearchIsStopped) {
     const CoverCandidate best =
         example.swaps().improved(example.balls, example.balls.size(), 1000, 1, [&] { return ++asked > 2; });
     EXPECT_EQ(asked, 3);
-    expect_cover(example.skin, best.balls);
+    test::expect_contained(example.skin, best.balls);
 }
 
 } // namespace
