@@ -121,15 +121,22 @@ int convert(Program& program, const ConvertArguments& arguments) {
     }
     model.provenance = fmt::format("foam {}; {}, {}; {}; {}", version(), file.file.filename().string(), file.format,
                                    counts_text(kinds), proof);
-    if (lists_pairs(format.info, parameters) && original && model.groups.size() > 1) {
-        model.ignored_pairs = ignored_pairs_of(model, positions_of(arguments.pose, "--pose"), &stop_on_interrupt());
-    }
     if (!arguments.into.empty()) {
         if (!format.info.consumer.edits) {
             throw Error(ErrorCode::usage,
                         fmt::format("{} writes whole files; remedy: without --into", format.info.name));
         }
         model.into = TextFile{arguments.into, text_of_file(arguments.into)};
+    }
+    if (lists_pairs(format.info, parameters) && original && model.groups.size() > 1) {
+        model.ignored_pairs = ignored_pairs_of(model, &stop_on_interrupt());
+    }
+    if (format.info.consumer.rest_pose) {
+        const std::string sentence = give_rest_pose(
+            model, model.into ? group_states(model.into->text, model.into->file.string()) : std::vector<GroupState>{});
+        if (!sentence.empty()) {
+            tell("note: " + sentence);
+        }
     }
     Telling context(arguments.verbose);
     const std::vector<WrittenFile> files = written_files(*writer, format.info, model, arguments.output, context);

@@ -5,15 +5,19 @@
 #include "commands.hpp"
 #include "ignored_elsewhere.hpp"
 #include "judge.hpp"
+#include "progress.hpp"
 #include "table.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/base/internal/files.hpp>
 #include <foam/base/text.hpp>
+#include <foam/collision/reference_pose.hpp>
 #include <foam/judge/judge_json.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <set>
 
@@ -63,7 +67,7 @@ std::size_t count(const CollisionModel& model, CollisionModel::Source source) {
 
 std::string model_text(const SelfCollisionArguments& arguments, const CollisionModel& model) {
     using Source = CollisionModel::Source;
-    const std::size_t given = count(model, Source::given), covers = count(model, Source::cover);
+    const std::size_t given = count(model, Source::geometry), covers = count(model, Source::cover);
     if (!arguments.model.empty()) {
         return fmt::format("the spheres of {}", arguments.model);
     }
@@ -79,14 +83,14 @@ std::string percent(double share) {
 }
 
 std::string summary(const SelfCollisionMatrix& matrix) {
-    const std::size_t checked = matrix.count(PairReason::none);
+    const std::size_t checked = matrix.count(PairReason::none), by_pose = matrix.count(PairReason::default_pose);
     const auto proved =
         std::count_if(matrix.pairs.begin(), matrix.pairs.end(), [](const LinkPair& pair) { return pair.proved; });
     std::string text =
-        fmt::format("{} pairs: {} adjacent, {} always touching, {} touching in the reference pose, {} "
-                    "never touching; {} proved; {} to check.\n",
+        fmt::format("{} pairs: {} adjacent, {} always touching, {}{} never touching; {} proved; {} to check.\n",
                     matrix.pairs.size(), matrix.count(PairReason::adjacent), matrix.count(PairReason::always),
-                    matrix.count(PairReason::default_pose), matrix.count(PairReason::never), proved, checked);
+                    by_pose > 0 ? fmt::format("{} touching in the pose, ", by_pose) : "",
+                    matrix.count(PairReason::never), proved, checked);
     const auto sampled = std::count_if(matrix.pairs.begin(), matrix.pairs.end(), [](const LinkPair& pair) {
         return pair.reason == PairReason::never && !pair.proved;
     });
@@ -111,15 +115,31 @@ std::string evidence(const SelfCollisionMatrix& matrix, const LinkPair& pair) {
     if (pair.unbounded) {
         return "a planar or floating joint lies in between";
     }
+    if (pair.geometry_samples == 1) {
+        return fmt::format("no joint between them; the geometry {}",
+                           pair.geometry_touching > 0 ? "touches" : "does not touch");
+    }
     if (pair.samples == 0) {
         return "";
     }
     const std::string seen = fmt::format("touch in {} of {}", pair.touching, pair.samples);
+    if (pair.found_touching) {
+        return seen + ", and in a pose that a search found";
+    }
+    if (pair.reason == PairReason::never && pair.geometry_samples > 0) {
+        return fmt::format("{}, the geometry in 0 of {}: in less than {}", seen, pair.geometry_samples,
+                           percent(matrix.rate_bound(pair.geometry_samples)));
+    }
     if (pair.reason == PairReason::never) {
         return fmt::format("{}: in less than {}", seen, percent(matrix.rate_bound()));
     }
     if (pair.reason == PairReason::always) {
-        return fmt::format("{}: in more than {:.10g} %", seen, 100 * (1 - matrix.rate_bound()));
+        const std::size_t tested = pair.geometry_samples > 0 ? pair.geometry_samples : pair.samples;
+        return fmt::format("geometry touches in {0} of {0}: in more than {1:.10g} %", tested,
+                           100 * (1 - matrix.rate_bound(tested)));
+    }
+    if (pair.touches_by_elements_alone) {
+        return fmt::format("{}, the geometry in {} of {}", seen, pair.geometry_touching, pair.geometry_samples);
     }
     return fmt::format("{}: {}", seen, percent(static_cast<double>(pair.touching) / static_cast<double>(pair.samples)));
 }
@@ -143,6 +163,62 @@ std::string table_of_pairs(const SelfCollisionArguments& arguments, const Collis
             pair.reason == PairReason::none ? "(check)" : to_string(pair.reason), evidence(matrix, pair));
     }
     return text + summary(matrix);
+}
+
+/// Warns of pairs that a planner can never move apart, though their geometry is apart.
+void tell_touching_elements(const SelfCollisionMatrix& matrix, const Robot& robot) {
+    for (const LinkPair& pair : matrix.pairs) {
+        if (pair.touches_by_elements_alone) {
+            tell(fmt::format("warning: {}: {}", shown(robot.links[pair.first].name), sentence_about(pair, robot)));
+        }
+    }
+}
+
+/// Warns of the pairs that are left out because they touch in one pose.
+void tell_left_out_by_pose(const SelfCollisionMatrix& matrix, const Robot& robot) {
+    std::vector<std::string> pairs;
+    for (const LinkPair& pair : matrix.pairs) {
+        if (pair.reason == PairReason::default_pose) {
+            pairs.push_back(fmt::format("{} and {}", shown(robot.links[pair.first].name),
+                                        shown(robot.links[pair.second].name)));
+        }
+    }
+    if (!pairs.empty()) {
+        tell(fmt::format("warning: --by-pose leaves out pairs that touch in the given pose; contacts of these links in "
+                         "other poses are missed: {}",
+                         fmt::join(pairs, ", ")));
+    }
+}
+
+/// Returns the reference pose: as given, a state of the SRDF that is compared, or one in which no links touch.
+ReferenceConfiguration reference_of(const SelfCollisionArguments& arguments, const CollisionModel& model,
+                                    const Kinematics& kinematics) {
+    std::vector<GroupState> states;
+    if (!arguments.against.empty()) {
+        states = group_states(read_file(arguments.against, most_robot_bytes), arguments.against);
+    }
+    return reference_configuration(
+        kinematics, model.solids,
+        {.given = arguments.options.reference, .named = states, .held = {}, .seed = arguments.options.seed});
+}
+
+/// Returns the matrix. Draws a bar on a terminal.
+SelfCollisionMatrix matrix_of(const Kinematics& kinematics, const CollisionModel& model,
+                              SelfCollisionOptions options, const ReferenceConfiguration& reference) {
+    options.reference.clear();
+    for (std::size_t i = 0; i < reference.configuration.size(); ++i) {
+        options.reference[kinematics.freedoms()[i].joint] = reference.configuration[i];
+    }
+    Progress bar(false);
+    const auto start = std::chrono::steady_clock::now();
+    options.progress = [&](double share) {
+        Event event;
+        event.stage = "pairs of links";
+        event.done = share;
+        event.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        bar.on(event);
+    };
+    return self_collision_matrix(kinematics, model, options);
 }
 
 /// Pairs that are about another robot, or misspelt.
@@ -171,7 +247,13 @@ int self_collision(Program& program, SelfCollisionArguments& arguments) {
     const CollisionModel model = model_of(program, arguments);
     require_joints(arguments.options.reference, *model.robot);
     const Kinematics kinematics(model.robot);
-    const SelfCollisionMatrix matrix = self_collision_matrix(kinematics, model, arguments.options);
+    const ReferenceConfiguration reference = reference_of(arguments, model, kinematics);
+    const SelfCollisionMatrix matrix = matrix_of(kinematics, model, arguments.options, reference);
+    if (reference.source != ReferenceConfiguration::Source::zero) {
+        tell((reference.touching.empty() ? "note: " : "warning: ") + sentence_about(kinematics, reference));
+    }
+    tell_touching_elements(matrix, *model.robot);
+    tell_left_out_by_pose(matrix, *model.robot);
     if (!arguments.srdf.empty()) {
         write_whole_file(arguments.srdf, srdf_text(*model.robot, matrix));
     }
@@ -232,13 +314,18 @@ void add_sampling_options(CLI::App& command, SelfCollisionArguments& arguments) 
         ->type_name("C")
         ->capture_default_str();
     command.add_option("--seed", options.seed, "Seed of the samples")->type_name("N")->capture_default_str();
+    CLI::Option* pose = command
+                            .add_option("--pose", arguments.pose,
+                                        "Joint position in the reference pose, in rad or m; others: zero, moved into "
+                                        "the limits; default: a pose in which no links touch; repeatable")
+                            ->type_name("JOINT=VALUE")
+                            ->expected(1)
+                            ->take_all();
     command
-        .add_option(
-            "--pose", arguments.pose,
-            "Joint position in the reference pose, in rad or m; default: zero, moved into the limits; repeatable")
-        ->type_name("JOINT=VALUE")
-        ->expected(1)
-        ->take_all();
+        .add_flag("--by-pose", options.by_pose,
+                  "Also leave out the pairs whose geometry touches in the pose of --pose (Default); contacts of these "
+                  "links in other poses are then missed")
+        ->needs(pose);
     command
         .add_option(
             "--proof-boxes", options.proof_boxes,
@@ -260,8 +347,8 @@ void add_self_collision(Program& program) {
                                     "\n"
                                     "Reasons why a pair needs no check:\n"
                                     "  Adjacent  at most one movable joint lies between the links\n"
-                                    "  Always    they touch in every configuration\n"
-                                    "  Default   they touch in the reference pose\n"
+                                    "  Always    their geometry touches in every configuration\n"
+                                    "  Default   they touch in the given pose; with --by-pose alone\n"
                                     "  Never     they touch in no configuration\n"
                                     "foam proves Always and Never, or prints a bound from random samples. All other\n"
                                     "pairs need a check.");

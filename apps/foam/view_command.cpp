@@ -107,11 +107,12 @@ SceneModel scene_model(const Subject& subject, const ViewedModel& model, const S
     } else {
         result.steps.push_back({model.spheres, {}, {}});
     }
-    result.ignored = ignored_pairs_of(robot, result.steps[result.at].spheres, &stop_on_interrupt());
     if (!robot.judged) {
+        result.ignored = ignored_pairs_of(robot, nullptr, result.steps[result.at].spheres, &stop_on_interrupt());
         return result;
     }
     const Original original = original_of(robot, options, registry);
+    result.ignored = ignored_pairs_of(robot, &original, result.steps[result.at].spheres, &stop_on_interrupt());
     for (ModelStep& step : result.steps) {
         step.figures = figures_of(robot, original, step.spheres);
         step.verdicts = verdicts_of(robot, original, step.spheres);

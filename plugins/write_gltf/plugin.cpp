@@ -51,7 +51,7 @@ FOAM_PLUGIN("write_gltf", "1.0", "Apache-2.0") {
          .reference = reference,
          .extensions = {"gltf"},
          .kinds = foam::every_kind(),
-         .consumer = {.name = "glTF 2.0"}});
+         .consumer = {.name = "glTF 2.0", .rest_pose = true}});
     enrol.add<GltfReader>({.name = "read.gltf",
                            .summary = "Reads the file of write.gltf: elements by link, from extras of nodes.",
                            .reference = reference,

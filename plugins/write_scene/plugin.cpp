@@ -128,7 +128,7 @@ FOAM_PLUGIN("write_scene", "1.0", "Apache-2.0") {
                   .source("MoveIt 2 writes the new format, and reads both.")},
          .extensions = {"scene"},
          .kinds = foam::every_kind(),
-         .consumer = {.name = "MoveIt 2 (8fcb5d2327)"}});
+         .consumer = {.name = "MoveIt 2 (8fcb5d2327)", .rest_pose = true}});
     enrol.add<SceneReader>(
         {.name = "read.moveit_scene",
          .summary = "Reads the shapes of a scene of MoveIt that are convex elements, old or new format, by object.",

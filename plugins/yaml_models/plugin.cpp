@@ -84,7 +84,11 @@ FOAM_PLUGIN("yaml_models", "1.0", "Apache-2.0") {
               Parameter::text("asset_root_path", "")
                   .doc("asset_root_path of the file; empty: the folder of the URDF.")},
          .extensions = {"yml", "yaml"},
-         .consumer = {.name = "cuRobo 0.7.8 and 0.8 (a35a708ecf)", .float32 = true, .pairs = true, .edits = true}});
+         .consumer = {.name = "cuRobo 0.7.8 and 0.8 (a35a708ecf)",
+                      .float32 = true,
+                      .pairs = true,
+                      .rest_pose = true,
+                      .edits = true}});
     enrol.add<XrdfWriter>(
         {.name = "write.xrdf",
          .summary = "Writes an XRDF file: spheres, pairs, joints and limits.",
@@ -96,6 +100,7 @@ FOAM_PLUGIN("yaml_models", "1.0", "Apache-2.0") {
          .consumer = {.name = "cuMotion, Isaac Sim 6.0.1 (045ca8b596), cuRobo 0.8",
                       .float32 = true,
                       .pairs = true,
+                      .rest_pose = true,
                       .edits = true}});
     enrol.add<LulaWriter>(
         {.name = "write.lula",
@@ -103,7 +108,7 @@ FOAM_PLUGIN("yaml_models", "1.0", "Apache-2.0") {
          .reference =
              "https://docs.isaacsim.omniverse.nvidia.com/5.0.0/manipulators/manipulators_robot_description_editor.html",
          .extensions = {"yaml"},
-         .consumer = {.name = "Lula (Isaac Sim 5)", .float32 = true, .edits = true}});
+         .consumer = {.name = "Lula (Isaac Sim 5)", .float32 = true, .rest_pose = true, .edits = true}});
     enrol.add<BubblifyWriter>(
         {.name = "write.bubblify",
          .summary = "Writes collision_spheres by link, as bubblify and cuRobo's sphere files have it.",
@@ -115,7 +120,7 @@ FOAM_PLUGIN("yaml_models", "1.0", "Apache-2.0") {
                               .reference = "https://github.com/HiroIshida/plainmp",
                               .parameters = {pairs()},
                               .extensions = {"yaml"},
-                              .consumer = {.name = "plainmp (4a2fbd1a97)", .pairs = true, .edits = true}});
+                              .consumer = {.name = "plainmp (4a2fbd1a97)", .pairs = true, .rest_pose = true, .edits = true}});
     enrol.add<PyrokiWriter>({.name = "write.pyroki",
                              .summary = "Writes centers and radii by link, as pyroki and ballpark read them.",
                              .reference = "https://github.com/chungmin99/pyroki",

@@ -47,7 +47,10 @@ void complete(SphereModel& model, const SphereFile& spheres, const Original* ori
     model.provenance = fmt::format("foam {}; {}, {}; {}; {}", version(), spheres.file.filename().string(),
                                    spheres.format, counts_text(kinds_of_model(model)), proof);
     if (lists_pairs(writer, parameters) && original && model.groups.size() > 1) {
-        model.ignored_pairs = ignored_pairs_of(model, model.facts.default_pose, &cancel);
+        model.ignored_pairs = ignored_pairs_of(model, &cancel);
+    }
+    if (writer.consumer.rest_pose) {
+        give_rest_pose(model);
     }
 }
 

@@ -32,8 +32,7 @@ TEST_F(SelfCollisionCli, ATableWithReasons) {
                                        "base   upper  Adjacent  joined\n"
                                        "base   hand   (check)   touch in "));
     EXPECT_THAT(outcome.out, HasSubstr("\nupper  hand   Adjacent  joined\n"
-                                       "3 pairs: 2 adjacent, 0 always touching, 0 touching in the reference pose, "
-                                       "0 never touching; 0 proved; 1 to check.\n"));
+                                       "3 pairs: 2 adjacent, 0 always touching, 0 never touching; 0 proved; 1 to check.\n"));
 }
 
 TEST_F(SelfCollisionCli, SamplesComeWithTheirBound) {
@@ -61,10 +60,17 @@ TEST_F(SelfCollisionCli, FilesForPlanners) {
 }
 
 TEST_F(SelfCollisionCli, JsonIsTheSameOnAnyNumberOfThreads) {
-    const Outcome one = foam("self-collision arm.urdf --json --samples 5000 --seed 3 --pose elbow=3 -j 1");
+    const std::string command = "self-collision arm.urdf --json --samples 5000 --pose elbow=3 --by-pose --seed ";
+    const Outcome one = foam(command + "3 -j 1");
     EXPECT_EQ(one.code, 0);
-    EXPECT_EQ(foam("self-collision arm.urdf --json --samples 5000 --seed 3 --pose elbow=3 -j 3").out, one.out);
-    EXPECT_NE(foam("self-collision arm.urdf --json --samples 5000 --seed 4 --pose elbow=3").out, one.out);
+    EXPECT_EQ(one.err,
+              "foam: warning: reference pose (as given): elbow 3; the geometry of these links touches in it: base and "
+              "hand\n"
+              "foam: warning: --by-pose leaves out pairs that touch in the given pose; contacts of these links in other "
+              "poses are missed: base and hand\n");
+    EXPECT_EQ(foam(command + "3 -j 3").out, one.out);
+    EXPECT_NE(foam(command + "4").out, one.out);
+    EXPECT_EQ(json::parse(foam("self-collision arm.urdf --json --pose elbow=3").out)["pairs"][1]["ignored"], false);
     const json data = json::parse(one.out);
     EXPECT_EQ(data["spheres_from"], "its own spheres");
     EXPECT_EQ(data["reference_pose"], json({{"elbow", 3.0}, {"shoulder", 0.0}}));
@@ -74,7 +80,7 @@ TEST_F(SelfCollisionCli, JsonIsTheSameOnAnyNumberOfThreads) {
     EXPECT_EQ(hand["reason"], "Default");
     EXPECT_EQ(hand["ignored"], true);
     EXPECT_EQ(hand["proved"], false);
-    EXPECT_EQ(hand["samples"], 5000);
+    EXPECT_GE(hand["samples"], 2048);
     EXPECT_GT(hand["contacts"], 0);
     EXPECT_EQ(data["links"][0], json({{"link", "base"}, {"spheres", 1}, {"certified_cover", false}}));
 }

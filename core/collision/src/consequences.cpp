@@ -1,34 +1,17 @@
-#include "contact_shape.hpp"
+#include "link_shapes.hpp"
 #include "sampling.hpp"
 
 #include <foam/base/parallel.hpp>
 #include <foam/collision/consequences.hpp>
 #include <foam/collision/separation.hpp>
-#include <foam/robot/internal/chain.hpp>
 
 #include <algorithm>
 #include <map>
-#include <memory>
 
 namespace foam::inline collision {
 namespace {
 
 using namespace self_collision;
-
-/// The geometry of each link; null: none.
-using Shapes = std::vector<std::unique_ptr<ContactShape>>;
-
-Shapes shapes_of(const LinkSolids& solids) {
-    Shapes shapes(solids.size());
-    parallel_for(solids.size(),
-                 [&](std::size_t i) { shapes[i] = solids[i] ? std::make_unique<ContactShape>(solids[i]) : nullptr; });
-    return shapes;
-}
-
-bool touching(const ContactShape& a, const ContactShape& b, const Pose& pose_a, const Pose& pose_b) {
-    return touch(moved(pose_a, a.bound()), moved(pose_b, b.bound())) &&
-           a.touches(b, pose_a.inverse() * pose_b);
-}
 
 std::size_t size_of(const BallGroup& group) {
     return group.spheres.size() + group.others.size();
@@ -79,7 +62,7 @@ struct InPose {
 
 class Comparison {
 public:
-    Comparison(const Kinematics& kinematics, const CollisionModel& model, const Shapes& shapes, const LinkPairs& pairs)
+    Comparison(const Kinematics& kinematics, const CollisionModel& model, const LinkShapes& shapes, const LinkPairs& pairs)
         : kinematics_(kinematics), pairs_(pairs), shapes_(shapes), groups_(groups_of(model)) {}
 
     InPose in(std::span<const double> configuration) const {
@@ -87,7 +70,7 @@ public:
         InPose result{std::vector<char>(pairs_.size(), 0), std::vector<char>(pairs_.size(), 0), {}};
         for (std::size_t p = 0; p < pairs_.size(); ++p) {
             const auto [a, b] = pairs_[p];
-            result.contact[p] = shapes_[a] && shapes_[b] && touching(*shapes_[a], *shapes_[b], poses[a], poses[b]);
+            result.contact[p] = shapes_.touching(a, b, poses);
             compare_model(p, poses, result);
         }
         return result;
@@ -120,7 +103,7 @@ private:
 
     const Kinematics& kinematics_;
     const LinkPairs& pairs_;
-    const Shapes& shapes_;
+    const LinkShapes& shapes_;
     Groups groups_;
 };
 
@@ -164,21 +147,19 @@ void add(const InPose& pose, Consequences& sum, Blame& blame) {
     }
 }
 
-/// Returns the pairs of links with geometry that are no neighbours, and whose geometry is apart in the zero pose.
-LinkPairs pairs_to_check(const Kinematics& kinematics, const Shapes& shapes) {
-    const std::vector<Pose> poses = kinematics.link_poses(kinematics.configuration());
-    std::vector<bool> have_geometry(shapes.size());
-    std::transform(shapes.begin(), shapes.end(), have_geometry.begin(),
-                   [](const auto& shape) { return shape != nullptr; });
-    LinkPairs pairs;
-    for (std::size_t a = 0; a < shapes.size(); ++a) {
-        for (std::size_t b = a + 1; b < shapes.size(); ++b) {
-            if (shapes[a] && shapes[b] && !joint_chain::adjacent(kinematics, have_geometry, a, b) &&
-                !touching(*shapes[a], *shapes[b], poses[a], poses[b])) {
-                pairs.emplace_back(a, b);
-            }
-        }
+/// Returns the pairs of links with geometry that are not adjacent, but those whose geometry touches in every
+/// configuration: no planner can avoid that contact. A pair that touches in the zero pose alone is checked.
+LinkPairs pairs_to_check(const Kinematics& kinematics, const LinkShapes& shapes,
+                         const std::vector<std::vector<double>>& given) {
+    constexpr std::size_t random = 256;
+    std::vector<std::vector<double>> configurations{kinematics.configuration()};
+    configurations.insert(configurations.end(), given.begin(), given.end());
+    for (std::vector<double>& configuration : random_configurations(kinematics, random, 0)) {
+        configurations.push_back(std::move(configuration));
     }
+    LinkPairs pairs = pairs_apart(kinematics, shapes);
+    const LinkPairs always = touching_in_all(kinematics, shapes, pairs, configurations);
+    std::erase_if(pairs, [&](const auto& pair) { return std::binary_search(always.begin(), always.end(), pair); });
     return pairs;
 }
 
@@ -197,8 +178,8 @@ std::vector<std::vector<double>> random_configurations(const Kinematics& kinemat
 Consequences consequences_of(const Kinematics& kinematics, const CollisionModel& model, const LinkSolids& solids,
                              const std::optional<LinkPairs>& given,
                              const std::vector<std::vector<double>>& configurations) {
-    const Shapes shapes = shapes_of(solids);
-    const LinkPairs pairs = given ? *given : pairs_to_check(kinematics, shapes);
+    const LinkShapes shapes(solids);
+    const LinkPairs pairs = given ? *given : pairs_to_check(kinematics, shapes, configurations);
     const Comparison comparison(kinematics, model, shapes, pairs);
     Consequences sum;
     sum.poses = configurations.size();

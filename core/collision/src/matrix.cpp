@@ -1,4 +1,6 @@
-// The self-collision matrix: neighbours first, then proofs, then samples for the remaining pairs.
+// The self-collision matrix: neighbours first, then samples and proofs of the elements, then the original geometry.
+#include "approach.hpp"
+#include "link_shapes.hpp"
 #include "proof.hpp"
 #include "sampling.hpp"
 
@@ -10,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace foam::inline collision {
 
@@ -46,55 +49,239 @@ std::vector<bool> have_geometry(const Groups& groups) {
     return have;
 }
 
-void judge_by_proof(LinkPair& pair, const Kinematics& kinematics, const Groups& groups,
-                    const SelfCollisionOptions& options) {
-    if (adjacent(kinematics, have_geometry(groups), pair.first, pair.second)) {
-        pair.reason = PairReason::adjacent;
-        return;
-    }
-    const Chain chain = chain_between(kinematics, pair.first, pair.second);
-    pair.unbounded = chain.unbounded;
-    if (pair.unbounded) {
-        return;
-    }
-    const Verdict verdict = touching_verdict(kinematics, chain, *groups[pair.first], *groups[pair.second],
-                                             options.proof_boxes, options.cancel);
-    if (verdict == Verdict::never || verdict == Verdict::always) {
-        pair.reason = verdict == Verdict::never ? PairReason::never : PairReason::always;
-        pair.proved = true;
-    }
-}
+/// Fills in the reasons of the pairs, in steps from cheap to dear: neighbours, samples of the elements, proofs, samples
+/// of the original geometry.
+class Judgement {
+public:
+    Judgement(SelfCollisionMatrix& matrix, const Kinematics& kinematics, const CollisionModel& model,
+              const SelfCollisionOptions& options)
+        : matrix_(matrix), kinematics_(kinematics), model_(model), options_(options), groups_(groups_of(model)),
+          shapes_(model.solids), samples_(kinematics, options.samples, options.seed, options.cancel) {}
 
-PairReason reason_by_samples(const LinkPair& pair, bool touching_in_reference) {
-    if (pair.samples > 0 && pair.touching == pair.samples) {
-        return PairReason::always;
+    void run() {
+        find_adjacent();
+        const std::size_t first_blocks = std::min<std::size_t>(samples_.blocks(), 2);
+        sample_elements(0, first_blocks);
+        progress(0.1);
+        prove();
+        progress(0.4);
+        for (std::size_t block = first_blocks; block < samples_.blocks(); block += blocks_at_once) {
+            sample_elements(block, std::min(block + blocks_at_once, samples_.blocks()));
+            progress(0.4 + 0.5 * static_cast<double>(block) / static_cast<double>(samples_.blocks()));
+        }
+        judge_by_samples();
+        look_at_geometry();
+        judge_by_pose();
+        progress(1);
     }
-    if (touching_in_reference) {
-        return PairReason::default_pose;
-    }
-    return pair.samples > 0 && pair.touching == 0 ? PairReason::never : PairReason::none;
-}
 
-void judge_by_samples(SelfCollisionMatrix& matrix, const Kinematics& kinematics, const Groups& groups,
-                      const SelfCollisionOptions& options) {
-    std::vector<LinkPair*> open;
-    std::vector<LinkPair> copies;
-    for (LinkPair& pair : matrix.pairs) {
-        if (pair.reason == PairReason::none && !pair.unbounded) {
-            open.push_back(&pair);
-            copies.push_back(pair);
+private:
+    static constexpr std::size_t blocks_at_once = 8;
+    /// Contacts and free configurations after which a rate is known well enough, to about a tenth.
+    static constexpr std::size_t enough = 100;
+    /// Configurations in which original geometry is tested: it takes a hundred times as long as elements.
+    static constexpr std::size_t most_of_geometry = 10 * Samples::block_size;
+
+    using Source = CollisionModel::Source;
+
+    bool stopped() const { return options_.cancel && options_.cancel->load(std::memory_order_relaxed); }
+    void progress(double share) const {
+        if (options_.progress) {
+            options_.progress(share);
         }
     }
-    const std::vector<std::size_t> touching =
-        count_touching(kinematics, groups, copies, options.samples, options.seed, options.cancel);
-    PlacedLinks reference(kinematics, groups);
-    reference.place(matrix.reference);
-    for (std::size_t i = 0; i < open.size(); ++i) {
-        open[i]->samples = options.samples;
-        open[i]->touching = touching[i];
-        open[i]->reason = reason_by_samples(*open[i], reference.touching(open[i]->first, open[i]->second));
+
+    void find_adjacent() {
+        const std::vector<bool> have = have_geometry(groups_);
+        for (LinkPair& pair : matrix_.pairs) {
+            const Chain chain = chain_between(kinematics_, pair.first, pair.second);
+            pair.unbounded = chain.unbounded;
+            rigid_.push_back(chain.steps.empty() && !chain.unbounded);
+            if (adjacent(kinematics_, have, pair.first, pair.second)) {
+                pair.reason = PairReason::adjacent;
+            }
+        }
     }
-}
+
+    /// Returns whether no more is to be found out about the pair.
+    bool settled(const LinkPair& pair) const {
+        return pair.reason != PairReason::none || pair.unbounded ||
+               (pair.touching >= enough && pair.samples - pair.touching >= enough);
+    }
+
+    /// Counts contacts of the elements in blocks [first, last).
+    void sample_elements(std::size_t first, std::size_t last) {
+        std::vector<LinkPair*> open;
+        LinkPairs pairs;
+        for (std::size_t i = 0; i < matrix_.pairs.size(); ++i) {
+            LinkPair& pair = matrix_.pairs[i];
+            if (!settled(pair) && !rigid_[i] && !always_.contains(&pair)) {
+                open.push_back(&pair);
+                pairs.emplace_back(pair.first, pair.second);
+            }
+        }
+        if (pairs.empty() || first == last) {
+            return;
+        }
+        const auto touching =
+            samples_.touching(pairs, first, last, [&] { return PlacedLinks(kinematics_, groups_); });
+        for (std::size_t k = 0; k < open.size(); ++k) {
+            open[k]->samples += samples_.before(last) - samples_.before(first);
+            open[k]->touching += touching[k];
+        }
+    }
+
+    /// Proves what can be proved of the pairs that touched in all samples or in none.
+    void prove() {
+        std::vector<Verdict> verdicts(matrix_.pairs.size(), Verdict::unknown);
+        parallel_for(matrix_.pairs.size(), [&](std::size_t i) {
+            const LinkPair& pair = matrix_.pairs[i];
+            const bool some = pair.touching > 0 && pair.touching < pair.samples;
+            if (pair.reason == PairReason::none && !pair.unbounded && !some && !stopped()) {
+                verdicts[i] = touching_verdict(kinematics_, chain_between(kinematics_, pair.first, pair.second),
+                                               *groups_[pair.first], *groups_[pair.second], options_.proof_boxes,
+                                               options_.cancel);
+            }
+        });
+        for (std::size_t i = 0; i < verdicts.size(); ++i) {
+            LinkPair& pair = matrix_.pairs[i];
+            if (verdicts[i] == Verdict::never) {
+                pair = {.first = pair.first, .second = pair.second, .reason = PairReason::never, .proved = true};
+            } else if (verdicts[i] == Verdict::always) {
+                always_.insert(&pair);
+                proved_always_.insert(&pair);
+            }
+        }
+    }
+
+    /// Decides the pairs whose elements touched in no sample, and finds those that touched in all.
+    void judge_by_samples() {
+        std::vector<LinkPair*> apart;
+        for (LinkPair& pair : matrix_.pairs) {
+            if (pair.reason == PairReason::none && pair.samples > 0) {
+                if (pair.touching == 0) {
+                    apart.push_back(&pair);
+                } else if (pair.touching == pair.samples) {
+                    always_.insert(&pair);
+                }
+            }
+        }
+        parallel_for(apart.size(), [&](std::size_t i) {
+            LinkPair& pair = *apart[i];
+            const Chain chain = chain_between(kinematics_, pair.first, pair.second);
+            const std::uint64_t seed =
+                derive_seed(options_.seed, fmt::format("approach {} {}", pair.first, pair.second));
+            pair.found_touching = !stopped() && touch_somewhere(kinematics_, chain, *groups_[pair.first],
+                                                                *groups_[pair.second], seed);
+            pair.reason = pair.found_touching ? PairReason::none : PairReason::never;
+        });
+    }
+
+    /// Returns whether the elements of the link contain its original geometry, so that what holds for them where they are
+    /// apart holds for it.
+    bool contains_geometry(std::size_t link) const {
+        return model_.sources[link] == Source::cover || is_geometry(link) || !shapes_.has(link);
+    }
+    bool is_geometry(std::size_t link) const { return model_.sources[link] == Source::geometry; }
+
+    /// Tests the original geometry: of pairs whose elements always touch, and of pairs whose elements never touch though
+    /// they may leave geometry out.
+    void look_at_geometry() {
+        std::vector<LinkPair*> of_always, of_never;
+        for (std::size_t i = 0; i < matrix_.pairs.size(); ++i) {
+            LinkPair& pair = matrix_.pairs[i];
+            if (always_.contains(&pair)) {
+                judge_always(pair, rigid_[i], of_always);
+            } else if (pair.reason == PairReason::never &&
+                       !(contains_geometry(pair.first) && contains_geometry(pair.second))) {
+                of_never.push_back(&pair);
+            }
+        }
+        count_geometry(of_always, [](const LinkPair& pair) {
+            return pair.geometry_touching > 0 && pair.geometry_touching < pair.geometry_samples;
+        });
+        for (LinkPair* pair : of_always) {
+            decide_by_geometry(*pair);
+        }
+        count_geometry(of_never, [](const LinkPair& pair) { return pair.geometry_touching > 0; });
+        for (LinkPair* pair : of_never) {
+            if (pair->geometry_touching > 0) {
+                pair->reason = PairReason::none;
+                pair->proved = false;
+            }
+        }
+    }
+
+    /// Decides a pair whose elements always touch, or adds it to those whose geometry is sampled.
+    void judge_always(LinkPair& pair, bool rigid, std::vector<LinkPair*>& sampled) const {
+        if (is_geometry(pair.first) && is_geometry(pair.second)) {
+            const bool proved = proved_always_.contains(&pair);
+            pair = {.first = pair.first, .second = pair.second, .reason = PairReason::always, .proved = proved,
+                    .samples = proved ? 0 : pair.samples, .touching = proved ? 0 : pair.touching};
+        } else if (rigid) { // there is one configuration of the two
+            PlacedShapes placed(kinematics_, shapes_);
+            placed.place(kinematics_.configuration());
+            pair.geometry_samples = shapes_.has(pair.first) && shapes_.has(pair.second) ? 1 : 0;
+            pair.geometry_touching = placed.touching(pair.first, pair.second) ? 1 : 0;
+            decide_by_geometry(pair);
+        } else if (shapes_.has(pair.first) && shapes_.has(pair.second)) {
+            sampled.push_back(&pair);
+        }
+    }
+
+    /// Decides a pair whose elements always touch by the configurations in which its geometry was tested.
+    static void decide_by_geometry(LinkPair& pair) {
+        const std::size_t tested = pair.geometry_samples, touching = pair.geometry_touching;
+        pair.reason = tested == 0          ? PairReason::none
+                      : touching == tested ? PairReason::always
+                      : touching == 0      ? PairReason::never
+                                           : PairReason::none;
+        pair.touches_by_elements_alone = touching > 0 && touching < tested;
+    }
+
+    /// Counts the contacts of the original geometry of pairs, each until `decided`.
+    template <class Decided> void count_geometry(std::vector<LinkPair*> open, const Decided& decided) const {
+        const Samples samples(kinematics_, std::min(options_.samples, most_of_geometry), options_.seed,
+                              options_.cancel);
+        for (std::size_t block = 0; block < samples.blocks() && !open.empty(); ++block) {
+            LinkPairs pairs;
+            for (const LinkPair* pair : open) {
+                pairs.emplace_back(pair->first, pair->second);
+            }
+            const auto touching = samples.touching(pairs, block, block + 1,
+                                                   [&] { return PlacedShapes(kinematics_, shapes_); });
+            for (std::size_t k = 0; k < open.size(); ++k) {
+                open[k]->geometry_samples += samples.before(block + 1) - samples.before(block);
+                open[k]->geometry_touching += touching[k];
+            }
+            std::erase_if(open, [&](const LinkPair* pair) { return decided(*pair); });
+        }
+    }
+
+    void judge_by_pose() {
+        if (!options_.by_pose) {
+            return;
+        }
+        PlacedShapes placed(kinematics_, shapes_);
+        placed.place(matrix_.reference);
+        for (LinkPair& pair : matrix_.pairs) {
+            if (pair.reason == PairReason::none && !pair.unbounded && placed.touching(pair.first, pair.second)) {
+                pair.reason = PairReason::default_pose;
+            }
+        }
+    }
+
+    SelfCollisionMatrix& matrix_;
+    const Kinematics& kinematics_;
+    const CollisionModel& model_;
+    const SelfCollisionOptions& options_;
+    const Groups groups_;
+    const LinkShapes shapes_;
+    const Samples samples_;
+    std::vector<bool> rigid_;           ///< of each pair: no joint moves one against the other
+    std::set<const LinkPair*> always_; ///< pairs whose elements touch in every configuration, proved or sampled
+    std::set<const LinkPair*> proved_always_;
+};
 
 } // namespace
 
@@ -114,13 +301,13 @@ const char* to_string(PairReason reason) {
     return "";
 }
 
-double SelfCollisionMatrix::rate_bound() const {
-    return -std::expm1(std::log1p(-confidence) / static_cast<double>(samples));
+double SelfCollisionMatrix::rate_bound(std::size_t tested) const {
+    return -std::expm1(std::log1p(-confidence) / static_cast<double>(tested));
 }
 
 double SelfCollisionMatrix::joint_rate_bound() const {
     const auto sampled = std::count_if(pairs.begin(), pairs.end(), [](const LinkPair& pair) {
-        return !pair.proved && (pair.reason == PairReason::never || pair.reason == PairReason::always);
+        return !pair.proved && pair.reason == PairReason::never;
     });
     const double each = (1 - confidence) / static_cast<double>(std::max<std::ptrdiff_t>(sampled, 1));
     return -std::expm1(std::log(each) / static_cast<double>(samples));
@@ -134,12 +321,9 @@ std::size_t SelfCollisionMatrix::count(PairReason reason) const {
 SelfCollisionMatrix self_collision_matrix(const Kinematics& kinematics, const CollisionModel& model,
                                           const SelfCollisionOptions& options) {
     require_sensible(kinematics, model, options);
-    const Groups groups = groups_of(model);
-    SelfCollisionMatrix matrix{pairs_of(groups), kinematics.configuration(options.reference), options.samples,
+    SelfCollisionMatrix matrix{pairs_of(groups_of(model)), kinematics.configuration(options.reference), options.samples,
                                options.confidence};
-    parallel_for(matrix.pairs.size(),
-                 [&](std::size_t i) { judge_by_proof(matrix.pairs[i], kinematics, groups, options); });
-    judge_by_samples(matrix, kinematics, groups, options);
+    Judgement(matrix, kinematics, model, options).run();
     if (options.cancel && options.cancel->load()) {
         throw Error(ErrorCode::cancelled, "the self-collision matrix was not finished");
     }

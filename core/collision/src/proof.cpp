@@ -17,6 +17,7 @@ constexpr double rounding = 1e-9;
 
 struct JointBox {
     std::vector<double> middle, half; ///< of each freedom; freedoms that are not between the links stay unchanged
+    double share = 1;                 ///< of the volume of all joint positions
 };
 
 /// One end of the chain: its spheres and their motion.
@@ -94,8 +95,9 @@ public:
     Verdict run(const std::vector<std::size_t>& freedoms, std::size_t boxes, const std::atomic<bool>* cancel) {
         std::vector<JointBox> waiting{whole(freedoms)};
         bool all_apart = true, all_touching = true;
+        double decided = 0;
         for (std::size_t i = 0; !waiting.empty(); ++i) {
-            if (i == boxes || (cancel && cancel->load(std::memory_order_relaxed))) {
+            if (i == boxes || hopeless(i, decided, boxes) || (cancel && cancel->load(std::memory_order_relaxed))) {
                 return Verdict::unknown;
             }
             JointBox box = std::move(waiting.back());
@@ -110,6 +112,8 @@ public:
             }
             if (!look.apart && !look.touching) {
                 halve(std::move(box), freedoms, waiting);
+            } else {
+                decided += box.share;
             }
         }
         return all_apart ? Verdict::never : Verdict::always;
@@ -123,8 +127,13 @@ public:
     }
 
 private:
+    /// Returns whether the share that is decided after `looked` boxes leaves no hope for a proof within `boxes`.
+    static bool hopeless(std::size_t looked, double decided, std::size_t boxes) {
+        constexpr std::size_t trial = 512;
+        return looked >= trial && static_cast<double>(looked) > decided * static_cast<double>(boxes);
+    }
     JointBox whole(const std::vector<std::size_t>& freedoms) const {
-        JointBox box{kinematics_.configuration(), std::vector<double>(kinematics_.freedoms().size(), 0.0)};
+        JointBox box{kinematics_.configuration(), std::vector<double>(kinematics_.freedoms().size(), 0.0), 1};
         for (const std::size_t f : freedoms) {
             const Freedom& freedom = kinematics_.freedoms()[f];
             box.middle[f] = (freedom.lower + freedom.upper) / 2;
@@ -234,6 +243,7 @@ private:
         const std::size_t widest = *std::max_element(freedoms.begin(), freedoms.end(),
                                                      [&](std::size_t f, std::size_t g) { return each[f] < each[g]; });
         box.half[widest] /= 2;
+        box.share /= 2;
         JointBox other = box;
         box.middle[widest] -= box.half[widest];
         other.middle[widest] += other.half[widest];

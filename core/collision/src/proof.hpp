@@ -24,7 +24,8 @@ enum class Verdict {
 /// joints' half ranges and the centre's distances from their axes (displacement bound as in Schwarzer, Saha, Latombe:
 /// Adaptive dynamic collision checking for single and multiple articulated robots, IEEE T-RO 2005). If the distance
 /// exceeds the displacements of both, the links are apart in the whole box. If an overlap is deeper than that, they
-/// touch in the whole box. Any other box is halved.
+/// touch in the whole box. Any other box is halved. The search ends early where the share of the joint positions that is
+/// decided after some hundred boxes shows that a proof would take more than `boxes`.
 Verdict touching_verdict(const Kinematics& kinematics, const Chain& chain, const BallGroup& first,
                          const BallGroup& second, std::size_t boxes, const std::atomic<bool>* cancel);
 

@@ -1,21 +1,10 @@
 #include "sampling.hpp"
 
-#include <foam/base/parallel.hpp>
 #include <foam/collision/separation.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 
 namespace foam::inline collision::self_collision {
-namespace {
-
-/// Samples per block. Each block has its own stream of random numbers, so that the result does not depend on the number
-/// of threads.
-constexpr std::size_t block_size = 1024;
-
-} // namespace
-
 Groups groups_of(const CollisionModel& model) {
     Groups groups(model.spheres.size());
     for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -95,34 +84,6 @@ bool PlacedLinks::touching_others(std::size_t first, std::size_t second) const {
         }
     }
     return false;
-}
-
-std::vector<std::size_t> count_touching(const Kinematics& kinematics, const Groups& groups,
-                                        const std::vector<LinkPair>& pairs, std::size_t samples, std::uint64_t seed,
-                                        const std::atomic<bool>* cancel) {
-    std::vector<std::size_t> counts(pairs.size(), 0);
-    if (pairs.empty()) {
-        return counts;
-    }
-    const std::size_t blocks = (samples + block_size - 1) / block_size;
-    std::vector<std::vector<std::size_t>> of_block(blocks, counts);
-    parallel_for(blocks, [&](std::size_t block) {
-        Random random(derive_seed(seed, fmt::format("configurations {}", block)));
-        PlacedLinks links(kinematics, groups);
-        const std::size_t size = std::min(block_size, samples - block * block_size);
-        for (std::size_t i = 0; i < size && !(cancel && cancel->load(std::memory_order_relaxed)); ++i) {
-            links.place(kinematics.random_configuration(random));
-            for (std::size_t p = 0; p < pairs.size(); ++p) {
-                of_block[block][p] += links.touching(pairs[p].first, pairs[p].second) ? 1 : 0;
-            }
-        }
-    });
-    for (const std::vector<std::size_t>& block : of_block) {
-        for (std::size_t p = 0; p < pairs.size(); ++p) {
-            counts[p] += block[p];
-        }
-    }
-    return counts;
 }
 
 } // namespace foam::collision::self_collision

@@ -3,8 +3,13 @@
 
 #include "ball_group.hpp"
 
+#include <foam/base/parallel.hpp>
+#include <foam/base/random.hpp>
 #include <foam/collision/self_collision.hpp>
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <vector>
@@ -34,9 +39,50 @@ private:
     std::vector<Sphere> near_;
 };
 
-/// Returns for each pair in how many of `samples` random configurations it touches.
-std::vector<std::size_t> count_touching(const Kinematics& kinematics, const Groups& groups,
-                                        const std::vector<LinkPair>& pairs, std::size_t samples, std::uint64_t seed,
-                                        const std::atomic<bool>* cancel);
+/// Random configurations in blocks, each with its own stream of random numbers, so that the counts do not depend on the
+/// number of threads.
+class Samples {
+public:
+    static constexpr std::size_t block_size = 1024;
+
+    Samples(const Kinematics& kinematics, std::size_t count, std::uint64_t seed, const std::atomic<bool>* cancel)
+        : kinematics_(kinematics), count_(count), seed_(seed), cancel_(cancel) {}
+
+    std::size_t blocks() const { return (count_ + block_size - 1) / block_size; }
+    /// Returns the number of configurations in the blocks before `block`.
+    std::size_t before(std::size_t block) const { return std::min(block * block_size, count_); }
+    /// Returns for each pair in how many configurations of the blocks [first, last) it touches. `placed()`: returns an
+    /// object with place(configuration) and touching(link, link); there is one a block. O(pairs · configurations).
+    template <class Placed>
+    std::vector<std::size_t> touching(const LinkPairs& pairs, std::size_t first, std::size_t last,
+                                      const Placed& placed) const {
+        std::vector<std::vector<std::size_t>> of_block(last - first, std::vector<std::size_t>(pairs.size(), 0));
+        parallel_for(last - first, [&](std::size_t i) {
+            Random random(derive_seed(seed_, fmt::format("configurations {}", first + i)));
+            auto links = placed();
+            for (std::size_t k = before(first + i); k < before(first + i + 1) && !cancelled(); ++k) {
+                links.place(kinematics_.random_configuration(random));
+                for (std::size_t p = 0; p < pairs.size(); ++p) {
+                    of_block[i][p] += links.touching(pairs[p].first, pairs[p].second) ? 1 : 0;
+                }
+            }
+        });
+        std::vector<std::size_t> counts(pairs.size(), 0);
+        for (const std::vector<std::size_t>& block : of_block) {
+            for (std::size_t p = 0; p < pairs.size(); ++p) {
+                counts[p] += block[p];
+            }
+        }
+        return counts;
+    }
+
+private:
+    bool cancelled() const { return cancel_ && cancel_->load(std::memory_order_relaxed); }
+
+    const Kinematics& kinematics_;
+    std::size_t count_;
+    std::uint64_t seed_;
+    const std::atomic<bool>* cancel_;
+};
 
 } // namespace foam::collision::self_collision

@@ -1,5 +1,6 @@
 // The self-collision matrix in other tools' files.
 #include <foam/base/markup.hpp>
+#include <foam/base/text.hpp>
 #include <foam/collision/self_collision.hpp>
 
 #include <fmt/format.h>
@@ -20,6 +21,13 @@ std::string yaml_quoted(const std::string& text) {
 }
 
 } // namespace
+
+std::string sentence_about(const LinkPair& pair, const Robot& robot) {
+    return fmt::format("its elements and those of {} touch in every pose that was tested, the geometry of the two links "
+                       "in {} of {}: the pair is checked, and a planner refuses every pose; remedy: more elements for "
+                       "both links",
+                       shown(robot.links[pair.second].name), pair.geometry_touching, pair.geometry_samples);
+}
 
 std::vector<IgnoredPair> ignored_pairs(const Robot& robot, const SelfCollisionMatrix& matrix) {
     std::vector<IgnoredPair> ignored;

@@ -1,7 +1,8 @@
 #include <foam/base/error.hpp>
 #include <foam/base/internal/files.hpp>
 #include <foam/base/text.hpp>
-#include <foam/collision/self_collision.hpp>
+#include <foam/collision/reference_pose.hpp>
+#include <foam/geometry/element_measure.hpp>
 #include <foam/judge/written_model.hpp>
 #include <foam/runtime/internal/elements.hpp>
 #include <foam/sdk/kinds.hpp>
@@ -101,26 +102,47 @@ std::string proof_statement(const Original& original, const SphereFile& file, bo
                        float32 ? ", also in single precision" : "");
 }
 
-std::vector<IgnoredPair> ignored_pairs_of(const SphereModel& model, const JointValues& reference,
-                                          const std::atomic<bool>* cancel) {
-    CollisionModel spheres;
-    spheres.robot = model.robot;
-    spheres.spheres.resize(model.robot->links.size());
-    spheres.others.resize(model.robot->links.size());
-    spheres.sources.resize(model.robot->links.size());
+static LinkSolids solids_of(const SphereModel& model) {
+    LinkSolids solids;
+    for (const Link& link : model.robot->links) {
+        const auto found = model.geometry.find(link.name);
+        solids.push_back(found == model.geometry.end() ? nullptr : found->second);
+    }
+    return solids;
+}
+
+std::vector<IgnoredPair> ignored_pairs_of(const SphereModel& model, const std::atomic<bool>* cancel) {
+    using Source = CollisionModel::Source;
+    CollisionModel elements;
+    elements.robot = model.robot;
+    elements.solids = solids_of(model);
+    elements.spheres.resize(model.robot->links.size());
+    elements.others.resize(model.robot->links.size());
+    elements.sources.resize(model.robot->links.size());
     for (std::size_t i = 0; i < model.robot->links.size(); ++i) {
         for (const SphereGroup& group : model.groups) {
             if (group.link == model.robot->links[i].name) {
-                spheres.spheres[i] = group.tree.finest();
-                spheres.others[i] = group.tree.levels.back().others;
-                spheres.sources[i] = CollisionModel::Source::given;
+                elements.spheres[i] = group.tree.finest();
+                elements.others[i] = group.tree.levels.back().others;
+                const bool cover = elements.solids[i] && covers(*elements.solids[i], elements.of(i));
+                elements.sources[i] = cover ? Source::cover : Source::given;
             }
         }
     }
     SelfCollisionOptions options;
-    options.reference = reference;
     options.cancel = cancel;
-    return ignored_pairs(*model.robot, self_collision_matrix(Kinematics(model.robot), spheres, options));
+    return ignored_pairs(*model.robot, self_collision_matrix(Kinematics(model.robot), elements, options));
+}
+
+std::string give_rest_pose(SphereModel& model, const std::vector<GroupState>& named) {
+    if (!model.facts.default_pose.empty() || model.robot->joints.empty() || model.geometry.empty()) {
+        return "";
+    }
+    const Kinematics kinematics(model.robot);
+    const ReferenceConfiguration reference = reference_configuration(
+        kinematics, solids_of(model), {.given = {}, .named = named, .held = model.facts.lock_joints, .seed = 0});
+    model.facts.default_pose = moved_joints(kinematics, reference.configuration);
+    return reference.source == ReferenceConfiguration::Source::zero ? "" : sentence_about(kinematics, reference);
 }
 
 std::vector<std::filesystem::path> files_of(const StageInfo& writer, const std::filesystem::path& target) {

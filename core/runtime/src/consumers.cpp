@@ -18,20 +18,39 @@ bool any_lists_pairs(const Workspace& workspace) {
     });
 }
 
-/// Returns the spheres of each link; a link without them keeps its geometry, and takes part in no pair.
-CollisionModel collision_model(const FinishedModel& finished) {
+/// Returns the elements of each link; a link without them keeps its geometry, and takes part in no pair.
+CollisionModel collision_model(const Workspace& workspace, const FinishedModel& finished) {
+    const bool outer = workspace.recipe.guarantee == Guarantee::outer;
     CollisionModel model;
     model.robot = finished.model.robot;
     model.spheres.resize(model.robot->links.size());
     model.others.resize(model.robot->links.size());
     model.sources.resize(model.robot->links.size());
+    model.solids.resize(model.robot->links.size());
     for (const FinishedLink& link : finished.links) {
         const auto at = static_cast<std::size_t>(link.work->link - model.robot->links.data());
         model.spheres[at] = link.elements.spheres;
         model.others[at] = link.elements.others;
-        model.sources[at] = CollisionModel::Source::given;
+        model.sources[at] = outer && link.work->report.measures.certified ? CollisionModel::Source::cover
+                                                                          : CollisionModel::Source::given;
+        model.solids[at] = link.solid;
     }
     return model;
+}
+
+/// Returns the pairs that need no check. Warns of pairs that are in contact in every pose because of their elements alone.
+std::vector<IgnoredPair> pairs_of(const Workspace& workspace, const FinishedModel& finished) {
+    SelfCollisionOptions options;
+    options.seed = workspace.recipe.seed;
+    const CollisionModel model = collision_model(workspace, finished);
+    const SelfCollisionMatrix matrix = self_collision_matrix(Kinematics(finished.model.robot), model, options);
+    for (const LinkPair& pair : matrix.pairs) {
+        if (pair.touches_by_elements_alone) {
+            workspace.journal.finding({Severity::warning, model.robot->links[pair.first].name, "",
+                                       sentence_about(pair, *model.robot)});
+        }
+    }
+    return ignored_pairs(*finished.model.robot, matrix);
 }
 
 std::string provenance(const Workspace& workspace, const Input& input, const FinishedModel& finished) {
@@ -60,8 +79,13 @@ std::string provenance(const Workspace& workspace, const Input& input, const Fin
 
 } // namespace
 
-void complete_model(const Workspace& workspace, const Input& input, FinishedModel& finished) {
+void complete_model(const Workspace& workspace, const Input& input,
+                    const std::optional<ReferenceConfiguration>& reference, FinishedModel& finished) {
     finished.model.facts = workspace.recipe.facts;
+    if (reference && finished.model.facts.default_pose.empty()) {
+        finished.model.facts.default_pose =
+            moved_joints(Kinematics(finished.model.robot), reference->configuration);
+    }
     for (const Link& link : finished.model.robot->links) {
         if (workspace.recipe.for_link(link.name).no_collision) {
             finished.model.without_collision.push_back(link.name);
@@ -72,12 +96,7 @@ void complete_model(const Workspace& workspace, const Input& input, FinishedMode
         finished.model.geometry[link.work->link->name] = link.solid;
     }
     if (any_lists_pairs(workspace) && finished.model.robot->links.size() > 1) {
-        SelfCollisionOptions options;
-        options.seed = workspace.recipe.seed;
-        options.reference = workspace.recipe.facts.default_pose;
-        finished.model.ignored_pairs =
-            ignored_pairs(*finished.model.robot,
-                          self_collision_matrix(Kinematics(finished.model.robot), collision_model(finished), options));
+        finished.model.ignored_pairs = pairs_of(workspace, finished);
     }
 }
 

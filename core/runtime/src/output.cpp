@@ -10,8 +10,7 @@
 
 namespace foam::inline runtime {
 
-/// Returns the file whose spheres the output replaces.
-static std::optional<TextFile> into_of(const Workspace& workspace, const OutputCall& output) {
+std::optional<TextFile> into_of(const Workspace& workspace, const OutputCall& output) {
     if (output.into.empty()) {
         return {};
     }

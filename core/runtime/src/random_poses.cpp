@@ -1,6 +1,7 @@
 #include "random_poses.hpp"
 
 #include "covering.hpp"
+#include "reference_pose.hpp"
 
 #include <foam/runtime/internal/elements.hpp>
 #include <foam/runtime/internal/links.hpp>
@@ -23,12 +24,7 @@ RandomPoses::RandomPoses(std::shared_ptr<const Robot> robot, const std::vector<L
 
 Consequences RandomPoses::consequences(const std::vector<Approximation::Level>& of_link) {
     if (solids_.empty()) {
-        solids_.resize(robot_->links.size());
-        for (std::size_t i = 0; i < links_.size(); ++i) {
-            if (!links_[i].error) {
-                solids_[robot_links_[i]] = solid_of(links_[i]);
-            }
-        }
+        solids_ = solids_of(*robot_, links_);
     }
     CollisionModel model; // as it is written: with kept spheres and padding
     model.robot = robot_;

@@ -1,11 +1,13 @@
 #include "reference_pose.hpp"
 
+#include <foam/base/parallel.hpp>
 #include <foam/collision/separation.hpp>
 #include <foam/geometry/self_intersection.hpp>
 #include <foam/robot/internal/chain.hpp>
 #include <foam/robot/kinematics.hpp>
 #include <foam/runtime/internal/elements.hpp>
 #include <foam/runtime/internal/links.hpp>
+#include <foam/runtime/internal/output.hpp>
 
 #include <fmt/format.h>
 
@@ -15,12 +17,23 @@
 namespace foam::inline runtime {
 namespace {
 
-std::vector<double> configuration_of(const Kinematics& kinematics, const JointValues& values) {
-    try {
-        return kinematics.configuration(values);
-    } catch (const Error& error) {
-        throw Error(ErrorCode::recipe, fmt::format("self_collision.pose: {}", error.what()));
+/// Returns the group states of the SRDFs that outputs edit.
+std::vector<GroupState> poses_of_outputs(const Workspace& workspace) {
+    std::vector<GroupState> poses;
+    for (const OutputCall& output : workspace.recipe.outputs) {
+        if (const std::optional<TextFile> into = into_of(workspace, output)) {
+            const std::vector<GroupState> more = group_states(into->text, into->file.string());
+            poses.insert(poses.end(), more.begin(), more.end());
+        }
     }
+    return poses;
+}
+
+bool needs_reference(const Workspace& workspace) {
+    const auto& outputs = workspace.recipe.outputs;
+    return workspace.recipe.self_collision || std::any_of(outputs.begin(), outputs.end(), [&](const OutputCall& output) {
+               return workspace.registry.find(output.writer.stage)->info.consumer.rest_pose;
+           });
 }
 
 /// Returns whether a corner of `a` lies in or on `b`. `pose`: of a in the frame of b.
@@ -92,11 +105,54 @@ double depth(const std::vector<Sphere>& a, const std::vector<Sphere>& b) {
 
 } // namespace
 
-ReferencePose::ReferencePose(std::shared_ptr<const Robot> robot, const JointValues& values,
+LinkSolids solids_of(const Robot& robot, const std::vector<LinkWork>& links) {
+    LinkSolids solids(robot.links.size());
+    parallel_for(links.size(), [&](std::size_t i) {
+        if (!links[i].error) {
+            solids[static_cast<std::size_t>(links[i].link - robot.links.data())] = solid_of(links[i]);
+        }
+    });
+    return solids;
+}
+
+std::optional<ReferenceConfiguration> reference_of(const Workspace& workspace, std::shared_ptr<const Robot> robot,
+                                                   const std::vector<LinkWork>& links) {
+    using Source = ReferenceConfiguration::Source;
+    const Recipe& recipe = workspace.recipe;
+    if (!needs_reference(workspace) || robot->joints.empty()) {
+        return std::nullopt;
+    }
+    const Kinematics kinematics(robot);
+    const JointValues& given =
+        recipe.self_collision_pose.empty() ? recipe.facts.default_pose : recipe.self_collision_pose;
+    ReferenceConfiguration reference;
+    try {
+        reference = reference_configuration(kinematics, solids_of(*robot, links),
+                                            {.given = given,
+                                             .named = poses_of_outputs(workspace),
+                                             .held = recipe.facts.lock_joints,
+                                             .seed = recipe.seed});
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::usage) {
+            throw;
+        }
+        throw Error(ErrorCode::recipe, fmt::format("{}: {}",
+                                                   recipe.self_collision_pose.empty() ? "robot.default_pose"
+                                                                                      : "self_collision.pose",
+                                                   error.what()));
+    }
+    if (!reference.touching.empty() || reference.source == Source::named || reference.source == Source::found) {
+        workspace.journal.finding({reference.touching.empty() ? Severity::info : Severity::warning, "", "",
+                                   sentence_about(kinematics, reference)});
+    }
+    return reference;
+}
+
+ReferencePose::ReferencePose(std::shared_ptr<const Robot> robot, const std::vector<double>& configuration,
                              const std::vector<LinkWork>& links)
     : links_(links) {
     const Kinematics kinematics(robot);
-    const std::vector<Pose> poses = kinematics.link_poses(configuration_of(kinematics, values));
+    const std::vector<Pose> poses = kinematics.link_poses(configuration);
     std::vector<bool> has_geometry(robot->links.size(), false);
     std::vector<std::size_t> index; // of each of our links in the robot
     for (const LinkWork& link : links) {

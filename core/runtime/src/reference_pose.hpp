@@ -1,12 +1,14 @@
 // Links in the reference pose: which of them must not touch, and where their spheres overlap.
 #pragma once
 
+#include <foam/collision/reference_pose.hpp>
 #include <foam/geometry/solid.hpp>
 #include <foam/geometry/sphere.hpp>
 #include <foam/runtime/internal/prepare.hpp>
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -24,12 +26,21 @@ struct Overlap {
     double depth = 0; ///< m; of the two elements that overlap most; from below where one is not a sphere
 };
 
-/// A reference pose of one run. Not thread-safe.
+/// Returns the original geometry of each link of the robot; null: none, or it could not be loaded.
+LinkSolids solids_of(const Robot& robot, const std::vector<LinkWork>& links);
+
+/// Returns the reference pose of a run, and reports where it differs from zero; nothing where no step of the run needs
+/// one: `self_collision`, and outputs with a rest pose. It is the pose of `self_collision`, else the robot's
+/// `default_pose`, else one in which no links touch: a <group_state> of an SRDF that an output edits, zero, or one that
+/// is found. Throws Error(recipe) for a joint that the robot does not have or that does not move independently.
+std::optional<ReferenceConfiguration> reference_of(const Workspace& workspace, std::shared_ptr<const Robot> robot,
+                                                   const std::vector<LinkWork>& links);
+
+/// The links of one run in its reference pose. Not thread-safe.
 class ReferencePose {
 public:
-    /// Sets all joints to zero, moved into their limits, except the joints that `values` names: rad or m. Throws
-    /// Error(recipe) for a joint that the robot does not have or that does not move independently.
-    ReferencePose(std::shared_ptr<const Robot> robot, const JointValues& values, const std::vector<LinkWork>& links);
+    ReferencePose(std::shared_ptr<const Robot> robot, const std::vector<double>& configuration,
+                  const std::vector<LinkWork>& links);
 
     /// Returns the overlaps of elements of links that are to stay apart: links that are not neighbours and whose
     /// geometry does not touch in this pose. Elements also count if their distance is below the rounding of written

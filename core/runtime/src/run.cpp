@@ -178,9 +178,10 @@ RunResult run_in(const Workspace& preparing, std::optional<RunDirectory>& direct
         preparing.options.inputs_known(files_read(files));
     }
     journal.begin("spheres");
+    const std::optional<ReferenceConfiguration> reference = reference_of(preparing, input.robot, links);
     std::optional<ReferencePose> pose;
     if (recipe.self_collision) {
-        pose.emplace(input.robot, recipe.self_collision_pose, links);
+        pose.emplace(input.robot, reference ? reference->configuration : std::vector<double>{}, links);
     }
     std::optional<RandomPoses> poses;
     if (recipe.budget_for.value_or(BudgetFor::geometry) == BudgetFor::poses) {
@@ -203,7 +204,7 @@ RunResult run_in(const Workspace& preparing, std::optional<RunDirectory>& direct
 
     tell_loose_links(workspace, finished);
     tell_hollow_links(workspace, finished);
-    complete_model(workspace, input, finished);
+    complete_model(workspace, input, reference, finished);
     Snapshots pictures;
     if (directory) {
         pictures = write_model(workspace, finished, *directory, files, result);

@@ -53,8 +53,8 @@ ModelFigures figures_of(const ViewedRobot& robot, const Original& original,
     return figures;
 }
 
-LinkPairs ignored_pairs_of(const ViewedRobot& robot, const std::vector<std::vector<Sphere>>& spheres,
-                           const std::atomic<bool>* cancel) {
+LinkPairs ignored_pairs_of(const ViewedRobot& robot, const Original* original,
+                           const std::vector<std::vector<Sphere>>& spheres, const std::atomic<bool>* cancel) {
     LinkPairs pairs;
     if (!robot.kinematics) {
         return pairs;
@@ -64,6 +64,14 @@ LinkPairs ignored_pairs_of(const ViewedRobot& robot, const std::vector<std::vect
     model.spheres = spheres;
     for (const std::vector<Sphere>& link : spheres) {
         model.sources.push_back(link.empty() ? CollisionModel::Source::none : CollisionModel::Source::given);
+    }
+    model.solids.resize(robot.robot->links.size());
+    for (const OriginalLink& link : original ? original->links : std::vector<OriginalLink>{}) {
+        const std::size_t l = link_index(*robot.robot, link.link);
+        model.solids.at(l) = link.solid;
+        if (!spheres.at(l).empty() && certify(*link.solid, spheres.at(l)).holds) {
+            model.sources.at(l) = CollisionModel::Source::cover;
+        }
     }
     SelfCollisionOptions options;
     options.samples = 10'000;  // pairs are shown, not written: a rate of 3 in 10 000 is fine enough

@@ -41,8 +41,11 @@ SphereModel model_of(const ViewedRobot& robot, const Original* original, const R
         }
     }
     model.provenance = fmt::format("foam {}, edited in foam view; {}", version(), proof);
+    if (writer.info.consumer.rest_pose && robot.kinematics) {
+        give_rest_pose(model);
+    }
     if (lists_pairs(writer.info, {}) && model.groups.size() > 1 && robot.kinematics) {
-        model.ignored_pairs = judge::ignored_pairs_of(model, {}, &cancel);
+        model.ignored_pairs = judge::ignored_pairs_of(model, &cancel);
     }
     return model;
 }

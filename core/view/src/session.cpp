@@ -337,7 +337,9 @@ LinkVerdicts Session::verdicts(std::size_t model) {
 }
 
 LinkPairs Session::ignored(std::size_t model) {
-    return ignored_pairs_of(data_->robot_of(model), spheres_in(data_->state(model)), &data_->stopped);
+    const auto original = data_->original(model);
+    return ignored_pairs_of(data_->robot_of(model), original ? &*original : nullptr, spheres_in(data_->state(model)),
+                            &data_->stopped);
 }
 
 std::optional<ModelFigures> Session::figures(std::size_t model) {

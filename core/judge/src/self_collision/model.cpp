@@ -3,6 +3,7 @@
 #include <foam/base/file.hpp>
 #include <foam/base/internal/files.hpp>
 #include <foam/base/parallel.hpp>
+#include <foam/geometry/element_measure.hpp>
 #include <foam/judge/collision_model.hpp>
 #include <foam/sdk/context.hpp>
 #include <foam/sdk/stage.hpp>
@@ -69,6 +70,13 @@ std::size_t index_of(const Robot& robot, const std::string& link) {
     return static_cast<std::size_t>(robot.find_link(link) - robot.links.data());
 }
 
+void take_solids(const Original& original, CollisionModel& model) {
+    model.solids.resize(model.robot->links.size());
+    for (const OriginalLink& link : original.links) {
+        model.solids[index_of(*model.robot, link.link)] = link.solid;
+    }
+}
+
 void require_pairs(const CollisionModel& model) {
     std::size_t with_spheres = 0;
     for (std::size_t i = 0; i < model.spheres.size(); ++i) {
@@ -87,21 +95,24 @@ CollisionModel load_collision_model(const std::filesystem::path& urdf, const Reg
                                     std::size_t spheres_per_link,
                                     const std::vector<std::filesystem::path>& package_path) {
     CollisionModel model = load_robot(urdf, registry, package_path);
-    std::vector<std::string> others;
+    bool any = false;
     for (std::size_t i = 0; i < model.spheres.size(); ++i) {
         const Link& link = model.robot->links[i];
-        if (!take_spheres(link, model.spheres[i])) {
-            others.push_back(link.name);
-        } else if (!link.collisions.empty()) {
-            model.sources[i] = CollisionModel::Source::given;
+        any = any || !link.collisions.empty();
+        if (take_spheres(link, model.spheres[i]) && !link.collisions.empty()) {
+            model.sources[i] = CollisionModel::Source::geometry;
         }
     }
-    if (!others.empty()) {
-        const Original original = load_original(urdf, registry, others, {}, CoveredGeometry::collision, package_path);
+    if (any) {
+        const Original original = load_original(urdf, registry, {}, {}, CoveredGeometry::collision, package_path);
         model.notes = original.notes;
+        take_solids(original, model);
         const auto spherizer = registry.make<Spherizer>("spherize.cover", {{"effort", "fast"}});
         for (const OriginalLink& link : original.links) {
             const std::size_t i = index_of(*model.robot, link.link);
+            if (model.sources[i] == CollisionModel::Source::geometry) {
+                continue;
+            }
             QuietContext context;
             const Shape shape(link.link, link.solid, link.solid);
             model.spheres[i] = spherizer->spherize(shape, {spheres_per_link, {}, Guarantee::outer}, context).finest();
@@ -126,9 +137,11 @@ CollisionModel collision_model_of(const Original& original, const MatchedModel& 
         const ElementsView elements = matched.of(i);
         model.others[link].assign(elements.others.begin(), elements.others.end());
         if (!elements.empty()) {
-            model.sources[link] = CollisionModel::Source::given;
+            model.sources[link] = covers(*original.links[i].solid, elements) ? CollisionModel::Source::cover
+                                                                             : CollisionModel::Source::given;
         }
     }
+    take_solids(original, model);
     require_pairs(model);
     return model;
 }

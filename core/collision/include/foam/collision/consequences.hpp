@@ -3,12 +3,9 @@
 #pragma once
 
 #include <foam/collision/self_collision.hpp>
-#include <foam/geometry/solid.hpp>
 
 #include <cstdint>
-#include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace foam {
@@ -45,12 +42,6 @@ struct Consequences {
     bool operator==(const Consequences&) const = default;
 };
 
-/// The original geometry of each link of the robot, in its frame; null: it has none.
-using LinkSolids = std::vector<std::shared_ptr<const Solid>>;
-
-/// Pairs of indices into robot.links, the smaller first.
-using LinkPairs = std::vector<std::pair<std::size_t, std::size_t>>;
-
 /// Returns `count` configurations, uniform within the limits: equal seeds give equal configurations.
 std::vector<std::vector<double>> random_configurations(const Kinematics& kinematics, std::size_t count,
                                                        std::uint64_t seed);
@@ -58,8 +49,8 @@ std::vector<std::vector<double>> random_configurations(const Kinematics& kinemat
 /// Compares the model with the original geometry in each configuration. A contact of the original geometry is certain:
 /// a triangle passes through another, or a piece lies inside; round primitives count as polyhedra of 96 sides within
 /// them. Links without elements never touch. `pairs`: those that are checked; nothing: the pairs of links with geometry
-/// but those joined by at most one moving joint with no geometry in between, and those whose geometry touches in the
-/// zero pose. The result is the same on any number of threads. Throws Error(cancelled).
+/// but those joined by at most one moving joint with no geometry in between, and those whose geometry touches in every
+/// configuration: the given ones, the zero pose and 256 random ones. The result is the same on any number of threads. Throws Error(cancelled).
 Consequences consequences_of(const Kinematics& kinematics, const CollisionModel& model, const LinkSolids& solids,
                              const std::optional<LinkPairs>& pairs,
                              const std::vector<std::vector<double>>& configurations);

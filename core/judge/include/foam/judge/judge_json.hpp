@@ -121,6 +121,13 @@ template <class Json> Json json_of_pairs(const CollisionModel& model, const Self
             json["samples"] = pair.samples;
             json["contacts"] = pair.touching;
         }
+        if (pair.geometry_samples > 0) {
+            json["geometry_samples"] = pair.geometry_samples;
+            json["geometry_contacts"] = pair.geometry_touching;
+        }
+        if (pair.found_touching) {
+            json["contact_found"] = true;
+        }
         pairs.push_back(std::move(json));
     }
     return pairs;

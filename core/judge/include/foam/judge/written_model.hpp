@@ -2,6 +2,7 @@
 #pragma once
 
 #include <foam/judge/evaluate.hpp>
+#include <foam/robot/group_states.hpp>
 #include <foam/sdk/stage.hpp>
 
 #include <atomic>
@@ -27,9 +28,12 @@ SphereModel sphere_model_of(const SphereFile& file, std::shared_ptr<const Robot>
 /// Returns a sentence: for how many links the geometry is proved to lie inside the spheres. `float32`: also for the
 /// numbers in single precision.
 std::string proof_statement(const Original& original, const SphereFile& file, bool float32);
-/// Returns the pairs of links that need no collision check. `reference`: joint positions of the reference pose.
-std::vector<IgnoredPair> ignored_pairs_of(const SphereModel& model, const JointValues& reference,
-                                          const std::atomic<bool>* cancel);
+/// Returns the pairs of links that need no collision check, of the model's elements and the original geometry in
+/// SphereModel::geometry.
+std::vector<IgnoredPair> ignored_pairs_of(const SphereModel& model, const std::atomic<bool>* cancel);
+/// Gives a model the pose in which no links of its original geometry touch as its rest pose, unless it has one. `named`:
+/// poses that are tried first. Returns a sentence about it; "" if nothing was to be found out.
+std::string give_rest_pose(SphereModel& model, const std::vector<GroupState>& named = {});
 
 struct WrittenFile {
     std::filesystem::path file;

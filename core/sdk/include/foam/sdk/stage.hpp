@@ -225,6 +225,8 @@ struct Consumer {
     bool float32 = false;   ///< it holds single precision: the proof is also made on these numbers
     bool pairs = false;     ///< its files list the pairs of links that need no check: SphereModel::ignored_pairs
     std::string pairs_if{}; ///< the boolean parameter without which the files do not list them; empty: always
+    /// Its files have a rest pose, or place the links in one: RobotFacts::default_pose.
+    bool rest_pose = false;
     bool edits = false;     ///< the writer can replace the spheres of a file: SphereModel::into
 };
 

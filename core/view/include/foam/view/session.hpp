@@ -129,8 +129,9 @@ LinkVerdict verdict_of(const Solid& solid, const std::vector<Sphere>& spheres);
 /// Returns the verdict on each link of a robot.
 LinkVerdicts verdicts_of(const ViewedRobot& robot, const Original& original,
                          const std::vector<std::vector<Sphere>>& spheres);
-/// Returns the pairs of links that never need a check.
-LinkPairs ignored_pairs_of(const ViewedRobot& robot, const std::vector<std::vector<Sphere>>& spheres,
+/// Returns the pairs of links that never need a check. `original`: null where the geometry is not known.
+LinkPairs ignored_pairs_of(const ViewedRobot& robot, const Original* original,
+                           const std::vector<std::vector<Sphere>>& spheres,
                            const std::atomic<bool>* cancel = nullptr);
 /// Returns at most `count` spheres for a whole robot. `state`: the pinned spheres are kept and the weights count.
 /// Throws as a run does.

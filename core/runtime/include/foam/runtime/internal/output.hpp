@@ -20,6 +20,9 @@ struct OutputFile {
     Digest portable_digest = {};
 };
 
+/// Returns the file that an output edits; nothing for an output that writes a whole file.
+std::optional<TextFile> into_of(const Workspace& workspace, const OutputCall& output);
+
 /// Writes every output of the recipe, reads it back as another program would, compares the spheres and runs the
 /// certificate on the numbers read. Throws Error(internal) if a proof that held in memory does not hold on the file.
 std::vector<OutputFile> write_outputs(const Workspace& workspace, const FinishedModel& finished,

@@ -1,0 +1,194 @@
+#include "link_shapes.hpp"
+
+#include <foam/base/cancellation.hpp>
+#include <foam/base/random.hpp>
+#include <foam/base/text.hpp>
+#include <foam/collision/consequences.hpp>
+#include <foam/collision/reference_pose.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace foam::inline collision {
+namespace {
+
+/// Poses of one robot, and which links touch in them.
+class Poses {
+public:
+    Poses(const Kinematics& kinematics, const LinkSolids& solids)
+        : kinematics_(kinematics), shapes_(solids), placed_(kinematics, shapes_),
+          pairs_(pairs_apart(kinematics, shapes_)) {}
+
+    /// Returns the pairs that touch, but not in every configuration.
+    LinkPairs touching(const std::vector<double>& configuration) {
+        LinkPairs found;
+        placed_.place(configuration);
+        std::copy_if(pairs_.begin(), pairs_.end(), std::back_inserter(found),
+                     [&](const auto& pair) { return placed_.touching(pair.first, pair.second); });
+        if (!found.empty()) {
+            const LinkPairs& always = always_touching(found);
+            std::erase_if(found,
+                          [&](const auto& pair) { return std::binary_search(always.begin(), always.end(), pair); });
+        }
+        return found;
+    }
+    /// Returns whether no pair touches that can be apart. Ends at the first that does.
+    bool free(const std::vector<double>& configuration) {
+        if (!always_) {
+            return touching(configuration).empty();
+        }
+        check_cancelled();
+        placed_.place(configuration);
+        return std::none_of(pairs_.begin(), pairs_.end(), [&](const auto& pair) {
+            return placed_.touching(pair.first, pair.second) &&
+                   !std::binary_search(always_->begin(), always_->end(), pair);
+        });
+    }
+
+private:
+    /// Returns the pairs that touch in every configuration, of all pairs: those that touch in one are asked about once.
+    const LinkPairs& always_touching(const LinkPairs& found) {
+        constexpr std::size_t tried = 256;
+        if (!always_) {
+            always_ = touching_in_all(kinematics_, shapes_, found, random_configurations(kinematics_, tried, 0));
+        }
+        return *always_;
+    }
+
+    const Kinematics& kinematics_;
+    const LinkShapes shapes_;
+    PlacedShapes placed_;
+    LinkPairs pairs_;
+    /// Pairs that touch in every configuration. They touch in the first that was asked about, so they are found there.
+    std::optional<LinkPairs> always_;
+};
+
+/// Moves joints of a free configuration back to `zero`, one after the other, as long as it stays free.
+std::vector<double> with_few_moved(Poses& poses, std::vector<double> configuration, const std::vector<double>& zero) {
+    for (std::size_t i = 0; i < configuration.size(); ++i) {
+        const double before = configuration[i];
+        configuration[i] = zero[i];
+        if (!poses.free(configuration)) {
+            configuration[i] = before;
+        }
+    }
+    return configuration;
+}
+
+std::vector<double> middle_of(const Kinematics& kinematics) {
+    std::vector<double> middle;
+    for (const Freedom& freedom : kinematics.freedoms()) {
+        middle.push_back((freedom.lower + freedom.upper) / 2);
+    }
+    return middle;
+}
+
+/// Returns a free configuration with few joints away from zero; nothing if none of some hundred is free. The middle of the
+/// ranges comes first: it is far from contacts near the limits.
+std::optional<std::vector<double>> found_free(Poses& poses, const Kinematics& kinematics,
+                                              const std::vector<double>& zero, const std::vector<bool>& held,
+                                              std::uint64_t seed) {
+    constexpr int tries = 256;
+    Random random(derive_seed(seed, "reference pose"));
+    for (int i = 0; i < tries; ++i) {
+        std::vector<double> configuration = i == 0 ? middle_of(kinematics) : kinematics.random_configuration(random);
+        for (std::size_t f = 0; f < zero.size(); ++f) {
+            configuration[f] = held[f] ? zero[f] : configuration[f];
+        }
+        if (poses.free(configuration)) {
+            return with_few_moved(poses, std::move(configuration), zero);
+        }
+    }
+    return std::nullopt;
+}
+
+std::vector<bool> freedoms_held(const Kinematics& kinematics, const JointValues& values) {
+    std::vector<bool> held;
+    for (const Freedom& freedom : kinematics.freedoms()) {
+        held.push_back(values.contains(freedom.joint));
+    }
+    return held;
+}
+
+/// Returns the values of joints that move and mimic no other.
+JointValues of_freedoms(const Kinematics& kinematics, const JointValues& values) {
+    JointValues result;
+    for (const Freedom& freedom : kinematics.freedoms()) {
+        if (const auto value = values.find(freedom.joint); value != values.end()) {
+            result.insert(*value);
+        }
+    }
+    return result;
+}
+
+std::vector<double> with_held(const Kinematics& kinematics, const JointValues& values, const JointValues& held) {
+    JointValues all = held;
+    all.insert(values.begin(), values.end());
+    return kinematics.configuration(all);
+}
+
+} // namespace
+
+ReferenceConfiguration reference_configuration(const Kinematics& kinematics, const LinkSolids& solids,
+                                               const ReferencePoseOptions& options) {
+    using Source = ReferenceConfiguration::Source;
+    Poses poses(kinematics, solids);
+    if (!options.given.empty()) {
+        const std::vector<double> configuration = kinematics.configuration(options.given);
+        return {configuration, Source::given, "", poses.touching(configuration)};
+    }
+    for (const GroupState& named : options.named) {
+        const JointValues values = of_freedoms(kinematics, named.values);
+        const std::vector<double> configuration = with_held(kinematics, values, options.held);
+        if (!values.empty() && poses.free(configuration)) {
+            return {configuration, Source::named, named.name, {}};
+        }
+    }
+    const std::vector<double> zero = kinematics.configuration(options.held);
+    const LinkPairs touching = poses.touching(zero);
+    if (touching.empty()) {
+        return {zero, Source::zero, "", {}};
+    }
+    const auto found =
+        found_free(poses, kinematics, zero, freedoms_held(kinematics, options.held), options.seed);
+    return found ? ReferenceConfiguration{*found, Source::found, "", {}}
+                 : ReferenceConfiguration{zero, Source::worst, "", touching};
+}
+
+JointValues moved_joints(const Kinematics& kinematics, const std::vector<double>& configuration) {
+    const std::vector<double> zero = kinematics.configuration();
+    JointValues moved;
+    for (std::size_t i = 0; i < zero.size(); ++i) {
+        if (configuration[i] != zero[i]) {
+            moved[kinematics.freedoms()[i].joint] = configuration[i];
+        }
+    }
+    return moved;
+}
+
+std::string sentence_about(const Kinematics& kinematics, const ReferenceConfiguration& reference) {
+    using Source = ReferenceConfiguration::Source;
+    std::vector<std::string> joints, pairs;
+    for (const auto& [joint, value] : moved_joints(kinematics, reference.configuration)) {
+        joints.push_back(fmt::format("{} {:.4g}", shown(joint), value));
+    }
+    for (const auto& [a, b] : reference.touching) {
+        pairs.push_back(fmt::format("{} and {}", shown(kinematics.robot().links[a].name),
+                                    shown(kinematics.robot().links[b].name)));
+    }
+    const std::string where = joints.empty() ? "all joints at zero" : fmt::format("{}", fmt::join(joints, ", "));
+    const std::string what = reference.source == Source::given   ? "as given"
+                             : reference.source == Source::named ? fmt::format("'{}'", shown(reference.name))
+                             : reference.source == Source::found
+                                 ? "found, for links touch with all joints at zero"
+                                 : "moved into the limits";
+    return fmt::format("reference pose ({}): {}{}", what, where,
+                       pairs.empty() ? ""
+                                     : fmt::format("; the geometry of these links touches in it: {}",
+                                                   fmt::join(pairs, ", ")));
+}
+
+} // namespace foam::inline collision
