@@ -141,6 +141,16 @@ int convert(Program& program, const ConvertArguments& arguments) {
     Telling context(arguments.verbose);
     const std::vector<WrittenFile> files = written_files(*writer, format.info, model, arguments.output, context);
     require_written(model, *writer, files);
+    std::vector<std::filesystem::path> inputs{arguments.robot};
+    if (original) {
+        inputs = mesh_files(*original->robot);
+        inputs.emplace_back(arguments.robot);
+    }
+    if (!in_place) {
+        inputs.emplace_back(arguments.model);
+        inputs.emplace_back(arguments.into);
+    }
+    refuse_replacing(files, inputs, arguments.force);
     for (std::size_t i = files.size(); i-- > 0;) { // files beside the one first
         make_folder_of(files[i]);
         write_whole_file(files[i].file, files[i].bytes);

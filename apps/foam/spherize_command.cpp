@@ -183,6 +183,7 @@ int run_quick(const SpherizeArguments& arguments, const Recipe& recipe, const Qu
         }
         return exit_code_of(result);
     }
+    refuse_replacing(files, result.inputs, options.force);
     for (std::size_t i = files.size(); i-- > 0;) { // files beside the one first
         make_folder_of(files[i]);
         deliver(files[i].bytes, files[i].file);

@@ -1,8 +1,10 @@
 #include "written_files.hpp"
 
+#include "cli/overwriting.hpp"
 #include "cli/program.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/base/file.hpp>
 #include <foam/base/text.hpp>
 
 #include <fmt/format.h>
@@ -57,6 +59,36 @@ std::vector<std::string> file_names(const std::vector<WrittenFile>& files) {
         names.push_back(file.file.string());
     }
     return names;
+}
+
+/// Returns the bytes of a file that is replaced; "" if there is none.
+static std::string bytes_before(const std::filesystem::path& file) {
+    constexpr std::uintmax_t most_bytes = 1'000'000'000;
+    return std::filesystem::is_regular_file(file) ? read_regular_file(file, most_bytes, "").bytes : "";
+}
+
+void refuse_replacing(const std::vector<WrittenFile>& files, const std::vector<std::filesystem::path>& inputs,
+                      bool force) {
+    std::vector<std::string> before;
+    for (const WrittenFile& file : files) {
+        refuse_overwriting(file.file, inputs, force);
+        before.push_back(bytes_before(file.file));
+    }
+    const auto names = [&](std::size_t a, std::size_t b) {
+        return a != b && before[a].find(files[b].file.filename().string()) != std::string::npos;
+    };
+    for (std::size_t i = 1; i < files.size() && !force; ++i) {
+        bool ours = before[i].empty() || before[i] == files[i].bytes;
+        for (std::size_t k = 0; k < files.size() && !ours; ++k) {
+            ours = names(i, k) || names(k, i);
+        }
+        if (!ours) {
+            throw Error(ErrorCode::usage,
+                        fmt::format("{}: the output would replace this file, which does not belong to an earlier {}; "
+                                    "nothing was written; remedy: another name, or --force",
+                                    files[i].file.string(), files.front().file.filename().string()));
+        }
+    }
 }
 
 void make_folder_of(const WrittenFile& file) {

@@ -15,6 +15,12 @@ std::vector<std::string> file_names(const std::vector<WrittenFile>& files);
 /// name or another type.
 std::map<std::string, ParameterValue> parameters_of(const std::vector<std::string>& texts, const StageInfo& writer);
 
+/// Throws Error(usage) unless `force`: for a file that is one of the inputs, by whatever name or link; and for a file
+/// beside the first that exists and does not belong to an earlier result of that name. It belongs to one if it names
+/// another of the files, or one of them names it.
+void refuse_replacing(const std::vector<WrittenFile>& files, const std::vector<std::filesystem::path>& inputs,
+                      bool force);
+
 /// Makes the folder of a file that lies beside an output.
 void make_folder_of(const WrittenFile& file);
 

@@ -51,6 +51,43 @@ TEST_F(CliOverwriting, ARunDoesNotReplaceTheFolderOfItsInput) {
     EXPECT_EQ(foam("run box.yaml --force").code, 0);
 }
 
+TEST_F(CliOverwriting, ARecipeInTheFolderOfItsRunStays) {
+    write("box.yaml", "foam: 1\nmesh: " + (path() / "box.obj").string() + "\nstages: [spherize.grid]\n"
+                      "budget: {spheres: 2}\n");
+    ASSERT_EQ(foam("run box.yaml --run-dir runs/r").code, 0);
+    std::filesystem::copy_file(path() / "box.yaml", path() / "runs/r/mine.yaml");
+    write("runs/r/notes.txt", "notes");
+    const Outcome outcome = foam("run runs/r/mine.yaml --run-dir runs/r");
+    EXPECT_NE(outcome.code, 0);
+    EXPECT_THAT(outcome.err, HasSubstr("mine.yaml"));
+    EXPECT_EQ(contents(path() / "runs/r/notes.txt"), "notes");
+    EXPECT_EQ(contents(path() / "runs/r/mine.yaml"), contents(path() / "box.yaml"));
+}
+
+TEST_F(CliOverwriting, FilesBesideTheOutputLeaveInputsAndFilesOfOthersAlone) {
+    ASSERT_EQ(foam("approximate box.obj -n 1 --with hull -o arm.urdf").code, 0);
+    std::string hull;
+    for (const auto& entry : std::filesystem::directory_iterator(path() / "arm_hulls")) {
+        hull = "arm_hulls/" + entry.path().filename().string();
+    }
+    ASSERT_EQ(foam("approximate box.obj -n 1 --with hull -o arm.urdf").code, 0) << "its own files are replaced";
+    const std::string made = contents(path() / hull);
+    write("backup.urdf", "<robot name='b'><link name='box'><collision><geometry><mesh filename='" + hull +
+                             "' scale='2 2 2'/></geometry></collision></link></robot>");
+    const Outcome outcome = foam("approximate backup.urdf -n 1 --with hull -o arm.urdf");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr(hull + ": the output would replace the input "));
+    EXPECT_EQ(contents(path() / hull), made);
+    std::filesystem::create_directory(path() / "mine_hulls");
+    const std::string theirs = "mine_hulls/" + hull.substr(10);
+    write(theirs, "v 0 0 0\n");
+    EXPECT_THAT(foam("approximate box.obj -n 1 --with hull -o mine.urdf").err,
+                HasSubstr(theirs + ": the output would replace this file, which does not belong to an earlier "
+                                   "mine.urdf; nothing was written; remedy: another name, or --force"));
+    EXPECT_EQ(contents(path() / theirs), "v 0 0 0\n");
+    EXPECT_EQ(foam("approximate box.obj -n 1 --with hull -o mine.urdf --force").code, 0);
+}
+
 TEST_F(CliOverwriting, OtherCommandsLeaveTheirInputsAlone) {
     ASSERT_EQ(foam("spherize box.urdf -n 3 --method grid -o s.urdf").code, 0);
     const std::string spheres = contents(path() / "s.urdf");

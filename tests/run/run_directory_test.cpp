@@ -4,6 +4,7 @@
 #include <foam/base/internal/files.hpp>
 #include <foam/runtime/internal/debug.hpp>
 #include <foam/runtime/internal/run_directory.hpp>
+#include <foam/runtime/internal/unfinished.hpp>
 
 #include <gtest/gtest.h>
 
@@ -69,6 +70,88 @@ TEST(RunDirectory, AnyLinkNameMakesAFolderName) {
     EXPECT_EQ(folder_name(longer).size(), 200u);
     EXPECT_NE(folder_name(longer), folder_name(other));
     EXPECT_LE(folder_name(std::string(300, '/')).size(), 200u);
+}
+
+TEST(RunDirectory, HoldsNothingButFilesOfTheRunBefore) {
+    const TemporaryFolder folder;
+    const fs::path target = folder.path() / "run";
+    const auto run = [&] {
+        RunDirectory directory(target);
+        directory.write("manifest.json", "{}");
+        directory.write("links/a/0.ply", "ply");
+        directory.commit();
+    };
+    run();
+    run();
+    const auto refused = [&] {
+        try {
+            run();
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    write_file(target / "links/a/notes.txt", "mine");
+    EXPECT_EQ(refused(), target.string() + ": links/a/notes.txt in it was not written by the run that foam would replace; "
+                                           "nothing was written; remedy: move it elsewhere, or choose another folder "
+                                           "with --run-dir");
+    write_file(target / "recipe.yaml", "foam: 1");
+    EXPECT_NE(refused().find("links/a/notes.txt and 1 more file in it were not written"), std::string::npos);
+    EXPECT_EQ(read_file(target / "links/a/notes.txt"), "mine");
+    fs::remove(target / "recipe.yaml");
+    fs::remove(target / "links/a/notes.txt");
+    fs::create_symlink("manifest.json", target / "link");
+    EXPECT_NE(refused(), "");
+    EXPECT_EQ(entries(folder.path()), 1u);
+}
+
+TEST(RunDirectory, AFolderWithAnyManifestIsNotARun) {
+    const TemporaryFolder folder;
+    write_file(folder.path() / "web/manifest.json", R"({"name": "my web app"})");
+    EXPECT_THROW(RunDirectory(folder.path() / "web"), Error);
+    write_file(folder.path() / "list/.foam-run", "files of a run of foam, format 1\n../../home\n");
+    write_file(folder.path() / "home", "precious");
+    {
+        RunDirectory run(folder.path() / "list");
+        run.commit();
+    }
+    EXPECT_EQ(read_file(folder.path() / "home"), "precious");
+}
+
+TEST(RunDirectory, WhatComesWhileTheRunIsGoingStays) {
+    const TemporaryFolder folder;
+    const fs::path target = folder.path() / "run";
+    {
+        RunDirectory run(target);
+        run.write("manifest.json", "{}");
+        run.commit();
+    }
+    {
+        RunDirectory run(target);
+        run.write("manifest.json", "new");
+        write_file(target / "late.txt", "mine");
+        EXPECT_THROW(run.commit(), Error);
+    }
+    EXPECT_EQ(read_file(target / "late.txt"), "mine");
+    EXPECT_EQ(read_file(target / "manifest.json"), "{}");
+}
+
+TEST(RunDirectory, RemovesWhatKilledRunsLeft) {
+    const TemporaryFolder folder;
+    const fs::path dead = folder.path() / ".run.partial-1", others = folder.path() / ".other.partial-2";
+    write_file(dead / unfinished_mark, "");
+    write_file(dead / "links/a.ply", "half");
+    write_file(others / "thesis.tex", "without the mark it is not foam's");
+    const fs::path living = folder.path() / ".living.partial-3";
+    fs::create_directory(living);
+    const UnfinishedFolder mark(living);
+    {
+        RunDirectory run(folder.path() / "run");
+        run.commit();
+    }
+    EXPECT_FALSE(fs::exists(dead));
+    EXPECT_TRUE(fs::exists(others / "thesis.tex"));
+    EXPECT_TRUE(fs::exists(living));
 }
 
 TEST(RunDirectory, NeverReplacesWhatIsNotARun) {

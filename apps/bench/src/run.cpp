@@ -18,7 +18,7 @@ ExperimentResult run_experiment(const Experiment& experiment, const Registry& re
     constexpr const char* csv = "results.csv";
     std::optional<RunDirectory> directory;
     if (!options.out.empty()) {
-        directory.emplace(options.out, csv);
+        directory.emplace(options.out);
     }
     const ScratchFolder scratch;
     experiment::Bench bench(registry, options, scratch.path());

@@ -45,6 +45,20 @@ void require_known_joints(const Robot& robot, const JointValues& values) {
 
 } // namespace
 
+std::vector<std::filesystem::path> mesh_files(const Robot& robot) {
+    std::vector<std::filesystem::path> files;
+    for (const Link& link : robot.links) {
+        for (const std::vector<GeometryElement>* elements : {&link.collisions, &link.visuals}) {
+            for (const GeometryElement& element : *elements) {
+                if (const auto* mesh = std::get_if<MeshReference>(&element.geometry)) {
+                    files.push_back(mesh->path);
+                }
+            }
+        }
+    }
+    return files;
+}
+
 const Link* Robot::find_link(const std::string& link) const {
     const auto it =
         std::find_if(links.begin(), links.end(), [&](const Link& candidate) { return candidate.name == link; });

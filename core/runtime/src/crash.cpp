@@ -1,8 +1,8 @@
 #include "signals.hpp"
+#include "unfinished_slots.hpp"
 
 #include <foam/base/internal/activity.hpp>
 #include <foam/runtime/crash.hpp>
-#include <foam/runtime/internal/unfinished.hpp>
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -78,23 +78,23 @@ void on_crash(int signal, siginfo_t* info, void*) {
 
 } // namespace
 
-UnfinishedFolder::UnfinishedFolder(const std::filesystem::path& folder) {
+int keep_for_crash(const std::filesystem::path& folder) {
     const std::string text = folder.string();
     for (std::size_t i = 0; i < folders.size() && text.size() < sizeof folders[i].path; ++i) {
         if (!folders[i].taken.exchange(true)) {
             std::memcpy(folders[i].path, text.c_str(), text.size() + 1);
             folders[i].complete.store(true);
-            slot_ = static_cast<int>(i);
-            return;
+            return static_cast<int>(i);
         }
     }
+    return -1;
 }
 
-UnfinishedFolder::~UnfinishedFolder() {
-    if (slot_ >= 0) {
-        FolderSlot& slot = folders[static_cast<std::size_t>(slot_)];
-        slot.complete.store(false);
-        slot.taken.store(false);
+void forget_for_crash(int slot) {
+    if (slot >= 0) {
+        FolderSlot& taken = folders[static_cast<std::size_t>(slot)];
+        taken.complete.store(false);
+        taken.taken.store(false);
     }
 }
 

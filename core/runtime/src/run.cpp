@@ -94,12 +94,29 @@ void check_names(const Workspace& workspace, const Input& input) {
     }
 }
 
-/// Returns all files of the robot or mesh.
-std::vector<std::filesystem::path> files_read(const RunFiles& files) {
+/// Returns all files that the run reads.
+std::vector<std::filesystem::path> files_read(const Recipe& recipe, const RunFiles& files) {
+    const std::filesystem::path folder = recipe.file.parent_path();
     std::vector<std::filesystem::path> read{files.input.file};
+    if (!recipe.file.empty()) {
+        read.push_back(recipe.file);
+    }
+    for (const RecipeFile& extended : recipe.extended) {
+        read.push_back(extended.file);
+    }
+    for (const std::string& plugin : recipe.plugins) {
+        read.push_back(folder / plugin);
+    }
+    for (const OutputCall& output : recipe.outputs) {
+        if (!output.into.empty()) {
+            read.push_back(folder / output.into);
+        }
+    }
     for (const InputFile& mesh : files.meshes) {
         read.push_back(mesh.file);
     }
+    const std::vector<std::filesystem::path> meshes = mesh_files(*files.input.robot);
+    read.insert(read.end(), meshes.begin(), meshes.end());
     return read;
 }
 
@@ -174,8 +191,9 @@ RunResult run_in(const Workspace& preparing, std::optional<RunDirectory>& direct
 
     RunFiles files{.input = input, .meshes = {}, .outputs = {}, .debug_meshes = {}};
     std::vector<LinkWork> links = links_of(preparing, input, files, result.input_size);
+    result.inputs = files_read(recipe, files);
     if (preparing.options.inputs_known) {
-        preparing.options.inputs_known(files_read(files));
+        preparing.options.inputs_known(result.inputs);
     }
     journal.begin("spheres");
     const std::optional<ReferenceConfiguration> reference = reference_of(preparing, input.robot, links);

@@ -25,6 +25,7 @@ fs::path folder_for_temporary_files() {
 }
 
 fs::path made(const fs::path& folder, const char* name, const char* remedy) {
+    remove_abandoned_folders(folder);
     std::string pattern = (folder / name).string();
     if (!mkdtemp(pattern.data())) {
         throw Error(ErrorCode::output, fmt::format("cannot write to the folder {} ({}); remedy: {}", folder.string(),

@@ -59,6 +59,9 @@ struct Robot {
     const Link* find_link(const std::string& link) const;
 };
 
+/// Returns the files of the robot's meshes, collision geometry and visuals.
+std::vector<std::filesystem::path> mesh_files(const Robot& robot);
+
 /// Joint values by name (rad or m). Unnamed joints stay at zero, moved into their limits.
 using JointValues = std::map<std::string, double>;
 /// Returns the pose of every link in the root link's frame, by link name. Links that the root does not reach are left

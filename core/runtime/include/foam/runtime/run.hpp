@@ -75,7 +75,8 @@ struct RunOptions {
     std::filesystem::path cache; ///< empty: $XDG_CACHE_HOME/foam or ~/.cache/foam
     /// Called with the manifest before the run directory is put in place; an exception from it ends the run.
     std::function<void(const std::string& manifest)> accept;
-    /// Called with all files of the robot or mesh once they are read; an exception from it ends the run.
+    /// Called with all files that the run reads once they are known: the recipe and those that it extends, the robot or
+    /// mesh, its meshes and visuals, the files that outputs edit, plugins; an exception from it ends the run.
     std::function<void(const std::vector<std::filesystem::path>& files)> inputs_known;
 };
 
@@ -140,6 +141,7 @@ struct RunResult {
     std::string input; ///< the candidate that was used, as written
     std::filesystem::path input_file;
     InputSize input_size;
+    std::vector<std::filesystem::path> inputs; ///< the files that were read, as RunOptions::inputs_known has them
     std::vector<LinkReport> links;
     std::vector<Finding> findings;
     std::vector<std::filesystem::path> files; ///< written, relative to the run directory

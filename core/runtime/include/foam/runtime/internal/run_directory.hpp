@@ -13,9 +13,10 @@ inline namespace [[gnu::visibility("default")]] runtime {
 
 class RunDirectory {
 public:
-    /// Makes the temporary folder beside `target`. Throws Error(output) if `target` exists and is neither empty nor a
-    /// folder with the file `mark`: other programs' files are never replaced.
-    explicit RunDirectory(std::filesystem::path target, const char* mark = "manifest.json");
+    /// Makes the temporary folder beside `target`, and removes those that killed runs left there. Throws Error(output)
+    /// naming the file if `target` holds anything that the run before did not write: each run leaves the list `.foam-run`
+    /// of its files.
+    explicit RunDirectory(std::filesystem::path target);
     /// Removes the temporary folder if commit() was not called.
     ~RunDirectory();
     RunDirectory(const RunDirectory&) = delete;
@@ -23,6 +24,7 @@ public:
 
     /// `file` is relative to the folder.
     void write(const std::filesystem::path& file, std::string_view bytes) const;
+    /// Puts the folder in place of that of an earlier run. Throws Error(output) if a file of others came there meanwhile.
     void commit();
     /// Returns the final absolute path.
     const std::filesystem::path& target() const { return target_; }
