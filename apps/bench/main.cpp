@@ -1,6 +1,7 @@
 // The command `foam bench`: a program of its own, which foam starts.
 #include "cli/entry.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/numbers.hpp"
 #include "cli/overwriting.hpp"
 #include "cli/run_directory.hpp"
 
@@ -66,7 +67,7 @@ void add_bench(Program& program) {
         ->add_option("-j,--threads", arguments->threads,
                      "Threads that a stage may use, at most 1024; 0: one per core; several threads distort CPU times")
         ->type_name("N")
-        ->check(CLI::Range(std::size_t{0}, std::size_t{1024}).description(""))
+        ->check(whole_number(0, 1024))
         ->capture_default_str();
     add_force(*command, arguments->force);
     command->add_flag("--check", arguments->check, "List all errors of the experiment, and measure nothing");

@@ -2,6 +2,7 @@
 
 #include "interrupt.hpp"
 #include "messages.hpp"
+#include "program_end.hpp"
 #include "suggestion.hpp"
 
 #include <foam/base/error.hpp>
@@ -104,7 +105,7 @@ int run_program(int count, char** arguments, const std::function<void(Program&)>
     add_commands(program);
     take_one_value_each(program.app);
     if (count <= 1) {
-        fmt::print(stderr, "{}", program.app.help());
+        tell_text(program.app.help());
         return exit_code(ErrorCode::usage);
     }
     try {
@@ -141,11 +142,14 @@ int guarded(int count, char** arguments, const std::function<void(Program&)>& ad
 } // namespace
 
 int run_main(int count, char** arguments, const std::function<void(Program&)>& add_commands) {
+    open_closed_streams();
     serve_isolated_call(count, arguments);
+    report_ends_by_stages();
     report_crashes();
     stop_on_interrupt();
     choose_colours(Colour::automatic);
     const int code = guarded(count, arguments, add_commands);
+    expect_end();
     std::fflush(nullptr); // a signal would leave what is buffered
     return exit_code_after(code);
 }

@@ -1,6 +1,7 @@
 #include "interrupt.hpp"
 
 #include "program.hpp"
+#include "program_end.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/runtime/crash.hpp>
@@ -45,6 +46,7 @@ void on_signal(int signal) {
 /// What was asked to stop goes on. Runs have a watchdog of their own; this one is for commands and phases without a
 /// run.
 void on_alarm(int) {
+    expect_end();
     write_text("foam: stopped; the program ends with these stages, which do not respond:\n");
     write_activities(STDERR_FILENO);
     end_children();
@@ -78,6 +80,7 @@ void give_up(const Unresponsive& what) {
                      stop ? "stopped:" : "error: the time limit is over, but", what.seconds,
                      what.at.empty() ? "work outside of the stages" : fmt::format("{}", fmt::join(what.at, "; ")),
                      "isolate: process for that stage (--set isolate=process), which ends with its process"));
+    expect_end();
     end_children();
     remove_unfinished_runs();
     _exit(stop ? exit_code_after(exit_code(ErrorCode::cancelled)) : exit_code(ErrorCode::geometry));

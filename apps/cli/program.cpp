@@ -3,6 +3,7 @@
 #include "build_text.hpp"
 #include "help.hpp"
 #include "messages.hpp"
+#include "numbers.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
@@ -125,7 +126,7 @@ void add_variants(CLI::App& command, std::vector<std::string>& names) {
 void add_threads(CLI::App& command, std::size_t& threads) {
     command.add_option("-j,--threads", threads, "Threads, at most 1024; default: one per core")
         ->type_name("N")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1024}).description(""));
+        ->check(whole_number(1, 1024));
 }
 
 void add_mesh_unit(CLI::App& command, MeshUnit& unit) {
@@ -134,7 +135,7 @@ void add_mesh_unit(CLI::App& command, MeshUnit& unit) {
         ->check(CLI::IsMember(length_units()).description(""));
     command.add_option("--scale", unit.scale, "Scale factor of the mesh, in addition to its unit; default: 1")
         ->type_name("F")
-        ->check(CLI::Validator(CLI::PositiveNumber).description(""));
+        ->check(number_above(0));
 }
 
 double length_of(const std::string& text, const std::string& option) {
@@ -180,7 +181,8 @@ void tell(std::string_view line) {
 }
 
 void tell_text(std::string_view text) {
-    fmt::print(stderr, "{}", coloured(shown_lines(with_names(std::string(text))), Stream::err));
+    const std::string shown = coloured(shown_lines(with_names(std::string(text))), Stream::err);
+    std::fwrite(shown.data(), 1, shown.size(), stderr); // nobody is left to be told that it failed
 }
 
 void tell_findings(const std::vector<Diagnostic>& findings) {

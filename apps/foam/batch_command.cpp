@@ -4,6 +4,7 @@
 #include "execute.hpp"
 
 #include "cli/interrupt.hpp"
+#include "cli/numbers.hpp"
 #include "cli/run_directory.hpp"
 
 #include <foam/base/error.hpp>
@@ -214,10 +215,11 @@ void add_batch_work(CLI::App& command, BatchArguments& arguments) {
         .add_option("-n,--spheres", arguments.budget.spheres,
                     "Maximum number of spheres of each mesh, instead of a recipe")
         ->type_name("N")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}).description(""))
+        ->check(whole_number(1, 1'000'000))
         ->excludes(recipe);
     command.add_option("--excess", arguments.budget.excess, "Use the fewest spheres with an excess of at most X")
         ->type_name("X")
+        ->check(number_from(0))
         ->excludes(recipe);
     command.add_option("-m,--method", arguments.method, "Spherizer, with or without the prefix 'spherize.'")
         ->type_name("METHOD")
@@ -226,24 +228,26 @@ void add_batch_work(CLI::App& command, BatchArguments& arguments) {
     add_settings(command, arguments.settings);
     command.add_option("--shards", arguments.shards, "Number of shards; default: one for every 1000 meshes")
         ->type_name("N")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}).description(""));
+        ->check(whole_number(1, 1'000'000));
     command
         .add_option("--shard", arguments.batch.only,
                     "Work on this shard alone, numbered from 0; repeatable; default: all, or those of the task of a "
                     "Slurm job array")
-        ->type_name("I");
+        ->type_name("I")
+        ->check(whole_number(0, 999'999));
     command
         .add_option("-j,--workers", arguments.batch.workers, "Worker processes, one mesh each; default: one per core")
         ->type_name("N")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1024}).description(""));
+        ->check(whole_number(1, 1024));
     command.add_option("--time-limit", arguments.batch.time_limit, "Limit of the time of one mesh in seconds")
         ->type_name("S")
-        ->check(CLI::Validator(CLI::PositiveNumber).description(""))
+        ->check(number_above(0))
         ->capture_default_str();
     command
         .add_option("--memory-limit", arguments.batch.memory_limit,
                     "Limit of the memory of one worker in MiB; 0: none; default: 4096")
-        ->type_name("N");
+        ->type_name("N")
+        ->check(whole_number(0, 1'000'000'000));
     command.add_flag("--slurm", arguments.slurm,
                      "Write foam.sbatch, Snakefile and README.md into DIR, and work on nothing");
 }

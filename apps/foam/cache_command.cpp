@@ -1,4 +1,5 @@
 // foam cache: how much it holds; making it smaller.
+#include "cli/numbers.hpp"
 #include "cli/program.hpp"
 #include "commands.hpp"
 
@@ -61,7 +62,8 @@ void add_cache(Program& program) {
         command
             ->add_option("--trim", arguments->trim,
                          "Delete the entries that were not used for the longest time, until N MiB are left")
-            ->type_name("N");
+            ->type_name("N")
+            ->check(whole_number(0, 1'000'000'000));
     command->add_flag("--clear", arguments->clear, "Delete all entries")->excludes(trim);
     command->add_flag("--json", arguments->json, "Print the result as JSON");
     command->callback([&program, arguments] { program.action = [arguments] { return cache_command(*arguments); }; });

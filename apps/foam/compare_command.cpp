@@ -1,5 +1,6 @@
 // foam compare: several sphere models of one robot.
 #include "cli/messages.hpp"
+#include "cli/numbers.hpp"
 #include "cli/overwriting.hpp"
 #include "commands.hpp"
 #include "comparison.hpp"
@@ -87,7 +88,9 @@ void add_compare(Program& program) {
     command->add_option("--html", arguments->html, "Also write one HTML file with tables and pictures")
         ->type_name("FILE");
     add_force(*command, arguments->force);
-    command->add_option("--seed", arguments->seed, "Seed of the samples; default: 0")->type_name("N");
+    command->add_option("--seed", arguments->seed, "Seed of the samples; default: 0")
+        ->type_name("N")
+        ->check(whole_number());
     command->add_flag("--json", arguments->json, "Print the figures as JSON, in metres instead of millimetres");
     command->callback([&program, arguments] {
         program.action = [&program, arguments] { return compare_models(program, *arguments); };

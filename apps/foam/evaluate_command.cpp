@@ -4,6 +4,8 @@
 #include "poses_text.hpp"
 #include "table.hpp"
 
+#include "cli/numbers.hpp"
+
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/clip_plane.hpp>
@@ -164,7 +166,7 @@ void add_pose_options(CLI::App& command, PoseOptions& options) {
                 "Count missed contacts and falsely refused poses in N random poses, at most 1000000, beside the "
                 "original geometry")
             ->type_name("N")
-            ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}).description(""));
+            ->check(whole_number(1, 1000000));
     CLI::Option* given =
         command
             .add_option("--pose-file", options.file,
@@ -216,7 +218,9 @@ void add_evaluate(Program& program) {
         ->expected(1)
         ->take_all();
     add_pose_options(*command, arguments->poses);
-    command->add_option("--seed", arguments->seed, "Seed of the samples; default: 0")->type_name("N");
+    command->add_option("--seed", arguments->seed, "Seed of the samples; default: 0")
+        ->type_name("N")
+        ->check(whole_number());
     command->add_flag("--json", arguments->json, "Print the figures as JSON, in metres instead of millimetres");
     command->callback([&program, arguments] {
         program.action = [&program, arguments] { return evaluate_spheres(program, *arguments); };

@@ -1,6 +1,7 @@
 #include "execute.hpp"
 
 #include "cli/interrupt.hpp"
+#include "cli/numbers.hpp"
 #include "cli/overwriting.hpp"
 #include "progress.hpp"
 
@@ -33,7 +34,7 @@ void add_execute_options(CLI::App& command, ExecuteOptions& options) {
         .add_option("--time-limit", options.time_limit,
                     "Write the best spheres that foam finds within S seconds of the start")
         ->type_name("S")
-        ->check(CLI::Validator(CLI::PositiveNumber).description(""));
+        ->check(number_above(0));
     add_force(command, options.force);
     CLI::Option* verbose =
         command.add_flag("-v,--verbose", options.verbose, "Also print notes, not only warnings and errors");

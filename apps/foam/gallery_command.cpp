@@ -5,6 +5,7 @@
 #include "telling.hpp"
 
 #include "cli/interrupt.hpp"
+#include "cli/numbers.hpp"
 #include "cli/overwriting.hpp"
 
 #include <foam/base/error.hpp>
@@ -201,7 +202,7 @@ void add_gallery(Program& program) {
     command->add_option("counts", arguments->counts, "Numbers of spheres of the whole robot, a view each")
         ->type_name("N")
         ->required()
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}).description(""));
+        ->check(whole_number(1, 1'000'000));
     command
         ->add_option("-o,--output", arguments->output, "The picture, a PNG; default: the name of INPUT with _gallery")
         ->type_name("FILE");
@@ -213,7 +214,7 @@ void add_gallery(Program& program) {
         ->type_name("N")
         ->capture_default_str()
         ->needs("--turntable")
-        ->check(CLI::Range(2, 360).description(""));
+        ->check(whole_number(2, 360));
     command->add_option("--size", arguments->size, "Size of the picture in pixels; default: 440x640 for each view")
         ->type_name("WxH");
     command->add_option("--pose", arguments->pose, "zero (the default), middle, or a group state of --srdf")

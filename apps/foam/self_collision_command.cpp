@@ -1,5 +1,6 @@
 // foam self-collision: which pairs of links never need a check.
 #include "cli/interrupt.hpp"
+#include "cli/numbers.hpp"
 #include "cli/overwriting.hpp"
 #include "cli/program.hpp"
 #include "commands.hpp"
@@ -290,7 +291,7 @@ void add_model_options(CLI::App& command, Program& program, SelfCollisionArgumen
         .add_option("--spheres", arguments.spheres,
                     "Maximum number of certified spheres that cover a link with other geometry, 1 to 1000")
         ->type_name("N")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1000}).description(""))
+        ->check(whole_number(1, 1000))
         ->capture_default_str();
     CLI::Option* model = command
                              .add_option("--model", arguments.model,
@@ -306,14 +307,18 @@ void add_sampling_options(CLI::App& command, SelfCollisionArguments& arguments) 
         .add_option("--samples", options.samples,
                     "Number of random configurations for pairs without a proof, at most 1000000000; 0: only proofs")
         ->type_name("N")
-        ->check(CLI::Range(std::size_t{0}, std::size_t{1000000000}).description(""))
+        ->check(whole_number(0, 1000000000))
         ->capture_default_str();
     command
         .add_option("--confidence", options.confidence,
                     "Confidence of the bound for pairs that no sample found in contact, in (0, 1)")
         ->type_name("C")
+        ->check(number_between(0, 1))
         ->capture_default_str();
-    command.add_option("--seed", options.seed, "Seed of the samples")->type_name("N")->capture_default_str();
+    command.add_option("--seed", options.seed, "Seed of the samples")
+        ->type_name("N")
+        ->check(whole_number())
+        ->capture_default_str();
     CLI::Option* pose = command
                             .add_option("--pose", arguments.pose,
                                         "Joint position in the reference pose, in rad or m; others: zero, moved into "
@@ -331,7 +336,7 @@ void add_sampling_options(CLI::App& command, SelfCollisionArguments& arguments) 
             "--proof-boxes", options.proof_boxes,
             "Maximum number of boxes of joint positions in the proof for a pair, at most 1000000000; 0: no proofs")
         ->type_name("N")
-        ->check(CLI::Range(std::size_t{0}, std::size_t{1000000000}).description(""))
+        ->check(whole_number(0, 1000000000))
         ->capture_default_str();
 }
 

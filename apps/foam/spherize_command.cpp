@@ -5,6 +5,7 @@
 #include "telling.hpp"
 #include "written_files.hpp"
 
+#include "cli/numbers.hpp"
 #include "cli/run_directory.hpp"
 
 #include <foam/base/error.hpp>
@@ -254,13 +255,14 @@ void add_common_options(CLI::App& command, Program& program, const std::shared_p
                                 "parameters decide",
                                 elements))
         ->type_name("N")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}).description(""));
+        ->check(whole_number(1, 1'000'000));
     command
         .add_option("--excess", arguments->budget.excess,
                     fmt::format("Use the fewest {0} with an excess of at most X: volume of the {0} outside the robot / "
                                 "volume of the robot",
                                 elements))
-        ->type_name("X");
+        ->type_name("X")
+        ->check(number_from(0));
     command
         .add_option("--max-protrusion", arguments->max_protrusion,
                     fmt::format("Limit how far {} extend beyond their link, as far as their number allows: 10mm, 1cm, "
@@ -290,7 +292,7 @@ void add_common_options(CLI::App& command, Program& program, const std::shared_p
         .add_option("--objective", arguments->objective,
                     "What is to be least: a word of the method's objective, such as excess or protrusion")
         ->type_name("WORD");
-    command.add_option("--seed", arguments->seed, "Seed of the run; default: 0")->type_name("N");
+    command.add_option("--seed", arguments->seed, "Seed of the run; default: 0")->type_name("N")->check(whole_number());
     command
         .add_option("-o,--output", arguments->output,
                     fmt::format("Output file; its extension selects the format; - is the standard output; default: the "
@@ -327,7 +329,8 @@ void add_element_options(CLI::App& command, SpherizeArguments& arguments) {
     command
         .add_option("--cost", arguments.budget.cost,
                     "Maximum cost of checking all elements of the robot, instead of their number")
-        ->type_name("C");
+        ->type_name("C")
+        ->check(number_above(0));
     command
         .add_option("--costs", arguments.costs,
                     "Cost of a check by kind, e.g. sphere=1,capsule=2,box=4,hull_vertex=0.1")

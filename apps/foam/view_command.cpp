@@ -4,6 +4,7 @@
 
 #include "cli/interrupt.hpp"
 #include "cli/messages.hpp"
+#include "cli/numbers.hpp"
 #include "cli/overwriting.hpp"
 
 #include <foam/base/error.hpp>
@@ -226,14 +227,14 @@ void add_view(Program& program) {
         ->type_name("N")
         ->expected(1)
         ->take_all()
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}).description(""));
+        ->check(whole_number(1, 1'000'000));
     command->add_option("--html", arguments->html, "Write the page to one file that needs no other, and serve nothing")
         ->type_name("FILE");
     add_force(*command, arguments->force);
     command->add_flag("--no-open", arguments->no_open, "Print the address, and open no browser");
     command->add_option("--port", arguments->port, "Port of the server; default: any that is free")
         ->type_name("N")
-        ->check(CLI::Range(1, 65535).description(""));
+        ->check(whole_number(1, 65535));
     command->add_option("--srdf", arguments->srdf, "Take named poses from the group states of this SRDF")
         ->type_name("FILE");
     add_geometry(*command, arguments->geometry,

@@ -85,5 +85,21 @@ TEST_F(CliMemory, OfALargeMesh) {
     EXPECT_LT(more / static_cast<double>(large.triangles.size()), 200) << "bytes per triangle";
 }
 
+/// A ball is 2,304 triangles: those of thousands in one link would fill the memory.
+TEST_F(CliMemory, OfALinkOfManyElements) {
+    if (std::string_view(FOAM_ABI_SANITIZER) != "none") {
+        GTEST_SKIP() << "a sanitizer needs memory of its own";
+    }
+    std::string urdf = "<robot name='r'><link name='a'>";
+    for (int i = 0; i < 5000; ++i) {
+        urdf += "<collision><origin xyz='" + std::to_string(i % 50) + " " + std::to_string(i / 50 % 50) + " " +
+                std::to_string(i / 2500) + "'/><geometry><sphere radius='0.1'/></geometry></collision>";
+    }
+    write("many.urdf", urdf + "</link></robot>");
+    EXPECT_LT(memory_of({"spherize", path() / "many.urdf", "-n", "4", "-j", "1", "--fresh", "-q", "-o",
+                         path() / "spheres.urdf"}),
+              300e6);
+}
+
 } // namespace
 } // namespace foam::test

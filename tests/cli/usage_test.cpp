@@ -66,6 +66,44 @@ TEST_F(Cli, ValuesOutOfBounds) {
     }
 }
 
+/// A number that is none, or makes no sense, is refused with the range for people.
+TEST_F(Cli, NumbersOfOptionsAreCheckedAlike) {
+    write("t.obj", box_obj);
+    const std::pair<const char*, const char*> cases[] = {
+        {"spherize t.obj -n 3 --time-limit nan", "--time-limit: expects a finite number above 0, got 'nan'"},
+        {"spherize t.obj -n 3 --time-limit inf", "--time-limit: expects a finite number above 0, got 'inf'"},
+        {"spherize t.obj -n 3 --scale abc", "--scale: expects a finite number above 0, got 'abc'"},
+        {"spherize t.obj --excess nan", "--excess: expects a finite number of at least 0, got 'nan'"},
+        {"spherize t.obj -n 3 --seed -1", "--seed: expects a whole number of at least 0, got '-1'"},
+        {"spherize t.obj -n 1e3", "--spheres: expects a whole number from 1 to 1000000, got '1e3'"},
+        {"approximate t.obj --cost nan", "--cost: expects a finite number above 0, got 'nan'"},
+        {"batch . -n 2 --run-dir s --time-limit nan", "--time-limit: expects a finite number above 0, got 'nan'"},
+        {"batch . -n 2 --run-dir s --memory-limit -1",
+         "--memory-limit: expects a whole number from 0 to 1000000000, got '-1'"},
+        {"batch . -n 2 --run-dir s --shard -1", "--shard: expects a whole number from 0 to 999999, got '-1'"},
+        {"self-collision t.urdf --confidence nan", "--confidence: expects a number between 0 and 1, got 'nan'"},
+        {"cache --trim -1", "--trim: expects a whole number from 0 to 1000000000, got '-1'"}};
+    for (const auto& [arguments, words] : cases) {
+        const Outcome outcome = foam(arguments);
+        EXPECT_EQ(outcome.code, 2) << arguments;
+        EXPECT_EQ(outcome.out, "") << arguments;
+        EXPECT_THAT(outcome.err, StartsWith("foam: ")) << arguments;
+        EXPECT_THAT(outcome.err, HasSubstr(words)) << arguments;
+    }
+}
+
+/// As if redirected to /dev/null: files get no messages, and messages that nobody can read end nothing.
+TEST_F(Cli, ClosedStreams) {
+    write("t.obj", box_obj);
+    for (const char* closed : {"2>&-", ">&-", "<&-", ">&- 2>&-", "<&- >&- 2>&-", "2>/dev/full"}) {
+        std::filesystem::remove(path() / "t.json");
+        EXPECT_EQ(foam(std::string("spherize t.obj -n 3 -m grid -o t.json --force ") + closed).code, 0) << closed;
+        EXPECT_THAT(contents(path() / "t.json"), StartsWith("{")) << closed;
+        EXPECT_EQ(foam(std::string("no_such_command ") + closed).code, 2) << closed;
+        EXPECT_EQ(shell("'" FOAM_TEST_BINARY "-bench' --help " + std::string(closed)).code, 0) << closed;
+    }
+}
+
 TEST_F(Cli, SettingWithoutValue) {
     write("r.yaml", "foam: 1\n");
     const Outcome outcome = foam("check r.yaml --set budget.spheres");
@@ -130,7 +168,8 @@ TEST_F(Cli, HelpShowsDefaultsAndExclusions) {
 TEST_F(Cli, Version) {
     const Outcome outcome = foam("--version");
     EXPECT_EQ(outcome.code, 0);
-    EXPECT_THAT(outcome.out, ::testing::MatchesRegex("foam [0-9]+\\.[0-9]+\\.[0-9]+ \\(.*(g\\+\\+|clang) [0-9.]+.*\\)\n"));
+    EXPECT_THAT(outcome.out,
+                ::testing::MatchesRegex("foam [0-9]+\\.[0-9]+\\.[0-9]+ \\(.*(g\\+\\+|clang) [0-9.]+.*\\)\n"));
     EXPECT_EQ(outcome.err, "");
 }
 

@@ -224,5 +224,40 @@ TEST_F(IsolationCli, TheHiddenCommandIsForFoamItself) {
     EXPECT_EQ(outcome.err, "foam: this command is for foam itself\n");
 }
 
+/// Without a process of its own a stage can end the program; then nobody takes it for success.
+TEST_F(IsolationCli, AStageThatEndsTheProgramIsNamed) {
+    for (const char* how : {"exit", "exit_well", "quick_exit", "exit_now", "exit_at_once", "made_exit"}) {
+        const Outcome outcome =
+            run("stages: [spherize.ill]\nlinks: {tip: {spherize.ill: {how: " + std::string(how) + "}}}\n", "-j 1");
+        EXPECT_EQ(outcome.code, 3) << how;
+        EXPECT_THAT(outcome.err,
+                    HasSubstr("foam: error: a stage has ended the program; nothing was written; foam worked "
+                              "on:\n  stage 'spherize.ill', link 'tip', input 'box.obj'\n"))
+            << how;
+        expect_nothing_left();
+    }
+}
+
+/// What a stage must not do ends in an error of this stage and link, and nothing is written.
+TEST_F(IsolationCli, AStageThatBreaksWhatOthersRelyOn) {
+    const std::string place = "stage 'spherize.ill', link 'tip', input 'box.obj': ";
+    const std::pair<const char*, std::string> cases[] = {
+        {"shrink", "the geometry is not what was read any more"},
+        {"far",
+         "the spherizer broke its contract: a sphere reaches more than a million times as far as the shape, which "},
+        {"huge",
+         "the spherizer broke its contract: a sphere reaches more than a million times as far as the shape, which "},
+        {"folder", "the stage changed the working folder of the program; remedy: absolute paths"}};
+    for (const auto& [how, words] : cases) {
+        const Outcome outcome =
+            run("stages: [spherize.ill]\nlinks: {tip: {spherize.ill: {how: " + std::string(how) + "}}}\n");
+        EXPECT_EQ(outcome.code, 3) << how;
+        EXPECT_THAT(outcome.err, HasSubstr(place + words)) << how;
+        expect_nothing_left();
+    }
+    const Outcome outcome = run("stages: [spherize.ill]\nlinks: {tip: {spherize.ill: {how: long}}}\n");
+    EXPECT_LT(outcome.err.size(), 4000u);
+}
+
 } // namespace
 } // namespace foam::test

@@ -75,6 +75,26 @@ protected:
     std::string base, origin; ///< "/TOKEN/", "http://127.0.0.1:PORT"
 };
 
+/// Clients that send half a request keep only themselves waiting.
+TEST_F(ServerTest, SlowClientsBlockNobody) {
+    std::vector<int> slow;
+    for (int i = 0; i < 16; ++i) {
+        slow.push_back(socket(AF_INET, SOCK_STREAM, 0));
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_port = htons(static_cast<std::uint16_t>(server->port()));
+        inet_pton(AF_INET, "127.0.0.1", &address.sin_addr);
+        ASSERT_EQ(connect(slow.back(), reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+        ASSERT_EQ(send(slow.back(), "GET / HT", 8, MSG_NOSIGNAL), 8);
+    }
+    auto quick = client();
+    quick.set_read_timeout(3); // less than the server waits for a slow client
+    EXPECT_TRUE(quick.Get(base));
+    for (const int stream : slow) {
+        close(stream);
+    }
+}
+
 TEST_F(ServerTest, ServesThePageToWhoKnowsTheAddress) {
     auto page = client().Get(base);
     ASSERT_TRUE(page);

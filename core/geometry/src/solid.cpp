@@ -55,11 +55,21 @@ std::shared_ptr<const Mesh> with_used_vertices(std::shared_ptr<const Mesh> mesh)
     return std::make_shared<const Mesh>(std::move(result));
 }
 
+/// Returns how finely primitives are tessellated: coarsely where there are so many that their triangles, 2,304 of a
+/// sphere, would fill the memory. Proofs and distances use the primitives themselves.
+int segments_of(const std::vector<Solid::Part>& parts) {
+    constexpr std::ptrdiff_t many = 1'000, very_many = 20'000;
+    const auto count =
+        std::count_if(parts.begin(), parts.end(), [](const Solid::Part& part) { return part.primitive.has_value(); });
+    return count <= many ? 48 : count <= very_many ? 8 : 4;
+}
+
 /// Returns the part as a mesh in the solid's frame.
-std::pair<std::shared_ptr<const Mesh>, geometry::Reading> part_mesh(const Solid::Part& part, std::size_t index) {
+std::pair<std::shared_ptr<const Mesh>, geometry::Reading> part_mesh(const Solid::Part& part, std::size_t index,
+                                                                    int segments) {
     if (part.primitive) {
         geometry::check_primitive(*part.primitive);
-        Mesh mesh = transformed(enclosing_mesh(*part.primitive), part.pose);
+        Mesh mesh = transformed(enclosing_mesh(*part.primitive, segments), part.pose);
         check_mesh(mesh, index);
         geometry::Reading reading{std::vector(mesh.triangles.size(), geometry::Facing::as_given), true};
         return {std::make_shared<const Mesh>(std::move(mesh)), std::move(reading)};
@@ -107,9 +117,9 @@ private:
     std::shared_ptr<Mesh> own_;
 };
 
-void add_part(geometry::SolidData& data, SurfaceOfParts& surface, std::size_t index) {
+void add_part(geometry::SolidData& data, SurfaceOfParts& surface, std::size_t index, int segments) {
     Solid::Part& part = data.parts[index];
-    auto [given, reading] = part_mesh(part, index);
+    auto [given, reading] = part_mesh(part, index, segments);
     if (!part.primitive) {
         part.mesh = given;
     }
@@ -207,9 +217,10 @@ std::shared_ptr<const Solid> Solid::make(std::vector<Part> parts) {
     data->parts = std::move(parts);
     data->offsets.push_back(0);
     SurfaceOfParts surface;
+    const int segments = segments_of(data->parts);
     for (std::size_t i = 0; i < data->parts.size(); ++i) {
         check_cancelled();
-        add_part(*data, surface, i);
+        add_part(*data, surface, i, segments);
     }
     data->surface = surface.take();
     if (data->surface->triangles.empty()) {

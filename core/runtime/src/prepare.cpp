@@ -250,6 +250,7 @@ std::vector<LinkWork> load_links(const Workspace& workspace, const Robot& robot,
         }
         for (const auto [l, e] : task.targets) {
             links[l].elements[e].raw = task.mesh;
+            links[l].elements[e].read = task.report.output;
             links[l].report.stages.push_back(task.report);
             if (task.error && !links[l].error) {
                 links[l].error.emplace(*task.error);
@@ -304,4 +305,4 @@ std::vector<InputFile> mesh_files(const Workspace& workspace, const Robot& robot
     return files;
 }
 
-} // namespace foam::runtime
+} // namespace foam::inline runtime

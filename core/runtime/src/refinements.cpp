@@ -37,12 +37,15 @@ SphereTree refined_by(const Workspace& workspace, ShapeWork& work, RefinementWor
     const StopScope scope(workspace.request());
     const ActivityScope activity(place_of(stage, work.link, work.input), CrashRemedy::isolate_stage);
     const double begin = workspace.journal.seconds();
+    const WorkingFolder folder;
     try {
         require_known(workspace, refinement, tree);
         SphereTree result = refinement.refinement->refine(tree, most, context);
         Budget limit;
         limit.max_spheres = most;
-        check_tree(result, limit, workspace.registry.find(stage)->info.kinds, "refiner");
+        check_tree(result, limit, workspace.registry.find(stage)->info.kinds, work.shape->original().bounds(),
+                   "refiner");
+        folder.require();
         tree = std::move(result);
     } catch (const Error& error) {
         if (error.code() != ErrorCode::cancelled) {
@@ -83,6 +86,37 @@ void check_elements(const SphereTree::Level& level, const std::vector<Element::K
     }
 }
 
+/// Returns how far an element reaches from a point, roughly.
+double reach_from(const Vec3& point, const Element& element) {
+    double reach = distance(element.pose.translation, point) + norm(element.half) + element.radius;
+    if (element.hull) {
+        for (const Vec3& v : element.hull->surface.vertices) {
+            reach = std::max(reach, distance(element.pose.translation, point) + norm(v));
+        }
+    }
+    return reach;
+}
+
+/// Numbers that are out of all proportion to the shape have no accuracy left beside it.
+void check_reach(const SphereTree::Level& level, const Box& bounds, std::string_view stage_kind) {
+    constexpr double proportion = 1e6;
+    const Vec3 middle = bounds.center();
+    const auto check = [&](const std::string& noun, double reach) {
+        if (!(reach <= proportion * bounds.diagonal())) {
+            broken(stage_kind,
+                   fmt::format("a {} reaches more than a million times as far as the shape, which is {:g} m "
+                               "long",
+                               noun, bounds.diagonal()));
+        }
+    };
+    for (const Sphere& sphere : level.spheres) {
+        check("sphere", distance(sphere.center, middle) + sphere.radius);
+    }
+    for (const Element& element : level.others) {
+        check(noun_of(element.kind, 1), reach_from(middle, element));
+    }
+}
+
 void check_parents(const SphereTree& tree, std::size_t l, std::string_view stage_kind) {
     const SphereTree::Level& level = tree.levels[l];
     if (l == 0 ? !level.parents.empty() : level.parents.size() != level.size()) {
@@ -99,7 +133,7 @@ void check_parents(const SphereTree& tree, std::size_t l, std::string_view stage
 } // namespace
 
 void check_tree(const SphereTree& tree, const Budget& budget, const std::vector<Element::Kind>& kinds,
-                std::string_view stage_kind) {
+                const Box& bounds, std::string_view stage_kind) {
     if (tree.levels.empty() || tree.elements().empty()) {
         broken(stage_kind, "it returned no spheres");
     }
@@ -117,6 +151,7 @@ void check_tree(const SphereTree& tree, const Budget& budget, const std::vector<
     }
     for (std::size_t l = 0; l < tree.levels.size(); ++l) {
         check_elements(tree.levels[l], kinds, stage_kind);
+        check_reach(tree.levels[l], bounds, stage_kind);
         check_parents(tree, l, stage_kind);
     }
 }

@@ -15,8 +15,9 @@ enum class Refiners { all, not_adding };
 SphereTree refined(const Workspace& workspace, ShapeWork& work, SphereTree tree, std::size_t most, Refiners which);
 
 /// Checks the contract of spherizers and refiners: finite spheres, valid elements of the kinds that the stage declares,
-/// at most as many as requested and as cost what was requested, valid parents. Throws Error(plugin).
+/// in proportion to the shape with these bounds, at most as many as requested and as cost what was requested, valid
+/// parents. Throws Error(plugin).
 void check_tree(const SphereTree& tree, const Budget& budget, const std::vector<Element::Kind>& kinds,
-                std::string_view stage_kind);
+                const Box& bounds, std::string_view stage_kind);
 
-} // namespace foam::runtime
+} // namespace foam::inline runtime

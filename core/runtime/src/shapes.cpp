@@ -33,8 +33,8 @@ std::size_t size_of(const Recipe& recipe, const ElementsView& elements) {
 }
 
 const char* plural_of(const std::vector<ShapeWork>& shapes) {
-    const bool spheres = std::all_of(shapes.begin(), shapes.end(),
-                                     [](const ShapeWork& work) { return spheres_alone(work.kinds); });
+    const bool spheres =
+        std::all_of(shapes.begin(), shapes.end(), [](const ShapeWork& work) { return spheres_alone(work.kinds); });
     return spheres ? "spheres" : "elements";
 }
 
@@ -245,6 +245,7 @@ void build_shape(const Workspace& workspace, const std::vector<LinkWork>& links,
         whole = uncovered_part(std::move(whole), kept);
         work.original = filtered ? uncovered_part(work.original, kept) : whole;
     }
+    work.built = digest_of_content(work.original->surface());
     work.cavities = workspace.recipe.guarantee == Guarantee::outer ? geometry::cavity_volume(*work.original) : 0;
     require_within(*work.original, group.frame, link.recipe.clip);
     work.shape = std::make_unique<Shape>(work.link, std::move(whole), work.original);
@@ -254,4 +255,4 @@ void build_shape(const Workspace& workspace, const std::vector<LinkWork>& links,
     begin_refinements(workspace, work);
 }
 
-} // namespace foam::runtime
+} // namespace foam::inline runtime

@@ -44,10 +44,11 @@ struct ShapeWork {
     geometry::OwnFrame frame;              ///< in which the spherizer gets the shape
     std::unique_ptr<Shape> own;            ///< the shape in that frame, unless that is the given one
     std::shared_ptr<const Solid> original; ///< of the shape
+    Digest built;                          ///< of its surface as it was built
     StageCall spherizer;
     std::vector<StageCall> refiners;
-    bool adds_spheres = false;        ///< whether one of these does
-    StartedSearch search;             ///< of that call
+    bool adds_spheres = false; ///< whether one of these does
+    StartedSearch search;      ///< of that call
     std::optional<Objective>
         objective;           ///< for covering spheres; nothing: the spherizer has an objective that foam does not know
     Digest digest;           ///< of everything that a tree depends on, except seed, count and limits of the count
@@ -111,4 +112,4 @@ template <class Body> void for_each_shape(std::vector<ShapeWork>& shapes, Body&&
     });
 }
 
-} // namespace foam::runtime
+} // namespace foam::inline runtime

@@ -93,6 +93,25 @@ Recipe without_kept(const Workspace& workspace, const std::vector<LinkWork>& lin
 
 } // namespace
 
+/// Throws Error(plugin) if the geometry of a shape is not what was read: what is proved would be something else.
+static void require_as_read(const std::vector<LinkWork>& links, const std::vector<Group>& groups,
+                            const ShapeWork& work) {
+    bool changed = !work.error && work.original && digest_of_content(work.original->surface()) != work.built;
+    for (const std::size_t g : work.groups) {
+        const std::vector<CollisionElement>& elements = links[groups[g].link].elements;
+        changed = changed || std::any_of(groups[g].elements.begin(), groups[g].elements.end(), [&](std::size_t e) {
+                      return elements[e].raw && digest_of_content(*elements[e].raw) != elements[e].read;
+                  });
+    }
+    if (changed) {
+        throw Error(ErrorCode::plugin,
+                    fmt::format("stage '{}', link '{}', input '{}': the geometry is not what was read any more: this "
+                                "stage or a filter has written into it; nothing can be proved; remedy: correct the "
+                                "plugin",
+                                work.spherizer.stage, work.link, work.input));
+    }
+}
+
 SpherizedLinks spherize_links(const Workspace& workspace, std::vector<LinkWork>& links, ReferencePose* pose,
                               RandomPoses* poses) {
     std::vector<Group> groups = make_groups(workspace, links);
@@ -112,6 +131,7 @@ SpherizedLinks spherize_links(const Workspace& workspace, std::vector<LinkWork>&
     const Recipe rest = without_kept(workspace, links, groups, done);
     const ChosenCounts chosen = choose_counts(workspace.with(rest), links, shapes, groups, pose, poses);
     const std::vector<std::size_t>& counts = chosen.of_group;
+    parallel_for(shapes.size(), [&](std::size_t s) { require_as_read(links, groups, shapes[s]); });
     for (std::size_t g = 0; g < groups.size(); ++g) {
         ShapeWork& work = shapes[groups[g].shape];
         LinkWork& link = links[groups[g].link];

@@ -36,7 +36,7 @@ std::vector<SphereTree> run_spherizer(const Workspace& workspace, ShapeWork& wor
                                                            made.size(), budgets.size()));
             }
             for (std::size_t i = 0; i < made.size(); ++i) {
-                check_tree(made[i], budgets[i], work.kinds, "spherizer");
+                check_tree(made[i], budgets[i], work.kinds, work.shape->original().bounds(), "spherizer");
             }
             said = context.said();
             return made;
@@ -105,8 +105,8 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
     std::vector<Digest> keys;
     std::vector<std::size_t> missing;
     std::map<std::size_t, Cached<SphereTree>> known; // by requested count
-    const auto sphere = knows_all(work.kinds, {Element::Kind::sphere}) ? as_sphere(work.shape->original())
-                                                                       : std::nullopt;
+    const auto sphere =
+        knows_all(work.kinds, {Element::Kind::sphere}) ? as_sphere(work.shape->original()) : std::nullopt;
     for (const std::size_t count : counts) {
         if (work.known.asked.contains(count)) {
             continue;
@@ -130,7 +130,7 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
         StageLog said;
         std::vector<SphereTree> trees = run_spherizer(workspace, work, budgets, said);
         said.call = call_name(keys);
-        work.calls.insert(said.call);          // its findings are in the journal
+        work.calls.insert(said.call); // its findings are in the journal
         parallel_for(trees.size(), [&](std::size_t i) {
             const std::size_t most = budgets[i].max_spheres.value_or(trees[i].elements().size());
             trees[i] = refined(workspace, work, std::move(trees[i]), most, Refiners::not_adding);
@@ -152,4 +152,4 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
     }
 }
 
-} // namespace foam::runtime
+} // namespace foam::inline runtime

@@ -4,8 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <fcntl.h>
 #include <new>
 #include <string_view>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace foam::inline runtime {
 
@@ -50,6 +53,32 @@ std::string place_of(const std::string& stage, const std::string& link, const st
     return place;
 }
 
+/// Returns the beginning of a text that nobody reads to the end.
+static std::string shortened(std::string_view text) {
+    constexpr std::size_t most = 2000;
+    return text.size() <= most ? std::string(text) : std::string(text.substr(0, most)) + " …";
+}
+
+WorkingFolder::WorkingFolder() : descriptor_(open(".", O_PATH | O_DIRECTORY | O_CLOEXEC)) {}
+
+WorkingFolder::~WorkingFolder() {
+    if (descriptor_ >= 0) {
+        close(descriptor_);
+    }
+}
+
+void WorkingFolder::require() const {
+    struct stat before {
+    }, now{};
+    if (descriptor_ < 0 || fstat(descriptor_, &before) != 0 ||
+        (stat(".", &now) == 0 && now.st_dev == before.st_dev && now.st_ino == before.st_ino)) {
+        return;
+    }
+    if (fchdir(descriptor_) == 0) {
+        throw Error(ErrorCode::plugin, "the stage changed the working folder of the program; remedy: absolute paths");
+    }
+}
+
 Error described(std::exception_ptr thrown, const std::string& stage, const std::string& link,
                 const std::string& input) {
     const std::string where = place_of(stage, link, input);
@@ -67,10 +96,10 @@ Error described(std::exception_ptr thrown, const std::string& stage, const std::
         return {ErrorCode::geometry, fmt::format("{}: not enough memory", where)};
     } catch (const std::exception& error) {
         return {ErrorCode::plugin,
-                fmt::format("{}: the stage threw an exception: {}", where, shown_lines(error.what()))};
+                fmt::format("{}: the stage threw an exception: {}", where, shown_lines(shortened(error.what())))};
     } catch (...) {
         return {ErrorCode::plugin, fmt::format("{}: the stage threw an object that is not a std::exception", where)};
     }
 }
 
-} // namespace foam::runtime
+} // namespace foam::inline runtime

@@ -12,6 +12,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
 
 namespace foam::inline view {
 namespace {
@@ -39,6 +43,57 @@ void answer(httplib::Response& response, int status, const std::string& error) {
         nlohmann::json{{"error", error}}.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace),
         "application/json");
 }
+
+/// One thread for each connection: slow clients keep only their own waiting.
+class Connections final : public httplib::TaskQueue {
+public:
+    void enqueue(std::function<void()> job) override {
+        const std::lock_guard lock(mutex_);
+        jobs_.push_back(std::move(job));
+        if (idle_ < jobs_.size() && threads_.size() < most) {
+            threads_.emplace_back([this] { work(); });
+        }
+        changed_.notify_one();
+    }
+
+    void shutdown() override {
+        {
+            const std::lock_guard lock(mutex_);
+            ended_ = true;
+        }
+        changed_.notify_all();
+        for (std::thread& thread : threads_) {
+            thread.join();
+        }
+    }
+
+private:
+    static constexpr std::size_t most = 1000;
+
+    void work() {
+        std::unique_lock lock(mutex_);
+        while (true) {
+            ++idle_;
+            changed_.wait(lock, [this] { return ended_ || !jobs_.empty(); });
+            --idle_;
+            if (jobs_.empty()) {
+                return;
+            }
+            const std::function<void()> job = std::move(jobs_.front());
+            jobs_.pop_front();
+            lock.unlock();
+            job();
+            lock.lock();
+        }
+    }
+
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::deque<std::function<void()>> jobs_;
+    std::vector<std::thread> threads_;
+    std::size_t idle_ = 0;
+    bool ended_ = false;
+};
 
 } // namespace
 
@@ -147,7 +202,7 @@ struct [[gnu::visibility("hidden")]] Server::Data {
 Server::Server(Session& session, int port, Wording wording)
     : data_(std::make_unique<Data>(session, std::move(wording))) {
     httplib::Server& http = data_->http;
-    http.new_task_queue = [] { return new httplib::ThreadPool(8); };
+    http.new_task_queue = [] { return new Connections; };
     http.set_payload_max_length(most_body);
     http.set_read_timeout(5);
     http.set_write_timeout(30);

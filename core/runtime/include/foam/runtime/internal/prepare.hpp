@@ -17,6 +17,7 @@ struct CollisionElement {
     const GeometryElement* source = nullptr;
     std::string geometry;                              ///< mesh reference as written, or the kind of primitive
     std::shared_ptr<const Mesh> raw;                   ///< null for a primitive
+    Digest read;                                       ///< of `raw` as it was loaded
     std::vector<std::shared_ptr<const Mesh>> filtered; ///< after each filter; empty for a primitive
     Digest digest;                                     ///< of raw geometry and filters, without the pose
 
@@ -73,5 +74,5 @@ std::vector<LinkWork> prepare_links(const Workspace& workspace, const Robot& rob
 /// Returns the mesh files that prepare_links() would read, without loading them; leaves out those that cannot be read.
 std::vector<InputFile> mesh_files(const Workspace& workspace, const Robot& robot);
 
-} // namespace runtime
+} // namespace gnu::visibility("default")]]runtime
 } // namespace foam

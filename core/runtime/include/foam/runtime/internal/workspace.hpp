@@ -52,6 +52,19 @@ std::string place_of(const std::string& stage, const std::string& link, const st
 /// Returns the folder for cached results of stages; empty: no cache.
 std::filesystem::path cache_folder(const RunOptions& options);
 
+/// The working folder of the process, which no stage may change: relative paths would lead elsewhere.
+class WorkingFolder {
+public:
+    WorkingFolder();
+    ~WorkingFolder();
+    WorkingFolder(const WorkingFolder&) = delete;
+    /// Goes back to the folder if it is not the working folder any more, and throws Error(plugin).
+    void require() const;
+
+private:
+    int descriptor_;
+};
+
 /// Returns an Error that names stage, link and input, whatever was thrown. Cancellation stays cancellation.
 Error described(std::exception_ptr thrown, const std::string& stage, const std::string& link, const std::string& input);
 
@@ -68,6 +81,7 @@ auto run_stage(const Workspace& workspace, const std::string& stage, const std::
     const StopScope scope(workspace.request());
     const ActivityScope activity(place_of(stage, link, input), CrashRemedy::isolate_stage);
     const double begin = workspace.journal.seconds();
+    const WorkingFolder folder;
     const auto close = [&] {
         report.stage = stage;
         report.seconds += workspace.journal.seconds() - begin;
@@ -76,6 +90,7 @@ auto run_stage(const Workspace& workspace, const std::string& stage, const std::
     };
     try {
         auto result = body(context);
+        folder.require();
         close();
         return result;
     } catch (...) {
@@ -85,5 +100,5 @@ auto run_stage(const Workspace& workspace, const std::string& stage, const std::
     }
 }
 
-} // namespace runtime
+} // namespace gnu::visibility("default")]]runtime
 } // namespace foam
