@@ -59,6 +59,22 @@ TEST(ReferencePose, IsTheFirstStateInWhichNoLinksTouch) {
     EXPECT_THAT(pose.configuration, ElementsAre(0, 2));
 }
 
+TEST(ReferencePose, IsNoStateOutsideTheLimits) {
+    const FoldingArm arm(0.9);
+    const std::vector<GroupState> states{{"far", {{"elbow", 99}}}, {"ready", {{"elbow", 2}}}};
+    EXPECT_EQ(reference_configuration(arm.kinematics, arm.solids, {.named = states}).name, "ready");
+}
+
+TEST(ReferencePose, KeepsTheJointsOfAStateAndMovesOthers) {
+    const FoldingArm arm(0);
+    const ReferenceConfiguration pose =
+        reference_configuration(arm.kinematics, arm.solids, {.named = {{"aside", {{"shoulder", 0.5}}}}});
+    EXPECT_EQ(pose.source, Source::named);
+    EXPECT_EQ(pose.name, "aside");
+    EXPECT_EQ(pose.configuration[0], 0.5);
+    EXPECT_NE(pose.configuration[1], 0);
+}
+
 TEST(ReferencePose, KeepsJointsThatAreHeld) {
     const FoldingArm arm(0);
     const ReferenceConfiguration pose =

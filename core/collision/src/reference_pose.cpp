@@ -124,10 +124,36 @@ JointValues of_freedoms(const Kinematics& kinematics, const JointValues& values)
     return result;
 }
 
-std::vector<double> with_held(const Kinematics& kinematics, const JointValues& values, const JointValues& held) {
-    JointValues all = held;
-    all.insert(values.begin(), values.end());
-    return kinematics.configuration(all);
+bool within_limits(const Kinematics& kinematics, const JointValues& values) {
+    return std::all_of(kinematics.freedoms().begin(), kinematics.freedoms().end(), [&](const Freedom& freedom) {
+        const auto value = values.find(freedom.joint);
+        return value == values.end() || (value->second >= freedom.lower && value->second <= freedom.upper);
+    });
+}
+
+/// Returns the first state that is free; else the first that is free with other joints moved, for a state of an arm leaves
+/// the joints of its hand open.
+std::optional<ReferenceConfiguration> named_configuration(Poses& poses, const Kinematics& kinematics,
+                                                          const ReferencePoseOptions& options) {
+    for (const bool move_others : {false, true}) {
+        for (const GroupState& named : options.named) {
+            JointValues own = of_freedoms(kinematics, named.values);
+            if (own.empty() || !within_limits(kinematics, own)) {
+                continue;
+            }
+            JointValues values = options.held;
+            values.merge(own);
+            const std::vector<double> start = kinematics.configuration(values);
+            const auto free =
+                move_others         ? found_free(poses, kinematics, start, freedoms_held(kinematics, values), options.seed)
+                : poses.free(start) ? std::optional(start)
+                                    : std::nullopt;
+            if (free) {
+                return ReferenceConfiguration{*free, ReferenceConfiguration::Source::named, named.name, {}};
+            }
+        }
+    }
+    return std::nullopt;
 }
 
 } // namespace
@@ -140,12 +166,8 @@ ReferenceConfiguration reference_configuration(const Kinematics& kinematics, con
         const std::vector<double> configuration = kinematics.configuration(options.given);
         return {configuration, Source::given, "", poses.touching(configuration)};
     }
-    for (const GroupState& named : options.named) {
-        const JointValues values = of_freedoms(kinematics, named.values);
-        const std::vector<double> configuration = with_held(kinematics, values, options.held);
-        if (!values.empty() && poses.free(configuration)) {
-            return {configuration, Source::named, named.name, {}};
-        }
+    if (auto named = named_configuration(poses, kinematics, options)) {
+        return std::move(*named);
     }
     const std::vector<double> zero = kinematics.configuration(options.held);
     const LinkPairs touching = poses.touching(zero);
