@@ -7,6 +7,7 @@ import html
 import importlib
 import sys
 import tempfile
+import warnings
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -47,26 +48,19 @@ def files_of(model: SphereModel, format: str, name: str, facts: dict[str, Any], 
 
 
 def to_mujoco(model: SphereModel, spec: Any, bodies: Mapping[str, str] | None, group: int, pairs: Any) -> int:
-    """Add the spheres to the bodies of an MjSpec."""
+    """Add the elements to the bodies of an MjSpec."""
     mujoco = _module(type(spec).__module__.split(".")[0], "mujoco")
     names = {link: (bodies or {}).get(link, link) for link in model}
     known = {body.name: body for body in spec.bodies}
     missing = [link for link, body in names.items() if body not in known]
     if missing:
         raise UsageError(f"the MjSpec has no body for {', '.join(missing)}; there are: {', '.join(known)}; remedy: bodies={{…}}")
-    count = 0
-    for link, rows in model.items():
-        spheres: Any = rows.tolist()  # the annotations of NumPy 2 name no depth of the lists
-        for x, y, z, r in spheres:
-            known[names[link]].add_geom(
-                name=f"{link}_sphere_{count}", type=mujoco.mjtGeom.mjGEOM_SPHERE, pos=[x, y, z], size=[r, 0, 0], group=group,
-                mass=0,
-            )  # fmt: skip
-            count += 1
-    for first, second, *_ in pairs or ():
-        if first in names and second in names:
-            spec.add_exclude(bodyname1=names[first], bodyname2=names[second])
-    return count
+    from ._mujoco import add_to_spec
+
+    with warnings.catch_warnings():  # of masses, which stay those of the spec
+        warnings.simplefilter("ignore")
+        text = None if model._robot is None else next(iter(files_of(model, "mjcf", f"{model.name}.xml", {}, None).values()))
+    return add_to_spec(mujoco, model, text, spec, names, group, pairs)
 
 
 def _ball(subdivisions: int = 2) -> tuple[NDArray[np.float64], NDArray[np.int64]]:

@@ -197,14 +197,18 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
     def to_mujoco(
         self, spec: Any = None, *, bodies: Mapping[str, str] | None = None, group: int = 3, pairs: Any = None
     ) -> Any:
-        """Add the spheres to the bodies of a mujoco.MjSpec as geoms without mass; return their number.
+        """Put the elements into the bodies of a mujoco.MjSpec as geoms without mass; return their number.
 
         Without a spec: return an MJCF text of the robot. `bodies`: the body of each link, where the names differ.
         `pairs`: pairs of links that are excluded, such as foam.self_collision(…).ignored().
+
+        The geoms take the place of those that have contact: these stay as they look, with contype and conaffinity 0, and
+        their masks and friction go to the new ones. A body whose frame differs from its link's gets the elements in its
+        own frame. Raises UsageError, and changes nothing, if that frame cannot be known. What is proved of the model is
+        proved again on the geoms of the spec.
         """
         if spec is None:
             return _adapters.files_of(self, "mjcf", f"{self.name}.xml", {}, None)[f"{self.name}.xml"]
-        self._require_spheres("to_mujoco() with a spec")
         return _adapters.to_mujoco(self, spec, bodies, group, pairs)
 
     def to_trimesh(self) -> dict[str, Any]:

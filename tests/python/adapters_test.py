@@ -2,7 +2,6 @@
 import os
 import subprocess
 import sys
-import types
 from pathlib import Path
 
 import numpy as np
@@ -59,33 +58,7 @@ def test_pyroki_and_vamp(model):
     assert sorted(Path(name).suffix for name in files) == [".json", ".srdf", ".urdf"]
 
 
-def test_mujoco_specs_get_geoms(model, monkeypatch):
-    mujoco = types.ModuleType("mujoco")
-    mujoco.mjtGeom = types.SimpleNamespace(mjGEOM_SPHERE=2)
-
-    class Body:
-        def __init__(self, name):
-            self.name, self.geoms = name, []
-
-        def add_geom(self, **values):
-            self.geoms.append(values)
-
-    class MjSpec:
-        def __init__(self, names):
-            self.bodies, self.excludes = [Body(name) for name in names], []
-
-        def add_exclude(self, **values):
-            self.excludes.append(values)
-
-    MjSpec.__module__ = "mujoco"
-    monkeypatch.setitem(sys.modules, "mujoco", mujoco)
-    spec = MjSpec(["world", *model])
-    assert model.to_mujoco(spec, pairs=[("panda_link0", "panda_link1", "Adjacent"), ("other", "panda_link1", "Never")]) == model.count
-    geom = spec.bodies[1].geoms[0]
-    assert geom["type"] == 2 and geom["size"][0] == model["panda_link0"][0, 3] and geom["mass"] == 0
-    assert spec.excludes == [{"bodyname1": "panda_link0", "bodyname2": "panda_link1"}]
-    with pytest.raises(foam.UsageError, match="no body for panda_link0"):
-        model.to_mujoco(MjSpec(["world"]))
+def test_an_mjcf_text_without_a_spec(model):
     assert model.to_mujoco().startswith("<") and "mujoco" in model.to_mujoco()
 
 
