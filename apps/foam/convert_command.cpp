@@ -128,7 +128,7 @@ int convert(Program& program, const ConvertArguments& arguments) {
         }
         model.into = TextFile{arguments.into, text_of_file(arguments.into)};
     }
-    if (lists_pairs(format.info, parameters) && original && model.groups.size() > 1) {
+    if (lists_pairs(format.info, parameters, !arguments.into.empty()) && original && model.groups.size() > 1) {
         model.ignored_pairs = ignored_pairs_of(model, &stop_on_interrupt());
     }
     if (format.info.consumer.rest_pose) {
@@ -140,7 +140,7 @@ int convert(Program& program, const ConvertArguments& arguments) {
     }
     Telling context(arguments.verbose);
     const std::vector<WrittenFile> files = written_files(*writer, format.info, model, arguments.output, context);
-    require_written(model, *writer, files);
+    require_written(model, *writer, format.info, files);
     std::vector<std::filesystem::path> inputs{arguments.robot};
     if (original) {
         inputs = mesh_files(*original->robot);

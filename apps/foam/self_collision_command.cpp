@@ -10,7 +10,7 @@
 #include "table.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/base/internal/files.hpp>
+#include <foam/base/file.hpp>
 #include <foam/base/text.hpp>
 #include <foam/collision/reference_pose.hpp>
 #include <foam/judge/judge_json.hpp>
@@ -195,8 +195,8 @@ void tell_left_out_by_pose(const SelfCollisionMatrix& matrix, const Robot& robot
 ReferenceConfiguration reference_of(const SelfCollisionArguments& arguments, const CollisionModel& model,
                                     const Kinematics& kinematics) {
     std::vector<GroupState> states;
-    if (!arguments.against.empty()) {
-        states = group_states(read_file(arguments.against, most_robot_bytes), arguments.against);
+    if (!arguments.against.empty()) { // where it cannot be read, the comparison reports it
+        states = group_states(read_regular_file(arguments.against, most_robot_bytes, "").bytes, arguments.against);
     }
     return reference_configuration(
         kinematics, model.solids,

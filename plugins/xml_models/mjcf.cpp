@@ -371,15 +371,14 @@ std::string contact_text(const SphereModel& model) {
 
 MjcfWriter::MjcfWriter(const Parameters& parameters)
     : free_(parameters.text("base") == "free"), density_(parameters.number("density")),
-      replaces_collision_(parameters.boolean("collision")), replaces_pairs_(parameters.boolean("pairs")) {
+      replaces_collision_(parameters.boolean("collision")), pairs_(pair_edit(parameters)) {
     known_.segments = segments_of(parameters, "write.mjcf");
 }
 
 std::string MjcfWriter::write(const SphereModel& model, Context& context) const {
     if (model.into) {
-        const bool pairs = replaces_pairs_ && model.ignored_pairs;
         return with_spheres(*model.into, in_known_kinds(elements_by_link(model), known_),
-                            {.all_collision = replaces_collision_, .pairs = pairs ? &*model.ignored_pairs : nullptr},
+                            {.all_collision = replaces_collision_, .pairs = pairs_, .found = model.ignored_pairs},
                             context);
     }
     if (!model.robot) {

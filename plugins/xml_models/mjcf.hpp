@@ -2,6 +2,7 @@
 #pragma once
 
 #include <foam/sdk/elements.hpp>
+#include <foam/sdk/pairs.hpp>
 #include <foam/sdk/stage.hpp>
 
 namespace foam::xml_models {
@@ -17,8 +18,9 @@ public:
 private:
     KnownKinds known_;
     bool free_;
-    double density_;                           ///< kg/m³
-    bool replaces_collision_, replaces_pairs_; ///< in a file of the user
+    double density_;          ///< kg/m³
+    bool replaces_collision_; ///< in a file of the user
+    PairEdit pairs_;          ///< in a file of the user
 };
 
 class MjcfReader final : public ModelReader {

@@ -54,20 +54,33 @@ public:
         }
     }
 
-    void put_pairs(const std::vector<IgnoredPair>& pairs) {
+    void put_pairs() {
+        std::optional<std::vector<IgnoredPair>> found = what_.found;
+        if (found) {
+            std::erase_if(*found, [&](const IgnoredPair& pair) { // MuJoCo refuses unknown names
+                return !bodies_.contains(pair.first) || !bodies_.contains(pair.second);
+            });
+        }
+        const auto pairs = pairs_into(what_.pairs, stated_pairs(), found, context_);
+        if (!pairs) {
+            return;
+        }
         std::vector<std::string> lines;
-        for (const IgnoredPair& pair : pairs) {
-            if (bodies_.contains(pair.first) && bodies_.contains(pair.second)) { // MuJoCo refuses unknown names
-                lines.push_back(exclude_text(pair));
-            }
+        for (const IgnoredPair& pair : *pairs) {
+            lines.push_back(exclude_text(pair));
         }
         const xml::Element* first = root_->child("contact");
-        for (const xml::Element* contact : root_->children_named("contact")) {
-            editor_.replace_children(*contact, contact->children_named("exclude"),
-                                     contact == first ? lines : std::vector<std::string>{});
-        }
         if (!first && !lines.empty()) {
             editor_.append_child(*root_, fmt::format("<contact>{}</contact>", fmt::join(lines, "")));
+        } else if (what_.pairs == PairEdit::replace) {
+            for (const xml::Element* contact : root_->children_named("contact")) {
+                editor_.replace_children(*contact, contact->children_named("exclude"),
+                                         contact == first ? lines : std::vector<std::string>{});
+            }
+        } else {
+            for (const std::string& line : lines) {
+                editor_.append_child(*first, line);
+            }
         }
     }
 
@@ -100,6 +113,21 @@ public:
     std::string result() { return editor_.result(); }
 
 private:
+    /// Returns the pairs of the <exclude> elements.
+    StatedPairs stated_pairs() const {
+        StatedPairs stated{.file = file_, .ignored = {}, .decided = {}};
+        for (const xml::Element* contact : root_->children_named("contact")) {
+            for (const xml::Element* exclude : contact->children_named("exclude")) {
+                const std::string* first = exclude->attribute("body1");
+                const std::string* second = exclude->attribute("body2");
+                if (first && second) {
+                    stated.ignored.push_back({*first, *second, ""});
+                }
+            }
+        }
+        return stated;
+    }
+
     /// Returns the mesh assets that foam has named.
     static std::vector<const xml::Element*> own_meshes(const xml::Element& root) {
         std::vector<const xml::Element*> meshes;
@@ -203,9 +231,7 @@ std::string with_spheres(const TextFile& into, const std::vector<LinkSpheres>& l
     MjcfEdit edit(into, what, context);
     edit.put(links);
     edit.put_meshes();
-    if (what.pairs) {
-        edit.put_pairs(*what.pairs);
-    }
+    edit.put_pairs();
     return edit.result();
 }
 

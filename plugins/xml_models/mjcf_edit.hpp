@@ -2,16 +2,19 @@
 #pragma once
 
 #include <foam/sdk/model.hpp>
+#include <foam/sdk/pairs.hpp>
 #include <foam/sdk/stage.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace foam::xml_models {
 
 struct MjcfReplacement {
-    bool all_collision = false;                      ///< also other geoms with contact than spheres
-    const std::vector<IgnoredPair>* pairs = nullptr; ///< in place of the <exclude> elements; null: these stay
+    bool all_collision = false;                         ///< also other geoms with contact than spheres
+    PairEdit pairs = PairEdit::keep;                    ///< what happens to the <exclude> elements
+    std::optional<std::vector<IgnoredPair>> found = {}; ///< SphereModel::ignored_pairs
 };
 
 /// Returns the file with the spheres of the bodies called like the links replaced; every other byte stays. New geoms

@@ -11,11 +11,12 @@ FOAM_PLUGIN("xml_models", "1.0", "Apache-2.0") {
         {.name = "write.srdf",
          .summary = "Writes an SRDF: pairs of links that need no check, and the spheres of links as a side-car.",
          .reference = "https://github.com/moveit/srdfdom",
-         .parameters = {Parameter::boolean("pairs", true)
-                            .doc("With 'into': also replace the pairs of links that need no check.")},
+         .parameters = {foam::pairs_parameter()},
          .extensions = {"srdf"},
-         .consumer = {
-             .name = "srdfdom (e23af6e63a), Pinocchio 3.7, Tesseract (c3f7109d07)", .pairs = true, .edits = true}});
+         .consumer = {.name = "srdfdom (e23af6e63a), Pinocchio 3.7, Tesseract (c3f7109d07)",
+                      .pairs = true,
+                      .elements_optional = true,
+                      .edits = true}});
     enrol.add<MjcfWriter>(
         {.name = "write.mjcf",
          .summary = "Writes the robot as MJCF: bodies with their elements, joints, inertias and pairs without contact.",
@@ -30,8 +31,7 @@ FOAM_PLUGIN("xml_models", "1.0", "Apache-2.0") {
                         foam::segments_parameter(),
                         Parameter::boolean("collision", false)
                             .doc("With 'into': also replace geoms with contact that are no spheres."),
-                        Parameter::boolean("pairs", true)
-                            .doc("With 'into': also replace the <exclude> elements: pairs of bodies without contact.")},
+                        foam::pairs_parameter()},
          .extensions = {"mjcf"},
          .kinds = foam::every_kind(),
          .consumer = {.name = "MuJoCo 2.2.2 and 3.12 (a7255075b0)", .pairs = true, .edits = true}});

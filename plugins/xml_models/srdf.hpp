@@ -1,6 +1,7 @@
 // SRDF: pairs of links, and spheres of links as a side-car (srdfdom's link_sphere_approximation).
 #pragma once
 
+#include <foam/sdk/pairs.hpp>
 #include <foam/sdk/stage.hpp>
 
 namespace foam::xml_models {
@@ -12,7 +13,7 @@ public:
     std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override;
 
 private:
-    bool replaces_pairs_;
+    PairEdit pairs_; ///< in a file of the user
 };
 
 class SrdfReader final : public ModelReader {

@@ -34,9 +34,9 @@ Value columns_of(const std::vector<Sphere>& spheres) {
 }
 
 /// Returns the pairs that are checked: all but those that are ignored.
-Value checked_pairs(const SphereModel& model, const std::vector<LinkSpheres>& links) {
+Value checked_pairs(const std::vector<IgnoredPair>& pairs_to_ignore, const std::vector<LinkSpheres>& links) {
     std::set<std::pair<std::string, std::string>> ignored;
-    for (const IgnoredPair& pair : *model.ignored_pairs) {
+    for (const IgnoredPair& pair : pairs_to_ignore) {
         ignored.insert(std::minmax(pair.first, pair.second));
     }
     Value pairs = yaml::list();
@@ -48,6 +48,35 @@ Value checked_pairs(const SphereModel& model, const std::vector<LinkSpheres>& li
         }
     }
     return pairs;
+}
+
+/// Edits the pairs of a file of the user, who has switched off what the file does not list. Links that had no spheres
+/// have no pairs yet.
+void edit_checked_pairs(yaml::Splice& file, const SphereModel& model, const std::vector<LinkSpheres>& links,
+                        PairEdit edit, Context& context) {
+    std::set<std::pair<std::string, std::string>> listed;
+    const Value* pairs = file.find({"self_collision_pairs"});
+    for (const Value& pair : pairs ? pairs->items : std::vector<Value>{}) {
+        if (pair.items.size() == 2) {
+            listed.insert(std::minmax(pair.items[0].text, pair.items[1].text));
+        }
+    }
+    const Value* known = file.find({"collision_spheres"});
+    StatedPairs stated{.file = model.into->file.string(), .ignored = {}, .decided = {}};
+    for (std::size_t a = 0; a < links.size(); ++a) {
+        for (std::size_t b = a + 1; b < links.size(); ++b) {
+            const bool had_spheres = known && known->find(links[a].link) && known->find(links[b].link);
+            if (had_spheres && pairs && !listed.contains(std::minmax(links[a].link, links[b].link))) {
+                stated.ignored.push_back({links[a].link, links[b].link, ""});
+            }
+        }
+    }
+    if (auto ignored = pairs_into(edit, stated, model.ignored_pairs, context)) {
+        if (edit == PairEdit::merge) {
+            ignored->insert(ignored->end(), stated.ignored.begin(), stated.ignored.end());
+        }
+        file.set({"self_collision_pairs"}, checked_pairs(*ignored, links));
+    }
 }
 
 } // namespace
@@ -70,7 +99,7 @@ void BubblifyWriter::edit(yaml::Splice& file, const SphereModel&, const std::vec
 }
 
 PlainmpWriter::PlainmpWriter(const Parameters& parameters)
-    : TreeWriter("write.plainmp", read_collision_spheres), replaces_pairs_(parameters.boolean("pairs")) {}
+    : TreeWriter("write.plainmp", read_collision_spheres), pairs_(pair_edit(parameters)) {}
 
 Value PlainmpWriter::document(const SphereModel& model, const std::vector<LinkSpheres>& links, Context& context) const {
     require_robot(model, name());
@@ -82,7 +111,7 @@ Value PlainmpWriter::document(const SphereModel& model, const std::vector<LinkSp
                                                        : std::filesystem::absolute(file).lexically_normal().string())},
          {"control_joint_names", names_of(joints.active)}});
     if (model.ignored_pairs) {
-        yaml::append(document, "self_collision_pairs", checked_pairs(model, links));
+        yaml::append(document, "self_collision_pairs", checked_pairs(*model.ignored_pairs, links));
     }
     const bool base =
         std::any_of(links.begin(), links.end(), [&](const LinkSpheres& link) { return link.link == base_link(model); });
@@ -92,11 +121,9 @@ Value PlainmpWriter::document(const SphereModel& model, const std::vector<LinkSp
 }
 
 void PlainmpWriter::edit(yaml::Splice& file, const SphereModel& model, const std::vector<LinkSpheres>& links,
-                         Context&) const {
+                         Context& context) const {
+    edit_checked_pairs(file, model, links, pairs_, context);
     file.set({"collision_spheres"}, rows_of_links(links));
-    if (replaces_pairs_ && model.ignored_pairs) {
-        file.set({"self_collision_pairs"}, checked_pairs(model, links));
-    }
 }
 
 PyrokiWriter::PyrokiWriter(const Parameters&) : TreeWriter("write.pyroki", read_columns) {}

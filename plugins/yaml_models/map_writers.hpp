@@ -28,7 +28,7 @@ private:
     void edit(yaml::Splice& file, const SphereModel& model, const std::vector<LinkSpheres>& links,
               Context& context) const override;
 
-    bool replaces_pairs_;
+    PairEdit pairs_; ///< in a file of the user
 };
 
 /// {link: {centers: [[x, y, z]], radii: [r]}}: every key is a link.

@@ -42,6 +42,11 @@ PlannedJoints::Positions in_urdf_order(const SphereModel& model, const PlannedJo
     return all;
 }
 
+/// Returns the pairs that need no check; none where they are not known.
+std::vector<IgnoredPair> pairs_of(const SphereModel& model) {
+    return model.ignored_pairs.value_or(std::vector<IgnoredPair>{});
+}
+
 void require_active_joints(const PlannedJoints& joints, const std::string& writer) {
     if (joints.active.empty()) {
         throw Error(ErrorCode::output, writer + " needs a joint that moves and is not locked; the robot has none");
@@ -53,9 +58,9 @@ constexpr double usual_acceleration = 10, usual_jerk = 500; ///< cuRobo's defaul
 } // namespace
 
 CuroboWriter::CuroboWriter(const Parameters& parameters)
-    : TreeWriter("write.curobo", read_curobo), old_(parameters.text("version") == "0.7"),
-      replaces_pairs_(parameters.boolean("pairs")), buffer_(parameters.number("buffer")),
-      urdf_path_(parameters.text("urdf_path")), asset_root_path_(parameters.text("asset_root_path")) {}
+    : TreeWriter("write.curobo", read_curobo), old_(parameters.text("version") == "0.7"), pairs_(pair_edit(parameters)),
+      buffer_(parameters.number("buffer")), urdf_path_(parameters.text("urdf_path")),
+      asset_root_path_(parameters.text("asset_root_path")) {}
 
 Value CuroboWriter::cspace(const SphereModel& model, const PlannedJoints& joints) const {
     const PlannedJoints::Positions all = in_urdf_order(model, joints);
@@ -93,7 +98,7 @@ Value CuroboWriter::document(const SphereModel& model, const std::vector<LinkSph
     yaml::append(kinematics, "collision_link_names", names_of_links(links));
     yaml::append(kinematics, "collision_spheres", spheres_of_links(links));
     yaml::append(kinematics, "collision_sphere_buffer", yaml::real(buffer_));
-    yaml::append(kinematics, "self_collision_ignore", ignored_links(model));
+    yaml::append(kinematics, "self_collision_ignore", ignored_links(pairs_of(model)));
     yaml::append(kinematics, "self_collision_buffer", yaml::map());
     yaml::append(kinematics, "lock_joints", map_of(joints.locked));
     yaml::append(kinematics, "cspace", cspace(model, joints));
@@ -101,7 +106,7 @@ Value CuroboWriter::document(const SphereModel& model, const std::vector<LinkSph
 }
 
 void CuroboWriter::edit(yaml::Splice& file, const SphereModel& model, const std::vector<LinkSpheres>& links,
-                        Context&) const {
+                        Context& context) const {
     std::vector<std::string_view> at{"robot_cfg", "kinematics"};
     if (!file.find(at)) {
         at = {"kinematics"};
@@ -116,14 +121,12 @@ void CuroboWriter::edit(yaml::Splice& file, const SphereModel& model, const std:
     };
     set("collision_link_names", names_of_links(links));
     set("collision_spheres", spheres_of_links(links));
-    if (replaces_pairs_ && model.ignored_pairs) {
-        set("self_collision_ignore", ignored_links(model));
-    }
+    at.push_back("self_collision_ignore");
+    edit_ignored_links(file, at, model, pairs_, context);
 }
 
 XrdfWriter::XrdfWriter(const Parameters& parameters)
-    : TreeWriter("write.xrdf", read_xrdf), new_(parameters.text("version") == "2.0"),
-      replaces_pairs_(parameters.boolean("pairs")) {}
+    : TreeWriter("write.xrdf", read_xrdf), new_(parameters.text("version") == "2.0"), pairs_(pair_edit(parameters)) {}
 
 Value XrdfWriter::document(const SphereModel& model, const std::vector<LinkSpheres>& links, Context& context) const {
     require_robot(model, name());
@@ -148,7 +151,7 @@ Value XrdfWriter::document(const SphereModel& model, const std::vector<LinkSpher
     yaml::append(document, "tool_frames", yaml::list(tools));
     yaml::append(document, new_ ? "world_collision" : "collision", yaml::map({{"geometry", yaml::text(group)}}));
     yaml::append(document, "self_collision",
-                 yaml::map({{"geometry", yaml::text(group)}, {"ignore", ignored_links(model)}}));
+                 yaml::map({{"geometry", yaml::text(group)}, {"ignore", ignored_links(pairs_of(model))}}));
     yaml::append(document, "geometry", yaml::map({{group, yaml::map({{"spheres", spheres_of_links(links)}})}}));
     return document;
 }
@@ -174,9 +177,7 @@ void XrdfWriter::edit(yaml::Splice& file, const SphereModel& model, const std::v
                                 model.into->file.string(), own->where.line, own->text));
     }
     file.set({"geometry", name, "spheres"}, spheres_of_links(links));
-    if (replaces_pairs_ && model.ignored_pairs) {
-        file.set({"self_collision", "ignore"}, ignored_links(model));
-    }
+    edit_ignored_links(file, {"self_collision", "ignore"}, model, pairs_, context);
 }
 
 LulaWriter::LulaWriter(const Parameters&) : TreeWriter("write.lula", read_collision_spheres) {}

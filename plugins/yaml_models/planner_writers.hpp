@@ -17,8 +17,9 @@ private:
               Context& context) const override;
     yaml::Value cspace(const SphereModel& model, const PlannedJoints& joints) const;
 
-    bool old_, replaces_pairs_;
-    double buffer_; ///< m
+    bool old_;
+    PairEdit pairs_; ///< in a file of the user
+    double buffer_;  ///< m
     std::string urdf_path_, asset_root_path_;
 };
 
@@ -33,7 +34,8 @@ private:
     void edit(yaml::Splice& file, const SphereModel& model, const std::vector<LinkSpheres>& links,
               Context& context) const override;
 
-    bool new_, replaces_pairs_;
+    bool new_;
+    PairEdit pairs_; ///< in a file of the user
 };
 
 class LulaWriter final : public TreeWriter {

@@ -63,10 +63,6 @@ FOAM_PLUGIN("yaml_models", "1.0", "Apache-2.0") {
          .reference = "Coumar et al. 2025, https://github.com/CoMMALab/foam",
          .extensions = {"json"}});
     using foam::Parameter;
-    const auto pairs = [] {
-        return Parameter::boolean("pairs", false)
-            .doc("With 'into': also replace the pairs of links that need no check. A whole file has them in any case.");
-    };
     enrol.add<CuroboWriter>(
         {.name = "write.curobo",
          .summary = "Writes a robot file of cuRobo with spheres, pairs, locked joints and rest pose.",
@@ -75,7 +71,7 @@ FOAM_PLUGIN("yaml_models", "1.0", "Apache-2.0") {
              {Parameter::choice("version", {"0.8", "0.7"}, "0.8")
                   .doc("0.7 has ee_link and retract_config in place of tool_frames and "
                        "default_joint_position, and no format_version."),
-              pairs(),
+              foam::pairs_parameter(),
               Parameter::number("buffer", 0)
                   .bounds(-1, 10)
                   .unit("m")
@@ -95,7 +91,7 @@ FOAM_PLUGIN("yaml_models", "1.0", "Apache-2.0") {
          .reference = "https://nvidia-isaac-ros.github.io/concepts/manipulation/xrdf.html",
          .parameters = {Parameter::choice("version", {"1.0", "2.0"}, "1.0")
                             .doc("2.0: world_collision in place of collision, for Isaac Sim 6. cuRobo reads 1.0 only."),
-                        pairs()},
+                        foam::pairs_parameter()},
          .extensions = {"xrdf"},
          .consumer = {.name = "cuMotion, Isaac Sim 6.0.1 (045ca8b596), cuRobo 0.8",
                       .float32 = true,
@@ -115,12 +111,13 @@ FOAM_PLUGIN("yaml_models", "1.0", "Apache-2.0") {
          .reference = "https://github.com/bheijden/bubblify",
          .extensions = {"yml", "yaml"},
          .consumer = {.name = "bubblify (35b44a1690)", .edits = true}});
-    enrol.add<PlainmpWriter>({.name = "write.plainmp",
-                              .summary = "Writes a robot of plainmp: joints, spheres, and the pairs that are checked.",
-                              .reference = "https://github.com/HiroIshida/plainmp",
-                              .parameters = {pairs()},
-                              .extensions = {"yaml"},
-                              .consumer = {.name = "plainmp (4a2fbd1a97)", .pairs = true, .rest_pose = true, .edits = true}});
+    enrol.add<PlainmpWriter>(
+        {.name = "write.plainmp",
+         .summary = "Writes a robot of plainmp: joints, spheres, and the pairs that are checked.",
+         .reference = "https://github.com/HiroIshida/plainmp",
+         .parameters = {foam::pairs_parameter()},
+         .extensions = {"yaml"},
+         .consumer = {.name = "plainmp (4a2fbd1a97)", .pairs = true, .rest_pose = true, .edits = true}});
     enrol.add<PyrokiWriter>({.name = "write.pyroki",
                              .summary = "Writes centers and radii by link, as pyroki and ballpark read them.",
                              .reference = "https://github.com/chungmin99/pyroki",

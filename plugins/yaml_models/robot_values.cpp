@@ -24,9 +24,9 @@ Value spheres_of_links(const std::vector<LinkSpheres>& links) {
     return map;
 }
 
-Value ignored_links(const SphereModel& model) {
+Value ignored_links(const std::vector<IgnoredPair>& pairs) {
     Value map = yaml::map();
-    for (const IgnoredPair& pair : model.ignored_pairs.value_or(std::vector<IgnoredPair>{})) {
+    for (const IgnoredPair& pair : pairs) {
         if (!map.find(pair.first)) {
             yaml::append(map, pair.first, yaml::list());
         }

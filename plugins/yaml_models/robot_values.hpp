@@ -9,8 +9,8 @@ namespace foam::tree {
 
 /// Returns {link: [{center: [x, y, z], radius: r}, …]}.
 yaml::Value spheres_of_links(const std::vector<LinkSpheres>& links);
-/// Returns {link: [other, …]} with each pair once, under its first link. Empty where the pairs are not known.
-yaml::Value ignored_links(const SphereModel& model);
+/// Returns {link: [other, …]} with each pair once, under its first link.
+yaml::Value ignored_links(const std::vector<IgnoredPair>& pairs);
 /// Returns the names of joints.
 yaml::Value names_of(const PlannedJoints::Positions& joints);
 /// Returns the positions of joints.

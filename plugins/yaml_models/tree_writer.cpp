@@ -41,6 +41,29 @@ std::string TreeWriter::text_of(const yaml::Value& document, const SphereModel& 
     return (model.provenance.empty() ? "" : "# " + model.provenance + "\n") + yaml::block_text(document);
 }
 
+void edit_ignored_links(yaml::Splice& file, const std::vector<std::string_view>& path, const SphereModel& model,
+                        PairEdit edit, Context& context) {
+    StatedPairs stated{.file = model.into->file.string(), .ignored = {}, .decided = {}};
+    const yaml::Value* map = file.find(path);
+    const bool is_map = map && map->is(yaml::Value::Kind::map);
+    for (std::size_t i = 0; is_map && i < map->keys.size(); ++i) {
+        for (const yaml::Value& other : map->items[i].items) {
+            stated.ignored.push_back({map->keys[i].text, other.text, ""});
+        }
+    }
+    const auto pairs = pairs_into(edit, stated, model.ignored_pairs, context);
+    if (pairs && (edit == PairEdit::replace || !is_map || map->keys.empty())) {
+        file.set(path, ignored_links(*pairs));
+    } else if (pairs) {
+        const yaml::Value added = ignored_links(*pairs);
+        for (std::size_t i = 0; i < added.keys.size(); ++i) {
+            std::vector<std::string_view> key = path;
+            key.push_back(added.keys[i].text);
+            file.extend(key, added.items[i]);
+        }
+    }
+}
+
 void fail_without_key(const SphereModel& model, const std::string& key, const std::string& remedy) {
     throw Error(ErrorCode::input,
                 fmt::format("{}: there is no '{}'; remedy: {}", model.into->file.string(), key, remedy));

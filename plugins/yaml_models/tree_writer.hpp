@@ -4,6 +4,7 @@
 #include "formats.hpp"
 #include "robot_values.hpp"
 
+#include <foam/sdk/pairs.hpp>
 #include <foam/sdk/stage.hpp>
 #include <foam/yaml/splice.hpp>
 
@@ -34,6 +35,10 @@ private:
     std::string name_;
     Reading reading_;
 };
+
+/// Edits the map of pairs {link: [link, …]} at a path of keys in a file of the user.
+void edit_ignored_links(yaml::Splice& file, const std::vector<std::string_view>& path, const SphereModel& model,
+                        PairEdit edit, Context& context);
 
 /// Throws Error(output): the file of the user has no such key.
 [[noreturn]] void fail_without_key(const SphereModel& model, const std::string& key, const std::string& remedy);

@@ -41,12 +41,12 @@ KindCounts kinds_of_model(const SphereModel& model) {
 
 /// Makes the model of spheres from elsewhere as complete as `foam convert` does.
 void complete(SphereModel& model, const SphereFile& spheres, const Original* original, const StageInfo& writer,
-              const Given& parameters, const std::atomic<bool>& cancel) {
+              const Given& parameters, bool into, const std::atomic<bool>& cancel) {
     const std::string proof =
         original ? proof_statement(*original, spheres, writer.consumer.float32) : "nothing is proved without the robot";
     model.provenance = fmt::format("foam {}; {}, {}; {}; {}", version(), spheres.file.filename().string(),
                                    spheres.format, counts_text(kinds_of_model(model)), proof);
-    if (lists_pairs(writer, parameters) && original && model.groups.size() > 1) {
+    if (lists_pairs(writer, parameters, into) && original && model.groups.size() > 1) {
         model.ignored_pairs = ignored_pairs_of(model, &cancel);
     }
     if (writer.consumer.rest_pose) {
@@ -95,14 +95,15 @@ py::tuple written(const std::shared_ptr<Registry>& registry, SphereFile spheres,
                 }
             }
             model.facts = facts;
-            if (!of_run || info.consumer.float32 || lists_pairs(info, parameters)) {
-                complete(model, spheres, original, info, parameters, cancel);
+            if (!of_run || info.consumer.float32 || info.consumer.rest_pose ||
+                lists_pairs(info, parameters, into.has_value())) {
+                complete(model, spheres, original, info, parameters, into.has_value(), cancel);
             }
             if (into) {
                 model.into = TextFile{into->first, into->second};
             }
             files = written_files(*writer, info, model, file, warnings);
-            require_written(model, *writer, files);
+            require_written(model, *writer, info, files);
         },
         [] {});
     py::list list;

@@ -115,6 +115,23 @@ TEST_F(CliConvert, IntoAFileKeepsEveryOtherByte) {
         "  </link_sphere_approximation>\n</robot>\n");
 }
 
+TEST_F(CliConvert, AnSrdfHasThePairsOfElementsThatItCannotHold) {
+    const Outcome run = foam("approximate arm.urdf -n 2 --with box -o run.srdf");
+    EXPECT_EQ(run.code, 0) << run.err;
+    const Outcome boxes = foam("approximate arm.urdf -n 2 --with box -o boxes.json");
+    ASSERT_EQ(boxes.code, 0) << boxes.err;
+    const Outcome outcome = foam("convert boxes.json arm.urdf -o boxes.srdf");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err,
+                HasSubstr("SRDF has no elements but spheres: the pairs of links are in the file, 2 boxes are "
+                          "not"));
+    for (const char* file : {"run.srdf", "boxes.srdf"}) {
+        EXPECT_THAT(contents(path() / file), HasSubstr("<disable_collisions link1=\"base\" link2=\"upper\""));
+        EXPECT_THAT(contents(path() / file), HasSubstr("pairs for a model whose elements are in another file: foam"));
+        EXPECT_THAT(contents(path() / file), Not(HasSubstr("link_sphere_approximation")));
+    }
+}
+
 TEST_F(CliConvert, IntoAFileWithoutSpheres) {
     write("null.yml", "kinematics:\n  collision_spheres: null\n  collision_link_names: null # none\n");
     EXPECT_EQ(written("model.csv --format curobo --into null.yml", "out.yml"),
@@ -213,7 +230,7 @@ TEST_F(CliConvert, SetsParametersOfTheWriter) {
     EXPECT_THAT(refusal(args + "-o out.yml --set version=0.6"),
                 HasSubstr("--set: 'version' of write.curobo expects one of 0.8, 0.7, got \"0.6\""));
     EXPECT_THAT(refusal(args + "-o out.yml --set pairs=maybe"),
-                HasSubstr("--set: 'pairs' of write.curobo expects true or false, got \"maybe\""));
+                HasSubstr("--set: 'pairs' of write.curobo expects one of keep, merge, replace, got \"maybe\""));
     EXPECT_THAT(refusal(args + "-o out.yml --set version"), HasSubstr("--set expects KEY=VALUE, got 'version'"));
 }
 

@@ -44,6 +44,33 @@ TEST(YamlSplice, AMissingKeyIsAddedAtTheEndOfItsMap) {
     EXPECT_EQ(spliced("x: 1", {"s"}, links), "x: 1\ns:\n  a:\n    - {radius: 1.0}\n");
 }
 
+TEST(YamlSplice, AMissingKeyIsAddedWithinBrackets) {
+    EXPECT_EQ(spliced("x: {t: 1}   # c\n", {"x", "s"}, yaml::list()), "x: {t: 1, s: []}   # c\n");
+    EXPECT_EQ(spliced("x: {}\n", {"x", "s"}, yaml::list()), "x: {s: []}\n");
+}
+
+std::string extended(const std::string& text, const std::vector<std::string_view>& path, const yaml::Value& items) {
+    yaml::Splice splice(text, "robot.yml", ErrorCode::input);
+    splice.extend(path, items);
+    return splice.text();
+}
+
+TEST(YamlSplice, AListIsExtendedAndKeepsItsBytes) {
+    const yaml::Value more = yaml::list(std::vector<std::string>{"p", "q_r"});
+    EXPECT_EQ(extended("s: [a,  b]  # c\n", {"s"}, more), "s: [a,  b, p, q_r]  # c\n");
+    EXPECT_EQ(extended("s: [a, b,]\n", {"s"}, more), "s: [a, b, p, q_r]\n");
+    EXPECT_EQ(extended("s: [\n  a,\n  'b, c', # one, two\n]\n", {"s"}, more),
+              "s: [\n  a,\n  'b, c', p, q_r # one, two\n]\n");
+    EXPECT_EQ(extended("s: [\n  a # it's, one\n]\n", {"s"}, more), "s: [\n  a, p, q_r # it's, one\n]\n");
+    EXPECT_EQ(extended("s: []\n", {"s"}, more), "s: [p, q_r]\n");
+    EXPECT_EQ(extended("x:\n  s:   # mine\n  - a\n  # between\n  - b   # last\n  t: 1\n", {"x", "s"}, more),
+              "x:\n  s:   # mine\n  - a\n  # between\n  - b   # last\n  - p\n  - q_r\n  t: 1\n");
+    EXPECT_EQ(extended("s:\n    - a", {"s"}, more), "s:\n    - a\n    - p\n    - q_r");
+    EXPECT_EQ(extended("s: null\n", {"s"}, more), "s: [p, q_r]\n");
+    EXPECT_EQ(extended("t: 1\n", {"s"}, more), "t: 1\ns: [p, q_r]\n");
+    EXPECT_THROW(extended("s: 1\n", {"s"}, more), Error);
+}
+
 TEST(YamlSplice, WhatCannotBeReplacedIsRefusedWithItsPlace) {
     const auto refusal = [](const std::string& text, const std::vector<std::string_view>& path) -> std::string {
         try {
@@ -53,7 +80,6 @@ TEST(YamlSplice, WhatCannotBeReplacedIsRefusedWithItsPlace) {
         }
     };
     EXPECT_THAT(refusal("x:\n  s:\nt: 1\n", {"x", "s"}), HasSubstr("robot.yml:2:3: 's' has no value; remedy: "));
-    EXPECT_THAT(refusal("x: {t: 1}\n", {"x", "s"}), HasSubstr("robot.yml:1:4: there is no key 's'"));
     EXPECT_THAT(refusal("x: 1\n", {"x", "s"}), HasSubstr("there is no map 'x'"));
     EXPECT_THAT(refusal("- 1\n", {"s"}), HasSubstr("robot.yml:1:1: a map of keys is expected, got a list"));
     EXPECT_THAT(refusal("x: [1\n", {"s"}), HasSubstr("robot.yml:"));

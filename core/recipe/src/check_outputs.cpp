@@ -121,8 +121,9 @@ std::optional<std::pair<std::string, std::string>> collision(const std::vector<s
 bool holds_elements(const StageItem& writer, const Recipe& recipe, const Checking& checking) {
     const RegisteredStage* spherizer = checking.registry.find(recipe.spherizer.stage);
     const std::vector<Element::Kind>& held = writer.stage->info.kinds;
-    if (!spherizer || std::any_of(spherizer->info.kinds.begin(), spherizer->info.kinds.end(),
-                                  [&](Element::Kind kind) { return knows_all(held, {kind}); })) {
+    if (!spherizer || writer.stage->info.consumer.elements_optional ||
+        std::any_of(spherizer->info.kinds.begin(), spherizer->info.kinds.end(),
+                    [&](Element::Kind kind) { return knows_all(held, {kind}); })) {
         return true;
     }
     checking.findings.error(writer.name.where, "wrong-kind",

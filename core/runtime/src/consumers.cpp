@@ -14,7 +14,8 @@ namespace {
 
 bool any_lists_pairs(const Workspace& workspace) {
     return std::any_of(workspace.recipe.outputs.begin(), workspace.recipe.outputs.end(), [&](const OutputCall& output) {
-        return lists_pairs(workspace.registry.find(output.writer.stage)->info, output.writer.given);
+        return lists_pairs(workspace.registry.find(output.writer.stage)->info, output.writer.given,
+                           !output.into.empty());
     });
 }
 
@@ -38,7 +39,8 @@ CollisionModel collision_model(const Workspace& workspace, const FinishedModel& 
     return model;
 }
 
-/// Returns the pairs that need no check. Warns of pairs that are in contact in every pose because of their elements alone.
+/// Returns the pairs that need no check. Warns of pairs that are in contact in every pose because of their elements
+/// alone.
 std::vector<IgnoredPair> pairs_of(const Workspace& workspace, const FinishedModel& finished) {
     SelfCollisionOptions options;
     options.seed = workspace.recipe.seed;
@@ -46,8 +48,8 @@ std::vector<IgnoredPair> pairs_of(const Workspace& workspace, const FinishedMode
     const SelfCollisionMatrix matrix = self_collision_matrix(Kinematics(finished.model.robot), model, options);
     for (const LinkPair& pair : matrix.pairs) {
         if (pair.touches_by_elements_alone) {
-            workspace.journal.finding({Severity::warning, model.robot->links[pair.first].name, "",
-                                       sentence_about(pair, *model.robot)});
+            workspace.journal.finding(
+                {Severity::warning, model.robot->links[pair.first].name, "", sentence_about(pair, *model.robot)});
         }
     }
     return ignored_pairs(*finished.model.robot, matrix);
@@ -83,8 +85,7 @@ void complete_model(const Workspace& workspace, const Input& input,
                     const std::optional<ReferenceConfiguration>& reference, FinishedModel& finished) {
     finished.model.facts = workspace.recipe.facts;
     if (reference && finished.model.facts.default_pose.empty()) {
-        finished.model.facts.default_pose =
-            moved_joints(Kinematics(finished.model.robot), reference->configuration);
+        finished.model.facts.default_pose = moved_joints(Kinematics(finished.model.robot), reference->configuration);
     }
     for (const Link& link : finished.model.robot->links) {
         if (workspace.recipe.for_link(link.name).no_collision) {

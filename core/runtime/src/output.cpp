@@ -112,7 +112,8 @@ std::vector<OutputFile> write_outputs(const Workspace& workspace, const Finished
         std::vector<WrittenProof> proofs = as_task(i, [&](Context&) {
             return prove_written(writers[i]->read_elements(texts[i].texts.front().text, texts[i].beside), finished,
                                  workspace.recipe.guarantee, workspace.recipe.proved_numbers(workspace.registry),
-                                 outputs[i].file);
+                                 outputs[i].file,
+                                 workspace.registry.find(outputs[i].writer.stage)->info.consumer.elements_optional);
         });
         files[i].push_back(record_of(texts[i].texts.front(), outputs[i], outputs[i].file, directory));
         files[i].front().proofs = std::move(proofs);

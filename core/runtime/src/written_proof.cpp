@@ -40,9 +40,12 @@ std::string broken_promise(const Solid& solid, const ElementsView& elements, Gua
 
 std::vector<WrittenProof> prove_written(const std::map<std::string, Approximation::Level>& read,
                                         const FinishedModel& finished, Guarantee guarantee, Numbers numbers,
-                                        const std::string& file) {
+                                        const std::string& file, bool elements_optional) {
     std::vector<WrittenProof> proofs;
     for (const FinishedLink& link : finished.links) {
+        if (elements_optional && !link.elements.others.empty()) {
+            continue;
+        }
         const std::string& name = link.work->link->name;
         const auto found = read.find(name);
         if (found == read.end() || found->second.size() == 0) {
@@ -50,9 +53,9 @@ std::vector<WrittenProof> prove_written(const std::map<std::string, Approximatio
                         fmt::format("{}: link '{}' has no spheres in the written file", file, name));
         }
         if (!link.elements.others.empty() && found->second.others.empty()) {
-            throw Error(ErrorCode::internal,
-                        fmt::format("{}: link '{}' has {} in the written file, the model has {}", file, name,
-                                    counts_text(kinds_of(found->second.view())), counts_text(kinds_of(link.elements.view()))));
+            throw Error(ErrorCode::internal, fmt::format("{}: link '{}' has {} in the written file, the model has {}",
+                                                         file, name, counts_text(kinds_of(found->second.view())),
+                                                         counts_text(kinds_of(link.elements.view()))));
         }
         if (!link.work->report.measures.certified) {
             continue;

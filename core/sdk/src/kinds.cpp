@@ -84,6 +84,9 @@ bool knows_all(const std::vector<Element::Kind>& known, const std::vector<Elemen
 }
 
 void require_held(const StageInfo& writer, const SphereModel& model) {
+    if (writer.consumer.elements_optional) {
+        return;
+    }
     for (const SphereGroup& group : model.groups) {
         for (const Approximation::Level& level : group.tree.levels) {
             for (const Element& element : level.others) {

@@ -10,18 +10,22 @@
 
 namespace foam::inline sdk {
 
-PlannedJoints planned_joints(const SphereModel& model) {
-    const Kinematics kinematics(model.robot);
-    JointValues given = model.facts.default_pose;
+/// Returns the rest pose of all files: that of the facts, with held joints where they are held.
+static std::vector<double> rest_configuration(const SphereModel& model, const Kinematics& kinematics) {
+    JointValues values = model.facts.default_pose;
     for (const auto& [joint, position] : model.facts.lock_joints) {
-        given[joint] = position;
+        values[joint] = position;
     }
-    std::vector<double> configuration;
     try {
-        configuration = kinematics.configuration(given);
+        return kinematics.configuration(values);
     } catch (const Error& error) {
         throw Error(ErrorCode::output, fmt::format("lock_joints or default_pose: {}", error.what()));
     }
+}
+
+PlannedJoints planned_joints(const SphereModel& model) {
+    const Kinematics kinematics(model.robot);
+    const std::vector<double> configuration = rest_configuration(model, kinematics);
     PlannedJoints joints;
     for (std::size_t i = 0; i < configuration.size(); ++i) {
         const std::string& name = kinematics.freedoms()[i].joint;
@@ -35,12 +39,8 @@ std::map<std::string, Pose> placed_links(const SphereModel& model) {
     if (!model.robot || model.robot->joints.empty()) {
         return result;
     }
-    JointValues values = model.facts.default_pose;
-    for (const auto& [joint, value] : model.facts.lock_joints) {
-        values[joint] = value; // a held joint stands where it is held
-    }
     const Kinematics kinematics(model.robot);
-    const std::vector<Pose> poses = kinematics.link_poses(kinematics.configuration(values));
+    const std::vector<Pose> poses = kinematics.link_poses(rest_configuration(model, kinematics));
     for (std::size_t i = 0; i < poses.size(); ++i) {
         result[model.robot->links[i].name] = poses[i];
     }
@@ -93,11 +93,12 @@ static std::string last_links(const Robot& robot) {
 
 const std::vector<std::string>& require_tool_frames(const SphereModel& model, const std::string& writer) {
     if (model.facts.tool_frames.empty()) {
-        throw Error(ErrorCode::output,
-                    fmt::format("{} needs the links that a planner moves to a goal{}; remedy: --tool-frame LINK, robot: "
-                                "{{tool_frames: [LINK]}} in the recipe, --set robot.tool_frames=[LINK], or "
-                                "tool_frames=[\"LINK\"] in Python",
-                                writer, model.robot ? last_links(*model.robot) : ""));
+        throw Error(
+            ErrorCode::output,
+            fmt::format("{} needs the links that a planner moves to a goal{}; remedy: --tool-frame LINK, robot: "
+                        "{{tool_frames: [LINK]}} in the recipe, --set robot.tool_frames=[LINK], or "
+                        "tool_frames=[\"LINK\"] in Python",
+                        writer, model.robot ? last_links(*model.robot) : ""));
     }
     for (const std::string& frame : model.facts.tool_frames) {
         require_link(model, frame, "tool_frames");

@@ -1,6 +1,7 @@
 // Out-of-line destructors and defaults of the classes that plugins derive from: their type information exists only in
 // core.
 #include <foam/base/error.hpp>
+#include <foam/sdk/pairs.hpp>
 #include <foam/sdk/plugin.hpp>
 #include <foam/sdk/stage.hpp>
 
@@ -73,10 +74,18 @@ std::filesystem::path companion_of(const std::filesystem::path& file, const std:
     return std::filesystem::path(file).replace_extension(ending);
 }
 
-bool lists_pairs(const StageInfo& writer, const std::map<std::string, ParameterValue>& given) {
+bool lists_pairs(const StageInfo& writer, const std::map<std::string, ParameterValue>& given, bool into) {
     const Consumer& consumer = writer.consumer;
-    return consumer.pairs &&
-           (consumer.pairs_if.empty() || Parameters(writer.parameters, given).boolean(consumer.pairs_if));
+    if (!consumer.pairs) {
+        return false;
+    }
+    const Parameters parameters(writer.parameters, given);
+    const bool edited =
+        into && std::any_of(writer.parameters.begin(), writer.parameters.end(), [](const Parameter& declared) {
+            return declared.name == "pairs" && declared.type == Parameter::Type::choice;
+        });
+    return edited ? pair_edit(parameters) != PairEdit::keep
+                  : consumer.pairs_if.empty() || parameters.boolean(consumer.pairs_if);
 }
 
 SphereFile read_written(const Writer& writer, const std::string& text, const std::filesystem::path& file,

@@ -44,7 +44,7 @@ SphereModel model_of(const ViewedRobot& robot, const Original* original, const R
     if (writer.info.consumer.rest_pose && robot.kinematics) {
         give_rest_pose(model);
     }
-    if (lists_pairs(writer.info, {}) && model.groups.size() > 1 && robot.kinematics) {
+    if (lists_pairs(writer.info, {}, false) && model.groups.size() > 1 && robot.kinematics) {
         model.ignored_pairs = judge::ignored_pairs_of(model, &cancel);
     }
     return model;
@@ -114,7 +114,7 @@ Saved save_model(const ViewedRobot& robot, const Original* original, const Regis
     const SphereModel model = model_of(robot, original, stage, file, saved.statement, cancel);
     QuietContext context;
     const std::vector<WrittenFile> files = written_files(*writer, stage.info, model, target, context);
-    require_written(model, *writer, files);
+    require_written(model, *writer, stage.info, files);
     for (const WrittenFile& written : files) {
         write_file(written.file, written.bytes);
         saved.files.push_back(written.file);

@@ -156,7 +156,7 @@ void Splice::replace(const Value& map, std::size_t index, const Value& value, bo
         const bool empty = value.items.empty() || value.is_scalar();
         if (empty) {
             const std::size_t colon = line_end(text_, at_key);
-            text_.replace(colon, end - colon, " " + flow_text(value) + "\n");
+            text_.replace(colon, end - colon, fmt::format(" {}\n", flow_text(value)));
         } else {
             text_.replace(lines, end - lines, block_text(value, column + 2));
         }
@@ -165,7 +165,11 @@ void Splice::replace(const Value& map, std::size_t index, const Value& value, bo
 }
 
 void Splice::add(const Value& map, std::string_view key, const Value& value) {
-    if (map.keys.empty() || text_[offset_of(map.where)] == '{') {
+    if (map.where.line > 0 && text_[std::min(offset_of(map.where), text_.size() - 1)] == '{') {
+        append_in_flow(map, fmt::format("{}: {}", scalar_text(key), flow_text(value)));
+        return;
+    }
+    if (map.keys.empty()) {
         fail(map.where, fmt::format("there is no key '{}'; remedy: add {}: {{}}", key, key));
     }
     const Key& last = map.keys.back();
@@ -177,8 +181,63 @@ void Splice::add(const Value& map, std::string_view key, const Value& value) {
     }
     const std::size_t lines = std::min(line_end(text_, at) + 1, text_.size());
     const std::size_t end = end_of_block(lines, column, map.items.back().is(Value::Kind::list));
-    text_.insert(end, block_text(yaml::map({{std::string(key), value}}), column));
+    std::string entry = block_text(yaml::map({{std::string(key), value}}), column);
+    if (entry[column] == '{') { // the whole map on one line
+        entry = fmt::format("{}{}: {}\n", std::string(column, ' '), scalar_text(key), flow_text(value));
+    }
+    text_.insert(end, entry);
     parse();
+}
+
+/// Puts an item behind the last one of a collection in brackets.
+void Splice::append_in_flow(const Value& collection, const std::string& item) {
+    const std::size_t bracket = end_of_flow(offset_of(collection.where), collection.where) - 1;
+    const std::size_t begin = collection.items.empty() ? bracket : offset_of(collection.items.back().where);
+    std::size_t end = begin; // of the last item, with a comma behind it
+    char quote = 0;
+    for (std::size_t i = begin; i < bracket; ++i) {
+        const char c = text_[i];
+        const bool after_blank = i == begin || std::string_view(" \t\r\n,:[{").find(text_[i - 1]) != std::string::npos;
+        if (quote) {
+            i += c == '\\' && quote == '"' ? 1 : 0;
+            quote = c == quote ? '\0' : quote;
+        } else if (c == '#' && after_blank) {
+            i = line_end(text_, i);
+            continue;
+        } else if ((c == '"' || c == '\'') && after_blank) {
+            quote = c;
+        }
+        end = std::string_view(" \t\r\n").find(c) == std::string::npos ? i + 1 : end;
+    }
+    text_.insert(end, (collection.items.empty() ? "" : text_[end - 1] == ',' ? " " : ", ") + item);
+    parse();
+}
+
+void Splice::extend(const std::vector<std::string_view>& path, const Value& items) {
+    const Value* list = find(path);
+    if (!list || list->is(Value::Kind::null)) {
+        set(path, items);
+        return;
+    }
+    if (!list->is(Value::Kind::list)) {
+        fail(list->where, fmt::format("a list is expected, got {}", list->description()));
+    }
+    for (const Value& item : items.items) {
+        list = find(path);
+        if (text_[offset_of(list->where)] == '[') {
+            append_in_flow(*list, flow_text(item));
+            continue;
+        }
+        const std::size_t at = offset_of(list->items.back().where);
+        const std::size_t line = at == 0 ? 0 : text_.rfind('\n', at - 1) + 1;
+        const std::size_t dash = text_.find_first_not_of(' ', line);
+        if (text_[dash] != '-') {
+            fail(list->where, "this list cannot be extended; remedy: one item a line");
+        }
+        const std::size_t end = line_end(text_, at);
+        text_.insert(end, fmt::format("\n{}- {}", std::string(dash - line, ' '), flow_text(item)));
+        parse();
+    }
 }
 
 void Splice::set(const std::vector<std::string_view>& path, const Value& value) {

@@ -31,8 +31,8 @@ std::string proof_statement(const Original& original, const SphereFile& file, bo
 /// Returns the pairs of links that need no collision check, of the model's elements and the original geometry in
 /// SphereModel::geometry.
 std::vector<IgnoredPair> ignored_pairs_of(const SphereModel& model, const std::atomic<bool>* cancel);
-/// Gives a model the pose in which no links of its original geometry touch as its rest pose, unless it has one. `named`:
-/// poses that are tried first. Returns a sentence about it; "" if nothing was to be found out.
+/// Gives a model the pose in which no links of its original geometry touch as its rest pose, unless it has one.
+/// `named`: poses that are tried first. Returns a sentence about it; "" if nothing was to be found out.
 std::string give_rest_pose(SphereModel& model, const std::vector<GroupState>& named = {});
 
 struct WrittenFile {
@@ -51,10 +51,12 @@ std::vector<WrittenFile> written_files(const Writer& writer, const StageInfo& in
                                        const std::filesystem::path& target, Context& context);
 /// Returns the elements of each link, as they are read back from the files.
 std::map<std::string, Approximation::Level> read_back(const Writer& writer, const std::vector<WrittenFile>& files);
+/// Of links with other elements nothing is required where Consumer::elements_optional.
 /// Throws Error(internal) if the writer's files give other spheres than the model, or no other elements where it has
 /// some. Numbers of other elements may differ in the last places, as their orientations do: proofs are on the numbers
-/// that are read.
-void require_written(const SphereModel& model, const Writer& writer, const std::vector<WrittenFile>& files);
+/// that are read. The file may lack the other elements if `info` says that elements are optional.
+void require_written(const SphereModel& model, const Writer& writer, const StageInfo& info,
+                     const std::vector<WrittenFile>& files);
 
 } // namespace judge
 } // namespace foam

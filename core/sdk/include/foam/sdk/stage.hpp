@@ -221,18 +221,22 @@ struct Isolation {
 
 /// The program that reads what a writer writes.
 struct Consumer {
-    std::string name{};     ///< and the version that its parser was checked in: "cuRobo 0.8 (a35a708ecf)"
-    bool float32 = false;   ///< it holds single precision: the proof is also made on these numbers
-    bool pairs = false;     ///< its files list the pairs of links that need no check: SphereModel::ignored_pairs
+    std::string name{};   ///< and the version that its parser was checked in: "cuRobo 0.8 (a35a708ecf)"
+    bool float32 = false; ///< it holds single precision: the proof is also made on these numbers
+    bool pairs = false;   ///< its files list the pairs of links that need no check: SphereModel::ignored_pairs
+    /// Elements are an extra in its files, which the program does not need: a model with elements of other kinds than
+    /// StageInfo::kinds is written without these.
+    bool elements_optional = false;
     std::string pairs_if{}; ///< the boolean parameter without which the files do not list them; empty: always
     /// Its files have a rest pose, or place the links in one: RobotFacts::default_pose.
     bool rest_pose = false;
-    bool edits = false;     ///< the writer can replace the spheres of a file: SphereModel::into
+    bool edits = false; ///< the writer can replace the spheres of a file: SphereModel::into
 };
 
 struct StageInfo;
-/// Returns whether a writer's files list the pairs of links that need no check, with these parameters.
-bool lists_pairs(const StageInfo& writer, const std::map<std::string, ParameterValue>& given);
+/// Returns whether a writer lists the pairs of links that need no check, with these parameters. `into`: in a file of
+/// the user, which keeps its own pairs unless pair_edit() says otherwise.
+bool lists_pairs(const StageInfo& writer, const std::map<std::string, ParameterValue>& given, bool into);
 
 /// A plugin's description of a stage.
 struct StageInfo {

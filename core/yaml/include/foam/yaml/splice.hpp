@@ -21,10 +21,13 @@ public:
     const std::string& text() const { return text_; }
     /// Returns the value at a path of keys; nullptr if there is none.
     const Value* find(const std::vector<std::string_view>& path) const;
-    /// Replaces the value at a path of keys; adds the last key if only it is missing. A value on the line of its key, or
-    /// within brackets, is replaced by one on one line. Comments within the replaced value go with it. Throws Error(code)
-    /// with the place of what cannot be replaced.
+    /// Replaces the value at a path of keys; adds the last key if only it is missing. A value on the line of its key,
+    /// or within brackets, is replaced by one on one line. Comments within the replaced value go with it. Throws
+    /// Error(code) with the place of what cannot be replaced.
     void set(const std::vector<std::string_view>& path, const Value& value);
+    /// Appends items to the list at a path of keys, whose own bytes stay; adds the last key if only it is missing.
+    /// Throws Error(code) with the place of what is no list.
+    void extend(const std::vector<std::string_view>& path, const Value& items);
 
 private:
     void parse();
@@ -34,6 +37,7 @@ private:
     std::size_t end_of_block(std::size_t line_after_key, std::size_t column, bool list) const;
     void replace(const Value& map, std::size_t index, const Value& value, bool in_flow);
     void add(const Value& map, std::string_view key, const Value& value);
+    void append_in_flow(const Value& collection, const std::string& item);
 
     std::string text_, name_;
     ErrorCode code_;
