@@ -194,9 +194,10 @@ void tell_left_out_by_pose(const SelfCollisionMatrix& matrix, const Robot& robot
 /// Returns the reference pose: as given, a state of the SRDF that is compared, or one in which no links touch.
 ReferenceConfiguration reference_of(const SelfCollisionArguments& arguments, const CollisionModel& model,
                                     const Kinematics& kinematics) {
+    constexpr std::uintmax_t most_bytes = 64'000'000;
     std::vector<GroupState> states;
     if (!arguments.against.empty()) { // where it cannot be read, the comparison reports it
-        states = group_states(read_regular_file(arguments.against, most_robot_bytes, "").bytes, arguments.against);
+        states = group_states(read_regular_file(arguments.against, most_bytes, "").bytes, arguments.against);
     }
     return reference_configuration(
         kinematics, model.solids,

@@ -30,9 +30,11 @@ def make(folder, robot, urdf, formats, program, placed_spheres):
     if truth.returncode:
         sys.exit(f"{robot}: {truth.stderr}")
     (folder / "truth.json").write_text(truth.stdout)
+    first = json.loads(truth.stdout)["positions"][0]["joints"]  # that of the files that place links
+    pose = [f"--pose={joint}={value}" for joint, value in list(first.items())[:1]]
     for name in formats:
         made = foam(program, "convert", folder / "model.csv", urdf, "--format", name, "-o", folder / f"model.{name}",
-                    "--tool-frame", tool_of(urdf))
+                    "--tool-frame", tool_of(urdf), *pose)
         if made.returncode:
             sys.exit(f"{robot}, {name}: {made.stderr}")
 
