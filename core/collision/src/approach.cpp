@@ -1,4 +1,5 @@
 #include "approach.hpp"
+#include "proof.hpp"
 
 #include <foam/base/random.hpp>
 #include <foam/collision/separation.hpp>
@@ -65,18 +66,6 @@ private:
     Pose pose_;
     double least_ = 0;
 };
-
-std::vector<std::size_t> freedoms_of(const joint_chain::Chain& chain) {
-    std::vector<std::size_t> freedoms;
-    for (const joint_chain::Step& step : chain.steps) {
-        if (step.motion.freedom) {
-            freedoms.push_back(*step.motion.freedom);
-        }
-    }
-    std::sort(freedoms.begin(), freedoms.end());
-    freedoms.erase(std::unique(freedoms.begin(), freedoms.end()), freedoms.end());
-    return freedoms;
-}
 
 /// Returns whether a descent from a configuration ends in contact.
 bool descends_to_contact(Distance& distance, const Kinematics& kinematics, const std::vector<std::size_t>& freedoms,

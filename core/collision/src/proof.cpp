@@ -261,6 +261,8 @@ private:
     std::vector<double> shares_;
 };
 
+} // namespace
+
 std::vector<std::size_t> freedoms_of(const Chain& chain) {
     std::vector<std::size_t> freedoms;
     for (const Step& step : chain.steps) {
@@ -270,8 +272,6 @@ std::vector<std::size_t> freedoms_of(const Chain& chain) {
     freedoms.erase(std::unique(freedoms.begin(), freedoms.end()), freedoms.end());
     return freedoms;
 }
-
-} // namespace
 
 Verdict touching_verdict(const Kinematics& kinematics, const Chain& chain, const BallGroup& first,
                          const BallGroup& second, std::size_t boxes, const std::atomic<bool>* cancel) {

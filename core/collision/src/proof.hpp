@@ -7,10 +7,14 @@
 
 #include <atomic>
 #include <cstddef>
+#include <vector>
 
 namespace foam::inline collision::self_collision {
 
 using namespace joint_chain;
+
+/// Returns the freedoms that move the chain, sorted. Precondition: its joints move.
+std::vector<std::size_t> freedoms_of(const Chain& chain);
 
 enum class Verdict {
     never,   ///< proved
