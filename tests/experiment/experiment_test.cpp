@@ -343,7 +343,7 @@ TEST_F(Running, ForeignFoldersAreLeftAlone) {
         run(time_experiment);
         FAIL();
     } catch (const Error& error) {
-        EXPECT_THAT(error.what(), HasSubstr("no results.csv in it"));
+        EXPECT_THAT(error.what(), HasSubstr("no .foam-run in it"));
     }
     EXPECT_EQ(contents("out/letter.txt"), "dear");
 }

@@ -131,7 +131,10 @@ SpherizedLinks spherize_links(const Workspace& workspace, std::vector<LinkWork>&
     const Recipe rest = without_kept(workspace, links, groups, done);
     const ChosenCounts chosen = choose_counts(workspace.with(rest), links, shapes, groups, pose, poses);
     const std::vector<std::size_t>& counts = chosen.of_group;
-    parallel_for(shapes.size(), [&](std::size_t s) { require_as_read(links, groups, shapes[s]); });
+    { // after a stop request, too
+        const StopScope scope(workspace.in(Phase::finishing).request());
+        parallel_for(shapes.size(), [&](std::size_t s) { require_as_read(links, groups, shapes[s]); });
+    }
     for (std::size_t g = 0; g < groups.size(); ++g) {
         ShapeWork& work = shapes[groups[g].shape];
         LinkWork& link = links[groups[g].link];
