@@ -78,6 +78,8 @@ COMMANDS = [
     (1, "certify robot.urdf model.csv --guarantee inner --json"),
     (0, "self-collision robot.urdf --samples 200 --spheres 2 --proof-boxes 50 --against theirs.srdf --json"),
     (0, "self-collision robot.urdf --model elements.json --samples 0 --pose elbow=1 --json"),
+    (0, "self-collision robot.urdf --model model.csv --samples 1 --proof-boxes 0 --json"),
+    (0, "self-collision robot.urdf --samples 1 --spheres 3 --proof-boxes 0 --json"),
     (4, "batch set -n 2 -m grid -j 1 --run-dir out"), (0, "batch status out --json"),
 ]
 

@@ -165,7 +165,8 @@ TEST_F(SelfCollisionCli, Refusals) {
     EXPECT_EQ(refusal("box.obj", 1), "foam: error: box.obj: a mesh has no joints; remedy: give a URDF\n");
     EXPECT_EQ(refusal("arm.urdf --pose elbow", 2), "foam: error: --pose expects JOINT=NUMBER, got 'elbow'\n");
     EXPECT_EQ(refusal("arm.urdf --pose wrist=1", 2), "foam: error: --pose: arm.urdf has no joint 'wrist'\n");
-    EXPECT_EQ(refusal("arm.urdf --confidence 1", 2), "foam: error: the confidence must lie between 0 and 1, got 1\n");
+    EXPECT_EQ(refusal("arm.urdf --confidence 1", 2), "foam: --confidence: expects a number between 0 and 1, got '1'\n"
+              "foam: `foam self-collision --help` explains its use\n");
     EXPECT_EQ(refusal("arm.urdf --samples 10 --srdf no/such/folder/a.srdf", 1),
               "foam: error: no/such/folder/a.srdf: it cannot be written; remedy: check that its folder exists and has "
               "room\n");

@@ -108,7 +108,7 @@ double depth(const std::vector<Sphere>& a, const std::vector<Sphere>& b) {
 LinkSolids solids_of(const Robot& robot, const std::vector<LinkWork>& links) {
     LinkSolids solids(robot.links.size());
     parallel_for(links.size(), [&](std::size_t i) {
-        if (!links[i].error) {
+        if (!links[i].error && !links[i].recipe.skip) {
             solids[static_cast<std::size_t>(links[i].link - robot.links.data())] = solid_of(links[i]);
         }
     });
