@@ -85,7 +85,9 @@ int convert(Program& program, const ConvertArguments& arguments) {
     }
     const auto parameters = parameters_of(arguments.settings, format.info);
     const auto writer = registry.make<Writer>(format.info.name, parameters);
-    SphereFile file = read_sphere_file(arguments.model, registry, arguments.reader);
+    // A file that gets its own spheres keeps its buffer.
+    SphereFile file = read_sphere_file(arguments.model, registry, arguments.reader,
+                                       arguments.into == arguments.model ? Radii::as_written : Radii::as_used);
     for (const std::string& note : file.notes) {
         tell(fmt::format("warning: {}: {}", arguments.model, note));
     }

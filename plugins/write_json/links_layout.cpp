@@ -4,6 +4,7 @@
 #include <foam/base/error.hpp>
 #include <foam/geometry/measure_names.hpp>
 #include <foam/sdk/elements.hpp>
+#include <foam/sdk/uncovered.hpp>
 
 #include <algorithm>
 
@@ -144,20 +145,28 @@ std::string write_links_layout(const SphereModel& model) {
         links.push_back(link_member(link, model));
         version = link.others.empty() ? version : 2;
     }
+    std::vector<std::string> uncovered;
+    for (const std::string& link : uncovered_links(model)) {
+        uncovered.push_back(json_text(link));
+    }
     const bool certified =
-        !model.groups.empty() && std::all_of(model.groups.begin(), model.groups.end(),
+        uncovered.empty() && !model.groups.empty() && std::all_of(model.groups.begin(), model.groups.end(),
                                              [](const SphereGroup& g) { return g.measures.certified; });
     return fmt::format(
         "{{\n  \"foam_spheres\": {},\n  \"name\": {},\n  \"robot\": {},\n  \"guarantee\": \"{}\",\n"
-        "  \"certified\": {},\n  \"units\": \"m\",\n  \"frame\": \"link\",\n  \"links\": {{\n{}\n  }}\n}}\n",
+        "  \"certified\": {},\n{}  \"units\": \"m\",\n  \"frame\": \"link\",\n  \"links\": {{\n{}\n  }}\n}}\n",
         version, json_text(model.name), json_text(model.robot ? model.robot->name : ""),
-        guarantee_text(model.guarantee), certified, fmt::join(links, ",\n"));
+        guarantee_text(model.guarantee), certified,
+        uncovered.empty() ? "" : fmt::format("  \"uncovered_links\": [{}],\n", fmt::join(uncovered, ", ")), fmt::join(links, ",\n"));
 }
 
 ElementsByLink read_links_layout(const Json& document) {
     const Json& version = document.at("foam_spheres");
     if (version != 1 && version != 2) {
         throw Error(ErrorCode::output, "JSON: foam_spheres is neither 1 nor 2: another version of the format");
+    }
+    if (document.at("units") != "m" || document.at("frame") != "link") {
+        throw Error(ErrorCode::output, "JSON: the units are not 'm', or the frame is not 'link'");
     }
     ElementsByLink result;
     for (const auto& [name, link] : document.at("links").items()) {

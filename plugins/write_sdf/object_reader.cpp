@@ -71,7 +71,12 @@ private:
         const std::string& own_name = name_of(link);
         std::set<std::string> left_out;
         Approximation::Level elements;
+        std::size_t masked = 0;
         for (const Node* collision : link.children_named("collision")) {
+            if (is_masked(*collision)) {
+                ++masked;
+                continue;
+            }
             const Node* geometry = collision->child("geometry");
             const Node* shape = geometry && !geometry->children.empty() ? geometry->children.front().get() : nullptr;
             std::optional<Element> element = shape ? read_shape(*shape) : std::nullopt;
@@ -94,11 +99,31 @@ private:
                 fmt::format("link '{}' has collision geometry that is no convex element ({}), which is not judged",
                             scope + own_name, fmt::join(left_out, ", ")));
         }
+        if (masked > 0) {
+            result_.notes.push_back(fmt::format("link '{}': {} collision{} left out: with <collide_bitmask> 0 a simulator "
+                                                "lets {} pass through everything",
+                                                scope + own_name, masked, masked == 1 ? " is" : "s are",
+                                                masked == 1 ? "it" : "them"));
+        }
         if (elements.size() > 0) {
             LinkSpheres& target = link_of(result_, scope + own_name);
             target.spheres.insert(target.spheres.end(), elements.spheres.begin(), elements.spheres.end());
             target.others.insert(target.others.end(), elements.others.begin(), elements.others.end());
         }
+    }
+
+    /// Returns whether the collision takes part in no contact: its mask has no bit.
+    bool is_masked(const Node& collision) const {
+        const Node* at = &collision;
+        for (const std::string_view name : {"surface", "contact", "collide_bitmask"}) {
+            at = at ? at->child(name) : nullptr;
+        }
+        if (!at || words(content_of(*at)).empty()) {
+            return false;
+        }
+        const std::string mask(words(content_of(*at)).front());
+        const bool hexadecimal = mask.starts_with("0x") || mask.starts_with("0X");
+        return mask.find_first_not_of('0', hexadecimal ? 2 : 0) == std::string::npos;
     }
 
     /// Returns the element of a shape, at the origin; nothing for one that is no convex element.

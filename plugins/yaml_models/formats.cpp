@@ -157,6 +157,12 @@ void read_foam_json(const Value& root, Tree& tree) {
     if (const Value& version = tree.at(root, "foam_spheres"); version.text != "1" && version.text != "2") {
         tree.fail(version, fmt::format("foam_spheres is {}; this foam reads 1 and 2", version.description()));
     }
+    for (const auto& [key, only] : {std::pair("units", "m"), std::pair("frame", "link")}) {
+        if (const Value* value = root.find(key); value && value->text != only) {
+            tree.fail(*value, fmt::format("{} is {}; foam reads '{}' alone; remedy: convert the numbers", key,
+                                          value->description(), only));
+        }
+    }
     tree.for_each(tree.at(root, "links"), [&](const std::string& link, const Value& value) {
         tree.add(link, tree.at(value, "spheres"));
         if (const Value* elements = value.find("elements")) {
@@ -176,7 +182,7 @@ void read_xrdf(const Value& root, Tree& tree) {
     const Value& groups = tree.at(root, "geometry");
     tree.at(groups, name);
     GeometryGroups(groups, tree).add(name);
-    tree.note_buffer(collision, "buffer_distance");
+    tree.read_buffer(collision, "buffer_distance");
     const Value* self = root.find("self_collision");
     const Value* own = self && self->is(Kind::map) ? self->find("geometry") : nullptr;
     if (own && own->text != name) {
@@ -192,13 +198,13 @@ void read_curobo(const Value& root, Tree& tree) {
     const Value& kinematics = tree.at(robot ? *robot : root, "kinematics");
     read_links(tree.at(kinematics, "collision_spheres"), tree);
     keep_named_links(kinematics, tree);
-    tree.note_buffer(kinematics, "collision_sphere_buffer");
+    tree.read_buffer(kinematics, "collision_sphere_buffer");
 }
 
 void read_collision_spheres(const Value& root, Tree& tree) {
     tree.result.format = "collision_spheres YAML";
     read_links(tree.at(root, "collision_spheres"), tree);
-    tree.note_buffer(root, "collision_sphere_buffer");
+    tree.read_buffer(root, "collision_sphere_buffer");
 }
 
 void read_columns(const Value& root, Tree& tree) {

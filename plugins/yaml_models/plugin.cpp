@@ -75,7 +75,7 @@ FOAM_PLUGIN("yaml_models", "1.0", "Apache-2.0") {
               Parameter::number("buffer", 0)
                   .bounds(-1, 10)
                   .unit("m")
-                  .doc("collision_sphere_buffer: what cuRobo adds to all radii. The proof holds without it."),
+                  .doc("collision_sphere_buffer: what cuRobo adds to all radii. The proof is of the radii with it."),
               Parameter::text("urdf_path", "").doc("urdf_path of the file; empty: the absolute path of the URDF."),
               Parameter::text("asset_root_path", "")
                   .doc("asset_root_path of the file; empty: the folder of the URDF.")},

@@ -18,26 +18,6 @@ using Kind = Value::Kind;
 
 constexpr yaml::TextKind sphere_file{.name = "sphere file", .most_bytes = 64'000'000};
 
-/// Spheres that a distance added to their radii switches on or off.
-struct Switched {
-    std::size_t count = 0;
-    std::string link; ///< of the first
-    double radius = 0, distance = 0;
-
-    void add(const std::string& link_of_sphere, double radius_of_sphere, double distance_of_link) {
-        if (count++ == 0) {
-            link = link_of_sphere;
-            radius = radius_of_sphere;
-            distance = distance_of_link;
-        }
-    }
-    std::string spheres() const { return fmt::format("{} sphere{}", count, count == 1 ? "" : "s"); }
-    std::string first() const {
-        return fmt::format("{}link '{}', {} m {} {} m", count == 1 ? "" : "the first: ", link, radius,
-                           distance < 0 ? '-' : '+', std::abs(distance));
-    }
-};
-
 } // namespace
 
 Value parse(const std::string& text, const std::filesystem::path& file) {
@@ -158,35 +138,19 @@ double Tree::buffer_of(const Value& buffer, const std::string& link) const {
     return value ? number(*value) : 0;
 }
 
-void Tree::note_buffer(const Value& holder, std::string_view key) {
+void Tree::read_buffer(const Value& holder, std::string_view key) {
     const Value* buffer = holder.is(Kind::map) ? holder.find(key) : nullptr;
-    const auto zero = [](const Value& v) { return !v.is(Kind::text) && v.is_scalar() && v.whole == 0 && v.real == 0; };
-    if (!buffer || buffer->is(Kind::null) ||
-        (buffer->is(Kind::map) ? std::all_of(buffer->items.begin(), buffer->items.end(), zero) : zero(*buffer))) {
+    if (!buffer || buffer->is(Kind::null)) {
         return;
     }
-    result.notes.push_back(fmt::format("{} (line {}) is not added to the radii: the spheres are judged as they stand",
-                                       key, buffer->where.line));
-    Switched on, off;
-    for (LinkSpheres& link : result.links) {
-        const double distance = buffer_of(*buffer, link.link);
-        std::erase_if(link.spheres, [&](const Sphere& s) {
-            const bool with = s.radius + distance > 0, without = s.radius > 0;
-            if (with != without) {
-                (with ? on : off).add(link.link, s.radius, distance);
-            }
-            return with && !without;
-        });
+    for (const LinkSpheres& link : result.links) {
+        if (const double distance = buffer_of(*buffer, link.link); distance != 0) {
+            result.buffers[link.link] = distance;
+        }
     }
-    if (on.count > 0) {
-        result.notes.push_back(fmt::format("{} switches {} on, which {} left out here ({}); remedy: write {} with the "
-                                           "buffer",
-                                           key, on.spheres(), on.count == 1 ? "is" : "are", on.first(),
-                                           on.count == 1 ? "its radius" : "their radii"));
-    }
-    if (off.count > 0) {
-        result.notes.push_back(fmt::format("{} switches {} off, which {} judged here ({})", key, off.spheres(),
-                                           off.count == 1 ? "is" : "are", off.first()));
+    if (!result.buffers.empty()) {
+        result.notes.push_back(fmt::format("{} (line {}) belongs to the radii: the program that uses the file adds it", key,
+                                           buffer->where.line));
     }
 }
 

@@ -35,9 +35,9 @@ public:
     void add_elements(const std::string& link, const yaml::Value& elements);
     /// Adds `{centers: [[x, y, z]], radii: [r]}`.
     void add_columns(const std::string& link, const yaml::Value& value);
-    /// Notes a distance that a program adds to all radii, or to those of each link. It is reported, not added; spheres
-    /// that only the distance switches on are left out. Call it after the spheres are added.
-    void note_buffer(const yaml::Value& holder, std::string_view key);
+    /// Reads a distance that the program which uses the file adds to all radii, or to those of each link. Call it after the
+    /// spheres are added.
+    void read_buffer(const yaml::Value& holder, std::string_view key);
 
     SphereFile& result;
 

@@ -25,6 +25,7 @@ std::map<std::string, std::vector<Sphere>> TreeWriter::read(const std::string& b
     } catch (const Error& error) {
         throw Error(ErrorCode::output, error.what());
     }
+    add_buffers(read); // the proof is of what the program uses
     std::map<std::string, std::vector<Sphere>> result;
     for (LinkSpheres& link : read.links) {
         result[link.link] = std::move(link.spheres);

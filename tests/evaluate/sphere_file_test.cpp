@@ -130,8 +130,7 @@ TEST_F(SphereFiles, CuRobo) {
                       "cuRobo YAML");
     EXPECT_THAT(
         read("kinematics:\n  collision_sphere_buffer: 0.005\n  collision_spheres: " + lists).notes,
-        ElementsAre("collision_sphere_buffer (line 2) is not added to the radii: the spheres are judged as they "
-                    "stand"));
+        ElementsAre("collision_sphere_buffer (line 2) belongs to the radii: the program that uses the file adds it"));
     EXPECT_EQ(refusal("robot_cfg:\n  kinematics:\n    collision_spheres: spheres/franka.yml\n"),
               "FILE:3:24: the spheres are in another file, 'spheres/franka.yml'; remedy: give that one");
 }
@@ -236,21 +235,21 @@ TEST_F(SphereFiles, ABufferSwitchesSpheresOnAndOff) {
     const SphereFile xrdf = read("format: xrdf\ncollision:\n  geometry: g\n  buffer_distance: {l: 0.025, m: 0.01}\n"
                                  "geometry: {g: {spheres: " +
                                  spheres + "}}\n");
-    EXPECT_THAT(xrdf.links.at(0).spheres, ElementsAre(two));
+    const auto larger = [](Sphere sphere, double by) {
+        sphere.radius += by;
+        return sphere;
+    };
+    EXPECT_THAT(xrdf.links.at(0).spheres, ElementsAre(larger({{0, 0, 0}, -0.01}, 0.025), larger(two, 0.025)));
     EXPECT_THAT(xrdf.links.at(1).spheres, ElementsAre());
-    EXPECT_THAT(
-        xrdf.notes,
-        ElementsAre("buffer_distance (line 4) is not added to the radii: the spheres are judged as they stand",
-                    "buffer_distance switches 1 sphere on, which is left out here (link 'l', -0.01 m + 0.025 m); "
-                    "remedy: write its radius with the buffer",
-                    "1 sphere of a radius not above 0 is switched off and left out"));
-    const SphereFile curobo = read("kinematics:\n  collision_sphere_buffer: -0.3\n  collision_spheres: " + lists);
-    EXPECT_THAT(curobo.links.at(0).spheres, ElementsAre(one, two));
+    EXPECT_THAT(xrdf.notes,
+                ElementsAre("buffer_distance (line 4) belongs to the radii: the program that uses the file adds it",
+                            "1 sphere of a radius not above 0 is switched off and left out"));
+    const SphereFile curobo = read("kinematics:\n  collision_sphere_buffer: -0.2\n  collision_spheres: " + lists);
+    EXPECT_THAT(curobo.links.at(0).spheres, ElementsAre(larger(two, -0.2)));
     EXPECT_THAT(curobo.notes,
-                ElementsAre("collision_sphere_buffer (line 2) is not added to the radii: the spheres are judged as "
-                            "they stand",
-                            "collision_sphere_buffer switches 3 spheres off, which are judged here (the first: link "
-                            "'l', 0.05 m - 0.3 m)"));
+                ElementsAre("collision_sphere_buffer (line 2) belongs to the radii: the program that uses the file adds it",
+                            "the buffer switches 2 spheres off, which are left out (the first: link 'l', 0.05 m - 0.2 "
+                            "m)"));
     EXPECT_EQ(refusal("kinematics: {collision_sphere_buffer: {l: x}, collision_spheres: " + lists + "}"),
               "FILE:1:43: expected a finite number of metres, got the text 'x'");
 }

@@ -14,8 +14,9 @@ namespace {
 /// Symbolic links that lead from one to the next, as in Linux.
 constexpr int most_links = 40;
 
-/// Writes all bytes to the file, which exists if `made` is not set. Returns what went wrong.
-std::error_code write_to(const fs::path& file, std::string_view bytes, int made) {
+/// Writes all bytes to the file, which exists if `made` is not set; `safely`: waits until they are on the disk. Returns
+/// what went wrong.
+std::error_code write_to(const fs::path& file, std::string_view bytes, int made, bool safely) {
     const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC | made, 0666);
     int problem = descriptor < 0 ? errno : 0;
     while (problem == 0 && !bytes.empty()) {
@@ -25,6 +26,9 @@ std::error_code write_to(const fs::path& file, std::string_view bytes, int made)
         } else if (written < 0 && errno != EINTR) {
             problem = errno;
         }
+    }
+    if (problem == 0 && safely && fsync(descriptor) != 0) {
+        problem = errno;
     }
     if (descriptor >= 0 && close(descriptor) != 0 && problem == 0) {
         problem = errno;
@@ -55,7 +59,7 @@ fs::path followed(const fs::path& file, std::error_code& error) {
 
 std::error_code replace_file(const fs::path& file, std::string_view bytes) {
     if (is_special_file(file)) {
-        return write_to(file, bytes, 0);
+        return write_to(file, bytes, 0, false);
     }
     std::error_code error;
     const fs::path target = followed(file, error);
@@ -63,7 +67,9 @@ std::error_code replace_file(const fs::path& file, std::string_view bytes) {
         return error;
     }
     const fs::path temporary = target.string() + fmt::format(".partial-{}", getpid());
-    error = write_to(temporary, bytes, O_CREAT | O_TRUNC);
+    // A crash after the rename must not leave an empty file where the old one was.
+    const bool replaces = fs::exists(target, error);
+    error = write_to(temporary, bytes, O_CREAT | O_TRUNC, replaces);
     if (!error) {
         fs::rename(temporary, target, error);
     }

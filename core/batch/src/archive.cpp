@@ -68,6 +68,14 @@ public:
             refuse(file_, fmt::format("'{}' cannot be unpacked ({})", member,
                                       opened ? zip_file_strerror(opened.get()) : zip_strerror(zip_.get())));
         }
+        // libzip compares the checksum where the file ends.
+        char more = 0;
+        if (zip_fread(opened.get(), &more, 1) != 0) {
+            refuse(file_, fmt::format("'{}' is damaged ({}); remedy: make or copy the archive again", member,
+                                      zip_error_code_zip(zip_file_get_error(opened.get())) != ZIP_ER_OK
+                                          ? zip_file_strerror(opened.get())
+                                          : "it is longer than the archive says"));
+        }
         return bytes;
     }
 

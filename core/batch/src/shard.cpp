@@ -1,5 +1,6 @@
 #include "shard.hpp"
 
+#include "archive.hpp"
 #include "lines.hpp"
 #include "result_line.hpp"
 
@@ -13,6 +14,8 @@
 #include <fcntl.h>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <set>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -50,6 +53,54 @@ bool lock(int descriptor, const fs::path& file) {
     return false;
 }
 
+/// The results in a file that count: of items of the shard whose files have not changed since.
+struct ValidResults {
+    std::set<std::string> done;
+    std::string lines;
+    std::size_t failed = 0;
+    std::size_t whole = 0;  ///< bytes up to the end of the last whole frame
+    bool all_lines = true; ///< every line counts
+};
+
+/// Returns whether the item's file has another content than that of a digest. A file that cannot be read has not.
+bool has_changed(const BatchItem& item, const Digest& digest, Archives& archives) {
+    try {
+        const auto inside = archive_path(item.path);
+        return !digest.empty() &&
+               digest_of(inside ? archives.at(inside->archive).read(inside->member) : read_file(item.path)) != digest;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+ValidResults valid_results(const Plan& plan, std::size_t shard, std::string_view bytes) {
+    std::map<std::string_view, const BatchItem*> items;
+    for (const BatchItem* item : plan.items_of(shard)) {
+        items[item->id] = item;
+    }
+    Archives archives;
+    ValidResults valid;
+    valid.whole = for_each_line(bytes, [&](std::string_view line) {
+        ResultHead head = head_of(line);
+        const auto item = items.find(head.id);
+        if (item == items.end() || has_changed(*item->second, head.digest, archives)) {
+            valid.all_lines = false;
+            return;
+        }
+        valid.failed += head.failed ? 1 : 0;
+        valid.done.insert(std::move(head.id));
+        valid.lines.append(line) += '\n';
+    });
+    return valid;
+}
+
+/// Returns whether the file of a finished shard has a result for each item as it is now.
+bool is_whole(const Plan& plan, std::size_t shard, const fs::path& file) {
+    const std::string bytes = read_file(file);
+    const ValidResults valid = valid_results(plan, shard, bytes);
+    return valid.whole == bytes.size() && valid.done.size() == plan.items_of(shard).size();
+}
+
 /// Returns whether the name still means the open file: another process may have finished the shard meanwhile.
 bool is_still(int descriptor, const fs::path& file) {
     struct stat open {
@@ -70,7 +121,11 @@ std::unique_ptr<OpenShard> OpenShard::open(const Plan& plan, std::size_t shard, 
     const fs::path file = plan.shard_file(shard), part = part_of(file);
     busy = false;
     if (fs::exists(file)) {
-        return nullptr;
+        if (is_whole(plan, shard, file)) {
+            return nullptr;
+        }
+        std::error_code taken; // by another process that found the same
+        fs::rename(file, part, taken);
     }
     const int descriptor = ::open(part.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (descriptor < 0) {
@@ -93,21 +148,23 @@ std::unique_ptr<OpenShard> OpenShard::open(const Plan& plan, std::size_t shard, 
 }
 
 void OpenShard::read_results(const Plan& plan, std::size_t shard) {
-    std::set<std::string> done;
     const fs::path part = part_of(file_);
-    const std::size_t whole = for_each_line(read_file(part), [&](std::string_view line) {
-        ResultHead head = head_of(line);
-        failed_before_ += head.failed ? 1 : 0;
-        done.insert(std::move(head.id));
-    });
+    ValidResults valid = valid_results(plan, shard, read_file(part));
+    const std::set<std::string>& done = valid.done;
+    failed_before_ = valid.failed;
     done_before_ = done.size();
     for (const BatchItem* item : plan.items_of(shard)) {
         if (!done.contains(item->id)) {
             left_.push_back(item);
         }
     }
-    if (ftruncate(descriptor_, static_cast<off_t>(whole)) != 0 || lseek(descriptor_, 0, SEEK_END) < 0) {
+    const std::size_t kept = valid.all_lines ? valid.whole : 0;
+    if (ftruncate(descriptor_, static_cast<off_t>(kept)) != 0 || lseek(descriptor_, 0, SEEK_END) < 0) {
         fail_writing(part);
+    }
+    if (!valid.all_lines) {
+        pending_ = std::move(valid.lines);
+        flush();
     }
 }
 
@@ -161,8 +218,12 @@ bool is_worked_on(const Plan& plan, std::size_t shard) {
 bool for_each_result(const Plan& plan, std::size_t shard, const std::function<void(std::string_view)>& on_line) {
     const fs::path file = plan.shard_file(shard), part = part_of(file);
     if (fs::exists(file)) {
-        for_each_line_of(file, on_line);
-        return true;
+        std::size_t lines = 0;
+        for_each_line_of(file, [&](std::string_view line) {
+            ++lines;
+            on_line(line);
+        });
+        return lines == plan.items_of(shard).size();
     }
     std::ifstream stream(part, std::ios::binary); // another process may be writing the next frame
     for_each_line(std::string(std::istreambuf_iterator<char>(stream), {}), on_line);

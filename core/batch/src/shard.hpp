@@ -15,8 +15,9 @@ namespace foam::inline batch {
 /// The file of a shard while results are added to it: FILE.part, in whole frames. One process has it at a time.
 class OpenShard {
 public:
-    /// Opens it for writing, and goes on after its last whole line. Returns nothing if the shard is finished, or if
-    /// another process works on it (`busy`). Throws Error(output).
+    /// Opens it for writing, and goes on after its last whole line. Results of files that have changed since, and of a
+    /// finished shard that is cut off, are made again. Returns nothing if the shard is finished, or if another process
+    /// works on it (`busy`). Reads all files that have a result. Throws Error(output).
     static std::unique_ptr<OpenShard> open(const Plan& plan, std::size_t shard, bool& busy);
     ~OpenShard();
     OpenShard(const OpenShard&) = delete;

@@ -1,6 +1,8 @@
 #include "link_shapes.hpp"
+#include "proof.hpp"
 
 #include <foam/base/cancellation.hpp>
+#include <foam/base/error.hpp>
 #include <foam/base/random.hpp>
 #include <foam/base/text.hpp>
 #include <foam/collision/consequences.hpp>
@@ -24,6 +26,7 @@ public:
 
     /// Returns the pairs that touch, but not in every configuration.
     LinkPairs touching(const std::vector<double>& configuration) {
+        check_cancelled();
         LinkPairs found;
         placed_.place(configuration);
         std::copy_if(pairs_.begin(), pairs_.end(), std::back_inserter(found),
@@ -86,8 +89,38 @@ std::vector<double> middle_of(const Kinematics& kinematics) {
     return middle;
 }
 
-/// Returns a free configuration with few joints away from zero; nothing if none of some hundred is free. The middle of the
-/// ranges comes first: it is far from contacts near the limits.
+/// Returns a configuration between the limits at the joints that move one link of the pair against the other, else `at`.
+std::vector<double> redrawn(const Kinematics& kinematics, const std::pair<std::size_t, std::size_t>& pair,
+                            std::vector<double> at, const std::vector<bool>& held, Random& random) {
+    const std::vector<double> drawn = kinematics.random_configuration(random);
+    const auto chain = joint_chain::chain_between(kinematics, pair.first, pair.second);
+    for (const std::size_t f : self_collision::freedoms_of(chain)) {
+        at[f] = held[f] ? at[f] : drawn[f];
+    }
+    return at;
+}
+
+/// Returns a free configuration, or nothing: again and again one touching pair is drawn apart, and the draw is kept unless
+/// more pairs touch then. Robots with many limbs are hardly ever free if all joints are drawn at once.
+std::optional<std::vector<double>> freed_pair_by_pair(Poses& poses, const Kinematics& kinematics,
+                                                      std::vector<double> configuration, const std::vector<bool>& held,
+                                                      Random& random) {
+    constexpr int tries = 512;
+    LinkPairs touching = poses.touching(configuration);
+    for (int i = 0; i < tries && !touching.empty(); ++i) {
+        std::vector<double> other =
+            redrawn(kinematics, touching[random.below(touching.size())], configuration, held, random);
+        LinkPairs left = poses.touching(other);
+        if (left.size() <= touching.size()) {
+            configuration = std::move(other);
+            touching = std::move(left);
+        }
+    }
+    return touching.empty() ? std::optional(std::move(configuration)) : std::nullopt;
+}
+
+/// Returns a free configuration with few joints away from zero; nothing if none is found. The middle of the ranges comes
+/// first: it is far from contacts near the limits.
 std::optional<std::vector<double>> found_free(Poses& poses, const Kinematics& kinematics,
                                               const std::vector<double>& zero, const std::vector<bool>& held,
                                               std::uint64_t seed) {
@@ -102,7 +135,8 @@ std::optional<std::vector<double>> found_free(Poses& poses, const Kinematics& ki
             return with_few_moved(poses, std::move(configuration), zero);
         }
     }
-    return std::nullopt;
+    auto freed = freed_pair_by_pair(poses, kinematics, zero, held, random);
+    return freed ? std::optional(with_few_moved(poses, std::move(*freed), zero)) : std::nullopt;
 }
 
 std::vector<bool> freedoms_held(const Kinematics& kinematics, const JointValues& values) {
@@ -122,6 +156,16 @@ JointValues of_freedoms(const Kinematics& kinematics, const JointValues& values)
         }
     }
     return result;
+}
+
+void require_within_limits(const Kinematics& kinematics, const JointValues& values) {
+    for (const Freedom& freedom : kinematics.freedoms()) {
+        const auto value = values.find(freedom.joint);
+        if (value != values.end() && !(value->second >= freedom.lower && value->second <= freedom.upper)) {
+            throw Error(ErrorCode::usage, fmt::format("joint '{}' at {} is beyond its limits, {:.6g} to {:.6g}",
+                                                      shown(freedom.joint), value->second, freedom.lower, freedom.upper));
+        }
+    }
 }
 
 bool within_limits(const Kinematics& kinematics, const JointValues& values) {
@@ -163,6 +207,7 @@ ReferenceConfiguration reference_configuration(const Kinematics& kinematics, con
     using Source = ReferenceConfiguration::Source;
     Poses poses(kinematics, solids);
     if (!options.given.empty()) {
+        require_within_limits(kinematics, options.given);
         const std::vector<double> configuration = kinematics.configuration(options.given);
         return {configuration, Source::given, "", poses.touching(configuration)};
     }
@@ -206,6 +251,8 @@ std::string sentence_about(const Kinematics& kinematics, const ReferenceConfigur
                              : reference.source == Source::named ? fmt::format("'{}'", shown(reference.name))
                              : reference.source == Source::found
                                  ? "found, for links touch with all joints at zero"
+                             : reference.source == Source::worst
+                                 ? "none without contact was found; moved into the limits"
                                  : "moved into the limits";
     return fmt::format("reference pose ({}): {}{}", what, where,
                        pairs.empty() ? ""

@@ -238,6 +238,15 @@ void grow_to_cover(const Solid& solid, std::vector<Element>& elements) {
             e = is_valid(e) ? grown(e, certificate.growth * std::ldexp(1.0, round)) : e;
         }
     }
+    // Far from the origin an element may be thinner than the rounding, and then holds nothing for certain.
+    for (const double share : {1e-9, 1e-7, 1e-5, 1e-3}) {
+        for (Element& e : elements) {
+            e = is_valid(e) ? grown(e, share * solid.bounds().diagonal()) : e;
+        }
+        if (covered(solid, elements)) {
+            return;
+        }
+    }
     throw Error(ErrorCode::internal, "growth left a part of the surface uncovered");
 }
 

@@ -114,12 +114,13 @@ std::unique_ptr<ModelReader> reader_for(std::string_view begin, const std::strin
 
 } // namespace
 
-SphereFile read_sphere_file(const std::filesystem::path& file, const Registry& registry, const std::string& reader) {
-    return parse_sphere_file(read_file(file, most_model_bytes), file, registry, reader);
+SphereFile read_sphere_file(const std::filesystem::path& file, const Registry& registry, const std::string& reader,
+                            Radii radii) {
+    return parse_sphere_file(read_file(file, most_model_bytes), file, registry, reader, radii);
 }
 
 SphereFile parse_sphere_file(const std::string& text, const std::filesystem::path& file, const Registry& registry,
-                             const std::string& reader) {
+                             const std::string& reader, Radii radii) {
     const std::string_view begin = first_token(text);
     if (begin.empty()) {
         throw Error(ErrorCode::input, fmt::format("{}: the file is empty; a sphere model is needed", file.string()));
@@ -129,6 +130,9 @@ SphereFile parse_sphere_file(const std::string& text, const std::filesystem::pat
     QuietContext context;
     SphereFile result = stage->read(text, file, context);
     result.file = file;
+    if (radii == Radii::as_used) {
+        add_buffers(result);
+    }
     drop_disabled(result);
     require_workable(result);
     return result;

@@ -193,6 +193,23 @@ std::map<std::string, Approximation::Level> read_back(const Writer& writer, cons
     return writer.read_elements(files.front().bytes, beside);
 }
 
+/// Returns whether the spheres are those of the model with radii that are larger by one buffer, or by none.
+static bool are_same_up_to_buffer(const std::vector<Sphere>& found, const std::vector<Sphere>& model) {
+    return std::equal(found.begin(), found.end(), model.begin(), model.end(), [&](const Sphere& a, const Sphere& b) {
+        const double buffer = found.front().radius - model.front().radius;
+        return a.center == b.center && (a == b || std::abs(a.radius - b.radius - buffer) <= 1e-9 * a.radius);
+    });
+}
+
+/// Returns whether a buffer has made the spheres smaller, or switched some off.
+static bool are_smaller(const std::vector<Sphere>& found, const std::vector<Sphere>& model) {
+    return std::all_of(found.begin(), found.end(), [&](const Sphere& a) {
+        return std::any_of(model.begin(), model.end(), [&](const Sphere& b) {
+            return a.center == b.center && a.radius < b.radius;
+        });
+    });
+}
+
 void require_written(const SphereModel& model, const Writer& writer, const StageInfo& info,
                      const std::vector<WrittenFile>& files) {
     std::map<std::string, Approximation::Level> links;
@@ -210,7 +227,13 @@ void require_written(const SphereModel& model, const Writer& writer, const Stage
                         fmt::format("link '{}': the written file gives {}, the model has {}", link,
                                     counts_text(kinds_of(found.view())), counts_text(kinds_of(elements.view()))));
         }
-        if (elements.others.empty() && found.spheres != elements.spheres) {
+        if (elements.others.empty() && are_smaller(found.spheres, elements.spheres)) {
+            throw Error(ErrorCode::output,
+                        fmt::format("link '{}': with its buffer, the file's reader takes smaller spheres than the "
+                                    "model's; remedy: a buffer that is not negative",
+                                    shown(link)));
+        }
+        if (elements.others.empty() && !are_same_up_to_buffer(found.spheres, elements.spheres)) {
             throw Error(ErrorCode::internal,
                         fmt::format("link '{}': the written file gives other spheres than the model", link));
         }

@@ -1,11 +1,14 @@
 #include "consumers.hpp"
 
+#include <foam/base/text.hpp>
 #include <foam/collision/self_collision.hpp>
 #include <foam/recipe/recipe.hpp>
 #include <foam/runtime/version.hpp>
 #include <foam/sdk/kinds.hpp>
+#include <foam/sdk/uncovered.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -68,15 +71,23 @@ std::string provenance(const Workspace& workspace, const Input& input, const Fin
         guarantee == Guarantee::outer
             ? fmt::format("{} lies inside the {}", geometry, spheres_alone(kinds) ? "spheres" : "elements")
             : "spheres lie inside the " + geometry;
+    std::vector<std::string> uncovered;
+    for (const std::string& link : uncovered_links(finished.model)) {
+        uncovered.push_back(shown(link));
+    }
+    const std::size_t all = finished.links.size() + uncovered.size();
     const std::string proof = guarantee == Guarantee::fitted
                                   ? "nothing is proved (guarantee: fitted)"
-                                  : fmt::format("proved: the {} of {} of {} link{}{}", promise, proved,
-                                                finished.links.size(), finished.links.size() == 1 ? "" : "s",
+                                  : fmt::format("{}: the {} of {} of {} link{}{}",
+                                                proved == all ? "proved" : proved > 0 ? "proved in part" : "not proved",
+                                                promise, proved, all, all == 1 ? "" : "s",
                                                 workspace.recipe.proved_numbers(workspace.registry) == Numbers::float32
                                                     ? ", also in single precision"
                                                     : "");
-    return fmt::format("foam {}; {} ({}); {}; {}", version(), input.file.filename().string(), input.digest,
-                       counts_text(kinds), proof);
+    return fmt::format("foam {}; {} ({}); {}; {}{}", version(), input.file.filename().string(), input.digest,
+                       counts_text(kinds), proof,
+                       uncovered.empty() ? ""
+                                         : fmt::format("; without elements: {}", fmt::join(uncovered, ", ")));
 }
 
 } // namespace

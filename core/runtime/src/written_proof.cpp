@@ -8,6 +8,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace foam::inline runtime {
 namespace {
 
@@ -36,6 +39,20 @@ std::string broken_promise(const Solid& solid, const ElementsView& elements, Gua
     return proof.holds ? "" : fmt::format("sphere {} protrudes by {} m", proof.sphere, proof.excess);
 }
 
+/// Returns the most by which a radius in the file is less than that of the model, or minus the most by which it is more;
+/// 0 up to rounding.
+double shrunk_by(const std::vector<Sphere>& model, const std::vector<Sphere>& file) {
+    const auto largest = [](const std::vector<Sphere>& spheres) {
+        double radius = 0;
+        for (const Sphere& s : spheres) {
+            radius = std::max(radius, s.radius);
+        }
+        return radius;
+    };
+    const double shrunk = largest(model) - largest(file);
+    return std::abs(shrunk) > 1e-5 * largest(model) ? shrunk : 0;
+}
+
 } // namespace
 
 std::vector<WrittenProof> prove_written(const std::map<std::string, Approximation::Level>& read,
@@ -60,9 +77,17 @@ std::vector<WrittenProof> prove_written(const std::map<std::string, Approximatio
         if (!link.work->report.measures.certified) {
             continue;
         }
+        const double buffer = shrunk_by(link.elements.spheres, found->second.spheres);
         WrittenProof& took = proofs.emplace_back(WrittenProof{.link = name});
         const auto require = [&](const Approximation::Level& elements, const char* which) {
             if (const std::string lack = broken_promise(*link.solid, elements.view(), guarantee, took); !lack.empty()) {
+                if (buffer != 0) {
+                    throw Error(ErrorCode::output,
+                                fmt::format("{}: link '{}': not proved: with its buffer, the file's reader takes radii that "
+                                            "are {} m {} than the model's; {}; remedy: {}",
+                                            file, name, std::abs(buffer), buffer > 0 ? "less" : "more", lack,
+                                            "leave the buffer out, or state guarantee: fitted"));
+                }
                 throw Error(ErrorCode::internal,
                             fmt::format("{}: link '{}': the certificate does not hold for the numbers read back{}: {}",
                                         file, name, which, lack));

@@ -1,5 +1,6 @@
 #include <foam/base/error.hpp>
 #include <foam/sdk/elements.hpp>
+#include <foam/sdk/uncovered.hpp>
 
 #include <fmt/format.h>
 
@@ -7,6 +8,26 @@
 
 namespace foam::inline sdk {
 namespace {
+
+/// Spheres that a distance added to their radii switches on or off.
+struct Switched {
+    std::size_t count = 0;
+    std::string link; ///< of the first
+    double radius = 0, distance = 0;
+
+    void add(const std::string& link_of_sphere, double radius_of_sphere, double distance_of_link) {
+        if (count++ == 0) {
+            link = link_of_sphere;
+            radius = radius_of_sphere;
+            distance = distance_of_link;
+        }
+    }
+    std::string spheres() const { return fmt::format("{} sphere{}", count, count == 1 ? "" : "s"); }
+    std::string first() const {
+        return fmt::format("{}link '{}', {} m {} {} m", count == 1 ? "" : "the first: ", link, radius,
+                           distance < 0 ? '-' : '+', std::abs(distance));
+    }
+};
 
 const SphereTree::Level& level_of(const SphereGroup& group, int level) {
     const std::vector<SphereTree::Level>& levels = group.tree.levels;
@@ -82,6 +103,43 @@ std::vector<LinkSpheres> elements_by_link(const SphereModel& model, int level) {
         }
         it->spheres = std::move(all.spheres);
         it->others = std::move(all.others);
+    }
+    return links;
+}
+
+void add_buffers(SphereFile& file) {
+    Switched off;
+    for (LinkSpheres& link : file.links) {
+        const auto found = file.buffers.find(link.link);
+        const double buffer = found == file.buffers.end() ? 0 : found->second;
+        std::erase_if(link.spheres, [&](Sphere& s) {
+            const bool with = s.radius + buffer > 0, without = s.radius > 0;
+            if (without && !with) {
+                off.add(link.link, s.radius, buffer);
+            }
+            s.radius += with ? buffer : 0;
+            return without && !with;
+        });
+    }
+    if (off.count > 0) {
+        file.notes.push_back(fmt::format("the buffer switches {} off, which {} left out ({})", off.spheres(),
+                                         off.count == 1 ? "is" : "are", off.first()));
+    }
+    file.buffers.clear();
+}
+
+std::vector<std::string> uncovered_links(const SphereModel& model) {
+    const auto has_elements = [&](const Link& link) {
+        return std::any_of(model.groups.begin(), model.groups.end(),
+                           [&](const SphereGroup& group) { return group.link == link.name; });
+    };
+    std::vector<std::string> links;
+    for (const Link& link : model.robot ? model.robot->links : std::vector<Link>{}) {
+        const auto& none = model.without_collision;
+        if (!link.collisions.empty() && !has_elements(link) &&
+            std::find(none.begin(), none.end(), link.name) == none.end()) {
+            links.push_back(link.name);
+        }
     }
     return links;
 }

@@ -77,7 +77,13 @@ struct SphereFile {
     };
     std::map<std::string, FixedJoint> fixed_joints;
     std::vector<std::string> notes; ///< what was left out, and what the spheres alone do not state
+    /// What the program that uses the file adds to the radii of a link, m. `links` hold the radii as they stand.
+    std::map<std::string, double> buffers{};
 };
+
+/// Adds the buffers to the radii, as the program does that uses the file, and clears them. Spheres that a buffer switches
+/// off are removed, with a note.
+void add_buffers(SphereFile& file);
 
 /// Returns the spheres of a link; adds the link at the end if it is missing.
 std::vector<Sphere>& spheres_of(SphereFile& file, const std::string& link);
