@@ -233,6 +233,16 @@ TEST_F(CliInputs, SparseFilesAreRefusedUnread) {
     refused("spherize uri.urdf -n 2", "part.stl");
 }
 
+TEST_F(CliInputs, AFlatMeshFarAwayGetsElementsOfEveryKind) {
+    write("sheet.obj", "v 9999.5 9999.5 10000\nv 10000.5 9999.5 10000\nv 10000.5 10000.5 10000\nv 9999.5 10000.5 10000\n"
+                       "f 1 2 3\nf 1 3 4\n");
+    for (const char* kind : {"hull", "box", "capsule", "cylinder", "swept_box"}) {
+        const Outcome made = foam("approximate sheet.obj -n 1 -o sheet.json --force --effort fast --with " + std::string(kind));
+        EXPECT_EQ(made.code, 0) << kind << made.err;
+        EXPECT_EQ(foam("certify sheet.obj sheet.json").code, 0) << kind;
+    }
+}
+
 TEST_F(CliInputs, PipesAndDevicesAreRefusedUnread) {
     for (const char* name : {"pipe.stl", "pipe.urdf", "pipe.json", "pipe.yaml"}) {
         ASSERT_EQ(mkfifo((path() / name).c_str(), 0600), 0);

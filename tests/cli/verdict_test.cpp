@@ -131,9 +131,9 @@ TEST_F(CliBatchAgain, WhatHasChangedIsDoneAgain) {
     ASSERT_EQ(foam("batch set -n 2 -m grid --run-dir out").code, 0);
     const json after = results();
     ASSERT_EQ(after.size(), 2U);
-    EXPECT_EQ(after.at("a"), before.at("a"));
-    EXPECT_NE(after.at("b").at("digest"), before.at("b").at("digest"));
-    EXPECT_NE(after.at("b").at("size_m"), before.at("b").at("size_m"));
+    EXPECT_EQ(after.at("a.obj"), before.at("a.obj"));
+    EXPECT_NE(after.at("b.obj").at("digest"), before.at("b.obj").at("digest"));
+    EXPECT_NE(after.at("b.obj").at("size_m"), before.at("b.obj").at("size_m"));
 }
 
 TEST_F(CliBatchAgain, AShardIsWholeOrAbsent) {

@@ -75,6 +75,60 @@ TEST(ReferencePose, KeepsTheJointsOfAStateAndMovesOthers) {
     EXPECT_NE(pose.configuration[1], 0);
 }
 
+/// A body with arms one above the other, as that of FoldingArm: each hand lies in the body for nine tenths of the elbow's
+/// range.
+std::shared_ptr<const Robot> robot_of_many_arms(int arms) {
+    const auto ball = [](const Vec3& at, double radius) {
+        return GeometryElement{Pose::from_xyz_rpy(at, {}), Primitive{.radius = radius}, "", 0};
+    };
+    Robot robot;
+    robot.name = robot.root = "body";
+    robot.links = {Link{"body", {}, {}}};
+    for (int i = 0; i < arms; ++i) {
+        const std::string upper = "upper" + std::to_string(i), hand = "hand" + std::to_string(i);
+        const auto z = static_cast<double>(i);
+        robot.links.front().collisions.push_back(ball({0, 0, z}, 0.3));
+        robot.links.push_back({upper, {ball({0.5, 0, 0}, 0.05)}, {}});
+        robot.links.push_back({hand, {ball({-1, 0, 0}, 0.2)}, {}});
+        robot.joints.push_back({.name = "shoulder" + std::to_string(i), .kind = Joint::Kind::revolute, .parent = "body",
+                                .child = upper, .origin = Pose::from_xyz_rpy({0, 0, z}, {}), .axis = {0, 0, 1},
+                                .lower = -3, .upper = 3});
+        robot.joints.push_back({.name = "elbow" + std::to_string(i), .kind = Joint::Kind::revolute, .parent = upper,
+                                .child = hand, .origin = Pose::from_xyz_rpy({1, 0, 0}, {}), .axis = {0, 0, 1},
+                                .lower = -0.55, .upper = 0.55});
+    }
+    return std::make_shared<const Robot>(std::move(robot));
+}
+
+TEST(ReferencePose, OfManyLimbsIsFoundPairByPair) {
+    const auto robot = robot_of_many_arms(6);
+    const Kinematics kinematics(robot);
+    LinkSolids solids;
+    for (const Link& link : robot->links) {
+        std::vector<Solid::Part> parts;
+        for (const GeometryElement& element : link.collisions) {
+            parts.push_back({nullptr, std::get<Primitive>(element.geometry), element.origin});
+        }
+        solids.push_back(Solid::make(std::move(parts)));
+    }
+    const ReferenceConfiguration pose = reference_configuration(kinematics, solids);
+    EXPECT_EQ(pose.source, Source::found);
+    EXPECT_TRUE(pose.touching.empty());
+    EXPECT_TRUE(
+        reference_configuration(kinematics, solids, {.given = moved_joints(kinematics, pose.configuration)}).touching.empty());
+}
+
+TEST(ReferencePose, OfTheUserLiesWithinTheLimits) {
+    const FoldingArm arm(0.9);
+    try {
+        reference_configuration(arm.kinematics, arm.solids, {.given = {{"elbow", 99}}});
+        FAIL() << "it was accepted";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::usage);
+        EXPECT_STREQ(error.what(), "joint 'elbow' at 99 is beyond its limits, 0.9 to 3");
+    }
+}
+
 TEST(ReferencePose, KeepsJointsThatAreHeld) {
     const FoldingArm arm(0);
     const ReferenceConfiguration pose =
