@@ -40,7 +40,12 @@ def paths_of_any_kind(foam, folder):
     (folder / "broken.zip").write_bytes(b"PK\3\4 no archive")
     (folder / "broken.tar").write_bytes(b"no archive" * 100)
     os.symlink("loop.obj", folder / "loop.obj")
-    paths = ["pipe.obj", "folder.obj", "empty.obj", "loop.obj", "broken.zip::a.obj", "broken.tar::a.obj", "/dev/zero",
+    with zipfile.ZipFile(folder / "flipped.zip", "w", zipfile.ZIP_STORED) as archive:
+        archive.writestr("a.obj", BOX)
+    flipped = bytearray((folder / "flipped.zip").read_bytes())
+    flipped[flipped.index(b"v ") + 2] ^= 1  # a stored byte: its checksum is no longer right
+    (folder / "flipped.zip").write_bytes(flipped)
+    paths = ["flipped.zip::a.obj", "pipe.obj", "folder.obj", "empty.obj", "loop.obj", "broken.zip::a.obj", "broken.tar::a.obj", "/dev/zero",
              "/proc/self/mem", "x" * 300 + ".obj", "box.obj/more.obj", "good.zip::..", "good.zip::../../up.obj", "good.zip::",
              "good.zip::deep.zip::box.obj"]
     with zipfile.ZipFile(folder / "good.zip", "w") as archive:

@@ -49,7 +49,7 @@ double shrunk_by(const std::vector<Sphere>& model, const std::vector<Sphere>& fi
         }
         return radius;
     };
-    const double shrunk = largest(model) - largest(file);
+    const double shrunk = model.empty() ? 0 : largest(model) - largest(file);
     return std::abs(shrunk) > 1e-5 * largest(model) ? shrunk : 0;
 }
 
@@ -81,16 +81,14 @@ std::vector<WrittenProof> prove_written(const std::map<std::string, Approximatio
         WrittenProof& took = proofs.emplace_back(WrittenProof{.link = name});
         const auto require = [&](const Approximation::Level& elements, const char* which) {
             if (const std::string lack = broken_promise(*link.solid, elements.view(), guarantee, took); !lack.empty()) {
-                if (buffer != 0) {
-                    throw Error(ErrorCode::output,
-                                fmt::format("{}: link '{}': not proved: with its buffer, the file's reader takes radii that "
-                                            "are {} m {} than the model's; {}; remedy: {}",
-                                            file, name, std::abs(buffer), buffer > 0 ? "less" : "more", lack,
-                                            "leave the buffer out, or state guarantee: fitted"));
-                }
-                throw Error(ErrorCode::internal,
-                            fmt::format("{}: link '{}': the certificate does not hold for the numbers read back{}: {}",
-                                        file, name, which, lack));
+                const std::string hint =
+                    buffer == 0 ? ""
+                                : fmt::format("; with its buffer, the file's reader takes radii that are {} m {} than the "
+                                              "model's; remedy: leave the buffer out, or state guarantee: fitted",
+                                              std::abs(buffer), buffer > 0 ? "less" : "more");
+                throw Error(buffer == 0 ? ErrorCode::internal : ErrorCode::output,
+                            fmt::format("{}: link '{}': the certificate does not hold for the numbers read back{}: {}{}",
+                                        file, name, which, lack, hint));
             }
         };
         if (numbers == Numbers::float32) {
