@@ -157,7 +157,8 @@ std::string write_links_layout(const SphereModel& model) {
         "  \"certified\": {},\n{}  \"units\": \"m\",\n  \"frame\": \"link\",\n  \"links\": {{\n{}\n  }}\n}}\n",
         version, json_text(model.name), json_text(model.robot ? model.robot->name : ""),
         guarantee_text(model.guarantee), certified,
-        uncovered.empty() ? "" : fmt::format("  \"uncovered_links\": [{}],\n", fmt::join(uncovered, ", ")), fmt::join(links, ",\n"));
+        uncovered.empty() ? "" : fmt::format("  \"uncovered_links\": [{}],\n", fmt::join(uncovered, ", ")),
+        fmt::join(links, ",\n"));
 }
 
 ElementsByLink read_links_layout(const Json& document) {

@@ -158,21 +158,23 @@ JointValues of_freedoms(const Kinematics& kinematics, const JointValues& values)
     return result;
 }
 
-void require_within_limits(const Kinematics& kinematics, const JointValues& values) {
+/// Returns the first freedom whose value is beyond its limits; null: there is none.
+const Freedom* first_beyond_limits(const Kinematics& kinematics, const JointValues& values) {
     for (const Freedom& freedom : kinematics.freedoms()) {
         const auto value = values.find(freedom.joint);
         if (value != values.end() && !(value->second >= freedom.lower && value->second <= freedom.upper)) {
-            throw Error(ErrorCode::usage, fmt::format("joint '{}' at {} is beyond its limits, {:.6g} to {:.6g}",
-                                                      shown(freedom.joint), value->second, freedom.lower, freedom.upper));
+            return &freedom;
         }
     }
+    return nullptr;
 }
 
-bool within_limits(const Kinematics& kinematics, const JointValues& values) {
-    return std::all_of(kinematics.freedoms().begin(), kinematics.freedoms().end(), [&](const Freedom& freedom) {
-        const auto value = values.find(freedom.joint);
-        return value == values.end() || (value->second >= freedom.lower && value->second <= freedom.upper);
-    });
+void require_within_limits(const Kinematics& kinematics, const JointValues& values) {
+    if (const Freedom* freedom = first_beyond_limits(kinematics, values)) {
+        throw Error(ErrorCode::usage,
+                    fmt::format("joint '{}' at {} is beyond its limits, {:.6g} to {:.6g}", shown(freedom->joint),
+                                values.at(freedom->joint), freedom->lower, freedom->upper));
+    }
 }
 
 /// Returns the first state that is free; else the first that is free with other joints moved, for a state of an arm leaves
@@ -182,7 +184,7 @@ std::optional<ReferenceConfiguration> named_configuration(Poses& poses, const Ki
     for (const bool move_others : {false, true}) {
         for (const GroupState& named : options.named) {
             JointValues own = of_freedoms(kinematics, named.values);
-            if (own.empty() || !within_limits(kinematics, own)) {
+            if (own.empty() || first_beyond_limits(kinematics, own)) {
                 continue;
             }
             JointValues values = options.held;

@@ -9,7 +9,7 @@
 namespace foam::inline sdk {
 namespace {
 
-/// Spheres that a distance added to their radii switches on or off.
+/// Spheres that a distance added to their radii switches off.
 struct Switched {
     std::size_t count = 0;
     std::string link; ///< of the first
@@ -24,8 +24,7 @@ struct Switched {
     }
     std::string spheres() const { return fmt::format("{} sphere{}", count, count == 1 ? "" : "s"); }
     std::string first() const {
-        return fmt::format("{}link '{}', {} m {} {} m", count == 1 ? "" : "the first: ", link, radius,
-                           distance < 0 ? '-' : '+', std::abs(distance));
+        return fmt::format("{}link '{}', {} m - {} m", count == 1 ? "" : "the first: ", link, radius, -distance);
     }
 };
 
@@ -134,7 +133,10 @@ std::vector<std::string> uncovered_links(const SphereModel& model) {
                            [&](const SphereGroup& group) { return group.link == link.name; });
     };
     std::vector<std::string> links;
-    for (const Link& link : model.robot ? model.robot->links : std::vector<Link>{}) {
+    if (!model.robot) {
+        return links;
+    }
+    for (const Link& link : model.robot->links) {
         const auto& none = model.without_collision;
         if (!link.collisions.empty() && !has_elements(link) &&
             std::find(none.begin(), none.end(), link.name) == none.end()) {
