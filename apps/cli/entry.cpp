@@ -133,6 +133,10 @@ int guarded(int count, char** arguments, const std::function<void(Program&)>& ad
     } catch (const Error& error) {
         tell(fmt::format("{}: {}", error.code() == ErrorCode::cancelled ? "stopped" : "error", error.what()));
         return exit_code(error.code());
+    } catch (const std::bad_alloc&) {
+        tell("error: there is not enough memory; remedy: fewer links or meshes at once, fewer threads (-j), or more "
+             "memory");
+        return exit_code(ErrorCode::geometry);
     } catch (const std::exception& error) {
         tell(fmt::format("error: {} (a bug in foam; please report it)", error.what()));
         return exit_code(ErrorCode::internal);

@@ -9,14 +9,18 @@
 namespace foam::cli {
 namespace fs = std::filesystem;
 
+bool is_same_file(const fs::path& a, const fs::path& b) {
+    std::error_code error; // what does not exist is no file
+    return !a.empty() && !b.empty() && fs::equivalent(a, b, error) && !error;
+}
+
 void add_force(CLI::App& command, bool& force) {
     command.add_flag("--force", force, "Write even if this replaces an input file");
 }
 
 void refuse_overwriting(const fs::path& target, const std::vector<fs::path>& inputs, bool force) {
     for (const fs::path& input : inputs) {
-        std::error_code error; // what does not exist is replaced by nothing
-        if (!force && !target.empty() && !input.empty() && fs::equivalent(target, input, error) && !error) {
+        if (!force && is_same_file(target, input)) {
             throw Error(ErrorCode::usage,
                         fmt::format("{}: the output would replace the input {}; nothing was written; remedy: another "
                                     "name, or --force",

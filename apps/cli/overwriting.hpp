@@ -8,6 +8,8 @@
 
 namespace foam::cli {
 
+/// Returns whether two paths lead to one file that exists.
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 /// `--force`.
 void add_force(CLI::App& command, bool& force);
 /// Throws Error(usage) if `target` is one of the inputs, by whatever name or link, unless `force`. Empty paths and

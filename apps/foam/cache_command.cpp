@@ -35,18 +35,24 @@ int cache_command(const CacheArguments& arguments) {
     if (arguments.clear || arguments.trim) {
         deleted = trim_cache(folder, arguments.clear ? 0 : std::uintmax_t{*arguments.trim} << 20);
     }
+    const std::size_t leftovers = remove_leftovers({folder, "runs", "."});
     const CacheContents left = cache_contents(folder);
     if (arguments.json) {
         const nlohmann::ordered_json json{{"folder", folder.string()},  {"entries", left.entries},
                                           {"bytes", left.bytes},        {"limit_bytes", limit},
-                                          {"deleted", deleted.entries}, {"deleted_bytes", deleted.bytes}};
+                                          {"deleted", deleted.entries}, {"deleted_bytes", deleted.bytes},
+                                          {"removed_folders", leftovers}};
         print_json(json);
         return 0;
     }
     std::string text = fmt::format("{}: {}; ", folder.string(), contents_text(left));
     text += limit == 0 ? "without a limit (FOAM_CACHE_LIMIT is 0)"
                        : fmt::format("runs leave at most {} MiB (FOAM_CACHE_LIMIT)", limit >> 20);
-    print(text + (deleted.entries > 0 ? fmt::format("; deleted: {}\n", contents_text(deleted)) : "\n"));
+    text += deleted.entries > 0 ? fmt::format("; deleted: {}", contents_text(deleted)) : "";
+    if (leftovers > 0) {
+        tell(fmt::format("removed: {} unfinished folder{} of killed runs", leftovers, leftovers == 1 ? "" : "s"));
+    }
+    print(text + "\n");
     return 0;
 }
 

@@ -48,11 +48,7 @@ int certify_spheres(Program& program, const CertifyArguments& arguments) {
     const Original original = original_of(program, arguments.judge);
     const MatchedModel model = model_of(program, arguments.judge, original, arguments.spheres);
     const std::vector<LinkProof> proofs = prove(original, model, outer ? Guarantee::outer : Guarantee::inner);
-    std::vector<bool> held;
-    for (const LinkProof& proof : proofs) {
-        held.push_back(proof.holds);
-    }
-    const ProvedLinks proved = proved_links(original, held, outer ? Guarantee::outer : Guarantee::inner);
+    const ProvedLinks proved = proved_links(original, model, proofs, outer ? Guarantee::outer : Guarantee::inner);
     const auto failed = std::count_if(proofs.begin(), proofs.end(), [](const LinkProof& p) { return !p.holds; });
     if (arguments.json) {
         const nlohmann::ordered_json json{{"original", arguments.judge.original},
@@ -66,11 +62,13 @@ int certify_spheres(Program& program, const CertifyArguments& arguments) {
         print_json(json);
     } else if (failed == 0) {
         const KindCounts kinds = kinds_of_model(model);
-        print(fmt::format("Certified ({}): {} on {} link{}, {}.\n", arguments.guarantee,
-                          !outer                 ? "the spheres lie inside the geometry"
-                          : spheres_alone(kinds) ? "the geometry lies inside the spheres"
-                                                 : "the geometry lies inside the elements",
-                          proofs.size(), proofs.size() == 1 ? "" : "s", counts_text(kinds)) +
+        const std::string missing = missing_text(proved);
+        print(fmt::format("Certified ({}): {} on {} link{}, {}.\n{}{}", arguments.guarantee,
+                          outer ? fmt::format("the {}geometry lies inside the {}",
+                                              missing.empty() ? "" : "surface of the ", proved.elements)
+                                : "the spheres lie inside the geometry",
+                          proofs.size(), proofs.size() == 1 ? "" : "s", counts_text(kinds), missing,
+                          missing.empty() ? "" : ".\n") +
               not_judged_text(proved));
     } else {
         print(table_of_proofs(original, model, proofs, outer) +

@@ -78,7 +78,7 @@ int convert(Program& program, const ConvertArguments& arguments) {
     const Registry& registry = program.registry();
     const RegisteredStage& format =
         writer_for(arguments.format.empty() ? ending_of_output(arguments.output) : arguments.format, registry);
-    const bool in_place = !arguments.into.empty() && arguments.into == arguments.output;
+    const bool in_place = is_same_file(arguments.into, arguments.output);
     for (const std::filesystem::path& target : files_of(format.info, arguments.output)) {
         refuse_overwriting(target, {arguments.model, arguments.robot, in_place ? "" : arguments.into},
                            arguments.force || in_place);
@@ -87,7 +87,7 @@ int convert(Program& program, const ConvertArguments& arguments) {
     const auto writer = registry.make<Writer>(format.info.name, parameters);
     // A file that gets its own spheres keeps its buffer.
     SphereFile file = read_sphere_file(arguments.model, registry, arguments.reader,
-                                       arguments.into == arguments.model ? Radii::as_written : Radii::as_used);
+                                       is_same_file(arguments.into, arguments.model) ? Radii::as_written : Radii::as_used);
     for (const std::string& note : file.notes) {
         tell(fmt::format("warning: {}: {}", arguments.model, note));
     }
@@ -108,15 +108,14 @@ int convert(Program& program, const ConvertArguments& arguments) {
     for (const OriginalLink& link : original ? original->links : std::vector<OriginalLink>{}) {
         model.geometry[link.link] = link.solid;
     }
-    model.guarantee = Guarantee::fitted;
     model.facts = {.base_link = arguments.base_link,
                    .tool_frames = arguments.tool_frames,
                    .lock_joints = positions_of(arguments.locks, "--lock"),
                    .default_pose = positions_of(arguments.pose, "--pose"),
                    .acceleration = {},
                    .jerk = {}};
-    const std::string proof = original ? proof_statement(*original, file, format.info.consumer.float32)
-                                       : "nothing is proved without the robot";
+    const std::string proof =
+        give_verdict(model, original ? &*original : nullptr, file, format.info.consumer.float32);
     KindCounts kinds{};
     for (const SphereGroup& group : model.groups) {
         kinds = sum_of(kinds, kinds_of(group.tree.elements()));
@@ -157,10 +156,12 @@ int convert(Program& program, const ConvertArguments& arguments) {
         make_folder_of(files[i]);
         write_whole_file(files[i].file, files[i].bytes);
     }
-    print(fmt::format("Read: {}, {}, {} of {} link{}\nWritten: {} by {}\n{}{}.\n", arguments.model, file.format,
+    const bool elsewhere = format.info.consumer.elements_optional && !spheres_alone(kinds);
+    print(fmt::format("Read: {}, {}, {} of {} link{}\nWritten: {} by {}\n{}{}{}.\n", arguments.model, file.format,
                       counts_text(kinds), model.groups.size(), model.groups.size() == 1 ? "" : "s",
                       fmt::join(file_names(files), ", "), format.info.name,
-                      static_cast<char>(std::toupper(proof.front())), proof.substr(1)));
+                      elsewhere ? "The file holds no elements, only their pairs of links. Of the elements: " : "",
+                      elsewhere ? proof.front() : static_cast<char>(std::toupper(proof.front())), proof.substr(1)));
     return 0;
 }
 

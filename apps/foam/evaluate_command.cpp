@@ -151,7 +151,7 @@ int evaluate_spheres(Program& program, const EvaluateArguments& arguments) {
         print(fmt::format("{} ({}): {} for {}\n", arguments.spheres, model.file.format, counts_text(kinds),
                           arguments.judge.original) +
               table_of_figures(original, evaluation, spheres_alone(kinds) ? "spheres" : "elements") +
-              not_judged_text(proved_links(original, certified_links(evaluation), Guarantee::outer)) +
+              not_judged_text(proved_links(original, model, evaluation)) +
               planes_text(planes, original, model) +
               (consequences ? "\n" + poses_text(*original.robot, *consequences) : ""));
     }

@@ -120,6 +120,10 @@ std::string evidence(const SelfCollisionMatrix& matrix, const LinkPair& pair) {
         return fmt::format("no joint between them; the geometry {}",
                            pair.geometry_touching > 0 ? "touches" : "does not touch");
     }
+    if (pair.samples == 0 && pair.reason == PairReason::never) {
+        return fmt::format("the elements never touch, the geometry in 0 of {}: in less than {}", pair.geometry_samples,
+                           percent(matrix.rate_bound(pair.geometry_samples)));
+    }
     if (pair.samples == 0) {
         return "";
     }

@@ -16,11 +16,29 @@ namespace {
 
 constexpr double mm_per_m = 1000;
 
-std::string row(const std::string& name, std::size_t width, const Measures& m, Guarantee guarantee,
-                const std::string& growth, int count_width) {
-    return fmt::format("{}  {:>{}}  {:>8}  {:>8}  {:>9}  {:>9}\n", padded(name, width), m.spheres, count_width,
-                       figure_text(guarantee == Guarantee::inner ? m.missing : m.excess, 3),
+/// Which columns a table of links has.
+struct Columns {
+    std::size_t name = 0; ///< width
+    int count = 7;        ///< width
+    bool excess = true, missing = false;
+};
+
+std::string row(const std::string& name, const Columns& columns, const Measures& m, const std::string& growth) {
+    return fmt::format("{}  {:>{}}{}{}  {:>8}  {:>9}  {:>9}\n", padded(name, columns.name), m.spheres, columns.count,
+                       columns.excess ? fmt::format("  {:>8}", figure_text(m.excess, 3)) : "",
+                       columns.missing ? fmt::format("  {:>8}", figure_text(m.missing, 3)) : "",
                        figure_text(m.gap * mm_per_m, 3), m.certified ? "yes" : "no", growth);
+}
+
+/// Spheres inside the geometry have no excess; volume that is missing is shown wherever there is some.
+Columns columns_of(const RunResult& result, Guarantee guarantee, bool spheres) {
+    const bool inner = guarantee == Guarantee::inner;
+    const bool missing = std::any_of(result.links.begin(), result.links.end(),
+                                     [](const LinkReport& link) { return link.measures.missing > 0; });
+    return {.name = column_width("total", result.links, &LinkReport::link),
+            .count = spheres ? 7 : 8,
+            .excess = !inner,
+            .missing = inner || missing};
 }
 
 std::string filter_table(const RunResult& result) {
@@ -59,27 +77,26 @@ std::string padding_text(const RunResult& result) {
 } // namespace
 
 std::string table_of(const RunResult& result, Guarantee guarantee) {
-    const std::size_t width = column_width("total", result.links, &LinkReport::link);
     std::string table = filter_table(result);
     KindCounts kinds{};
     for (const LinkReport& link : result.links) {
         kinds = sum_of(kinds, link.kinds);
     }
     const bool spheres = spheres_alone(kinds);
-    table += fmt::format("{:<{}}  {:>{}}  {:>8}  {:>8}  {:>9}  {:>9}\n", "link", width,
-                         spheres ? "spheres" : "elements", spheres ? 7 : 8,
-                         guarantee == Guarantee::inner ? "missing" : "excess", "gap mm", "certified", "growth mm");
+    const Columns columns = columns_of(result, guarantee, spheres);
+    table += fmt::format("{:<{}}  {:>{}}{}{}  {:>8}  {:>9}  {:>9}\n", "link", columns.name,
+                         spheres ? "spheres" : "elements", columns.count, columns.excess ? "    excess" : "",
+                         columns.missing ? "   missing" : "", "gap mm", "certified", "growth mm");
     for (const LinkReport& link : result.links) {
         if (link.skipped) {
-            table += padded(link.link, width) + "  excluded by the recipe\n";
+            table += padded(link.link, columns.name) + "  excluded by the recipe\n";
         } else if (!link.error.empty() && link.measures.spheres == 0) {
-            table += fmt::format("{}  failed: {}\n", padded(link.link, width), shown(link.error));
+            table += fmt::format("{}  failed: {}\n", padded(link.link, columns.name), shown(link.error));
         } else {
-            table += row(link.link, width, link.measures, guarantee, figure_text(link.growth * mm_per_m, 3),
-                         spheres ? 7 : 8);
+            table += row(link.link, columns, link.measures, figure_text(link.growth * mm_per_m, 3));
         }
     }
-    table += row("total", width, result.total, guarantee, "", spheres ? 7 : 8);
+    table += row("total", columns, result.total, "");
     if (!spheres) {
         table += fmt::format("Elements: {}.\n", counts_text(kinds));
     }
@@ -99,7 +116,7 @@ std::string table_of(const RunResult& result, Guarantee guarantee) {
                                  plane.plane.reach * mm_per_m);
         }
     }
-    return table + verdict_of(result.proved, spheres ? "spheres" : "elements") + omissions_of(result.proved);
+    return table + verdict_of(result.proved) + omissions_of(result.proved);
 }
 
 } // namespace foam::cli

@@ -149,14 +149,12 @@ std::string write_links_layout(const SphereModel& model) {
     for (const std::string& link : uncovered_links(model)) {
         uncovered.push_back(json_text(link));
     }
-    const bool certified =
-        uncovered.empty() && !model.groups.empty() && std::all_of(model.groups.begin(), model.groups.end(),
-                                             [](const SphereGroup& g) { return g.measures.certified; });
     return fmt::format(
         "{{\n  \"foam_spheres\": {},\n  \"name\": {},\n  \"robot\": {},\n  \"guarantee\": \"{}\",\n"
-        "  \"certified\": {},\n{}  \"units\": \"m\",\n  \"frame\": \"link\",\n  \"links\": {{\n{}\n  }}\n}}\n",
+        "  \"certified\": {},\n{}{}  \"units\": \"m\",\n  \"frame\": \"link\",\n  \"links\": {{\n{}\n  }}\n}}\n",
         version, json_text(model.name), json_text(model.robot ? model.robot->name : ""),
-        guarantee_text(model.guarantee), certified,
+        guarantee_text(model.guarantee), model.verdict.all(),
+        model.verdict.missing > 0 ? fmt::format("  \"covers\": \"surface\",\n  \"missing\": {},\n", to_text(model.verdict.missing)) : "",
         uncovered.empty() ? "" : fmt::format("  \"uncovered_links\": [{}],\n", fmt::join(uncovered, ", ")),
         fmt::join(links, ",\n"));
 }

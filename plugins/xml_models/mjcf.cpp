@@ -181,6 +181,27 @@ public:
         }
         return text.empty() ? "" : "  <asset>\n" + text + "  </asset>\n";
     }
+    /// Returns the <keyframe> with the rest pose; empty where all joints rest at zero. Call it after text(): qpos has the
+    /// order of the bodies.
+    std::string keyframe() const {
+        JointValues values = model_.facts.default_pose;
+        values.insert(locked_.begin(), locked_.end());
+        const std::vector<double> configuration = kinematics_.configuration(values);
+        std::vector<double> positions;
+        if (free_) {
+            positions = {0, 0, 0, 1, 0, 0, 0};
+        }
+        bool moved = false;
+        for (const std::size_t joint : joints_) {
+            const JointMotion& motion = kinematics_.motions()[joint];
+            const double turned = motion.freedom ? motion.multiplier * configuration[*motion.freedom] : 0;
+            positions.push_back(motion.offset + turned);
+            moved = moved || positions.back() != 0;
+        }
+        return moved ? "  <keyframe>\n    <key name=\"home\"" + attribute_text("qpos", numbers_text(positions)) +
+                           "/>\n  </keyframe>\n"
+                     : "";
+    }
     bool has_others() const {
         return std::any_of(others_.begin(), others_.end(), [](const auto& link) { return !link.second.empty(); });
     }
@@ -208,6 +229,7 @@ private:
         add_inertial(link, moves, depth + 1);
         if (joint && moves) {
             line(depth + 1, joint_text(*joint));
+            joints_.push_back(static_cast<std::size_t>(joint - model_.robot->joints.data()));
         }
         for (const Sphere& s : spheres_[link]) {
             line(depth + 1, "<geom class=\"sphere\"" + attribute_text("pos", vector_text(s.center)) +
@@ -332,6 +354,7 @@ private:
     std::vector<std::string> from_geometry_, from_open_, from_spheres_,
         from_elements_; ///< links by what their mass is made of
     JointValues locked_;
+    std::vector<std::size_t> joints_; ///< indices of those that move, in the order of the bodies
     std::string text_;
 };
 
@@ -396,7 +419,7 @@ std::string MjcfWriter::write(const SphereModel& model, Context& context) const 
                                   "conaffinity=\"1\"/></default>\n"
                                 : "") +
            "  </default>\n" + bodies.assets() + "  <worldbody>\n" + tree + "  </worldbody>\n" + equality_text(model) +
-           contact_text(model) + "</mujoco>\n";
+           contact_text(model) + bodies.keyframe() + "</mujoco>\n";
 }
 
 std::map<std::string, Approximation::Level> MjcfWriter::read_elements(const std::string& bytes,

@@ -19,7 +19,7 @@ FOAM_PLUGIN("xml_models", "1.0", "Apache-2.0") {
                       .edits = true}});
     enrol.add<MjcfWriter>(
         {.name = "write.mjcf",
-         .summary = "Writes the robot as MJCF: bodies with their elements, joints, inertias and pairs without contact.",
+         .summary = "Writes the robot as MJCF: bodies with their elements, joints, inertias, pairs without contact and the rest pose.",
          .reference = "https://mujoco.readthedocs.io/en/stable/XMLreference.html",
          .parameters = {Parameter::choice("base", {"fixed", "free"}, "fixed")
                             .doc("fixed: the base is part of the world; free: it moves freely, as an object does."),
@@ -34,7 +34,7 @@ FOAM_PLUGIN("xml_models", "1.0", "Apache-2.0") {
                         foam::pairs_parameter()},
          .extensions = {"mjcf"},
          .kinds = foam::every_kind(),
-         .consumer = {.name = "MuJoCo 2.2.2 and 3.12 (a7255075b0)", .pairs = true, .edits = true}});
+         .consumer = {.name = "MuJoCo 2.2.2 and 3.12 (a7255075b0)", .pairs = true, .rest_pose = true, .edits = true}});
     enrol.add<SrdfReader>({.name = "read.srdf",
                            .summary = "Reads the spheres of links of an SRDF: link_sphere_approximation.",
                            .reference = "https://github.com/moveit/srdfdom",

@@ -71,7 +71,21 @@ class _Result:
         return list(self._values["notes"])
 
 
-class Evaluation(_Result):
+class _Judged(_Result):
+    """A result with a verdict."""
+
+    @property
+    def statement(self) -> str:
+        """The verdict in words, as the command line says it and files have it in their headers."""
+        return str(self._values["proof"]["statement"])
+
+    @property
+    def missing(self) -> float:
+        """Share of the volume of the links that lies outside all elements; above 0 the proof is of the surface alone."""
+        return float(self._values["proof"]["missing"])
+
+
+class Evaluation(_Judged):
     """The figures of a sphere model."""
 
     @property
@@ -98,7 +112,7 @@ class Evaluation(_Result):
         return f"<foam.Evaluation: {len(self._values['links'])} links, {self.total!r}>"
 
 
-class Certificate(_Result):
+class Certificate(_Judged):
     """The proof that spheres cover a geometry (or lie inside it), or where it fails."""
 
     @property
@@ -122,7 +136,8 @@ class Certificate(_Result):
         return {link["link"]: np.array(link[key], float) for link in self._values["links"] if not link["certified"]}
 
     def __repr__(self) -> str:
-        return f"<foam.Certificate: {'holds' if self.holds else 'fails for ' + ', '.join(self.witnesses)}>"
+        holds = "holds for the surface" if self.missing > 0 else "holds"
+        return f"<foam.Certificate: {holds if self.holds else 'fails for ' + ', '.join(self.witnesses)}>"
 
 
 class SelfCollision(_Result):

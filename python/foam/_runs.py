@@ -66,6 +66,11 @@ class Run:
         return bool(self.summary["certified"])
 
     @property
+    def statement(self) -> str:
+        """The verdict in words, as the command line says it and files have it in their headers."""
+        return str(self.summary["proof"]["statement"])
+
+    @property
     def total(self) -> Figures:
         """The figures of the whole robot."""
         return Figures(self.summary["total"])

@@ -35,16 +35,13 @@ std::string certified(const HeldRobot& robot, const SphereFile& spheres, const R
         const Guarantee guarantee = outer ? Guarantee::outer : Guarantee::inner;
         const MatchedModel model = match(robot.original, spheres, renames);
         const std::vector<LinkProof> proofs = prove(robot.original, model, guarantee);
-        std::vector<bool> held;
-        for (const LinkProof& proof : proofs) {
-            held.push_back(proof.holds);
-        }
+        const auto holds = [](const LinkProof& proof) { return proof.holds; };
         return json_text(Json{{"original", robot.original.file.string()},
                               {"model", model.file.file.string()},
                               {"model_format", model.file.format},
                               {"guarantee", outer ? "outer" : "inner"},
-                              {"certified", std::find(held.begin(), held.end(), false) == held.end()},
-                              {"proof", json_of_proof<Json>(proved_links(robot.original, held, guarantee))},
+                              {"certified", std::all_of(proofs.begin(), proofs.end(), holds)},
+                              {"proof", json_of_proof<Json>(proved_links(robot.original, model, proofs, guarantee))},
                               {"notes", model.notes},
                               {"links", json_of_proofs<Json>(robot.original, proofs, outer)}});
     });

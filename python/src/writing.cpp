@@ -42,8 +42,7 @@ KindCounts kinds_of_model(const SphereModel& model) {
 /// Makes the model of spheres from elsewhere as complete as `foam convert` does.
 void complete(SphereModel& model, const SphereFile& spheres, const Original* original, const StageInfo& writer,
               const Given& parameters, bool into, const std::atomic<bool>& cancel) {
-    const std::string proof =
-        original ? proof_statement(*original, spheres, writer.consumer.float32) : "nothing is proved without the robot";
+    const std::string proof = give_verdict(model, original, spheres, writer.consumer.float32);
     model.provenance = fmt::format("foam {}; {}, {}; {}; {}", version(), spheres.file.filename().string(),
                                    spheres.format, counts_text(kinds_of_model(model)), proof);
     if (lists_pairs(writer, parameters, into) && original && model.groups.size() > 1) {
@@ -87,7 +86,6 @@ py::tuple written(const std::shared_ptr<Registry>& registry, SphereFile spheres,
                     require_links(spheres, *original->robot);
                 }
                 model = sphere_model_of(spheres, original ? original->robot : links_alone(spheres));
-                model.guarantee = Guarantee::fitted;
             }
             if (original) {
                 for (const OriginalLink& link : original->links) {

@@ -35,6 +35,16 @@ TEST_F(CacheCommand, SaysWhatItHoldsAndClearsIt) {
     EXPECT_EQ(foam("cache --clear --trim 1").code, 2);
 }
 
+TEST_F(CacheCommand, RemovesWhatKilledRunsLeft) {
+    ASSERT_EQ(shell("mkdir -p runs/.box.partial-1 runs/.mine && touch runs/.box.partial-1/.foam-unfinished "
+                    "runs/.mine/.foam-unfinished runs/.box.partial-1/box.csv")
+                  .code,
+              0);
+    EXPECT_THAT(foam("cache").err, ::testing::ContainsRegex("removed: [1-9][0-9]* unfinished folders? of killed runs\n"));
+    EXPECT_FALSE(std::filesystem::exists(path() / "runs/.box.partial-1"));
+    EXPECT_TRUE(std::filesystem::exists(path() / "runs/.mine")) << "foam gives no folder this name";
+}
+
 TEST_F(CacheCommand, TheLimitOfRunsIsAWholeNumber) {
     for (const char* wrong : {"-1", "2G", "1.5", "99999999999999999999"}) {
         const std::string set = "FOAM_CACHE_LIMIT=" + std::string(wrong) + " '" FOAM_TEST_BINARY "' ";

@@ -47,7 +47,7 @@ protected:
 
 TEST_F(CliConvert, SaysWhatIsProved) {
     EXPECT_THAT(foam("convert model.csv -o a.json --format pyroki").out,
-                HasSubstr("Nothing is proved without the robot."));
+                HasSubstr("Nothing is proved without the robot's original geometry."));
     EXPECT_THAT(foam("convert model.csv arm.urdf -o a.xrdf --tool-frame tool").out,
                 HasSubstr("Proved: the collision geometry of 2 of 2 links lies inside their spheres, also in single "
                           "precision."));

@@ -37,8 +37,10 @@ TEST_F(CliStatement, AllThatHasCollisionGeometryIsProved) {
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr(both_proved));
     EXPECT_TRUE(manifest()["certified"]);
-    EXPECT_EQ(manifest()["proof"], json::parse(R"({"geometry": "collision", "links_with_geometry": 2, "links_proved": 2,
-                                                   "left_out": [], "visual_only": ["camera"], "collision_only": []})"));
+    EXPECT_EQ(manifest()["proof"],
+              json::parse(R"({"geometry": "collision", "links_with_geometry": 2, "links_proved": 2, "missing": 0.0,
+                              "statement": "proved: the collision geometry of 2 of 2 links lies inside their spheres",
+                              "left_out": [], "visual_only": ["camera"], "collision_only": []})"));
     EXPECT_THAT(contents(path() / "runs/three/report.html"),
                 HasSubstr("Proved: the collision geometry of 2 of 2 links lies inside their spheres."));
     const Outcome certified = foam("certify three.urdf runs/three/out.urdf");
@@ -50,7 +52,7 @@ TEST_F(CliStatement, AllThatHasCollisionGeometryIsProved) {
 TEST_F(CliStatement, ALinkThatTheRecipeLeavesOutIsNotProved) {
     const Outcome outcome = foam("run three.yaml --set links.base.skip=true");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const std::string sentences = "Proved: the collision geometry of 1 of 2 links lies inside their spheres.\n"
+    const std::string sentences = "Proved in part: the collision geometry of 1 of 2 links lies inside their spheres.\n"
                                   "Not part of the proof: base (skip in the recipe).\n"
                                   "1 link has visual geometry only and no spheres: camera.\n";
     EXPECT_THAT(outcome.out, HasSubstr(sentences));

@@ -93,16 +93,84 @@ TEST_F(CliVerdict, AFileWithoutSomeLinkIsNotCertified) {
     }
     EXPECT_EQ(foam("spherize arm.urdf -n 2 -m grid -o left_out.json --set links.tip.collision=none").code, 0);
     const json left_out = json::parse(contents(path() / "left_out.json"));
-    EXPECT_EQ(left_out.at("certified"), true) << "nothing of the output is uncovered";
-    EXPECT_FALSE(left_out.contains("uncovered_links"));
+    EXPECT_EQ(left_out.at("certified"), false) << "the link has geometry, and no element here";
+    EXPECT_EQ(left_out.at("uncovered_links"), json({"tip"}));
 
     write("skipped.yaml", "foam: 1\nrobot: {urdf: [arm.urdf], tool_frames: [tip]}\nstages: [spherize.grid]\nbudget: {spheres: 2}\n"
                           "links: {tip: {skip: true}}\noutputs: [write.urdf: {file: out.urdf}, write.plainmp: {file: out.yml}]\n");
     ASSERT_EQ(foam("run skipped.yaml --run-dir skipped").code, 0);
     const std::string header = contents(path() / "skipped/out.yml");
-    EXPECT_THAT(header, HasSubstr("proved in part: the collision geometry lies inside the spheres of 1 of 2 links"));
-    EXPECT_THAT(header, HasSubstr("; without elements: tip\n"));
+    EXPECT_THAT(header, HasSubstr("proved in part: the collision geometry of 1 of 2 links lies inside their spheres"));
+    EXPECT_THAT(header, HasSubstr("; not part of the proof: tip (skip in the recipe)\n"));
     EXPECT_THAT(contents(path() / "skipped/out.urdf"), HasSubstr("empty.obj")) << "a link that is skipped keeps its geometry";
+}
+
+/// Shells of boxes around the surface of a cylinder leave its middle out.
+class CliSurface : public Cli {
+protected:
+    void SetUp() override {
+        write("rod.urdf", "<robot name='r'><link name='base'><collision><geometry><cylinder radius='0.05' length='0.2'/></geometry>"
+                          "</collision></link></robot>");
+        ASSERT_EQ(foam("approximate rod.urdf -n 16 --with box -o shell.json").code, 0);
+    }
+};
+
+TEST_F(CliSurface, TheSentenceAndTheTableOfARunSaySo) {
+    write("shell.yaml", "foam: 1\nrobot: {urdf: rod.urdf}\nstages: [approximate.boxes]\nbudget: {spheres: 16}\n"
+                        "outputs: [write.urdf: {file: out.urdf}, write.mjcf: {file: out.mjcf}, write.json: {file: out.json}]\n");
+    const Outcome outcome = foam("run shell.yaml --run-dir shell");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("elements    excess   missing    gap mm"));
+    EXPECT_THAT(outcome.out,
+                HasSubstr("Proved: the surface of the collision geometry of 1 of 1 link lies inside its elements.\n"));
+    EXPECT_THAT(outcome.out, HasSubstr("% of the volume lies outside all elements.\n"));
+    const json manifest = json::parse(contents(path() / "shell/manifest.json"));
+    EXPECT_GT(manifest["proof"]["missing"], 0.1);
+    const std::string statement = manifest["proof"]["statement"];
+    EXPECT_THAT(statement, HasSubstr("proved: the surface of the collision geometry of 1 of 1 link lies inside its elements; "));
+    EXPECT_THAT(contents(path() / "shell/out.mjcf"), HasSubstr(statement)) << "header, manifest: one sentence";
+    EXPECT_THAT(contents(path() / "shell/report.html"), HasSubstr("Proved: the surface of the collision geometry"));
+    const json model = json::parse(contents(path() / "shell/out.json"));
+    EXPECT_EQ(model["covers"], "surface");
+    EXPECT_EQ(model["missing"], manifest["proof"]["missing"]);
+}
+
+TEST_F(CliSurface, SoDoCertifyEvaluateAndConvert) {
+    const Outcome certified = foam("certify rod.urdf shell.json");
+    EXPECT_EQ(certified.code, 0) << certified.err;
+    EXPECT_THAT(certified.out, HasSubstr("Certified (outer): the surface of the geometry lies inside the elements on 1 link"));
+    EXPECT_THAT(certified.out, HasSubstr("% of the volume lies outside all elements.\n"));
+    const json evaluated = json::parse(foam("evaluate rod.urdf shell.json --json").out);
+    EXPECT_THAT(std::string(evaluated["proof"]["statement"]), HasSubstr("proved: the surface of"));
+    const Outcome converted = foam("convert shell.json rod.urdf -o shell.urdf");
+    EXPECT_EQ(converted.code, 0) << converted.err;
+    EXPECT_THAT(converted.out, HasSubstr("Proved: the surface of the collision geometry of 1 of 1 link lies inside its elements"));
+}
+
+TEST_F(CliSurface, NothingIsSaidWhereNothingIsMissing) {
+    const Outcome outcome = foam("spherize rod.urdf -n 4 -o full.json");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, Not(HasSubstr("missing")));
+    EXPECT_THAT(outcome.out, HasSubstr("Proved: the collision geometry of 1 of 1 link lies inside its spheres.\n"));
+    EXPECT_FALSE(json::parse(contents(path() / "full.json")).contains("covers"));
+    EXPECT_THAT(foam("certify rod.urdf full.json").out, HasSubstr("Certified (outer): the geometry lies inside the spheres"));
+}
+
+/// A model that was converted is judged, not measured.
+TEST_F(CliSurface, AConvertedModelHasItsVerdictAndNoFiguresOfZero) {
+    ASSERT_EQ(foam("spherize rod.urdf -n 4 -o full.csv").code, 0);
+    ASSERT_EQ(foam("convert full.csv rod.urdf -o full.json").code, 0);
+    const json proved = json::parse(contents(path() / "full.json"));
+    EXPECT_EQ(proved["certified"], true);
+    EXPECT_EQ(proved["guarantee"], "outer");
+    const json measures = proved["links"]["base"]["groups"][0]["measures"];
+    EXPECT_EQ(measures["certified"], true);
+    EXPECT_TRUE(measures["excess"].is_null());
+    ASSERT_EQ(shell("sed 's/,[0-9.]*$/,0.01/' full.csv >small.csv").code, 0);
+    ASSERT_EQ(foam("convert small.csv rod.urdf -o small.json").code, 0);
+    const json open = json::parse(contents(path() / "small.json"));
+    EXPECT_EQ(open["certified"], false);
+    EXPECT_EQ(open["guarantee"], "fitted");
 }
 
 class CliBatchAgain : public Cli {

@@ -119,6 +119,17 @@ TEST_F(PluginLoader, RefusesFilesThatEverybodyMayWrite) {
               "everybody may write to it, so anybody's code could run; remedy: chmod o-w " + file.string());
 }
 
+TEST_F(PluginLoader, RefusesFilesThatEverybodyMayReplace) {
+    const fs::path folder = folder_ / "open";
+    fs::create_directory(folder);
+    write("open/plugin.so", bytes_of(good));
+    fs::permissions(folder, fs::perms::others_write, fs::perm_options::add);
+    EXPECT_EQ(registry_.load(folder / "plugin.so").rejection,
+              "everybody may replace it in its folder, so anybody's code could run; remedy: chmod o-w " + folder.string());
+    fs::permissions(folder, fs::perms::sticky_bit, fs::perm_options::add); // as /tmp: only the owner may replace it
+    EXPECT_EQ(registry_.load(folder / "plugin.so").rejection, "");
+}
+
 TEST_F(PluginLoader, TakesAllStagesOrNone) {
     EXPECT_EQ(refusal("taken"),
               "stage 'repair.fixture' exists already, from plugin fixture_stages; remedy: give it another "

@@ -151,6 +151,14 @@ TEST(GroupStates, OfAnSrdf) {
     EXPECT_THAT(states[0].values, ElementsAre(Pair("elbow", 1.5)));
     EXPECT_TRUE(group_states("robot_cfg: {}\n", "a.yml").empty());
     EXPECT_TRUE(group_states("<mujoco/>", "a.xml").empty());
+    const std::vector<GroupState> keys = group_states(
+        "<mujoco><worldbody><body><freejoint/><body><joint name='a'/><body><joint name='c' type='slide'/></body></body>"
+        "<body><joint name='b'/></body></body></worldbody><keyframe><key name='home' qpos='0 0 1 1 0 0 0 .1 .2 .3'/>"
+        "<key name='short' qpos='0 0'/></keyframe></mujoco>",
+        "a.xml");
+    ASSERT_EQ(keys.size(), 1u) << "the numbers of the other are not those of the joints";
+    EXPECT_EQ(keys[0].name, "home");
+    EXPECT_EQ(keys[0].values, (JointValues{{"a", .1}, {"c", .2}, {"b", .3}}));
     EXPECT_THROW(group_states("<robot><group_state><joint name='a' value='x'/></group_state></robot>", "a"), Error);
 }
 

@@ -56,15 +56,16 @@ std::string number_or(const Json& value, int digits, double factor = 1) {
 
 std::string row_of(const std::string& id, const Json& result) {
     if (const auto error = result.find("error"); error != result.end()) {
-        return fmt::format("<tr><th scope=\"row\">{}</th><td class=\"why\" colspan=\"7\">{}</td></tr>\n",
+        return fmt::format("<tr><th scope=\"row\">{}</th><td class=\"why\" colspan=\"8\">{}</td></tr>\n",
                            markup_escaped(id), markup_escaped(error->at("reason").get<std::string>()));
     }
     const std::vector<Sphere> spheres = spheres_in(result);
     const Json& size = result.at("size_m");
     return fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
-                       "{}</tr>\n",
+                       "<td>{}</td>{}</tr>\n",
                        markup_escaped(id), thumbnail_svg(spheres), spheres.size(), result.at("triangles").dump(),
                        number_or(std::max({size.at(0), size.at(1), size.at(2)}), 4), number_or(result.at("excess"), 3),
+                       number_or(result.value("missing", Json()), 3),
                        number_or(result.at("protrusion_max_m"), 2, 1000),
                        result.at("certified").get<bool>() ? "<td class=\"yes\">yes</td>" : "<td class=\"no\">no</td>");
 }
@@ -93,7 +94,7 @@ void write_batch_page(const std::filesystem::path& folder) {
     html += reasons_table(status);
     html += fmt::format("<h2>Meshes</h2>\n<p>The first {} by id. Each picture fills its frame.</p>\n{}"
                         "<div class=\"wide\"><table class=\"sortable\"><thead><tr><th>id</th><th>spheres</th><th>number"
-                        "</th><th>triangles</th><th>longest edge m</th><th>excess</th><th>out max mm</th><th>certified"
+                        "</th><th>triangles</th><th>longest edge m</th><th>excess</th><th>missing</th><th>out max mm</th><th>certified"
                         "</th></tr></thead><tbody>\n",
                         std::min(status.meshes, most_rows), thumbnail_shading());
     for (const auto& [id, result] : first_results(plan)) {

@@ -44,4 +44,9 @@ inline Sphere moved(const Pose& pose, const Sphere& sphere) {
     return {pose * sphere.center, sphere.radius};
 }
 
+/// Returns whether elements of two links touch. O(n · m) in the elements near the other link.
+bool touch(const BallGroup& a, const Pose& pose_a, const BallGroup& b, const Pose& pose_b);
+/// Returns the same of those pairs of elements of which at least one is no sphere.
+bool others_touch(const BallGroup& a, const Pose& pose_a, const BallGroup& b, const Pose& pose_b);
+
 } // namespace foam::collision::self_collision

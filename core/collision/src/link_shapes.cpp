@@ -1,10 +1,42 @@
 #include "link_shapes.hpp"
 
-#include "ball_group.hpp"
-
+#include <foam/geometry/element_forms.hpp>
 #include <foam/robot/internal/chain.hpp>
 
 namespace foam::inline collision {
+
+namespace {
+
+/// Returns the primitives of a link; nothing if it has a mesh.
+std::optional<self_collision::BallGroup> primitives_of(const Solid& solid) {
+    std::vector<Sphere> spheres;
+    std::vector<Element> others;
+    for (const Solid::Part& part : solid.parts()) {
+        if (!part.primitive) {
+            return std::nullopt;
+        }
+        const Element element = element_of(*part.primitive, part.pose);
+        if (element.kind == Element::Kind::sphere) {
+            spheres.push_back({element.pose.translation, element.radius});
+        } else {
+            others.push_back(element);
+        }
+    }
+    return self_collision::BallGroup(ElementsView{spheres, others});
+}
+
+} // namespace
+
+LinkShapes::LinkShapes(const LinkSolids& solids) : solids_(solids), shapes_(solids.size()) {
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+        if (has(i)) {
+            shapes_[i].primitives = primitives_of(*solids[i]);
+            const Box& box = solids[i]->bounds();
+            shapes_[i].around =
+                shapes_[i].primitives ? shapes_[i].primitives->bound : Sphere{box.center(), box.diagonal() / 2};
+        }
+    }
+}
 
 std::vector<bool> LinkShapes::have_geometry() const {
     std::vector<bool> have(solids_.size());
@@ -14,17 +46,22 @@ std::vector<bool> LinkShapes::have_geometry() const {
     return have;
 }
 
-const ContactShape& LinkShapes::shape(std::size_t link) const {
-    std::call_once(made_[link], [&] { shapes_[link] = std::make_unique<ContactShape>(solids_[link]); });
-    return *shapes_[link];
+const ContactShape& LinkShapes::mesh(std::size_t link) const {
+    Shape& shape = shapes_[link];
+    std::call_once(shape.made, [&] { shape.mesh = std::make_unique<ContactShape>(solids_[link]); });
+    return *shape.mesh;
 }
 
 bool LinkShapes::touching(std::size_t first, std::size_t second, std::span<const Pose> poses) const {
-    if (!has(first) || !has(second)) {
+    using namespace self_collision;
+    if (!has(first) || !has(second) ||
+        !touch(moved(poses[first], shapes_[first].around), moved(poses[second], shapes_[second].around))) {
         return false;
     }
-    const ContactShape &a = shape(first), &b = shape(second);
-    using namespace self_collision;
+    if (shapes_[first].primitives && shapes_[second].primitives) {
+        return touch(*shapes_[first].primitives, poses[first], *shapes_[second].primitives, poses[second]);
+    }
+    const ContactShape &a = mesh(first), &b = mesh(second);
     return touch(moved(poses[first], a.bound()), moved(poses[second], b.bound())) &&
            a.touches(b, poses[first].inverse() * poses[second]);
 }

@@ -1,21 +1,23 @@
 // The original geometry of a robot's links, to be tested for contact.
 #pragma once
 
+#include "ball_group.hpp"
 #include "contact_shape.hpp"
 
 #include <foam/collision/self_collision.hpp>
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace foam::inline collision {
 
-/// The shape of each link, made when it is first needed. Thread-safe.
+/// The shape of each link, made when it is first needed: links that never come near another have none. Thread-safe.
 class LinkShapes {
 public:
-    explicit LinkShapes(const LinkSolids& solids) : solids_(solids), made_(solids.size()), shapes_(solids.size()) {}
+    explicit LinkShapes(const LinkSolids& solids);
 
     /// Returns whether the geometry of the link is known.
     bool has(std::size_t link) const { return link < solids_.size() && solids_[link]; }
@@ -24,11 +26,17 @@ public:
     bool touching(std::size_t first, std::size_t second, std::span<const Pose> poses) const;
 
 private:
-    const ContactShape& shape(std::size_t link) const;
+    using BallGroup = self_collision::BallGroup;
+    struct Shape {
+        Sphere around;                      ///< contains the geometry
+        std::optional<BallGroup> primitives; ///< all of the geometry, where there is no mesh
+        std::once_flag made;
+        std::unique_ptr<ContactShape> mesh; ///< once it is made
+    };
+    const ContactShape& mesh(std::size_t link) const;
 
     const LinkSolids& solids_;
-    mutable std::vector<std::once_flag> made_;
-    mutable std::vector<std::unique_ptr<ContactShape>> shapes_;
+    mutable std::vector<Shape> shapes_;
 };
 
 /// The shapes in one configuration; `touching` as PlacedLinks has it.

@@ -204,11 +204,9 @@ private:
             decide_by_geometry(*pair);
         }
         count_geometry(of_never, [](const LinkPair& pair) { return pair.geometry_touching > 0; });
-        for (LinkPair* pair : of_never) {
-            if (pair->geometry_touching > 0) {
-                pair->reason = PairReason::none;
-                pair->proved = false;
-            }
+        for (LinkPair* pair : of_never) { // a proof was of elements that may leave geometry out
+            pair->proved = pair->proved && pair->geometry_samples == 0;
+            pair->reason = pair->geometry_touching > 0 ? PairReason::none : pair->reason;
         }
     }
 
@@ -306,11 +304,15 @@ double SelfCollisionMatrix::rate_bound(std::size_t tested) const {
 }
 
 double SelfCollisionMatrix::joint_rate_bound() const {
-    const auto sampled = std::count_if(pairs.begin(), pairs.end(), [](const LinkPair& pair) {
-        return !pair.proved && pair.reason == PairReason::never;
-    });
-    const double each = (1 - confidence) / static_cast<double>(std::max<std::ptrdiff_t>(sampled, 1));
-    return -std::expm1(std::log(each) / static_cast<double>(samples));
+    std::size_t sampled = 0, least = samples;
+    for (const LinkPair& pair : pairs) {
+        if (!pair.proved && pair.reason == PairReason::never) {
+            ++sampled;
+            least = pair.geometry_samples > 0 ? std::min(least, pair.geometry_samples) : least;
+        }
+    }
+    const double each = (1 - confidence) / static_cast<double>(std::max<std::size_t>(sampled, 1));
+    return -std::expm1(std::log(each) / static_cast<double>(least));
 }
 
 std::size_t SelfCollisionMatrix::count(PairReason reason) const {

@@ -244,7 +244,12 @@ std::string sentence_about(const Kinematics& kinematics, const ReferenceConfigur
     for (const auto& [joint, value] : moved_joints(kinematics, reference.configuration)) {
         joints.push_back(fmt::format("{} {:.4g}", shown(joint), value));
     }
+    constexpr std::size_t most_named = 5;
     for (const auto& [a, b] : reference.touching) {
+        if (pairs.size() == most_named) {
+            pairs.push_back(fmt::format("{} more pairs", reference.touching.size() - most_named));
+            break;
+        }
         pairs.push_back(fmt::format("{} and {}", shown(kinematics.robot().links[a].name),
                                     shown(kinematics.robot().links[b].name)));
     }

@@ -1,7 +1,5 @@
 #include "sampling.hpp"
 
-#include <foam/collision/separation.hpp>
-
 #include <algorithm>
 
 namespace foam::inline collision::self_collision {
@@ -55,35 +53,7 @@ bool PlacedLinks::touching(std::size_t first, std::size_t second) {
     };
     const std::vector<Sphere>& others = spheres(first);
     return (!near_.empty() && std::any_of(others.begin(), others.end(), touches_near)) ||
-           touching_others(first, second);
-}
-
-bool PlacedLinks::touching_others(std::size_t first, std::size_t second) const {
-    const BallGroup &a = *groups_[first], &b = *groups_[second];
-    const auto meet = [&](const Element& e, const Sphere& bound_of_e, const Element& f, const Sphere& bound_of_f) {
-        return touch(moved(poses_[first], bound_of_e), moved(poses_[second], bound_of_f)) &&
-               separation(e, f, poses_[first], poses_[second]).low == 0;
-    };
-    for (const BoundedElement& f : b.others) {
-        for (const BoundedElement& e : a.others) {
-            if (meet(e.element, e.bound, f.element, f.bound)) {
-                return true;
-            }
-        }
-        for (const Sphere& e : a.spheres) {
-            if (meet(element_of(e), e, f.element, f.bound)) {
-                return true;
-            }
-        }
-    }
-    for (const BoundedElement& e : a.others) {
-        for (const Sphere& f : b.spheres) {
-            if (meet(e.element, e.bound, element_of(f), f)) {
-                return true;
-            }
-        }
-    }
-    return false;
+           others_touch(*groups_[first], poses_[first], *groups_[second], poses_[second]);
 }
 
 } // namespace foam::collision::self_collision

@@ -29,7 +29,6 @@ public:
 
 private:
     const std::vector<Sphere>& spheres(std::size_t link);
-    bool touching_others(std::size_t first, std::size_t second) const;
 
     const Kinematics& kinematics_;
     const Groups& groups_;

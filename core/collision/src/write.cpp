@@ -24,8 +24,8 @@ std::string yaml_quoted(const std::string& text) {
 
 std::string sentence_about(const LinkPair& pair, const Robot& robot) {
     return fmt::format("its elements and those of {} touch in every pose that was tested, the geometry of the two links "
-                       "in {} of {}: the pair is checked, and a planner refuses every pose; remedy: more elements for "
-                       "both links",
+                       "in {} of {}: the pair is checked, and a planner refuses every pose; remedy: self_collision: true "
+                       "in the recipe, which gives more elements of the budget to both links, or a larger budget",
                        shown(robot.links[pair.second].name), pair.geometry_touching, pair.geometry_samples);
 }
 

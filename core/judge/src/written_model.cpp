@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace foam::inline judge {
 namespace {
@@ -21,6 +22,27 @@ SphereFile in_single_precision(SphereFile file) {
         link.others = std::move(level.others);
     }
     return file;
+}
+
+Measures not_measured(const ElementsView& elements) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    return {.spheres = elements.size(),
+            .area = unknown,
+            .volume = unknown,
+            .covered = unknown,
+            .gap = unknown,
+            .excess = unknown,
+            .excess_error = unknown,
+            .missing = unknown,
+            .missing_error = unknown,
+            .exposed_area = unknown,
+            .protrusion_max = unknown,
+            .protrusion_mean = unknown,
+            .excess_volume = unknown,
+            .missing_volume = unknown,
+            .excess_volume_error = unknown,
+            .missing_volume_error = unknown,
+            .volume_error = unknown};
 }
 
 } // namespace
@@ -69,11 +91,13 @@ void require_links(const SphereFile& file, const Robot& robot) {
 SphereModel sphere_model_of(const SphereFile& file, std::shared_ptr<const Robot> robot) {
     SphereModel model;
     model.name = file.file.stem().string();
+    model.guarantee = Guarantee::fitted;
     model.robot = std::move(robot);
     for (const Link& link : model.robot->links) {
         for (const LinkSpheres& spheres : file.links) {
             if (spheres.link == link.name && !spheres.view().empty()) {
-                model.groups.push_back({link.name, {}, flat_approximation(spheres.spheres, spheres.others), {}});
+                model.groups.push_back({link.name, {}, flat_approximation(spheres.spheres, spheres.others),
+                                        not_measured(spheres.view())});
             }
         }
     }
@@ -83,23 +107,33 @@ SphereModel sphere_model_of(const SphereFile& file, std::shared_ptr<const Robot>
     return model;
 }
 
-std::string proof_statement(const Original& original, const SphereFile& file, bool float32) {
-    const auto count = [&](const SphereFile& spheres) {
-        const std::vector<LinkProof> proofs = prove(original, match(original, spheres), Guarantee::outer);
-        return static_cast<std::size_t>(
-            std::count_if(proofs.begin(), proofs.end(), [](const LinkProof& proof) { return proof.holds; }));
-    };
-    std::size_t proved = count(file);
-    proved = float32 ? std::min(proved, count(in_single_precision(file))) : proved;
-    const std::size_t all = original.links.size();
-    const bool spheres =
-        std::all_of(file.links.begin(), file.links.end(), [](const LinkSpheres& link) { return link.others.empty(); });
-    return fmt::format("{}: the collision geometry of {} of {} link{} lies inside {} {}{}",
-                       proved == all ? "proved"
-                       : proved > 0  ? "proved in part"
-                                     : "not proved",
-                       proved, all, all == 1 ? "" : "s", all == 1 ? "its" : "their", spheres ? "spheres" : "elements",
-                       float32 ? ", also in single precision" : "");
+static ProvedLinks verdict_on(const Original& original, const SphereFile& file, bool float32) {
+    const MatchedModel model = match(original, file);
+    std::vector<LinkProof> proofs = prove(original, model, Guarantee::outer);
+    if (float32) {
+        const std::vector<LinkProof> rounded =
+            prove(original, match(original, in_single_precision(file)), Guarantee::outer);
+        for (std::size_t i = 0; i < proofs.size(); ++i) {
+            proofs[i] = proofs[i].holds ? rounded[i] : proofs[i];
+        }
+    }
+    ProvedLinks verdict = proved_links(original, model, proofs, Guarantee::outer);
+    verdict.float32 = float32;
+    return verdict;
+}
+
+std::string give_verdict(SphereModel& model, const Original* original, const SphereFile& file, bool float32) {
+    if (!original) {
+        return "nothing is proved without the robot's original geometry";
+    }
+    model.verdict = verdict_on(*original, file, float32);
+    for (SphereGroup& group : model.groups) {
+        const auto& open = model.verdict.left_out;
+        group.measures.certified = std::none_of(
+            open.begin(), open.end(), [&](const ProvedLinks::LeftOut& link) { return link.link == group.link; });
+    }
+    model.guarantee = model.verdict.all() ? Guarantee::outer : Guarantee::fitted;
+    return statement_of(model.verdict);
 }
 
 static LinkSolids solids_of(const SphereModel& model) {

@@ -273,7 +273,7 @@ Json top_level(const Registry& registry) {
     p["budget"]["properties"]["costs"]["description"] = "Costs of checking an element in a consumer, by kind.";
     p["self_collision"] = {
         {"description", "Prevent overlaps between the spheres of links that are not neighbours in a reference pose, "
-                        "unless their geometry touches: such links get more spheres; true: all joints at zero."},
+                        "unless their geometry touches: such links get more spheres; true: the reference pose that foam finds."},
         {"anyOf", Json::array({{{"type", "boolean"}},
                                object({{"pose",
                                         {{"description", "Joint values of that pose, rad or m; joints not named are at "

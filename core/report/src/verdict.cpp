@@ -32,6 +32,12 @@ static ProvedLinks proved_links(const Report& report) {
     const std::vector<std::string>& words = words_of_covered_geometry();
     links.geometry = static_cast<CoveredGeometry>(
         std::find(words.begin(), words.end(), proof["geometry"].get<std::string>()) - words.begin());
+    links.missing = proof["missing"].get<double>();
+    const Json& reported = report.manifest["links"];
+    links.elements = std::any_of(reported.begin(), reported.end(), [](const Json& link) { return link.contains("kinds"); })
+                         ? "elements"
+                         : "spheres";
+    links.float32 = report.manifest["settings"].value("numbers", "") == "float32";
     for (const Json& link : proof["left_out"]) {
         links.left_out.push_back({link["link"].get<std::string>(), link["reason"].get<std::string>()});
     }
@@ -43,14 +49,10 @@ std::string covered_geometry(const Report& report) {
 }
 
 std::string verdict(const Report& report) {
-    const std::string guarantee = guarantee_of(report);
-    if (guarantee == "fitted") {
+    if (guarantee_of(report) == "fitted") {
         return "No guarantee was asked for: the figures say how well the spheres fit.";
     }
-    const Json& links = report.manifest["links"];
-    const bool others =
-        std::any_of(links.begin(), links.end(), [](const Json& link) { return link.contains("kinds"); });
-    std::string text = verdict_of(proved_links(report), others ? "elements" : "spheres");
+    std::string text = verdict_of(proved_links(report));
     text.erase(text.find_last_not_of('\n') + 1);
     return as_lines(text);
 }

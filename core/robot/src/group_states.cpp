@@ -23,6 +23,56 @@ void add_position(const xml::Element& joint, const std::string& file, JointValue
     }
 }
 
+/// A joint of an MJCF and how many numbers of qpos it takes.
+struct Coordinate {
+    std::string joint;
+    std::size_t numbers = 1;
+};
+
+/// Adds the joints of a body and of those below it, in the order of qpos: depth first, as they stand.
+void add_coordinates(const xml::Element& body, std::vector<Coordinate>& coordinates) {
+    for (const auto& child : body.children) {
+        if (child->name == "freejoint") {
+            coordinates.push_back({"", 7});
+        } else if (child->name == "joint") {
+            const std::string *name = child->attribute("name"), *type = child->attribute("type");
+            coordinates.push_back({name ? *name : "", !type ? std::size_t{1} : *type == "free" ? 7u : *type == "ball" ? 4u : 1u});
+        }
+    }
+    for (const xml::Element* child : body.children_named("body")) {
+        add_coordinates(*child, coordinates);
+    }
+}
+
+/// Returns the keyframes of an MJCF: <key qpos="...">. One whose numbers are not those of the joints is left out, as is
+/// any file whose joints stand in other files.
+std::vector<GroupState> keyframes(const xml::Element& mujoco) {
+    std::vector<Coordinate> coordinates;
+    for (const xml::Element* world : mujoco.children_named("worldbody")) {
+        add_coordinates(*world, coordinates);
+    }
+    std::vector<GroupState> poses;
+    for (const xml::Element* keys : mujoco.children_named("keyframe")) {
+        for (const xml::Element* key : keys->children_named("key")) {
+            const std::string *name = key->attribute("name"), *qpos = key->attribute("qpos");
+            GroupState pose{name ? *name : "", {}};
+            const std::vector<std::string_view> numbers = qpos ? words(*qpos) : std::vector<std::string_view>{};
+            std::size_t at = 0;
+            for (const auto& [joint, count] : coordinates) {
+                const auto value = at < numbers.size() ? parse_number(numbers[at]) : std::nullopt;
+                if (value && count == 1 && !joint.empty()) {
+                    pose.values[joint] = *value;
+                }
+                at += count;
+            }
+            if (at == numbers.size() && at > 0) {
+                poses.push_back(std::move(pose));
+            }
+        }
+    }
+    return poses;
+}
+
 } // namespace
 
 std::vector<GroupState> group_states(const std::string& text, const std::string& file) {
@@ -33,7 +83,7 @@ std::vector<GroupState> group_states(const std::string& text, const std::string&
     const auto root = xml::parse(text, file, ErrorCode::input);
     std::vector<GroupState> poses;
     if (root->name != "robot") {
-        return poses;
+        return root->name == "mujoco" ? keyframes(*root) : poses;
     }
     for (const xml::Element* state : root->children_named("group_state")) {
         const std::string* name = state->attribute("name");

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace foam::inline robot {
 namespace {
@@ -34,6 +35,39 @@ std::string only_text(const std::vector<std::string>& links, const char* geometr
                                        names.size() == 1 ? " has" : "s have", geometry, named(names));
 }
 
+std::string with_capital(std::string text) {
+    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    return text;
+}
+
+/// Returns what is proved, without its scope in volume.
+std::string clause_of(const ProvedLinks& links) {
+    const bool outer = links.guarantee == Guarantee::outer;
+    if (links.proved == 0) {
+        return outer ? fmt::format("not proved: the geometry may extend beyond the {}", links.elements)
+                     : fmt::format("not proved: the {} may extend beyond the geometry", links.elements);
+    }
+    const char* proved = links.all() ? "proved" : "proved in part";
+    const std::string count = links_text(links.proved, links.with_geometry);
+    const char* whose = links.with_geometry == 1 ? "its" : "their";
+    const char* precision = links.float32 ? ", also in single precision" : "";
+    return outer ? fmt::format("{}: the {} of {} lies inside {} {}{}", proved, covered_part(links), count, whose,
+                               links.elements, precision)
+                 : fmt::format("{}: the {} of {} lie inside {} {}{}", proved, links.elements, count, whose,
+                               to_string(links.geometry), precision);
+}
+
+/// Returns "not part of the proof: a (skip in the recipe), b (...)"; empty if no link is left out.
+std::string left_out_text(const ProvedLinks& links) {
+    std::vector<std::string> names;
+    for (const ProvedLinks::LeftOut& link : links.left_out) {
+        names.push_back(fmt::format("{} ({})", shown(link.link), shown(link.reason)));
+    }
+    return names.empty() ? ""
+                         : fmt::format("{}: {}", links.guarantee == Guarantee::fitted ? "left out" : "not part of the proof",
+                                       named(names));
+}
+
 } // namespace
 
 std::vector<std::string> visual_only_links(const Robot& robot) {
@@ -46,33 +80,38 @@ std::vector<std::string> visual_only_links(const Robot& robot) {
     return names;
 }
 
-std::string verdict_of(const ProvedLinks& links, std::string_view elements) {
-    const bool outer = links.guarantee == Guarantee::outer;
+std::string covered_part(const ProvedLinks& links) {
+    return fmt::format("{}{}", links.missing > 0 ? "surface of the " : "", to_string(links.geometry));
+}
+
+std::string missing_text(const ProvedLinks& links) {
+    const double percent = 100 * links.missing;
+    return links.missing > 0 ? fmt::format("{} of the volume lies outside all {}",
+                                           percent < 0.01 ? "less than 0.01 %" : fmt::format("{:.2g} %", percent),
+                                           links.elements)
+                             : "";
+}
+
+std::string verdict_of(const ProvedLinks& links) {
     if (links.guarantee == Guarantee::fitted) {
         return "";
     }
-    if (links.proved == 0) {
-        return outer ? fmt::format("Not proved: the geometry may extend beyond the {}.\n", elements)
-                     : fmt::format("Not proved: the {} may extend beyond the geometry.\n", elements);
+    const std::string missing = missing_text(links);
+    return fmt::format("{}.\n{}{}", with_capital(clause_of(links)), missing, missing.empty() ? "" : ".\n");
+}
+
+std::string statement_of(const ProvedLinks& links) {
+    std::string text =
+        links.guarantee == Guarantee::fitted ? "nothing is proved (guarantee: fitted)" : clause_of(links);
+    for (const std::string& more : {missing_text(links), left_out_text(links)}) {
+        text += more.empty() ? "" : "; " + more;
     }
-    const std::string count = links_text(links.proved, links.with_geometry);
-    const char* whose = links.with_geometry == 1 ? "its" : "their";
-    const char* geometry = to_string(links.geometry);
-    return outer ? fmt::format("Proved: the {} of {} lies inside {} {}.\n", geometry, count, whose, elements)
-                 : fmt::format("Proved: the {} of {} lie inside {} {}.\n", elements, count, whose, geometry);
+    return text;
 }
 
 std::string omissions_of(const ProvedLinks& links) {
-    std::string text;
-    if (!links.left_out.empty()) {
-        std::vector<std::string> names;
-        for (const ProvedLinks::LeftOut& link : links.left_out) {
-            names.push_back(fmt::format("{} ({})", shown(link.link), shown(link.reason)));
-        }
-        text += fmt::format("{}: {}.\n", links.guarantee == Guarantee::fitted ? "Left out" : "Not part of the proof",
-                            named(names));
-    }
-    return text + only_text(links.visual_only, "visual") + only_text(links.collision_only, "collision");
+    const std::string left_out = left_out_text(links);
+    return (left_out.empty() ? "" : with_capital(left_out) + ".\n") + only_text(links.visual_only, "visual") + only_text(links.collision_only, "collision");
 }
 
 } // namespace foam::inline robot

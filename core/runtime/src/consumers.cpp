@@ -1,14 +1,11 @@
 #include "consumers.hpp"
 
-#include <foam/base/text.hpp>
 #include <foam/collision/self_collision.hpp>
 #include <foam/recipe/recipe.hpp>
 #include <foam/runtime/version.hpp>
 #include <foam/sdk/kinds.hpp>
-#include <foam/sdk/uncovered.hpp>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -58,42 +55,20 @@ std::vector<IgnoredPair> pairs_of(const Workspace& workspace, const FinishedMode
     return ignored_pairs(*finished.model.robot, matrix);
 }
 
-std::string provenance(const Workspace& workspace, const Input& input, const FinishedModel& finished) {
+std::string provenance(const Input& input, const FinishedModel& finished, const ProvedLinks& proved) {
     KindCounts kinds{};
-    std::size_t proved = 0;
     for (const FinishedLink& link : finished.links) {
         kinds = sum_of(kinds, kinds_of(link.elements.view()));
-        proved += link.work->report.measures.certified ? 1 : 0;
     }
-    const Guarantee guarantee = workspace.recipe.guarantee;
-    const std::string geometry = to_string(workspace.recipe.cover.value_or(CoveredGeometry::collision));
-    const std::string promise =
-        guarantee == Guarantee::outer
-            ? fmt::format("{} lies inside the {}", geometry, spheres_alone(kinds) ? "spheres" : "elements")
-            : "spheres lie inside the " + geometry;
-    std::vector<std::string> uncovered;
-    for (const std::string& link : uncovered_links(finished.model)) {
-        uncovered.push_back(shown(link));
-    }
-    const std::size_t all = finished.links.size() + uncovered.size();
-    const std::string proof = guarantee == Guarantee::fitted
-                                  ? "nothing is proved (guarantee: fitted)"
-                                  : fmt::format("{}: the {} of {} of {} link{}{}",
-                                                proved == all ? "proved" : proved > 0 ? "proved in part" : "not proved",
-                                                promise, proved, all, all == 1 ? "" : "s",
-                                                workspace.recipe.proved_numbers(workspace.registry) == Numbers::float32
-                                                    ? ", also in single precision"
-                                                    : "");
-    return fmt::format("foam {}; {} ({}); {}; {}{}", version(), input.file.filename().string(), input.digest,
-                       counts_text(kinds), proof,
-                       uncovered.empty() ? ""
-                                         : fmt::format("; without elements: {}", fmt::join(uncovered, ", ")));
+    return fmt::format("foam {}; {} ({}); {}; {}", version(), input.file.filename().string(), input.digest,
+                       counts_text(kinds), statement_of(proved));
 }
 
 } // namespace
 
 void complete_model(const Workspace& workspace, const Input& input,
-                    const std::optional<ReferenceConfiguration>& reference, FinishedModel& finished) {
+                    const std::optional<ReferenceConfiguration>& reference, const ProvedLinks& proved,
+                    FinishedModel& finished) {
     finished.model.facts = workspace.recipe.facts;
     if (reference && finished.model.facts.default_pose.empty()) {
         finished.model.facts.default_pose = moved_joints(Kinematics(finished.model.robot), reference->configuration);
@@ -103,7 +78,8 @@ void complete_model(const Workspace& workspace, const Input& input,
             finished.model.without_collision.push_back(link.name);
         }
     }
-    finished.model.provenance = provenance(workspace, input, finished);
+    finished.model.verdict = proved;
+    finished.model.provenance = provenance(input, finished, proved);
     for (const FinishedLink& link : finished.links) {
         finished.model.geometry[link.work->link->name] = link.solid;
     }

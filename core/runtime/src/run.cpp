@@ -14,6 +14,7 @@
 #include <foam/runtime/internal/debug.hpp>
 #include <foam/runtime/internal/input.hpp>
 #include <foam/runtime/run.hpp>
+#include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -23,7 +24,8 @@
 namespace foam::inline runtime {
 namespace {
 
-/// Returns the links for which the guarantee is proved. A link without spheres is left out.
+/// Returns the verdict: the links for which the guarantee is proved. A link without elements is left out. Every file
+/// that is written has these links, or is not written.
 ProvedLinks proved_links(const Workspace& workspace, const Input& input, const std::vector<LinkWork>& links) {
     ProvedLinks proved;
     proved.guarantee = workspace.recipe.guarantee;
@@ -31,18 +33,25 @@ ProvedLinks proved_links(const Workspace& workspace, const Input& input, const s
     proved.with_geometry = links.size();
     proved.visual_only = visual_only_links(*input.robot);
     proved.collision_only = input.collision_only;
+    proved.float32 = workspace.recipe.proved_numbers(workspace.registry) == Numbers::float32;
+    std::vector<Measures> measured;
     for (const LinkWork& link : links) {
         const LinkReport& report = link.report;
         if (report.skipped || !report.error.empty()) {
             proved.left_out.push_back({report.link, link.recipe.no_collision ? "collision: none in the recipe"
                                                     : report.skipped         ? "skip in the recipe"
                                                                              : "on_error: skip"});
-        } else if (report.measures.certified) {
+            continue;
+        }
+        measured.push_back(report.measures);
+        proved.elements = spheres_alone(report.kinds) ? proved.elements : "elements";
+        if (report.measures.certified) {
             ++proved.proved;
         } else if (proved.guarantee != Guarantee::fitted) {
             proved.left_out.push_back({report.link, "the proof does not hold"});
         }
     }
+    proved.missing = proved.guarantee == Guarantee::outer ? total(measured).missing : 0;
     return proved;
 }
 
@@ -222,7 +231,9 @@ RunResult run_in(const Workspace& preparing, std::optional<RunDirectory>& direct
 
     tell_loose_links(workspace, finished);
     tell_hollow_links(workspace, finished);
-    complete_model(workspace, input, reference, finished);
+    result.proved = proved_links(workspace, input, links);
+    result.certified = result.proved.all();
+    complete_model(workspace, input, reference, result.proved, finished);
     Snapshots pictures;
     if (directory) {
         pictures = write_model(workspace, finished, *directory, files, result);
@@ -231,8 +242,6 @@ RunResult run_in(const Workspace& preparing, std::optional<RunDirectory>& direct
         journal.begin("visual geometry");
         measure_visual_gaps(workspace, finished, links);
     }
-    result.proved = proved_links(workspace, input, links);
-    result.certified = result.proved.all();
     fill_result(result, journal, links);
     journal.begin("record");
     if (directory) {

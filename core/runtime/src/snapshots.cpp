@@ -74,9 +74,10 @@ Figure link_figure(const Recipe& recipe, const FinishedLink& link) {
     const std::string gap = fmt::format("gap {:.1f} mm", 1000 * m.gap);
     figure.title = fmt::format("{}: {}, {} {:.2f}, {}", link.work->link->name, counts_text(kinds_of(link.elements.view())),
                                inner ? "missing" : "excess", inner ? m.missing : m.excess,
-                               !m.certified ? gap
-                               : inner      ? "proved inside"
-                                            : "cover proved");
+                               !m.certified    ? gap
+                               : inner         ? "proved inside"
+                               : m.missing > 0 ? "cover of the surface proved"
+                                               : "cover proved");
     Panel panel;
     panel.meshes.push_back({shared_mesh(*link.work, 0), Pose{}, true});
     add_elements(panel, link.elements.view(), {});

@@ -1,5 +1,6 @@
 #include "unfinished_slots.hpp"
 
+#include <foam/runtime/cache.hpp>
 #include <foam/runtime/internal/unfinished.hpp>
 
 #include <fcntl.h>
@@ -64,7 +65,8 @@ void UnfinishedFolder::finish() {
     fs::remove(mark_, ignored);
 }
 
-void remove_abandoned_folders(const fs::path& parent) {
+std::size_t remove_abandoned_folders(const fs::path& parent) {
+    std::size_t removed = 0;
     std::error_code error;
     std::vector<fs::path> candidates;
     for (fs::directory_iterator it(parent, error), end; !error && it != end; it.increment(error)) {
@@ -75,9 +77,20 @@ void remove_abandoned_folders(const fs::path& parent) {
     for (const fs::path& folder : candidates) {
         if (const int lock = locked(folder / unfinished_mark, 0); lock >= 0) {
             fs::remove_all(folder, error);
+            removed += error ? 0 : 1;
             close(lock);
         }
     }
+    return removed;
+}
+
+std::size_t remove_leftovers(const std::vector<fs::path>& folders) {
+    std::error_code none; // where there is no such folder, there is nothing to remove
+    std::size_t removed = remove_abandoned_folders(fs::temp_directory_path(none));
+    for (const fs::path& folder : folders) {
+        removed += remove_abandoned_folders(folder);
+    }
+    return removed;
 }
 
 } // namespace foam::inline runtime

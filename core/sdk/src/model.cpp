@@ -137,9 +137,7 @@ std::vector<std::string> uncovered_links(const SphereModel& model) {
         return links;
     }
     for (const Link& link : model.robot->links) {
-        const auto& none = model.without_collision;
-        if (!link.collisions.empty() && !has_elements(link) &&
-            std::find(none.begin(), none.end(), link.name) == none.end()) {
+        if (!link.collisions.empty() && !has_elements(link)) {
             links.push_back(link.name);
         }
     }

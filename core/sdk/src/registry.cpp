@@ -65,6 +65,12 @@ std::string writable_by_others(const fs::path& file) {
         return fmt::format("everybody may write to it, so anybody's code could run; remedy: chmod o-w {}",
                            file.string());
     }
+    // Where the sticky bit is set, as in /tmp, only its owner may replace a file.
+    const fs::path folder = fs::absolute(file).parent_path();
+    if (stat(folder.c_str(), &status) == 0 && (status.st_mode & S_IWOTH) && !(status.st_mode & S_ISVTX)) {
+        return fmt::format("everybody may replace it in its folder, so anybody's code could run; remedy: chmod o-w {}",
+                           folder.string());
+    }
     return "";
 }
 

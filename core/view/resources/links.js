@@ -65,16 +65,16 @@ class LinkPanel {
       line.className = "quiet";
       line.textContent = "Not judged yet: proving …";
     } else {
-      const open = judged.filter(([v]) => !v.holds);
+      const open = judged.filter(([v]) => !v.holds), hollow = judged.some(([v]) => v.missing > 0);
       line.className = open.length === 0 ? "yes" : "no";
-      line.textContent = open.length === 0 ? `Proved: the spheres cover ${judged.length === 1 ? "the link"
-        : `all ${judged.length} links`}.` : `The spheres do not cover ${open.length} of ${counted(judged.length, "link")}.`;
+      line.textContent = open.length === 0 ? `Proved: the spheres cover ${hollow ? "the surface of " : ""}${
+        judged.length === 1 ? "the link" : `all ${judged.length} links`}.` : `The spheres do not cover ${open.length} of ${counted(judged.length, "link")}.`;
     }
   }
 }
 
 /// "covered, excess 0.42, protrusion 12.3 mm".
-const verdictText = ({ holds, gap, excess, protrusion }) => [
-  holds ? "proved to be covered" : gap === null ? "no spheres" : `not covered: the link extends beyond them by ${millimetres(gap)}`,
-  excess === null ? "" : `excess ${excess.toFixed(2)}`, protrusion === null ? "" : `protrusion ${millimetres(protrusion)}`]
+const verdictText = ({ holds, gap, excess, protrusion, missing }) => [
+  holds ? `${missing > 0 ? "its surface is " : ""}proved to be covered` : gap === null ? "no spheres" : `not covered: the link extends beyond them by ${millimetres(gap)}`,
+  excess === null ? "" : `excess ${excess.toFixed(2)}`, missing > 0 ? `missing ${missing.toPrecision(2)}` : "", protrusion === null ? "" : `protrusion ${millimetres(protrusion)}`]
   .filter((part) => part).join(", ");

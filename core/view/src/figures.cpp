@@ -27,7 +27,8 @@ LinkVerdict verdict_of(const Solid& solid, const std::vector<Sphere>& spheres) {
             .witness = certificate.witness,
             .gap = measures.gap,
             .excess = measures.excess,
-            .protrusion = measures.protrusion_max};
+            .protrusion = measures.protrusion_max,
+            .missing = measures.missing};
 }
 
 LinkVerdicts verdicts_of(const ViewedRobot& robot, const Original& original,

@@ -32,15 +32,15 @@ SphereFile file_of(const ViewedRobot& robot, const ModelState& state) {
 }
 
 SphereModel model_of(const ViewedRobot& robot, const Original* original, const RegisteredStage& writer,
-                     const SphereFile& file, const std::string& proof, const std::atomic<bool>& cancel) {
+                     const SphereFile& file, std::string& statement, const std::atomic<bool>& cancel) {
     SphereModel model = sphere_model_of(file, robot.robot);
-    model.guarantee = Guarantee::fitted; // of spheres of the user nothing is promised beyond the statement
+    statement = give_verdict(model, original, file, writer.info.consumer.float32);
     if (original) {
         for (const OriginalLink& link : original->links) {
             model.geometry[link.link] = link.solid;
         }
     }
-    model.provenance = fmt::format("foam {}, edited in foam view; {}", version(), proof);
+    model.provenance = fmt::format("foam {}, edited in foam view; {}", version(), statement);
     if (writer.info.consumer.rest_pose && robot.kinematics) {
         give_rest_pose(model);
     }
@@ -109,8 +109,6 @@ Saved save_model(const ViewedRobot& robot, const Original* original, const Regis
     const auto writer = registry.make<Writer>(stage.info.name);
     const SphereFile file = file_of(robot, state);
     Saved saved;
-    saved.statement = original ? proof_statement(*original, file, stage.info.consumer.float32)
-                               : "nothing is proved without the robot's original geometry";
     const SphereModel model = model_of(robot, original, stage, file, saved.statement, cancel);
     QuietContext context;
     const std::vector<WrittenFile> files = written_files(*writer, stage.info, model, target, context);

@@ -1,14 +1,23 @@
 // What the proofs of single links say of the robot.
+#include <foam/geometry/element_measure.hpp>
 #include <foam/judge/evaluate.hpp>
 
-namespace foam::inline judge {
+#include <algorithm>
 
-ProvedLinks proved_links(const Original& original, const std::vector<bool>& proved, Guarantee guarantee) {
+namespace foam::inline judge {
+namespace {
+
+/// Returns the verdict without volumes. `proved`: of each link of the original.
+ProvedLinks verdict_on(const Original& original, const MatchedModel& model, const std::vector<bool>& proved,
+                       Guarantee guarantee) {
     ProvedLinks links;
     links.guarantee = guarantee;
     links.geometry = original.geometry;
     links.visual_only = visual_only_links(*original.robot);
     links.collision_only = original.collision_only;
+    const auto has_others = [](const std::vector<Element>& others) { return !others.empty(); };
+    links.elements =
+        std::any_of(model.others.begin(), model.others.end(), has_others) ? "elements" : std::move(links.elements);
     std::size_t next = 0; // of those that are judged, in the robot's order
     for (const Link& link : original.robot->links) {
         if (link.collisions.empty()) {
@@ -26,12 +35,39 @@ ProvedLinks proved_links(const Original& original, const std::vector<bool>& prov
     return links;
 }
 
-std::vector<bool> certified_links(const Evaluation& evaluation) {
-    std::vector<bool> certified;
-    for (const Figures& figures : evaluation.links) {
-        certified.push_back(figures.measures.certified);
+/// Returns the share of the volume of the links with elements that lies outside their elements.
+double missing_share(const Original& original, const MatchedModel& model) {
+    double missing = 0, volume = 0;
+    for (std::size_t i = 0; i < original.links.size(); ++i) {
+        if (!model.of(i).empty()) {
+            missing += missing_volume(*original.links[i].solid, model.of(i));
+            volume += original.links[i].solid->volume();
+        }
     }
-    return certified;
+    return volume > 0 ? missing / volume : 0;
+}
+
+} // namespace
+
+ProvedLinks proved_links(const Original& original, const MatchedModel& model, const std::vector<LinkProof>& proofs,
+                         Guarantee guarantee) {
+    std::vector<bool> proved;
+    for (const LinkProof& proof : proofs) {
+        proved.push_back(proof.holds);
+    }
+    ProvedLinks links = verdict_on(original, model, proved, guarantee);
+    links.missing = guarantee == Guarantee::outer && links.proved > 0 ? missing_share(original, model) : 0;
+    return links;
+}
+
+ProvedLinks proved_links(const Original& original, const MatchedModel& model, const Evaluation& evaluation) {
+    std::vector<bool> proved;
+    for (const Figures& figures : evaluation.links) {
+        proved.push_back(figures.measures.certified);
+    }
+    ProvedLinks links = verdict_on(original, model, proved, Guarantee::outer);
+    links.missing = evaluation.with_spheres.measures.missing;
+    return links;
 }
 
 } // namespace foam::inline judge

@@ -118,10 +118,11 @@ std::vector<LinkProof> prove(const Original& original, const MatchedModel& model
 
 /// The reason in ProvedLinks for a link whose proof does not hold.
 inline constexpr const char* proof_fails = "the proof does not hold";
-/// Returns what is proved of the original's robot. `proved`: of each link of the original.
-ProvedLinks proved_links(const Original& original, const std::vector<bool>& proved, Guarantee guarantee);
-/// Returns, for each link of the original, whether it is proved to be covered.
-std::vector<bool> certified_links(const Evaluation& evaluation);
+/// Returns the verdict on a model. `proved`: of each link of the original.
+ProvedLinks proved_links(const Original& original, const MatchedModel& model, const std::vector<LinkProof>& proofs,
+                         Guarantee guarantee);
+/// Returns the verdict of an evaluation: of Guarantee::outer.
+ProvedLinks proved_links(const Original& original, const MatchedModel& model, const Evaluation& evaluation);
 
 } // namespace judge
 } // namespace foam

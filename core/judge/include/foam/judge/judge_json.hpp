@@ -34,7 +34,7 @@ Json json_of_evaluation(const Original& original, const MatchedModel& model, con
     Json json{{"model", model.file.file.string()},
               {"model_format", model.file.format},
               {"notes", model.notes},
-              {"proof", json_of_proof<Json>(proved_links(original, certified_links(evaluation), Guarantee::outer))},
+              {"proof", json_of_proof<Json>(proved_links(original, model, evaluation))},
               {"total", json_of_figures<Json>(evaluation.total)},
               {"with_spheres", json_of_figures<Json>(evaluation.with_spheres)},
               {"links", Json::array()}};

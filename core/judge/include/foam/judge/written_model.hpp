@@ -22,12 +22,12 @@ std::shared_ptr<const Robot> links_alone(const SphereFile& file);
 void name_only_link(SphereFile& file, const Original* original);
 /// Throws Error(input) for a link of the file that the robot does not have.
 void require_links(const SphereFile& file, const Robot& robot);
-/// Returns the file's spheres as the input of writers, in the order of the robot's links. Throws Error(input) if there
-/// are none.
+/// Returns the file's spheres as the input of writers, in the order of the robot's links; nothing is measured or proved
+/// of them. Throws Error(input) if there are none.
 SphereModel sphere_model_of(const SphereFile& file, std::shared_ptr<const Robot> robot);
-/// Returns a sentence: for how many links the geometry is proved to lie inside the spheres. `float32`: also for the
-/// numbers in single precision.
-std::string proof_statement(const Original& original, const SphereFile& file, bool float32);
+/// Gives the model of a file its verdict: what is proved of the file's elements beside the original. `float32`: a link
+/// is proved only if its numbers in single precision are, too. Returns the verdict as a sentence without a period.
+std::string give_verdict(SphereModel& model, const Original* original, const SphereFile& file, bool float32);
 /// Returns the pairs of links that need no collision check, of the model's elements and the original geometry in
 /// SphereModel::geometry.
 std::vector<IgnoredPair> ignored_pairs_of(const SphereModel& model, const std::atomic<bool>* cancel);

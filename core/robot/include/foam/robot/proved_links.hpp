@@ -1,4 +1,4 @@
-// The scope of a proof: the links of a robot that are proved, and those that are not.
+// The verdict on a model: the links of a robot that are proved, those that are not, and what of them.
 #pragma once
 
 #include <foam/geometry/sphere.hpp>
@@ -6,7 +6,6 @@
 #include <foam/robot/robot.hpp>
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace foam {
@@ -24,6 +23,11 @@ struct ProvedLinks {
     std::vector<LeftOut> left_out;        ///< in the robot's order
     std::vector<std::string> visual_only; ///< links with visual geometry only: they have no spheres
     std::vector<std::string> collision_only; ///< the same where only visual geometry is covered
+    std::string elements = "spheres"; ///< what encloses the geometry; "elements" where they are not all spheres
+    bool float32 = false;             ///< proved also for the numbers in single precision
+    /// Guarantee::outer proves that the surface is covered. This is the share of the volume of the links with elements
+    /// that lies outside all elements, as measured.
+    double missing = 0;
 
     /// Returns whether every link with geometry to be covered is proved.
     bool all() const { return proved > 0 && proved == with_geometry; }
@@ -32,9 +36,17 @@ struct ProvedLinks {
 /// Returns the names of the links that have visual geometry and no collision geometry.
 std::vector<std::string> visual_only_links(const Robot& robot);
 
-/// Returns the sentence about the proof, and a line end; empty for Guarantee::fitted, for which there is no proof.
-/// `elements`: what encloses the geometry, "elements" where they are not all spheres.
-std::string verdict_of(const ProvedLinks& links, std::string_view elements = "spheres");
+/// Returns sentences about the proof, each on a line; empty for Guarantee::fitted, for which there is no proof. They say
+/// "surface" where some of the volume is missing.
+std::string verdict_of(const ProvedLinks& links);
+/// Returns the same in one line for comments in files, with the links that are left out: "proved: the collision
+/// geometry of 2 of 2 links lies inside their spheres".
+std::string statement_of(const ProvedLinks& links);
+/// Returns what the guarantee is of: "collision geometry", or "surface of the collision geometry" where some of its
+/// volume is missing.
+std::string covered_part(const ProvedLinks& links);
+/// Returns "67 % of the volume lies outside all elements"; empty where nothing is missing.
+std::string missing_text(const ProvedLinks& links);
 /// Returns sentences about the links that are left out or have visual geometry only, each on a line. Names are fit for
 /// a terminal; if there are many, only the first are named.
 std::string omissions_of(const ProvedLinks& links);
@@ -44,6 +56,8 @@ template <class Json> Json json_of_proof(const ProvedLinks& links) {
     Json json{{"geometry", words_of_covered_geometry()[static_cast<std::size_t>(links.geometry)]},
               {"links_with_geometry", links.with_geometry},
               {"links_proved", links.proved},
+              {"statement", statement_of(links)},
+              {"missing", links.missing},
               {"left_out", Json::array()},
               {"visual_only", Json(links.visual_only)},
               {"collision_only", Json(links.collision_only)}};

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <vector>
 
 namespace foam {
 inline namespace [[gnu::visibility("default")]] runtime {
@@ -26,6 +27,10 @@ CacheContents cache_contents(const std::filesystem::path& folder);
 /// Deletes entries until at most `bytes` remain, the least recently used first. Returns what it deleted. Runs may use
 /// the cache meanwhile. O(n log n).
 CacheContents trim_cache(const std::filesystem::path& folder, std::uintmax_t bytes);
+
+/// Removes the unfinished folders that killed runs of this user left in the folder for temporary files and in `folders`;
+/// those of running ones stay. Returns how many it removed.
+std::size_t remove_leftovers(const std::vector<std::filesystem::path>& folders);
 
 } // namespace runtime
 } // namespace foam

@@ -4,6 +4,7 @@
 #include <foam/geometry/measure.hpp>
 #include <foam/geometry/sphere.hpp>
 #include <foam/robot/facts.hpp>
+#include <foam/robot/proved_links.hpp>
 #include <foam/robot/robot.hpp>
 
 #include <filesystem>
@@ -53,6 +54,8 @@ struct SphereModel {
     /// Original geometry of links, by their names, in their frames: for masses. Links whose geometry is not known are
     /// left out.
     std::map<std::string, std::shared_ptr<const Solid>> geometry{};
+    /// What is proved of the model; of no link where that is not known.
+    ProvedLinks verdict{};
 };
 
 /// The elements of one link, over all its groups.

@@ -25,6 +25,7 @@ struct LinkVerdict {
     double gap = 0;        ///< m; infinite without spheres
     double excess = 0;     ///< excess volume / volume of the link
     double protrusion = 0; ///< m
+    double missing = 0;    ///< volume of the link outside the spheres / volume of the link
 };
 /// Of each link of a robot; nothing where its geometry is not known.
 using LinkVerdicts = std::vector<std::optional<LinkVerdict>>;
@@ -37,7 +38,8 @@ template <class Json> Json json_of(const LinkVerdict& verdict) {
             {"witness", {w.x, w.y, w.z}},
             {"gap", number(verdict.gap)},
             {"excess", number(verdict.excess)},
-            {"protrusion", number(verdict.protrusion)}};
+            {"protrusion", number(verdict.protrusion)},
+            {"missing", number(verdict.missing)}};
 }
 
 /// One of several sphere models of a robot that differ in their number of spheres.

@@ -28,8 +28,8 @@ private:
 inline constexpr const char* unfinished_mark = ".foam-unfinished";
 
 /// Removes the unfinished folders directly below `parent` that killed processes of this user left behind. Those of
-/// running processes are locked, and stay.
-void remove_abandoned_folders(const std::filesystem::path& parent);
+/// running processes are locked, and stay. Returns how many are removed.
+std::size_t remove_abandoned_folders(const std::filesystem::path& parent);
 
 } // namespace runtime
 } // namespace foam
