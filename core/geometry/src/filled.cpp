@@ -1,5 +1,7 @@
 #include <foam/geometry/internal/filled.hpp>
 
+#include "solid_data.hpp"
+
 #include <foam/base/cancellation.hpp>
 #include <foam/base/parallel.hpp>
 #include <foam/geometry/directions.hpp>
@@ -63,37 +65,89 @@ private:
     Cell count_{}; ///< zero for a solid that is a point
 };
 
-/// Marks the cells in which the solid meets the line through their centres along an axis.
-void mark_row(const Solid& solid, const CellGrid& grid, CellGrid::Cell first, int axis, std::vector<char>& marked) {
-    constexpr double rounding = 1e-6; // of a cell: a wall that ends between two cells is in one of them
-    first[axis] = 0;
-    Vec3 start = grid.centre(first), direction{};
-    start[axis] = grid.corner(first)[axis];
-    direction[axis] = 1;
-    const std::size_t begin = grid.index(first), stride = grid.stride(axis);
-    const auto last = static_cast<double>(grid.along(axis) - 1);
-    for (const Solid::Interval& inside : solid.inside_along(start, direction)) {
-        const double enter = inside.enter / grid.edge(), leave = inside.leave / grid.edge();
-        const double inset = std::min(rounding, (leave - enter) / 2);
-        const auto from = static_cast<std::size_t>(std::clamp(std::floor(enter + inset), 0.0, last));
-        const auto to = static_cast<std::size_t>(std::clamp(std::floor(leave - inset), 0.0, last));
-        for (std::size_t k = from; k <= to; ++k) {
-            marked[begin + k * stride] = 1;
+/// A line through the centres of cells along an axis.
+struct CellRow {
+    CellRow(const CellGrid& grid, int axis, std::size_t number) : stride(grid.stride(axis)), length(grid.along(axis)) {
+        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+        CellGrid::Cell cell{};
+        cell[u] = number % grid.along(u);
+        cell[v] = number / grid.along(u);
+        begin = grid.index(cell);
+        origin = grid.centre(cell);
+        step[axis] = grid.edge();
+    }
+    static std::size_t count(const CellGrid& grid, int axis) {
+        return grid.along((axis + 1) % 3) * grid.along((axis + 2) % 3);
+    }
+
+    std::size_t begin = 0, stride, length; ///< of its cells: their indices
+    Vec3 origin, step;                     ///< the centre of the first cell, and from one to the next
+};
+
+/// Marks the cells of a row whose centres are inside. A wall between two centres is in the cell of its middle.
+void mark_inside(const CellRow& row, const std::vector<Solid::Interval>& inside, std::vector<char>& marked) {
+    const auto last = static_cast<double>(row.length - 1);
+    for (const Solid::Interval& part : inside) {
+        double from = std::ceil(part.enter), to = std::floor(part.leave);
+        if (from > to) {
+            from = to = std::floor((part.enter + part.leave) / 2 + 0.5);
+        }
+        for (double k = std::max(from, 0.0); k <= std::min(to, last); ++k) {
+            marked[row.begin + static_cast<std::size_t>(k) * row.stride] = 1;
         }
     }
 }
 
-/// Returns which cells the solid meets along the three lines through their centres. Walls of any thickness count: no
-/// walk over faces of cells gets through one (6-separating; Laine 2013, "A Topological Approach to Voxelization").
+/// Returns what lies between neighbouring crossings of a row with the surfaces, and between two centres of cells.
+std::vector<Solid::Interval> stretches_between_centres(const Solid& solid, const CellRow& row) {
+    std::vector<double> places;
+    std::vector<Crossing> crossings;
+    std::vector<WindingPiece> pieces;
+    const Line line(row.origin, row.step);
+    SolidAccess::data(solid).for_each_along(line, [&](const PartQueries& part) {
+        if (part.primitive) {
+            pieces.clear();
+            winding_along(part, line, {}, pieces);
+            for (const WindingPiece& piece : pieces) {
+                places.insert(places.end(), {piece.enter, piece.leave});
+            }
+            return;
+        }
+        part.mesh().crossings(row.origin, row.step, crossings);
+        for (const Crossing& crossing : crossings) {
+            places.push_back(crossing.t);
+        }
+    });
+    std::sort(places.begin(), places.end());
+    std::vector<Solid::Interval> result;
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+        if (places[i] < places[i + 1] && std::ceil(places[i]) > std::floor(places[i + 1])) {
+            result.push_back({places[i], places[i + 1]});
+        }
+    }
+    return result;
+}
+
+int longest_axis(const CellGrid& grid) {
+    const int longest = grid.along(1) > grid.along(0) ? 1 : 0;
+    return grid.along(2) > grid.along(longest) ? 2 : longest;
+}
+
+/// Returns which cells are solid on one of the three lines through their centres. Walls of any thickness count: no walk
+/// from cell to cell over their faces gets through one (6-separating; Laine 2013, "A Topological Approach to
+/// Voxelization"). The lines of one axis tell which centres are inside. Winding numbers of meshes with holes are
+/// expensive, so those of the others tell only about the walls between centres.
 std::vector<char> solid_cells(const Solid& solid, const CellGrid& grid) {
     std::vector<char> marked(grid.size(), 0);
-    for (int axis = 0; axis < 3; ++axis) {
-        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-        parallel_for(grid.along(u) * grid.along(v), [&](std::size_t row) {
-            CellGrid::Cell first{};
-            first[u] = row % grid.along(u);
-            first[v] = row / grid.along(u);
-            mark_row(solid, grid, first, axis, marked);
+    const int longest = longest_axis(grid);
+    for (const int axis : {longest, (longest + 1) % 3, (longest + 2) % 3}) {
+        parallel_for(CellRow::count(grid, axis), [&](std::size_t number) {
+            const CellRow row(grid, axis, number);
+            mark_inside(row,
+                        axis == longest || solid.closed()
+                            ? solid.inside_along(row.origin, row.step)
+                            : solid.inside_along(row.origin, row.step, stretches_between_centres(solid, row)),
+                        marked);
         });
     }
     return marked;
@@ -212,7 +266,9 @@ private:
         const auto first = std::find_if(on.begin(), on.end(), is_marked);
         const auto last = std::find_if(on.rbegin(), std::make_reverse_iterator(first), is_marked).base();
         for (auto at = first; at != last; ++at) {
-            result[at->cell] |= at->middle ? 1 : 0;
+            if (at->middle) {
+                result[at->cell] = 1;
+            }
         }
     }
 

@@ -70,6 +70,16 @@ struct SolidData {
     mutable std::once_flag coarse_once;
     mutable std::shared_ptr<const Solid> coarse;
 
+    /// Calls visit(part) for the parts that a line may meet.
+    template <class Visit> void for_each_along(const Line& line, Visit visit) const {
+        if (!index.empty()) {
+            index.for_each_along(line, [&](std::uint32_t i) { visit(queries[i]); });
+            return;
+        }
+        for (const PartQueries& part : queries) {
+            visit(part);
+        }
+    }
     bool is_primitive() const { return queries.size() == 1 && queries[0].primitive; }
     /// Returns the same as Solid::inside_along().
     Intervals inside_along(const Line& line, std::span<const Solid::Interval> within) const;

@@ -62,10 +62,9 @@ Measures measured(const Workspace& workspace, const Solid& solid, const Elements
 }
 
 /// Returns the measures of a solid whose inside counts as geometry; what is proved and how much of the surface is
-/// covered is that of the solid itself. `volume`: of what was filled, m³.
+/// covered is that of the solid itself. `full`: the solid with its inside, `volume`: of what was filled, m³.
 Measures measured_filled(const Workspace& workspace, const std::shared_ptr<const Solid>& solid,
-                         const ElementsView& elements, double& volume) {
-    const std::shared_ptr<const Solid> full = geometry::filled(solid);
+                         const std::shared_ptr<const Solid>& full, const ElementsView& elements, double& volume) {
     const Measures own = measured(workspace, *solid, elements);
     if (full == solid) {
         return own;
@@ -237,10 +236,16 @@ private:
     void measure(std::size_t g, const Workspace& in_time) {
         SphereGroup& out = out_[g];
         const bool fill = links_[groups_[g].link].recipe.hollow == Hollow::fill;
+        Group& group = groups_[g];
         out.measures =
             run_stage(in_time, "measure", out.link, out.geometries.front(), "", reports[g][1], [&](Context&) {
-                return fill ? measured_filled(workspace_, groups_[g].solid, out.tree.elements(), filled[g])
-                            : measured(workspace_, *groups_[g].solid, out.tree.elements());
+                if (!fill) {
+                    return measured(workspace_, *group.solid, out.tree.elements());
+                }
+                if (!group.filled) {
+                    group.filled = geometry::filled(group.solid);
+                }
+                return measured_filled(workspace_, group.solid, group.filled, out.tree.elements(), filled[g]);
             });
     }
 
@@ -295,7 +300,8 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
                 link.solid = solid_of(links[l]);
                 links[l].report.measures =
                     links[l].recipe.hollow == Hollow::fill
-                        ? measured_filled(workspace, link.solid, link.elements.view(), links[l].report.filled)
+                        ? measured_filled(workspace, link.solid, geometry::filled(link.solid), link.elements.view(),
+                                          links[l].report.filled)
                         : measured(workspace, *link.solid, link.elements.view());
                 require_proof(workspace, links[l]);
             }
