@@ -140,11 +140,12 @@ int longest_axis(const CellGrid& grid) {
 std::vector<char> solid_cells(const Solid& solid, const CellGrid& grid) {
     std::vector<char> marked(grid.size(), 0);
     const int longest = longest_axis(grid);
+    const bool closed = solid.closed();
     for (const int axis : {longest, (longest + 1) % 3, (longest + 2) % 3}) {
         parallel_for(CellRow::count(grid, axis), [&](std::size_t number) {
             const CellRow row(grid, axis, number);
             mark_inside(row,
-                        axis == longest || solid.closed()
+                        axis == longest || closed
                             ? solid.inside_along(row.origin, row.step)
                             : solid.inside_along(row.origin, row.step, stretches_between_centres(solid, row)),
                         marked);
