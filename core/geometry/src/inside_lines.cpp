@@ -131,7 +131,7 @@ template <class OfLine> Estimate integral(const SolidData& data, const TracedGri
 /// the closing surfaces and the winding number is costly to compute but small, so it uses few lines (Giles 2015,
 /// "Multilevel Monte Carlo methods").
 InsideLines::InsideLines(const SolidData& data)
-    : box_(data.box), across_(data.closed ? across_closed : across_open), rows_(3 * across_) {
+    : box_(data.box), across_(data.closed() ? across_closed : across_open), rows_(3 * across_) {
     const auto keep = [&](std::size_t row, const Vec3& origin, const Intervals& inside) {
         rows_[row].inside.insert(rows_[row].inside.end(), inside.begin(), inside.end());
         rows_[row].origins.push_back(origin);
@@ -139,7 +139,7 @@ InsideLines::InsideLines(const SolidData& data)
     };
     const auto overlap = [&](std::size_t row, Tracer& tracer) {
         const double surplus = tracer.closed_along();
-        if (data.closed) {
+        if (data.closed()) {
             keep(row, tracer.along().origin(), tracer.intervals);
         }
         return surplus;
@@ -156,8 +156,8 @@ InsideLines::InsideLines(const SolidData& data)
         exact += part.volume();
     }
     const Estimate overlaps = integral(
-        data, data.closed ? traced(data, across_closed, "volume") : traced(data, across_overlaps, "overlaps"), overlap);
-    const Estimate holes = data.closed ? Estimate{} : integral(data, traced(data, across_open, "volume"), in_holes);
+        data, data.closed() ? traced(data, across_closed, "volume") : traced(data, across_overlaps, "overlaps"), overlap);
+    const Estimate holes = data.closed() ? Estimate{} : integral(data, traced(data, across_open, "volume"), in_holes);
     volume_ = {std::max(0.0, exact - overlaps.value - holes.value), std::hypot(overlaps.error, holes.error)};
 }
 

@@ -1,6 +1,9 @@
 #include "element_parts.hpp"
 
 #include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/internal/quick_solid.hpp>
+
+#include <numbers>
 
 namespace foam::inline geometry {
 namespace {
@@ -66,6 +69,35 @@ Measures measure(const Solid& solid, const ElementsView& elements, const Measure
         return measure(solid, elements.spheres, options);
     }
     return measured(solid, ElementSet(elements), certify(solid, elements), options);
+}
+
+Measures bounds_of_measures(const Solid& solid, const ElementsView& elements) {
+    const Certificate certificate = certify(solid, elements);
+    Box box = solid.bounds();
+    Measures result;
+    result.spheres = elements.size();
+    result.area = solid.area();
+    result.certified = certificate.holds;
+    result.gap = certificate.holds ? 0 : certificate.growth;
+    result.covered = certificate.holds ? 1 : 0;
+    for (const Sphere& s : elements.spheres) {
+        const Vec3 half{s.radius, s.radius, s.radius};
+        box.add(s.center - half);
+        box.add(s.center + half);
+        result.excess_volume += 4 * std::numbers::pi / 3 * s.radius * s.radius * s.radius;
+        result.exposed_area += 4 * std::numbers::pi * s.radius * s.radius;
+    }
+    for (const Element& element : elements.others) {
+        const Mesh mesh = enclosing_mesh(element);
+        for (const Vec3& vertex : mesh.vertices) {
+            box.add(vertex);
+        }
+        result.excess_volume += signed_volume(mesh);
+        result.exposed_area += surface_area(mesh);
+    }
+    result.protrusion_max = result.protrusion_mean = box.diagonal();
+    set_ratios(result);
+    return result;
 }
 
 Measures total(std::span<const Measures> links) {

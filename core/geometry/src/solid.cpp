@@ -4,6 +4,7 @@
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
 #include <foam/geometry/internal/own_frame.hpp>
+#include <foam/geometry/internal/quick_solid.hpp>
 
 #include <tbb/task_arena.h>
 
@@ -64,9 +65,16 @@ int segments_of(const std::vector<Solid::Part>& parts) {
     return count <= many ? 48 : count <= very_many ? 8 : 4;
 }
 
-/// Returns the part as a mesh in the solid's frame.
-std::pair<std::shared_ptr<const Mesh>, geometry::Reading> part_mesh(const Solid::Part& part, std::size_t index,
-                                                                    int segments) {
+/// When the meshes of a solid are interpreted.
+enum class MeshReading {
+    at_once,
+    on_first_use,
+};
+
+/// Returns the part as a mesh in the solid's frame, with its reading if that is made at once.
+std::pair<std::shared_ptr<const Mesh>, std::optional<geometry::Reading>> part_mesh(const Solid::Part& part,
+                                                                                   std::size_t index, int segments,
+                                                                                   MeshReading when) {
     if (part.primitive) {
         geometry::check_primitive(*part.primitive);
         Mesh mesh = transformed(enclosing_mesh(*part.primitive, segments), part.pose);
@@ -79,6 +87,9 @@ std::pair<std::shared_ptr<const Mesh>, geometry::Reading> part_mesh(const Solid:
                                              " of the solid is neither a mesh nor a primitive; give it one of them");
     }
     check_mesh(*part.mesh, index);
+    if (when == MeshReading::on_first_use) {
+        return {with_used_vertices(part.mesh), std::nullopt};
+    }
     // With many copies of a triangle, every query would look at all of them.
     std::optional<Mesh> once = geometry::without_copies(*part.mesh);
     std::shared_ptr<const Mesh> mesh =
@@ -93,8 +104,8 @@ public:
     const Mesh& mesh() const { return own_ ? *own_ : *shared_; }
     std::shared_ptr<const Mesh> take() { return own_ ? std::move(own_) : std::move(shared_); }
 
-    /// Adds a mesh with triangles, wound outwards where the outside is known.
-    void add(const std::shared_ptr<const Mesh>& given, const std::vector<geometry::Facing>& facing) {
+    /// Adds a mesh with triangles, wound outwards where the outside is known. `facing`: empty if they are as given.
+    void add(const std::shared_ptr<const Mesh>& given, std::span<const geometry::Facing> facing) {
         const bool as_given = std::find(facing.begin(), facing.end(), geometry::Facing::flipped) == facing.end();
         if (as_given && mesh().triangles.empty()) {
             shared_ = given;
@@ -117,9 +128,9 @@ private:
     std::shared_ptr<Mesh> own_;
 };
 
-void add_part(geometry::SolidData& data, SurfaceOfParts& surface, std::size_t index, int segments) {
+void add_part(geometry::SolidData& data, SurfaceOfParts& surface, std::size_t index, int segments, MeshReading when) {
     Solid::Part& part = data.parts[index];
-    auto [given, reading] = part_mesh(part, index, segments);
+    auto [given, reading] = part_mesh(part, index, segments, when);
     if (!part.primitive) {
         part.mesh = given;
     }
@@ -128,7 +139,7 @@ void add_part(geometry::SolidData& data, SurfaceOfParts& surface, std::size_t in
         return;
     }
     data.first_triangles.push_back(data.offsets.back());
-    surface.add(given, reading.facing);
+    surface.add(given, reading ? std::span<const geometry::Facing>(reading->facing) : std::span<const geometry::Facing>());
     const Box box = geometry::bounds_of_corners(*given);
     data.offsets.push_back(static_cast<std::uint32_t>(surface.mesh().triangles.size()));
     data.box.add(box);
@@ -138,7 +149,6 @@ void add_part(geometry::SolidData& data, SurfaceOfParts& surface, std::size_t in
     }
     data.queries.push_back({std::make_unique<const geometry::QueriedMesh>(std::move(given), std::move(reading)),
                             std::move(primitive), box});
-    data.closed = data.closed && data.queries.back().closed();
 }
 
 void index_parts(geometry::SolidData& data) {
@@ -190,6 +200,23 @@ double least_signed_distance(const geometry::SolidData& data, const Vec3& point)
     return least;
 }
 
+/// Fills in the data of a solid but its parts.
+void build(geometry::SolidData& data, MeshReading when) {
+    data.offsets.push_back(0);
+    SurfaceOfParts surface;
+    const int segments = segments_of(data.parts);
+    for (std::size_t i = 0; i < data.parts.size(); ++i) {
+        check_cancelled();
+        add_part(data, surface, i, segments, when);
+    }
+    data.surface = surface.take();
+    if (data.surface->triangles.empty()) {
+        throw Error(ErrorCode::geometry, "there is no triangle: a solid needs a mesh with triangles or a primitive");
+    }
+    data.area = surface_area(*data.surface);
+    index_parts(data);
+}
+
 const geometry::InsideLines& lines_of(const geometry::SolidData& data) {
     // Isolated: a thread that waits inside must not start another task that requests the same lines.
     std::call_once(data.lines_once, [&] {
@@ -203,10 +230,19 @@ const geometry::InsideLines& lines_of(const geometry::SolidData& data) {
 const geometry::MeshPart& geometry::QueriedMesh::made() const {
     const std::lock_guard lock(making_);
     if (!part_) {
-        part_.emplace(*mesh_, reading_);
+        part_.emplace(*mesh_, reading());
         ready_.store(&*part_, std::memory_order_release);
     }
     return *part_;
+}
+
+const geometry::Reading& geometry::QueriedMesh::reading() const {
+    std::call_once(read_once_, [&] {
+        if (!reading_) {
+            reading_ = geometry::read_as_solid(*mesh_);
+        }
+    });
+    return *reading_;
 }
 
 Solid::Solid(std::unique_ptr<const Data> data) : data_(std::move(data)) {}
@@ -215,20 +251,20 @@ Solid::~Solid() = default;
 std::shared_ptr<const Solid> Solid::make(std::vector<Part> parts) {
     auto data = std::make_unique<Data>();
     data->parts = std::move(parts);
-    data->offsets.push_back(0);
-    SurfaceOfParts surface;
-    const int segments = segments_of(data->parts);
-    for (std::size_t i = 0; i < data->parts.size(); ++i) {
-        check_cancelled();
-        add_part(*data, surface, i, segments);
-    }
-    data->surface = surface.take();
-    if (data->surface->triangles.empty()) {
-        throw Error(ErrorCode::geometry, "there is no triangle: a solid needs a mesh with triangles or a primitive");
-    }
-    data->area = surface_area(*data->surface);
-    index_parts(*data);
+    build(*data, MeshReading::at_once);
     return std::shared_ptr<const Solid>(new Solid(std::move(data)));
+}
+
+std::shared_ptr<const Solid> SolidAccess::quick(std::vector<Solid::Part> parts) {
+    auto data = std::make_unique<Solid::Data>();
+    data->parts = std::move(parts);
+    data->quick = true;
+    build(*data, MeshReading::on_first_use);
+    return std::shared_ptr<const Solid>(new Solid(std::move(data)));
+}
+
+std::shared_ptr<const Solid> quick_solid(std::vector<Solid::Part> parts) {
+    return SolidAccess::quick(std::move(parts));
 }
 
 std::shared_ptr<const Solid> Solid::make(Mesh mesh) {
@@ -251,7 +287,7 @@ double Solid::area() const {
     return data_->area;
 }
 bool Solid::closed() const {
-    return data_->closed;
+    return data_->closed();
 }
 
 double Solid::volume() const {

@@ -9,6 +9,7 @@
 #include <foam/geometry/internal/surface_runs.hpp>
 #include <foam/geometry/solid.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <mutex>
@@ -19,10 +20,11 @@ namespace foam::inline geometry {
 /// A mesh that prepares its queries on first use: covering needs none.
 class QueriedMesh {
 public:
-    QueriedMesh(std::shared_ptr<const Mesh> mesh, Reading reading)
+    /// `reading`: nothing if it is made on first use, too.
+    QueriedMesh(std::shared_ptr<const Mesh> mesh, std::optional<Reading> reading)
         : mesh_(std::move(mesh)), reading_(std::move(reading)) {}
 
-    bool closed() const { return reading_.closed; }
+    bool closed() const { return reading().closed; }
     /// Returns the mesh part. Safe from any number of threads.
     const MeshPart& part() const {
         const MeshPart* const ready = ready_.load(std::memory_order_acquire);
@@ -31,9 +33,11 @@ public:
 
 private:
     const MeshPart& made() const;
+    const Reading& reading() const;
 
     std::shared_ptr<const Mesh> mesh_;
-    Reading reading_;
+    mutable std::once_flag read_once_;
+    mutable std::optional<Reading> reading_;
     mutable std::mutex making_;
     mutable std::optional<MeshPart> part_;
     mutable std::atomic<const MeshPart*> ready_{nullptr};
@@ -58,10 +62,10 @@ struct SolidData {
     std::vector<std::uint32_t> offsets;
     Box box;
     double area = 0;
-    bool closed = true;
     std::vector<PartQueries> queries;
     std::vector<std::size_t> first_triangles; ///< first triangle of each of the queries, in `surface`
     PartIndex index;                          ///< over the queries, if there are many
+    bool quick = false;                       ///< made by quick_solid()
 
     mutable std::once_flag lines_once;
     mutable std::unique_ptr<const InsideLines> lines;
@@ -70,6 +74,19 @@ struct SolidData {
     mutable std::once_flag coarse_once;
     mutable std::shared_ptr<const Solid> coarse;
 
+    /// Calls visit(part) for the parts that a line may meet.
+    template <class Visit> void for_each_along(const Line& line, Visit visit) const {
+        if (!index.empty()) {
+            index.for_each_along(line, [&](std::uint32_t i) { visit(queries[i]); });
+            return;
+        }
+        for (const PartQueries& part : queries) {
+            visit(part);
+        }
+    }
+    bool closed() const {
+        return std::all_of(queries.begin(), queries.end(), [](const PartQueries& part) { return part.closed(); });
+    }
     bool is_primitive() const { return queries.size() == 1 && queries[0].primitive; }
     /// Returns the same as Solid::inside_along().
     Intervals inside_along(const Line& line, std::span<const Solid::Interval> within) const;
@@ -99,5 +116,6 @@ struct Solid::Data : geometry::SolidData {};
 /// The way from a solid to its data.
 struct SolidAccess {
     static const SolidData& data(const Solid& solid) { return *solid.data_; }
+    static std::shared_ptr<const Solid> quick(std::vector<Solid::Part> parts);
 };
 } // namespace foam::geometry

@@ -38,19 +38,12 @@ Intervals SolidData::inside_along(const Line& line, std::span<const Solid::Inter
     Intervals result;
     std::vector<Crossing> crossings;
     std::vector<WindingPiece> pieces;
-    const auto add = [&](std::size_t i) {
-        const PartQueries& part = queries[i];
+    for_each_along(line, [&](const PartQueries& part) {
         if (!part.primitive) {
             part.mesh().crossings(line.origin(), line.direction(), crossings);
         }
         add_inside_along(part, line, crossings, within, pieces, result);
-    };
-    if (!index.empty()) {
-        index.for_each_along(line, add);
-    }
-    for (std::size_t i = 0; index.empty() && i < queries.size(); ++i) {
-        add(i);
-    }
+    });
     unite(result);
     return common(result, within);
 }

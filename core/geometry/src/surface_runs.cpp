@@ -2,6 +2,8 @@
 
 #include "solid_data.hpp"
 
+#include <foam/base/cancellation.hpp>
+
 #include <numeric>
 
 namespace foam::inline geometry {
@@ -66,10 +68,20 @@ SurfaceRuns::Run around(std::span<const SurfaceRuns::Run> runs) {
     return all;
 }
 
+/// Returns the order of the triangles in runs: along a curve, or in haste as they are given, which is often coherent.
+std::vector<std::uint32_t> order_of(const SolidData& data) {
+    if (!data.quick) {
+        return order_by(morton_codes(*data.surface, data.box));
+    }
+    std::vector<std::uint32_t> order(data.surface->triangles.size());
+    std::iota(order.begin(), order.end(), 0u);
+    return order;
+}
+
 } // namespace
 
 SurfaceRuns::SurfaceRuns(const SolidData& data)
-    : order_(order_by(morton_codes(*data.surface, data.box))), runs_((order_.size() + length - 1) / length) {
+    : order_(order_of(data)), runs_((order_.size() + length - 1) / length) {
     const Vec3 origin = data.box.center();
     const std::vector<Vec3>& vertices = data.surface->vertices;
     for (const Vec3& v : vertices) {
@@ -82,7 +94,9 @@ SurfaceRuns::SurfaceRuns(const SolidData& data)
             std::fill(curved.begin() + data.offsets[i], curved.begin() + data.offsets[i + 1], 1);
         }
     }
+    CancellationCounter asking(1024);
     for (std::size_t run = 0; run < runs_.size(); ++run) {
+        asking.check();
         Box box;
         for (const std::uint32_t i : triangles(run)) {
             for (const std::uint32_t corner : data.surface->triangles[i]) {

@@ -2,6 +2,7 @@
 
 #include <foam/collision/self_collision.hpp>
 #include <foam/recipe/recipe.hpp>
+#include <foam/runtime/internal/debug.hpp>
 #include <foam/runtime/version.hpp>
 #include <foam/sdk/kinds.hpp>
 
@@ -39,20 +40,52 @@ CollisionModel collision_model(const Workspace& workspace, const FinishedModel& 
     return model;
 }
 
+/// Returns the pairs of neighbours, which need no check: what is known of pairs without a search.
+std::vector<IgnoredPair> pairs_of_neighbours(const FinishedModel& finished, CollisionModel model) {
+    SelfCollisionOptions options;
+    options.samples = 1;
+    options.proof_boxes = 0;
+    model.solids.clear();
+    SelfCollisionMatrix matrix = self_collision_matrix(Kinematics(finished.model.robot), model, options);
+    std::erase_if(matrix.pairs, [](const LinkPair& pair) { return pair.reason != PairReason::adjacent; });
+    return ignored_pairs(*finished.model.robot, matrix);
+}
+
+/// Returns the self-collision matrix; nothing if there is no time to find it.
+std::optional<SelfCollisionMatrix> matrix_in_time(const Workspace& workspace, const FinishedModel& finished,
+                                                  const CollisionModel& model) {
+    SelfCollisionOptions options;
+    options.seed = workspace.recipe.seed;
+    try {
+        const StopScope scope(workspace.in(Phase::completing).request());
+        return self_collision_matrix(Kinematics(finished.model.robot), model, options);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::cancelled || workspace.ended()) {
+            throw;
+        }
+    }
+    workspace.journal.finding({Severity::warning, "", "",
+                               fmt::format("{}: the pairs of links that never touch were not looked for; all but "
+                                           "neighbours are checked",
+                                           why_dropped(workspace))});
+    return {};
+}
+
 /// Returns the pairs that need no check. Warns of pairs that are in contact in every pose because of their elements
 /// alone.
 std::vector<IgnoredPair> pairs_of(const Workspace& workspace, const FinishedModel& finished) {
-    SelfCollisionOptions options;
-    options.seed = workspace.recipe.seed;
     const CollisionModel model = collision_model(workspace, finished);
-    const SelfCollisionMatrix matrix = self_collision_matrix(Kinematics(finished.model.robot), model, options);
-    for (const LinkPair& pair : matrix.pairs) {
+    const std::optional<SelfCollisionMatrix> matrix = matrix_in_time(workspace, finished, model);
+    if (!matrix) {
+        return pairs_of_neighbours(finished, model);
+    }
+    for (const LinkPair& pair : matrix->pairs) {
         if (pair.touches_by_elements_alone) {
             workspace.journal.finding(
                 {Severity::warning, model.robot->links[pair.first].name, "", sentence_about(pair, *model.robot)});
         }
     }
-    return ignored_pairs(*finished.model.robot, matrix);
+    return ignored_pairs(*finished.model.robot, *matrix);
 }
 
 std::string provenance(const Input& input, const FinishedModel& finished, const ProvedLinks& proved) {

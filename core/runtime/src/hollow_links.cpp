@@ -15,7 +15,7 @@ void tell_hollow_links(const Workspace& workspace, const FinishedModel& finished
         const Measures& m = link.work->report.measures;
         const Vec3 size = link.solid->bounds().size();
         const double box = size.x * size.y * size.z;
-        if (link.work->recipe.hollow == Hollow::fill || !(box > 0) || !(m.area > 0)) {
+        if (link.work->recipe.hollow == Hollow::fill || link.work->bounds_only || !(box > 0) || !(m.area > 0)) {
             continue;
         }
         // A plate of thickness t has the volume t · area / 2.

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double time_to_stop = 1.5; // s
 constexpr double late = 1.1, and_late = 0.3;
+constexpr double still_later = 0.1; // s; for writing a result that is there
 constexpr double least_share_to_finish = 0.15;
 
 bool is_set(const std::atomic<bool>* flag) {
@@ -43,10 +44,15 @@ std::optional<double> Limits::stopped() const {
     return seen;
 }
 
+/// Returns when work ends because of the time limit. Precondition: there is one.
+double Limits::end_of_limit() const {
+    return late * *time_limit_ + and_late - kept_.load();
+}
+
 std::optional<double> Limits::hard_end() const {
     std::optional<double> end;
     if (time_limit_) {
-        end = late * *time_limit_ + and_late;
+        end = end_of_limit();
     }
     if (const auto stop = stopped()) {
         end = std::min(end.value_or(*stop + time_to_stop), *stop + time_to_stop);
@@ -72,17 +78,46 @@ bool Limits::too_late_to_begin() const {
     if (const auto stop = stopped(); stop && now >= *stop + time_to_stop / 2) {
         return true;
     }
-    return time_limit_ && now >= late * *time_limit_ + and_late - std::max(reserve(), least_share_to_finish * and_late);
+    return time_limit_ && now >= end_of_limit() - std::max(reserve(), least_share_to_finish * and_late);
 }
 
 /// Returns whether it is too late to grow and measure. Only a time limit replaces the result by a simpler one.
 bool Limits::too_late_to_cover() const {
-    const double end = time_limit_ ? late * *time_limit_ + and_late : 0;
+    const double end = time_limit_ ? end_of_limit() : 0;
     return time_limit_ && journal_.seconds() >= end - std::max(0.4 * reserve(), least_share_to_finish * end);
 }
 
+/// Returns whether it is too late for anything but writing the result.
+bool Limits::too_late_to_complete() const {
+    const double now = journal_.seconds();
+    if (const auto stop = stopped(); stop && now >= *stop + time_to_stop / 2) {
+        return true;
+    }
+    const double end = time_limit_ ? end_of_limit() : 0;
+    return time_limit_ && now >= end - std::max(writing_.load(), least_share_to_finish * end);
+}
+
+void Limits::release_kept() {
+    kept_.store(-still_later);
+}
+
+void Limits::keep_for_enclosing(std::size_t triangles) {
+    // A million triangles take 0.1 s of one core to enclose and to prove, and little to prove again. Where other
+    // programs take the cores, reading has taken as much longer as this will.
+    constexpr double a_triangle = 1e-7, again = 3e-8, share = 0.1, of_reading = 0.5;
+    if (time_limit_) {
+        const double work = std::max(a_triangle * static_cast<double>(triangles), of_reading * journal_.seconds());
+        kept_.store(share * end_of_limit() + work);
+        writing_.store(again * static_cast<double>(triangles));
+    }
+}
+
+bool Limits::may_enclose() const {
+    return time_limit_ && !stopped() && journal_.seconds() < late * *time_limit_ + and_late;
+}
+
 Cut Limits::cut(Phase phase) const {
-    if (phase == Phase::finishing || phase == Phase::covering) {
+    if (phase == Phase::finishing || phase == Phase::covering || phase == Phase::completing) {
         return Cut::none;
     }
     if (is_set(options_.stop)) {
@@ -101,9 +136,10 @@ bool Limits::ended(Phase phase) const {
     if (is_set(options_.cancel) || is_over()) {
         return true;
     }
-    return phase == Phase::beginning  ? too_late_to_begin()
-           : phase == Phase::covering ? too_late_to_cover()
-                                      : cut(phase) != Cut::none;
+    return phase == Phase::beginning    ? too_late_to_begin()
+           : phase == Phase::covering   ? too_late_to_cover()
+           : phase == Phase::completing ? too_late_to_complete()
+                                        : cut(phase) != Cut::none;
 }
 
 bool Limits::overdue(Phase phase) const {

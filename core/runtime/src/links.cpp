@@ -8,6 +8,7 @@
 #include <foam/geometry/element_measure.hpp>
 #include <foam/geometry/inner.hpp>
 #include <foam/geometry/internal/filled.hpp>
+#include <foam/geometry/internal/quick_solid.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/internal/cover.hpp>
 #include <foam/runtime/internal/elements.hpp>
@@ -19,7 +20,7 @@
 
 namespace foam::inline runtime {
 
-std::shared_ptr<const Solid> solid_of(const LinkWork& link, const std::vector<std::size_t>& elements) {
+static std::vector<Solid::Part> parts_of(const LinkWork& link, const std::vector<std::size_t>& elements) {
     std::vector<Solid::Part> parts;
     for (const std::size_t e : elements) {
         const CollisionElement& element = link.elements[e];
@@ -28,11 +29,17 @@ std::shared_ptr<const Solid> solid_of(const LinkWork& link, const std::vector<st
             part.primitive = *primitive;
             part.pose = element.source->origin;
         } else {
-            part.mesh = std::make_shared<const Mesh>(transformed(*element.raw, element.source->origin));
+            const Pose& origin = element.source->origin;
+            part.mesh =
+                origin == Pose{} ? element.raw : std::make_shared<const Mesh>(transformed(*element.raw, origin));
         }
         parts.push_back(std::move(part));
     }
-    return Solid::make(std::move(parts));
+    return parts;
+}
+
+std::shared_ptr<const Solid> solid_of(const LinkWork& link, const std::vector<std::size_t>& elements) {
+    return Solid::make(parts_of(link, elements));
 }
 
 namespace {
@@ -62,10 +69,9 @@ Measures measured(const Workspace& workspace, const Solid& solid, const Elements
 }
 
 /// Returns the measures of a solid whose inside counts as geometry; what is proved and how much of the surface is
-/// covered is that of the solid itself. `volume`: of what was filled, m³.
+/// covered is that of the solid itself. `full`: the solid with its inside, `volume`: of what was filled, m³.
 Measures measured_filled(const Workspace& workspace, const std::shared_ptr<const Solid>& solid,
-                         const ElementsView& elements, double& volume) {
-    const std::shared_ptr<const Solid> full = geometry::filled(solid);
+                         const std::shared_ptr<const Solid>& full, const ElementsView& elements, double& volume) {
     const Measures own = measured(workspace, *solid, elements);
     if (full == solid) {
         return own;
@@ -77,6 +83,15 @@ Measures measured_filled(const Workspace& workspace, const std::shared_ptr<const
     measures.covered = own.covered;
     measures.area = own.area;
     return measures;
+}
+
+/// Tells that figures of a link are bounds.
+void tell_bounds(const Workspace& workspace, const LinkWork& link) {
+    workspace.journal.finding(
+        {Severity::warning, link.link->name, "measure",
+         fmt::format("the time limit of {} s is too short to measure its elements: its excess and protrusion are bounds, "
+                     "as if the link had no volume; the proof is as usual",
+                     *workspace.time_limit())});
 }
 
 /// Reports the half-space constraints on the numbers that are written.
@@ -160,14 +175,19 @@ public:
             group.solid = solid_of(link, group.elements);
         }
         reports[g][0].input = reports[g][1].input = out_[g].geometries.front();
-        if (!done_in_time(workspace_, [&] { cover_by(g, group.tree, workspace_.in(Phase::covering)); })) {
+        if (group.in_haste) {
+            cover_by(g, group.tree, workspace_);
+        } else if (!done_in_time(workspace_, [&] { cover_by(g, group.tree, workspace_.in(Phase::covering)); })) {
             cover_by_one(g);
         }
     }
 
     void measure(std::size_t g) {
-        if (!done_in_time(workspace_, [&] { measure(g, workspace_.in(Phase::covering)); })) {
-            cover_by_one(g);
+        if (groups_[g].in_haste || !done_in_time(workspace_, [&] { measure(g, workspace_.in(Phase::covering)); })) {
+            if (!groups_[g].in_haste && workspace_.recipe.guarantee == Guarantee::fitted) {
+                cover_by_one(g); // bounds are of covering elements
+            }
+            groups_[g].in_haste = true;
             measure(g, workspace_);
         }
         reports[g][0].output = digest_of_content(out_[g].tree);
@@ -231,16 +251,25 @@ private:
                                                 "link and to measure them; one enclosing sphere replaces them",
                                                 *workspace_.time_limit(), counts_text(kinds_of(groups_[g].tree.elements())))});
         const Solid& solid = groups_[g].uncovered ? *groups_[g].uncovered : *groups_[g].solid;
-        cover_by(g, flat_tree({minimum_enclosing_sphere(solid.surface().vertices)}), workspace_);
+        cover_by(g, flat_tree({enclosing_ball(solid)}), workspace_);
     }
 
     void measure(std::size_t g, const Workspace& in_time) {
         SphereGroup& out = out_[g];
         const bool fill = links_[groups_[g].link].recipe.hollow == Hollow::fill;
+        Group& group = groups_[g];
         out.measures =
             run_stage(in_time, "measure", out.link, out.geometries.front(), "", reports[g][1], [&](Context&) {
-                return fill ? measured_filled(workspace_, groups_[g].solid, out.tree.elements(), filled[g])
-                            : measured(workspace_, *groups_[g].solid, out.tree.elements());
+                if (group.in_haste) {
+                    return geometry::bounds_of_measures(*group.solid, out.tree.elements());
+                }
+                if (!fill) {
+                    return measured(workspace_, *group.solid, out.tree.elements());
+                }
+                if (!group.filled) {
+                    group.filled = geometry::filled(group.solid);
+                }
+                return measured_filled(workspace_, group.solid, group.filled, out.tree.elements(), filled[g]);
             });
     }
 
@@ -250,10 +279,37 @@ private:
     std::vector<SphereGroup>& out_;
 };
 
+/// Measures the elements of all groups of a link.
+void measure_whole(const Workspace& workspace, const FinishedLink& link, LinkWork& work) {
+    const ElementsView elements = link.elements.view();
+    const auto measure = [&] {
+        const StopScope scope(workspace.in(Phase::covering).request());
+        work.report.measures = work.recipe.hollow == Hollow::fill
+                                   ? measured_filled(workspace, link.solid, geometry::filled(link.solid), elements,
+                                                     work.report.filled)
+                                   : measured(workspace, *link.solid, elements);
+    };
+    if (work.bounds_only || !done_in_time(workspace, measure)) {
+        work.bounds_only = true;
+        work.report.measures = geometry::bounds_of_measures(*link.solid, elements);
+    }
+}
+
 } // namespace
 
 std::shared_ptr<const Solid> solid_of(const LinkWork& link) {
     return solid_of(link, all_elements(link));
+}
+
+Sphere enclosing_ball(const Solid& solid) {
+    constexpr double margin = 1e-5; // above that of decimal numbers, a millionth of the size
+    Sphere ball = minimum_enclosing_sphere(solid.surface().vertices);
+    ball.radius += margin * solid.bounds().diagonal();
+    return ball;
+}
+
+std::shared_ptr<const Solid> quick_solid_of(const LinkWork& link) {
+    return geometry::quick_solid(parts_of(link, all_elements(link)));
 }
 
 FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Robot> robot, std::vector<LinkWork>& links,
@@ -276,6 +332,7 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
         FinishedLink link;
         link.work = &links[l];
         std::size_t parts = 0;
+        links[l].bounds_only = false;
         std::vector<Measures> unpadded;
         for (std::size_t g = 0; g < groups.size(); ++g) {
             if (groups[g].link == l) {
@@ -287,17 +344,18 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
                 links[l].report.stages.insert(links[l].report.stages.end(), finishing.reports[g].begin(),
                                               finishing.reports[g].end());
                 link.solid = groups[g].solid;
+                links[l].bounds_only = links[l].bounds_only || groups[g].in_haste;
                 ++parts;
             }
         }
         if (parts > 0) {
             if (parts > 1) {
                 link.solid = solid_of(links[l]);
-                links[l].report.measures =
-                    links[l].recipe.hollow == Hollow::fill
-                        ? measured_filled(workspace, link.solid, link.elements.view(), links[l].report.filled)
-                        : measured(workspace, *link.solid, link.elements.view());
+                measure_whole(workspace, link, links[l]);
                 require_proof(workspace, links[l]);
+            }
+            if (links[l].bounds_only) {
+                tell_bounds(workspace, links[l]);
             }
             if (links[l].recipe.pad > 0) {
                 links[l].report.pad = links[l].recipe.pad;

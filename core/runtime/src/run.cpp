@@ -1,4 +1,5 @@
 #include "consumers.hpp"
+#include "enclosing.hpp"
 #include "hollow_links.hpp"
 #include "input_size.hpp"
 #include "loose_links.hpp"
@@ -169,19 +170,102 @@ void write_record(const Workspace& workspace, const FinishedModel& finished, Run
     directory.commit();
 }
 
-/// Returns the loaded and filtered links, and the size of the input.
+/// Returns about how many triangles the geometry has, with those that primitives are tessellated by.
+std::size_t triangles_of(const std::vector<LinkWork>& links) {
+    constexpr std::size_t most_of_primitives = 300'000, a_primitive = 2'000;
+    std::size_t of_meshes = 0, of_primitives = 0;
+    for (const LinkWork& link : links) {
+        for (const CollisionElement& element : link.elements) {
+            of_meshes += element.raw ? element.raw->triangles.size() : 0;
+            of_primitives += element.raw ? 0 : a_primitive;
+        }
+    }
+    return of_meshes + std::min(of_primitives, most_of_primitives);
+}
+
+/// Returns the loaded links, and the size of the input.
 std::vector<LinkWork> links_of(const Workspace& workspace, const Input& input, RunFiles& files, InputSize& size) {
     std::vector<LinkWork> links = load_links(workspace, *input.robot, files.meshes);
+    workspace.limits->keep_for_enclosing(triangles_of(links));
     size = input_size(*input.robot, links);
     tell_input_size(workspace, input, links, size);
-    workspace.journal.begin("filters");
-    filter_links(workspace, links);
     if (links.empty()) {
         throw Error(ErrorCode::input,
                     fmt::format("{}: no link has {}: there is nothing to turn into spheres", input.file.string(),
                                 to_string(workspace.recipe.cover.value_or(CoveredGeometry::collision))));
     }
     return links;
+}
+
+/// What a run makes of the links.
+struct Made {
+    FinishedModel finished;
+    std::optional<ReferenceConfiguration> reference;
+    std::optional<ReferencePose> pose;
+    Cut cut = Cut::none;
+    bool links_lost = false;
+};
+
+/// Filters, spherizes and finishes the links.
+void make_model(const Workspace& preparing, const Input& input, std::vector<LinkWork>& links, Made& made) {
+    const Recipe& recipe = preparing.recipe;
+    preparing.journal.begin("filters");
+    filter_links(preparing, links);
+    preparing.journal.begin("spheres");
+    made.reference = reference_of(preparing, input.robot, links);
+    if (recipe.self_collision) {
+        made.pose.emplace(input.robot, made.reference ? made.reference->configuration : std::vector<double>{}, links);
+    }
+    std::optional<RandomPoses> poses;
+    if (recipe.budget_for.value_or(BudgetFor::geometry) == BudgetFor::poses) {
+        poses.emplace(input.robot, links, recipe.seed);
+    }
+    SpherizedLinks spherized = spherize_links(preparing, links, made.pose ? &*made.pose : nullptr,
+                                              poses ? &*poses : nullptr);
+    made.cut = spherized.cut;
+    const Workspace workspace = preparing.in(Phase::finishing);
+    const StopScope scope(workspace.request());
+    made.links_lost = handle_errors(workspace, links, spherized.groups);
+    made.finished = finish_links(workspace, input.robot, links, std::move(spherized.groups));
+}
+
+/// Covers each link by one sphere: what a time limit leaves time for in the end.
+void enclose_model(const Workspace& workspace, const Input& input, std::vector<LinkWork>& links, Made& made) {
+    workspace.limits->release_kept();
+    const StopScope scope(workspace.request());
+    std::vector<Group> groups = enclosed_groups(workspace, links);
+    made.cut = Cut::time_limit;
+    made.links_lost = handle_errors(workspace, links, groups);
+    made.finished = finish_links(workspace, input.robot, links, std::move(groups));
+}
+
+/// Makes the model, or in the end one sphere for each link, so that a time limit leaves a result.
+Made model_in_time(const Workspace& preparing, const Input& input, std::vector<LinkWork>& links) {
+    Made made;
+    try {
+        make_model(preparing, input, links, made);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::cancelled || !may_be_enclosed(preparing, links)) {
+            throw;
+        }
+        enclose_model(preparing.in(Phase::finishing), input, links, made);
+    }
+    preparing.limits->release_kept();
+    return made;
+}
+
+/// Measures the gaps to the visual geometry, while there is time.
+void measure_gaps_in_time(const Workspace& workspace, const FinishedModel& finished, std::vector<LinkWork>& links) {
+    try {
+        measure_visual_gaps(workspace.in(Phase::completing), finished, links);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::cancelled || workspace.ended()) {
+            throw;
+        }
+        workspace.journal.finding(
+            {Severity::warning, "", "",
+             fmt::format("{}: gaps to the visual geometry are missing", why_dropped(workspace))});
+    }
 }
 
 RunResult run_in(const Workspace& preparing, std::optional<RunDirectory>& directory) {
@@ -204,43 +288,33 @@ RunResult run_in(const Workspace& preparing, std::optional<RunDirectory>& direct
     if (preparing.options.inputs_known) {
         preparing.options.inputs_known(result.inputs);
     }
-    journal.begin("spheres");
-    const std::optional<ReferenceConfiguration> reference = reference_of(preparing, input.robot, links);
-    std::optional<ReferencePose> pose;
-    if (recipe.self_collision) {
-        pose.emplace(input.robot, reference ? reference->configuration : std::vector<double>{}, links);
-    }
-    std::optional<RandomPoses> poses;
-    if (recipe.budget_for.value_or(BudgetFor::geometry) == BudgetFor::poses) {
-        poses.emplace(input.robot, links, recipe.seed);
-    }
-    SpherizedLinks spherized = spherize_links(preparing, links, pose ? &*pose : nullptr, poses ? &*poses : nullptr);
-    result.cut = spherized.cut;
+    Made made = model_in_time(preparing, input, links);
+    FinishedModel& finished = made.finished;
+    result.cut = made.cut;
+    result.links_lost = made.links_lost;
     const Workspace workspace = preparing.in(Phase::finishing);
     scope.reset();
     scope.emplace(workspace.request());
-    result.links_lost = handle_errors(workspace, links, spherized.groups);
-    FinishedModel finished = finish_links(workspace, input.robot, links, std::move(spherized.groups));
     if (finished.links.empty()) {
         throw Error(ErrorCode::input,
                     fmt::format("{}: every link was skipped: there is nothing to write", input.file.string()));
     }
-    if (pose) {
-        report_overlaps(workspace, finished, links, *pose);
+    if (made.pose) {
+        report_overlaps(workspace, finished, links, *made.pose);
     }
 
     tell_loose_links(workspace, finished);
     tell_hollow_links(workspace, finished);
     result.proved = proved_links(workspace, input, links);
     result.certified = result.proved.all();
-    complete_model(workspace, input, reference, result.proved, finished);
+    complete_model(workspace, input, made.reference, result.proved, finished);
     Snapshots pictures;
     if (directory) {
         pictures = write_model(workspace, finished, *directory, files, result);
     }
     if (directory && preparing.options.report) {
         journal.begin("visual geometry");
-        measure_visual_gaps(workspace, finished, links);
+        measure_gaps_in_time(workspace, finished, links);
     }
     fill_result(result, journal, links);
     journal.begin("record");

@@ -234,7 +234,7 @@ void build_shape(const Workspace& workspace, const std::vector<LinkWork>& links,
             processed.push_back(part_of(link.elements[e], pose, true));
         }
     }
-    work.original = Solid::make(std::move(original));
+    work.original = work.unfilled = Solid::make(std::move(original));
     std::shared_ptr<const Solid> whole = filtered ? Solid::make(std::move(processed)) : work.original;
     if (link.recipe.hollow == Hollow::fill) {
         whole = geometry::filled(whole);

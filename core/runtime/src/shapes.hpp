@@ -44,6 +44,7 @@ struct ShapeWork {
     geometry::OwnFrame frame;              ///< in which the spherizer gets the shape
     std::unique_ptr<Shape> own;            ///< the shape in that frame, unless that is the given one
     std::shared_ptr<const Solid> original; ///< of the shape
+    std::shared_ptr<const Solid> unfilled; ///< the same without the inside that counts as geometry
     Digest built;                          ///< of its surface as it was built
     StageCall spherizer;
     std::vector<StageCall> refiners;

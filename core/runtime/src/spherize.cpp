@@ -156,9 +156,9 @@ SpherizedLinks spherize_links(const Workspace& workspace, std::vector<LinkWork>&
             continue;
         }
         groups[g].tree = moved(work.known.trees.at(counts[g]), groups[g].frame);
-        if (groups[g].elements.size() == 1 && groups[g].frame == Pose{} && !groups[g].uncovered &&
-            link.recipe.hollow == Hollow::keep) {
-            groups[g].solid = work.original; // the group has the frame of the shape
+        if (groups[g].elements.size() == 1 && groups[g].frame == Pose{} && !groups[g].uncovered) {
+            groups[g].solid = work.unfilled; // the group has the frame of the shape
+            groups[g].filled = work.original;
         }
         link.report.stages.back().output = digest_of_content(groups[g].tree);
         done.push_back(std::move(groups[g]));

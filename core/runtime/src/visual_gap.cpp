@@ -38,6 +38,7 @@ void measure_visual_gaps(const Workspace& workspace, const FinishedModel& finish
     const Robot visual = visual_robot(*finished.model.robot,
                                       [&](const std::string& name) { return find(name) != finished.links.end(); });
     std::vector<LinkWork> loaded = loaded_in_silence(workspace, visual);
+    const StopScope scope(workspace.request());
     parallel_for(loaded.size(), [&](std::size_t i) {
         const FinishedLink& link = *find(loaded[i].link->name);
         VisualGap& gap = links[static_cast<std::size_t>(link.work - links.data())].report.visual_gap.emplace();

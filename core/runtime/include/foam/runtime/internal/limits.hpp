@@ -21,6 +21,7 @@ enum class Phase {
     searching,  ///< a stop ends the search for better spheres; a time limit ends it early enough for finishing
     beginning,  ///< first spheres of a shape, and their cost: as long as there is time to finish with them
     covering,   ///< growing and measuring the result: as long as there is time to write another one instead
+    completing, ///< what the result can do without: as long as there is time to write it
     finishing,  ///< writing the result
     decorating, ///< pictures and meshes for people: only while there is time for nothing else to do
 };
@@ -44,6 +45,14 @@ public:
     /// Returns the same as a request that loops on a thread can poll.
     const StopRequest& request(Phase phase) const { return requests_[static_cast<std::size_t>(phase)]; }
     bool owns(const StopRequest* request) const;
+
+    /// Keeps time for one enclosing sphere of each link, which take the place of any other result: before that, work
+    /// of every phase but completing ends so much earlier. `triangles`: of the geometry.
+    void keep_for_enclosing(std::size_t triangles);
+    /// Releases that time: there is a result, or only the enclosing spheres are left to make.
+    void release_kept();
+    /// Returns whether a time limit, and no request to stop, has ended the work early enough for enclosing spheres.
+    bool may_enclose() const;
 
     /// Adds the measured time for finishing a shape to the reserve.
     void add_to_reserve(double seconds, std::size_t times, std::size_t threads);
@@ -75,17 +84,21 @@ private:
 
     std::optional<double> stopped() const;
     std::optional<double> hard_end() const;
+    double end_of_limit() const;
     bool is_over() const;
     double reserve() const;
     bool too_late_to_begin() const;
     bool too_late_to_cover() const;
+    bool too_late_to_complete() const;
 
     const RunOptions& options_;
     const std::optional<double> time_limit_;
     const Journal& journal_;
-    std::array<Request, 6> requests_;
+    std::array<Request, 7> requests_;
     mutable std::atomic<double> stopped_{-1}; ///< s; when a request to stop was first seen
     std::atomic<double> all_{0}, longest_{0}; ///< s; for finishing shapes
+    std::atomic<double> kept_{0};             ///< s; for enclosing spheres
+    std::atomic<double> writing_{0};          ///< s; for the proof of what is written, by the size of the geometry
     mutable std::mutex mutex_;
     std::string place_;
 };

@@ -29,6 +29,13 @@ std::shared_ptr<const Solid> solid_of(const LinkWork& link, const std::vector<st
 /// Returns the original geometry of all elements. Precondition: its meshes are loaded.
 std::shared_ptr<const Solid> solid_of(const LinkWork& link);
 
+/// Returns the geometry of all elements as solid_of() does, as geometry::quick_solid(): proofs need no more.
+std::shared_ptr<const Solid> quick_solid_of(const LinkWork& link);
+
+/// Returns about the smallest enclosing sphere of a solid, large enough that rounding its centre leaves nothing out:
+/// growth, which would search for its least radius, leaves it as it is.
+Sphere enclosing_ball(const Solid& solid);
+
 /// Grows the spheres as the guarantee requires, proves it, measures them. Fills in the link reports.
 FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Robot> robot, std::vector<LinkWork>& links,
                            std::vector<Group> groups);

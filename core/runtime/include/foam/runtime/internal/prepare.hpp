@@ -39,6 +39,7 @@ struct LinkWork {
     std::vector<CollisionElement> elements;
     LinkReport report;
     std::optional<Error> error;
+    bool bounds_only = false; ///< the figures of the report are bounds: there was no time to measure
 };
 
 /// The destination of a task's result: element `element` of link `link`.

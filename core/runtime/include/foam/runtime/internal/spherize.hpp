@@ -29,6 +29,10 @@ struct Group {
     std::shared_ptr<const Solid> uncovered;
     /// The original geometry, in the link's frame; null if it is not built yet.
     std::shared_ptr<const Solid> solid;
+    /// The same with its inside, where that counts as geometry; null if it is not built yet.
+    std::shared_ptr<const Solid> filled;
+    /// Whether `tree` covers already, and its figures are not measured: there is no time.
+    bool in_haste = false;
 };
 
 struct SpherizedLinks {
