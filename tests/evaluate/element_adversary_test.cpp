@@ -284,7 +284,11 @@ TEST_P(ElementAdversary, OneNumberChangedAtOtherSizesAndPlaces) {
     Random random(derive_seed(2, to_string(GetParam())));
     const bool hull = GetParam() == Kind::hull; // its planes take fourth powers of lengths
     for (const double size : {hull ? 1e-40 : 1e-100, 1e-6, 1e6, hull ? 1e40 : 1e100}) {
+#ifdef FOAM_TEST_FEW
+        for (const double away : {1e6}) {
+#else
         for (const double away : {0.0, 1e6}) {
+#endif
             Count count;
             judge_changes(
                 tight_case(GetParam(), inners[random.below(5)], places[random.below(4)], size, away * size, random),
