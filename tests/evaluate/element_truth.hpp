@@ -101,17 +101,36 @@ private:
         T offset;
     };
 
-    /// The planes through three vertices that have no vertex beyond them.
+    /// The planes through three vertices that have no vertex beyond them. Most triples are refused in less precision.
     void find_faces(const std::vector<Vec3>& corners) {
         std::vector<QuadPoint> vertices(corners.size());
         std::transform(corners.begin(), corners.end(), vertices.begin(), quad);
-        for (std::size_t i = 0; i < vertices.size(); ++i) {
+        std::vector<Point<Long>> rough(corners.size());
+        std::transform(vertices.begin(), vertices.end(), rough.begin(), converted<Long, Quad>);
+        for (std::size_t i = 0; i < corners.size(); ++i) {
             for (std::size_t j = 0; j < i; ++j) {
                 for (std::size_t k = 0; k < j; ++k) {
-                    add_face(vertices, vertices[i], vertices[j], vertices[k]);
+                    if (!has_both_sides(rough, rough[i], rough[j], rough[k])) {
+                        add_face(vertices, vertices[i], vertices[j], vertices[k]);
+                    }
                 }
             }
         }
+    }
+    static bool has_both_sides(const std::vector<Point<Long>>& vertices, const Point<Long>& a, const Point<Long>& b,
+                               const Point<Long>& c) {
+        const Point<Long> n = cross(b - a, c - a);
+        const Long rounding = 1e-15L * norm(b - a) * norm(c - a);
+        bool below = false, above = false;
+        for (const Point<Long>& v : vertices) {
+            const Long height = dot(n, v - a), far = rounding * norm(v - a);
+            below = below || height < -far;
+            above = above || height > far;
+            if (below && above) {
+                return true;
+            }
+        }
+        return false;
     }
     void add_face(const std::vector<QuadPoint>& vertices, const QuadPoint& a, const QuadPoint& b, const QuadPoint& c) {
         QuadPoint n = cross(b - a, c - a);
@@ -120,15 +139,11 @@ private:
             return;
         }
         n = n * (1 / length);
-        const Quad near = 1e-9 * root(length);
         Quad low = 0, high = 0;
         for (const QuadPoint& v : vertices) {
             const Quad height = dot(n, v - a);
             low = std::min(low, height);
             high = std::max(high, height);
-            if (high > near && low < -near) {
-                return; // vertices on both sides
-            }
         }
         const Quad hair = 1e-28 * (high - low); // the rounding of quadruple precision
         if (high <= hair || low >= -hair) {

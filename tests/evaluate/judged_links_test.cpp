@@ -136,6 +136,7 @@ TEST(JudgedLinks, SpheresWithoutALinkBelongToTheOnlyOne) {
     EXPECT_EQ(match(cubes({"a"}), file_of({one_ball("")})).spheres[0].size(), 1u);
     EXPECT_THAT(refusal_of(cubes({"a", "b"}), file_of({one_ball("")})),
                 HasSubstr("model.yaml: the spheres name no link, and folder/robot.urdf has 2 links; remedy: --rename"));
+    EXPECT_THAT(refusal_of(cubes({}), file_of({one_ball("")})), HasSubstr("folder/robot.urdf has 0 links; remedy"));
     EXPECT_EQ(match(cubes({"a", "b"}), file_of({one_ball("")}), {{"", "b"}}).spheres[1].size(), 1u);
     EXPECT_EQ(match(cubes({"a", "b"}), file_of({{"", {}}, one_ball("b")})).spheres[1].size(), 1u);
 }

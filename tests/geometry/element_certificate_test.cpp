@@ -208,8 +208,10 @@ INSTANTIATE_TEST_SUITE_P(Kinds, EachKind,
 
 #ifdef FOAM_TEST_FEW
 constexpr std::size_t samples = 200'000; // a kind
+constexpr int planes = 4;
 #else
 constexpr std::size_t samples = 10'000'000; // a kind
+constexpr int planes = 20;
 #endif
 
 TEST_P(EachKind, WhatIsProvedHoldsAllPointsAndALittleLessDoesNot) {
@@ -430,7 +432,7 @@ void expect_proved_by_cuts(const Solid& solid, const std::vector<Element>& eleme
 
 TEST(ElementCertificate, PolytopesThatMeetAtAPlane) {
     Random random(6);
-    for (int run = 0; run < 20; ++run) {
+    for (int run = 0; run < planes; ++run) {
         const Pose pose = run == 0 ? Pose{} : test::random_pose(random, 1);
         const auto solid = Solid::make(transformed(test::box({-0.9, -0.9, -0.9}, {0.9, 0.9, 0.9}), pose));
         for (const auto& make : {box_between, hull_between}) {

@@ -195,13 +195,15 @@ TEST(WrittenNumbers, SpheresBesideElementsCoverWithThem) {
     Element box = odd(Kind::box, 0.5);
     box.pose = {};
     box.pose.translation = {0.5123456789, 0, 0};
+    box.half = {0.5101234567, 0.2512345678, 0.2512345678};
     for (const Numbers numbers : {Numbers::float64, Numbers::float32}) {
         Approximation::Level level{{{{-0.5123456789, 0, 0}, 0.3333333333}}, {}, {box}};
         const double growth = finish_elements(*solid, level, grid, true, numbers);
         EXPECT_TRUE(covers(*solid, level.view()));
         EXPECT_TRUE(is_on(grid, level.spheres[0].radius));
         EXPECT_TRUE(is_on(grid, level.spheres[0].center));
-        EXPECT_GE(growth, level.spheres[0].radius - 0.3333333333);
+        EXPECT_EQ(growth, level.spheres[0].radius - 0.3333333333) << "more than that of the box";
+        EXPECT_LT(level.others[0].half.x - box.half.x, 0.1);
         EXPECT_GT(level.spheres[0].radius, 0.5);
         const Element read_box = in_float(level.others[0]);
         const Vec3& c = level.spheres[0].center;
@@ -210,6 +212,46 @@ TEST(WrittenNumbers, SpheresBesideElementsCoverWithThem) {
         if (numbers == Numbers::float32) {
             EXPECT_TRUE(covers(*solid, ElementsView{std::span(&read, 1), std::span(&read_box, 1)}));
         }
+    }
+}
+
+TEST(WrittenNumbers, WhatFilesLoseIsAddedWhereTheyLoseIt) {
+    // Lengths on the grid stay where nothing is lost, and else come up to the next place on it.
+    const auto solid = Solid::make(test::box({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}));
+    const DecimalGrid grid(1);
+    const auto finished = [&](Element e, const Pose& pose, Numbers numbers, bool outer = true) {
+        e.pose = pose;
+        Approximation::Level level{{}, {}, {e}};
+        finish_elements(*solid, level, grid, outer, numbers);
+        return level.others[0];
+    };
+    const Pose turned = Pose::from_axis_angle({0, 0, 1}, 0.3);
+    const double next = grid.up(0.5 + 0.5 * grid.step());
+    for (const Kind kind : {Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box, Kind::sphere}) {
+        Element e{.kind = kind};
+        e.radius = kind == Kind::box ? 0 : 0.5;
+        e.half = kind == Kind::capsule || kind == Kind::cylinder ? Vec3{0, 0, 0.5} : Vec3{};
+        if (kind == Kind::box || kind == Kind::swept_box) {
+            e.half = {0.5, 0.5, 0.5};
+        }
+        const auto length = [&](const Element& of) { return kind == Kind::box ? of.half.x : of.radius; };
+        const bool by_ends = kind == Kind::capsule || kind == Kind::cylinder;
+        EXPECT_EQ(length(finished(e, {}, Numbers::float64)), by_ends ? next : 0.5) << to_string(kind);
+        EXPECT_EQ(length(finished(e, turned, Numbers::float64)), next) << to_string(kind);
+        EXPECT_EQ(length(finished(e, turned, Numbers::float64, false)), 0.5) << to_string(kind);
+        const double single = length(finished(e, {}, Numbers::float32)) - 0.5;
+        const Box box = bounds(e);
+        EXPECT_NEAR(single, 8 * std::numeric_limits<float>::epsilon() * norm(box.high), 1.001 * grid.step());
+        EXPECT_GE(single, 8 * std::numeric_limits<float>::epsilon() * norm(box.high));
+        Pose below; // the farther side counts
+        below.translation = {-3, 0, 2};
+        const double far = norm({-3 + box.low.x, box.high.y, 2 + box.high.z});
+        const auto elsewhere = Solid::make(test::box({-3.1, -0.1, 1.9}, {-2.9, 0.1, 2.1}));
+        e.pose = below;
+        Approximation::Level level{{}, {}, {e}};
+        finish_elements(*elsewhere, level, grid, true, Numbers::float32);
+        EXPECT_NEAR(length(level.others[0]) - 0.5, 8 * std::numeric_limits<float>::epsilon() * far,
+                    1.001 * grid.step());
     }
 }
 
