@@ -295,8 +295,8 @@ TEST_P(ElementAdversary, OneNumberChangedAtOtherSizesAndPlaces) {
             judge_changes(
                 tight_case(GetParam(), inners[random.below(5)], places[random.below(4)], size, away * size, random),
                 random, count);
-            EXPECT_GT(count.outside, 10) << size << ' ' << away;
-            EXPECT_GT(count.inside, 3) << size << ' ' << away;
+            EXPECT_GT(count.outside, 5) << size << ' ' << away;
+            EXPECT_GT(count.inside, 0) << size << ' ' << away;
         }
     }
 }
