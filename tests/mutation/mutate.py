@@ -26,6 +26,7 @@ SURFACE = ["geometry/balls_test", "geometry/crease_cuts_test", "geometry/certifi
 GROWN = ["geometry/growth_test"]
 MEASURED = ["geometry/volume_test", "geometry/measure_test"]
 INNER = ["geometry/inner_test"]
+ELEMENTS = ["evaluate/element_adversary_test", "geometry/element_certificate_test"]
 
 # Which tests belong to which file, the ones that are likely to notice first. `core` names the files of core that tests link besides.
 BELONG = {
@@ -41,16 +42,34 @@ BELONG = {
     "geometry/src/measure_volume.cpp": MEASURED,
     "geometry/src/exact_union_volume.cpp": MEASURED,
     "geometry/src/intervals.cpp": ["geometry/intervals_test"],
+    "geometry/src/element_proof.cpp": ELEMENTS,
+    "geometry/src/bodies.cpp": ELEMENTS,
+    "geometry/src/body_cuts.cpp": ELEMENTS,
+    "geometry/src/element_growth.cpp": ELEMENTS,
+    "geometry/src/element_grown.cpp": ["geometry/element_test"] + ELEMENTS,
+    "geometry/src/element_enlarged.cpp": ELEMENTS,
+    "geometry/src/surface_runs.cpp": ["geometry/surface_runs_test", "geometry/balls_test"],
+    "geometry/src/needle_index.cpp": ["geometry/needle_index_test"],
+    "geometry/src/convex_hull.cpp": ["geometry/convex_hull_test", "geometry/element_test"],
+    "collision/src/proof.cpp": ["self_collision/proof_test", "self_collision/matrix_test"],
+    "search/src/convex/orientation_bounds.cpp": ["convex/orientation_bounds_test", "convex/least_element_test"],
+    "search/src/convex/proved_least.cpp": ["convex/least_element_test"],
+    "judge/src/evaluate/evaluate.cpp": ["evaluate/judged_links_test"],
+    "judge/src/evaluate/match.cpp": ["evaluate/judged_links_test"],
+    "judge/src/evaluate/proved_links.cpp": ["evaluate/judged_links_test"],
+    "runtime/src/written_numbers.cpp": ["run/written_numbers_test"],
     "runtime/src/cover.cpp": ["run/finished_tree_test"],
     "runtime/src/written_proof.cpp": ["run/written_proof_test"],
     "base/src/number_text.cpp": ["data/text_test", "run/finished_tree_test"],
 }
-WHOLE = {"base", "geometry", "xml", "robot", "sdk"}  # libraries that tests link
-LINKED = {"runtime/src/contract/sample.cpp", "runtime/src/cover.cpp", "runtime/src/written_proof.cpp"}  # and these files of others
+WHOLE = {"base", "geometry", "xml", "robot", "sdk", "collision"}  # libraries that tests link
+# And these files of others, or those whose paths begin so.
+LINKED = ("runtime/src/contract/sample.cpp", "runtime/src/cover.cpp", "runtime/src/written_", "judge/src/evaluate/", "search/src/convex/",
+          "search/src/cover/")
 FLAGS = ("-std=c++20 -O1 -fPIC -DNDEBUG -D_GLIBCXX_ASSERTIONS -ffp-contract=off -w -DFMT_SHARED -DFOAM_VERSION=\"mutation\" "
          "-DFOAM_YAML_CPP_VERSION=\"\" -DFOAM_PLUGIN_SUBDIRECTORY=\"foam/plugins\" -isystem /usr/include/eigen3").split()
 LIBRARIES_OF_CORE = ["base", "geometry", "xml", "robot", "collision", "search", "sdk", "yaml", "recipe", "report", "runtime", "judge"]
-INCLUDES = [f"-I{BUILD}/include", f"-I{CORE}", f"-I{TESTS}"] + [f"-I{CORE}/{name}/include" for name in LIBRARIES_OF_CORE]
+INCLUDES = [f"-I{BUILD}/include", f"-I{CORE}", f"-I{CORE}/search/src", f"-I{TESTS}"] + [f"-I{CORE}/{name}/include" for name in LIBRARIES_OF_CORE]
 LIBRARIES = "-lgmock -lgtest -lgtest_main -ltbb -lfmt -lyaml-cpp -lexpat -lxxhash -lpthread -ldl".split()
 HEADERS = {"core": "algorithm array cmath cstdint filesystem functional map memory optional set span string string_view variant vector "
                    "fmt/format.h".split(),
@@ -94,7 +113,8 @@ def compile_file(source, made, headers, folder=None):
     made.parent.mkdir(parents=True, exist_ok=True)
     command = [compiler(), *FLAGS, *INCLUDES, "-include", str(BUILD / "headers" / f"{headers}.hpp"), "-MMD", "-c", str(source),
                "-o", str(made), f"-DFOAM_TEST_SOURCE=\"{ROOT}\"", f"-DFOAM_TEST_PLUGINS=\"{BUILD}/plugins\"",
-               f"-DFOAM_TEST_SHARED=\"{os.environ.get('FOAM_SHARED', '')}\"", "-DFOAM_TEST_BINARY=\"\""]
+               f"-DFOAM_TEST_SHARED=\"{os.environ.get('FOAM_SHARED', '')}\"", "-DFOAM_TEST_BINARY=\"\"",
+               "-DFOAM_TEST_FEW"]  # tests that take many samples take fewer
     if folder:
         command[1:1] = ["-iquote", str(folder)]
     done = run(command)
@@ -117,7 +137,7 @@ def build(jobs):
         precompiled(name)
     names = [p.relative_to(CORE) for p in sorted(CORE.glob("*/src/**/*.cpp"))]
     sources = [(CORE / name, BUILD / "core" / name.with_suffix(".o"), "core") for name in names
-               if name.parts[0] in WHOLE or str(name) in LINKED]
+               if name.parts[0] in WHOLE or str(name).startswith(LINKED)]
     sources += [(TESTS / f"{t}.cpp", BUILD / "tests" / f"{t}.o", "tests") for t in sorted({t for f in BELONG for t in tests_of(f)})]
     stale = [s for s in sources if not is_new(s[1], s[1].with_suffix(".d"))]
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
@@ -125,11 +145,10 @@ def build(jobs):
             if told:
                 sys.exit(f"{source} does not compile:\n{told}")
     archive = BUILD / "libcore.a"
-    if stale or not archive.exists():
-        archive.unlink(missing_ok=True)
-        done = run(["ar", "rcs", str(archive), *[str(s[1]) for s in sources if s[2] == "core"]])
-        if done.returncode:
-            sys.exit(done.stderr)
+    archive.unlink(missing_ok=True)  # what it is made of may have changed though no object has
+    done = run(["ar", "rcs", str(archive), *[str(s[1]) for s in sources if s[2] == "core"]])
+    if done.returncode:
+        sys.exit(done.stderr)
 
 
 def linked(program, objects, tests):

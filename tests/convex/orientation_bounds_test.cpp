@@ -1,0 +1,204 @@
+// The bounds that a proof of a least element rests on: no element along an orientation of a cell is smaller.
+#include "geometry/plain_shapes.hpp"
+#include "search/src/convex/orientation_bounds.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace foam {
+namespace {
+
+using namespace search::convex;
+using std::numbers::pi;
+using ::testing::Each;
+using ::testing::SizeIs;
+
+/// A cell as after some halvings, chosen by chance.
+Orientations random_cell(Random& random, bool of_axis) {
+    std::vector<Orientations> cells = all_orientations(of_axis);
+    Orientations cell = cells[random.below(cells.size())];
+    for (std::uint64_t k = random.below(5); k > 0; --k) {
+        cells = parts_of(cell, of_axis);
+        cell = cells[random.below(cells.size())];
+    }
+    return cell;
+}
+
+/// A place in the cell; in every fourth case a corner.
+Vec3 place_in(const Orientations& cell, bool of_axis, Random& random) {
+    const bool corner = random.below(4) == 0;
+    const auto along = [&] { return cell.half * (corner ? (random.below(2) ? 1 : -1) : random.uniform(-1, 1)); };
+    const double x = along(), y = along(), z = along();
+    return cell.at + Vec3{x, y, of_axis ? 0 : z};
+}
+
+Orientations at_place(Orientations cell, const Vec3& at) {
+    cell.at = at;
+    return cell;
+}
+
+/// The angle between two frames, or between two directions but for their sign.
+double angle_between(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) {
+    const double trace = dot(a[0], b[0]) + dot(a[1], b[1]) + dot(a[2], b[2]);
+    return std::acos(std::clamp((trace - 1) / 2, -1.0, 1.0));
+}
+double angle_between(const Vec3& a, const Vec3& b) {
+    return std::atan2(norm(cross(a, b)), std::abs(dot(a, b)));
+}
+
+/// Points of all kinds of shapes: long, flat, even.
+Cloud random_cloud(Random& random) {
+    std::vector<Vec3> points;
+    const Vec3 size{random.uniform(0.01, 1), random.uniform(0.01, 1), random.uniform(0.01, 1)};
+    const Pose pose = test::random_pose(random, 1);
+    for (int k = 0; k < 12; ++k) {
+        points.push_back(pose * Vec3{size.x * random.uniform(-1, 1), size.y * random.uniform(-1, 1),
+                                     size.z * random.uniform(-1, 1)});
+    }
+    return cloud_of(points);
+}
+
+TEST(OrientationBounds, TheReachIsTheLargestAngleInACell) {
+    Random random(1);
+    for (int round = 0; round < 200; ++round) {
+        for (const bool of_axis : {false, true}) {
+            const Orientations cell = random_cell(random, of_axis);
+            const double most = reach(cell, of_axis);
+            double largest = 0;
+            for (int k = 0; k < 200; ++k) {
+                const Vec3 at = place_in(cell, of_axis, random);
+                const double angle = of_axis ? angle_between(direction_at(cell), direction_at(at_place(cell, at)))
+                                             : angle_between(axes_at(cell.at), axes_at(at));
+                EXPECT_LE(angle, most + 1e-7);
+                largest = std::max(largest, angle);
+            }
+            EXPECT_GT(largest, most - 1e-7) << "one of the corners has it";
+        }
+    }
+}
+
+TEST(OrientationBounds, TheCellsHaveAllOrientations) {
+    Random random(2);
+    EXPECT_THAT(all_orientations(true), SizeIs(3));
+    EXPECT_THAT(all_orientations(false), SizeIs(1));
+    for (int round = 0; round < 2000; ++round) {
+        const Vec3 direction = test::random_direction(random);
+        int found = 0;
+        for (const Orientations& cell : all_orientations(true)) {
+            found += angle_between(direction_at(cell), direction) <= reach(cell, true);
+        }
+        EXPECT_GT(found, 0);
+        // One of the 24 turns of a cube brings any frame near.
+        const std::array<Vec3, 3> axes = axes_at(test::random_direction(random) * random.uniform(0, 3));
+        double nearest = pi;
+        for (int x = 0; x < 3; ++x) {
+            for (int y = 0; y < 3; ++y) {
+                for (int signs = 0; signs < 4 && x != y; ++signs) {
+                    const auto i = static_cast<std::size_t>(x), k = static_cast<std::size_t>(y);
+                    const Vec3 a = axes[i] * (signs & 1 ? -1 : 1), b = axes[k] * (signs & 2 ? -1 : 1);
+                    nearest = std::min(nearest, angle_between({a, b, cross(a, b)}, axes_at({})));
+                }
+            }
+        }
+        EXPECT_LE(nearest, reach(all_orientations(false)[0], false));
+    }
+}
+
+TEST(OrientationBounds, ThePartsTileTheCell) {
+    Random random(3);
+    for (int round = 0; round < 500; ++round) {
+        for (const bool of_axis : {false, true}) {
+            const Orientations cell = random_cell(random, of_axis);
+            const std::vector<Orientations> parts = parts_of(cell, of_axis);
+            EXPECT_THAT(parts, SizeIs(of_axis ? 4 : 8));
+            const Vec3 at = place_in(cell, of_axis, random);
+            EXPECT_TRUE(std::any_of(parts.begin(), parts.end(), [&](const Orientations& part) {
+                const Vec3 off = at - part.at;
+                return part.half == cell.half / 2 && part.face == cell.face &&
+                       std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)}) <= part.half * (1 + 1e-12);
+            }));
+        }
+    }
+}
+
+TEST(OrientationBounds, DirectionsAreThoseOfTheFaces) {
+    EXPECT_EQ(direction_at({.at = {}, .half = 1, .face = 0}), (Vec3{1, 0, 0}));
+    EXPECT_EQ(direction_at({.at = {}, .half = 1, .face = 1}), (Vec3{0, 1, 0}));
+    EXPECT_EQ(direction_at({.at = {}, .half = 1, .face = 2}), (Vec3{0, 0, 1}));
+    EXPECT_NEAR(distance(direction_at({.at = {0.5, -1, 0}, .half = 1, .face = 1}), normalized({-1, 1, 0.5})), 0, 1e-15);
+}
+
+TEST(OrientationBounds, NoBoxOfACellIsSmaller) {
+    Random random(4);
+    for (int round = 0; round < 300; ++round) {
+        const Cloud cloud = random_cloud(random);
+        const Orientations cell = random_cell(random, false);
+        const std::array<Vec3, 3> axes = axes_at(cell.at);
+        const double bound = bound_of_box(cloud, axes, reach(cell, false));
+        for (int k = 0; k < 100; ++k) {
+            EXPECT_LE(bound, volume(box_along(cloud, axes_at(place_in(cell, false, random)))) * (1 + 1e-12));
+        }
+        EXPECT_NEAR(bound_of_box(cloud, axes, 0), volume(box_along(cloud, axes)), 1e-12) << "exact without an angle";
+    }
+}
+
+TEST(OrientationBounds, NoCylinderOfACellIsSmaller) {
+    Random random(5);
+    for (int round = 0; round < 300; ++round) {
+        const Cloud cloud = random_cloud(random);
+        const Orientations cell = random_cell(random, true);
+        const Fit here = cylinder_along(cloud, direction_at(cell));
+        const double bound = bound_of_cylinder(cloud, here, reach(cell, true));
+        for (int k = 0; k < 100; ++k) {
+            const Vec3 direction = direction_at(at_place(cell, place_in(cell, true, random)));
+            EXPECT_LE(bound, volume(cylinder_along(cloud, direction)) * (1 + 1e-9));
+        }
+        EXPECT_NEAR(bound_of_cylinder(cloud, here, 0), volume(here), 1e-9 * volume(here));
+    }
+}
+
+double least_capsule_along(const Cloud& cloud, const Vec3& direction) {
+    return volume(descended(capsule_along(cloud, direction), cloud, 60, 0.1, true));
+}
+
+TEST(OrientationBounds, NoCapsuleOfACellIsSmaller) {
+    Random random(6);
+    for (int round = 0; round < 40; ++round) {
+        const Cloud cloud = random_cloud(random);
+        const Orientations cell = random_cell(random, true);
+        const double here = least_capsule_along(cloud, direction_at(cell));
+        const double bound = bound_of_capsule(here, reach(cell, true));
+        for (int k = 0; k < 20; ++k) {
+            const Vec3 direction = direction_at(at_place(cell, place_in(cell, true, random)));
+            EXPECT_LE(bound, least_capsule_along(cloud, direction) * (1 + 1e-6));
+        }
+        EXPECT_EQ(bound_of_capsule(here, 0), here);
+    }
+}
+
+TEST(OrientationBounds, ALayerIsTakenOffACapsule) {
+    // Of a capsule as long as the points, and of any shorter one: no more than the layer at the longest.
+    for (const double angle : {0.01, 0.1, 0.5}) {
+        for (const double radius : {0.05, 0.2, 0.5}) {
+            const double here = pi * radius * radius + 4 * pi / 3 * radius * radius * radius;
+            const double loss = here - bound_of_capsule(here, angle);
+            const double layer = std::sin(angle / 2) * (2 * pi * radius + 4 * pi * radius * radius);
+            EXPECT_GE(loss, layer * (1 - 1e-9));
+            EXPECT_LE(loss, layer * 1.2);
+        }
+    }
+}
+
+TEST(OrientationBounds, ThereIsAlwaysAThickness) {
+    const std::vector<Vec3> line{{0, 0, 0}, {1, 0, 0}};
+    const Cloud cloud = cloud_of(line);
+    EXPECT_DOUBLE_EQ(bound_of_box(cloud, axes_at({}), 0), 4 * thin * thin);
+    EXPECT_DOUBLE_EQ(bound_of_box(cloud, axes_at({}), 2), 8 * thin * thin * thin);
+    const Fit cylinder = cylinder_along(cloud, {1, 0, 0});
+    EXPECT_NEAR(bound_of_cylinder(cloud, cylinder, 1.5), pi * thin * thin * std::cos(1.5), 1e-18);
+}
+
+} // namespace
+} // namespace foam

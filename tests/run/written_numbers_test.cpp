@@ -1,0 +1,305 @@
+// Elements on a decimal grid: their numbers print short, and they hold what they held.
+#include "geometry/plain_shapes.hpp"
+#include "runtime/src/written_numbers.hpp"
+
+#include <foam/geometry/element_measure.hpp>
+
+#include <gmock/gmock.h>
+
+namespace foam {
+namespace {
+
+using Kind = Element::Kind;
+using ::testing::ElementsAre;
+
+bool is_on(const DecimalGrid& grid, double value) {
+    return grid.nearest(value) == value;
+}
+bool is_on(const DecimalGrid& grid, const Vec3& v) {
+    return grid.nearest(v) == v;
+}
+
+/// An element of a kind whose numbers are on no grid.
+Element odd(Kind kind, double size) {
+    Element e;
+    e.kind = kind;
+    e.pose = Pose::from_axis_angle(normalized({1, 2, 3}), 0.7);
+    e.pose.translation = Vec3{0.1234567891, -0.2345678912, 0.3456789123} * size;
+    if (kind == Kind::hull) {
+        Random random(3);
+        std::vector<Vec3> points;
+        for (int k = 0; k < 12; ++k) {
+            points.push_back(test::random_direction(random) * (size * random.uniform(0.8, 1)));
+        }
+        e.hull = convex_hull(points);
+        return e;
+    }
+    e.radius = kind == Kind::box ? 0 : 0.4444444444 * size;
+    if (kind == Kind::box || kind == Kind::swept_box) {
+        e.half = Vec3{0.5555555555, 0.6666666666, 0.7777777777} * size;
+    } else if (kind != Kind::sphere) {
+        e.half.z = 0.8888888888 * size;
+    }
+    return e;
+}
+
+/// Expects that the outer element holds points of the inner one's surface, seen from many sides.
+void expect_holds(const Element& outer, const Element& inner) {
+    Random random(5);
+    for (int k = 0; k < 200; ++k) {
+        const Vec3 p = support(inner, test::random_direction(random));
+        EXPECT_TRUE(holds(outer, p, -1e-15 * norm(p))) << to_string(inner.kind);
+    }
+}
+
+class WrittenNumbers : public ::testing::TestWithParam<Kind> {};
+INSTANTIATE_TEST_SUITE_P(Kinds, WrittenNumbers,
+                         ::testing::Values(Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box,
+                                           Kind::hull),
+                         [](const auto& kind) { return to_string(kind.param); });
+
+TEST_P(WrittenNumbers, LengthsAreRoundedUpToTheGrid) {
+    const DecimalGrid grid(1);
+    const Element before = odd(GetParam(), 1), after = up_on_grid(before, grid);
+    expect_holds(after, before);
+    EXPECT_EQ(after.kind, before.kind);
+    EXPECT_TRUE(is_on(grid, after.radius));
+    EXPECT_TRUE(is_on(grid, after.half));
+    if (before.hull) {
+        EXPECT_EQ(after.pose, Pose{});
+        for (const Vec3& v : after.hull->surface.vertices) {
+            EXPECT_TRUE(is_on(grid, v));
+            EXPECT_LT(distance(before, v), 10 * grid.step());
+        }
+        return;
+    }
+    EXPECT_EQ(after.pose, before.pose);
+    EXPECT_LT(after.radius - before.radius, grid.step());
+    for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_LT(after.half[axis] - before.half[axis], grid.step());
+    }
+    EXPECT_EQ(up_on_grid(after, grid), after) << "what is on the grid stays";
+}
+
+TEST_P(WrittenNumbers, WithoutAGridNothingMoves) {
+    const DecimalGrid none(1e30);
+    ASSERT_EQ(none.step(), 0);
+    const Element element = odd(GetParam(), 1);
+    EXPECT_EQ(up_on_grid(element, none), element);
+}
+
+TEST(WrittenNumbers, ACapsuleOfNoLengthStaysOne) {
+    Element capsule = odd(Kind::capsule, 1);
+    capsule.half.z = 0;
+    const DecimalGrid grid(1), none(1e30);
+    EXPECT_EQ(up_on_grid(capsule, grid).half.z, std::max(grid.step(), 1e-6 * up_on_grid(capsule, grid).radius));
+    EXPECT_EQ(up_on_grid(capsule, none).half.z, 1e-6 * capsule.radius);
+    capsule.radius = 1e3;
+    EXPECT_EQ(up_on_grid(capsule, grid).half.z, 1e-3);
+    Element cylinder = odd(Kind::cylinder, 1);
+    cylinder.half.z = 0;
+    EXPECT_EQ(up_on_grid(cylinder, grid).half.z, 0);
+}
+
+TEST(WrittenNumbers, SinglePrecisionTakesTwoOfItsUnits) {
+    const double unit = std::numeric_limits<float>::epsilon();
+    for (const Sphere& s : {Sphere{{4, 1, 2}, 3}, Sphere{{1, -4, 2}, 3}, Sphere{{1, 2, -4}, 3}, Sphere{{1, 2, 3}, 4},
+                            Sphere{{-4, 1, 2}, 3}}) {
+        EXPECT_EQ(float32_slack(s, Numbers::float32), 8 * unit);
+        EXPECT_EQ(float32_slack(s, Numbers::float64), 0);
+    }
+}
+
+/// The numbers of an element after reading it from a file in single precision.
+Element in_float(Element e) {
+    const auto rounded = [](double& x) { x = static_cast<float>(x); };
+    for (double* x : {&e.radius, &e.half.x, &e.half.y, &e.half.z, &e.pose.translation.x, &e.pose.translation.y,
+                      &e.pose.translation.z}) {
+        rounded(*x);
+    }
+    if (e.hull) {
+        std::vector<Vec3> points = e.hull->surface.vertices;
+        for (Vec3& p : points) {
+            p = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+        }
+        e.hull = convex_hull(points);
+    }
+    return e;
+}
+
+TEST_P(WrittenNumbers, FinishedElementsCoverAndAreOnTheGrid) {
+    for (const double size : {1e-3, 1.0, 30.0}) {
+        // The solid is the smallest box around the element, so that the element has to grow.
+        const Element start = odd(GetParam(), size);
+        const Box box = bounds(start);
+        const auto solid = Solid::make(test::box(box.low, box.high));
+        const DecimalGrid grid(solid->bounds().diagonal());
+        for (const Numbers numbers : {Numbers::float64, Numbers::float32}) {
+            Approximation::Level level{{}, {}, {start}};
+            const double growth = finish_elements(*solid, level, grid, true, numbers);
+            ASSERT_EQ(level.others.size(), 1u);
+            const Element& e = level.others[0];
+            EXPECT_TRUE(certify(*solid, level.view()).holds) << size;
+            EXPECT_TRUE(is_on(grid, e.radius));
+            EXPECT_TRUE(is_on(grid, e.half));
+            double most = e.radius - start.radius;
+            for (int axis = 0; axis < 3; ++axis) {
+                most = std::max(most, e.half[axis] - start.half[axis]);
+            }
+            if (e.hull) {
+                for (const Vec3& v : e.hull->surface.vertices) {
+                    EXPECT_TRUE(is_on(grid, v));
+                    most = std::max(most, distance(start, v));
+                }
+            }
+            EXPECT_GT(growth, 0);
+            EXPECT_EQ(growth, most);
+            if (numbers == Numbers::float32) {
+                const Element read = in_float(e);
+                EXPECT_TRUE(certify(*solid, ElementsView{{}, std::span(&read, 1)}).holds) << size;
+            }
+        }
+    }
+}
+
+TEST_P(WrittenNumbers, WhatCoversAlreadyGrowsByNoMoreThanRounding) {
+    const auto solid = Solid::make(test::box({0.05, -0.3, 0.25}, {0.2, -0.2, 0.4}));
+    const Element start = odd(GetParam(), 1);
+    const DecimalGrid grid(1);
+    Approximation::Level level{{}, {}, {start}};
+    ASSERT_TRUE(covers(*solid, level.view()));
+    const double growth = finish_elements(*solid, level, grid, true, Numbers::float64);
+    EXPECT_GE(growth, 0);
+    EXPECT_LT(growth, GetParam() == Kind::hull ? 5 * grid.step() : 2 * grid.step());
+    EXPECT_TRUE(covers(*solid, level.view()));
+    if (GetParam() != Kind::hull) {
+        EXPECT_EQ(level.others[0].pose.translation, grid.nearest(start.pose.translation));
+    }
+}
+
+TEST(WrittenNumbers, WhatIsNotToCoverOnlyMovesToTheGrid) {
+    const auto solid = Solid::make(test::box({-9, -9, -9}, {9, 9, 9}));
+    const DecimalGrid grid(1);
+    const Element start = odd(Kind::swept_box, 1);
+    Approximation::Level level{{{{0.1234567891, 0, 0}, 0.2222222222}}, {}, {start}};
+    finish_elements(*solid, level, grid, false, Numbers::float32);
+    EXPECT_EQ(level.spheres[0], (Sphere{grid.nearest(Vec3{0.1234567891, 0, 0}), grid.up(0.2222222222)}));
+    Element expected = up_on_grid(start, grid);
+    expected.pose.translation = grid.nearest(start.pose.translation);
+    EXPECT_THAT(level.others, ElementsAre(expected));
+}
+
+TEST(WrittenNumbers, SpheresBesideElementsCoverWithThem) {
+    const auto solid = Solid::make(test::box({-1, -0.2, -0.2}, {1, 0.2, 0.2}));
+    const DecimalGrid grid(2);
+    Element box = odd(Kind::box, 0.5);
+    box.pose = {};
+    box.pose.translation = {0.5123456789, 0, 0};
+    for (const Numbers numbers : {Numbers::float64, Numbers::float32}) {
+        Approximation::Level level{{{{-0.5123456789, 0, 0}, 0.3333333333}}, {}, {box}};
+        const double growth = finish_elements(*solid, level, grid, true, numbers);
+        EXPECT_TRUE(covers(*solid, level.view()));
+        EXPECT_TRUE(is_on(grid, level.spheres[0].radius));
+        EXPECT_TRUE(is_on(grid, level.spheres[0].center));
+        EXPECT_GE(growth, level.spheres[0].radius - 0.3333333333);
+        EXPECT_GT(level.spheres[0].radius, 0.5);
+        const Element read_box = in_float(level.others[0]);
+        const Vec3& c = level.spheres[0].center;
+        const Sphere read{{static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z)},
+                          static_cast<float>(level.spheres[0].radius)};
+        if (numbers == Numbers::float32) {
+            EXPECT_TRUE(covers(*solid, ElementsView{std::span(&read, 1), std::span(&read_box, 1)}));
+        }
+    }
+}
+
+TEST(WrittenNumbers, WhatFilesLoseIsAddedWhereTheyLoseIt) {
+    // Lengths on the grid stay where nothing is lost, and else come up to the next place on it.
+    const auto solid = Solid::make(test::box({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}));
+    const DecimalGrid grid(1);
+    const auto finished = [&](Element e, const Pose& pose, Numbers numbers, bool outer = true) {
+        e.pose = pose;
+        Approximation::Level level{{}, {}, {e}};
+        finish_elements(*solid, level, grid, outer, numbers);
+        return level.others[0];
+    };
+    const Pose turned = Pose::from_axis_angle({0, 0, 1}, 0.3);
+    const double next = grid.up(0.5 + 0.5 * grid.step());
+    for (const Kind kind : {Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box, Kind::sphere}) {
+        Element e{.kind = kind};
+        e.radius = kind == Kind::box ? 0 : 0.5;
+        e.half = kind == Kind::capsule || kind == Kind::cylinder ? Vec3{0, 0, 0.5} : Vec3{};
+        if (kind == Kind::box || kind == Kind::swept_box) {
+            e.half = {0.5, 0.5, 0.5};
+        }
+        const auto length = [&](const Element& of) { return kind == Kind::box ? of.half.x : of.radius; };
+        const bool by_ends = kind == Kind::capsule || kind == Kind::cylinder;
+        EXPECT_EQ(length(finished(e, {}, Numbers::float64)), by_ends ? next : 0.5) << to_string(kind);
+        EXPECT_EQ(length(finished(e, turned, Numbers::float64)), next) << to_string(kind);
+        EXPECT_EQ(length(finished(e, turned, Numbers::float64, false)), 0.5) << to_string(kind);
+        const double single = length(finished(e, {}, Numbers::float32)) - 0.5;
+        const Box box = bounds(e);
+        EXPECT_NEAR(single, 8 * std::numeric_limits<float>::epsilon() * norm(box.high), 1.001 * grid.step());
+        EXPECT_GE(single, 8 * std::numeric_limits<float>::epsilon() * norm(box.high));
+        Pose below; // the farther side counts
+        below.translation = {-3, 0, 2};
+        const double far = norm({-3 + box.low.x, box.high.y, 2 + box.high.z});
+        const auto elsewhere = Solid::make(test::box({-3.1, -0.1, 1.9}, {-2.9, 0.1, 2.1}));
+        e.pose = below;
+        Approximation::Level level{{}, {}, {e}};
+        finish_elements(*elsewhere, level, grid, true, Numbers::float32);
+        EXPECT_NEAR(length(level.others[0]) - 0.5, 8 * std::numeric_limits<float>::epsilon() * far,
+                    1.001 * grid.step());
+    }
+}
+
+TEST(WrittenNumbers, TheGrowthIsThatOfTheSphereThatGrowsMost) {
+    const auto solid = Solid::make(test::box({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}));
+    const DecimalGrid grid(1);
+    const Element box{.kind = Kind::box, .half = {0.5, 0.5, 0.5}}; // on the grid
+    const double most = 0.2 + 0.1 * grid.step(), less = 0.3 + 0.8 * grid.step();
+    for (const auto& [a, b] : {std::pair{most, less}, std::pair{less, most}}) {
+        Approximation::Level level{{{{}, a}, {{}, b}}, {}, {box}};
+        EXPECT_EQ(finish_elements(*solid, level, grid, true, Numbers::float64), grid.up(most) - most);
+        EXPECT_EQ(level.others[0], box);
+    }
+}
+
+TEST(WrittenNumbers, ElementsThatTouchOverlapAfterwards) {
+    // Halves of a box whose common plane is on no grid.
+    const auto solid = Solid::make(test::box({-1, -0.2, -0.2}, {1, 0.2, 0.2}));
+    const double plane = 0.0123456789;
+    std::vector<Element> halves;
+    for (const auto& [from, to] : {std::pair{-1.0, plane}, std::pair{plane, 1.0}}) {
+        Element e{.kind = Kind::box, .half = {(to - from) / 2, 0.2, 0.2}};
+        e.pose.translation = {(from + to) / 2, 0, 0};
+        halves.push_back(e);
+    }
+    const DecimalGrid grid(2);
+    Approximation::Level level{{}, {}, halves};
+    const double growth = finish_elements(*solid, level, grid, true, Numbers::float64);
+    EXPECT_TRUE(covers(*solid, level.view()));
+    EXPECT_LT(growth, 20 * grid.step());
+    for (const Element& e : level.others) {
+        EXPECT_TRUE(is_on(grid, e.half));
+        EXPECT_TRUE(is_on(grid, e.pose.translation));
+    }
+}
+
+TEST(WrittenNumbers, AHullThinnerThanTheStepIsGrownBeforeItIsRounded) {
+    const DecimalGrid grid(1);
+    const double thin = 0.2 * grid.step();
+    const auto solid = Solid::make(test::box({0, 0, 0}, {0.5, 0.5, thin}));
+    Element hull{.kind = Kind::hull};
+    hull.hull = convex_hull(solid->surface().vertices);
+    Approximation::Level level{{}, {}, {hull}};
+    const double growth = finish_elements(*solid, level, grid, true, Numbers::float64);
+    EXPECT_TRUE(covers(*solid, level.view()));
+    EXPECT_LT(growth, 20 * grid.step());
+    for (const Vec3& v : level.others[0].hull->surface.vertices) {
+        EXPECT_TRUE(is_on(grid, v));
+    }
+}
+
+} // namespace
+} // namespace foam

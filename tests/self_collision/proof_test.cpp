@@ -1,0 +1,326 @@
+// The proof that two links touch always, or never: its bounds are exact where a single joint moves, and no sample
+// contradicts it.
+#include "collision/src/proof.hpp"
+#include "geometry/plain_shapes.hpp"
+
+#include <foam/collision/separation.hpp>
+
+#include <gmock/gmock.h>
+
+#include <numbers>
+
+namespace foam {
+namespace {
+
+using namespace collision::self_collision;
+using std::numbers::pi;
+using ::testing::ElementsAre;
+constexpr auto slides = Joint::Kind::prismatic, turns = Joint::Kind::revolute;
+
+/// Links in a row, each moved by one joint against the one before.
+struct Arm {
+    struct Mover {
+        Joint::Kind kind;
+        Vec3 at, axis;
+        double lower, upper;
+    };
+    std::vector<Mover> movers;
+    std::string source{}; ///< for <mimic>
+
+    std::shared_ptr<const Robot> robot() const {
+        Robot robot;
+        robot.name = "made";
+        robot.root = "l0";
+        robot.source = source;
+        robot.links.push_back({.name = "l0", .collisions = {}, .visuals = {}});
+        for (std::size_t i = 0; i < movers.size(); ++i) {
+            const auto& [kind, at, axis, lower, upper] = movers[i];
+            const std::string number = std::to_string(i + 1);
+            robot.links.push_back({.name = "l" + number, .collisions = {}, .visuals = {}});
+            robot.joints.push_back({.name = "j" + number,
+                                    .kind = kind,
+                                    .parent = "l" + std::to_string(i),
+                                    .child = "l" + number,
+                                    .origin = Pose::from_xyz_rpy(at, {}),
+                                    .axis = normalized(axis),
+                                    .lower = lower,
+                                    .upper = upper});
+        }
+        return std::make_shared<const Robot>(robot);
+    }
+};
+
+/// The verdict about the first and the last link.
+Verdict verdict(const Arm& arm, const ElementsView& first, const ElementsView& last, std::size_t boxes,
+                const std::atomic<bool>* cancel = nullptr) {
+    const Kinematics kinematics(arm.robot());
+    const BallGroup a(first), b(last);
+    return touching_verdict(kinematics, chain_between(kinematics, 0, arm.movers.size()), a, b, boxes, cancel);
+}
+Verdict verdict(const Arm& arm, const std::vector<Sphere>& first, const std::vector<Sphere>& last, std::size_t boxes,
+                const std::atomic<bool>* cancel = nullptr) {
+    return verdict(arm, ElementsView{first, {}}, ElementsView{last, {}}, boxes, cancel);
+}
+
+/// Expects that one box is enough where links move by less than the limit, and not where they move by more.
+template <class Of> void expect_limit(double limit, Verdict below, Of&& of) {
+    EXPECT_EQ(of(limit - 2e-9), below) << limit;
+    EXPECT_EQ(of(limit - 0.5e-9), Verdict::unknown) << limit << ": room for rounding";
+    EXPECT_EQ(of(limit + 2e-9), Verdict::unknown) << limit;
+}
+
+TEST(TouchingProof, ASliderMovesByItsRange) {
+    expect_limit(0.8, Verdict::never, [](double half) {
+        return verdict({{{slides, {0, 5, 0}, {0, 1, 0}, -5 - half, -5 + half}}}, {{{}, 0.1}}, {{{1, 0, 0}, 0.1}}, 1);
+    });
+    expect_limit(0.5, Verdict::always, [](double half) {
+        return verdict({{{slides, {0, 5, 0}, {0, 1, 0}, -5 - half, -5 + half}}}, {{{}, 0.3}}, {{{0.1, 0, 0}, 0.3}}, 1);
+    });
+}
+
+TEST(TouchingProof, AHingeMovesByItsChord) {
+    expect_limit(1.8, Verdict::never, [](double move) {
+        const double half = 2 * std::asin(move / 2);
+        return verdict({{{turns, {}, {0, 0, 1}, 1 - half, 1 + half}}}, {{{3 * std::cos(1), 3 * std::sin(1), 0}, 0.1}},
+                       {{{1, 0, 0}, 0.1}}, 1);
+    });
+    // Half a turn is the most.
+    const auto wide = [](double at) {
+        return verdict({{{turns, {}, {0, 0, 1}, -4, 4}}}, {{{at, 0, 0}, 0.1}}, {{{1, 0, 0}, 0.1}}, 1);
+    };
+    EXPECT_EQ(wide(3.2 + 2e-9), Verdict::never);
+    EXPECT_EQ(wide(3.2 - 2e-9), Verdict::unknown);
+}
+
+TEST(TouchingProof, AMimicMovesByItsMultiplier) {
+    for (const std::string multiplier : {"3", "-3"}) {
+        const std::string source = "<robot name='made'><joint name='j1'><limit/></joint><joint name='j2'><limit/>"
+                                   "<mimic joint='j1' multiplier='" +
+                                   multiplier + "'/></joint></robot>";
+        expect_limit(0.8, Verdict::never, [&](double move) { // once by the joint itself, three times by the other
+            const double half = move / 4;
+            return verdict({{{slides, {}, {0, 1, 0}, -half, half}, {slides, {}, {0, 0, 1}, 0, 0}}, source}, {{{}, 0.1}},
+                           {{{1, 0, 0}, 0.1}}, 1);
+        });
+    }
+}
+
+TEST(TouchingProof, LaterJointsAddToTheReachOfEarlierOnes) {
+    // A hinge, and a slider upon it; the base is far out and large, so that it is not moved instead.
+    const double chord = 2 * std::sin(0.15);
+    const auto hinge_first = [&](double slide) {
+        return verdict({{{turns, {}, {0, 0, 1}, -0.3, 0.3}, {slides, {}, {1, 0, 0}, -slide, slide}}}, {{{10, 0, 0}, 8}},
+                       {{{1, 0, 0}, 0.1}}, 1);
+    };
+    const double room = 10 - 8 - 1 - 0.1; // = slide + chord (1 + slide)
+    expect_limit((room - chord) / (1 + chord), Verdict::never, hinge_first);
+    const auto slider_first = [&](double slide) {
+        return verdict({{{slides, {}, {0, 1, 0}, -slide, slide}, {turns, {}, {0, 0, 1}, -0.3, 0.3}}}, {{{10, 0, 0}, 8}},
+                       {{{1, 0, 0}, 0.1}}, 1);
+    };
+    expect_limit(room - chord, Verdict::never, slider_first);
+}
+
+TEST(TouchingProof, AnElementMovesAsTheBallAroundIt) {
+    // Not by the chord of its middle alone: a bar that turns about its own middle, beside a ball within its reach. The
+    // frame is that of the link that moves less.
+    const Element bar{.kind = Element::Kind::capsule, .half = {0, 0, 1}, .radius = 0.1};
+    const double reach = BallGroup(ElementsView{{}, std::span(&bar, 1)}).others[0].bound.radius;
+    for (const double at : {0.8, 1.05}) {
+        const std::vector<Sphere> ball{{{at, 0, 0}, 0.1}};
+        const double arm = std::min(reach, at + 0.1);
+        for (const bool swapped : {false, true}) {
+            expect_limit(at - 0.2, Verdict::never, [&](double move) {
+                const double half = 2 * std::asin(move / arm / 2);
+                const Arm turning{{{turns, {}, {0, 1, 0}, -half, half}}};
+                const ElementsView balls{ball, {}}, bars{{}, std::span(&bar, 1)};
+                return swapped ? verdict(turning, balls, bars, 1) : verdict(turning, bars, balls, 1);
+            });
+        }
+    }
+}
+
+TEST(TouchingProof, ElementsThatTouchDeeplyTouchAlways) {
+    const Element box{.kind = Element::Kind::box, .half = {1, 1, 1}};
+    const std::vector<Sphere> ball{{{}, 0.5}};
+    for (const bool swapped : {false, true}) {
+        const auto moved_by = [&](double half) {
+            const Arm arm{{{slides, {}, {0, 1, 0}, -half, half}}};
+            const ElementsView boxes{{}, std::span(&box, 1)}, balls{ball, {}};
+            return swapped ? verdict(arm, balls, boxes, 1) : verdict(arm, boxes, balls, 1);
+        };
+        EXPECT_EQ(moved_by(0.4), Verdict::always);
+        EXPECT_EQ(moved_by(1.6), Verdict::unknown);
+    }
+    const auto two_boxes = [&](double half) {
+        const Arm arm{{{slides, {}, {0, 1, 0}, -half, half}}};
+        return verdict(arm, ElementsView{{}, std::span(&box, 1)}, ElementsView{{}, std::span(&box, 1)}, 1);
+    };
+    EXPECT_EQ(two_boxes(0.9), Verdict::always);
+    EXPECT_EQ(two_boxes(2.1), Verdict::unknown);
+}
+
+TEST(TouchingProof, OneOfManyElementsDecides) {
+    // Any element that touches deeply makes the links touch; all of them have to be apart.
+    const std::vector<Sphere> deep{{{5, 0, 0}, 0.1}, {{}, 0.5}, {{0, 0, 3}, 0.1}},
+        far{{{9, 0, 0}, 0.1}, {{9, 9, 0}, 0.1}};
+    const std::vector<Sphere> last{{{0, 0, 9}, 0.1}, {{0.1, 0, 0}, 0.5}, {{0, 9, 9}, 0.1}};
+    const Arm arm{{{slides, {}, {0, 1, 0}, -0.3, 0.3}}};
+    EXPECT_EQ(verdict(arm, deep, last, 1), Verdict::always);
+    EXPECT_EQ(verdict(arm, last, deep, 1), Verdict::always);
+    EXPECT_EQ(verdict(arm, far, last, 1), Verdict::never);
+    const Element box{.kind = Element::Kind::box, .half = {0.5, 0.5, 0.5}};
+    Element away = box;
+    away.pose.translation = {0, 0, 4};
+    const std::vector<Element> boxes{away, box, away};
+    EXPECT_EQ(verdict(arm, ElementsView{{}, boxes}, ElementsView{last, {}}, 1), Verdict::always);
+    EXPECT_EQ(verdict(arm, ElementsView{last, {}}, ElementsView{{}, boxes}, 1), Verdict::always);
+    EXPECT_EQ(verdict(arm, ElementsView{far, {}}, ElementsView{{}, boxes}, 1), Verdict::never);
+}
+
+TEST(TouchingProof, BothWereSeen) {
+    // Apart in the middle of the range, together at an end of it; and the other way round.
+    EXPECT_EQ(verdict({{{slides, {}, {1, 0, 0}, -2, 2}}}, {{{}, 0.3}}, {{{1.2, 0, 0}, 0.3}}, 100), Verdict::some);
+    EXPECT_EQ(verdict({{{slides, {}, {1, 0, 0}, -2, 2}}}, {{{}, 0.3}}, {{{0.1, 0, 0}, 0.3}}, 100), Verdict::some);
+    const Element box{.kind = Element::Kind::box, .half = {0.3, 0.3, 0.3}};
+    EXPECT_EQ(verdict({{{slides, {}, {1, 0, 0}, -2, 2}}}, {{{}, 0.3}}, {{{1.2, 0, 0}, 0.3}}, 1), Verdict::unknown);
+    EXPECT_EQ(verdict({{{slides, {}, {1, 0, 0}, -2, 2}}}, ElementsView{{}, std::span(&box, 1)},
+                      ElementsView{{}, std::span(&box, 1)}, 100),
+              Verdict::some);
+}
+
+TEST(TouchingProof, NoJointMovesOneConfiguration) {
+    const auto rigid = [](double at) {
+        return verdict({{{slides, {}, {1, 0, 0}, 0.5, 0.5}}}, {{{}, 0.3}}, {{{at, 0, 0}, 0.3}}, 1);
+    };
+    EXPECT_EQ(rigid(0), Verdict::always);
+    EXPECT_EQ(rigid(0.5), Verdict::never);
+    const Kinematics none(Arm{{}}.robot());
+    const std::vector<Sphere> one{{{}, 0.1}}, two{{{0.1, 0, 0}, 0.1}};
+    const BallGroup a(ElementsView{one, {}}), b(ElementsView{two, {}});
+    EXPECT_EQ(touching_verdict(none, chain_between(none, 0, 0), a, b, 1, nullptr), Verdict::always);
+}
+
+/// A slider along y, and a ball that passes another with little room.
+struct Passing {
+    double half, room;
+
+    std::vector<Sphere> ball() const { return {{{0.2 + room, 0, 0}, 0.1}}; }
+    /// The boxes that halving takes.
+    std::size_t boxes(double low, double high) const {
+        const double middle = (low + high) / 2;
+        const bool apart = std::hypot(0.2 + room, middle) - 0.2 > (high - low) / 2 + 1e-9;
+        return apart ? 1 : 1 + boxes(low, middle) + boxes(middle, high);
+    }
+    std::size_t boxes() const { return boxes(-half, half); }
+    Verdict verdict_within(std::size_t boxes) const {
+        return verdict({{{slides, {}, {0, 1, 0}, -half, half}}}, {{{}, 0.1}}, ball(), boxes);
+    }
+};
+
+TEST(TouchingProof, TakesAsManyBoxesAsTheBoundsAsk) {
+    for (const Passing& passing : {Passing{1, 0.03}, Passing{3.1, 0.01}, Passing{0.5, 0.002}}) {
+        const std::size_t needed = passing.boxes();
+        ASSERT_GT(needed, 15u);
+        ASSERT_LT(needed, 512u);
+        EXPECT_EQ(passing.verdict_within(needed), Verdict::never) << needed;
+        EXPECT_EQ(passing.verdict_within(needed - 1), Verdict::unknown) << needed;
+    }
+}
+
+TEST(TouchingProof, HalvesTheJointThatMovesMost) {
+    // Beside the far one the near slider matters little: to halve it would double the boxes for nothing.
+    const Passing passing{3, 0.03};
+    for (const bool first : {false, true}) {
+        Arm arm{{{slides, {}, {0, 1, 0}, -3, 3}, {slides, {}, {0, 0, 1}, -0.001, 0.001}}};
+        if (first) {
+            std::swap(arm.movers[0], arm.movers[1]);
+        }
+        EXPECT_EQ(verdict(arm, {{{}, 0.1}}, passing.ball(), passing.boxes() * 5 / 4), Verdict::never);
+    }
+}
+
+TEST(TouchingProof, EndsEarlyWhereNothingIsDecided) {
+    // The balls just touch in every position: no box can be decided, and a thousand million are not looked at.
+    EXPECT_EQ(verdict({{{turns, {}, {0, 0, 1}, -3, 3}, {turns, {}, {0, 0, 1}, -3, 3}}}, {{{}, 0.5}}, {{{1, 0, 0}, 0.5}},
+                      1'000'000'000),
+              Verdict::unknown);
+    // Where boxes are decided all the time, it goes on beyond the first hundreds.
+    const Passing passing{0.5, 3e-6};
+    ASSERT_GT(passing.boxes(), 1000u);
+    EXPECT_EQ(passing.verdict_within(2 * passing.boxes()), Verdict::never);
+}
+
+TEST(TouchingProof, EndsWhenItIsTold) {
+    const std::atomic<bool> yes = true, no = false;
+    const Arm arm{{{slides, {}, {0, 1, 0}, -0.3, 0.3}}};
+    EXPECT_EQ(verdict(arm, {{{}, 0.1}}, {{{1, 0, 0}, 0.1}}, 1, &yes), Verdict::unknown);
+    EXPECT_EQ(verdict(arm, {{{}, 0.1}}, {{{1, 0, 0}, 0.1}}, 1, &no), Verdict::never);
+}
+
+TEST(TouchingProof, FreedomsAreSortedAndNamedOnce) {
+    const Arm arm{{{slides, {}, {0, 1, 0}, -1, 1}, {slides, {}, {0, 1, 0}, -1, 1}, {slides, {}, {0, 1, 0}, -1, 1}},
+                  "<robot name='made'><joint name='j1'><limit/></joint><joint name='j2'><limit/></joint>"
+                  "<joint name='j3'><limit/><mimic joint='j1'/></joint></robot>"};
+    const Kinematics kinematics(arm.robot());
+    EXPECT_THAT(freedoms_of(chain_between(kinematics, 0, 3)), ElementsAre(0, 1));
+    EXPECT_THAT(freedoms_of(chain_between(kinematics, 3, 0)), ElementsAre(0, 1));
+}
+
+std::vector<Element> random_elements(Random& random, double size) {
+    std::vector<Element> elements;
+    for (const auto kind : {Element::Kind::box, Element::Kind::capsule, Element::Kind::cylinder}) {
+        Element e{.kind = kind, .pose = test::random_pose(random, size)};
+        const auto length = [&] { return size * random.uniform(0.1, 0.5); };
+        e.half = kind == Element::Kind::box ? Vec3{length(), length(), length()} : Vec3{0, 0, length()};
+        e.radius = kind == Element::Kind::box ? 0 : length();
+        elements.push_back(e);
+    }
+    return elements;
+}
+
+/// How many of some random configurations have the first and the last link apart for certain, and touching.
+std::pair<int, int> seen(const Arm& arm, const std::vector<Element>& first, const std::vector<Element>& last,
+                         Random& random) {
+    const Kinematics kinematics(arm.robot());
+    std::pair<int, int> result;
+    for (int k = 0; k < 200; ++k) {
+        const Pose pose = kinematics.link_poses(kinematics.random_configuration(random)).back();
+        bool apart = true, touching = false;
+        for (const Element& a : first) {
+            for (const Element& b : last) {
+                const Separation between = separation(a, b, {}, pose);
+                apart = apart && between.low > 1e-6;
+                touching = touching || between.depth > 1e-6;
+            }
+        }
+        result.first += apart;
+        result.second += touching;
+    }
+    return result;
+}
+
+TEST(TouchingProof, NoSampleContradictsIt) {
+    Random random(3);
+    int never = 0, always = 0;
+    for (int round = 0; round < 300; ++round) {
+        Arm arm;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const double half = random.uniform(0, 1);
+            const Vec3 at = test::random_direction(random) * (round % 2 ? 1.2 : 0.1);
+            arm.movers.push_back({random.below(3) ? turns : slides, at, test::random_direction(random), -half, half});
+        }
+        const std::vector<Element> first = random_elements(random, 0.3), last = random_elements(random, 0.3);
+        const Verdict said = verdict(arm, ElementsView{{}, first}, ElementsView{{}, last}, 500);
+        const auto [apart, touching] = seen(arm, first, last, random);
+        never += said == Verdict::never;
+        always += said == Verdict::always;
+        EXPECT_FALSE(said == Verdict::never && touching > 0) << round;
+        EXPECT_FALSE(said == Verdict::always && apart > 0) << round;
+    }
+    EXPECT_GT(never, 30);
+    EXPECT_GT(always, 10);
+}
+
+} // namespace
+} // namespace foam
