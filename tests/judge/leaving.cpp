@@ -26,23 +26,51 @@ template <typename Function> Real root_between(const Function& function, Real in
     return inside;
 }
 
-/// Where the line from a to b leaves an element: its depth along a line falls, then rises, since it is convex.
+struct LinePart {
+    Real enter = 0, leave = 1;
+};
+
+/// The part of a + t d from 0 to 1 that all planes of a hull leave.
+std::optional<LinePart> part_in_hull(const Body& hull, const Point& a, const Point& d) {
+    LinePart part;
+    for (const Body::Plane& plane : hull.planes) {
+        const Real out = dot(plane.normal, a - hull.place.offset) - plane.offset, slope = dot(plane.normal, d);
+        if (slope > 0) {
+            part.leave = std::min(part.leave, -out / slope);
+        } else if (slope < 0) {
+            part.enter = std::max(part.enter, -out / slope);
+        } else if (out > 0) {
+            return std::nullopt;
+        }
+    }
+    return part.enter < part.leave ? std::optional(part) : std::nullopt;
+}
+
+/// Likewise in another element: along a line its depth falls, then rises, since elements are convex.
+std::optional<LinePart> part_in(const Body& element, const Point& a, const Point& d) {
+    const auto out = [&](Real t) { return depth(element, a + t * d, 0); };
+    const Real first = out(0), last = out(1);
+    if (std::max(first, last) <= 0) {
+        return LinePart{};
+    }
+    if (std::max(first, last) > length(d) && std::min(first, last) > 0) {
+        return std::nullopt;
+    }
+    const Real within = first <= 0 ? 0 : last <= 0 ? 1 : least_at(out);
+    if (!(out(within) <= 0)) {
+        return std::nullopt;
+    }
+    return LinePart{first > 0 ? root_between(out, within, 0) : 0, last > 0 ? root_between(out, within, 1) : 1};
+}
+
 void ask_line(Search& search, const Body& element, const Point& a, const Point& b) {
-    const auto out = [&](Real t) { return depth(element, a + t * (b - a), std::numeric_limits<Real>::infinity()); };
-    const bool ends_in = out(0) <= 0, begins_in = out(1) <= 0;
-    if ((ends_in && begins_in) || std::min(out(0), out(1)) > length(b - a)) {
+    const auto part = element.kind == Body::Kind::hull ? part_in_hull(element, a, b - a) : part_in(element, a, b - a);
+    if (!part) {
         return;
     }
-    const Real within = ends_in ? 0 : begins_in ? 1 : least_at(out);
-    if (!(out(within) < 0)) {
-        return;
-    }
-    for (const Real end : {Real{0}, Real{1}}) {
-        if (out(end) > 0) {
-            const Real t = root_between(out, within, end) + (end > 0 ? nudge : -nudge);
-            if (t > 0 && t < 1) {
-                search.ask(a + t * (b - a));
-            }
+    for (const Real t : {part->enter - nudge, part->leave + nudge}) {
+        if (t > 0 && t < 1) {
+            search.ask(a + t * (b - a));
         }
     }
 }
