@@ -37,9 +37,8 @@ std::optional<Body::Plane> wrapped(const std::vector<Point>& points, const Point
 }
 
 bool among(const std::vector<Body::Plane>& planes, const Body::Plane& plane) {
-    return std::any_of(planes.begin(), planes.end(), [&](const Body::Plane& other) {
-        return length(other.normal - plane.normal) < 1e-15L;
-    });
+    return std::any_of(planes.begin(), planes.end(),
+                       [&](const Body::Plane& other) { return length(other.normal - plane.normal) < 1e-15L; });
 }
 
 Point mean_of(const std::vector<Point>& points) {

@@ -77,11 +77,11 @@ TEST_F(JudgeElements, ReadsAllKindsOfJson) {
           R"("hull", "position": [0, 0, 0], "vertices": [[-0.1, -0.15, -0.3], [0.1, -0.15, -0.3], [0.1, 0.15, -0.3],
              [-0.1, 0.15, -0.3], [-0.1, -0.15, 0.3], [0.1, -0.15, 0.3], [0.1, 0.15, 0.3], [-0.1, 0.15, 0.3]])"}) {
         for (const bool moved : {false, true}) {
-            const std::string swept = std::regex_replace(element, std::regex("0\\.4\\], \"radius\": 0\\.1"),
-                                                         "0.6], \"radius\": 0.000001");
-            write("model.json", R"({"links": {"part": {"spheres": [], "elements": [{"kind": )" +
-                                    (moved ? std::regex_replace(swept, std::regex("n\": \\[0"), "n\": [0.001") : swept) +
-                                    "}]}}}");
+            const std::string swept =
+                std::regex_replace(element, std::regex("0\\.4\\], \"radius\": 0\\.1"), "0.6], \"radius\": 0.000001");
+            write("model.json",
+                  R"({"links": {"part": {"spheres": [], "elements": [{"kind": )" +
+                      (moved ? std::regex_replace(swept, std::regex("n\": \\[0"), "n\": [0.001") : swept) + "}]}}}");
             expect(moved ? 1 : 0, "model.json", element);
         }
     }
@@ -98,8 +98,9 @@ TEST_F(JudgeElements, FindsAGapBetweenTwoOfThem) {
         write_urdf("model.urdf", collision("<mesh filename=\"left.obj\"/>", left) +
                                      collision("<mesh filename=\"right.obj\"/>", right));
         expect(gap > 0 ? 1 : 0, "model.urdf", fmt::format("hulls, {}", gap));
-        write_urdf("model.urdf", collision(box(0.5, 0.7, 0.6), left) +
-                                     collision(round("cylinder", 0.5, 0.5002), right + " rpy=\"0 1.5707963267948966 0\""));
+        write_urdf("model.urdf",
+                   collision(box(0.5, 0.7, 0.6), left) +
+                       collision(round("cylinder", 0.5, 0.5002), right + " rpy=\"0 1.5707963267948966 0\""));
         expect(gap > 0 ? 1 : 0, "model.urdf", fmt::format("a box and a cylinder, {}", gap));
     }
 }
@@ -107,13 +108,15 @@ TEST_F(JudgeElements, FindsAGapBetweenTwoOfThem) {
 TEST_F(JudgeElements, RefusesAMeshThatIsNoConvexBody) {
     write_urdf("robot.urdf", collision(box(0.1, 0.1, 0.1)));
     write_urdf("model.urdf", collision("<mesh filename=\"hull.obj\"/>"));
-    write("hull.obj", box_mesh(1, 1, 1, "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nv 0 0 0.1\n"
-                                        "f 9 11 10\nf 9 12 11\nf 9 10 12\nf 10 11 12\n"));
+    write("hull.obj", box_mesh(1, 1, 1,
+                               "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nv 0 0 0.1\n"
+                               "f 9 11 10\nf 9 12 11\nf 9 10 12\nf 10 11 12\n"));
     EXPECT_THAT(judge("robot.urdf model.urdf").err, HasSubstr("judge: hull.obj: it is not convex"));
     write("hull.obj", std::regex_replace(box_mesh(1, 1, 1), std::regex("f 2 4 8 6\n"), ""));
     EXPECT_THAT(judge("robot.urdf model.urdf").err, HasSubstr("judge: hull.obj: it is not closed"));
     write("hull.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 2\n");
-    EXPECT_THAT(judge("robot.urdf model.urdf").err, HasSubstr("judge: hull.obj: the vertices of a hull lie in a plane"));
+    EXPECT_THAT(judge("robot.urdf model.urdf").err,
+                HasSubstr("judge: hull.obj: the vertices of a hull lie in a plane"));
 }
 
 TEST_F(JudgeElements, MeasuresTheVolumeThatElementsLeave) {
@@ -226,18 +229,17 @@ TEST_P(JudgeWritten, ObjectsToASmallerElement) {
     const auto smaller = [](const std::string& numbers) { return times(numbers, 0.99); };
     const std::string kind = GetParam().name;
     if (kind.ends_with("mesh")) {
-        expect_objections(between("<mesh filename=\"small_hulls", "/>"), [](const std::string& reference) {
-            return reference + " scale=\"0.99 0.99 0.99\"";
-        });
+        expect_objections(between("<mesh filename=\"small_hulls", "/>"),
+                          [](const std::string& reference) { return reference + " scale=\"0.99 0.99 0.99\""; });
     } else if (is_json()) {
         expect_objections(kind == "hull"           ? between("\"vertices\": [", "}")
                           : kind == "capsule_json" ? between("\"radius\": ", "}")
                                                    : between("\"size\": [", "]"),
                           smaller);
     } else {
-        expect_objections(kind == "box"             ? between("<box size=\"", "\"")
-                          : kind == "capsule"       ? between("<capsule radius=\"", "\"")
-                                                    : between("<cylinder radius=\"", "\""),
+        expect_objections(kind == "box"       ? between("<box size=\"", "\"")
+                          : kind == "capsule" ? between("<capsule radius=\"", "\"")
+                                              : between("<cylinder radius=\"", "\""),
                           smaller);
     }
 }
@@ -283,16 +285,17 @@ std::string name_of_written(const testing::TestParamInfo<Written>& info) {
     return info.param.name;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Kinds, JudgeWritten,
-    testing::Values(Written{"box", "--with box", "small.urdf"}, Written{"box_json", "--with box", "small.json"},
-                    Written{"cylinder", "--with cylinder", "small.urdf"},
-                    Written{"capsule", "--with capsule", "small.urdf"},
-                    Written{"capsule_json", "--with capsule", "small.json"},
-                    Written{"swept_box", "--with swept_box", "small.json"},
-                    Written{"swept_box_mesh", "--with swept_box", "small.urdf"},
-                    Written{"hull", "--with hull", "small.json"}, Written{"hull_mesh", "--with hull", "small.urdf"}),
-    name_of_written);
+INSTANTIATE_TEST_SUITE_P(Kinds, JudgeWritten,
+                         testing::Values(Written{"box", "--with box", "small.urdf"},
+                                         Written{"box_json", "--with box", "small.json"},
+                                         Written{"cylinder", "--with cylinder", "small.urdf"},
+                                         Written{"capsule", "--with capsule", "small.urdf"},
+                                         Written{"capsule_json", "--with capsule", "small.json"},
+                                         Written{"swept_box", "--with swept_box", "small.json"},
+                                         Written{"swept_box_mesh", "--with swept_box", "small.urdf"},
+                                         Written{"hull", "--with hull", "small.json"},
+                                         Written{"hull_mesh", "--with hull", "small.urdf"}),
+                         name_of_written);
 
 INSTANTIATE_TEST_SUITE_P(Kinds, JudgeTurned,
                          testing::Values(Written{"box", "--with box", "small.urdf"},

@@ -100,8 +100,7 @@ void ask_edge(Search& search, const Point& a, const Point& b) {
             continue;
         }
         const Point to_a = a - ball->place.offset;
-        const Real half = dot(to_a, d) / d2,
-                   root2 = half * half - (dot(to_a, to_a) - ball->radius * ball->radius) / d2;
+        const Real half = dot(to_a, d) / d2, root2 = half * half - (dot(to_a, to_a) - ball->radius * ball->radius) / d2;
         if (!(root2 >= 0)) {
             continue;
         }

@@ -99,8 +99,8 @@ void judge_inner(const Link& link, const std::vector<Ball>& balls, Verdict& verd
 
 int judge_files(const Arguments& arguments) {
     const auto elements = read_elements(arguments.model, arguments.without);
-    const auto balls = arguments.inner ? read_spheres(arguments.model, arguments.without)
-                                       : std::map<std::string, std::vector<Ball>>{};
+    const auto balls =
+        arguments.inner ? read_spheres(arguments.model, arguments.without) : std::map<std::string, std::vector<Ball>>{};
     Verdict verdict;
     for (const Link& link : read_original(arguments.original)) {
         if (arguments.without.contains(link.name)) {

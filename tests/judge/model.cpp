@@ -62,7 +62,8 @@ Elements elements_of_csv(const std::filesystem::path& file) {
     return elements;
 }
 
-/// The hull of a mesh that is one itself: closed, with every triangle on the hull's surface, to a billionth of its size.
+/// The hull of a mesh that is one itself: closed, with every triangle on the hull's surface, to a billionth of its
+/// size.
 Body convex_mesh(const std::vector<Corners>& triangles) {
     std::vector<Point> corners;
     for (const Corners& triangle : triangles) {

@@ -31,8 +31,9 @@ std::filesystem::path resolved(const std::string& reference, const std::filesyst
     if (rest.starts_with("file://")) {
         rest = rest.substr(7);
     }
-    for (std::filesystem::path around = folder.empty() ? std::filesystem::current_path() : std::filesystem::absolute(folder);;
-         around = around.parent_path()) {
+    for (std::filesystem::path around = folder.empty() ? std::filesystem::current_path()
+                                                       : std::filesystem::absolute(folder);
+         ; around = around.parent_path()) {
         if (std::filesystem::is_regular_file(around / rest)) {
             return around / rest;
         }

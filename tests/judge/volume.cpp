@@ -83,8 +83,9 @@ public:
             return sum != 0;
         };
         return std::any_of(crossings_.begin(), crossings_.end(), winds) ||
-               std::any_of(bodies_.begin(), bodies_.end(),
-                           [&](const Body& body) { return depth(body, {x_, y_, z}, 0) <= 0; });
+               std::any_of(bodies_.begin(), bodies_.end(), [&](const Body& body) {
+                   return depth(body, {x_, y_, z}, 0) <= 0;
+               });
     }
 
 private:
