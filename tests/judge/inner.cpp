@@ -111,45 +111,6 @@ struct Less {
     bool operator()(const Point& a, const Point& b) const { return less(a, b); }
 };
 
-bool plain(const Part& part) {
-    std::map<Point, std::size_t, Less> vertices;
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> edges; // run so, by which triangle
-    std::vector<std::size_t> piece(part.triangles.size());
-    const auto root = [&](std::size_t i) {
-        while (piece[i] != i) {
-            i = piece[i];
-        }
-        return i;
-    };
-    for (std::size_t t = 0; t < part.triangles.size(); ++t) {
-        piece[t] = t;
-        std::array<std::size_t, 3> index{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            index[k] = vertices.emplace(part.triangles[t][k], vertices.size()).first->second;
-        }
-        for (std::size_t k = 0; k < 3; ++k) {
-            if (index[k] == index[(k + 1) % 3] || !edges.emplace(std::pair{index[k], index[(k + 1) % 3]}, t).second) {
-                return false;
-            }
-        }
-    }
-    for (const auto& [edge, t] : edges) {
-        const auto back = edges.find({edge.second, edge.first});
-        if (back == edges.end()) {
-            return false;
-        }
-        piece[root(t)] = root(back->second);
-    }
-    std::map<std::size_t, Real> volumes;
-    for (std::size_t t = 0; t < part.triangles.size(); ++t) {
-        const Point& o = part.triangles[root(t)][0];
-        const Corners& c = part.triangles[t];
-        volumes[root(t)] += determinant(c[0] - o, c[1] - o, c[2] - o);
-    }
-    return std::all_of(volumes.begin(), volumes.end(),
-                       [&](const auto& v) { return v.second != 0 && (v.second > 0) == (volumes.begin()->second > 0); });
-}
-
 } // namespace
 
 std::optional<Objection> outside_of_solid(const Link& link, const std::vector<Ball>& balls) {
@@ -169,9 +130,48 @@ std::optional<Objection> outside_of_solid(const Link& link, const std::vector<Ba
     return worst;
 }
 
+bool plain(const std::vector<Corners>& triangles) {
+    std::map<Point, std::size_t, Less> vertices;
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> edges; // run so, by which triangle
+    std::vector<std::size_t> piece(triangles.size());
+    const auto root = [&](std::size_t i) {
+        while (piece[i] != i) {
+            i = piece[i];
+        }
+        return i;
+    };
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        piece[t] = t;
+        std::array<std::size_t, 3> index{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            index[k] = vertices.emplace(triangles[t][k], vertices.size()).first->second;
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (index[k] == index[(k + 1) % 3] || !edges.emplace(std::pair{index[k], index[(k + 1) % 3]}, t).second) {
+                return false;
+            }
+        }
+    }
+    for (const auto& [edge, t] : edges) {
+        const auto back = edges.find({edge.second, edge.first});
+        if (back == edges.end()) {
+            return false;
+        }
+        piece[root(t)] = root(back->second);
+    }
+    std::map<std::size_t, Real> volumes;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const Point& o = triangles[root(t)][0];
+        const Corners& c = triangles[t];
+        volumes[root(t)] += determinant(c[0] - o, c[1] - o, c[2] - o);
+    }
+    return std::all_of(volumes.begin(), volumes.end(),
+                       [&](const auto& v) { return v.second != 0 && (v.second > 0) == (volumes.begin()->second > 0); });
+}
+
 bool plain(const Link& link) {
     return std::all_of(link.parts.begin(), link.parts.end(),
-                       [](const Part& part) { return part.kind != Part::Kind::mesh || plain(part); });
+                       [](const Part& part) { return part.kind != Part::Kind::mesh || plain(part.triangles); });
 }
 
 } // namespace judge

@@ -1,8 +1,5 @@
 // The independent judge: that it objects where it must, and that it does not object to what foam writes.
-#include "cli/program.hpp"
-#include "support/shared_folder.hpp"
-
-#include <fmt/format.h>
+#include "judge_program.hpp"
 
 #include <regex>
 
@@ -11,21 +8,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-class Judge : public Cli {
+class JudgeBalls : public Judge {
 protected:
-    /// `arguments` as in a shell.
-    Outcome judge(const std::string& arguments) const { return shell("'" FOAM_TEST_JUDGE "' " + arguments); }
-
-    void write_urdf(const std::string& name, const std::string& collisions) const {
-        write(name, "<robot name=\"r\"><link name=\"part\">" + collisions + "</link></robot>");
-    }
-    static std::string collision(const std::string& geometry, const std::string& origin = "") {
-        return "<collision>" + (origin.empty() ? "" : "<origin " + origin + "/>") + "<geometry>" + geometry +
-               "</geometry></collision>";
-    }
-    static std::string ball(double radius, const std::string& center = "0 0 0") {
-        return collision(fmt::format("<sphere radius=\"{:.17g}\"/>", radius), "xyz=\"" + center + "\"");
-    }
     /// That a ball of this radius holds the geometry, and one of a thousandth less does not.
     void expect_least(const std::string& geometry, const std::string& center, double radius) const {
         write_urdf("robot.urdf", geometry);
@@ -50,7 +34,7 @@ protected:
     }
 };
 
-TEST_F(Judge, KnowsTheLeastBallAroundAPart) {
+TEST_F(JudgeBalls, KnowsTheLeastBallAroundAPart) {
     expect_least(collision("<box size=\"0.6 0.2 0.3\"/>", "xyz=\"1 2 3\" rpy=\"0.3 -1.2 2\""), "1 2 3", 0.35);
     expect_least(collision("<sphere radius=\"0.25\"/>", "xyz=\"-1 0 0\""), "-1 0 0", 0.25);
     expect_least(collision("<capsule radius=\"0.1\" length=\"0.4\"/>", "xyz=\"0 1 0\" rpy=\"1 1 1\""), "0 1 0", 0.3);
@@ -59,7 +43,7 @@ TEST_F(Judge, KnowsTheLeastBallAroundAPart) {
                  0.5);
 }
 
-TEST_F(Judge, FindsWhatTwoBallsLeaveBetweenThem) {
+TEST_F(JudgeBalls, FindsWhatTwoBallsLeaveBetweenThem) {
     // Two balls over the ends of a bar of 1 x 0.6 x 0.6: its section in the middle has a corner 0.3 √2 from the axis.
     write_urdf("robot.urdf", collision("<box size=\"1 0.6 0.6\"/>"));
     const double least = std::sqrt(0.25 * 0.25 + 2 * 0.3 * 0.3);
@@ -70,7 +54,7 @@ TEST_F(Judge, FindsWhatTwoBallsLeaveBetweenThem) {
     }
 }
 
-TEST_F(Judge, KnowsTheLargestBallInAPart) {
+TEST_F(JudgeBalls, KnowsTheLargestBallInAPart) {
     write_urdf("robot.urdf", collision("<box size=\"0.6 0.2 0.3\"/>", "xyz=\"1 2 3\" rpy=\"0.3 -1.2 2\""));
     for (const auto& [radius, code] : {std::pair(0.1 - 1e-12, 0), std::pair(0.1001, 1), std::pair(2.0, 1)}) {
         write_urdf("spheres.urdf", ball(radius, "1 2 3"));
@@ -78,7 +62,7 @@ TEST_F(Judge, KnowsTheLargestBallInAPart) {
     }
 }
 
-TEST_F(Judge, SeesThatACavityIsOutside) {
+TEST_F(JudgeBalls, SeesThatACavityIsOutside) {
     const auto shell = [](double half, bool inwards, int first) {
         std::string text;
         for (int k = 0; k < 8; ++k) {
@@ -101,12 +85,12 @@ TEST_F(Judge, SeesThatACavityIsOutside) {
     EXPECT_EQ(judge("hollow.obj spheres.csv inner").code, 0);
 }
 
-TEST_F(Judge, NamesALinkWithoutSpheres) {
+TEST_F(JudgeBalls, NamesALinkWithoutElements) {
     write_urdf("robot.urdf", collision("<box size=\"1 1 1\"/>"));
     write("spheres.csv", "link,x,y,z,radius\nother,0,0,0,3\n");
     const Outcome verdict = judge("robot.urdf spheres.csv");
     EXPECT_EQ(verdict.code, 2) << "nothing was judged";
-    EXPECT_THAT(verdict.out, HasSubstr("link 'part': it has no spheres"));
+    EXPECT_THAT(verdict.out, HasSubstr("link 'part': it has no elements"));
 }
 
 struct Given {
@@ -122,7 +106,7 @@ std::string name_of(const testing::TestParamInfo<Given>& info) {
            "_" + std::to_string(info.index);
 }
 
-class JudgeShared : public Judge, public testing::WithParamInterface<Given> {
+class JudgeShared : public JudgeBalls, public testing::WithParamInterface<Given> {
 protected:
     void SetUp() override {
         if (!std::filesystem::is_directory(shared_folder())) {
@@ -200,7 +184,7 @@ protected:
             EXPECT_EQ(verdict.code, 1) << verdict.out << verdict.err;
             EXPECT_THAT(verdict.out,
                         testing::ContainsRegex("link 'panda_[a-z0-9]+': the point .* of the geometry lies outside "
-                                               "all spheres by [0-9.e-]+ m"));
+                                               "all elements by [0-9.e-]+ m"));
         }
     }
 

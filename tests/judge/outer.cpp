@@ -1,4 +1,4 @@
-#include "judge.hpp"
+#include "search.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -6,202 +6,139 @@
 namespace judge {
 namespace {
 
-/// How far beyond the end of a ball is looked, as a share of the triangle.
-constexpr Real nudge = 1e-9L;
+/// Pieces are cut in four until they are no larger than the smallest element near them, but not without end.
+constexpr int most_cuts = 4;
 
-/// Asks point by point; remembers the worst.
-class Search {
-public:
-    Search(const std::vector<Ball>& balls, Real rounding) : balls_(balls), rounding_(rounding) {}
-
-    void ask(const Point& p) {
-        const Real nearest = distance(p);
-        if (nearest > 0 && (!worst_ || nearest > worst_->distance)) {
-            worst_ = Objection{p, nearest};
-        }
+bool small_enough(const Search& search, Real reach, int cuts) {
+    Real smallest = std::numeric_limits<Real>::infinity();
+    for (const Body* element : search.elements()) {
+        smallest = std::min(smallest, element->reach);
     }
-    /// How far p is from the nearest ball, beyond doubt; 0 or below: it lies in one.
-    Real distance(const Point& p) const {
-        Real nearest = std::numeric_limits<Real>::infinity();
-        for (const Ball& ball : balls_) {
-            // The judge's own: a few roundings to 64 bits of the coordinates.
-            const Real own = 0x1p-58L * (length(p) + length(ball.center) + ball.radius);
-            nearest = std::min(nearest, length(p - ball.center) - ball.radius - rounding_ - own);
-        }
-        return nearest;
-    }
-    const std::vector<Ball>& balls() const { return balls_; }
-    const std::optional<Objection>& worst() const { return worst_; }
-
-private:
-    const std::vector<Ball>& balls_;
-    Real rounding_;
-    std::optional<Objection> worst_;
-};
-
-void ask_edge(Search& search, const Point& a, const Point& b) {
-    const Point d = b - a;
-    const Real d2 = dot(d, d);
-    if (!(d2 > 0)) {
-        return;
-    }
-    for (const Ball& ball : search.balls()) {
-        const Point to_a = a - ball.center;
-        const Real half = dot(to_a, d) / d2, root2 = half * half - (dot(to_a, to_a) - ball.radius * ball.radius) / d2;
-        if (!(root2 >= 0)) {
-            continue;
-        }
-        for (const Real t : {-half - std::sqrt(root2) - nudge, -half + std::sqrt(root2) + nudge}) {
-            if (t > 0 && t < 1) {
-                search.ask(a + t * d);
-            }
-        }
-    }
+    return reach <= smallest || cuts >= most_cuts;
 }
 
-/// The plane of a triangle, and what balls cut out of it.
-class Plane {
-public:
-    explicit Plane(const Corners& corners)
-        : origin_(corners[0]), edge_(corners[1] - corners[0]), other_(corners[2] - corners[0]) {
-        normal_ = cross(edge_, other_);
-        area2_ = length(normal_);
-        size_ = std::max(length(edge_), length(other_));
-        if (area2_ > 0) {
-            normal_ = 1 / area2_ * normal_;
-            u_ = 1 / length(edge_) * edge_;
-            v_ = cross(normal_, u_);
-        }
-    }
-    bool flat() const { return !(area2_ > 0); }
-    Real size() const { return size_; }
-
-    struct Disc {
-        Real x, y, radius;
-    };
-    std::vector<Disc> discs(const std::vector<Ball>& balls) const {
-        std::vector<Disc> result;
-        for (const Ball& ball : balls) {
-            const Point c = ball.center - origin_;
-            const Real height = dot(c, normal_), r2 = ball.radius * ball.radius - height * height;
-            const Disc disc{dot(c, u_), dot(c, v_), std::sqrt(std::max<Real>(r2, 0))};
-            if (r2 > 0 && std::hypot(disc.x, disc.y) < disc.radius + 2 * size_) {
-                result.push_back(disc);
-            }
-        }
-        return result;
-    }
-    /// Asks for the point of the plane if it lies in the triangle.
-    void ask(Search& search, Real x, Real y) const {
-        const Point p = x * u_ + y * v_;
-        const Real s = dot(cross(p, other_), normal_) / area2_, t = dot(cross(edge_, p), normal_) / area2_;
-        if (s >= 0 && t >= 0 && s + t <= 1) {
-            search.ask(origin_ + p);
-        }
-    }
-
-private:
-    Point origin_, edge_, other_, normal_, u_, v_;
-    Real area2_ = 0, size_ = 0;
-};
-
-/// Just beyond both discs, where their rims cross.
-void ask_crossings(Search& search, const Plane& plane, const Plane::Disc& a, const Plane::Disc& b) {
-    const Real dx = b.x - a.x, dy = b.y - a.y, d = std::hypot(dx, dy);
-    const Real along = d > 0 ? (d * d + a.radius * a.radius - b.radius * b.radius) / (2 * d) : 0;
-    const Real across2 = a.radius * a.radius - along * along;
-    if (!(d > 0) || !(across2 > 0)) {
-        return;
-    }
-    for (const Real across : {std::sqrt(across2), -std::sqrt(across2)}) {
-        const Real x = a.x + (along * dx - across * dy) / d, y = a.y + (along * dy + across * dx) / d;
-        const Real out_x = (x - a.x) / a.radius + (x - b.x) / b.radius,
-                   out_y = (y - a.y) / a.radius + (y - b.y) / b.radius, out = std::hypot(out_x, out_y);
-        if (out > 0) {
-            plane.ask(search, x + nudge * plane.size() * out_x / out, y + nudge * plane.size() * out_y / out);
-        }
-    }
-}
-
-void ask_within(Search& search, const Plane& plane) {
-    const std::vector<Plane::Disc> discs = plane.discs(search.balls());
-    for (std::size_t i = 0; i < discs.size(); ++i) {
-        for (int k = 0; k < 4; ++k) {
-            const Real angle = k * std::numbers::pi_v<Real> / 2 + 0.1L, r = discs[i].radius + nudge * plane.size();
-            plane.ask(search, discs[i].x + r * std::cos(angle), discs[i].y + r * std::sin(angle));
-        }
-        for (std::size_t j = 0; j < i; ++j) {
-            ask_crossings(search, plane, discs[i], discs[j]);
-        }
-    }
-}
-
-void ask_triangle(Search& search, const Corners& corners) {
-    constexpr int steps = 8; // their half: the middles of the edges
-    for (int i = 0; i <= steps; ++i) {
-        for (int j = 0; i + j <= steps; ++j) {
-            const Real s = static_cast<Real>(i) / steps, t = static_cast<Real>(j) / steps;
-            search.ask(corners[0] + s * (corners[1] - corners[0]) + t * (corners[2] - corners[0]));
-        }
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
-        ask_edge(search, corners[k], corners[(k + 1) % 3]);
-    }
-    if (const Plane plane(corners); !plane.flat()) {
-        ask_within(search, plane);
-    }
-}
-
-/// A triangle within one ball needs no points: balls are convex.
-bool in_one_ball(const Search& search, const Corners& corners) {
-    return std::any_of(search.balls().begin(), search.balls().end(), [&](const Ball& ball) {
-        return std::all_of(corners.begin(), corners.end(),
-                           [&](const Point& p) { return length(p - ball.center) <= ball.radius; });
+/// A triangle within one element needs no points: elements are convex.
+bool in_one(const Search& search, const Corners& corners) {
+    return std::any_of(search.elements().begin(), search.elements().end(), [&](const Body* element) {
+        return std::all_of(corners.begin(), corners.end(), [&](const Point& p) { return depth(*element, p, 0) <= 0; });
     });
 }
 
+Patch patch_of(const Corners& c) {
+    Patch patch;
+    patch.at = [c](Real s, Real t) { return c[0] + s * (c[1] - c[0]) + t * (c[2] - c[0]); };
+    patch.triangle = true;
+    patch.middle = patch.at(1 / Real{3}, 1 / Real{3});
+    for (const Point& p : c) {
+        patch.reach = std::max(patch.reach, length(p - patch.middle));
+    }
+    return patch;
+}
+
+void ask_triangle(Search& search, const Corners& c, int cuts = 0) {
+    const Patch patch = patch_of(c);
+    Search near = search.near(patch.middle, patch.reach);
+    if (in_one(near, c)) {
+        return;
+    }
+    if (!small_enough(near, patch.reach, cuts)) {
+        const Point a = 0.5L * (c[1] + c[2]), b = 0.5L * (c[2] + c[0]), d = 0.5L * (c[0] + c[1]);
+        for (const Corners& part : {Corners{c[0], d, b}, {d, c[1], a}, {b, a, c[2]}, {a, b, d}}) {
+            ask_triangle(near, part, cuts + 1);
+        }
+    } else {
+        ask_patch(near, patch);
+        ask_leaving(near, c);
+    }
+    search.ask(near);
+}
+
+/// A piece of a round surface: turned about the axis and led along the profile from one share to another.
+struct Turned {
+    const Part& part;
+    enum class Profile { side, end, cap } profile;
+    Real sign; ///< which end or cap
+    Real turn, turns, from, to;
+
+    Point at(Real s, Real t) const {
+        const Real angle = 2 * std::numbers::pi_v<Real> * (turn + s * turns), share = from + t * (to - from);
+        const Real polar = share * std::numbers::pi_v<Real> / 2;
+        const Real across = profile == Profile::side  ? part.radius
+                            : profile == Profile::end ? share * part.radius
+                                                      : part.radius * std::sin(polar);
+        const Real along = profile == Profile::side  ? (share - 0.5L) * part.length
+                           : profile == Profile::end ? sign * part.length / 2
+                                                     : sign * (part.length / 2 + part.radius * std::cos(polar));
+        return part.center + across * std::cos(angle) * part.across + across * std::sin(angle) * part.up +
+               along * part.axis;
+    }
+    Patch patch() const {
+        const Real pi = std::numbers::pi_v<Real>;
+        const Real along = (to - from) * (profile == Profile::side  ? part.length
+                                          : profile == Profile::end ? part.radius
+                                                                    : part.radius * pi / 2);
+        return {[*this](Real s, Real t) { return at(s, t); }, false, at(0.5L, 0.5L),
+                std::hypot(pi * turns * part.radius, along / 2) * (1 + 1e-9L)};
+    }
+};
+
+void ask_turned(Search& search, const Turned& piece, int cuts = 0) {
+    const Patch patch = piece.patch();
+    Search near = search.near(patch.middle, patch.reach);
+    if (near.ask(patch.middle) <= -patch.reach) {
+        return; // a ball around the piece is in one element
+    }
+    if (!small_enough(near, patch.reach, cuts)) {
+        const Real half = piece.turns / 2, middle = (piece.from + piece.to) / 2;
+        for (const Real turn : {piece.turn, piece.turn + half}) {
+            ask_turned(near, {piece.part, piece.profile, piece.sign, turn, half, piece.from, middle}, cuts + 1);
+            ask_turned(near, {piece.part, piece.profile, piece.sign, turn, half, middle, piece.to}, cuts + 1);
+        }
+    } else {
+        ask_patch(near, patch);
+    }
+    search.ask(near);
+}
+
 void ask_round(Search& search, const Part& part) {
-    constexpr int turns = 96, rows = 24;
-    const auto ask = [&](Real angle, Real radius, Real height) {
-        search.ask(part.center + radius * std::cos(angle) * part.across + radius * std::sin(angle) * part.up +
-                   height * part.axis);
-    };
-    for (int turn = 0; turn < turns; ++turn) {
-        const Real angle = 2 * std::numbers::pi_v<Real> * turn / turns;
-        for (int row = 0; row <= rows; ++row) {
-            const Real share = static_cast<Real>(row) / rows;
-            const Real polar = share * std::numbers::pi_v<Real> / 2;
-            for (const Real side : {-1, 1}) {
-                if (part.kind == Part::Kind::cylinder) {
-                    ask(angle, share * part.radius, side * part.length / 2);
-                } else {
-                    ask(angle, part.radius * std::sin(polar), side * (part.length / 2 + part.radius * std::cos(polar)));
-                }
-            }
-            ask(angle, part.radius, (share - 0.5L) * part.length);
+    constexpr int pieces = 12;
+    using Profile = Turned::Profile;
+    const Profile end = part.kind == Part::Kind::cylinder ? Profile::end : Profile::cap;
+    for (int k = 0; k < pieces; ++k) {
+        const Real turn = static_cast<Real>(k) / pieces, turns = Real{1} / pieces;
+        ask_turned(search, {part, end, -1, turn, turns, 0, 1});
+        ask_turned(search, {part, end, 1, turn, turns, 0, 1});
+        if (part.length > 0) {
+            ask_turned(search, {part, Profile::side, 0, turn, turns, 0, 1});
         }
     }
 }
 
 } // namespace
 
-std::optional<Objection> outside_of_balls(const Link& link, const std::vector<Ball>& balls) {
+std::optional<Objection> outside_of_elements(const Link& link, const std::vector<Body>& elements) {
     std::optional<Objection> worst;
     for (const Part& part : link.parts) {
-        Search search(balls, part.rounding);
+        Search search(elements, part.rounding);
         if (part.kind != Part::Kind::mesh) {
             ask_round(search, part);
         }
         for (const Corners& corners : part.triangles) {
-            if (!in_one_ball(search, corners)) {
-                ask_triangle(search, corners);
-            }
+            ask_triangle(search, corners);
         }
         if (search.worst() && (!worst || search.worst()->distance > worst->distance)) {
             worst = search.worst();
         }
     }
     return worst;
+}
+
+std::optional<Objection> outside_of_balls(const Link& link, const std::vector<Ball>& balls) {
+    std::vector<Body> elements;
+    for (const Ball& ball : balls) {
+        elements.push_back(ball_at(ball.center, ball.radius));
+    }
+    return outside_of_elements(link, elements);
 }
 
 } // namespace judge

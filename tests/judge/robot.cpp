@@ -1,66 +1,13 @@
 #include "robot.hpp"
 
 #include "mesh_files.hpp"
-#include "xml.hpp"
+#include "pose.hpp"
+#include "urdf.hpp"
 
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
 
 namespace judge {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// Half the distance of 1 to the next double.
-constexpr Real unit_roundoff = 0x1p-53L;
-
-struct Placement {
-    Point x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, offset; ///< images of the axes
-    bool turned = false;
-
-    Point apply(const Point& p) const { return p.x * x + p.y * y + p.z * z + offset; }
-};
-
-Point vector_of(const std::string& text, const Point& otherwise) {
-    if (text.empty()) {
-        return otherwise;
-    }
-    const std::vector<double> v = numbers_of(text);
-    return {v.at(0), v.at(1), v.at(2)};
-}
-
-/// The frame of <origin>: turned about x, then y, then z of the link (URDF: fixed-axis roll, pitch, yaw).
-Placement placement_of(const Element& element) {
-    Placement place;
-    const Element* origin = element.child("origin");
-    if (!origin) {
-        return place;
-    }
-    place.offset = vector_of(origin->attribute("xyz"), {});
-    const Point rpy = vector_of(origin->attribute("rpy"), {});
-    place.turned = rpy.x != 0 || rpy.y != 0 || rpy.z != 0;
-    const Real cr = std::cos(rpy.x), sr = std::sin(rpy.x), cp = std::cos(rpy.y), sp = std::sin(rpy.y),
-               cy = std::cos(rpy.z), sy = std::sin(rpy.z);
-    place.x = {cy * cp, sy * cp, -sp};
-    place.y = {cy * sp * sr - sy * cr, sy * sp * sr + cy * cr, cp * sr};
-    place.z = {cy * sp * cr + sy * sr, sy * sp * cr - cy * sr, cp * cr};
-    return place;
-}
-
-/// What doubles lose when a point p of size |p| is scaled, turned and moved by t, each coordinate, in unit roundoffs:
-/// an entry of the rotation is a sum of two products of sines, each within 1: four; its product with a coordinate, and
-/// the sum of three: another three; so seven of |x| + |y| + |z| <= sqrt(3) |p|, over three coordinates: 3 * 7 = 21 of
-/// |p|. A scale: one of |p|. The offset: one of |p| + |t|. What is neither turned, scaled nor moved loses nothing.
-Real placement_error(const Placement& place, bool scaled, Real size) {
-    const bool moved = place.offset.x != 0 || place.offset.y != 0 || place.offset.z != 0;
-    Real error = place.turned ? 21 * size : 0;
-    error += scaled ? 2 * size : 0;
-    error += moved ? 2 * (size + length(place.offset)) : 0;
-    return unit_roundoff * error;
-}
 
 Real size_of(const std::vector<Corners>& triangles) {
     Real size = 0;
@@ -121,25 +68,7 @@ Part round_part(const Element& shape, const Placement& place) {
     return part;
 }
 
-/// "package://NAME/REST" lies in a folder NAME around the URDF, or in the folder NAME of one of those; some files mean
-/// a path from a folder around the URDF.
-fs::path resolved(const std::string& reference, const fs::path& folder) {
-    const std::string scheme = "package://";
-    std::string rest = reference.starts_with(scheme) ? reference.substr(scheme.size()) : reference;
-    if (rest.starts_with("file://")) {
-        rest = rest.substr(7);
-    }
-    for (fs::path around = fs::absolute(folder);; around = around.parent_path()) {
-        if (fs::is_regular_file(around / rest)) {
-            return around / rest;
-        }
-        if (around == around.parent_path()) {
-            throw std::runtime_error(reference + ": not found from " + folder.string());
-        }
-    }
-}
-
-Part part_of(const Element& collision, const fs::path& folder) {
+Part part_of(const Element& collision, const std::filesystem::path& folder) {
     const Placement place = placement_of(collision);
     const Element& shape = collision.at("geometry").children.at(0);
     if (shape.name == "mesh") {
@@ -152,92 +81,28 @@ Part part_of(const Element& collision, const fs::path& folder) {
     return round_part(shape, place);
 }
 
-std::vector<Link> read_urdf(const fs::path& file, const std::set<std::string>& without = {}) {
+std::vector<Link> read_urdf(const std::filesystem::path& file) {
     std::vector<Link> links;
-    for (const Element& element : parse_xml(bytes_of(file)).children) {
-        if (element.name != "link" || without.contains(element.attribute("name"))) {
-            continue;
+    for (const LinkCollisions& given : collisions_of(file)) {
+        Link link{given.link, {}};
+        for (const Element& collision : given.collisions) {
+            link.parts.push_back(part_of(collision, file.parent_path()));
         }
-        Link link{element.attribute("name"), {}};
-        for (const Element& child : element.children) {
-            if (child.name == "collision") {
-                link.parts.push_back(part_of(child, file.parent_path()));
-            }
-        }
-        if (!link.parts.empty()) {
-            links.push_back(std::move(link));
-        }
+        links.push_back(std::move(link));
     }
     return links;
 }
 
-/// Fields of a line of RFC 4180; `stream` gives further lines where a field goes on.
-std::vector<std::string> fields_of(std::istream& stream) {
-    std::vector<std::string> fields;
-    std::string field;
-    bool quoted = false, any = false;
-    for (int c = stream.get(); c != EOF; c = stream.get()) {
-        any = true;
-        if (c == '"') {
-            if (quoted && stream.peek() == '"') {
-                field += static_cast<char>(stream.get());
-            } else {
-                quoted = !quoted;
-            }
-        } else if (!quoted && c == ',') {
-            fields.push_back(std::move(field));
-            field.clear();
-        } else if (!quoted && c == '\n') {
-            break;
-        } else if (quoted || c != '\r') {
-            field += static_cast<char>(c);
-        }
-    }
-    if (any) {
-        fields.push_back(std::move(field));
-    }
-    return fields;
-}
-
-std::map<std::string, std::vector<Ball>> read_csv(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    const std::vector<std::string> head = fields_of(stream);
-    const auto column = [&](const char* name) {
-        const auto found = std::find(head.begin(), head.end(), name);
-        if (found == head.end()) {
-            throw std::runtime_error(file.string() + ": no column " + name);
-        }
-        return static_cast<std::size_t>(found - head.begin());
-    };
-    const std::size_t link = column("link"), x = column("x"), y = column("y"), z = column("z"), r = column("radius");
-    std::map<std::string, std::vector<Ball>> spheres;
-    for (std::vector<std::string> row = fields_of(stream); !row.empty(); row = fields_of(stream)) {
-        const auto number = [&](std::size_t i) { return static_cast<Real>(numbers_of(row.at(i)).at(0)); };
-        spheres[row.at(link)].push_back({{number(x), number(y), number(z)}, number(r)});
-    }
-    return spheres;
-}
-
 } // namespace
 
-std::vector<Link> read_original(const fs::path& file) {
+std::vector<Link> read_original(const std::filesystem::path& file) {
     return is_mesh(file) ? std::vector<Link>{{"", {placed(read_triangles(file), {}, {1, 1, 1})}}} : read_urdf(file);
 }
 
-std::map<std::string, std::vector<Ball>> read_spheres(const fs::path& file, const std::set<std::string>& without) {
-    if (file.extension() == ".csv") {
-        return read_csv(file);
-    }
-    std::map<std::string, std::vector<Ball>> spheres;
-    for (const Link& link : read_urdf(file, without)) {
-        for (const Part& part : link.parts) {
-            if (part.kind != Part::Kind::sphere) {
-                throw std::runtime_error(file.string() + ": link '" + link.name + "' has geometry that is no sphere");
-            }
-            spheres[link.name].push_back({part.center, part.radius});
-        }
-    }
-    return spheres;
+Body body_of(const Part& part) {
+    const Placement place{part.across, part.up, part.axis, part.center, true};
+    return part.kind == Part::Kind::cylinder ? cylinder(place, part.length / 2, part.radius)
+                                             : rounded_box(place, {0, 0, part.length / 2}, part.radius);
 }
 
 } // namespace judge

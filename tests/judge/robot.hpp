@@ -1,20 +1,13 @@
-// Links as a URDF or a mesh file gives them, and the spheres of a written file.
+// Links as a URDF or a mesh file gives them.
 #pragma once
 
-#include "vector.hpp"
+#include "body.hpp"
 
 #include <filesystem>
-#include <map>
-#include <set>
 #include <string>
 #include <vector>
 
 namespace judge {
-
-struct Ball {
-    Point center;
-    Real radius = 0;
-};
 
 /// One collision element in its link's frame.
 struct Part {
@@ -35,10 +28,7 @@ struct Link {
 
 /// The links with collision geometry of a URDF, or a mesh as one link called "". Throws std::runtime_error.
 std::vector<Link> read_original(const std::filesystem::path& file);
-
-/// Spheres by link: of a URDF, whose collision elements must all be spheres but for the links `without`, or of a CSV
-/// with the columns link, x, y, z and radius. Throws std::runtime_error.
-std::map<std::string, std::vector<Ball>> read_spheres(const std::filesystem::path& file,
-                                                      const std::set<std::string>& without = {});
+/// The same body as a round part.
+Body body_of(const Part& part);
 
 } // namespace judge
