@@ -154,7 +154,9 @@ std::string write_links_layout(const SphereModel& model) {
         "  \"certified\": {},\n{}{}  \"units\": \"m\",\n  \"frame\": \"link\",\n  \"links\": {{\n{}\n  }}\n}}\n",
         version, json_text(model.name), json_text(model.robot ? model.robot->name : ""),
         guarantee_text(model.guarantee), model.verdict.all(),
-        model.verdict.missing > 0 ? fmt::format("  \"covers\": \"surface\",\n  \"missing\": {},\n", to_text(model.verdict.missing)) : "",
+        model.verdict.surface_alone()
+            ? fmt::format("  \"covers\": \"surface\",\n  \"missing\": {},\n", json_number(model.verdict.missing))
+            : "",
         uncovered.empty() ? "" : fmt::format("  \"uncovered_links\": [{}],\n", fmt::join(uncovered, ", ")),
         fmt::join(links, ",\n"));
 }

@@ -81,8 +81,10 @@ class _Judged(_Result):
 
     @property
     def missing(self) -> float:
-        """Share of the volume of the links that lies outside all elements; above 0 the proof is of the surface alone."""
-        return float(self._values["proof"]["missing"])
+        """Share of the volume of the links that lies outside all elements; above 0 the proof is of the surface alone;
+        not a number where it was not measured."""
+        missing = self._values["proof"]["missing"]
+        return float("nan") if missing is None else float(missing)
 
 
 class Evaluation(_Judged):
@@ -136,7 +138,7 @@ class Certificate(_Judged):
         return {link["link"]: np.array(link[key], float) for link in self._values["links"] if not link["certified"]}
 
     def __repr__(self) -> str:
-        holds = "holds for the surface" if self.missing > 0 else "holds"
+        holds = "holds for the surface" if self.missing != 0 else "holds"
         return f"<foam.Certificate: {holds if self.holds else 'fails for ' + ', '.join(self.witnesses)}>"
 
 

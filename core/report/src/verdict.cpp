@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace foam::inline report {
 
@@ -32,7 +33,7 @@ static ProvedLinks proved_links(const Report& report) {
     const std::vector<std::string>& words = words_of_covered_geometry();
     links.geometry = static_cast<CoveredGeometry>(
         std::find(words.begin(), words.end(), proof["geometry"].get<std::string>()) - words.begin());
-    links.missing = proof["missing"].get<double>();
+    links.missing = proof["missing"].is_null() ? std::numeric_limits<double>::quiet_NaN() : proof["missing"].get<double>();
     const Json& reported = report.manifest["links"];
     links.elements = std::any_of(reported.begin(), reported.end(), [](const Json& link) { return link.contains("kinds"); })
                          ? "elements"

@@ -81,15 +81,19 @@ std::vector<std::string> visual_only_links(const Robot& robot) {
 }
 
 std::string covered_part(const ProvedLinks& links) {
-    return fmt::format("{}{}", links.missing > 0 ? "surface of the " : "", to_string(links.geometry));
+    return fmt::format("{}{}", links.surface_alone() ? "surface of the " : "", to_string(links.geometry));
 }
 
 std::string missing_text(const ProvedLinks& links) {
+    if (!links.surface_alone()) {
+        return "";
+    }
+    if (!std::isfinite(links.missing)) {
+        return fmt::format("how much of the volume lies outside all {} was not measured", links.elements);
+    }
     const double percent = 100 * links.missing;
-    return links.missing > 0 ? fmt::format("{} of the volume lies outside all {}",
-                                           percent < 0.01 ? "less than 0.01 %" : fmt::format("{:.2g} %", percent),
-                                           links.elements)
-                             : "";
+    return fmt::format("{} of the volume lies outside all {}",
+                       percent < 0.01 ? "less than 0.01 %" : fmt::format("{:.2g} %", percent), links.elements);
 }
 
 std::string verdict_of(const ProvedLinks& links) {
@@ -97,7 +101,7 @@ std::string verdict_of(const ProvedLinks& links) {
         return "";
     }
     const std::string missing = missing_text(links);
-    return fmt::format("{}.\n{}{}", with_capital(clause_of(links)), missing, missing.empty() ? "" : ".\n");
+    return with_capital(clause_of(links)) + ".\n" + (missing.empty() ? "" : with_capital(missing) + ".\n");
 }
 
 std::string statement_of(const ProvedLinks& links) {

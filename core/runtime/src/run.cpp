@@ -20,6 +20,7 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
+#include <limits>
 #include <optional>
 
 namespace foam::inline runtime {
@@ -36,6 +37,7 @@ ProvedLinks proved_links(const Workspace& workspace, const Input& input, const s
     proved.collision_only = input.collision_only;
     proved.float32 = workspace.recipe.proved_numbers(workspace.registry) == Numbers::float32;
     std::vector<Measures> measured;
+    bool known = true;
     for (const LinkWork& link : links) {
         const LinkReport& report = link.report;
         if (report.skipped || !report.error.empty()) {
@@ -45,6 +47,7 @@ ProvedLinks proved_links(const Workspace& workspace, const Input& input, const s
             continue;
         }
         measured.push_back(report.measures);
+        known = known && !(link.bounds_only && report.measures.spheres > 1); // one convex element leaves nothing out
         proved.elements = spheres_alone(report.kinds) ? proved.elements : "elements";
         if (report.measures.certified) {
             ++proved.proved;
@@ -52,7 +55,9 @@ ProvedLinks proved_links(const Workspace& workspace, const Input& input, const s
             proved.left_out.push_back({report.link, "the proof does not hold"});
         }
     }
-    proved.missing = proved.guarantee == Guarantee::outer ? total(measured).missing : 0;
+    if (proved.guarantee == Guarantee::outer) {
+        proved.missing = known ? total(measured).missing : std::numeric_limits<double>::quiet_NaN();
+    }
     return proved;
 }
 

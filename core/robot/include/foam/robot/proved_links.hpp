@@ -5,6 +5,7 @@
 #include <foam/robot/covered_geometry.hpp>
 #include <foam/robot/robot.hpp>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -26,11 +27,13 @@ struct ProvedLinks {
     std::string elements = "spheres"; ///< what encloses the geometry; "elements" where they are not all spheres
     bool float32 = false;             ///< proved also for the numbers in single precision
     /// Guarantee::outer proves that the surface is covered. This is the share of the volume of the links with elements
-    /// that lies outside all elements, as measured.
+    /// that lies outside all elements, as measured; not a number where there was no time to measure it.
     double missing = 0;
 
     /// Returns whether every link with geometry to be covered is proved.
     bool all() const { return proved > 0 && proved == with_geometry; }
+    /// Returns whether no more is known than that the surface is covered.
+    bool surface_alone() const { return missing != 0; }
 };
 
 /// Returns the names of the links that have visual geometry and no collision geometry.
@@ -45,7 +48,7 @@ std::string statement_of(const ProvedLinks& links);
 /// Returns what the guarantee is of: "collision geometry", or "surface of the collision geometry" where some of its
 /// volume is missing.
 std::string covered_part(const ProvedLinks& links);
-/// Returns "67 % of the volume lies outside all elements"; empty where nothing is missing.
+/// Returns "67 % of the volume lies outside all elements", or that it was not measured; empty where nothing is missing.
 std::string missing_text(const ProvedLinks& links);
 /// Returns sentences about the links that are left out or have visual geometry only, each on a line. Names are fit for
 /// a terminal; if there are many, only the first are named.
@@ -57,7 +60,7 @@ template <class Json> Json json_of_proof(const ProvedLinks& links) {
               {"links_with_geometry", links.with_geometry},
               {"links_proved", links.proved},
               {"statement", statement_of(links)},
-              {"missing", links.missing},
+              {"missing", std::isfinite(links.missing) ? Json(links.missing) : Json()},
               {"left_out", Json::array()},
               {"visual_only", Json(links.visual_only)},
               {"collision_only", Json(links.collision_only)}};
