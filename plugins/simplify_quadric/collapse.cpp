@@ -36,7 +36,9 @@ Collapse::Collapse(const Mesh& mesh, const Limits& limits, Context& context)
             triangles_of_[corner].push_back(t);
         }
     }
+    context_.check_cancelled();
     number_parts();
+    context_.check_cancelled();
     compute_quadrics();
 }
 
@@ -89,6 +91,9 @@ void Collapse::compute_quadrics() {
         }
     }
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+        if (t % 65536 == 0) {
+            context_.check_cancelled();
+        }
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t a = triangles_[t][k], b = triangles_[t][(k + 1) % 3];
             const bool lonely = std::none_of(triangles_of_[a].begin(), triangles_of_[a].end(),

@@ -4,6 +4,8 @@
 #include <foam/base/parallel.hpp>
 #include <foam/geometry/cell.hpp>
 #include <foam/geometry/inner.hpp>
+#include <foam/geometry/internal/filled.hpp>
+#include <foam/geometry/internal/quick_solid.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/geometry/mesh_change.hpp>
 #include <foam/geometry/union_volume.hpp>
@@ -151,6 +153,8 @@ protected:
 
 TEST_F(EveryLoop, OfGeometryAsks) {
     expect_asks("Solid::make", [&] { Solid::make(mesh); });
+    expect_asks("filled", [&] { filled(solid); });
+    expect_asks("quick_solid", [&] { quick_solid({{std::make_shared<const Mesh>(mesh), {}, {}}})->contains({}); });
     expect_asks("volume of two overlapping parts", [&] {
         const auto one = std::make_shared<const Mesh>(mesh);
         Solid::make(std::vector<Solid::Part>{{one, {}, {}}, {one, {}, {}}})->volume();

@@ -191,6 +191,53 @@ TEST_F(Run, ABallStandsInForWhatIsNotFoundInTime) {
                     "tip: it found no spheres within the time limit of 2 s; one enclosing sphere replaces them"));
 }
 
+constexpr const char* of_a_mesh = R"(<robot name="two">
+<link name="base"><collision><origin xyz="0 0 1"/><geometry><mesh filename="wedge.obj"/></geometry></collision></link>
+<link name="tip"><collision><geometry><box size="1 1 1"/></geometry></collision>
+<collision><origin xyz="1 0 0"/><geometry><mesh filename="wedge.obj"/></geometry></collision></link>
+<joint name="j" type="fixed"><parent link="base"/><child link="tip"/></joint></robot>)";
+constexpr const char* wedge = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+constexpr const char* waiting_filter = "stages: [smooth.waiting, spherize.grid]\n";
+
+TEST_F(Run, ATimeLimitInThePreparationLeavesOneProvedSphereALink) {
+    write("two.urdf", of_a_mesh);
+    write("wedge.obj", wedge);
+    RunOptions o = options();
+    o.time_limit = 0.5;
+    for (const std::string rest : {"budget: {spheres: 20}\n", "per: collision\nhollow: fill\nguarantee: fitted\n",
+                                   "links: {tip: {keep: [{center: [5, 5, 5], radius: 0.1}]}}\n"}) {
+        const auto result = run_in_time(recipe(waiting_filter + rest), registry, o);
+        if (!result) {
+            GTEST_SKIP() << "this machine is too slow";
+        }
+        EXPECT_EQ(result->cut, Cut::time_limit);
+        EXPECT_TRUE(result->certified) << rest;
+        EXPECT_EQ(result->proved.proved, 2u);
+        EXPECT_EQ(result->links.at(0).measures.spheres, 1u);
+        EXPECT_EQ(result->links.at(1).measures.spheres, rest.starts_with("links") ? 2u : 1u);
+        EXPECT_GT(result->links.at(1).measures.excess_volume, 0);
+        EXPECT_THAT(warnings_of(*result),
+                    ::testing::Contains("base: the time limit of 0.5 s is too short to prepare its geometry, and to search "
+                                        "and measure: one enclosing sphere covers it"));
+        EXPECT_EQ(spheres_in("out/two.urdf").size(), 2u) << "the file is there, and was proved as it was read back";
+    }
+}
+
+TEST_F(Run, ATimeLimitInThePreparationIsAnErrorWhereOneSphereIsNoResult) {
+    write("two.urdf", of_a_mesh);
+    write("wedge.obj", wedge);
+    for (const std::string rest : {"guarantee: inner\n", "budget: {spheres: 1}\n"}) {
+        RunOptions o = options();
+        o.time_limit = 0.2;
+        try {
+            run(recipe(waiting_filter + rest), registry, o);
+            ADD_FAILURE() << rest;
+        } catch (const Error& error) {
+            EXPECT_THAT(error.what(), HasSubstr("the time limit of 0.2 s ended")) << rest;
+        }
+    }
+}
+
 TEST_F(Run, WhatGoesOnAfterAStopIsNamed) {
     const std::filesystem::path release = folder.path() / "release";
     std::atomic<bool> stop = false;

@@ -68,7 +68,9 @@ std::vector<Coded> along_curve(std::span<const Box> boxes) {
     };
     std::vector<Coded> result;
     result.reserve(boxes.size());
+    CancellationCounter asking(1 << 16);
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+        asking.check();
         const Vec3 p = boxes[i].center() - centers.low;
         result.push_back({place(p.x) | place(p.y) << 1 | place(p.z) << 2, i});
     }
@@ -111,11 +113,13 @@ Bvh Bvh::quick(std::span<const Box> boxes, std::uint32_t leaf_size) {
             nodes.push_back({{}, {}, middle, end - middle});
         }
     }
+    check_cancelled();
     result.order_.reserve(items.size());
     for (const Coded& item : items) {
         result.order_.push_back(item.index);
     }
     for (std::size_t n = nodes.size(); n-- > 0;) { // children come after their parents
+        asking.check();
         BvhNode& node = nodes[n];
         Box box;
         if (node.leaf()) {

@@ -1,5 +1,6 @@
 #include <foam/geometry/internal/compared_mesh.hpp>
 
+#include <foam/base/cancellation.hpp>
 #include <foam/geometry/internal/triangle.hpp>
 
 namespace foam::inline geometry {
@@ -35,6 +36,7 @@ void ComparedMesh::prepare_distances() {
             boxes[i].add(mesh_.vertices[corner]);
         }
     }
+    check_cancelled();
     bvh_ = Bvh::quick(boxes, 8);
 }
 

@@ -44,10 +44,14 @@ std::vector<Side> sides_by_edge(std::span<const Triangle> triangles, std::size_t
     std::vector<std::uint32_t> start(vertex_count + 1, 0);
     for_each_side(triangles, use, [&](const Side& side) { ++start[side.low + 1]; });
     std::partial_sum(start.begin(), start.end(), start.begin());
+    check_cancelled();
     std::vector<Side> sides(start.back());
     std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
     for_each_side(triangles, use, [&](const Side& side) { sides[next[side.low]++] = side; });
+    CancellationCounter asking(1 << 16);
+    check_cancelled();
     for (std::size_t v = 0; v < vertex_count; ++v) {
+        asking.check();
         sort_by_higher_end(std::span(sides).subspan(start[v], start[v + 1] - start[v]));
     }
     return sides;

@@ -56,7 +56,9 @@ private:
     /// false. Without `with_flat`, triangles without area do not count.
     template <class Visit> void for_each_counting_edge(Visit visit, bool with_flat = true) const {
         std::vector<Side> edge;
+        CancellationCounter asking(1 << 16);
         for (auto side = all_sides_.begin(); side != all_sides_.end();) {
+            asking.check();
             edge.clear();
             const Side first = *side;
             for (; side != all_sides_.end() && side->same_edge(first); ++side) {
@@ -101,7 +103,9 @@ private:
                 sets.unite(edge[0].triangle(), edge[1].triangle());
             }
         });
+        CancellationCounter asking(1 << 16);
         for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+            asking.check();
             patch_of_[i] = sets.find(i);
         }
         return clean;

@@ -87,6 +87,7 @@ std::pair<std::shared_ptr<const Mesh>, std::optional<geometry::Reading>> part_me
                                              " of the solid is neither a mesh nor a primitive; give it one of them");
     }
     check_mesh(*part.mesh, index);
+    check_cancelled();
     if (when == MeshReading::on_first_use) {
         return {with_used_vertices(part.mesh), std::nullopt};
     }

@@ -29,7 +29,9 @@ std::vector<std::uint32_t> morton_codes(const Mesh& surface, const Box& box) {
     };
     std::vector<std::uint32_t> codes;
     codes.reserve(surface.triangles.size());
+    CancellationCounter asking(1 << 16);
     for (const auto& [a, b, c] : surface.triangles) {
+        asking.check();
         const Vec3 sum = surface.vertices[a] + surface.vertices[b] + surface.vertices[c];
         codes.push_back(place(sum.x, box.low.x) | place(sum.y, box.low.y) << 1 | place(sum.z, box.low.z) << 2);
     }
@@ -43,9 +45,11 @@ std::vector<std::uint32_t> order_by(const std::vector<std::uint32_t>& codes) {
     for (const std::uint32_t shift : {0u, half_a_code}) {
         const auto digit = [&](std::uint32_t i) { return codes[i] >> shift & ((1u << half_a_code) - 1); };
         std::vector<std::uint32_t> next((1u << half_a_code) + 1, 0);
+        check_cancelled();
         for (const std::uint32_t i : order) {
             ++next[digit(i) + 1];
         }
+        check_cancelled();
         std::partial_sum(next.begin(), next.end(), next.begin());
         for (const std::uint32_t i : order) {
             sorted[next[digit(i)]++] = i;

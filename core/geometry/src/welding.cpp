@@ -1,5 +1,7 @@
 #include <foam/geometry/internal/welding.hpp>
 
+#include <foam/base/cancellation.hpp>
+
 #include <bit>
 #include <numeric>
 
@@ -22,7 +24,9 @@ std::vector<std::uint32_t> welded_indices(const Mesh& mesh) {
     const std::size_t mask = std::bit_ceil(2 * mesh.vertices.size() + 1) - 1;
     std::vector<std::uint32_t> table(mask + 1, free); // open addressing, at most half full
     std::vector<std::uint32_t> result(mesh.vertices.size());
+    CancellationCounter asking(1 << 16);
     for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) {
+        asking.check();
         std::size_t slot = hash_of(mesh.vertices[i]) & mask;
         while (table[slot] != free && mesh.vertices[table[slot]] != mesh.vertices[i]) {
             slot = (slot + 1) & mask;

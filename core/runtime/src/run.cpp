@@ -165,7 +165,7 @@ void write_record(const Workspace& workspace, const FinishedModel& finished, Run
         workspace.options.accept(manifest);
     }
     directory.write("manifest.json", manifest);
-    if (workspace.options.report) {
+    if (workspace.options.report && !workspace.in(Phase::completing).ended()) {
         directory.write("report.html", report_html(workspace, finished, manifest, resolved, pictures));
         result.files.emplace_back("report.html");
     }

@@ -1,6 +1,7 @@
 // The sides of triangles that share an edge.
 #pragma once
 
+#include <foam/base/cancellation.hpp>
 #include <foam/geometry/mesh.hpp>
 
 #include <cstdint>
@@ -26,9 +27,11 @@ struct Side {
 std::vector<Side> sides_by_edge(std::span<const Triangle> triangles, std::size_t vertex_count,
                                 std::span<const char> use = {});
 
-/// Calls visit(sides) with the sides of every edge, a std::span<const Side>.
+/// Calls visit(sides) with the sides of every edge, a std::span<const Side>. Asks on the way whether to go on.
 template <class Visit> void for_each_edge(std::span<const Side> by_edge, Visit visit) {
+    CancellationCounter asking(1 << 16);
     for (std::size_t begin = 0; begin < by_edge.size();) {
+        asking.check();
         std::size_t end = begin + 1;
         while (end < by_edge.size() && by_edge[end].same_edge(by_edge[begin])) {
             ++end;
