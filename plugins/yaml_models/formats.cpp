@@ -184,6 +184,9 @@ void read_xrdf(const Value& root, Tree& tree) {
     GeometryGroups(groups, tree).add(name);
     tree.read_buffer(collision, "buffer_distance");
     const Value* self = root.find("self_collision");
+    if (self) {
+        tree.note_self_buffer(*self, "buffer_distance");
+    }
     const Value* own = self && self->is(Kind::map) ? self->find("geometry") : nullptr;
     if (own && own->text != name) {
         tree.result.notes.push_back(
@@ -199,6 +202,7 @@ void read_curobo(const Value& root, Tree& tree) {
     read_links(tree.at(kinematics, "collision_spheres"), tree);
     keep_named_links(kinematics, tree);
     tree.read_buffer(kinematics, "collision_sphere_buffer");
+    tree.note_self_buffer(kinematics, "self_collision_buffer");
 }
 
 void read_collision_spheres(const Value& root, Tree& tree) {

@@ -154,4 +154,18 @@ void Tree::read_buffer(const Value& holder, std::string_view key) {
     }
 }
 
+void Tree::note_self_buffer(const Value& holder, std::string_view key) {
+    const Value* buffer = holder.is(Kind::map) ? holder.find(key) : nullptr;
+    if (!buffer || buffer->is(Kind::null)) {
+        return;
+    }
+    const bool any = std::any_of(result.links.begin(), result.links.end(),
+                                 [&](const LinkSpheres& link) { return buffer_of(*buffer, link.link) != 0; });
+    if (any) {
+        result.notes.push_back(fmt::format("{} (line {}) changes the radii where the robot is checked against itself: "
+                                           "figures, proofs and pairs are without it",
+                                           key, buffer->where.line));
+    }
+}
+
 } // namespace foam::tree

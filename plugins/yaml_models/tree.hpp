@@ -38,6 +38,8 @@ public:
     /// Reads a distance that the program which uses the file adds to all radii, or to those of each link. Call it after the
     /// spheres are added.
     void read_buffer(const yaml::Value& holder, std::string_view key);
+    /// Adds a note about a distance that the program adds to radii only between links. Call it after the spheres are added.
+    void note_self_buffer(const yaml::Value& holder, std::string_view key);
 
     SphereFile& result;
 

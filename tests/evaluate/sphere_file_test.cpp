@@ -244,6 +244,9 @@ TEST_F(SphereFiles, ABufferSwitchesSpheresOnAndOff) {
     EXPECT_THAT(xrdf.notes,
                 ElementsAre("buffer_distance (line 4) belongs to the radii: the program that uses the file adds it",
                             "1 sphere of a radius not above 0 is switched off and left out"));
+    EXPECT_THAT(read("kinematics:\n  self_collision_buffer: {l: -0.01}\n  collision_spheres: " + lists).notes,
+                ElementsAre("self_collision_buffer (line 2) changes the radii where the robot is checked against itself: "
+                            "figures, proofs and pairs are without it"));
     const SphereFile curobo = read("kinematics:\n  collision_sphere_buffer: -0.2\n  collision_spheres: " + lists);
     EXPECT_THAT(curobo.links.at(0).spheres, ElementsAre(larger(two, -0.2)));
     EXPECT_THAT(curobo.notes,
