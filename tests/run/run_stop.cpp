@@ -218,8 +218,8 @@ TEST_F(Run, ATimeLimitInThePreparationLeavesOneProvedSphereALink) {
         EXPECT_EQ(result->links.at(1).measures.spheres, rest.starts_with("links") ? 2u : 1u);
         EXPECT_GT(result->links.at(1).measures.excess_volume, 0);
         EXPECT_THAT(warnings_of(*result),
-                    ::testing::Contains("base: the time limit of 0.5 s is too short to prepare its geometry, and to search "
-                                        "and measure: one enclosing sphere covers it"));
+                    ::testing::Contains("base: the time limit of 0.5 s is too short to prepare its geometry, and to "
+                                        "search and measure: one enclosing sphere covers it"));
         EXPECT_EQ(spheres_in("out/two.urdf").size(), 2u) << "the file is there, and was proved as it was read back";
     }
 }

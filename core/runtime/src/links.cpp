@@ -96,8 +96,8 @@ Measures measured_filled(const Workspace& workspace, const std::shared_ptr<const
 void tell_bounds(const Workspace& workspace, const LinkWork& link) {
     workspace.journal.finding(
         {Severity::warning, link.link->name, "measure",
-         fmt::format("the time limit of {} s is too short to measure its elements: its excess and protrusion are bounds, "
-                     "as if the link had no volume; the proof is as usual",
+         fmt::format("the time limit of {} s is too short to measure its elements: its excess and protrusion are "
+                     "bounds, as if the link had no volume; the proof is as usual",
                      *workspace.time_limit())});
 }
 
