@@ -112,6 +112,10 @@ void Limits::keep_for_enclosing(std::size_t triangles) {
     }
 }
 
+bool Limits::has_time_for(double seconds) const {
+    return !time_limit_ || journal_.seconds() + seconds < end_of_limit();
+}
+
 bool Limits::may_enclose() const {
     return time_limit_ && !stopped() && journal_.seconds() < late * *time_limit_ + and_late;
 }
