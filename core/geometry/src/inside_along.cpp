@@ -1,6 +1,8 @@
 // The parts of a line inside a surface, open or closed.
 #include "mesh_part.hpp"
 
+#include <foam/base/cancellation.hpp>
+
 #include <numbers>
 
 namespace foam::inline geometry {
@@ -112,6 +114,7 @@ void MeshPart::inside_part(const Vec3& origin, const Vec3& direction, double fro
 /// Halves the stretch until holes cannot matter or it is short.
 void MeshPart::inside_stretch(const Vec3& origin, const Vec3& direction, double enter, double leave, int winding,
                               std::vector<Solid::Interval>& result) const {
+    check_cancelled(); // a line may have thousands of stretches
     const double unit = norm(direction), shortest = resolution * box_.diagonal() / unit;
     const auto above_half = [&](const Vec3& p) { return winding - closing_->winding_by_expansion(p).value - 0.5; };
     const auto take_short = [&](const Vec3& p, double half, const Solid::Interval& s) {

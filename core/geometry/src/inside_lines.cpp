@@ -156,7 +156,8 @@ InsideLines::InsideLines(const SolidData& data)
         exact += part.volume();
     }
     const Estimate overlaps = integral(
-        data, data.closed() ? traced(data, across_closed, "volume") : traced(data, across_overlaps, "overlaps"), overlap);
+        data, data.closed() ? traced(data, across_closed, "volume") : traced(data, across_overlaps, "overlaps"),
+        overlap);
     const Estimate holes = data.closed() ? Estimate{} : integral(data, traced(data, across_open, "volume"), in_holes);
     volume_ = {std::max(0.0, exact - overlaps.value - holes.value), std::hypot(overlaps.error, holes.error)};
 }

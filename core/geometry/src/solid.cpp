@@ -140,7 +140,8 @@ void add_part(geometry::SolidData& data, SurfaceOfParts& surface, std::size_t in
         return;
     }
     data.first_triangles.push_back(data.offsets.back());
-    surface.add(given, reading ? std::span<const geometry::Facing>(reading->facing) : std::span<const geometry::Facing>());
+    using Facings = std::span<const geometry::Facing>;
+    surface.add(given, reading ? Facings(reading->facing) : Facings());
     const Box box = geometry::bounds_of_corners(*given);
     data.offsets.push_back(static_cast<std::uint32_t>(surface.mesh().triangles.size()));
     data.box.add(box);

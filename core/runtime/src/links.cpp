@@ -68,6 +68,13 @@ Measures measured(const Workspace& workspace, const Solid& solid, const Elements
     return measures;
 }
 
+/// Returns bounds on the measures of covering elements, where there is no time to measure.
+Measures bounded(const Workspace& workspace, const Solid& solid, const ElementsView& elements) {
+    Measures bounds = geometry::bounds_of_measures(solid, elements);
+    bounds.certified = bounds.certified && workspace.recipe.guarantee == Guarantee::outer;
+    return bounds;
+}
+
 /// Returns the measures of a solid whose inside counts as geometry; what is proved and how much of the surface is
 /// covered is that of the solid itself. `full`: the solid with its inside, `volume`: of what was filled, m³.
 Measures measured_filled(const Workspace& workspace, const std::shared_ptr<const Solid>& solid,
@@ -89,8 +96,8 @@ Measures measured_filled(const Workspace& workspace, const std::shared_ptr<const
 void tell_bounds(const Workspace& workspace, const LinkWork& link) {
     workspace.journal.finding(
         {Severity::warning, link.link->name, "measure",
-         fmt::format("the time limit of {} s is too short to measure its elements: its excess and protrusion are bounds, "
-                     "as if the link had no volume; the proof is as usual",
+         fmt::format("the time limit of {} s is too short to measure its elements: its excess and protrusion are "
+                     "bounds, as if the link had no volume; the proof is as usual",
                      *workspace.time_limit())});
 }
 
@@ -261,7 +268,7 @@ private:
         out.measures =
             run_stage(in_time, "measure", out.link, out.geometries.front(), "", reports[g][1], [&](Context&) {
                 if (group.in_haste) {
-                    return geometry::bounds_of_measures(*group.solid, out.tree.elements());
+                    return bounded(workspace_, *group.solid, out.tree.elements());
                 }
                 if (!fill) {
                     return measured(workspace_, *group.solid, out.tree.elements());
@@ -291,7 +298,7 @@ void measure_whole(const Workspace& workspace, const FinishedLink& link, LinkWor
     };
     if (work.bounds_only || !done_in_time(workspace, measure)) {
         work.bounds_only = true;
-        work.report.measures = geometry::bounds_of_measures(*link.solid, elements);
+        work.report.measures = bounded(workspace, *link.solid, elements);
     }
 }
 

@@ -165,7 +165,12 @@ void write_record(const Workspace& workspace, const FinishedModel& finished, Run
         workspace.options.accept(manifest);
     }
     directory.write("manifest.json", manifest);
-    if (workspace.options.report && !workspace.in(Phase::completing).ended()) {
+    constexpr double a_triangle = 2e-6; // s; the report thins out each mesh
+    const double needed = a_triangle * static_cast<double>(result.input_size.triangles);
+    if (workspace.options.report && !workspace.limits->has_time_for(needed)) {
+        workspace.journal.finding(
+            {Severity::warning, "", "", fmt::format("{}: the report is missing", why_dropped(workspace))});
+    } else if (workspace.options.report) {
         directory.write("report.html", report_html(workspace, finished, manifest, resolved, pictures));
         result.files.emplace_back("report.html");
     }

@@ -54,6 +54,9 @@ public:
     /// Returns whether a time limit, and no request to stop, has ended the work early enough for enclosing spheres.
     bool may_enclose() const;
 
+    /// Returns whether work of so many seconds ends within the time limit.
+    bool has_time_for(double seconds) const;
+
     /// Adds the measured time for finishing a shape to the reserve.
     void add_to_reserve(double seconds, std::size_t times, std::size_t threads);
     /// Keeps the place of the run at its time limit, for explained().
