@@ -137,8 +137,18 @@ TEST(LeastElement, RefusesWhatHasNoElement) {
     const std::vector<Vec3> infinite = {{0, 0, INFINITY}};
     EXPECT_THROW(least_element(Kind::capsule, infinite), Error);
     const std::vector<Vec3> points = random_points(10, 1);
-    EXPECT_THROW(proved_least(Kind::hull, points, 0.1), Error);
-    EXPECT_THROW(proved_least(Kind::box, points, 0), Error);
+    const auto refusal = [&](Kind kind, double tolerance) {
+        try {
+            proved_least(kind, points, tolerance);
+        } catch (const Error& error) {
+            return error.code();
+        }
+        return ErrorCode::internal;
+    };
+    EXPECT_EQ(refusal(Kind::hull, 0.1), ErrorCode::usage);
+    for (const double tolerance : {0.0, -0.1, std::nan("")}) { // at once, not after a million cells
+        EXPECT_EQ(refusal(Kind::box, tolerance), ErrorCode::usage);
+    }
 }
 
 } // namespace

@@ -360,9 +360,8 @@ Solid::Part half_of(const Halves& h, double side) {
     return {nullptr, Primitive{Primitive::Kind::box, {h.half.x, 2 * h.half.y, 2 * h.half.z}, 0, 0}, place};
 }
 
-Halves halves(Kind kind, const Pose& pose, Random& random) {
-    const auto length = [&] { return random.uniform(0.5, 1.5); };
-    Halves h{pose, {length(), length(), length()}, {}, {}};
+Halves halves_around(Kind kind, const Pose& pose, const Vec3& half, Random& random) {
+    Halves h{pose, half, {}, {}};
     Case c;
     c.part = half_of(h, -1);
     c.element = element_of(kind, 1, random);
@@ -385,6 +384,12 @@ Halves halves(Kind kind, const Pose& pose, Random& random) {
     h.left = h.right = c.element;
     h.right.pose = pose * Pose::from_axis_angle({0, 1, 0}, std::numbers::pi) * pose.inverse() * c.element.pose;
     return h;
+}
+
+Halves halves(Kind kind, const Pose& pose, Random& random) {
+    const auto length = [&] { return random.uniform(0.5, 1.5); };
+    const double x = length(), y = length(), z = length();
+    return halves_around(kind, pose, {x, y, z}, random);
 }
 
 /// Whether a point of the box's outline at x = 0 is in neither element.
@@ -442,6 +447,40 @@ TEST_P(ElementAdversary, TwoElementsWithASlitBetweenThem) {
     }
     EXPECT_GT(open, 20);
     EXPECT_GT(closed, 20);
+}
+
+/// A round primitive that fills the box of the halves but for a hundredth.
+Solid::Part inscribed(const Halves& h, Primitive::Kind kind) {
+    const double radius = 0.99 * std::min(h.half.x, h.half.y);
+    const double length = std::max(0.1, 2 * (0.99 * h.half.z - (kind == Primitive::Kind::capsule ? radius : 0)));
+    return {nullptr, Primitive{kind, {}, radius, kind == Primitive::Kind::sphere ? 0 : length}, h.pose};
+}
+
+TEST_P(ElementAdversary, RoundPrimitivesInTwoElements) {
+    Random random(derive_seed(7, to_string(GetParam())));
+    int open = 0;
+    for (int round = 0; round < 9; ++round) {
+        const auto kind = std::array{Primitive::Kind::cylinder, Primitive::Kind::capsule,
+                                     Primitive::Kind::sphere}[static_cast<std::size_t>(round) % 3];
+        const double x = random.uniform(0.5, 1.5), y = random.uniform(0.5, 1.5);
+        const double z = std::max(x, y) + (kind == Primitive::Kind::capsule ? 0.5 : 0);
+        const Halves h = halves_around(GetParam(), test::random_pose(random, 1), {x, y, z}, random);
+        const auto solid = Solid::make(std::vector{inscribed(h, kind)});
+        const double radius = solid->parts()[0].primitive->radius;
+        // Pieces of a round surface are halved down to the overlap, which therefore is not small here.
+        const std::array wide{scaled(h.left, 1.05), scaled(h.right, 1.05)};
+        EXPECT_TRUE(covers(*solid, ElementsView{{}, wide})) << round;
+        for (const double slit : {1e-2, 1e-3}) {
+            const std::array apart{moved_along(h.left, h.pose, -slit), moved_along(h.right, h.pose, slit)};
+            const test::QuadPoint p = test::quad(h.pose.translation) + test::turned(h.pose, {0, radius, 0});
+            if (std::min(Judge(apart[0]).outside(p), Judge(apart[1]).outside(p)) > 0) {
+                ++open;
+                EXPECT_FALSE(covers(*solid, ElementsView{{}, apart})) << slit;
+            }
+        }
+    }
+    const bool flat = GetParam() == Kind::box || GetParam() == Kind::cylinder || GetParam() == Kind::hull;
+    EXPECT_GE(open, flat ? 18 : 0);
 }
 
 /// A thin element upon a facet: it holds the triangle, and reaches beneath it by less than the facet is above the true
