@@ -137,8 +137,20 @@ TEST(LeastElement, RefusesWhatHasNoElement) {
     const std::vector<Vec3> infinite = {{0, 0, INFINITY}};
     EXPECT_THROW(least_element(Kind::capsule, infinite), Error);
     const std::vector<Vec3> points = random_points(10, 1);
-    EXPECT_THROW(proved_least(Kind::hull, points, 0.1), Error);
-    EXPECT_THROW(proved_least(Kind::box, points, 0), Error);
+    const auto refusal = [](Kind kind, double tolerance, const std::vector<Vec3>& around) {
+        try {
+            proved_least(kind, around, tolerance);
+        } catch (const Error& error) {
+            return error.code();
+        }
+        return ErrorCode::internal;
+    };
+    EXPECT_EQ(refusal(Kind::hull, 0.1, points), ErrorCode::usage);
+    EXPECT_EQ(refusal(Kind::box, 0.1, {}), ErrorCode::geometry);
+    EXPECT_EQ(refusal(Kind::box, 0.1, infinite), ErrorCode::geometry);
+    for (const double tolerance : {0.0, -0.1, std::nan("")}) { // at once, not after a million cells
+        EXPECT_EQ(refusal(Kind::box, tolerance, points), ErrorCode::usage);
+    }
 }
 
 } // namespace

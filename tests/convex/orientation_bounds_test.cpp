@@ -83,6 +83,10 @@ TEST(OrientationBounds, TheCellsHaveAllOrientations) {
     Random random(2);
     EXPECT_THAT(all_orientations(true), SizeIs(3));
     EXPECT_THAT(all_orientations(false), SizeIs(1));
+    for (const Orientations& cell : all_orientations(true)) {
+        EXPECT_EQ(cell.half, 1);
+    }
+    EXPECT_NEAR(all_orientations(false)[0].half, std::sqrt(2) - 1, 1e-11) << "no more than is needed";
     for (int round = 0; round < 2000; ++round) {
         const Vec3 direction = test::random_direction(random);
         int found = 0;

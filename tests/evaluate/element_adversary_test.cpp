@@ -320,6 +320,29 @@ TEST_P(ElementAdversary, ElementsWithAnInexactRotation) {
     }
 }
 
+TEST_P(ElementAdversary, OneNumberOfTheRotationIsInexact) {
+    // Each of the nine alone: none of them may be forgotten.
+    Random random(derive_seed(8, to_string(GetParam())));
+    for (std::size_t entry = 0; entry < 9; ++entry) {
+        for (const double change : {-3e-7, 3e-7}) {
+            Case c;
+            c.part = part_of(Inner::box, {}, 1, random);
+            c.element = element_of(GetParam(), 1, random);
+            Vec3& row = c.element.pose.rotation[entry / 3];
+            row[static_cast<int>(entry % 3)] += change;
+            ASSERT_TRUE(is_valid(c.element));
+            tighten(c);
+            for (const double larger : {-1e-7, -1e-8, -1e-9, -1e-10, 1e-4}) {
+                Case changed = c;
+                changed.element = scaled(c.element, 1 + larger);
+                const bool holds = certify(*changed.solid(), changed.view()).holds;
+                EXPECT_FALSE(holds && changed.outside() > 0) << changed << ", entry " << entry;
+                EXPECT_TRUE(holds || larger < 0) << changed << ", entry " << entry;
+            }
+        }
+    }
+}
+
 TEST_P(ElementAdversary, WhatHasGrownHoldsTheSolid) {
     Random random(derive_seed(4, to_string(GetParam())));
     for (const Inner inner : inners) {
@@ -360,9 +383,8 @@ Solid::Part half_of(const Halves& h, double side) {
     return {nullptr, Primitive{Primitive::Kind::box, {h.half.x, 2 * h.half.y, 2 * h.half.z}, 0, 0}, place};
 }
 
-Halves halves(Kind kind, const Pose& pose, Random& random) {
-    const auto length = [&] { return random.uniform(0.5, 1.5); };
-    Halves h{pose, {length(), length(), length()}, {}, {}};
+Halves halves_around(Kind kind, const Pose& pose, const Vec3& half, Random& random) {
+    Halves h{pose, half, {}, {}};
     Case c;
     c.part = half_of(h, -1);
     c.element = element_of(kind, 1, random);
@@ -387,6 +409,12 @@ Halves halves(Kind kind, const Pose& pose, Random& random) {
     return h;
 }
 
+Halves halves(Kind kind, const Pose& pose, Random& random) {
+    const auto length = [&] { return random.uniform(0.5, 1.5); };
+    const double x = length(), y = length(), z = length();
+    return halves_around(kind, pose, {x, y, z}, random);
+}
+
 /// Whether a point of the box's outline at x = 0 is in neither element.
 bool is_open(const Halves& h) {
     const Judge left(h.left), right(h.right);
@@ -409,7 +437,12 @@ TEST_P(ElementAdversary, TwoElementsWithASlitBetweenThem) {
     Random random(derive_seed(5, to_string(GetParam())));
     int open = 0, closed = 0;
     for (int round = 0; round < 4; ++round) {
-        const Halves touching = halves(GetParam(), test::random_pose(random, 1), random);
+        Halves touching = halves(GetParam(), test::random_pose(random, 1), random);
+        if (GetParam() == Kind::box && round % 2) { // half a turn: the opposite faces meet
+            for (Element* e : {&touching.left, &touching.right}) {
+                turn(*e, touching.pose.rotate({0, 0, 1}), std::numbers::pi);
+            }
+        }
         for (const double share : {1e-1, 1e-3, 1e-5, 1e-7, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14}) {
             for (const double way : {-1.0, 1.0}) {
                 Halves h = touching; // a little larger, so that nothing else is open
@@ -442,6 +475,40 @@ TEST_P(ElementAdversary, TwoElementsWithASlitBetweenThem) {
     }
     EXPECT_GT(open, 20);
     EXPECT_GT(closed, 20);
+}
+
+/// A round primitive that fills the box of the halves but for a hundredth.
+Solid::Part inscribed(const Halves& h, Primitive::Kind kind) {
+    const double radius = 0.99 * std::min(h.half.x, h.half.y);
+    const double length = std::max(0.1, 2 * (0.99 * h.half.z - (kind == Primitive::Kind::capsule ? radius : 0)));
+    return {nullptr, Primitive{kind, {}, radius, kind == Primitive::Kind::sphere ? 0 : length}, h.pose};
+}
+
+TEST_P(ElementAdversary, RoundPrimitivesInTwoElements) {
+    Random random(derive_seed(7, to_string(GetParam())));
+    int open = 0;
+    for (int round = 0; round < 9; ++round) {
+        const auto kind = std::array{Primitive::Kind::cylinder, Primitive::Kind::capsule,
+                                     Primitive::Kind::sphere}[static_cast<std::size_t>(round) % 3];
+        const double x = random.uniform(0.5, 1.5), y = random.uniform(0.5, 1.5);
+        const double z = std::max(x, y) + (kind == Primitive::Kind::capsule ? 0.5 : 0);
+        const Halves h = halves_around(GetParam(), test::random_pose(random, 1), {x, y, z}, random);
+        const auto solid = Solid::make(std::vector{inscribed(h, kind)});
+        const double radius = solid->parts()[0].primitive->radius;
+        // Pieces of a round surface are halved down to the overlap, which therefore is not small here.
+        const std::array wide{scaled(h.left, 1.05), scaled(h.right, 1.05)};
+        EXPECT_TRUE(covers(*solid, ElementsView{{}, wide})) << round;
+        for (const double slit : {1e-2, 1e-3}) {
+            const std::array apart{moved_along(h.left, h.pose, -slit), moved_along(h.right, h.pose, slit)};
+            const test::QuadPoint p = test::quad(h.pose.translation) + test::turned(h.pose, {0, radius, 0});
+            if (std::min(Judge(apart[0]).outside(p), Judge(apart[1]).outside(p)) > 0) {
+                ++open;
+                EXPECT_FALSE(covers(*solid, ElementsView{{}, apart})) << slit;
+            }
+        }
+    }
+    const bool flat = GetParam() == Kind::box || GetParam() == Kind::cylinder || GetParam() == Kind::hull;
+    EXPECT_GE(open, flat ? 18 : 0);
 }
 
 /// A thin element upon a facet: it holds the triangle, and reaches beneath it by less than the facet is above the true

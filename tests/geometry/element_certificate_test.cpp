@@ -487,6 +487,33 @@ TEST(ElementCertificate, RoundElementsThatHardlyOverlap) {
     }
 }
 
+/// Upright elements in a square grid of pitch 1 over [0, 6]², which cover it with some room.
+std::vector<Element> grid_of(Kind kind) {
+    std::vector<Element> elements;
+    for (int x = 0; x <= 6; ++x) {
+        for (int y = 0; y <= 6; ++y) {
+            Element e{.kind = kind, .radius = 0.8};
+            e.half = kind == Kind::swept_box ? Vec3{0.3, 0.3, 0.1} : kind == Kind::sphere ? Vec3{} : Vec3{0, 0, 0.5};
+            e.radius = kind == Kind::swept_box ? 0.4 : 0.8;
+            e.pose.translation = {static_cast<double>(x), static_cast<double>(y), 0.01 * x};
+            elements.push_back(e);
+        }
+    }
+    return elements;
+}
+
+// A triangle across many round elements is cut where they meet, and at half its length where there are more than two.
+TEST(ElementCertificate, ATriangleAcrossManyRoundElementsTakesFewPieces) {
+    const auto solid = Solid::make(Mesh{{{0, 0, 0}, {6, 0.3, 0}, {0.2, 6, 0.1}, {6, 6, 0}}, {{0, 1, 2}, {1, 3, 2}}});
+    for (const auto& [kind, pieces] : {std::pair{Kind::capsule, 400u}, std::pair{Kind::cylinder, 400u},
+                                       std::pair{Kind::swept_box, 550u}, std::pair{Kind::sphere, 400u}}) {
+        const std::vector<Element> elements = grid_of(kind);
+        const Certificate certificate = certify(*solid, ElementsView{{}, elements});
+        EXPECT_TRUE(certificate.holds) << to_string(kind);
+        EXPECT_LT(certificate.pieces, pieces) << to_string(kind);
+    }
+}
+
 TEST(ElementCertificate, AHoleInsideATriangleWhoseEdgesAreCovered) {
     const auto solid = Solid::make(Mesh{{{0, 0, 0}, {4, 0, 0}, {2, 3, 0}}, {{0, 1, 2}}});
     const std::vector<Vec3>& c = solid->surface().vertices;
