@@ -23,7 +23,7 @@ std::string vector_text(const Vec3& v) {
 }
 
 std::string attribute_text(std::string_view name, std::string_view value) {
-    return fmt::format(" {}=\"{}\"", name, markup_escaped(value));
+    return fmt::format(" {}=\"{}\"", name, attribute_escaped(value));
 }
 
 const std::string& required(const xml::Element& element, std::string_view attribute, const std::string& file) {

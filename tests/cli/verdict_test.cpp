@@ -115,6 +115,22 @@ TEST_F(CliVerdict, ThinCapsulesAsPartsAreProvedAsWritten) {
     EXPECT_EQ(foam("certify thin.urdf out.urdf").code, 0);
 }
 
+/// Names of links and files may hold what ends lines.
+TEST_F(CliVerdict, NamesWithLineEndsAndTabsAreKept) {
+    write("odd.urdf", "<robot name='r'><link name='l&#10;i&#9;k'><collision><geometry><box size='1 1 1'/></geometry></collision>"
+                      "</link></robot>");
+    ASSERT_EQ(foam("spherize odd.urdf -n 2 -m grid -o odd.json").code, 0);
+    for (const char* file : {"odd.mjcf", "odd.srdf", "odd.csv"}) {
+        const Outcome outcome = foam(std::string("convert odd.json odd.urdf -o ") + file);
+        EXPECT_EQ(outcome.code, 0) << file << ": " << outcome.err;
+        EXPECT_EQ(foam(std::string("certify odd.urdf ") + file).code, 0) << file;
+    }
+    ASSERT_EQ(shell("cp box.obj \"$(printf 'a\\377.obj')\"").code, 0);
+    const Outcome refused = shell("'" FOAM_TEST_BINARY "' spherize \"$(printf 'a\\377.obj')\" -n 2 -o a.json");
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("its name is not UTF-8"));
+}
+
 /// Shells of boxes around the surface of a cylinder leave its middle out.
 class CliSurface : public Cli {
 protected:

@@ -25,6 +25,14 @@ std::string markup_escaped(std::string_view text) {
     return result;
 }
 
+std::string attribute_escaped(std::string_view text) {
+    std::string result;
+    for (const char c : markup_escaped(text)) {
+        result += c == '\n' ? "&#10;" : c == '\r' ? "&#13;" : c == '\t' ? "&#9;" : std::string(1, c);
+    }
+    return result;
+}
+
 std::string base64(std::string_view bytes) {
     constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string result;

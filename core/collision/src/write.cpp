@@ -41,12 +41,12 @@ std::vector<IgnoredPair> ignored_pairs(const Robot& robot, const SelfCollisionMa
 
 std::string srdf_text(const Robot& robot, const SelfCollisionMatrix& matrix) {
     std::string text =
-        fmt::format("<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<robot name=\"{}\">\n", markup_escaped(robot.name));
+        fmt::format("<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<robot name=\"{}\">\n", attribute_escaped(robot.name));
     for (const LinkPair& pair : matrix.pairs) {
         if (pair.reason != PairReason::none) {
             text += fmt::format("  <disable_collisions link1=\"{}\" link2=\"{}\" reason=\"{}\"/>\n",
-                                markup_escaped(robot.links[pair.first].name),
-                                markup_escaped(robot.links[pair.second].name), to_string(pair.reason));
+                                attribute_escaped(robot.links[pair.first].name),
+                                attribute_escaped(robot.links[pair.second].name), to_string(pair.reason));
         }
     }
     return text + "</robot>\n";

@@ -237,7 +237,7 @@ static bool are_same_up_to_buffer(const std::vector<Sphere>& found, const std::v
 
 /// Returns whether a buffer has made the spheres smaller, or switched some off.
 static bool are_smaller(const std::vector<Sphere>& found, const std::vector<Sphere>& model) {
-    return std::all_of(found.begin(), found.end(), [&](const Sphere& a) {
+    return !found.empty() && std::all_of(found.begin(), found.end(), [&](const Sphere& a) {
         return std::any_of(model.begin(), model.end(), [&](const Sphere& b) {
             return a.center == b.center && a.radius < b.radius;
         });

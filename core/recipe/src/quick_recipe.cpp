@@ -213,7 +213,13 @@ QuickRecipe quick_recipe(const std::filesystem::path& input, const QuickMethod& 
     recipe.name = plain_name(input) + (method.elements ? "_elements" : "_spheres");
     recipe.output = recipe.name + "." + (writer->info.extensions.empty() ? ending : writer->info.extensions.front());
     const auto quoted = [](const std::string& text) { // a JSON string is a YAML string
-        return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+        try {
+            return nlohmann::json(text).dump();
+        } catch (const nlohmann::json::type_error&) {
+            throw Error(ErrorCode::usage, fmt::format("{}: its name is not UTF-8, as recipes are; remedy: another name "
+                                                      "for the file or its folder",
+                                                      shown(text)));
+        }
     };
     recipe.text = fmt::format("foam: 1\nname: {}\n", quoted(recipe.name));
     const std::string file = quoted(std::filesystem::absolute(input).lexically_normal().string());
