@@ -362,6 +362,42 @@ TEST_P(ElementAdversary, WhatHasGrownHoldsTheSolid) {
     }
 }
 
+TEST(ElementGrowth, OfASmallerCopyEndsAtThePrimitive) {
+    Random random(9);
+    const std::vector<std::pair<Primitive, Element>> copies{
+        {{Primitive::Kind::sphere, {}, 0.3, 0}, {.kind = Kind::sphere, .radius = 0.3}},
+        {{Primitive::Kind::capsule, {}, 0.3, 1}, {.kind = Kind::capsule, .half = {0, 0, 0.5}, .radius = 0.3}},
+        {{Primitive::Kind::cylinder, {}, 0.3, 1}, {.kind = Kind::cylinder, .half = {0, 0, 0.5}, .radius = 0.3}},
+        {{Primitive::Kind::box, {1, 2, 3}, 0, 0}, {.kind = Kind::box, .half = {0.5, 1, 1.5}}}};
+    for (const auto& [primitive, element] : copies) {
+        for (const double smaller : {1e-3, 1e-6, 1e-9}) {
+            const Pose pose = test::random_pose(random, 1);
+            Element start = scaled(element, 1 - smaller);
+            start.pose = pose;
+            const auto solid = Solid::make({{nullptr, primitive, pose}});
+            const Element grown = grown_to_cover(*solid, {{}, {}, {start}}).others.at(0);
+            // A cylinder grows to the facets around it, and of a capsule either the radius grows or the length.
+            const double most = element.kind == Kind::cylinder  ? 2.5 * facet
+                                : element.kind == Kind::capsule ? 4 * smaller + 1e-10
+                                                                : 1e-10;
+            EXPECT_LE(volume(grown), volume(element) * (1 + most)) << to_string(element.kind) << ' ' << smaller;
+            EXPECT_GE(volume(grown), volume(element)) << to_string(element.kind) << ' ' << smaller;
+        }
+    }
+}
+
+TEST(ElementGrowth, OnlyTheElementThatAddsLeastGrows) {
+    // A bar that sticks out of one of two boxes by a little.
+    Element left{.kind = Kind::box, .half = {0.5, 0.2, 0.2}}, right = left;
+    left.pose.translation = {-0.45, 0, 0};
+    right.pose.translation = {0.45, 0, 0};
+    const Mesh bar = test::box({-0.9, -0.1, -0.1}, {0.96, 0.1, 0.1});
+    const Approximation::Level grown = grown_to_cover(*Solid::make(bar), {{}, {}, {left, right}});
+    EXPECT_NEAR(volume(grown.others[0]), volume(left), 1e-10);
+    EXPECT_NEAR(volume(grown.others[1]), volume(right) * 1.01, 1e-10);
+    EXPECT_NEAR(grown.others[1].half.y, 0.2, 1e-10);
+}
+
 /// Two elements that are mirror images by the plane x = 0 of the frame `pose`, each just around a half of a box.
 struct Halves {
     Pose pose;
