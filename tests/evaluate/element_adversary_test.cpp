@@ -398,6 +398,38 @@ TEST(ElementGrowth, OnlyTheElementThatAddsLeastGrows) {
     EXPECT_NEAR(grown.others[1].half.y, 0.2, 1e-10);
 }
 
+TEST(ElementGrowth, OneEndGrowsWhereOneEndIsOpen) {
+    // A bar along z that sticks out of one end.
+    for (const double side : {-1.0, 1.0}) {
+        const auto solid = Solid::make(test::box({-0.1, -0.1, side < 0 ? -1 : -0.4}, {0.1, 0.1, side < 0 ? 0.4 : 1}));
+        const std::vector<std::pair<Element, double>> cases{
+            // the end of the core, or of the element, that the corner at (0.1, 0.1, 1) asks for
+            {{.kind = Kind::cylinder, .half = {0, 0, 0.45}, .radius = 0.3}, 1},
+            {{.kind = Kind::box, .half = {0.3, 0.3, 0.45}}, 1},
+            {{.kind = Kind::capsule, .half = {0, 0, 0.45}, .radius = 0.3}, 1 - std::sqrt(0.09 - 0.02)},
+            {{.kind = Kind::swept_box, .half = {0.05, 0.05, 0.45}, .radius = 0.3}, 1 - std::sqrt(0.09 - 0.005)}};
+        for (const auto& [element, end] : cases) {
+            const Element grown = grown_to_cover(*solid, {{}, {}, {element}}).others.at(0);
+            EXPECT_NEAR(grown.half.z, (0.45 + end) / 2, 1e-9) << to_string(element.kind);
+            EXPECT_NEAR(grown.pose.translation.z, side * (end - 0.45) / 2, 1e-9) << to_string(element.kind);
+            EXPECT_NEAR(grown.radius, element.radius, 1e-9) << to_string(element.kind);
+            EXPECT_NEAR(grown.half.x, element.half.x, 1e-9) << to_string(element.kind);
+        }
+    }
+}
+
+TEST(ElementGrowth, TheRadiusGrowsToTheFarthestCorner) {
+    const auto solid = Solid::make(test::box({-0.3, -0.1, -0.1}, {0.2, 0.1, 0.1}));
+    for (const auto& [element, radius] :
+         {std::pair{Element{.kind = Kind::sphere, .radius = 0.2}, std::sqrt(0.09 + 0.02)},
+          std::pair{Element{.kind = Kind::capsule, .half = {0, 0, 0.45}, .radius = 0.2}, std::sqrt(0.09 + 0.01)},
+          std::pair{Element{.kind = Kind::cylinder, .half = {0, 0, 0.45}, .radius = 0.2}, std::sqrt(0.09 + 0.01)}}) {
+        const Element grown = grown_to_cover(*solid, {{}, {}, {element}}).others.at(0);
+        EXPECT_NEAR(grown.radius, radius, 1e-9) << to_string(element.kind);
+        EXPECT_NEAR(grown.half.z, element.half.z, 1e-9) << to_string(element.kind);
+    }
+}
+
 /// Two elements that are mirror images by the plane x = 0 of the frame `pose`, each just around a half of a box.
 struct Halves {
     Pose pose;
