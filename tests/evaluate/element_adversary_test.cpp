@@ -549,7 +549,8 @@ TEST_P(ElementAdversary, TwoElementsWithASlitBetweenThem) {
 Solid::Part inscribed(const Halves& h, Primitive::Kind kind) {
     const double radius = 0.99 * std::min(h.half.x, h.half.y);
     const double length = std::max(0.1, 2 * (0.99 * h.half.z - (kind == Primitive::Kind::capsule ? radius : 0)));
-    return {nullptr, Primitive{kind, {}, radius, kind == Primitive::Kind::sphere ? 0 : length}, h.pose};
+    const Pose turned = h.pose * Pose::from_axis_angle({0, 0, 1}, std::numbers::pi / 96); // facets across the plane
+    return {nullptr, Primitive{kind, {}, radius, kind == Primitive::Kind::sphere ? 0 : length}, turned};
 }
 
 TEST_P(ElementAdversary, RoundPrimitivesInTwoElements) {
