@@ -114,14 +114,12 @@ int convert(Program& program, const ConvertArguments& arguments) {
                    .default_pose = positions_of(arguments.pose, "--pose"),
                    .acceleration = {},
                    .jerk = {}};
-    const std::string proof =
-        give_verdict(model, original ? &*original : nullptr, file, format.info.consumer.float32);
     KindCounts kinds{};
     for (const SphereGroup& group : model.groups) {
         kinds = sum_of(kinds, kinds_of(group.tree.elements()));
     }
-    model.provenance = fmt::format("foam {}; {}, {}; {}; {}", version(), file.file.filename().string(), file.format,
-                                   counts_text(kinds), proof);
+    model.provenance = fmt::format("foam {}; {}, {}; {}", version(), file.file.filename().string(), file.format,
+                                   counts_text(kinds));
     if (!arguments.into.empty()) {
         if (!format.info.consumer.edits) {
             throw Error(ErrorCode::usage,
@@ -140,8 +138,8 @@ int convert(Program& program, const ConvertArguments& arguments) {
         }
     }
     Telling context(arguments.verbose);
-    const std::vector<WrittenFile> files = written_files(*writer, format.info, model, arguments.output, context);
-    require_written(model, *writer, format.info, files);
+    const auto [files, proof] = judged_files(*writer, format.info, model, original ? &*original : nullptr, file,
+                                             arguments.output, context);
     std::vector<std::filesystem::path> inputs{arguments.robot};
     if (original) {
         inputs = mesh_files(*original->robot);

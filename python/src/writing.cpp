@@ -42,9 +42,8 @@ KindCounts kinds_of_model(const SphereModel& model) {
 /// Makes the model of spheres from elsewhere as complete as `foam convert` does.
 void complete(SphereModel& model, const SphereFile& spheres, const Original* original, const StageInfo& writer,
               const Given& parameters, bool into, const std::atomic<bool>& cancel) {
-    const std::string proof = give_verdict(model, original, spheres, writer.consumer.float32);
-    model.provenance = fmt::format("foam {}; {}, {}; {}; {}", version(), spheres.file.filename().string(),
-                                   spheres.format, counts_text(kinds_of_model(model)), proof);
+    model.provenance = fmt::format("foam {}; {}, {}; {}", version(), spheres.file.filename().string(), spheres.format,
+                                   counts_text(kinds_of_model(model)));
     if (lists_pairs(writer, parameters, into) && original && model.groups.size() > 1) {
         model.ignored_pairs = ignored_pairs_of(model, &cancel);
     }
@@ -93,12 +92,17 @@ py::tuple written(const std::shared_ptr<Registry>& registry, SphereFile spheres,
                 }
             }
             model.facts = facts;
-            if (!of_run || info.consumer.float32 || info.consumer.rest_pose ||
-                lists_pairs(info, parameters, into.has_value())) {
+            const bool judged = !of_run || info.consumer.float32 || info.consumer.rest_pose ||
+                                lists_pairs(info, parameters, into.has_value());
+            if (judged) {
                 complete(model, spheres, original, info, parameters, into.has_value(), cancel);
             }
             if (into) {
                 model.into = TextFile{into->first, into->second};
+            }
+            if (judged) {
+                files = judged_files(*writer, info, model, original, spheres, file, warnings).files;
+                return;
             }
             files = written_files(*writer, info, model, file, warnings);
             require_written(model, *writer, info, files);

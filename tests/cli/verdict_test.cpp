@@ -105,14 +105,19 @@ TEST_F(CliVerdict, AFileWithoutSomeLinkIsNotCertified) {
     EXPECT_THAT(contents(path() / "skipped/out.urdf"), HasSubstr("empty.obj")) << "a link that is skipped keeps its geometry";
 }
 
-TEST_F(CliVerdict, ThinCapsulesAsPartsAreProvedAsWritten) {
+/// The capsule is proved as one; its parts are proved around the polyhedron that encloses the round original.
+TEST_F(CliVerdict, ConvertProvesWhatStandsInTheFile) {
     write("thin.urdf",
           "<robot name='r'><link name='base'><collision><origin xyz='0.13585946813170713 -0.9153292464379559 "
           "-0.6616459293915666' rpy='0.3 0.2 0.1'/><geometry><capsule radius='0.001' length='0.911202140284171'/></geometry>"
           "</collision></link></robot>");
-    const Outcome outcome = foam("approximate thin.urdf -n 1 --with capsule --set outputs.write.urdf.capsules=as_parts -o out.urdf");
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(foam("certify thin.urdf out.urdf").code, 0);
+    ASSERT_EQ(foam("approximate thin.urdf -n 1 --with capsule -o thin.json").code, 0);
+    for (const char* form : {"element", "as_parts"}) {
+        const Outcome outcome = foam(std::string("convert thin.json thin.urdf -o out.urdf --set capsules=") + form);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        const bool proved = foam("certify thin.urdf out.urdf").code == 0;
+        EXPECT_THAT(outcome.out, HasSubstr(proved ? "\nProved: the" : "\nNot proved: the")) << form;
+    }
 }
 
 /// Names of links and files may hold what ends lines.

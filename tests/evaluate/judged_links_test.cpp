@@ -167,7 +167,10 @@ TEST(JudgedLinks, FiguresAreThoseOfEachLinkAndTheirSums) {
     EXPECT_EQ(evaluation.links[1].covered_error, 0) << "is proved";
     EXPECT_EQ(evaluation.links[2].covered_error, 0) << "nothing is covered for certain";
     EXPECT_EQ(evaluation.links[2].measures.spheres, 0u);
-    EXPECT_THAT(certified_links(evaluation), ElementsAre(false, true, false));
+    const ProvedLinks verdict = proved_links(original, model, evaluation);
+    EXPECT_EQ(verdict.proved, 1u);
+    EXPECT_EQ(verdict.with_geometry, 3u);
+    EXPECT_EQ(verdict.missing, evaluation.links[1].measures.missing) << "of the link that is proved";
 
     EXPECT_NEAR(evaluation.total.measures.covered, (open.covered + 1) / 3, 1e-12);
     EXPECT_NEAR(evaluation.total.covered_error, evaluation.links[0].covered_error / 3, 1e-15);
@@ -256,11 +259,24 @@ TEST(JudgedLinks, WhatHasNoProofIsRefused) {
     EXPECT_EQ(refusal(file_of({one_ball("a", 0.01)}), Guarantee::inner), "");
 }
 
+/// Proofs that hold or not, without their figures.
+std::vector<LinkProof> proofs_of(std::initializer_list<bool> holds) {
+    std::vector<LinkProof> proofs;
+    for (const bool one : holds) {
+        proofs.push_back({.holds = one});
+    }
+    return proofs;
+}
+
+MatchedModel no_spheres(const Original& original) {
+    return {{}, std::vector<std::vector<Sphere>>(original.links.size()), {}};
+}
+
 TEST(JudgedLinks, ProvedLinksAreCountedByTheRobot) {
     Original original = cubes({"first", "excluded", "open", "last"}, "excluded");
     original.geometry = CoveredGeometry::visual;
     original.collision_only = {"arm"};
-    const ProvedLinks links = proved_links(original, {true, false, true}, Guarantee::inner);
+    const ProvedLinks links = proved_links(original, no_spheres(original), proofs_of({true, false, true}), Guarantee::inner);
     EXPECT_EQ(links.guarantee, Guarantee::inner);
     EXPECT_EQ(links.geometry, CoveredGeometry::visual);
     EXPECT_THAT(links.collision_only, ElementsAre("arm"));
@@ -272,9 +288,10 @@ TEST(JudgedLinks, ProvedLinksAreCountedByTheRobot) {
     EXPECT_EQ(links.left_out[1].link, "open");
     EXPECT_EQ(links.left_out[1].reason, proof_fails);
     EXPECT_FALSE(links.all());
-    EXPECT_TRUE(proved_links(cubes({"a", "b"}), {true, true}, Guarantee::outer).all());
+    const Original two = cubes({"a", "b"}), first = cubes({"a", "b"}, "b");
+    EXPECT_TRUE(proved_links(two, no_spheres(two), proofs_of({true, true}), Guarantee::outer).all());
 
-    const ProvedLinks last = proved_links(cubes({"a", "b"}, "b"), {true}, Guarantee::outer);
+    const ProvedLinks last = proved_links(first, no_spheres(first), proofs_of({true}), Guarantee::outer);
     EXPECT_EQ(last.proved, 1u);
     EXPECT_EQ(last.with_geometry, 2u);
     EXPECT_EQ(last.left_out.at(0).link, "b");
@@ -286,7 +303,7 @@ TEST(JudgedLinks, LinksThatAreSeenOnlyAreNamed) {
     robot.links.push_back(
         {.name = "cover", .collisions = {}, .visuals = {{.origin = {}, .geometry = cube, .name = ""}}});
     original.robot = std::make_shared<const Robot>(robot);
-    const ProvedLinks links = proved_links(original, {true}, Guarantee::outer);
+    const ProvedLinks links = proved_links(original, no_spheres(original), proofs_of({true}), Guarantee::outer);
     EXPECT_THAT(links.visual_only, ElementsAre("cover"));
     EXPECT_EQ(links.with_geometry, 1u);
     EXPECT_TRUE(links.all());

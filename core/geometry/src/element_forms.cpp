@@ -133,10 +133,7 @@ std::vector<Element> capsule_parts(const Element& given) {
     const Element capsule = without_skew(given);
     Element cylinder = capsule;
     cylinder.kind = Element::Kind::cylinder;
-    // The parts overlap, so that the proof can tell them apart from parts with a slit; the cylinder sticks out by half of a
-    // millionth of the radius.
-    constexpr double overlap = 1e-3;
-    cylinder.half.z = rounded_up(capsule.half.z + overlap * capsule.radius);
+    cylinder.half.z = rounded_up(capsule.half.z + 1e-5 * capsule.radius);
     std::vector<Element> parts{cylinder};
     for (const double side : {-1.0, 1.0}) {
         Element ball{.kind = Element::Kind::sphere};

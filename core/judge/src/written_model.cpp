@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace foam::inline judge {
 namespace {
@@ -120,20 +121,6 @@ static ProvedLinks verdict_on(const Original& original, const SphereFile& file, 
     ProvedLinks verdict = proved_links(original, model, proofs, Guarantee::outer);
     verdict.float32 = float32;
     return verdict;
-}
-
-std::string give_verdict(SphereModel& model, const Original* original, const SphereFile& file, bool float32) {
-    if (!original) {
-        return "nothing is proved without the robot's original geometry";
-    }
-    model.verdict = verdict_on(*original, file, float32);
-    for (SphereGroup& group : model.groups) {
-        const auto& open = model.verdict.left_out;
-        group.measures.certified = std::none_of(
-            open.begin(), open.end(), [&](const ProvedLinks::LeftOut& link) { return link.link == group.link; });
-    }
-    model.guarantee = model.verdict.all() ? Guarantee::outer : Guarantee::fitted;
-    return statement_of(model.verdict);
 }
 
 static LinkSolids solids_of(const SphereModel& model) {
@@ -272,6 +259,63 @@ void require_written(const SphereModel& model, const Writer& writer, const Stage
                         fmt::format("link '{}': the written file gives other spheres than the model", link));
         }
     }
+}
+
+/// Gives the model the verdict and the line that says so. `origin`: the line without it.
+static void give_verdict(SphereModel& model, ProvedLinks verdict, const std::string& origin) {
+    model.verdict = std::move(verdict);
+    for (SphereGroup& group : model.groups) {
+        const auto& open = model.verdict.left_out;
+        group.measures.certified = std::none_of(
+            open.begin(), open.end(), [&](const ProvedLinks::LeftOut& link) { return link.link == group.link; });
+    }
+    model.guarantee = model.verdict.all() ? Guarantee::outer : Guarantee::fitted;
+    model.provenance = origin + "; " + statement_of(model.verdict);
+}
+
+/// Returns the elements of the files, by link; nothing where they are those of the given file, or stand in another one.
+static std::optional<SphereFile> changed_by_writing(const SphereFile& given, const Writer& writer,
+                                                    const StageInfo& info, const std::vector<WrittenFile>& files) {
+    SphereFile file;
+    file.file = files.front().file;
+    bool same = true;
+    for (auto& [link, elements] : read_back(writer, files)) {
+        const auto before = std::find_if(given.links.begin(), given.links.end(),
+                                         [&, &name = link](const LinkSpheres& one) { return one.link == name; });
+        same = same && before != given.links.end() && before->others.empty() && elements.others.empty() &&
+               before->spheres == elements.spheres;
+        file.links.push_back({link, std::move(elements.spheres), std::move(elements.others)});
+    }
+    const bool elsewhere = info.consumer.elements_optional &&
+                           std::any_of(given.links.begin(), given.links.end(),
+                                       [](const LinkSpheres& link) { return !link.others.empty(); });
+    return same || elsewhere ? std::nullopt : std::optional(std::move(file));
+}
+
+JudgedFiles judged_files(const Writer& writer, const StageInfo& info, SphereModel model, const Original* original,
+                         const SphereFile& given, const std::filesystem::path& target, Context& context) {
+    const std::string origin = model.provenance;
+    std::string statement = "nothing is proved without the robot's original geometry";
+    model.provenance = origin + "; " + statement;
+    if (original) {
+        give_verdict(model, verdict_on(*original, given, info.consumer.float32), origin);
+        statement = statement_of(model.verdict);
+    }
+    std::vector<WrittenFile> files = written_files(writer, info, model, target, context);
+    require_written(model, writer, info, files);
+    std::optional<SphereFile> changed = original ? changed_by_writing(given, writer, info, files) : std::nullopt;
+    if (!changed) {
+        return {std::move(files), std::move(statement)};
+    }
+    name_only_link(*changed, original);
+    ProvedLinks verdict = verdict_on(*original, *changed, info.consumer.float32);
+    if (statement_of(verdict) != statement) {
+        give_verdict(model, std::move(verdict), origin);
+        statement = statement_of(model.verdict);
+        QuietContext quiet; // what the writer warns of is said
+        files = written_files(writer, info, model, target, quiet);
+    }
+    return {std::move(files), std::move(statement)};
 }
 
 } // namespace foam::inline judge

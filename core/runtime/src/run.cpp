@@ -46,11 +46,11 @@ ProvedLinks proved_links(const Workspace& workspace, const Input& input, const s
                                                                              : "on_error: skip"});
             continue;
         }
-        measured.push_back(report.measures);
-        known = known && !(link.bounds_only && report.measures.spheres > 1); // one convex element leaves nothing out
         proved.elements = spheres_alone(report.kinds) ? proved.elements : "elements";
         if (report.measures.certified) {
             ++proved.proved;
+            measured.push_back(report.measures);
+            known = known && !(link.bounds_only && report.measures.spheres > 1); // one convex element leaves nothing out
         } else if (proved.guarantee != Guarantee::fitted) {
             proved.left_out.push_back({report.link, "the proof does not hold"});
         }

@@ -32,15 +32,14 @@ SphereFile file_of(const ViewedRobot& robot, const ModelState& state) {
 }
 
 SphereModel model_of(const ViewedRobot& robot, const Original* original, const RegisteredStage& writer,
-                     const SphereFile& file, std::string& statement, const std::atomic<bool>& cancel) {
+                     const SphereFile& file, const std::atomic<bool>& cancel) {
     SphereModel model = sphere_model_of(file, robot.robot);
-    statement = give_verdict(model, original, file, writer.info.consumer.float32);
     if (original) {
         for (const OriginalLink& link : original->links) {
             model.geometry[link.link] = link.solid;
         }
     }
-    model.provenance = fmt::format("foam {}, edited in foam view; {}", version(), statement);
+    model.provenance = fmt::format("foam {}, edited in foam view", version());
     if (writer.info.consumer.rest_pose && robot.kinematics) {
         give_rest_pose(model);
     }
@@ -109,10 +108,10 @@ Saved save_model(const ViewedRobot& robot, const Original* original, const Regis
     const auto writer = registry.make<Writer>(stage.info.name);
     const SphereFile file = file_of(robot, state);
     Saved saved;
-    const SphereModel model = model_of(robot, original, stage, file, saved.statement, cancel);
+    const SphereModel model = model_of(robot, original, stage, file, cancel);
     QuietContext context;
-    const std::vector<WrittenFile> files = written_files(*writer, stage.info, model, target, context);
-    require_written(model, *writer, stage.info, files);
+    const auto [files, statement] = judged_files(*writer, stage.info, model, original, file, target, context);
+    saved.statement = statement;
     for (const WrittenFile& written : files) {
         write_file(written.file, written.bytes);
         saved.files.push_back(written.file);

@@ -35,11 +35,11 @@ ProvedLinks verdict_on(const Original& original, const MatchedModel& model, cons
     return links;
 }
 
-/// Returns the share of the volume of the links with elements that lies outside their elements.
-double missing_share(const Original& original, const MatchedModel& model) {
+/// Returns the share of the volume of the proved links that lies outside their elements.
+double missing_share(const Original& original, const MatchedModel& model, const std::vector<bool>& proved) {
     double missing = 0, volume = 0;
     for (std::size_t i = 0; i < original.links.size(); ++i) {
-        if (!model.of(i).empty()) {
+        if (proved[i] && !model.of(i).empty()) {
             missing += missing_volume(*original.links[i].solid, model.of(i));
             volume += original.links[i].solid->volume();
         }
@@ -56,17 +56,21 @@ ProvedLinks proved_links(const Original& original, const MatchedModel& model, co
         proved.push_back(proof.holds);
     }
     ProvedLinks links = verdict_on(original, model, proved, guarantee);
-    links.missing = guarantee == Guarantee::outer && links.proved > 0 ? missing_share(original, model) : 0;
+    links.missing = guarantee == Guarantee::outer && links.proved > 0 ? missing_share(original, model, proved) : 0;
     return links;
 }
 
 ProvedLinks proved_links(const Original& original, const MatchedModel& model, const Evaluation& evaluation) {
     std::vector<bool> proved;
+    std::vector<Measures> measured;
     for (const Figures& figures : evaluation.links) {
         proved.push_back(figures.measures.certified);
+        if (proved.back()) {
+            measured.push_back(figures.measures);
+        }
     }
     ProvedLinks links = verdict_on(original, model, proved, Guarantee::outer);
-    links.missing = evaluation.with_spheres.measures.missing;
+    links.missing = total(measured).missing;
     return links;
 }
 

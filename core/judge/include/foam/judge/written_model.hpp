@@ -25,9 +25,6 @@ void require_links(const SphereFile& file, const Robot& robot);
 /// Returns the file's spheres as the input of writers, in the order of the robot's links; nothing is measured or proved
 /// of them. Throws Error(input) if there are none.
 SphereModel sphere_model_of(const SphereFile& file, std::shared_ptr<const Robot> robot);
-/// Gives the model of a file its verdict: what is proved of the file's elements beside the original. `float32`: a link
-/// is proved only if its numbers in single precision are, too. Returns the verdict as a sentence without a period.
-std::string give_verdict(SphereModel& model, const Original* original, const SphereFile& file, bool float32);
 /// Returns the pairs of links that need no collision check, of the model's elements and the original geometry in
 /// SphereModel::geometry.
 std::vector<IgnoredPair> ignored_pairs_of(const SphereModel& model, const std::atomic<bool>* cancel);
@@ -49,6 +46,17 @@ std::vector<std::filesystem::path> files_of(const StageInfo& writer, const std::
 /// Error(usage) if there are files beside the standard output.
 std::vector<WrittenFile> written_files(const Writer& writer, const StageInfo& info, SphereModel model,
                                        const std::filesystem::path& target, Context& context);
+/// The files of an output, with the verdict on them.
+struct JudgedFiles {
+    std::vector<WrittenFile> files;
+    std::string statement; ///< the verdict as a sentence without a period; in the files' headers, too
+};
+/// Returns the files of a model that was read from `given`, or made elsewhere, with what is proved of the elements that
+/// they hold beside the original: of their numbers as the files give them, in single precision too where the consumer
+/// uses that. The verdict follows what SphereModel::provenance says. `original`: null where it is not known: nothing is
+/// proved then. Throws as written_files() and require_written().
+JudgedFiles judged_files(const Writer& writer, const StageInfo& info, SphereModel model, const Original* original,
+                         const SphereFile& given, const std::filesystem::path& target, Context& context);
 /// Returns the elements of each link, as they are read back from the files.
 std::map<std::string, Approximation::Level> read_back(const Writer& writer, const std::vector<WrittenFile>& files);
 /// Of links with other elements nothing is required where Consumer::elements_optional.

@@ -26,8 +26,8 @@ struct ProvedLinks {
     std::vector<std::string> collision_only; ///< the same where only visual geometry is covered
     std::string elements = "spheres"; ///< what encloses the geometry; "elements" where they are not all spheres
     bool float32 = false;             ///< proved also for the numbers in single precision
-    /// Guarantee::outer proves that the surface is covered. This is the share of the volume of the links with elements
-    /// that lies outside all elements, as measured; not a number where there was no time to measure it.
+    /// Guarantee::outer proves that the surface is covered. This is the share of the volume of the proved links that
+    /// lies outside all elements, as measured; not a number where there was no time to measure it.
     double missing = 0;
 
     /// Returns whether every link with geometry to be covered is proved.
