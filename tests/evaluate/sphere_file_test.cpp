@@ -359,7 +359,7 @@ TEST_F(SphereFiles, FilesOfTheirPrograms) {
         std::size_t links, spheres, notes;
     };
     for (const Expected& expected :
-         {Expected{"curobo/ur10e_v0.8.yml", "cuRobo YAML", 7, 19, 2}, Expected{"xrdf/ur10e_1.0.xrdf", "XRDF", 7, 19, 2},
+         {Expected{"curobo/ur10e_v0.8.yml", "cuRobo YAML", 7, 19, 3}, Expected{"xrdf/ur10e_1.0.xrdf", "XRDF", 7, 19, 3},
           Expected{"xrdf/ur10_2.0.xrdf", "XRDF", 4, 36, 1},
           Expected{"lula/ur5e_robot_description.yaml", "Lula YAML", 6, 39, 0},
           Expected{"bubblify/xarm6_rs_spherized.yml", "collision_spheres YAML", 2, 9, 0},
