@@ -173,6 +173,34 @@ std::vector<Vec3> lens(int corners, double height) {
     return points;
 }
 
+TEST(ElementGrown, OffsetsOfSmallOnesAreRoundedByLittle) {
+    Random random(7);
+    for (const double size : {1e-3, 1e-6}) {
+        std::vector<Vec3> points;
+        for (int k = 0; k < 20; ++k) {
+            points.push_back(test::random_direction(random) * size);
+        }
+        const auto hull = hull_of(points);
+        const auto result = with_room(*hull, 1e-14 * size);
+        for (std::size_t f = 0; f < hull->faces.size(); ++f) {
+            EXPECT_LE(result->faces[f].offset - hull->faces[f].offset, 1e-13 * size);
+        }
+    }
+}
+
+TEST(ElementGrown, AWedgeThatIsThinnerThanRoundingAtOneEndHasRoomToo) {
+    for (const double thin : {1e-12, 1e-10, 1e-7}) {
+        const std::vector<Vec3> wedge{{0, 0, 0},    {0, 1, 0},    {1, 0, 0},   {1, 1, 0},
+                                      {0, 0, thin}, {0, 1, thin}, {1, 0, 0.1}, {1, 1, 0.1}};
+        for (const double length : {1e-3, 0.1}) {
+            const auto result = with_room(*hull_of(wedge), length);
+            expect_room(*result, wedge, length);
+            EXPECT_LE(result->surface.vertices.size(), 8u);
+            EXPECT_LE(signed_volume(result->surface), 1.4 * (1 + 2 * length) * (1 + 2 * length) * (0.1 + 2 * length));
+        }
+    }
+}
+
 TEST(ElementGrown, ASharpEdgeDoesNotReachOutLikeASpike) {
     Random random(4);
     for (const double length : {1e-3, 0.1, 1.0}) {

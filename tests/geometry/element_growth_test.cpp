@@ -57,6 +57,33 @@ TEST(ElementGrowth, OfFourElementsTheFarthestGrowsIfItAddsLeast) {
     }
 }
 
+TEST(ElementGrowth, TheNearestIsAmongThoseThatAreCompared) {
+    const Mesh cube = test::box({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1});
+    const std::vector<Element> before{
+        box_between({-1, -1, -0.5}, {1, 1, -0.2}), box_between({-1, -1, 0.21}, {1, 1, 0.5}),
+        box_between({-0.5, -1, -1}, {-0.22, 1, 1}), box_between({-1, -0.5, -1}, {1, -0.23, 1}),
+        box_between({0.19, -0.1, -0.1}, {0.4, 0.1, 0.1})};
+    const std::vector<Element> after = grown_over(cube, before);
+    for (std::size_t i = 0; i < 5; ++i) {
+        EXPECT_NEAR(added(before, after, i), i == 4 ? 0.04 * 0.29 : 0, hair);
+    }
+}
+
+TEST(ElementGrowth, ALongSlitIsClosedByWhatIsBesideIt) {
+    const Mesh bar = test::box({-1, -1, -0.1}, {1, 1, 0.1});
+    for (const double slit : {1e-2, 1e-4, 1e-6}) {
+        const std::vector<Element> before{box_between({-1.1, -1.1, -0.2}, {0, 1.1, 0.2}),
+                                          box_between({slit, -1.1, -0.2}, {1.1, 1.1, 0.2})};
+        const std::vector<Element> after = grown_over(bar, before);
+        EXPECT_GE(after[0].half.x + after[1].half.x, 1.1);
+        EXPECT_LE(after[0].half.x + after[1].half.x, 1.1 + slit / 2 + 1e-8); // both by all of it at most
+        for (const Element& e : after) {
+            EXPECT_NEAR(e.half.y, 1.1, hair);
+            EXPECT_NEAR(e.half.z, 0.2, hair);
+        }
+    }
+}
+
 /// An element of which 0.2 at least are around the origin.
 Element small_one(Kind kind) {
     Element e{.kind = kind, .radius = kind == Kind::box || kind == Kind::hull ? 0.0 : 0.3};

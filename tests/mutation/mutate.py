@@ -42,7 +42,7 @@ BELONG = {
     "geometry/src/measure_volume.cpp": MEASURED,
     "geometry/src/exact_union_volume.cpp": MEASURED,
     "geometry/src/intervals.cpp": ["geometry/intervals_test"],
-    "geometry/src/element_proof.cpp": ELEMENTS,
+    "geometry/src/element_proof.cpp": ["geometry/element_proof_test"] + ELEMENTS,
     "geometry/src/bodies.cpp": ["geometry/bodies_test"] + ELEMENTS,
     "geometry/src/body_cuts.cpp": ["geometry/body_cuts_test"] + ELEMENTS,
     "geometry/src/element_growth.cpp": ["geometry/element_growth_test"] + ELEMENTS,
