@@ -124,6 +124,16 @@ TEST(ElementGrown, AllWithinTheLengthOfThePolytopeAndThePointsIsInside) {
     }
 }
 
+TEST(ElementGrown, FacesMoveFartherIfAPointNeedsTheRoom) {
+    const auto cube = hull_of(test::box({-1, -1, -1}, {1, 1, 1}).vertices);
+    const std::vector<double> lengths(cube->faces.size(), 0.1);
+    const std::vector<Vec3> point{{0, 0, 1.08}};
+    const auto result = with_faces_moved(*cube, lengths, point, 0.05);
+    ASSERT_TRUE(result);
+    expect_room(*result, point, 0.05);
+    expect_room(*result, cube->surface.vertices, 0.05);
+}
+
 TEST(ElementGrown, ALittleRoomKeepsTheShape) {
     Random random(3);
     for (int k = 0; k < 100; ++k) {
