@@ -42,6 +42,11 @@ Mesh rod() {
     return mesh;
 }
 
+/// A direction away from the axis.
+Vec3 across_at(double angle) {
+    return across * std::cos(angle) + third * std::sin(angle);
+}
+
 std::vector<geometry::Corners> corners_of(const Mesh& mesh) {
     std::vector<geometry::Corners> corners;
     for (const auto& [a, b, c] : mesh.triangles) {
@@ -91,6 +96,75 @@ TEST(NeedleIndex, FindsWhatLookingAtEachTriangleFinds) {
             EXPECT_EQ(solid->contains(p), from_axis < radius && std::abs(local.x) < length / 2) << k;
         }
     }
+}
+
+/// How many triangles are looked at to find the nearest one.
+int looked_at(const geometry::NeedleIndex& index, const std::vector<geometry::Corners>& triangles, const Vec3& p) {
+    int count = 0;
+    double nearest = 1e300;
+    index.for_each_nearer(
+        p, [&] { return nearest; },
+        [&](std::uint32_t i) {
+            nearest = std::min(nearest, distance(geometry::closest_on_triangle(triangles[i], p), p));
+            ++count;
+        });
+    return count;
+}
+
+TEST(NeedleIndex, LooksAtFewNeedles) {
+    std::vector<geometry::Corners> triangles = corners_of(rod());
+    for (int corner = 0; corner < 3; ++corner) { // the longest edge begins at any corner
+        const geometry::NeedleIndex index(triangles, middle);
+        int near = 0, across = 0;
+        for (int k = 0; k < 100; ++k) {
+            const double angle = 0.06 * k + 0.01, y = std::cos(angle), z = std::sin(angle);
+            near += looked_at(index, triangles, placed(k - 50, 1.01 * y, 1.01 * z));
+            index.for_each_along(geometry::Line(placed(k / 3.0, 0, 0), along * 0.1 + across_at(angle)),
+                                 [&](std::uint32_t) { ++across; });
+        }
+        EXPECT_LE(near, 100 * 7);
+        EXPECT_GE(across, 100 * 2);
+        EXPECT_LE(across, 100 * 10);
+        for (geometry::Corners& t : triangles) {
+            t = {t.b, t.c, t.a};
+        }
+    }
+}
+
+TEST(NeedleIndex, TrianglesWithoutAreaAreFoundToo) {
+    // Segments along any axis, as triangles; a frame needs a second direction.
+    for (const Vec3& way : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, normalized(Vec3{1, 1, 1})}) {
+        std::vector<geometry::Corners> triangles;
+        const Vec3 aside{way.y, way.z, way.x};
+        for (int k = 0; k < 50; ++k) {
+            const Vec3 at = aside * k;
+            triangles.push_back({at, at + way * 9, at + way * 4});
+        }
+        const geometry::NeedleIndex index(triangles, aside * 25);
+        for (int k = 0; k < 50; ++k) {
+            const Vec3 p = aside * (k + 0.1) + way * 3;
+            double nearest = 1e300;
+            index.for_each_nearer(
+                p, [&] { return nearest; },
+                [&](std::uint32_t i) {
+                    nearest = std::min(nearest, distance(geometry::closest_on_triangle(triangles[i], p), p));
+                });
+            double least = 1e300;
+            for (const geometry::Corners& t : triangles) {
+                least = std::min(least, distance(geometry::closest_on_triangle(t, p), p));
+            }
+            EXPECT_EQ(nearest, least);
+            EXPECT_LE(looked_at(index, triangles, p), 13);
+        }
+    }
+}
+
+TEST(NeedleIndex, PaysWhereBoxesHaveMoreThanAHundredTimesTheAreaOfAll) {
+    const Box all{{0, 0, 0}, {1, 2, 3}}, part{{0, 1, 1}, {1, 2, 2}}; // half areas of 11 and 3
+    EXPECT_FALSE(geometry::NeedleIndex::pays(std::vector<Box>(100, all), all));
+    EXPECT_TRUE(geometry::NeedleIndex::pays(std::vector<Box>(101, all), all));
+    EXPECT_FALSE(geometry::NeedleIndex::pays(std::vector<Box>(366, part), all));
+    EXPECT_TRUE(geometry::NeedleIndex::pays(std::vector<Box>(367, part), all));
 }
 
 } // namespace

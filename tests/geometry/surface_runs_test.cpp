@@ -1,6 +1,7 @@
 // Runs of triangles that are close together, with a ball around each.
 #include "geometry/shapes.hpp"
 
+#include <foam/geometry/internal/quick_solid.hpp>
 #include <foam/geometry/internal/surface_runs.hpp>
 
 #include <gtest/gtest.h>
@@ -48,7 +49,73 @@ double mean_radius(const SurfaceRuns& runs) {
     return sum / static_cast<double>(runs.size());
 }
 
+/// A plane grid of n × n squares of edge 1 across two axes, each two triangles, in any order.
+Mesh shuffled_grid(std::uint32_t n, int first_axis, int second_axis, Random& random) {
+    Mesh mesh;
+    for (std::uint32_t i = 0; i <= n; ++i) {
+        for (std::uint32_t k = 0; k <= n; ++k) {
+            Vec3 p{7, 7, 7};
+            p[first_axis] += i;
+            p[second_axis] += k;
+            mesh.vertices.push_back(p);
+            if (i < n && k < n) {
+                const std::uint32_t a = i * (n + 1) + k, b = a + n + 1;
+                mesh.triangles.insert(mesh.triangles.end(), {{a, a + 1, b}, {b, a + 1, b + 1}});
+            }
+        }
+    }
+    for (std::size_t i = mesh.triangles.size(); i-- > 1;) {
+        std::swap(mesh.triangles[i], mesh.triangles[random.below(i + 1)]);
+    }
+    return mesh;
+}
+
 } // namespace
+
+TEST(SurfaceRuns, OfAGridAreBlocksOfFourTimesTwoSquares) {
+    Random random(4);
+    for (const auto& [a, b] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{2, 0}}) {
+        const auto solid = Solid::make(shuffled_grid(128, a, b, random));
+        const SurfaceRuns& runs = surface_runs(*solid);
+        expect_runs_of(*solid);
+        for (std::size_t r = 0; r < runs.size(); ++r) {
+            EXPECT_NEAR(runs[r].radius, std::hypot(2, 1), 1e-12);
+        }
+        for (std::size_t g = 0; g < runs.group_count();
+             ++g) { // 16 × 8 squares, to the corner of the run that is farthest
+            EXPECT_NEAR(runs.group(g).radius, std::hypot(6, 3) + std::hypot(2, 1), 1e-12);
+        }
+    }
+}
+
+TEST(SurfaceRuns, AGroupIsABallAroundSixteenRuns) {
+    for (const std::uint32_t n : {3u, 17u, 30u}) { // the last group has fewer
+        const auto solid = Solid::make(ball({1, 2, 3}, 1, n));
+        const SurfaceRuns& runs = surface_runs(*solid);
+        ASSERT_EQ(runs.group_count(), (runs.size() + 15) / 16);
+        for (std::size_t g = 0; g < runs.group_count(); ++g) {
+            Box box;
+            double radius = 0;
+            for (std::size_t r = 16 * g; r < std::min(16 * g + 16, runs.size()); ++r) {
+                box.add(runs[r].center);
+                radius = std::max(radius, distance(runs[r].center, runs.group(g).center) + runs[r].radius);
+            }
+            EXPECT_EQ(runs.group(g).center, box.center());
+            EXPECT_EQ(runs.group(g).radius, radius);
+        }
+    }
+}
+
+TEST(SurfaceRuns, AreOrderedInHasteAsTheyAreGiven) {
+    const auto solid = quick_solid({{std::make_shared<const Mesh>(ball({}, 1, 6)), std::nullopt, {}}});
+    const SurfaceRuns& runs = surface_runs(*solid);
+    expect_runs_of(*solid);
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+        for (std::size_t k = 0; k < runs.triangles(r).size(); ++k) {
+            EXPECT_EQ(runs.triangles(r)[k], 16 * r + k);
+        }
+    }
+}
 
 TEST(SurfaceRuns, HaveEachTriangleOnceInABallThatContainsIt) {
     Random random(3);
@@ -102,6 +169,29 @@ TEST(SurfaceRuns, ABallContainsNoneOfACurvedPrimitive) {
     };
     EXPECT_EQ(infinite(cylinder).first, infinite(cylinder).second);
     EXPECT_EQ(infinite(block).first, 0u);
+}
+
+TEST(SurfaceRuns, OnlyBallsWithATriangleOfACurvedPrimitiveAreInfinite) {
+    // Far apart: a cylinder between two meshes, of which one comes before it and one after it.
+    Pose middle;
+    middle.translation = {50, 0, 0};
+    const auto left = std::make_shared<const Mesh>(ball({}, 1, 12)),
+               right = std::make_shared<const Mesh>(ball({99, 0, 0}, 1, 12));
+    const auto solid = Solid::make({{left, std::nullopt, {}},
+                                    {nullptr, Primitive{Primitive::Kind::cylinder, {}, 1, 1}, middle},
+                                    {right, std::nullopt, {}}});
+    const std::span<const std::uint32_t> offsets = solid->part_offsets();
+    const SurfaceRuns& runs = surface_runs(*solid);
+    std::size_t finite = 0;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+        const auto triangles = runs.triangles(r);
+        const bool curved = std::any_of(triangles.begin(), triangles.end(),
+                                        [&](std::uint32_t t) { return t >= offsets[1] && t < offsets[2]; });
+        EXPECT_EQ(std::isinf(runs[r].radius), curved) << r;
+        finite += !curved;
+    }
+    EXPECT_GT(finite, 10u);
+    EXPECT_LT(finite, runs.size());
 }
 
 TEST(SurfaceRuns, AreMadeOnceByManyThreads) {

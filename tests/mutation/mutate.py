@@ -42,12 +42,12 @@ BELONG = {
     "geometry/src/measure_volume.cpp": MEASURED,
     "geometry/src/exact_union_volume.cpp": MEASURED,
     "geometry/src/intervals.cpp": ["geometry/intervals_test"],
-    "geometry/src/element_proof.cpp": ELEMENTS,
-    "geometry/src/bodies.cpp": ELEMENTS,
-    "geometry/src/body_cuts.cpp": ELEMENTS,
-    "geometry/src/element_growth.cpp": ELEMENTS,
-    "geometry/src/element_grown.cpp": ["geometry/element_test"] + ELEMENTS,
-    "geometry/src/element_enlarged.cpp": ELEMENTS,
+    "geometry/src/element_proof.cpp": ["geometry/element_proof_test"] + ELEMENTS,
+    "geometry/src/bodies.cpp": ["geometry/bodies_test"] + ELEMENTS,
+    "geometry/src/body_cuts.cpp": ["geometry/body_cuts_test"] + ELEMENTS,
+    "geometry/src/element_growth.cpp": ["geometry/element_growth_test"] + ELEMENTS,
+    "geometry/src/element_grown.cpp": ["geometry/element_grown_test", "geometry/element_test"] + ELEMENTS,
+    "geometry/src/element_enlarged.cpp": ["geometry/element_enlarged_test"] + ELEMENTS,
     "geometry/src/surface_runs.cpp": ["geometry/surface_runs_test", "geometry/balls_test"],
     "geometry/src/needle_index.cpp": ["geometry/needle_index_test"],
     "geometry/src/convex_hull.cpp": ["geometry/convex_hull_test", "geometry/element_test"],
@@ -127,8 +127,8 @@ def tests_of(file):
     return [t for t in BELONG[file] if (TESTS / f"{t}.cpp").exists()]
 
 
-def build(jobs):
-    """Compiles core's files and the tests where they changed; core becomes an archive, of which tests link what they need."""
+def build(jobs, files):
+    """Compiles core's files, and the tests of `files`, where they changed. Tests link what they need of core's archive."""
     record = BUILD / "include" / "foam" / "sdk" / "abi_record.hpp"  # no plugin is loaded
     if not record.exists():
         record.parent.mkdir(parents=True, exist_ok=True)
@@ -138,7 +138,8 @@ def build(jobs):
     names = [p.relative_to(CORE) for p in sorted(CORE.glob("*/src/**/*.cpp"))]
     sources = [(CORE / name, BUILD / "core" / name.with_suffix(".o"), "core") for name in names
                if name.parts[0] in WHOLE or str(name).startswith(LINKED)]
-    sources += [(TESTS / f"{t}.cpp", BUILD / "tests" / f"{t}.o", "tests") for t in sorted({t for f in BELONG for t in tests_of(f)})]
+    tests = sorted({t for f in files for t in tests_of(f)})
+    sources += [(TESTS / f"{t}.cpp", BUILD / "tests" / f"{t}.o", "tests") for t in tests]
     stale = [s for s in sources if not is_new(s[1], s[1].with_suffix(".d"))]
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         for (source, _, _), told in zip(stale, pool.map(lambda s: compile_file(*s), stale)):
@@ -303,7 +304,7 @@ def main():
         return report([(m, told[keys[m]]) for m in mutants if keys[m] in told], options)
     os.nice(10)
     BUILD.mkdir(parents=True, exist_ok=True)
-    build(options.jobs)
+    build(options.jobs, {m.file for m in mutants})
     known, bench, results = equivalents(), Bench(), []
     with options.log.open("a") as log:
         for n, mutant in enumerate(mutants):

@@ -265,6 +265,30 @@ TEST(WrittenNumbers, TheGrowthIsThatOfTheSphereThatGrowsMost) {
     }
 }
 
+TEST(WrittenNumbers, ParentsStayWhereElementsGrow) {
+    const auto solid = Solid::make(test::box({-1, -0.2, -0.2}, {1, 0.2, 0.2}));
+    Approximation::Level level{{{{-0.5, 0, 0}, 0.3}}, {3, 5}, {odd(Kind::box, 0.5)}};
+    finish_elements(*solid, level, DecimalGrid(2), true, Numbers::float64);
+    EXPECT_THAT(level.parents, ElementsAre(3, 5));
+}
+
+TEST(WrittenNumbers, TheGrowthIsThatOfTheElementThatGrowsMost) {
+    const auto solid = Solid::make(test::box({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}));
+    const DecimalGrid grid(1);
+    const Element whole{.kind = Kind::box, .half = {0.5, 0.5, 0.5}}; // on the grid
+    for (int axis = 0; axis < 4; ++axis) {
+        Element less{.kind = axis < 3 ? Kind::box : Kind::sphere, .half = whole.half};
+        less.half = axis < 3 ? whole.half : Vec3{};
+        double& length = axis < 3 ? less.half[axis] : less.radius;
+        length = 0.5 - 0.3 * grid.step();
+        const double growth = 0.5 - length;
+        for (const auto& elements : {std::vector{whole, less}, std::vector{less, whole}}) {
+            Approximation::Level level{{}, {}, elements};
+            EXPECT_EQ(finish_elements(*solid, level, grid, true, Numbers::float64), growth) << axis;
+        }
+    }
+}
+
 TEST(WrittenNumbers, ElementsThatTouchOverlapAfterwards) {
     // Halves of a box whose common plane is on no grid.
     const auto solid = Solid::make(test::box({-1, -0.2, -0.2}, {1, 0.2, 0.2}));

@@ -14,6 +14,7 @@ constexpr double cut_depth = 1.0 / 8;
 /// and Jarratt 1971); a linear value takes one step.
 template <class Value> double crossing(const Vec3& a, const Vec3& b, double at_a, double at_b, Value value) {
     double low = 0, high = 1, share = 0.5;
+    enum class End { none, low, high } moved = End::none; // an end that stays twice counts half
     for (int step = 0; step < 8; ++step) {
         share = low + (high - low) * (at_a / (at_a - at_b));
         if (!(share > low && share < high)) {
@@ -26,11 +27,13 @@ template <class Value> double crossing(const Vec3& a, const Vec3& b, double at_a
         if ((here <= 0) == (at_a <= 0)) {
             low = share;
             at_a = here;
-            at_b /= 2;
+            at_b = moved == End::low ? at_b / 2 : at_b;
+            moved = End::low;
         } else {
             high = share;
             at_b = here;
-            at_a /= 2;
+            at_a = moved == End::high ? at_a / 2 : at_a;
+            moved = End::high;
         }
     }
     return share;

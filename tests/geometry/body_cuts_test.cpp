@@ -1,0 +1,219 @@
+// Triangles cut along bodies and between them: the parts tile the triangle, and each is where it is said to be.
+#include "geometry/src/body_cuts.hpp"
+#include "plain_shapes.hpp"
+
+#include <foam/geometry/element_measure.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+using namespace foam;
+using namespace foam::geometry;
+using Kind = Element::Kind;
+
+namespace {
+
+constexpr std::uint32_t most_halvings = 120;
+constexpr std::size_t plenty = 10'000;
+
+Element box_of(const Vec3& low, const Vec3& high) {
+    Element e{.kind = Kind::box, .half = (high - low) * 0.5};
+    e.pose.translation = (low + high) * 0.5;
+    return e;
+}
+Element ball_of(const Vec3& center, double radius) {
+    Element e{.kind = Kind::sphere, .radius = radius};
+    e.pose.translation = center;
+    return e;
+}
+
+double area_of(const Corners& t) {
+    return norm(cross(t.b - t.a, t.c - t.a)) / 2;
+}
+double area_of(std::span<const Vec3> polygon) {
+    double area = 0;
+    for (std::size_t k = 2; k < polygon.size(); ++k) {
+        area += area_of({polygon[0], polygon[k - 1], polygon[k]});
+    }
+    return area;
+}
+
+/// A right angle at the origin, in the plane z = 0.
+const Corners triangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+
+struct Cuts {
+    std::vector<Element> elements;
+    Bodies bodies;
+    BodyCuts cuts;
+    std::vector<std::uint32_t> all;
+
+    explicit Cuts(const std::vector<Element>& e, std::uint32_t halvings = most_halvings)
+        : elements(e), bodies({{}, elements}, {}, 5, most_halvings), cuts(bodies, halvings) {
+        for (std::uint32_t i = 0; i < elements.size(); ++i) {
+            all.push_back(i);
+        }
+    }
+    bool cover(const Corners& t, double smallest = 1e-9, std::size_t most_pieces = plenty) {
+        return cuts.cover(t, all, smallest, most_pieces);
+    }
+};
+
+TEST(BodyCuts, WhatIsLeftOfATriangleIsOutsideTheBoxes) {
+    const double slack = 1e-12;
+    const auto left = [&](const std::vector<Element>& elements, std::size_t most_pieces = plenty) {
+        Cuts c(elements);
+        double area = 0;
+        for (const std::vector<Vec3>& polygon : c.cuts.rest(triangle, c.all, most_pieces)) {
+            area += area_of(polygon);
+            Vec3 middle{};
+            for (const Vec3& p : polygon) {
+                middle += p / static_cast<double>(polygon.size());
+            }
+            const bool inside = std::any_of(elements.begin(), elements.end(), [&](const Element& e) {
+                return e.kind == Kind::box && holds(e, middle, slack);
+            });
+            EXPECT_FALSE(inside && most_pieces == plenty);
+        }
+        return area;
+    };
+    EXPECT_NEAR(left({box_of({1, 1, -1}, {2, 2, 1})}), 8 - 1, 1e-11);           // within, to an edge
+    EXPECT_NEAR(left({box_of({-1, -1, -1}, {2, 3, 1})}), 8 - (6 - 0.5), 1e-11); // a corner
+    EXPECT_NEAR(left({box_of({1, 1, -1}, {1.5, 2, 1}), box_of({1.25, 0.5, -1}, {2, 1.5, 1})}), 8 - (0.5 + 0.75 - 0.125),
+                1e-11);
+    EXPECT_NEAR(left({box_of({-9, -9, -1}, {9, 9, 1})}), 0, 0);
+    EXPECT_NEAR(left({box_of({1, 1, 0.1}, {2, 2, 1})}), 8, 1e-11); // above it
+    EXPECT_NEAR(left({ball_of({1, 1, 0}, 0.5)}), 8, 0);            // round ones are not cut out
+    EXPECT_NEAR(left({ball_of({1, 1, 0}, 9)}), 0, 0);
+    EXPECT_NEAR(left({}), 8, 0);
+    EXPECT_NEAR(left({box_of({1, 1, -1}, {1.5, 1.5, 1}), box_of({0.5, 0.5, -1}, {0.9, 0.9, 1})}, 2), 8 - 0.25, 1e-11);
+}
+
+TEST(BodyCuts, PolytopesThatOverlapCoverInAPieceEachAndTheSidesOfTheRest) {
+    Cuts one({box_of({-1, -1, -1}, {9, 9, 1})});
+    EXPECT_TRUE(one.cover(triangle));
+    EXPECT_EQ(one.cuts.pieces(), 0u);
+    EXPECT_EQ(one.cuts.most_cuts(), 0u);
+    for (const double overlap : {1.0, 1e-3, 1e-9, 1e-11}) {
+        Cuts two({box_of({-1, -1, -1}, {1 + overlap, 9, 1}), box_of({1, -1, -1}, {9, 9, 1})});
+        EXPECT_TRUE(two.cover(triangle)) << overlap;
+        EXPECT_EQ(two.cuts.pieces(), 1u);
+        EXPECT_EQ(two.cuts.most_cuts(), 1u);
+        Cuts apart({box_of({-1, -1, -1}, {1 - overlap, 9, 1}), box_of({1, -1, -1}, {9, 9, 1})});
+        EXPECT_FALSE(apart.cover(triangle)) << overlap;
+    }
+    std::vector<Element> strips;
+    for (int k = 0; k < 8; ++k) {
+        strips.push_back(box_of({0.5 * k - 0.01, -1, -1}, {0.5 * k + 0.51, 9, 1}));
+    }
+    Cuts eight(strips);
+    EXPECT_TRUE(eight.cover(triangle));
+    EXPECT_LE(eight.cuts.pieces(), 14u);
+    strips.erase(strips.begin() + 3);
+    EXPECT_FALSE(Cuts(strips).cover(triangle));
+}
+
+TEST(BodyCuts, TwoRoundBodiesThatHoldTheEdgesAreToldApartByOneCut) {
+    Element left{.kind = Kind::capsule, .half = {0, 0, 9}, .radius = 2};
+    left.pose = Pose::from_axis_angle({1, 0, 0}, std::numbers::pi / 2);
+    Element right = left;
+    for (const double overlap : {1.0, 1e-3, 1e-9, 1e-11}) {
+        right.pose.translation = {4 - overlap, 0, 0};
+        Cuts c({left, right});
+        EXPECT_TRUE(c.cover(triangle)) << overlap;
+        EXPECT_EQ(c.cuts.pieces(), 2u);
+        EXPECT_EQ(c.cuts.most_cuts(), 1u);
+        right.pose.translation = {4 + overlap, 0, 0};
+        EXPECT_FALSE(Cuts({left, right}).cover(triangle));
+    }
+}
+
+TEST(BodyCuts, TheCutBetweenTwoBallsMeetsASlantedEdgeWhereTheyHardlyOverlap) {
+    const Corners slanted{{0, 0, 0}, {4, 0, 0}, {0, 2, 0}}; // its long edge is equally deep in both at (2, 1)
+    for (const double overlap : {1e-3, 1e-6, 1e-9}) {
+        const double radius = std::sqrt(5.0) + overlap;
+        Cuts c({ball_of({0, 0, 0}, radius), ball_of({4, 0, 0}, radius)});
+        EXPECT_TRUE(c.cover(slanted)) << overlap;
+        EXPECT_EQ(c.cuts.pieces(), 2u);
+        EXPECT_FALSE(Cuts({ball_of({0, 0, 0}, radius - 2 * overlap), c.elements[1]}).cover(slanted));
+    }
+}
+
+TEST(BodyCuts, MoreRoundBodiesAreDividedAtHalfTheLength) {
+    const std::vector<Element> balls{ball_of({0.7, 0.7, 0}, 1.4), ball_of({3, 0.3, 0}, 1.4), ball_of({0.3, 3, 0}, 1.4),
+                                     ball_of({1.8, 1.8, 0}, 1.2)};
+    Cuts c(balls);
+    EXPECT_TRUE(c.cover(triangle));
+    EXPECT_GE(c.cuts.pieces(), 4u);
+    EXPECT_LE(c.cuts.pieces(), 30u);
+    EXPECT_FALSE(c.cover(triangle, 1e-9, 1)); // too many pieces
+    EXPECT_FALSE(c.cover(triangle, 6));       // too small to be divided: the longest edge is √32
+    EXPECT_TRUE(c.cover(triangle, 0.5));
+    EXPECT_FALSE(Cuts(balls, 2).cover(triangle)); // a cut counts as two halvings, and more than one is needed
+    EXPECT_FALSE(Cuts({balls[0], balls[1], balls[2]}).cover(triangle));
+}
+
+TEST(BodyCuts, CutsBetweenTwoBodiesAreWhereBothNeedTheSame) {
+    const Cuts c({ball_of({-1, 0, 0}, 0.5), ball_of({5, 0, 0}, 0.5), ball_of({0, 9, 0}, 0.5)});
+    const std::vector<Corners> parts = c.cuts.between_nearest(triangle, std::span(c.all).first(2));
+    double left = 0, right = 0;
+    for (const Corners& part : parts) {
+        for (const Vec3& p : {part.a, part.b, part.c}) {
+            const Vec3 middle = (part.a + part.b + part.c) / 3;
+            const bool first = c.bodies.growth(0, middle) < c.bodies.growth(1, middle);
+            EXPECT_LE((first ? 1 : -1) * (c.bodies.growth(0, p) - c.bodies.growth(1, p)), 1e-11);
+            (first ? left : right) += area_of(part) / 3;
+        }
+    }
+    EXPECT_NEAR(left, 6, 1e-11); // they need the same where x is 2
+    EXPECT_NEAR(right, 2, 1e-11);
+    EXPECT_TRUE(c.cuts.between_nearest(triangle, std::span(c.all).first(1)).empty());
+    // the last corner alone is nearest to another
+    EXPECT_FALSE(c.cuts.between_nearest({{0, 0, 0}, {1, 0, 0}, {0, 8, 0}}, c.all).empty());
+    EXPECT_FALSE(c.cuts.between_nearest({{0, 8, 0}, {0, 0, 0}, {1, 0, 0}}, c.all).empty());
+    EXPECT_TRUE(c.cuts.between_nearest({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, c.all).empty());
+}
+
+TEST(BodyCuts, APartKeepsItsTriangleAndCountsAsTwoHalvings) {
+    const Piece part = BodyCuts::part_of({.corners = triangle, .beneath = {}, .triangle = 7, .level = 3}, triangle);
+    EXPECT_EQ(part.triangle, 7u);
+    EXPECT_EQ(part.level, 5u);
+    EXPECT_FALSE(part.curved);
+}
+
+TEST(BodyCuts, RandomPolytopesCoverExactlyWhereNothingIsLeft) {
+    Random random(4);
+    int covered = 0;
+    for (int k = 0; k < 200; ++k) {
+        std::vector<Element> elements;
+        for (int i = 0; i < 6; ++i) {
+            std::vector<Vec3> points;
+            for (int j = 0; j < 10; ++j) {
+                points.push_back(Vec3{random.uniform(-0.5, 2), random.uniform(-0.5, 2), 0} +
+                                 test::random_direction(random) * 4);
+            }
+            elements.push_back({.kind = Kind::hull, .hull = convex_hull(points)});
+        }
+        Cuts c(elements);
+        double area = 0;
+        for (const std::vector<Vec3>& polygon : c.cuts.rest(triangle, c.all, plenty)) {
+            area += area_of(polygon);
+        }
+        EXPECT_EQ(c.cover(triangle), area == 0) << k << ' ' << area;
+        covered += area == 0;
+        // as many points of a grid are open as the area says
+        int open = 0, all = 0;
+        for (double x = 0.02; x < 4; x += 0.04) {
+            for (double y = 0.02; x + y < 4; y += 0.04) {
+                ++all;
+                open += std::none_of(elements.begin(), elements.end(), [&](const Element& e) {
+                    return holds(e, {x, y, 0});
+                });
+            }
+        }
+        EXPECT_NEAR(area, 8.0 * open / all, 0.1) << k;
+    }
+    EXPECT_GT(covered, 10);
+    EXPECT_LT(covered, 190);
+}
+
+} // namespace

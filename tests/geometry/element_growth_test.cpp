@@ -1,0 +1,169 @@
+// Growth of elements until they cover: which of them grow, and by how much.
+#include "plain_shapes.hpp"
+
+#include <foam/geometry/element_measure.hpp>
+
+#include <gtest/gtest.h>
+
+using namespace foam;
+using Kind = Element::Kind;
+
+namespace {
+
+constexpr double hair = 1e-10;
+
+Element box_between(const Vec3& low, const Vec3& high) {
+    Element e{.kind = Kind::box, .half = (high - low) * 0.5};
+    e.pose.translation = (low + high) * 0.5;
+    return e;
+}
+
+std::vector<Element> grown_over(const Mesh& mesh, const std::vector<Element>& elements) {
+    const auto solid = Solid::make(mesh);
+    const Approximation::Level level = grown_to_cover(*solid, {{}, {}, elements});
+    EXPECT_TRUE(covers(*solid, level.view()));
+    return level.others;
+}
+
+double added(const std::vector<Element>& before, const std::vector<Element>& after, std::size_t i) {
+    return volume(after[i]) - volume(before[i]);
+}
+
+TEST(ElementGrowth, AFartherElementGrowsIfItAddsLess) {
+    // A cube between a wide box and a narrow one that is a little farther away.
+    const Mesh cube = test::box({-0.1, -0.1, 0.1}, {0.1, 0.1, 0.3});
+    const Element wide = box_between({-1, -1, -0.2}, {1, 1, 0}),
+                  narrow = box_between({-0.1, -0.1, 0.42}, {0.1, 0.1, 0.6});
+    for (const bool swapped : {false, true}) {
+        const std::vector<Element> before = swapped ? std::vector{narrow, wide} : std::vector{wide, narrow};
+        const std::vector<Element> after = grown_over(cube, before);
+        EXPECT_NEAR(added(before, after, swapped ? 1 : 0), 0, hair);
+        EXPECT_NEAR(added(before, after, swapped ? 0 : 1), 0.04 * 0.32, hair);
+    }
+}
+
+TEST(ElementGrowth, OfFourElementsTheFarthestGrowsIfItAddsLeast) {
+    const Mesh cube = test::box({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1});
+    std::vector<Element> before{box_between({-1, -1, -0.5}, {1, 1, -0.2}), box_between({-1, -1, 0.21}, {1, 1, 0.5}),
+                                box_between({-0.5, -1, -1}, {-0.22, 1, 1}),
+                                box_between({0.23, -0.1, -0.1}, {0.4, 0.1, 0.1})};
+    for (std::size_t place = 0; place < 4; ++place) {
+        std::swap(before[place], before[3]);
+        const std::vector<Element> after = grown_over(cube, before);
+        for (std::size_t i = 0; i < 4; ++i) {
+            EXPECT_NEAR(added(before, after, i), i == place ? 0.04 * 0.33 : 0, hair) << place;
+        }
+        std::swap(before[place], before[3]);
+    }
+}
+
+TEST(ElementGrowth, TheNearestIsAmongThoseThatAreCompared) {
+    const Mesh cube = test::box({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1});
+    const std::vector<Element> before{
+        box_between({-1, -1, -0.5}, {1, 1, -0.2}), box_between({-1, -1, 0.21}, {1, 1, 0.5}),
+        box_between({-0.5, -1, -1}, {-0.22, 1, 1}), box_between({-1, -0.5, -1}, {1, -0.23, 1}),
+        box_between({0.19, -0.1, -0.1}, {0.4, 0.1, 0.1})};
+    const std::vector<Element> after = grown_over(cube, before);
+    for (std::size_t i = 0; i < 5; ++i) {
+        EXPECT_NEAR(added(before, after, i), i == 4 ? 0.04 * 0.29 : 0, hair);
+    }
+}
+
+TEST(ElementGrowth, ALongSlitIsClosedByWhatIsBesideIt) {
+    const Mesh bar = test::box({-1, -1, -0.1}, {1, 1, 0.1});
+    for (const double slit : {1e-2, 1e-4, 1e-6}) {
+        const std::vector<Element> before{box_between({-1.1, -1.1, -0.2}, {0, 1.1, 0.2}),
+                                          box_between({slit, -1.1, -0.2}, {1.1, 1.1, 0.2})};
+        const std::vector<Element> after = grown_over(bar, before);
+        EXPECT_GE(after[0].half.x + after[1].half.x, 1.1);
+        EXPECT_LE(after[0].half.x + after[1].half.x, 1.1 + slit / 2 + 1e-8); // both by all of it at most
+        for (const Element& e : after) {
+            EXPECT_NEAR(e.half.y, 1.1, hair);
+            EXPECT_NEAR(e.half.z, 0.2, hair);
+        }
+    }
+}
+
+/// An element of which 0.2 at least are around the origin.
+Element small_one(Kind kind) {
+    Element e{.kind = kind, .radius = kind == Kind::box || kind == Kind::hull ? 0.0 : 0.3};
+    if (kind == Kind::box || kind == Kind::swept_box) {
+        e.half = Vec3{1, 1, 1} * (kind == Kind::box ? 0.2 : 0.1);
+    } else if (kind == Kind::hull) {
+        e.hull = convex_hull(test::box({-0.2, -0.2, -0.2}, {0.2, 0.2, 0.2}).vertices);
+    } else if (kind != Kind::sphere) {
+        e.half.z = 0.2;
+    }
+    return e;
+}
+
+TEST(ElementGrowth, ABarBetweenTwoIsShared) {
+    const Mesh bar = test::box({-0.05, -0.05, -1}, {0.05, 0.05, 1});
+    for (const Kind kind : {Kind::box, Kind::cylinder, Kind::capsule, Kind::swept_box, Kind::sphere, Kind::hull}) {
+        std::vector<Element> ends{small_one(kind), small_one(kind)};
+        ends[0].pose.translation = {0, 0, -1};
+        ends[1].pose.translation = {0, 0, 1};
+        const std::vector<Element> after = grown_over(bar, ends);
+        // They meet in the middle; the caps of round ones meet at the bar's edges.
+        const double cap = kind == Kind::capsule  ? 0.3 - std::sqrt(0.09 - 2 * 0.05 * 0.05)
+                           : kind == Kind::sphere ? std::hypot(1, 0.05, 0.05) - 1
+                                                  : 0;
+        EXPECT_NEAR(bounds(after[0]).high.z, cap, 1e-9) << to_string(kind);
+        EXPECT_NEAR(bounds(after[1]).low.z, -cap, 1e-9) << to_string(kind);
+        EXPECT_NEAR(bounds(after[0]).size().x, kind == Kind::sphere ? 2 * after[0].radius : bounds(ends[0]).size().x,
+                    1e-9);
+    }
+}
+
+TEST(ElementGrowth, OnlyTheElementNearestToARoundPartGrowsAroundIt) {
+    const auto solid = test::primitive_solid({Primitive::Kind::sphere, {}, 1, 0});
+    for (const double less : {1e-3, 4e-3}) {
+        Element near{.kind = Kind::sphere, .radius = 1 - less}, far{.kind = Kind::sphere, .radius = 1};
+        far.pose.translation = {0, 0, 1.2 * less};
+        for (const auto& elements : {std::vector{near, far}, std::vector{far, near}}) {
+            for (const Element& e : grown_to_cover(*solid, {{}, {}, elements}).others) {
+                EXPECT_NEAR(e.radius, 1, hair);
+            }
+        }
+    }
+}
+
+TEST(ElementGrowth, TheWorseEndOfACapsuleCounts) {
+    const auto solid = test::primitive_solid({Primitive::Kind::capsule, {}, 1, 2});
+    const Element one_end = box_between({-1, -1, -2}, {1, 1, 2 - 4e-3}),
+                  other_end = box_between({-1, -1, 4e-3 - 2}, {1, 1, 2}),
+                  both_ends = box_between({-1, -1, 3e-3 - 2}, {1, 1, 2 - 3e-3});
+    for (const Element& one : {one_end, other_end}) {
+        for (const auto& elements : {std::vector{one, both_ends}, std::vector{both_ends, one}}) {
+            std::vector<Element> small = elements;
+            for (Element& e : small) { // so that both of them do not cover
+                e.half.x -= 2e-3;
+            }
+            const std::vector<Element> after = grown_to_cover(*solid, {{}, {}, small}).others;
+            for (std::size_t i = 0; i < 2; ++i) {
+                const bool grows = elements[i] == both_ends;
+                EXPECT_NEAR(after[i].half.z, grows ? 2 : small[i].half.z, hair);
+                EXPECT_NEAR(after[i].half.x, grows ? 1 : small[i].half.x, hair);
+            }
+        }
+    }
+}
+
+TEST(ElementGrowth, WhatCoversStaysAsItIs) {
+    const auto solid = Solid::make(test::box({-1, -1, -1}, {1, 1, 1}));
+    const Approximation::Level level{{{{}, 0.1}}, {}, {box_between({-1.1, -1.1, -1.1}, {1.1, 1.1, 1.1})}};
+    const Approximation::Level grown = grown_to_cover(*solid, level);
+    EXPECT_EQ(grown.others, level.others);
+    EXPECT_EQ(grown.spheres, level.spheres);
+}
+
+TEST(ElementGrowth, WhatIsNotValidStaysAsItIs) {
+    const Mesh cube = test::box({-1, -1, -1}, {1, 1, 1});
+    Element invalid = box_between({-2, -2, -2}, {2, 2, 2});
+    invalid.half.x = -1;
+    const std::vector<Element> after = grown_over(cube, {invalid, box_between({-0.5, -1, -1}, {1, 1, 1})});
+    EXPECT_EQ(after[0], invalid);
+    EXPECT_NEAR(volume(after[1]), 8, hair);
+}
+
+} // namespace
