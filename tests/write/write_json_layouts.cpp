@@ -20,7 +20,8 @@ json written(const SphereModel& model, const std::string& layout) {
 }
 
 TEST(WriteJson, HoldsAllOfTheModel) {
-    const SphereModel model = awkward_model();
+    SphereModel model = awkward_model();
+    model.verdict.with_geometry = model.verdict.proved = 2;
     const json document = written(model, "links");
     EXPECT_EQ(document["foam_spheres"], 1);
     EXPECT_EQ(document["name"], "test");
@@ -47,6 +48,21 @@ TEST(WriteJson, HoldsAllOfTheModel) {
         }
     }
     EXPECT_EQ(document["links"].begin().value()["groups"].size(), 2u);
+}
+
+TEST(WriteJson, SaysWhatTheVerdictSays) {
+    SphereModel model = awkward_model();
+    EXPECT_EQ(written(model, "links")["certified"], false) << "nothing is known of it";
+    EXPECT_FALSE(written(model, "links").contains("covers"));
+    model.verdict.with_geometry = model.verdict.proved = 2;
+    model.verdict.missing = 0.25;
+    EXPECT_EQ(written(model, "links")["certified"], true);
+    EXPECT_EQ(written(model, "links")["covers"], "surface");
+    EXPECT_EQ(written(model, "links")["missing"], 0.25);
+    model.verdict.missing = NAN;
+    EXPECT_TRUE(written(model, "links")["missing"].is_null()) << "there was no time to measure it";
+    model.verdict.proved = 1;
+    EXPECT_EQ(written(model, "links")["certified"], false);
 }
 
 TEST(WriteJson, UnknownFiguresAreNull) {
