@@ -136,7 +136,7 @@ std::string evidence(const SelfCollisionMatrix& matrix, const LinkPair& pair) {
                            percent(matrix.rate_bound(pair.geometry_samples)));
     }
     if (pair.reason == PairReason::never) {
-        return fmt::format("{}: in less than {}", seen, percent(matrix.rate_bound()));
+        return fmt::format("{}: in less than {}", seen, percent(matrix.rate_bound(pair.samples)));
     }
     if (pair.reason == PairReason::always) {
         const std::size_t tested = pair.geometry_samples > 0 ? pair.geometry_samples : pair.samples;

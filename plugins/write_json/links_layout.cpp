@@ -151,9 +151,13 @@ std::string write_links_layout(const SphereModel& model) {
     }
     return fmt::format(
         "{{\n  \"foam_spheres\": {},\n  \"name\": {},\n  \"robot\": {},\n  \"guarantee\": \"{}\",\n"
-        "  \"certified\": {},\n{}{}  \"units\": \"m\",\n  \"frame\": \"link\",\n  \"links\": {{\n{}\n  }}\n}}\n",
+        "  \"certified\": {},\n{}{}{}  \"units\": \"m\",\n  \"frame\": \"link\",\n  \"links\": {{\n{}\n  }}\n}}\n",
         version, json_text(model.name), json_text(model.robot ? model.robot->name : ""),
         guarantee_text(model.guarantee), model.verdict.all(),
+        model.verdict.geometry == CoveredGeometry::collision
+            ? ""
+            : fmt::format("  \"geometry\": \"{}\",\n",
+                          words_of_covered_geometry()[static_cast<std::size_t>(model.verdict.geometry)]),
         model.verdict.surface_alone()
             ? fmt::format("  \"covers\": \"surface\",\n  \"missing\": {},\n", json_number(model.verdict.missing))
             : "",

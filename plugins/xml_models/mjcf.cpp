@@ -6,11 +6,14 @@
 #include "mjcf_shapes.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
+#include <foam/geometry/element_forms.hpp>
 #include <foam/geometry/mass.hpp>
 #include <foam/geometry/rotation.hpp>
 #include <foam/geometry/union_volume.hpp>
 #include <foam/robot/kinematics.hpp>
 #include <foam/sdk/planning.hpp>
+#include <foam/sdk/uncovered.hpp>
 
 #include <fmt/format.h>
 
@@ -129,6 +132,7 @@ public:
             others_[link.link] = std::move(link.others);
             spheres_[link.link] = std::move(link.spheres);
         }
+        keep_geometry();
         if (!model.robot->source.empty()) {
             urdf_ = xml::parse(model.robot->source, model.robot->file.string(), ErrorCode::output);
             for (const xml::Element* link : urdf_->children_named("link")) {
@@ -207,6 +211,36 @@ public:
     }
 
 private:
+    /// Adds the primitives of links without elements, which keep their collision geometry.
+    void keep_geometry() {
+        const std::vector<std::string>& none = model_.without_collision;
+        for (const std::string& name : uncovered_links(model_)) {
+            const Link* link = model_.robot->find_link(name);
+            if (!link || std::find(none.begin(), none.end(), name) != none.end()) {
+                continue;
+            }
+            bool meshes = false;
+            for (const GeometryElement& geometry : link->collisions) {
+                const auto* primitive = std::get_if<Primitive>(&geometry.geometry);
+                meshes = meshes || !primitive;
+                if (!primitive) {
+                    continue;
+                }
+                const Element element = element_of(*primitive, geometry.origin);
+                if (element.kind == Element::Kind::sphere) {
+                    spheres_[name].push_back({element.pose.translation, element.radius});
+                } else {
+                    others_[name].push_back(element);
+                }
+            }
+            if (meshes) {
+                context_.log(Severity::warning,
+                             fmt::format("link '{}' has no elements, and its collision meshes are not in the file: without "
+                                         "contact in MuJoCo; remedy: elements for it",
+                                         shown(name)));
+            }
+        }
+    }
     /// Says which links have an invented mass.
     void tell(const std::vector<std::string>& links, const std::string& source) {
         if (!links.empty()) {

@@ -97,6 +97,11 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
         return bool(self.summary and self.summary["certified"])
 
     @property
+    def statement(self) -> str:
+        """The verdict of the run that made the model, in words; "" for models from elsewhere."""
+        return str(self.summary["proof"]["statement"]) if self.summary else ""
+
+    @property
     def total(self) -> Figures:
         """The figures of the whole robot, of the run that made the model. Others: foam.evaluate()."""
         if self.summary is None:
@@ -249,7 +254,8 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
-        proof = ", certified" if self.certified else ""
+        hollow = bool(self.summary) and self.summary["proof"]["missing"] != 0
+        proof = (", certified for the surface" if hollow else ", certified") if self.certified else ""
         noun = "elements" if self._elements else "spheres"
         return f"<foam.SphereModel '{self.name}': {self.count} {noun} of {len(self)} links{proof}>"
 

@@ -120,6 +120,33 @@ TEST_F(CliVerdict, ConvertProvesWhatStandsInTheFile) {
     }
 }
 
+/// foam's own line in a file that is edited tells of the elements before.
+TEST_F(CliVerdict, AnEditedFileHasTheVerdictOfItsNewElements) {
+    write("good.csv", "link,x,y,z,radius\nbase,0,0,0,0.3\n");
+    write("bad.csv", "link,x,y,z,radius\nbase,0,0,0,0.1\n");
+    for (const char* format : {"curobo --tool-frame tip", "xrdf --tool-frame tip", "mjcf", "srdf"}) {
+        const std::string as = std::string(" --format ") + format;
+        ASSERT_EQ(foam("convert good.csv whole.urdf -o good.txt" + as).code, 0) << format;
+        EXPECT_THAT(contents(path() / "good.txt"), HasSubstr("; proved: the")) << format;
+        const Outcome edited = foam("convert bad.csv whole.urdf --into good.txt -o bad.txt" + as);
+        ASSERT_EQ(edited.code, 0) << format << ": " << edited.err;
+        EXPECT_THAT(contents(path() / "bad.txt"), HasSubstr("; not proved: the")) << format;
+        EXPECT_THAT(contents(path() / "bad.txt"), Not(HasSubstr("; proved: the"))) << format;
+    }
+}
+
+/// A link that is skipped keeps its primitives where the format has words for them.
+TEST_F(CliVerdict, MjcfKeepsTheGeometryOfSkippedLinks) {
+    write("two.urdf",
+          "<robot name='two'><link name='base'><collision><geometry><box size='0.2 0.1 0.3'/></geometry></collision></link>"
+          "<link name='tip'><collision><geometry><cylinder radius='0.1' length='0.2'/></geometry></collision></link>"
+          "<joint name='j' type='revolute'><parent link='base'/><child link='tip'/><axis xyz='0 0 1'/>"
+          "<limit lower='-1' upper='1' effort='1' velocity='1'/></joint></robot>");
+    ASSERT_EQ(foam("spherize two.urdf -n 4 -m grid -o two.mjcf --set links.tip.skip=true").code, 0);
+    EXPECT_THAT(contents(path() / "two.mjcf"), HasSubstr("type=\"cylinder\""));
+    EXPECT_EQ(foam("certify two.urdf two.mjcf").code, 0);
+}
+
 /// Names of links and files may hold what ends lines.
 TEST_F(CliVerdict, NamesWithLineEndsAndTabsAreKept) {
     write("odd.urdf", "<robot name='r'><link name='l&#10;i&#9;k'><collision><geometry><box size='1 1 1'/></geometry></collision>"

@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <tuple>
+
 namespace foam::test {
 namespace {
 
@@ -44,6 +46,20 @@ TEST_F(SelfCollisionCli, SamplesComeWithTheirBound) {
     EXPECT_THAT(outcome.out, HasSubstr("\nbase   hand   Never     touch in 0 of 1000: in less than 0.459 %\n"));
     EXPECT_THAT(outcome.out, HasSubstr("Never by samples: at 99 % confidence less than 0.459 % of the configurations "
                                        "for one pair, 0.459 % for all 1 such pairs at once.\n"));
+}
+
+/// Random configurations never find a gap that is there at the limits of three joints alone.
+TEST_F(SelfCollisionCli, GeometryThatIsFreeAtTheLimitsIsChecked) {
+    std::string text = "<robot name='g'><link name='a'><collision><geometry><box size='1 1 1'/></geometry></collision></link>"
+                       "<link name='m0'/><link name='m1'/>"
+                       "<link name='c'><collision><geometry><box size='1 1 1'/></geometry></collision></link>";
+    for (const auto& [name, parent, child, x] :
+         {std::tuple{"j0", "a", "m0", "1.02"}, {"j1", "m0", "m1", "0"}, {"j2", "m1", "c", "0"}}) {
+        text += std::string("<joint name='") + name + "' type='prismatic'><parent link='" + parent + "'/><child link='" + child +
+                "'/><origin xyz='" + x + " 0 0'/><axis xyz='-1 0 0'/><limit lower='0' upper='0.3' effort='1' velocity='1'/></joint>";
+    }
+    write("gap.urdf", text + "</robot>");
+    EXPECT_THAT(foam("self-collision gap.urdf").out, HasSubstr("a      c      (check)"));
 }
 
 TEST_F(SelfCollisionCli, FilesForPlanners) {

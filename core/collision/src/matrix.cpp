@@ -210,10 +210,41 @@ private:
         }
     }
 
+    /// Returns configurations that random ones hardly meet: the reference pose, all joints at zero, and the limits of the
+    /// joints between the links.
+    std::vector<std::vector<double>> special_configurations(const LinkPair& pair) const {
+        constexpr std::size_t most_joints = 6; // 64 corners
+        std::vector<std::vector<double>> special{matrix_.reference, kinematics_.configuration()};
+        std::vector<std::size_t> freedoms = freedoms_of(chain_between(kinematics_, pair.first, pair.second));
+        freedoms.resize(std::min(freedoms.size(), most_joints));
+        for (std::size_t corner = 0; corner < std::size_t{1} << freedoms.size(); ++corner) {
+            std::vector<double>& configuration = special.emplace_back(matrix_.reference);
+            for (std::size_t k = 0; k < freedoms.size(); ++k) {
+                const Freedom& freedom = kinematics_.freedoms()[freedoms[k]];
+                configuration[freedoms[k]] = corner >> k & 1 ? freedom.upper : freedom.lower;
+            }
+        }
+        return special;
+    }
+    /// Returns in how many of the configurations the pair touches.
+    template <class Placed>
+    static std::size_t count_touching(const LinkPair& pair, const std::vector<std::vector<double>>& configurations,
+                                      Placed placed) {
+        return static_cast<std::size_t>(
+            std::count_if(configurations.begin(), configurations.end(), [&](const std::vector<double>& configuration) {
+                placed.place(configuration);
+                return placed.touching(pair.first, pair.second);
+            }));
+    }
+
     /// Decides a pair whose elements always touch, or adds it to those whose geometry is sampled.
     void judge_always(LinkPair& pair, bool rigid, std::vector<LinkPair*>& sampled) const {
+        const std::vector<std::vector<double>> special = special_configurations(pair);
         if (is_geometry(pair.first) && is_geometry(pair.second)) {
             const bool proved = proved_always_.contains(&pair);
+            if (!proved && count_touching(pair, special, PlacedLinks(kinematics_, groups_)) < special.size()) {
+                return;
+            }
             pair = {.first = pair.first, .second = pair.second, .reason = PairReason::always, .proved = proved,
                     .samples = proved ? 0 : pair.samples, .touching = proved ? 0 : pair.touching};
         } else if (rigid) { // there is one configuration of the two
@@ -223,7 +254,14 @@ private:
             pair.geometry_touching = placed.touching(pair.first, pair.second) ? 1 : 0;
             decide_by_geometry(pair);
         } else if (shapes_.has(pair.first) && shapes_.has(pair.second)) {
-            sampled.push_back(&pair);
+            const std::size_t touching = count_touching(pair, special, PlacedShapes(kinematics_, shapes_));
+            if (touching < special.size() && touching > 0) {
+                pair.geometry_samples = special.size();
+                pair.geometry_touching = touching;
+                pair.touches_by_elements_alone = true;
+            } else {
+                sampled.push_back(&pair);
+            }
         }
     }
 
@@ -303,15 +341,25 @@ double SelfCollisionMatrix::rate_bound(std::size_t tested) const {
     return -std::expm1(std::log1p(-confidence) / static_cast<double>(tested));
 }
 
-double SelfCollisionMatrix::joint_rate_bound() const {
-    std::size_t sampled = 0, least = samples;
-    for (const LinkPair& pair : pairs) {
+/// Returns how many pairs never touched in samples, and the least number of samples that one of them has.
+static std::pair<std::size_t, std::size_t> never_by_samples(const SelfCollisionMatrix& matrix) {
+    std::size_t pairs = 0, least = matrix.samples;
+    for (const LinkPair& pair : matrix.pairs) {
         if (!pair.proved && pair.reason == PairReason::never) {
-            ++sampled;
+            ++pairs;
             least = pair.geometry_samples > 0 ? std::min(least, pair.geometry_samples) : least;
         }
     }
-    const double each = (1 - confidence) / static_cast<double>(std::max<std::size_t>(sampled, 1));
+    return {pairs, least};
+}
+
+double SelfCollisionMatrix::rate_bound() const {
+    return rate_bound(never_by_samples(*this).second);
+}
+
+double SelfCollisionMatrix::joint_rate_bound() const {
+    const auto [pairs, least] = never_by_samples(*this);
+    const double each = (1 - confidence) / static_cast<double>(std::max<std::size_t>(pairs, 1));
     return -std::expm1(std::log(each) / static_cast<double>(least));
 }
 

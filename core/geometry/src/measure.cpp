@@ -3,6 +3,9 @@
 #include <foam/geometry/element_measure.hpp>
 #include <foam/geometry/internal/quick_solid.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace foam::inline geometry {
@@ -97,6 +100,8 @@ Measures bounds_of_measures(const Solid& solid, const ElementsView& elements) {
     }
     result.protrusion_max = result.protrusion_mean = box.diagonal();
     set_ratios(result);
+    const bool convex = result.certified && result.spheres == 1; // nothing of the inside is left out
+    result.missing = convex ? 0 : std::numeric_limits<double>::quiet_NaN();
     return result;
 }
 
@@ -126,6 +131,9 @@ Measures total(std::span<const Measures> links) {
     sum.missing_volume_error = std::sqrt(missing_variance);
     sum.volume_error = std::sqrt(volume_variance);
     set_ratios(sum);
+    if (std::any_of(links.begin(), links.end(), [](const Measures& m) { return std::isnan(m.missing); })) {
+        sum.missing = std::numeric_limits<double>::quiet_NaN(); // not measured of some link
+    }
     return sum;
 }
 

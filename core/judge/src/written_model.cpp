@@ -5,6 +5,7 @@
 #include <foam/geometry/element_measure.hpp>
 #include <foam/judge/written_model.hpp>
 #include <foam/runtime/internal/elements.hpp>
+#include <foam/sdk/elements.hpp>
 #include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>
@@ -185,6 +186,9 @@ std::vector<WrittenFile> written_files(const Writer& writer, const StageInfo& in
     model.file = target.filename().string();
     require_held(info, model);
     std::vector<WrittenFile> files{{target, writer.write(model, context)}};
+    if (model.into) {
+        files.front().bytes = with_provenance(std::move(files.front().bytes), model);
+    }
     for (const std::string& ending : info.companions) {
         files.push_back({companion_of(target, ending), writer.companion(ending, model, context)});
     }

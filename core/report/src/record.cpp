@@ -163,9 +163,11 @@ std::string reproduce_section(const Report& report) {
     const std::string guarantee = report.manifest["settings"]["guarantee"].get<std::string>();
     if (!file.empty() && guarantee != "fitted") {
         const std::string input = report.manifest["execution"]["input"]["file"].get<std::string>();
+        const std::string geometry = report.manifest["proof"]["geometry"].get<std::string>();
         html += "<p>The proof alone, on the written file:</p>\n" +
-                execution_only(commands(fmt::format("foam certify {} {}{}", quoted(input), quoted(file),
-                                                    guarantee == "inner" ? " --guarantee inner" : "")));
+                execution_only(commands(fmt::format("foam certify {} {}{}{}", quoted(input), quoted(file),
+                                                    guarantee == "inner" ? " --guarantee inner" : "",
+                                                    geometry == "collision" ? "" : " --geometry " + geometry)));
     }
     return section("reproduce", "Reproduce", html);
 }

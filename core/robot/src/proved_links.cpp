@@ -65,7 +65,7 @@ std::string left_out_text(const ProvedLinks& links) {
     }
     return names.empty() ? ""
                          : fmt::format("{}: {}", links.guarantee == Guarantee::fitted ? "left out" : "not part of the proof",
-                                       named(names));
+                                       fmt::join(names, ", "));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include <foam/base/internal/files.hpp>
 #include <foam/base/text.hpp>
+#include <foam/sdk/elements.hpp>
 #include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>
@@ -35,6 +36,9 @@ static WrittenTexts texts_of(const Writer& writer, const std::vector<std::string
                              const std::filesystem::path& target, Context& context) {
     const auto all = [&](Context& for_this) {
         std::vector<std::string> texts{writer.write(model, for_this)};
+        if (model.into) {
+            texts.front() = with_provenance(std::move(texts.front()), model);
+        }
         for (const std::string& ending : companions) {
             texts.push_back(writer.companion(ending, model, for_this));
         }

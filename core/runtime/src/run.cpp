@@ -11,6 +11,7 @@
 #include "visual_gap.hpp"
 #include "watchdog.hpp"
 
+#include <foam/geometry/element_measure.hpp>
 #include <foam/runtime/cache.hpp>
 #include <foam/runtime/internal/debug.hpp>
 #include <foam/runtime/internal/input.hpp>
@@ -26,9 +27,23 @@
 namespace foam::inline runtime {
 namespace {
 
+/// Returns the measures of a link; where its inside counts as geometry, with the missing volume of the geometry as it is,
+/// of which the proof is.
+Measures without_filling(const LinkWork& link, const FinishedModel& finished) {
+    Measures measures = link.report.measures;
+    for (const FinishedLink& one : finished.links) {
+        if (one.work == &link && link.report.filled > 0) {
+            measures.volume = one.solid->volume();
+            measures.missing_volume = missing_volume(*one.solid, one.elements.view());
+        }
+    }
+    return measures;
+}
+
 /// Returns the verdict: the links for which the guarantee is proved. A link without elements is left out. Every file
 /// that is written has these links, or is not written.
-ProvedLinks proved_links(const Workspace& workspace, const Input& input, const std::vector<LinkWork>& links) {
+ProvedLinks proved_links(const Workspace& workspace, const Input& input, const std::vector<LinkWork>& links,
+                         const FinishedModel& finished) {
     ProvedLinks proved;
     proved.guarantee = workspace.recipe.guarantee;
     proved.geometry = workspace.recipe.cover.value_or(CoveredGeometry::collision);
@@ -49,15 +64,15 @@ ProvedLinks proved_links(const Workspace& workspace, const Input& input, const s
         proved.elements = spheres_alone(report.kinds) ? proved.elements : "elements";
         if (report.measures.certified) {
             ++proved.proved;
-            measured.push_back(report.measures);
+            measured.push_back(without_filling(link, finished));
             known = known && !(link.bounds_only && report.measures.spheres > 1); // one convex element leaves nothing out
-        } else if (proved.guarantee != Guarantee::fitted) {
+        } else if (proved.guarantee == Guarantee::fitted) {
+            measured.push_back(without_filling(link, finished));
+        } else {
             proved.left_out.push_back({report.link, "the proof does not hold"});
         }
     }
-    if (proved.guarantee == Guarantee::outer) {
-        proved.missing = known ? total(measured).missing : std::numeric_limits<double>::quiet_NaN();
-    }
+    proved.missing = known ? total(measured).missing : std::numeric_limits<double>::quiet_NaN();
     return proved;
 }
 
@@ -91,6 +106,7 @@ void fill_result(RunResult& result, const Journal& journal, const std::vector<Li
         }
     }
     result.total = total(measures);
+    result.total.certified = result.certified; // links that were left out belong to the robot
     result.total_unpadded = padded ? std::optional(total(unpadded)) : std::nullopt;
     result.findings = journal.findings();
     Journal::Times times = journal.times();
@@ -315,7 +331,7 @@ RunResult run_in(const Workspace& preparing, std::optional<RunDirectory>& direct
 
     tell_loose_links(workspace, finished);
     tell_hollow_links(workspace, finished);
-    result.proved = proved_links(workspace, input, links);
+    result.proved = proved_links(workspace, input, links, finished);
     result.certified = result.proved.all();
     complete_model(workspace, input, made.reference, result.proved, finished);
     Snapshots pictures;

@@ -114,6 +114,29 @@ std::vector<LinkSpheres> in_known_kinds(std::vector<LinkSpheres> links, const Kn
     return links;
 }
 
+std::string with_provenance(std::string text, const SphereModel& model) {
+    struct Comment {
+        std::string_view begin, end;
+    };
+    for (const auto& [begin, end] : {Comment{"# ", "\n"}, Comment{"<!-- ", " -->"}, Comment{"% ", "\n"}}) {
+        const std::string mark = std::string(begin) + "foam ";
+        for (std::size_t at = text.find(mark); at != text.npos; at = text.find(mark, at + 1)) {
+            const std::size_t from = at + begin.size(), to = text.find(end, from);
+            const std::string_view line = std::string_view(text).substr(from, to - from);
+            const bool own = to != text.npos && (at == 0 || text[at - 1] == '\n') && line.find("prove") != line.npos &&
+                             line.find('\n') == line.npos;
+            if (own) {
+                std::string now = shown(model.provenance);
+                for (std::size_t dash = 0; end == " -->" && (dash = now.find("--", dash)) != now.npos;) {
+                    now.replace(dash, 2, "- -"); // "--" ends a comment
+                }
+                text.replace(from, to - from, now);
+            }
+        }
+    }
+    return text;
+}
+
 Parameter segments_parameter() {
     return Parameter::integer("segments", 8)
         .bounds(4, 64)

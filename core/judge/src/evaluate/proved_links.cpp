@@ -56,7 +56,7 @@ ProvedLinks proved_links(const Original& original, const MatchedModel& model, co
         proved.push_back(proof.holds);
     }
     ProvedLinks links = verdict_on(original, model, proved, guarantee);
-    links.missing = guarantee == Guarantee::outer && links.proved > 0 ? missing_share(original, model, proved) : 0;
+    links.missing = links.proved > 0 ? missing_share(original, model, proved) : 0;
     return links;
 }
 

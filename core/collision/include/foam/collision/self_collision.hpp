@@ -103,7 +103,8 @@ struct SelfCollisionMatrix {
     /// Returns the bound on the rate of touching: with the stated confidence, a pair that touched in no sample touches
     /// in less than this share of all configurations: 1 - (1 - c)^(1/n), about 3/n at 95 % (the rule of three). The
     /// same bound applies to staying apart, with the number of configurations in which the geometry was tested.
-    double rate_bound() const { return rate_bound(samples); }
+    /// Here of the pair with the fewest configurations.
+    double rate_bound() const;
     /// Returns the bound of a pair that was tested in `tested` configurations.
     double rate_bound(std::size_t tested) const;
     /// Returns the bound that applies, with the stated confidence, to all such pairs at once (Bonferroni).

@@ -26,14 +26,14 @@ struct ProvedLinks {
     std::vector<std::string> collision_only; ///< the same where only visual geometry is covered
     std::string elements = "spheres"; ///< what encloses the geometry; "elements" where they are not all spheres
     bool float32 = false;             ///< proved also for the numbers in single precision
-    /// Guarantee::outer proves that the surface is covered. This is the share of the volume of the proved links that
-    /// lies outside all elements, as measured; not a number where there was no time to measure it.
+    /// Share of the volume of the proved links, of all links for Guarantee::fitted, that lies outside all elements, as
+    /// measured; not a number where there was no time to measure it. Guarantee::outer proves that the surface is covered.
     double missing = 0;
 
     /// Returns whether every link with geometry to be covered is proved.
     bool all() const { return proved > 0 && proved == with_geometry; }
     /// Returns whether no more is known than that the surface is covered.
-    bool surface_alone() const { return missing != 0; }
+    bool surface_alone() const { return guarantee == Guarantee::outer && missing != 0; }
 };
 
 /// Returns the names of the links that have visual geometry and no collision geometry.

@@ -27,6 +27,10 @@ std::vector<Element::Kind> every_kind();
 /// Returns the elements of a file by link, as Writer::read_elements() does.
 std::map<std::string, Approximation::Level> elements_of(SphereFile file);
 
+/// Returns the text of an edited file in which the line of provenance that foam wrote into the user's file is that of the
+/// model: an old one says what was proved of other elements. Other comments stay, as do files without such a line.
+std::string with_provenance(std::string text, const SphereModel& model);
+
 /// The words of a format that does not know all kinds. What it does not know becomes other elements, which contain it.
 struct KnownKinds {
     bool capsules = true; ///< else a cylinder and two spheres each
