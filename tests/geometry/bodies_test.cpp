@@ -364,6 +364,17 @@ TEST(Bodies, WhatIsThinnerThanTheSlackHoldsNothing) {
     }
 }
 
+TEST(Bodies, RoundingIsThatOfTheBodyWithTheMostSlack) {
+    std::vector<Element> boxes(2, {.kind = Kind::box, .half = {1, 1, 1}});
+    boxes[0].pose.translation = {100, 0, 0};
+    for (int k = 0; k < 2; ++k) {
+        const Bodies bodies({{}, boxes}, {}, 5, most_halvings);
+        EXPECT_EQ(bodies.rounding(), 16 * std::max(bodies.slack(0), bodies.slack(1)));
+        EXPECT_NE(bodies.slack(0), bodies.slack(1));
+        std::swap(boxes[0], boxes[1]);
+    }
+}
+
 TEST(Bodies, SpheresComeFirst) {
     const std::vector<Sphere> spheres{{{1, 2, 3}, 2}};
     const Element box{.kind = Kind::box, .half = {1, 1, 1}};

@@ -88,6 +88,20 @@ TEST(BodyCuts, WhatIsLeftOfATriangleIsOutsideTheBoxes) {
     EXPECT_NEAR(left({box_of({1, 1, -1}, {1.5, 1.5, 1}), box_of({0.5, 0.5, -1}, {0.9, 0.9, 1})}, 2), 8 - 0.25, 1e-11);
 }
 
+TEST(BodyCuts, ABoxThatWouldTakeTooManyCutsIsNotCutOut) {
+    // Its corner at (2, 1) takes two cuts, of which each counts as two halvings.
+    const Element box = box_of({-1, 1, -1}, {2, 9, 1});
+    for (const std::uint32_t halvings : {0u, 2u, 4u}) {
+        Cuts c({box}, halvings);
+        double area = 0;
+        for (const std::vector<Vec3>& polygon : c.cuts.rest(triangle, c.all, plenty)) {
+            area += area_of(polygon);
+        }
+        EXPECT_NEAR(area, halvings < 4 ? 8 : 8 - 4, 1e-11) << halvings;
+        EXPECT_FALSE(c.cover(triangle));
+    }
+}
+
 TEST(BodyCuts, PolytopesThatOverlapCoverInAPieceEachAndTheSidesOfTheRest) {
     Cuts one({box_of({-1, -1, -1}, {9, 9, 1})});
     EXPECT_TRUE(one.cover(triangle));

@@ -125,6 +125,43 @@ TEST(OpenTriangles, AreThoseThatNoElementContains) {
     }
 }
 
+TEST(ElementCertificate, APartThatIsContainedProvesNothingOfOthers) {
+    const Primitive ball{Primitive::Kind::sphere, {}, 0.3, 0}, cylinder{Primitive::Kind::cylinder, {}, 0.3, 1};
+    Pose right;
+    right.translation = {2, 0, 0};
+    for (const Primitive& p : {ball, cylinder}) {
+        Element left{.kind = Kind::cylinder, .half = {0, 0, 0.5}, .radius = 0.3}, both = left;
+        both.pose = right;
+        const std::vector<Element> one{left}, two{left, both};
+        const auto solid = Solid::make({{nullptr, p, {}}, {nullptr, p, right}});
+        EXPECT_FALSE(covers(*solid, ElementsView{{}, one})) << to_string(p.kind);
+        EXPECT_TRUE(covers(*solid, ElementsView{{}, two})) << to_string(p.kind);
+        const auto reversed = Solid::make({{nullptr, p, right}, {nullptr, p, {}}});
+        EXPECT_FALSE(covers(*reversed, ElementsView{{}, one})) << to_string(p.kind);
+        EXPECT_TRUE(covers(*reversed, ElementsView{{}, two})) << to_string(p.kind);
+    }
+}
+
+TEST(ElementCertificate, ASmallTriangleFarAwayIsLookedAtOnce) {
+    const auto solid = Solid::make(Mesh{{{3, 0, 0}, {3, 1e-4, 0}, {3, 0, 1e-4}}, {{0, 1, 2}}});
+    const Element box{.kind = Kind::box, .half = {1, 1, 1}};
+    const Certificate certificate = certify(*solid, ElementsView{{}, std::span(&box, 1)});
+    EXPECT_NEAR(certificate.growth, 2, 1e-3);
+    EXPECT_EQ(certificate.pieces, 2u); // the triangle, and its gap
+}
+
+TEST(ElementCertificate, SpheresAloneHaveAProofOfTheirOwn) {
+    const auto solid = Solid::make(test::ball({}, 1, 6));
+    for (const double radius : {0.5, 2.0}) {
+        const std::vector<Sphere> spheres{{{}, radius}, {{0.1, 0, 0}, radius}};
+        const Certificate own = certify(*solid, spheres),
+                          first = certify_to_first_gap(*solid, ElementsView{spheres, {}});
+        EXPECT_EQ(first.holds, own.holds);
+        EXPECT_EQ(first.growth, own.growth);
+        EXPECT_EQ(first.pieces, own.pieces);
+    }
+}
+
 TEST(ElementCertificate, ATriangleInOneElementIsOnePiece) {
     const auto solid = Solid::make(test::ball({}, 1, 6));
     const Element box{.kind = Kind::box, .half = {2, 2, 2}};

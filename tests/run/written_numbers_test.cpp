@@ -110,6 +110,23 @@ TEST(WrittenNumbers, SinglePrecisionTakesTwoOfItsUnits) {
     }
 }
 
+TEST(WrittenNumbers, SpheresThatCoverGrowByWhatSinglePrecisionLoses) {
+    const Sphere far{{100, 0, 0}, 0.5};
+    const auto solid = Solid::make(test::box({99.9, -0.1, -0.1}, {100.1, 0.1, 0.1}));
+    const DecimalGrid grid(1);
+    Element box{.kind = Kind::box, .half = {0.5, 0.5, 0.5}};
+    box.pose.translation = far.center;
+    for (const Numbers numbers : {Numbers::float64, Numbers::float32}) {
+        for (const bool outer : {false, true}) {
+            Approximation::Level level{{far}, {}, {box}};
+            finish_elements(*solid, level, grid, outer, numbers);
+            const double lost = outer ? float32_slack(far, numbers) : 0;
+            EXPECT_EQ(level.spheres[0].radius, grid.up(0.5 + lost));
+            EXPECT_EQ(level.spheres[0].radius > 0.5, outer && numbers == Numbers::float32);
+        }
+    }
+}
+
 /// The numbers of an element after reading it from a file in single precision.
 Element in_float(Element e) {
     const auto rounded = [](double& x) { x = static_cast<float>(x); };

@@ -240,7 +240,6 @@ void Bodies::erode(Body& body, const Element& element) {
 /// Faces in blocks of eight, the x of their normals first, then y, z and the offsets. The last block is filled up with
 /// half-spaces that contain everything.
 void Bodies::set_blocks(Body& body) {
-    body.blocks.clear();
     for (std::size_t first = 0; first < body.faces.size(); first += faces_at_once) {
         for (int part = 0; part < 4; ++part) {
             for (std::size_t k = first; k < first + faces_at_once; ++k) {

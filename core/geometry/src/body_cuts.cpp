@@ -17,9 +17,6 @@ template <class Value> double crossing(const Vec3& a, const Vec3& b, double at_a
     enum class End { none, low, high } moved = End::none; // an end that stays twice counts half
     for (int step = 0; step < 8; ++step) {
         share = low + (high - low) * (at_a / (at_a - at_b));
-        if (!(share > low && share < high)) {
-            return std::clamp(share, 0.0, 1.0);
-        }
         const double here = value(a * (1 - share) + b * share);
         if (std::abs(here) <= 1e-12 * (std::abs(at_a) + std::abs(at_b))) {
             break;
