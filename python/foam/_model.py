@@ -254,7 +254,7 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
-        hollow = bool(self.summary) and self.summary["proof"]["missing"] != 0
+        hollow = self.summary is not None and self.summary["proof"]["missing"] != 0
         proof = (", certified for the surface" if hollow else ", certified") if self.certified else ""
         noun = "elements" if self._elements else "spheres"
         return f"<foam.SphereModel '{self.name}': {self.count} {noun} of {len(self)} links{proof}>"
