@@ -20,8 +20,13 @@ std::string budget_text(const Json& manifest) {
     }
     const Json& budget = settings["budget"];
     std::string text;
-    if (budget.contains("spheres") && budget["spheres"].is_number()) {
-        text = fmt::format("budget {}", budget["spheres"].get<std::size_t>());
+    for (const char* count : {"spheres", "elements"}) {
+        if (budget.contains(count) && budget[count].is_number()) {
+            text = fmt::format("budget {}", budget[count].get<std::size_t>());
+        }
+    }
+    if (budget.contains("cost") && budget["cost"].is_number()) {
+        text += fmt::format("{}cost of at most {}", text.empty() ? "" : ", ", number(budget["cost"].get<double>(), 1));
     }
     if (budget.contains("excess") && budget["excess"].is_number()) {
         text +=

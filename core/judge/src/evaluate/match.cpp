@@ -89,8 +89,10 @@ private:
             put(i, link, {});
             return;
         }
-        if (original_.robot->find_link(name)) {
-            note(fmt::format("link '{}' has {}, but no geometry to judge them by", name, content));
+        if (const Link* known = original_.robot->find_link(name)) {
+            note(known->collisions.empty()
+                     ? fmt::format("link '{}' has {}, but no geometry to judge them by", name, content)
+                     : fmt::format("link '{}' has {}, which are not judged: --link leaves it out", name, content));
             return;
         }
         if (!place_above(link)) {
