@@ -94,7 +94,8 @@ TEST_P(EachBody, AnInexactRotationAddsToTheSlack) {
         const auto& r = e.pose.rotation;
         for (std::size_t i = 0; i < 3; ++i) {
             for (std::size_t j = 0; j < 3; ++j) {
-                const Vec3 a{r[0][int(i)], r[1][int(i)], r[2][int(i)]}, b{r[0][int(j)], r[1][int(j)], r[2][int(j)]};
+                const Vec3 a{r[0][static_cast<int>(i)], r[1][static_cast<int>(i)], r[2][static_cast<int>(i)]},
+                    b{r[0][static_cast<int>(j)], r[1][static_cast<int>(j)], r[2][static_cast<int>(j)]};
                 most = std::max({most, std::abs(dot(a, b) - (i == j)), std::abs(dot(r[i], r[j]) - (i == j))});
             }
         }

@@ -115,16 +115,16 @@ TEST(NeedleIndex, LooksAtFewNeedles) {
     std::vector<geometry::Corners> triangles = corners_of(rod());
     for (int corner = 0; corner < 3; ++corner) { // the longest edge begins at any corner
         const geometry::NeedleIndex index(triangles, middle);
-        int near = 0, across = 0;
+        int near = 0, crossed = 0;
         for (int k = 0; k < 100; ++k) {
             const double angle = 0.06 * k + 0.01, y = std::cos(angle), z = std::sin(angle);
             near += looked_at(index, triangles, placed(k - 50, 1.01 * y, 1.01 * z));
             index.for_each_along(geometry::Line(placed(k / 3.0, 0, 0), along * 0.1 + across_at(angle)),
-                                 [&](std::uint32_t) { ++across; });
+                                 [&](std::uint32_t) { ++crossed; });
         }
         EXPECT_LE(near, 100 * 7);
-        EXPECT_GE(across, 100 * 2);
-        EXPECT_LE(across, 100 * 10);
+        EXPECT_GE(crossed, 100 * 2);
+        EXPECT_LE(crossed, 100 * 10);
         for (geometry::Corners& t : triangles) {
             t = {t.b, t.c, t.a};
         }
