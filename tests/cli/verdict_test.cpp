@@ -124,7 +124,7 @@ TEST_F(CliVerdict, ConvertProvesWhatStandsInTheFile) {
 TEST_F(CliVerdict, AnEditedFileHasTheVerdictOfItsNewElements) {
     write("good.csv", "link,x,y,z,radius\nbase,0,0,0,0.3\n");
     write("bad.csv", "link,x,y,z,radius\nbase,0,0,0,0.1\n");
-    for (const char* format : {"curobo --tool-frame tip", "xrdf --tool-frame tip", "mjcf", "srdf"}) {
+    for (const char* format : {"curobo --tool-frame tip", "xrdf --tool-frame tip", "srdf"}) {
         const std::string as = std::string(" --format ") + format;
         ASSERT_EQ(foam("convert good.csv whole.urdf -o good.txt" + as).code, 0) << format;
         EXPECT_THAT(contents(path() / "good.txt"), HasSubstr("; proved: the")) << format;
