@@ -1,5 +1,7 @@
 // Attempts to make the proof of cover pass where a point is uncovered: what is true is computed here in exact or
 // quadruple arithmetic, and by other code.
+#include "bisection.hpp"
+
 #include <foam/base/error.hpp>
 #include <foam/base/random.hpp>
 #include <foam/geometry/measure.hpp>
@@ -7,7 +9,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <numbers>
 
 using namespace foam;
@@ -38,16 +39,6 @@ QuadVec placed(const Pose& pose, const Vec3& v) {
 bool inside(const QuadVec& p, const Sphere& ball) {
     const Quad x = p.x - ball.center.x, y = p.y - ball.center.y, z = p.z - ball.center.z;
     return x * x + y * y + z * z <= Quad(ball.radius) * ball.radius;
-}
-
-/// The smallest radius, to the last bit, for which `passes` is true: a bisection over the doubles themselves.
-template <class Passes> double smallest_radius(double low, double high, Passes&& passes) {
-    auto a = std::bit_cast<std::uint64_t>(low), b = std::bit_cast<std::uint64_t>(high);
-    while (b - a > 1) {
-        const std::uint64_t middle = a + (b - a) / 2;
-        (passes(std::bit_cast<double>(middle)) ? b : a) = middle;
-    }
-    return std::bit_cast<double>(b);
 }
 
 Mesh triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -145,7 +136,7 @@ TEST(CertificateAdversary, NoPointBetweenBallsIsOpenAtTheSmallestRadiiThatPass) 
                 }
                 return balls;
             };
-            const double factor = smallest_radius(0.1, 1e4, [&](double f) { return certify(*solid, scaled(f)).holds; });
+            const double factor = test::smallest(0.1, 1e4, [&](double f) { return certify(*solid, scaled(f)).holds; });
             EXPECT_LE(double(farthest_out(corners, scaled(factor))), 0) << "offset " << offset << ", " << round;
             EXPECT_GT(double(farthest_out(corners, scaled(factor * (1 - 1e-8)))), 0)
                 << "what is covered with room to spare is proved; offset " << offset << ", " << round;
@@ -163,7 +154,7 @@ TEST(CertificateAdversary, TheSmallestRadiusThatPassesHoldsTheExactCorners) {
                                                   at + random_vector(random, size)};
                 const auto solid = Solid::make(triangle(corners[0], corners[1], corners[2]));
                 const Vec3 center = at + random_vector(random, size);
-                const double radius = smallest_radius(size * 1e-3, size * 1e3 + 1, [&](double r) {
+                const double radius = test::smallest(size * 1e-3, size * 1e3 + 1, [&](double r) {
                     return certify(*solid, std::vector<Sphere>{{center, r}}).holds;
                 });
                 for (const Vec3& corner : corners) {
@@ -182,7 +173,7 @@ TEST(CertificateAdversary, AnUlpLessThanTheSmallestRadiusFails) {
     for (const double unit : {0x1p-40, 1.0, 0x1p40}) {
         const auto solid = Solid::make(triangle(Vec3{1, 2, 2} * unit, Vec3{-2, 1, 2} * unit, Vec3{2, -2, 1} * unit));
         const auto passes = [&](double r) { return certify(*solid, std::vector<Sphere>{{{}, r}}).holds; };
-        const double radius = smallest_radius(2.5 * unit, 3.5 * unit, passes);
+        const double radius = test::smallest(2.5 * unit, 3.5 * unit, passes);
         EXPECT_GE(radius, 3 * unit);
         EXPECT_LT(radius, 3 * unit * (1 + 1e-12));
         EXPECT_TRUE(passes(radius));
@@ -205,7 +196,7 @@ TEST(CertificateAdversary, AHoleWhereBallsMeetInOnePoint) {
                 balls.push_back({at + 2 * Vec3{std::cos(angle), std::sin(angle), 0.1}, 0});
             }
             const auto solid = Solid::make(triangle(at + Vec3{-1, -1, 0}, at + Vec3{1, -1, 0}, at + Vec3{0, 1, 0}));
-            const double radius = smallest_radius(1.9, 2.2, [&](double r) {
+            const double radius = test::smallest(1.9, 2.2, [&](double r) {
                 for (Sphere& ball : balls) {
                     ball.radius = r;
                 }
@@ -247,7 +238,7 @@ TEST(CertificateAdversary, PrimitivesAtHugeOffsetsAreJudgedWhereTheirPosePutsThe
             const Pose pose = Pose::from_xyz_rpy(random_vector(random, offset), random_vector(random, 3));
             const auto solid = Solid::make({{nullptr, Primitive{Primitive::Kind::box, size, 0, 0}, pose}});
             const Vec3 center = pose * random_vector(random, 0.1);
-            const double radius = smallest_radius(0.1, 1, [&](double r) {
+            const double radius = test::smallest(0.1, 1, [&](double r) {
                 return certify(*solid, std::vector<Sphere>{{center, r}}).holds;
             });
             for (int corner = 0; corner < 8; ++corner) {
@@ -269,7 +260,7 @@ TEST(CertificateAdversary, RoundPrimitivesAreNeverLeftOut) {
             const Primitive primitive{kind, {}, 0.05, 0.2};
             const auto solid = Solid::make({{nullptr, primitive, pose}});
             const Vec3 center = pose * random_vector(random, 0.05);
-            const double radius = smallest_radius(0.01, 2, [&](double r) {
+            const double radius = test::smallest(0.01, 2, [&](double r) {
                 return certify(*solid, std::vector<Sphere>{{center, r}}).holds;
             });
             const double half = kind == Primitive::Kind::sphere ? 0 : 0.1;
@@ -300,7 +291,7 @@ TEST(CertificateAdversary, RoundPrimitivesUnderSeveralBallsAreNeverLeftOut) {
                 }
                 return balls;
             };
-            sized(smallest_radius(0.01, 2, [&](double r) { return certify(*solid, sized(r)).holds; }));
+            sized(test::smallest(0.01, 2, [&](double r) { return certify(*solid, sized(r)).holds; }));
             for (int k = 0; k < 5000; ++k) {
                 const double angle = random.uniform(0, 2 * std::numbers::pi), r = 0.1 * (1 - 1e-15);
                 const double z = random.uniform(-r, r);

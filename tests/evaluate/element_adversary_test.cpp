@@ -1,5 +1,6 @@
 // Attempts to make the proof for elements pass where a solid sticks out of them: every kind of element around every
 // primitive and a mesh, just large enough, and then one number of either changed by much or little, in both ways.
+#include "bisection.hpp"
 #include "element_truth.hpp"
 #include "geometry/plain_shapes.hpp"
 
@@ -7,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <functional>
 
 using namespace foam;
@@ -125,24 +125,14 @@ Solid::Part part_of(Inner inner, const Pose& pose, double size, Random& random) 
     return part;
 }
 
-/// The smallest double for which `passes` is true.
-template <class Passes> double smallest(double low, double high, Passes&& passes) {
-    auto a = std::bit_cast<std::uint64_t>(low), b = std::bit_cast<std::uint64_t>(high);
-    while (b - a > 1) {
-        const std::uint64_t middle = a + (b - a) / 2;
-        (passes(std::bit_cast<double>(middle)) ? b : a) = middle;
-    }
-    return std::bit_cast<double>(b);
-}
-
 /// Makes the element as small as contains the part to the last bit: first as a whole, then one length after another.
 void tighten(Case& c) {
     const test::Extremes solid = test::extremes(c.part);
     const auto inside = [&](const Element& e) { return Judge(e).outside(solid) <= 0; };
-    c.element = scaled(c.element, smallest(0.05, 50, [&](double f) { return inside(scaled(c.element, f)); }));
+    c.element = scaled(c.element, test::smallest(0.05, 50, [&](double f) { return inside(scaled(c.element, f)); }));
     for (double* length : lengths(c.element)) {
         const double whole = *length;
-        *length = smallest(1e-3 * whole, whole, [&](double less) {
+        *length = test::smallest(1e-3 * whole, whole, [&](double less) {
             *length = less;
             return inside(c.element);
         });

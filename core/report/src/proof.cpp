@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace foam::inline report {
 namespace {
 
@@ -92,9 +90,7 @@ std::string proof_section(const Report& report) {
     html += fmt::format("<p>The proof uses the numbers read back from {}, as another program reads them, and the "
                         "meshes and primitives as the input gives them, not the repaired or simplified ones.</p>\n",
                         output_names(report));
-    const Json& links = report.manifest["links"];
-    const bool others = std::any_of(links.begin(), links.end(), [](const Json& link) { return link.contains("kinds"); });
-    html += others ? "<p>Method: the proof cuts every triangle along the elements and halves what is left, until one element "
+    html += has_other_elements(report) ? "<p>Method: the proof cuts every triangle along the elements and halves what is left, until one element "
                      "contains each part; a part that is still undecided at the end counts as not covered. Round primitives "
                      "are enclosed by polyhedra, unless one element contains them as they are. Rounding errors are on the "
                      "safe side: no point outside the elements passes.</p>\n"

@@ -19,6 +19,11 @@ bool certified(const Report& report) {
     return report.manifest["certified"].get<bool>();
 }
 
+bool has_other_elements(const Report& report) {
+    const Json& links = report.manifest["links"];
+    return std::any_of(links.begin(), links.end(), [](const Json& link) { return link.contains("kinds"); });
+}
+
 /// Returns the proved links of the manifest.
 static ProvedLinks proved_links(const Report& report) {
     const Json& proof = report.manifest["proof"];
@@ -34,10 +39,7 @@ static ProvedLinks proved_links(const Report& report) {
     links.geometry = static_cast<CoveredGeometry>(
         std::find(words.begin(), words.end(), proof["geometry"].get<std::string>()) - words.begin());
     links.missing = proof["missing"].is_null() ? std::numeric_limits<double>::quiet_NaN() : proof["missing"].get<double>();
-    const Json& reported = report.manifest["links"];
-    links.elements = std::any_of(reported.begin(), reported.end(), [](const Json& link) { return link.contains("kinds"); })
-                         ? "elements"
-                         : "spheres";
+    links.elements = has_other_elements(report) ? "elements" : "spheres";
     links.float32 = report.manifest["settings"].value("numbers", "") == "float32";
     for (const Json& link : proof["left_out"]) {
         links.left_out.push_back({link["link"].get<std::string>(), link["reason"].get<std::string>()});

@@ -9,6 +9,8 @@ namespace foam::inline report {
 
 std::string guarantee_of(const Report& report);
 bool certified(const Report& report);
+/// Returns whether some links have elements that are no spheres.
+bool has_other_elements(const Report& report);
 /// Returns the verdict as HTML.
 std::string verdict(const Report& report);
 /// Returns "collision geometry", or the other geometry that is covered.

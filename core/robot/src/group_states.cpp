@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 namespace foam::inline robot {
 namespace {
 
@@ -36,12 +38,29 @@ void add_coordinates(const xml::Element& body, std::vector<Coordinate>& coordina
             coordinates.push_back({"", 7});
         } else if (child->name == "joint") {
             const std::string *name = child->attribute("name"), *type = child->attribute("type");
-            coordinates.push_back({name ? *name : "", !type ? std::size_t{1} : *type == "free" ? 7u : *type == "ball" ? 4u : 1u});
+            const std::size_t numbers = type && *type == "free" ? 7 : type && *type == "ball" ? 4 : 1;
+            coordinates.push_back({name ? *name : "", numbers});
         }
     }
     for (const xml::Element* child : body.children_named("body")) {
         add_coordinates(*child, coordinates);
     }
+}
+
+/// Returns the pose of a <key>; nothing if its numbers are not those of the joints.
+std::optional<GroupState> pose_of_key(const xml::Element& key, const std::vector<Coordinate>& coordinates) {
+    const std::string *name = key.attribute("name"), *qpos = key.attribute("qpos");
+    GroupState pose{name ? *name : "", {}};
+    const std::vector<std::string_view> numbers = qpos ? words(*qpos) : std::vector<std::string_view>{};
+    std::size_t at = 0;
+    for (const auto& [joint, count] : coordinates) {
+        const auto value = at < numbers.size() ? parse_number(numbers[at]) : std::nullopt;
+        if (value && count == 1 && !joint.empty()) {
+            pose.values[joint] = *value;
+        }
+        at += count;
+    }
+    return at == numbers.size() && at > 0 ? std::optional(std::move(pose)) : std::nullopt;
 }
 
 /// Returns the keyframes of an MJCF: <key qpos="...">. One whose numbers are not those of the joints is left out, as is
@@ -54,19 +73,8 @@ std::vector<GroupState> keyframes(const xml::Element& mujoco) {
     std::vector<GroupState> poses;
     for (const xml::Element* keys : mujoco.children_named("keyframe")) {
         for (const xml::Element* key : keys->children_named("key")) {
-            const std::string *name = key->attribute("name"), *qpos = key->attribute("qpos");
-            GroupState pose{name ? *name : "", {}};
-            const std::vector<std::string_view> numbers = qpos ? words(*qpos) : std::vector<std::string_view>{};
-            std::size_t at = 0;
-            for (const auto& [joint, count] : coordinates) {
-                const auto value = at < numbers.size() ? parse_number(numbers[at]) : std::nullopt;
-                if (value && count == 1 && !joint.empty()) {
-                    pose.values[joint] = *value;
-                }
-                at += count;
-            }
-            if (at == numbers.size() && at > 0) {
-                poses.push_back(std::move(pose));
+            if (auto pose = pose_of_key(*key, coordinates)) {
+                poses.push_back(std::move(*pose));
             }
         }
     }
