@@ -71,8 +71,8 @@ int collect_command(const BatchArguments& arguments) {
     const bool to_stdout = arguments.table == "-";
     const Collected table = collect_batch(arguments.folder, to_stdout ? "" : arguments.table,
                                           {.failures = arguments.failures, .times = !arguments.no_times});
-    tell(fmt::format("{}: {} meshes, {} of them failed, {} with the bytes of another one{}",
-                     to_stdout ? "standard output" : arguments.table, table.lines, table.failed, table.duplicates,
+    tell(fmt::format("{}: {}, {} of them failed, {} with the bytes of another one{}",
+                     to_stdout ? "standard output" : arguments.table, counted(table.lines, "mesh"), table.failed, table.duplicates,
                      table.missing > 0 ? fmt::format("; {} have no result yet", table.missing) : ""));
     return table.missing > 0 ? some_failed : 0;
 }
@@ -198,7 +198,7 @@ int batch_command(Program& program, BatchArguments& arguments) {
     if (outcome.complete && (outcome.added > 0 || !fs::exists(options.folder / "index.html"))) {
         write_batch_page(arguments.run_dir);
     }
-    print(fmt::format("{} meshes: {} with spheres, {} failed, {} without a result yet\n", outcome.meshes,
+    print(fmt::format("{}: {} with spheres, {} failed, {} without a result yet\n", counted(outcome.meshes, "mesh"),
                       outcome.meshes - outcome.failed - outcome.missing, outcome.failed, outcome.missing));
     return outcome.stopped                             ? exit_code(ErrorCode::cancelled)
            : outcome.failed > 0 || outcome.missing > 0 ? some_failed

@@ -3,6 +3,8 @@
 #include "judge.hpp"
 #include "table.hpp"
 
+#include <foam/base/text.hpp>
+
 #include <fmt/format.h>
 
 namespace foam::cli {
@@ -49,13 +51,14 @@ int certify_spheres(Program& program, const CertifyArguments& arguments) {
     const MatchedModel model = model_of(program, arguments.judge, original, arguments.spheres);
     const std::vector<LinkProof> proofs = prove(original, model, outer ? Guarantee::outer : Guarantee::inner);
     const ProvedLinks proved = proved_links(original, model, proofs, outer ? Guarantee::outer : Guarantee::inner);
+    // Those that --link excludes are not asked for: the exit code is of the others, the verdict of the whole robot.
     const auto failed = std::count_if(proofs.begin(), proofs.end(), [](const LinkProof& p) { return !p.holds; });
     if (arguments.json) {
         const nlohmann::ordered_json json{{"original", arguments.judge.original},
                                           {"model", arguments.spheres},
                                           {"model_format", model.file.format},
                                           {"guarantee", arguments.guarantee},
-                                          {"certified", failed == 0},
+                                          {"certified", proved.all()},
                                           {"proof", json_of_proof<nlohmann::ordered_json>(proved)},
                                           {"notes", model.notes},
                                           {"links", json_of_proofs<nlohmann::ordered_json>(original, proofs, outer)}};
@@ -63,17 +66,18 @@ int certify_spheres(Program& program, const CertifyArguments& arguments) {
     } else if (failed == 0) {
         const KindCounts kinds = kinds_of_model(model);
         const std::string missing = missing_text(proved);
-        print(fmt::format("Certified ({}): {} on {} link{}, {}.\n{}{}", arguments.guarantee,
+        print(fmt::format("Certified{} ({}): {} on {}{}, {}.\n{}{}", proved.all() ? "" : " in part", arguments.guarantee,
                           outer ? fmt::format("the {}geometry lies inside the {}",
                                               missing.empty() ? "" : "surface of the ", proved.elements)
                                 : "the spheres lie inside the geometry",
-                          proofs.size(), proofs.size() == 1 ? "" : "s", counts_text(kinds), missing,
+                          proved.all() ? "" : fmt::format("{} of ", proofs.size()),
+                          counted(proved.with_geometry, "link"), counts_text(kinds), missing,
                           missing.empty() ? "" : ".\n") +
               not_judged_text(proved));
     } else {
         print(table_of_proofs(original, model, proofs, outer) +
-              fmt::format("Not certified ({}): {} of {} link{}.\n", arguments.guarantee, failed, proofs.size(),
-                          proofs.size() == 1 ? "" : "s") +
+              fmt::format("Not certified ({}): {} of {}.\n", arguments.guarantee, failed,
+                          counted(proofs.size(), "link")) +
               not_judged_text(proved));
     }
     return failed == 0 ? 0 : not_certified;
@@ -89,7 +93,8 @@ void add_certify(Program& program) {
                                     "The proof covers every triangle of the raw geometry. If it fails, foam prints\n"
                                     "a point outside the spheres (witness), and the length by which the radius of\n"
                                     "the nearest sphere would have to grow to cover it (growth).\n"
-                                    "Exit codes: 0 certified, 1 not certified, 2 invalid command line");
+                                    "Exit codes: 0 all links that are asked for certified, 1 not, 2 invalid command\n"
+                                    "line");
     auto arguments = std::make_shared<CertifyArguments>();
     add_judge_options(*command, program, arguments->judge);
     command->add_option("spheres", arguments->spheres, "The sphere model; - is the standard input")

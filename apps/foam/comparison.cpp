@@ -12,11 +12,11 @@
 namespace foam::cli {
 namespace {
 
-std::string total_row(const std::string& label, const Figures& figures) {
+std::string total_row(const std::string& label, const Figures& figures, const std::string& certified) {
     const Measures& m = figures.measures;
     return fmt::format("{:<5}  {:>7}  {:>9.2f}  {:>8}  {:>8}  {:>8}  {:>8}  {:>8}  {:>9}\n", label, m.spheres,
                        100 * m.covered, millimetres(m.gap), figure_text(m.excess, 3), figure_text(m.missing, 3),
-                       millimetres(m.protrusion_max), millimetres(m.protrusion_mean), m.certified ? "yes" : "no");
+                       millimetres(m.protrusion_max), millimetres(m.protrusion_mean), certified);
 }
 
 std::string cells(const Figures& figures) {
@@ -68,7 +68,7 @@ const char* noun_of_elements(const Comparison& comparison) {
 }
 
 std::string table_of(const Comparison& comparison) {
-    std::string table;
+    std::string table, verdicts;
     for (const JudgedModel& judged : comparison.models) {
         table +=
             fmt::format("{:<3} {} ({})\n", judged.label, judged.model.file.file.string(), judged.model.file.format);
@@ -76,9 +76,11 @@ std::string table_of(const Comparison& comparison) {
     table += fmt::format("\n{:<5}  {:>7}  {:>9}  {:>8}  {:>8}  {:>8}  {:>8}  {:>8}  {:>9}\n", "model", noun_of_elements(comparison),
                          "covered %", "gap mm", "excess", "missing", "out max", "mean mm", "certified");
     for (const JudgedModel& judged : comparison.models) {
-        table += total_row(judged.label, judged.evaluation.total);
+        const ProvedLinks verdict = proved_links(comparison.original, judged.model, judged.evaluation);
+        table += total_row(judged.label, judged.evaluation.total, certified_cell(verdict));
+        verdicts += fmt::format("{:<3} {}", judged.label, verdict_of(verdict));
     }
-    return table + "\n" + table_of_links(comparison);
+    return table + "\n" + table_of_links(comparison) + "\n" + verdicts;
 }
 
 nlohmann::ordered_json json_of(const Comparison& comparison) {

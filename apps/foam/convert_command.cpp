@@ -155,8 +155,8 @@ int convert(Program& program, const ConvertArguments& arguments) {
         write_whole_file(files[i].file, files[i].bytes);
     }
     const bool elsewhere = format.info.consumer.elements_optional && !spheres_alone(kinds);
-    print(fmt::format("Read: {}, {}, {} of {} link{}\nWritten: {} by {}\n{}{}{}.\n", arguments.model, file.format,
-                      counts_text(kinds), model.groups.size(), model.groups.size() == 1 ? "" : "s",
+    print(fmt::format("Read: {}, {}, {} of {}\nWritten: {} by {}\n{}{}{}.\n", arguments.model, file.format,
+                      counts_text(kinds), counted(model.groups.size(), "link"),
                       fmt::join(file_names(files), ", "), format.info.name,
                       elsewhere ? "The file holds no elements, only their pairs of links. Of the elements: " : "",
                       elsewhere ? proof.front() : static_cast<char>(std::toupper(proof.front())), proof.substr(1)));

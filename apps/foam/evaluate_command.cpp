@@ -36,28 +36,31 @@ std::string with_error(double value, double error, int digits) {
     return std::isfinite(value) ? fmt::format("{} ±{}", figure_text(value, digits), figure_text(error, digits)) : "inf";
 }
 
-std::string row(const std::string& name, std::size_t width, const Figures& figures) {
+std::string row(const std::string& name, std::size_t width, const Figures& figures, const std::string& certified) {
     const Measures& m = figures.measures;
     return fmt::format("{}  {:>7}  {:>13}  {:>9}  {:>13}  {:>13}  {:>9}  {:>9}  {:>9}\n", padded(name, width),
                        m.spheres, with_error(100 * m.covered, 100 * figures.covered_error, 2), millimetres(m.gap),
                        with_error(m.excess, m.excess_error, 3), with_error(m.missing, m.missing_error, 3),
-                       millimetres(m.protrusion_max), millimetres(m.protrusion_mean), m.certified ? "yes" : "no");
+                       millimetres(m.protrusion_max), millimetres(m.protrusion_mean), certified);
 }
 
-std::string table_of_figures(const Original& original, const Evaluation& evaluation, const char* noun) {
+std::string table_of_figures(const Original& original, const Evaluation& evaluation, const char* noun,
+                             const ProvedLinks& verdict) {
+    const auto yes_or_no = [](const Figures& figures) { return figures.measures.certified ? "yes" : "no"; };
     const std::size_t width = column_width("total", original.links, &OriginalLink::link);
     std::string table =
         fmt::format("{:<{}}  {:>7}  {:>13}  {:>9}  {:>13}  {:>13}  {:>9}  {:>9}  {:>9}\n", "link", width, noun,
                     "covered %", "gap mm", "excess", "missing", "out max", "mean mm", "certified");
     bool bare = false;
     for (std::size_t i = 0; i < original.links.size(); ++i) {
-        table += row(original.links[i].link, width, evaluation.links[i]);
+        table += row(original.links[i].link, width, evaluation.links[i], yes_or_no(evaluation.links[i]));
         bare = bare || evaluation.links[i].measures.spheres == 0;
     }
     if (bare) {
-        table += row(fmt::format("links with {}", noun), width, evaluation.with_spheres);
+        table += row(fmt::format("links with {}", noun), width, evaluation.with_spheres,
+                     yes_or_no(evaluation.with_spheres));
     }
-    return table + row("total", width, evaluation.total);
+    return table + row("total", width, evaluation.total, certified_cell(verdict));
 }
 
 /// A plane of a link.
@@ -148,10 +151,11 @@ int evaluate_spheres(Program& program, const EvaluateArguments& arguments) {
         print_json(json);
     } else {
         const KindCounts kinds = kinds_of_model(model);
+        const ProvedLinks verdict = proved_links(original, model, evaluation);
         print(fmt::format("{} ({}): {} for {}\n", arguments.spheres, model.file.format, counts_text(kinds),
                           arguments.judge.original) +
-              table_of_figures(original, evaluation, spheres_alone(kinds) ? "spheres" : "elements") +
-              not_judged_text(proved_links(original, model, evaluation)) +
+              table_of_figures(original, evaluation, spheres_alone(kinds) ? "spheres" : "elements", verdict) +
+              verdict_of(verdict) + not_judged_text(verdict) +
               planes_text(planes, original, model) +
               (consequences ? "\n" + poses_text(*original.robot, *consequences) : ""));
     }
@@ -182,7 +186,7 @@ void add_pose_options(CLI::App& command, PoseOptions& options) {
                 options.ignored = file;
             },
             "Pairs of links that are not checked in poses: an SRDF, a cuRobo file or an XRDF; default: neighbours, and "
-            "pairs that touch in the zero pose")
+            "pairs whose geometry touches in every pose")
         ->type_name("FILE");
 }
 

@@ -6,6 +6,7 @@
 #include "progress.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
 
 #include <fmt/format.h>
 
@@ -48,7 +49,7 @@ void require_ok(const RecipeResult& read, const std::string& what) {
         const auto errors = std::count_if(read.diagnostics.begin(), read.diagnostics.end(),
                                           [](const Diagnostic& d) { return d.level == Diagnostic::Level::error; });
         throw Error(ErrorCode::recipe,
-                    fmt::format("{}: {} error{} in the recipe; nothing was run", what, errors, errors == 1 ? "" : "s"));
+                    fmt::format("{}: {} in the recipe; nothing was run", what, counted(errors, "error")));
     }
 }
 

@@ -101,7 +101,7 @@ Panel sphere_panel(const std::vector<std::vector<Sphere>>& spheres, const std::v
             panel.spheres.push_back({poses[i] * sphere.center, sphere.radius});
         }
     }
-    panel.caption = fmt::format("{} sphere{}", panel.spheres.size(), panel.spheres.size() == 1 ? "" : "s");
+    panel.caption = counted(panel.spheres.size(), "sphere");
     return panel;
 }
 

@@ -1,5 +1,6 @@
 #include "ignored_elsewhere.hpp"
 
+#include <foam/base/text.hpp>
 #include <foam/robot/robot.hpp>
 
 #include <fmt/format.h>
@@ -52,9 +53,9 @@ Agreement agreement(const std::string& file, const Robot& robot, const SelfColli
 
 std::string text_of(const Agreement& agreement, const Robot& robot, const SelfCollisionMatrix& matrix) {
     std::string text =
-        fmt::format("{} excludes {} pairs: {} of them are excluded here, {} need a check here, {} contain links "
+        fmt::format("{} excludes {}: {} of them are excluded here, {} need a check here, {} contain links "
                     "without spheres; {} more are excluded here.\n",
-                    agreement.file, agreement.both + agreement.only_there.size() + agreement.unknown.size(),
+                    agreement.file, counted(agreement.both + agreement.only_there.size() + agreement.unknown.size(), "pair"),
                     agreement.both, agreement.only_there.size(), agreement.unknown.size(), agreement.only_here.size());
     for (const Agreement::Difference& difference : agreement.only_there) {
         text += line("to check here", difference.pair, difference.reason, robot, matrix);

@@ -79,16 +79,16 @@ std::string text_of(const Original& original, const std::vector<LinkInfo>& infos
         const LinkInfo& info = infos.front();
         const Mesh& surface = original.links.front().solid->surface();
         std::string text =
-            fmt::format("A mesh: {} triangles, {}\nSize: {} mm\nVolume: {} cm3, surface: {} cm2\n", info.triangles,
+            fmt::format("A mesh: {}, {}\nSize: {} mm\nVolume: {} cm3, surface: {} cm2\n", counted(info.triangles, "triangle"),
                         describe(topology(welded(surface))), size_text(info.size), figure_text(1e6 * info.volume, 1),
                         figure_text(1e4 * original.links.front().solid->area(), 1));
         const std::string remark = remark_on_unit(norm(info.size));
         return remark.empty() ? text : text + remark + "\n";
     }
     const Robot& robot = *original.robot;
-    return fmt::format("Robot {}: {} links, {} with {}; {} joints, {} that move\n", shown(robot.name),
-                       robot.links.size(), infos.size(), to_string(original.geometry), robot.joints.size(),
-                       moving_joints(robot)) +
+    return fmt::format("Robot {}: {}, {} with {}; {}, {} that move\n", shown(robot.name),
+                       counted(robot.links.size(), "link"), infos.size(), to_string(original.geometry),
+                       counted(robot.joints.size(), "joint"), moving_joints(robot)) +
            table_of_links(infos);
 }
 

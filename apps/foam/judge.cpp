@@ -131,8 +131,14 @@ void require_renames(const std::vector<std::string>& renames, const std::vector<
     }
 }
 
+std::string certified_cell(const ProvedLinks& links) {
+    return links.all() ? "yes" : links.proved > 0 ? "in part" : "no";
+}
+
 std::string not_judged_text(ProvedLinks links) {
-    std::erase_if(links.left_out, [](const ProvedLinks::LeftOut& link) { return link.reason == proof_fails; });
+    std::erase_if(links.left_out, [](const ProvedLinks::LeftOut& link) {
+        return link.reason == proof_fails || link.reason == no_elements;
+    });
     return omissions_of(links);
 }
 

@@ -44,6 +44,8 @@ MatchedModel model_of(Program& program, const JudgeOptions& options, const Origi
                       bool alone = true);
 /// Throws Error(usage) for a --rename whose OLD no link of the files has, or begins with.
 void require_renames(const std::vector<std::string>& renames, const std::vector<const SphereFile*>& files);
+/// "yes", "no", or "in part" where only some links are proved: the verdict in a row for all links.
+std::string certified_cell(const ProvedLinks& links);
 /// Sentences about the links that are not judged; those whose proof fails stand in tables.
 std::string not_judged_text(ProvedLinks links);
 

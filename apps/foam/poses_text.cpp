@@ -61,7 +61,7 @@ std::string elements_text(const Robot& robot, const Consequences& found) {
 } // namespace
 
 std::string poses_text(const Robot& robot, const Consequences& found) {
-    std::string text = fmt::format("{} poses, {} pairs of links\n", found.poses, found.pairs.size());
+    std::string text = fmt::format("{}, {} of links\n", counted(found.poses, "pose"), counted(found.pairs.size(), "pair"));
     text += fmt::format("in contact       {}  the geometry of a pair touches\n", share(found.in_contact, found.poses));
     text += fmt::format("refused          {}  the model of a pair touches\n", share(found.refused, found.poses));
     text += fmt::format("falsely refused  {}  the model touches, no geometry does\n",

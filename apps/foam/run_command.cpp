@@ -6,6 +6,7 @@
 #include "cli/run_directory.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
 #include <foam/runtime/run_json.hpp>
 #include <foam/runtime/verify.hpp>
 
@@ -43,11 +44,14 @@ std::string files_text(const Recipe& recipe, const RunResult& result, const fs::
     for (const OutputCall& output : recipe.outputs) {
         text += " " + output.file;
     }
-    const std::size_t others = result.files.size() - std::min(result.files.size(), recipe.outputs.size() + 1);
+    constexpr const char* report = "report.html"; // missing where a time limit left no time for it
+    const bool has_report = std::find(result.files.begin(), result.files.end(), report) != result.files.end();
+    const std::size_t named = recipe.outputs.size() + (has_report ? 1 : 0);
+    const std::size_t others = result.files.size() - std::min(result.files.size(), named);
     if (others > 0) {
-        text += fmt::format(" and {} more file{}", others, others == 1 ? "" : "s");
+        text += " and " + counted(others, "more file");
     }
-    return text + fmt::format("\nReport: {}\n", (directory / "report.html").string()) + times_text(result);
+    return text + (has_report ? fmt::format("\nReport: {}\n", (directory / report).string()) : "\n") + times_text(result);
 }
 
 /// Of a sweep, the one run that the manifest is of.

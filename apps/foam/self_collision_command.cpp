@@ -75,8 +75,8 @@ std::string model_text(const SelfCollisionArguments& arguments, const CollisionM
     if (covers == 0) {
         return "its own spheres";
     }
-    return fmt::format("certified models of at most {} spheres for {} link{}{}", arguments.spheres, covers,
-                       covers == 1 ? "" : "s", given == 0 ? "" : fmt::format(", its own spheres for {}", given));
+    return fmt::format("certified models of at most {} for {}{}", counted(arguments.spheres, "sphere"),
+                       counted(covers, "link"), given == 0 ? "" : fmt::format(", its own spheres for {}", given));
 }
 
 std::string percent(double share) {
@@ -88,8 +88,8 @@ std::string summary(const SelfCollisionMatrix& matrix) {
     const auto proved =
         std::count_if(matrix.pairs.begin(), matrix.pairs.end(), [](const LinkPair& pair) { return pair.proved; });
     std::string text =
-        fmt::format("{} pairs: {} adjacent, {} always touching, {}{} never touching; {} proved; {} to check.\n",
-                    matrix.pairs.size(), matrix.count(PairReason::adjacent), matrix.count(PairReason::always),
+        fmt::format("{}: {} adjacent, {} always touching, {}{} never touching; {} proved; {} to check.\n",
+                    counted(matrix.pairs.size(), "pair"), matrix.count(PairReason::adjacent), matrix.count(PairReason::always),
                     by_pose > 0 ? fmt::format("{} touching in the pose, ", by_pose) : "",
                     matrix.count(PairReason::never), proved, checked);
     const auto sampled = std::count_if(matrix.pairs.begin(), matrix.pairs.end(), [](const LinkPair& pair) {

@@ -16,25 +16,29 @@ from .errors import UsageError
 _MOST_SPHERES = 1_000_000
 
 
+def _proof(certified: bool) -> str:
+    return "surface certified" if certified else "not certified"
+
+
 class Cover:
     """Spheres that cover a mesh, with the proof.
 
     Equal covers have equal spheres. Covers can be pickled.
     """
 
-    __slots__ = ("spheres", "certified", "volume", "_mesh", "_excess")
+    __slots__ = ("spheres", "certified", "volume", "_mesh", "_volumes")
 
     spheres: NDArray[np.float64]  #: (n, 4) float64, read-only: x, y, z, r in metres, in the mesh's frame
     certified: bool  #: whether the spheres are proved to cover the whole surface
     volume: float  #: of the union of the spheres, m³
 
-    def __init__(self, spheres: Any, certified: bool, volume: float, mesh: Mesh | None, excess: float | None = None):
+    def __init__(self, spheres: Any, certified: bool, volume: float, mesh: Mesh | None, volumes: tuple[float, float] | None = None):
         self.spheres = np.asarray(spheres)
         self.spheres.flags.writeable = False
         self.certified = certified
         self.volume = volume
         self._mesh = mesh
-        self._excess = excess
+        self._volumes = volumes
 
     @property
     def centers(self) -> NDArray[np.float64]:
@@ -52,11 +56,22 @@ class Cover:
 
         Computed when it is first read, to about 0.1 % of the volume.
         """
-        if self._excess is None:
+        return self._measured()[0]
+
+    @property
+    def missing(self) -> float:
+        """The volume of the mesh outside all spheres / the volume of the mesh; 0 for a mesh without inside.
+
+        Above 0 only the surface is proved to be covered. Computed when it is first read.
+        """
+        return self._measured()[1]
+
+    def _measured(self) -> tuple[float, float]:
+        if self._volumes is None:
             assert self._mesh is not None
-            self._excess = _core.excess(self._mesh._core, self.spheres, self.volume)
+            self._volumes = _core.volumes_of_spheres(self._mesh._core, self.spheres, self.volume)
             self._mesh = None
-        return self._excess
+        return self._volumes
 
     def to_trimesh(self) -> Any:
         """Return the spheres as one trimesh.Trimesh, for pictures."""
@@ -75,10 +90,10 @@ class Cover:
     __hash__ = None  # type: ignore[assignment]
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Cover, (np.array(self.spheres), self.certified, self.volume, None, self.excess)
+        return Cover, (np.array(self.spheres), self.certified, self.volume, None, self._measured())
 
     def __repr__(self) -> str:
-        return f"<foam.Cover: {len(self)} spheres, {'certified' if self.certified else 'not certified'}>"
+        return f"<foam.Cover: {len(self)} spheres, {_proof(self.certified)}>"
 
 
 class ConvexCover:
@@ -87,7 +102,7 @@ class ConvexCover:
     Equal covers have equal elements. Covers can be pickled.
     """
 
-    __slots__ = ("elements", "certified", "volume", "_mesh", "_excess")
+    __slots__ = ("elements", "certified", "volume", "_mesh", "_volumes")
 
     elements: list[dict[str, Any]]  #: spheres first; the dictionaries are those of SphereModel.elements()
     certified: bool  #: whether the elements are proved to cover the whole surface
@@ -99,13 +114,13 @@ class ConvexCover:
         certified: bool,
         volume: float,
         mesh: Mesh | None,
-        excess: float | None = None,
+        volumes: tuple[float, float] | None = None,
     ):
         self.elements = elements
         self.certified = certified
         self.volume = volume
         self._mesh = mesh
-        self._excess = excess
+        self._volumes = volumes
 
     @property
     def excess(self) -> float:
@@ -113,11 +128,22 @@ class ConvexCover:
 
         Computed when it is first read, to about 0.1 % of the volume.
         """
-        if self._excess is None:
+        return self._measured()[0]
+
+    @property
+    def missing(self) -> float:
+        """The volume of the mesh outside all elements / the volume of the mesh; 0 for a mesh without inside.
+
+        Above 0 only the surface is proved to be covered. Computed when it is first read.
+        """
+        return self._measured()[1]
+
+    def _measured(self) -> tuple[float, float]:
+        if self._volumes is None:
             assert self._mesh is not None
-            self._excess = _core.excess_of_elements(self._mesh._core, self.elements)
+            self._volumes = _core.volumes_of_elements(self._mesh._core, self.elements)
             self._mesh = None
-        return self._excess
+        return self._volumes
 
     def to_trimesh(self) -> Any:
         """Return meshes around the elements as one trimesh.Trimesh, for pictures."""
@@ -136,12 +162,12 @@ class ConvexCover:
     __hash__ = None  # type: ignore[assignment]
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return ConvexCover, (self.elements, self.certified, self.volume, None, self.excess)
+        return ConvexCover, (self.elements, self.certified, self.volume, None, self._measured())
 
     def __repr__(self) -> str:
         numbers = Counter(element["kind"] for element in self.elements)
         kinds = ", ".join(f"{number} {kind}" for kind, number in numbers.items())
-        return f"<foam.ConvexCover: {kinds}, {'certified' if self.certified else 'not certified'}>"
+        return f"<foam.ConvexCover: {kinds}, {_proof(self.certified)}>"
 
 
 def _count(elements: Any, what: str = "spheres") -> int:

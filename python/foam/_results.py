@@ -52,7 +52,7 @@ class Figures:
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
-        return f"<foam.Figures: {self.spheres} spheres, excess {self.excess:.3g}, gap {self.gap_m:.3g} m>"
+        return f"<foam.Figures: {self.spheres} elements, excess {self.excess:.3g}, gap {self.gap_m:.3g} m>"
 
 
 class _Result:

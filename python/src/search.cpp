@@ -122,8 +122,11 @@ std::shared_ptr<HeldMesh> mesh_of_elements(const std::vector<py::dict>& elements
     return std::make_shared<HeldMesh>(std::move(all));
 }
 
-/// vol(U \ S) / vol(S) of covering elements.
-double excess_of_elements(const HeldMesh& mesh, const std::vector<py::dict>& dicts) {
+/// Excess and missing of a mesh without inside.
+constexpr std::pair<double, double> nothing_inside{std::numeric_limits<double>::infinity(), 0};
+
+/// Returns excess vol(U \ S) / vol(S) and missing vol(S \ U) / vol(S) of covering elements.
+std::pair<double, double> volumes_of_elements(const HeldMesh& mesh, const std::vector<py::dict>& dicts) {
     Approximation::Level level;
     for (const py::dict& dict : dicts) {
         if (Element element = element_of_dict(dict); element.kind == Element::Kind::sphere) {
@@ -135,18 +138,19 @@ double excess_of_elements(const HeldMesh& mesh, const std::vector<py::dict>& dic
     return worked([&](const Signals&) {
         const auto solid = mesh.solid();
         const double own = solid->volume();
-        return own > 0 ? excess_volume(*solid, level.view()) / own : std::numeric_limits<double>::infinity();
+        return own > 0 ? std::pair(excess_volume(*solid, level.view()) / own, missing_volume(*solid, level.view()) / own)
+                       : nothing_inside;
     });
 }
 
-/// vol(U \ S) / vol(S) of covering spheres with the union's volume.
-double excess_of(const HeldMesh& mesh, const py::buffer& rows, double volume) {
+/// Returns the same of covering spheres with the union's volume.
+std::pair<double, double> volumes_of_spheres(const HeldMesh& mesh, const py::buffer& rows, double volume) {
     const std::vector<Sphere> spheres = spheres_of(rows);
     return worked([&](const Signals&) {
         const auto solid = mesh.solid();
         const double own = solid->volume();
-        return own > 0 ? (volume - own + solid->missing_volume(spheres)) / own
-                       : std::numeric_limits<double>::infinity();
+        const double missing = own > 0 ? solid->missing_volume(spheres) : 0;
+        return own > 0 ? std::pair((volume - own + missing) / own, missing / own) : nothing_inside;
     });
 }
 
@@ -169,8 +173,8 @@ void add_search(py::module_& module) {
             }));
         },
         py::arg("mesh"), py::arg("spheres"), py::arg("time_limit"));
-    module.def("excess_of_elements", &excess_of_elements, py::arg("mesh"), py::arg("elements"));
-    module.def("excess", &excess_of, py::arg("mesh"), py::arg("spheres"), py::arg("volume"));
+    module.def("volumes_of_elements", &volumes_of_elements, py::arg("mesh"), py::arg("elements"));
+    module.def("volumes_of_spheres", &volumes_of_spheres, py::arg("mesh"), py::arg("spheres"), py::arg("volume"));
 }
 
 } // namespace foam::python

@@ -146,7 +146,7 @@ def damaged_folders(foam, folder):
         expect(process.returncode not in (0, 4) and "file" in err and "remedy" not in err[:0], err)
     foam("some", "-n", 1, "--run-dir", "twice", "--shard", 0, "--shard", 0)
     out, _ = foam("some", "-n", 1, "--run-dir", "twice", "--shard", 0, "--shard", 0)
-    expect(out.startswith("1 meshes: 1 with spheres"), out)
+    expect(out.startswith("1 mesh: 1 with spheres"), out)
 
 
 def two_recipes_at_once(foam, folder):

@@ -89,7 +89,33 @@ TEST_F(CliStatement, LinksThatWereNotAskedForAreNamed) {
     ASSERT_EQ(foam("run three.yaml").code, 0);
     const Outcome outcome = foam("certify three.urdf runs/three/out.urdf --link tip");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_THAT(outcome.out, HasSubstr("Certified in part (outer): the geometry lies inside the spheres on 1 of 2 links, "));
     EXPECT_THAT(outcome.out, HasSubstr("Not part of the proof: base (excluded by --link).\n"));
+    const json certified = json::parse(foam("certify three.urdf runs/three/out.urdf --link tip --json").out);
+    EXPECT_FALSE(certified["certified"]);
+    EXPECT_EQ(certified["proof"]["links_proved"], 1);
+    const Outcome evaluated = foam("evaluate three.urdf runs/three/out.urdf --link tip");
+    EXPECT_THAT(evaluated.out, HasSubstr("in part\nProved in part: the collision geometry of 1 of 2 links lies inside "
+                                         "their spheres.\nNot part of the proof: base (excluded by --link).\n"));
+    const Outcome compared = foam("compare three.urdf runs/three/out.urdf --link tip");
+    EXPECT_THAT(compared.out, HasSubstr("\nA   Proved in part: the collision geometry of 1 of 2 links lies inside"));
+}
+
+/// Nothing is proved, and the sentence says so; a link without elements does not fail a proof.
+TEST_F(CliStatement, AFittedModelIsSaidToBeUnproved) {
+    const Outcome outcome = foam("run three.yaml --set guarantee=fitted --set stages=[spherize.cover]");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("\nNothing is proved (guarantee: fitted).\n"));
+}
+
+/// A time limit that is over at once leaves the proved files, and no word of a report that is not there.
+TEST_F(CliStatement, AShortTimeLimitLeavesAProvedResult) {
+    const Outcome outcome = foam("run three.yaml --fresh --time-limit 0.000001");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("\nProved: the collision geometry of 2 of 2 links lies inside their spheres.\n"));
+    EXPECT_EQ(outcome.out.find("Report: ") != outcome.out.npos, std::filesystem::exists(path() / "runs/three/report.html"))
+        << outcome.out;
 }
 
 /// The names of figures in whatever programs read.

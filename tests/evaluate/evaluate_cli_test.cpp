@@ -36,7 +36,7 @@ TEST_F(EvaluateCli, ATableOfAllFigures) {
                 HasSubstr("good.csv (CSV): 2 spheres for arm.urdf\nlink   spheres      covered %     gap mm"));
     EXPECT_THAT(outcome.out, HasSubstr("\ntip          1   100.00 ±0.00       0.00   0.000 ±0.000   0.000 ±0.000"));
     EXPECT_THAT(outcome.out, HasSubstr("\ntotal        2   100.00 ±0.00       0.00"));
-    EXPECT_THAT(outcome.out, EndsWith("yes\n"));
+    EXPECT_THAT(outcome.out, EndsWith("yes\nProved: the collision geometry of 2 of 2 links lies inside their spheres.\n"));
 }
 
 TEST_F(EvaluateCli, JsonHasEveryFigure) {
@@ -110,7 +110,7 @@ TEST_F(EvaluateCli, ALinkNamedLikeAGlobLeavesTheOthersIn) {
     write("odd.csv", "link,x,y,z,radius\nbase,0,0,0,0.174\n");
     const Outcome outcome = foam("certify odd.urdf odd.csv --link base");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(outcome.out, "Certified (outer): the geometry lies inside the spheres on 1 link, 1 sphere.\n"
+    EXPECT_EQ(outcome.out, "Certified in part (outer): the geometry lies inside the spheres on 1 of 2 links, 1 sphere.\n"
                            "Not part of the proof: * (excluded by --link).\n");
 }
 

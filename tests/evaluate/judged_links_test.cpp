@@ -286,8 +286,12 @@ TEST(JudgedLinks, ProvedLinksAreCountedByTheRobot) {
     EXPECT_EQ(links.left_out[0].link, "excluded");
     EXPECT_EQ(links.left_out[0].reason, "excluded by --link");
     EXPECT_EQ(links.left_out[1].link, "open");
-    EXPECT_EQ(links.left_out[1].reason, proof_fails);
+    EXPECT_EQ(links.left_out[1].reason, no_elements);
     EXPECT_FALSE(links.all());
+    MatchedModel small = no_spheres(original);
+    small.spheres[1] = {{{0, 0, 0}, 0.01}};
+    const ProvedLinks open = proved_links(original, small, proofs_of({true, false, true}), Guarantee::outer);
+    EXPECT_EQ(open.left_out[1].reason, proof_fails);
     const Original two = cubes({"a", "b"}), first = cubes({"a", "b"}, "b");
     EXPECT_TRUE(proved_links(two, no_spheres(two), proofs_of({true, true}), Guarantee::outer).all());
 

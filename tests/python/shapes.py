@@ -10,6 +10,19 @@ def box(x=0.06, y=0.04, z=0.2):
     return vertices * [x / 2, y / 2, z / 2], np.array(faces)
 
 
+def cylinder(radius=0.05, height=0.2, sides=64):
+    """A cylinder about the z axis."""
+    angles = np.linspace(0, 2 * np.pi, sides, endpoint=False)
+    ring = radius * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    vertices = np.concatenate([np.column_stack([ring, np.full(sides, z)]) for z in (-height / 2, height / 2)]
+                              + [[[0, 0, -height / 2], [0, 0, height / 2]]])
+    i, j = np.arange(sides), (np.arange(sides) + 1) % sides
+    low, high = np.full(sides, 2 * sides), np.full(sides, 2 * sides + 1)
+    faces = [np.stack([i, j, j + sides], 1), np.stack([i, j + sides, i + sides], 1),
+             np.stack([low, j, i], 1), np.stack([high, i + sides, j + sides], 1)]
+    return vertices, np.concatenate(faces)
+
+
 def wavy(triangles):
     """A closed, wavy, long ball of about so many triangles."""
     n = int((triangles / 2) ** 0.5) + 1

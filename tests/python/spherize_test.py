@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import foam
-from shapes import box, uncovered, wavy
+from shapes import box, cylinder, uncovered, wavy
 
 TIMES = bool(os.environ.get("FOAM_TEST_TIMES"))
 
@@ -203,7 +203,16 @@ def test_convex_elements_cover_the_mesh():
     (element,) = cover.elements
     assert element["kind"] == "box" and sorted(element["size"]) == pytest.approx([1, 2, 3], rel=1e-6)
     assert cover.certified is True and cover.excess < 1e-3 and cover.volume == pytest.approx(6, rel=1e-3)
-    assert repr(cover) == "<foam.ConvexCover: 1 box, certified>"
+    assert repr(cover) == "<foam.ConvexCover: 1 box, surface certified>"
+    assert cover.missing == 0
+
+
+def test_boxes_on_the_walls_of_a_cylinder_leave_volume_out():
+    cover = foam.approximate(cylinder(), 16, "box", effort="fast")
+    assert cover.certified is True and 0.2 < cover.missing < 1
+    assert repr(cover).endswith(", surface certified>")
+    again = pickle.loads(pickle.dumps(cover))
+    assert (again.missing, again.excess) == (cover.missing, cover.excess)
 
 
 @pytest.mark.parametrize("kind", ["sphere", "capsule", "cylinder", "box", "swept_box", "hull"])

@@ -69,7 +69,7 @@ TEST_F(Poses, OfAFileAreTakenAsTheyAre) {
     EXPECT_EQ(found["in_contact"], 1);
     EXPECT_EQ(found["refused"], 2);
     const Outcome outcome = foam("evaluate slider.urdf large.csv --pose-file poses.yaml");
-    EXPECT_THAT(outcome.out, HasSubstr("3 poses, 1 pairs of links"));
+    EXPECT_THAT(outcome.out, HasSubstr("3 poses, 1 pair of links"));
     EXPECT_THAT(outcome.out, HasSubstr("falsely refused          1   33.33 %"));
 }
 

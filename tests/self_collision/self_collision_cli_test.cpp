@@ -119,7 +119,7 @@ TEST_F(SelfCollisionCli, SpheresOfAFile) {
     EXPECT_EQ(outcome.code, 0);
     EXPECT_EQ(outcome.err, "foam: warning: arm.urdf: 1 of 3 links with collision geometry have no spheres: upper\n");
     EXPECT_THAT(outcome.out, HasSubstr("arm.urdf: the spheres of model.csv\n"));
-    EXPECT_THAT(outcome.out, HasSubstr("1 pairs: "));
+    EXPECT_THAT(outcome.out, HasSubstr("1 pair: "));
 }
 
 TEST_F(SelfCollisionCli, AgainstTheListOfAnother) {

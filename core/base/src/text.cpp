@@ -83,6 +83,10 @@ bool is_wide(char32_t code) {
 
 } // namespace
 
+std::string counted(std::size_t count, std::string_view noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : noun.ends_with("sh") ? "es" : "s");
+}
+
 std::string shown(std::string_view text) {
     return shown_but(text, "");
 }

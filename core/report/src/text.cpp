@@ -40,10 +40,6 @@ std::string yes_no_cell(bool yes) {
                        yes ? "✓ yes" : "✗ no");
 }
 
-std::string counted(std::size_t count, const std::string& noun) {
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 std::string execution_only(const std::string& html) {
     return "<!--execution-->" + html + "<!--/execution-->";
 }

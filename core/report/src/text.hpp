@@ -1,6 +1,8 @@
 // Figures of a manifest as text and table cells.
 #pragma once
 
+#include <foam/base/text.hpp>
+
 #include <nlohmann/json.hpp>
 
 #include <optional>
@@ -27,8 +29,6 @@ std::string escaped(const Json& text);
 /// Returns a cell that sorts by its value. `html`: its content.
 std::string cell(double value, const std::string& html);
 std::string yes_no_cell(bool yes);
-/// Returns "1 link" or "3 links".
-std::string counted(std::size_t count, const std::string& noun);
 /// Marks what may differ between two runs of a recipe.
 std::string execution_only(const std::string& html);
 std::string section(const std::string& id, const std::string& title, const std::string& html);

@@ -11,6 +11,7 @@ namespace foam::inline robot {
 namespace {
 
 constexpr std::size_t most_named = 3;
+constexpr const char* nothing_is_proved = "nothing is proved (guarantee: fitted)";
 
 /// Returns the first names, and how many more there are.
 std::string named(const std::vector<std::string>& names) {
@@ -21,7 +22,7 @@ std::string named(const std::vector<std::string>& names) {
 }
 
 std::string links_text(std::size_t proved, std::size_t all) {
-    return fmt::format("{} of {} link{}", proved, all, all == 1 ? "" : "s");
+    return fmt::format("{} of {}", proved, counted(all, "link"));
 }
 
 /// Returns a sentence about links that have no geometry to be covered, but another; empty if there are none.
@@ -57,11 +58,14 @@ std::string clause_of(const ProvedLinks& links) {
                                to_string(links.geometry), precision);
 }
 
-/// Returns "not part of the proof: a (skip in the recipe), b (...)"; empty if no link is left out.
+/// Returns "not part of the proof: a (skip in the recipe), b, c (...)", a reason once for neighbours that share it; empty
+/// if no link is left out.
 std::string left_out_text(const ProvedLinks& links) {
     std::vector<std::string> names;
-    for (const ProvedLinks::LeftOut& link : links.left_out) {
-        names.push_back(fmt::format("{} ({})", shown(link.link), shown(link.reason)));
+    for (std::size_t i = 0; i < links.left_out.size(); ++i) {
+        const ProvedLinks::LeftOut& link = links.left_out[i];
+        const bool last = i + 1 == links.left_out.size() || links.left_out[i + 1].reason != link.reason;
+        names.push_back(shown(link.link) + (last ? fmt::format(" ({})", shown(link.reason)) : ""));
     }
     return names.empty() ? ""
                          : fmt::format("{}: {}", links.guarantee == Guarantee::fitted ? "left out" : "not part of the proof",
@@ -98,7 +102,7 @@ std::string missing_text(const ProvedLinks& links) {
 
 std::string verdict_of(const ProvedLinks& links) {
     if (links.guarantee == Guarantee::fitted) {
-        return "";
+        return with_capital(nothing_is_proved) + ".\n";
     }
     const std::string missing = missing_text(links);
     return with_capital(clause_of(links)) + ".\n" + (missing.empty() ? "" : with_capital(missing) + ".\n");
@@ -106,7 +110,7 @@ std::string verdict_of(const ProvedLinks& links) {
 
 std::string statement_of(const ProvedLinks& links) {
     std::string text =
-        links.guarantee == Guarantee::fitted ? "nothing is proved (guarantee: fitted)" : clause_of(links);
+        links.guarantee == Guarantee::fitted ? nothing_is_proved : clause_of(links);
     for (const std::string& more : {missing_text(links), left_out_text(links)}) {
         text += more.empty() ? "" : "; " + more;
     }
@@ -115,7 +119,8 @@ std::string statement_of(const ProvedLinks& links) {
 
 std::string omissions_of(const ProvedLinks& links) {
     const std::string left_out = left_out_text(links);
-    return (left_out.empty() ? "" : with_capital(left_out) + ".\n") + only_text(links.visual_only, "visual") + only_text(links.collision_only, "collision");
+    return (left_out.empty() ? "" : with_capital(left_out) + ".\n") + only_text(links.visual_only, "visual") +
+           only_text(links.collision_only, "collision");
 }
 
 } // namespace foam::inline robot

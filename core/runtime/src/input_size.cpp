@@ -62,12 +62,11 @@ void add(InputSize& size, const CollisionElement& element, const Pose& link) {
 std::string text_of(const Input& input, const InputSize& size, bool robot) {
     std::string text = input.file.filename().string() + ": ";
     if (robot) {
-        text += fmt::format("{} link{}, {} in the reference pose", size.links, size.links == 1 ? "" : "s",
-                            size_text(size.box));
+        text += fmt::format("{}, {} in the reference pose", counted(size.links, "link"), size_text(size.box));
     } else {
         text += size_text(size.box);
     }
-    return size.triangles == 0 ? text : text + fmt::format(", {} triangles", count_text(size.triangles));
+    return size.triangles == 0 ? text : text + fmt::format(", {} triangle{}", count_text(size.triangles), size.triangles == 1 ? "" : "s");
 }
 
 /// Returns the unit in which a mesh would have a usual size; empty if there is none.

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double time_to_stop = 1.5; // s
 constexpr double late = 1.1, and_late = 0.3;
-constexpr double still_later = 0.1; // s; for writing a result that is there
+constexpr double time_to_write = 2; // s; later still, where a result that is there waits to be proved and written
 constexpr double least_share_to_finish = 0.15;
 
 bool is_set(const std::atomic<bool>* flag) {
@@ -49,10 +49,10 @@ double Limits::end_of_limit() const {
     return late * *time_limit_ + and_late - kept_.load();
 }
 
-std::optional<double> Limits::hard_end() const {
+std::optional<double> Limits::hard_end(Phase phase) const {
     std::optional<double> end;
     if (time_limit_) {
-        end = end_of_limit();
+        end = end_of_limit() + (phase == Phase::finishing && only_writing_is_left_ ? time_to_write : 0);
     }
     if (const auto stop = stopped()) {
         end = std::min(end.value_or(*stop + time_to_stop), *stop + time_to_stop);
@@ -60,8 +60,8 @@ std::optional<double> Limits::hard_end() const {
     return end;
 }
 
-bool Limits::is_over() const {
-    const auto end = hard_end();
+bool Limits::is_over(Phase phase) const {
+    const auto end = hard_end(phase);
     return end && journal_.seconds() >= *end;
 }
 
@@ -98,7 +98,8 @@ bool Limits::too_late_to_complete() const {
 }
 
 void Limits::release_kept() {
-    kept_.store(-still_later);
+    kept_.store(0);
+    only_writing_is_left_ = true;
 }
 
 void Limits::keep_for_enclosing(std::size_t triangles) {
@@ -137,7 +138,7 @@ Cut Limits::cut(Phase phase) const {
 }
 
 bool Limits::ended(Phase phase) const {
-    if (is_set(options_.cancel) || is_over()) {
+    if (is_set(options_.cancel) || is_over(phase)) {
         return true;
     }
     return phase == Phase::beginning    ? too_late_to_begin()
@@ -147,7 +148,8 @@ bool Limits::ended(Phase phase) const {
 }
 
 bool Limits::overdue(Phase phase) const {
-    return is_set(options_.cancel) || (phase == Phase::searching ? too_late_to_begin() : ended(phase)) || is_over();
+    return is_set(options_.cancel) || (phase == Phase::searching ? too_late_to_begin() : ended(phase)) ||
+           is_over(phase);
 }
 
 bool Limits::owns(const StopRequest* request) const {
@@ -160,7 +162,7 @@ void Limits::add_to_reserve(double seconds, std::size_t times, std::size_t threa
 }
 
 void Limits::interrupted_at(const std::string& place) {
-    if (is_over()) {
+    if (is_over(Phase::finishing)) {
         const std::lock_guard lock(mutex_);
         if (place_.empty()) {
             place_ = place;
@@ -182,7 +184,8 @@ std::optional<Limits::Due> Limits::due() const {
     constexpr double slow_to_stop = 1.9, slow_after_limit = 0.5; // s
     std::optional<Due> due;
     if (time_limit_) {
-        due = Due{Cut::time_limit, late * *time_limit_ + slow_after_limit};
+        due = Due{Cut::time_limit,
+                  late * *time_limit_ + slow_after_limit + (only_writing_is_left_ ? time_to_write : 0)};
     }
     if (const auto stop = stopped(); stop && (!due || *stop + slow_to_stop < due->seconds)) {
         due = Due{Cut::stop, *stop + slow_to_stop};

@@ -27,10 +27,6 @@ std::string renamed(const std::string& link, const Renames& renames) {
     return best ? best->second + link.substr(best->first.size()) : link;
 }
 
-std::string count_of(std::size_t count, const char* noun) {
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 class Matcher {
 public:
     Matcher(const Original& original, MatchedModel& model, const Renames& renames)
@@ -80,7 +76,7 @@ private:
                 throw Error(ErrorCode::input,
                             fmt::format("{}: the spheres name no link, and {} has {}; remedy: --rename =LINK",
                                         model_.file.file.string(), original_.file.string(),
-                                        count_of(original_.links.size(), "link")));
+                                        counted(original_.links.size(), "link")));
             }
             put(0, link, {});
             return;
@@ -90,10 +86,10 @@ private:
             return;
         }
         if (const Link* known = original_.robot->find_link(name)) {
-            note(known->collisions.empty()
-                     ? fmt::format("link '{}' has {}, but no geometry to judge them by", name, content)
-                     : fmt::format("link '{}' has {}, which are not judged: --link leaves it out", name, content));
-            return;
+            if (known->collisions.empty()) {
+                note(fmt::format("link '{}' has {}, but no geometry to judge them by", name, content));
+            }
+            return; // a link that --link excludes: the user said so, and the verdict names it
         }
         if (!place_above(link)) {
             note(fmt::format("{} of link '{}' {} ignored: {} has no such link", content, name,

@@ -29,7 +29,7 @@ ProvedLinks verdict_on(const Original& original, const MatchedModel& model, cons
         } else if (proved[next++]) {
             ++links.proved;
         } else {
-            links.left_out.push_back({link.name, proof_fails});
+            links.left_out.push_back({link.name, model.of(next - 1).empty() ? no_elements : proof_fails});
         }
     }
     return links;

@@ -14,6 +14,8 @@ std::string number_text(double value);
 /// Returns the value of a text that is one decimal number ("0.1", "+2", "-1e-3") and nothing else; nothing if it is
 /// not, or if the number is not finite ("nan", "inf", "1e999").
 std::optional<double> parse_number(std::string_view text);
+/// Returns a number with its noun: "1 pair", "2 pairs", "3 meshes". `noun`: in the singular, regular.
+std::string counted(std::size_t count, std::string_view noun);
 /// Returns the text with the letters A to Z in lower case; other characters stay.
 std::string lower_case(std::string_view text);
 /// Returns the parts of a text between spaces, tabs and line ends, as views into `text`.

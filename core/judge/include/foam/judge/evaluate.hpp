@@ -118,6 +118,7 @@ std::vector<LinkProof> prove(const Original& original, const MatchedModel& model
 
 /// The reason in ProvedLinks for a link whose proof does not hold.
 inline constexpr const char* proof_fails = "the proof does not hold";
+inline constexpr const char* no_elements = "it has no elements";
 /// Returns the verdict on a model. `proved`: of each link of the original.
 ProvedLinks proved_links(const Original& original, const MatchedModel& model, const std::vector<LinkProof>& proofs,
                          Guarantee guarantee);

@@ -39,8 +39,8 @@ struct ProvedLinks {
 /// Returns the names of the links that have visual geometry and no collision geometry.
 std::vector<std::string> visual_only_links(const Robot& robot);
 
-/// Returns sentences about the proof, each on a line; empty for Guarantee::fitted, for which there is no proof. They say
-/// "surface" where some of the volume is missing.
+/// Returns sentences about the proof, each on a line. They say "surface" where some of the volume is missing, and for
+/// Guarantee::fitted that nothing is proved.
 std::string verdict_of(const ProvedLinks& links);
 /// Returns the same in one line for comments in files, with the links that are left out: "proved: the collision
 /// geometry of 2 of 2 links lies inside their spheres".

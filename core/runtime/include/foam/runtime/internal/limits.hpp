@@ -29,7 +29,7 @@ enum class Phase {
 /// The limits of one run. Safe to call from any thread.
 ///
 /// A run ends at most a tenth and 0.3 s after its time limit, or 1.5 s after a request to stop: with its result so far,
-/// or with an error.
+/// or with an error. A result that is there by then is proved and written even if that takes up to 2 s longer.
 class Limits {
 public:
     Limits(const RunOptions& options, std::optional<double> time_limit, const Journal& journal);
@@ -49,7 +49,7 @@ public:
     /// Keeps time for one enclosing sphere of each link, which take the place of any other result: before that, work
     /// of every phase but completing ends so much earlier. `triangles`: of the geometry.
     void keep_for_enclosing(std::size_t triangles);
-    /// Releases that time: there is a result, or only the enclosing spheres are left to make.
+    /// Releases that time: there is a result to prove and to write, or only the enclosing spheres are left to make.
     void release_kept();
     /// Returns whether a time limit, and no request to stop, has ended the work early enough for enclosing spheres.
     bool may_enclose() const;
@@ -86,9 +86,9 @@ private:
     };
 
     std::optional<double> stopped() const;
-    std::optional<double> hard_end() const;
+    std::optional<double> hard_end(Phase phase) const;
     double end_of_limit() const;
-    bool is_over() const;
+    bool is_over(Phase phase) const;
     double reserve() const;
     bool too_late_to_begin() const;
     bool too_late_to_cover() const;
@@ -102,6 +102,7 @@ private:
     std::atomic<double> all_{0}, longest_{0}; ///< s; for finishing shapes
     std::atomic<double> kept_{0};             ///< s; for enclosing spheres
     std::atomic<double> writing_{0};          ///< s; for the proof of what is written, by the size of the geometry
+    std::atomic<bool> only_writing_is_left_{false};
     mutable std::mutex mutex_;
     std::string place_;
 };
