@@ -51,6 +51,25 @@ TEST(Filled, TurnedThinWallsEnclose) {
     EXPECT_LT(filled_volume(parts), 1);
 }
 
+/// The lines of the solid without its filling are not computed again: the figures are those of a solid made anew.
+TEST(Filled, FiguresAreThoseOfTheSameParts) {
+    std::vector<Solid::Part> parts = walls(0.05);
+    for (Solid::Part& part : parts) {
+        Mesh open = *part.mesh;
+        open.triangles.pop_back();
+        part = part_of(std::move(open));
+    }
+    const auto solid = Solid::make(parts);
+    const auto full = filled(solid);
+    ASSERT_NE(full, solid);
+    const auto anew = Solid::make(full->parts());
+    EXPECT_EQ(full->volume(), anew->volume());
+    EXPECT_EQ(full->volume_error(), anew->volume_error());
+    const std::vector<Sphere> spheres{{{0.1, 0, 0.1}, 0.3}};
+    EXPECT_EQ(full->missing_volume(spheres), anew->missing_volume(spheres));
+    EXPECT_GT(full->volume(), solid->volume());
+}
+
 TEST(Filled, AHoleInAWallDoesNotMatterAndABowlIsHalfFull) {
     std::vector<Solid::Part> open = walls(0.02, 5);
     const double bowl = filled_volume(open);

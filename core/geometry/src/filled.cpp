@@ -364,9 +364,7 @@ std::shared_ptr<const Solid> filled(const std::shared_ptr<const Solid>& solid) {
     if (inside.triangles.empty()) {
         return solid;
     }
-    std::vector<Solid::Part> parts = solid->parts();
-    parts.push_back({std::make_shared<const Mesh>(std::move(inside)), {}, {}});
-    return Solid::make(std::move(parts));
+    return SolidAccess::with_part(solid, {std::make_shared<const Mesh>(std::move(inside)), {}, {}});
 }
 
 } // namespace foam::inline geometry

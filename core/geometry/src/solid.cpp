@@ -265,6 +265,15 @@ std::shared_ptr<const Solid> SolidAccess::quick(std::vector<Solid::Part> parts) 
     return std::shared_ptr<const Solid>(new Solid(std::move(data)));
 }
 
+std::shared_ptr<const Solid> SolidAccess::with_part(std::shared_ptr<const Solid> solid, Solid::Part part) {
+    auto data = std::make_unique<Solid::Data>();
+    data->parts = solid->parts();
+    data->parts.push_back(std::move(part));
+    data->base = std::move(solid);
+    build(*data, MeshReading::at_once);
+    return std::shared_ptr<const Solid>(new Solid(std::move(data)));
+}
+
 std::shared_ptr<const Solid> quick_solid(std::vector<Solid::Part> parts) {
     return SolidAccess::quick(std::move(parts));
 }

@@ -66,6 +66,7 @@ struct SolidData {
     std::vector<std::size_t> first_triangles; ///< first triangle of each of the queries, in `surface`
     PartIndex index;                          ///< over the queries, if there are many
     bool quick = false;                       ///< made by quick_solid()
+    std::shared_ptr<const Solid> base;        ///< of SolidAccess::with_part(): the solid without its last part
 
     mutable std::once_flag lines_once;
     mutable std::unique_ptr<const InsideLines> lines;
@@ -117,5 +118,7 @@ struct Solid::Data : geometry::SolidData {};
 struct SolidAccess {
     static const SolidData& data(const Solid& solid) { return *solid.data_; }
     static std::shared_ptr<const Solid> quick(std::vector<Solid::Part> parts);
+    /// Returns the solid with one more part. What is known of lines through it is not computed again.
+    static std::shared_ptr<const Solid> with_part(std::shared_ptr<const Solid> solid, Solid::Part part);
 };
 } // namespace foam::geometry
