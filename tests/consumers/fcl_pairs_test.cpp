@@ -39,10 +39,35 @@ fcl::Transform3d transform_of(const Pose& pose) {
     return result;
 }
 
-class FclOnPairs : public ::testing::TestWithParam<const char*> {};
+/// Returns the folder of robots in the PyPI package example-robot-data, which CI installs; it may not exist.
+fs::path example_robots() {
+    std::error_code none;
+    for (const fs::directory_entry& python : fs::directory_iterator(FOAM_TEST_PYTHON "/lib", none)) {
+        const fs::path robots = python.path() / "site-packages/cmeel.prefix/share/example-robot-data/robots";
+        if (fs::exists(robots)) {
+            return robots;
+        }
+    }
+    return "example-robot-data";
+}
+
+class FclOnPairs : public ::testing::TestWithParam<const char*> {
+protected:
+    void check(const fs::path& file);
+};
+class FclOnPairsOfHands : public FclOnPairs {};
 
 TEST_P(FclOnPairs, NoPairThatIsLeftOutTouches) {
-    const fs::path file = shared_folder() / GetParam();
+    check(shared_folder() / GetParam());
+}
+
+TEST_P(FclOnPairsOfHands, NoPairThatIsLeftOutTouches) {
+    const fs::path file = example_robots() / GetParam();
+    ASSERT_TRUE(fs::exists(file) || !std::getenv("CI")) << "tests/consumers/python/robots.txt is not installed";
+    check(file);
+}
+
+void FclOnPairs::check(const fs::path& file) {
     if (!fs::exists(file)) {
         GTEST_SKIP() << file << " is absent";
     }
@@ -81,6 +106,9 @@ TEST_P(FclOnPairs, NoPairThatIsLeftOutTouches) {
     }
 }
 
+INSTANTIATE_TEST_SUITE_P(PyPI, FclOnPairsOfHands,
+                         ::testing::Values("allegro_hand_description/urdf/allegro_right_hand.urdf",
+                                           "romeo_description/urdf/romeo.urdf", "pr2_description/urdf/pr2.urdf"));
 INSTANTIATE_TEST_SUITE_P(
     Shared, FclOnPairs,
     ::testing::Values("robots/panda/moveit_resources_panda_description/urdf/panda.urdf",
