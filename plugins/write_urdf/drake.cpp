@@ -2,6 +2,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
+#include <foam/sdk/pairs.hpp>
 
 #include <fmt/format.h>
 
@@ -33,8 +34,8 @@ void declare_drake(SphereUrdf& urdf) {
 }
 
 void add_collision_filter_groups(SphereUrdf& urdf, Context& context) {
+    warn_without_pairs(urdf.model(), context);
     if (!urdf.model().ignored_pairs) {
-        context.log(Severity::warning, "the pairs of links that need no check are not known: none is written");
         return;
     }
     std::map<std::string, std::vector<std::string>> ignored; // a group that is named has to exist

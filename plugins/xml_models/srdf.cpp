@@ -36,9 +36,8 @@ std::vector<LinkSpheres> links_of_spheres(const SphereModel& model, Context& con
     });
     if (!spheres_alone(left_out)) {
         context.log(Severity::warning,
-                    fmt::format("SRDF has no elements but spheres: the pairs of links are in the file, {} "
-                                "are not",
-                                counts_text(left_out)));
+                    fmt::format("SRDF has no elements but spheres: {}{} are not in the file",
+                                model.ignored_pairs ? "it has the pairs of links, " : "", counts_text(left_out)));
     }
     return links;
 }
@@ -120,9 +119,7 @@ std::string SrdfWriter::write(const SphereModel& model, Context& context) const 
     if (model.into) {
         return edited(model, links, pairs_, context);
     }
-    if (!pairs) {
-        context.log(Severity::warning, "the pairs of links that need no check are not known: none is written");
-    }
+    warn_without_pairs(model, context);
     const std::string name = model.robot && !model.robot->name.empty() ? model.robot->name : model.name;
     const bool whole = links.size() == elements_by_link(model).size();
     return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n" +

@@ -84,10 +84,4 @@ void require_below_base(const SphereModel& model, const std::vector<LinkSpheres>
     }
 }
 
-void warn_without_pairs(const SphereModel& model, Context& context) {
-    if (!model.ignored_pairs) {
-        context.log(Severity::warning, "the pairs of links that need no check are not known: none is written");
-    }
-}
-
 } // namespace foam::tree

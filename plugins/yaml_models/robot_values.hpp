@@ -22,7 +22,5 @@ yaml::Value repeated(double value, std::size_t count);
 
 /// Throws Error(output) for a link with spheres that is not below the base link: a program would not find it.
 void require_below_base(const SphereModel& model, const std::vector<LinkSpheres>& links, const std::string& writer);
-/// Warns where a format lists pairs and they are not known.
-void warn_without_pairs(const SphereModel& model, Context& context);
 
 } // namespace foam::tree

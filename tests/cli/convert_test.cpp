@@ -123,13 +123,23 @@ TEST_F(CliConvert, AnSrdfHasThePairsOfElementsThatItCannotHold) {
     const Outcome outcome = foam("convert boxes.json arm.urdf -o boxes.srdf");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_THAT(outcome.err,
-                HasSubstr("SRDF has no elements but spheres: the pairs of links are in the file, 2 boxes are "
-                          "not"));
+                HasSubstr("SRDF has no elements but spheres: it has the pairs of links, 2 boxes are not in the file\n"));
     for (const char* file : {"run.srdf", "boxes.srdf"}) {
         EXPECT_THAT(contents(path() / file), HasSubstr("<disable_collisions link1=\"base\" link2=\"upper\""));
         EXPECT_THAT(contents(path() / file), HasSubstr("pairs for a model whose elements are in another file: foam"));
         EXPECT_THAT(contents(path() / file), Not(HasSubstr("link_sphere_approximation")));
     }
+}
+
+/// One link has no pairs: there is nothing to warn of.
+TEST_F(CliConvert, OneLinkHasNoPairs) {
+    write("one.urdf", "<robot name='one'><link name='base'><collision><geometry><box size='1 1 1'/></geometry></collision>"
+                      "</link></robot>");
+    const Outcome boxes = foam("approximate one.urdf -n 2 --with box -o one.srdf");
+    EXPECT_EQ(boxes.code, 0);
+    EXPECT_THAT(boxes.err, HasSubstr("SRDF has no elements but spheres: 2 boxes are not in the file\n"));
+    EXPECT_THAT(boxes.err, Not(HasSubstr("pairs")));
+    EXPECT_THAT(foam("spherize one.urdf -n 2 -o one.srdf --force").err, Not(HasSubstr("pairs")));
 }
 
 TEST_F(CliConvert, IntoAFileWithoutSpheres) {

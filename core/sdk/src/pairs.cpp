@@ -2,6 +2,7 @@
 
 #include <foam/base/text.hpp>
 #include <foam/sdk/context.hpp>
+#include <foam/sdk/elements.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -108,6 +109,12 @@ std::optional<std::vector<IgnoredPair>> pairs_into(PairEdit edit, const StatedPa
                                             theirs.size() - kept.size()));
     warn_of_removed(stated, kept, context);
     return result;
+}
+
+void warn_without_pairs(const SphereModel& model, Context& context) {
+    if (!model.ignored_pairs && elements_by_link(model).size() > 1) {
+        context.log(Severity::warning, "the pairs of links that need no check are not known: none is written");
+    }
 }
 
 } // namespace foam::inline sdk

@@ -13,6 +13,7 @@ namespace foam {
 inline namespace [[gnu::visibility("default")]] sdk {
 
 class Context;
+struct SphereModel;
 
 /// What a writer does with the pairs in a file of the user (SphereModel::into).
 enum class PairEdit {
@@ -39,6 +40,9 @@ struct StatedPairs {
 std::optional<std::vector<IgnoredPair>> pairs_into(PairEdit edit, const StatedPairs& stated,
                                                    const std::optional<std::vector<IgnoredPair>>& found,
                                                    Context& context);
+
+/// Warns where the pairs that need no check are not known; a model of one link has none.
+void warn_without_pairs(const SphereModel& model, Context& context);
 
 } // namespace sdk
 } // namespace foam
