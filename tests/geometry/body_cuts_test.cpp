@@ -121,9 +121,57 @@ TEST(BodyCuts, PolytopesThatOverlapCoverInAPieceEachAndTheSidesOfTheRest) {
     }
     Cuts eight(strips);
     EXPECT_TRUE(eight.cover(triangle));
-    EXPECT_LE(eight.cuts.pieces(), 14u);
+    const std::size_t pieces = eight.cuts.pieces();
+    EXPECT_LE(pieces, 14u);
+    EXPECT_FALSE(eight.cover(triangle, 1e-9, pieces - 1));
+    EXPECT_TRUE(eight.cover(triangle, 1e-9, pieces));
+    EXPECT_EQ(eight.cuts.pieces(), pieces) << "each proof counts its own";
+    EXPECT_GT(eight.cuts.most_cuts(), 0u);
+    EXPECT_TRUE(eight.cover({{0.1, 0, 0}, {0.2, 0, 0}, {0.1, 1, 0}}));
+    EXPECT_EQ(eight.cuts.pieces(), 0u);
+    EXPECT_EQ(eight.cuts.most_cuts(), 0u);
     strips.erase(strips.begin() + 3);
     EXPECT_FALSE(Cuts(strips).cover(triangle));
+}
+
+TEST(BodyCuts, PolytopesThatOverlapByThreeSlacksCover) {
+    // Erosion takes a slack of each, and the cut is an eighth of a slack deep in one of them.
+    Random random(8);
+    for (const double slacks : {1.8, 2.9}) {
+        for (int k = 0; k < 40; ++k) {
+            const double plane = random.uniform(0.5, 3);
+            std::vector<Element> e{box_of({-1, -1, -1}, {plane, 9, 1}), box_of({plane, -1, -1}, {9, 9, 1})};
+            const Bodies apart({{}, e}, {}, 5, most_halvings);
+            const double overlap = slacks * std::max(apart.slack(0), apart.slack(1));
+            e[0] = box_of({-1, -1, -1}, {plane + overlap, 9, 1});
+            Cuts c(e);
+            EXPECT_EQ(c.cover(triangle), slacks > 2) << plane;
+        }
+    }
+}
+
+TEST(BodyCuts, APolytopeIsCutOutWhereItsPolygonHasFewCornersAndNotAtAllElsewhere) {
+    const Vec3 middle{1.2, 1.2, 0};
+    for (int corners = 3; corners <= 24; ++corners) {
+        std::vector<Vec3> points;
+        for (int k = 0; k < corners; ++k) {
+            const double angle = 2 * std::numbers::pi * k / corners + 0.1;
+            for (const double z : {-1.0, 1.0}) {
+                points.push_back(middle + Vec3{std::cos(angle), std::sin(angle), z});
+            }
+        }
+        const double area = std::sin(2 * std::numbers::pi / corners) * corners / 2;
+        Cuts c({{.kind = Kind::hull, .hull = convex_hull(points)}});
+        double left = 0;
+        for (const std::vector<Vec3>& polygon : c.cuts.rest(triangle, c.all, plenty)) {
+            left += area_of(polygon);
+        }
+        EXPECT_TRUE(std::abs(left - 8) < 1e-11 || std::abs(left - (8 - area)) < 1e-10) << corners << ' ' << left;
+        EXPECT_TRUE(corners > 14 || left < 7.9) << corners;
+        EXPECT_TRUE(corners <= 16 || left > 7.9) << corners;
+        EXPECT_TRUE(corners > 14 || c.cuts.pieces() == static_cast<std::size_t>(corners)) << corners;
+        EXPECT_FALSE(c.cover(triangle));
+    }
 }
 
 TEST(BodyCuts, TwoRoundBodiesThatHoldTheEdgesAreToldApartByOneCut) {
@@ -185,6 +233,57 @@ TEST(BodyCuts, CutsBetweenTwoBodiesAreWhereBothNeedTheSame) {
     EXPECT_FALSE(c.cuts.between_nearest({{0, 0, 0}, {1, 0, 0}, {0, 8, 0}}, c.all).empty());
     EXPECT_FALSE(c.cuts.between_nearest({{0, 8, 0}, {0, 0, 0}, {1, 0, 0}}, c.all).empty());
     EXPECT_TRUE(c.cuts.between_nearest({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, c.all).empty());
+}
+
+TEST(BodyCuts, CutsBetweenRoundBodiesMeetTheEdgesWhereBothNeedTheSame) {
+    Random random(6);
+    int cut = 0, places = 0, exact = 0;
+    for (int k = 0; k < 300; ++k) {
+        const auto place = [&] { return Vec3{random.uniform(-1, 5), random.uniform(-1, 5), random.uniform(-3, 3)}; };
+        const Cuts c({ball_of(place(), 0.1), k % 2 ? ball_of(place(), 0.4) : box_of({3, 3, -1}, {4, 4, 1})});
+        const std::vector<Corners> parts = c.cuts.between_nearest(triangle, c.all);
+        double area = 0;
+        for (const Corners& part : parts) {
+            area += area_of(part);
+            int lower = 0, higher = 0;
+            for (const Vec3& p : {part.a, part.b, part.c}) {
+                const bool corner = p == triangle.a || p == triangle.b || p == triangle.c;
+                const double more = c.bodies.growth(0, p) - c.bodies.growth(1, p);
+                EXPECT_TRUE(corner || std::abs(more) < 1e-5) << k << ' ' << more;
+                places += !corner;
+                exact += !corner && std::abs(more) < 1e-11;
+                EXPECT_TRUE(corner || p.x == 0 || p.y == 0 || std::abs(p.x + p.y - 4) < 1e-14);
+                lower += corner && more < 0;
+                higher += corner && more > 0;
+            }
+            EXPECT_TRUE(lower == 0 || higher == 0);
+        }
+        EXPECT_TRUE(parts.empty() || parts.size() == 3);
+        EXPECT_TRUE(parts.empty() || std::abs(area - 8) < 1e-12) << area;
+        int nearer = 0; // corners
+        for (const Vec3& p : {triangle.a, triangle.b, triangle.c}) {
+            nearer += c.bodies.growth(0, p) < c.bodies.growth(1, p);
+        }
+        EXPECT_EQ(parts.empty(), nearer == 0 || nearer == 3);
+        cut += !parts.empty();
+    }
+    EXPECT_GT(cut, 50);
+    EXPECT_GE(exact, 0.97 * places) << "eight steps are enough for nearly all" << places;
+}
+
+TEST(BodyCuts, SmallTrianglesAreDividedToo) {
+    for (const double scale : {1e-3, 0.1, 1.0, 1e3}) {
+        std::vector<Element> balls{ball_of({0.7, 0.7, 0}, 1.4), ball_of({3, 0.3, 0}, 1.4), ball_of({0.3, 3, 0}, 1.4),
+                                   ball_of({1.8, 1.8, 0}, 1.2)};
+        for (Element& ball : balls) {
+            ball.pose.translation = ball.pose.translation * scale;
+            ball.radius *= scale;
+        }
+        Cuts c(balls);
+        const Corners small{triangle.a * scale, triangle.b * scale, triangle.c * scale};
+        EXPECT_TRUE(c.cover(small, 1e-9 * scale)) << scale;
+        EXPECT_FALSE(c.cover(small, 5.7 * scale)) << scale; // its longest edge is √32
+    }
 }
 
 TEST(BodyCuts, APartKeepsItsTriangleAndCountsAsTwoHalvings) {

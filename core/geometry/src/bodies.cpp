@@ -79,15 +79,11 @@ Bodies::Bodies(const ElementsView& elements, const Vec3& origin, double extent, 
 
 void Bodies::meeting(const Box& box, std::vector<std::uint32_t>& result) const {
     result.clear();
-    const auto meets = [&](const Vec3& low, const Vec3& high) {
-        return low.x <= box.high.x && box.low.x <= high.x && low.y <= box.high.y && box.low.y <= high.y &&
-               low.z <= box.high.z && box.low.z <= high.z;
-    };
     for_each_entered(
-        bvh_, [&](const BvhNode& node) { return meets(node.low, node.high); },
+        bvh_, [&](const BvhNode& node) { return overlap(node, box); },
         [&](std::uint32_t place) {
             const std::uint32_t i = of_[bvh_.order()[place]];
-            if (meets(bodies_[i].bounds.low, bodies_[i].bounds.high)) {
+            if (overlap(bodies_[i].bounds, box)) {
                 result.push_back(i);
             }
         });
