@@ -448,7 +448,8 @@ TEST_P(EachBody, WhatIsTooLargeOrTooFarHoldsNothing) {
     e.pose.translation = {1.7e308, 0, 0};
     EXPECT_FALSE(is_left(e, {-1.7e308, 0, 0})); // the difference does
     e = some_element(GetParam(), random);
-    e.pose.rotation[0].x += 0.1; // no rotation
+    e.pose = {};
+    e.pose.rotation[2].z = -1; // a reflection
     EXPECT_FALSE(is_left(e, {}));
     if (e.hull) {
         return;
@@ -456,6 +457,25 @@ TEST_P(EachBody, WhatIsTooLargeOrTooFarHoldsNothing) {
     e = thin_element(GetParam(), 1e-290); // its length squared overflows, its volume does not
     e.half = e.half * 1e159;
     EXPECT_FALSE(is_left(e, {}));
+}
+
+TEST(Bodies, WhatIsNotValidHoldsNothing) {
+    Element box{.kind = Kind::box, .half = {1, 1, 1}}, ball{.kind = Kind::sphere, .radius = 1};
+    const auto is_held = [](const Element& e) {
+        return Bodies({{}, std::span(&e, 1)}, {}, 1, most_halvings).holds(0, Vec3{});
+    };
+    EXPECT_TRUE(is_held(box));
+    EXPECT_TRUE(is_held(ball));
+    box.radius = 0.1; // of another kind
+    ball.half.z = 1;
+    EXPECT_FALSE(is_held(box));
+    EXPECT_FALSE(is_held(ball));
+    EXPECT_FALSE(is_held({.kind = Kind::hull, .radius = 1})); // without a hull
+    const std::vector<Sphere> spheres{{{}, std::numeric_limits<double>::infinity()}, {{}, -1}, {{}, 1}};
+    const Bodies bodies({spheres, {}}, {}, 1, most_halvings);
+    std::vector<std::uint32_t> found;
+    bodies.meeting({{-1, -1, -1}, {1, 1, 1}}, found);
+    EXPECT_THAT(found, ElementsAre(2));
 }
 
 TEST(Bodies, ARotationCountsAsExactUpToSixteenUnits) {
