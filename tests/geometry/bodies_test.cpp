@@ -493,8 +493,8 @@ TEST(Bodies, ARotationCountsAsExactUpToSixteenUnits) {
 }
 
 /// Expects that each triangle of the hull of points lies on or above a plane of the body before its erosion, and that
-/// no plane is farther inside than rounding asks for.
-void expect_planes_below_triangles(const std::vector<Vec3>& points, std::size_t faces) {
+/// no plane is farther inside than rounding asks for, by `lower`.
+void expect_planes_below_triangles(const std::vector<Vec3>& points, std::size_t faces, double lower) {
     Element e{.kind = Kind::hull, .hull = convex_hull(points)};
     const auto hull = convex_hull(e.hull->surface.vertices);
     const Bodies bodies({{}, std::span(&e, 1)}, {}, 1, most_halvings);
@@ -517,7 +517,7 @@ void expect_planes_below_triangles(const std::vector<Vec3>& points, std::size_t 
     for (std::size_t f = 0; f < hull->faces.size(); ++f) {
         const double given = hull->faces[f].offset - dot(hull->faces[f].normal, middle);
         EXPECT_LE(bodies.planes(0)[f].offset + bodies.slack(0), given + rounding);
-        EXPECT_GE(bodies.planes(0)[f].offset + bodies.slack(0), given - 5e-14);
+        EXPECT_GE(bodies.planes(0)[f].offset + bodies.slack(0), given - lower);
     }
 }
 
@@ -533,7 +533,7 @@ TEST(Bodies, PlanesOfAHullGoThroughTheLowestCornersOfTheirTriangles) {
                 prism.push_back({std::cos(angle), std::sin(angle), z + random.uniform(-1e-15, 1e-15)});
             }
         }
-        expect_planes_below_triangles(prism, 14);
+        expect_planes_below_triangles(prism, 14, 5e-14);
         for (int k = 0; k < 10; ++k) {
             Vec3 p{random.uniform(-1, 1), random.uniform(-0.7, 0.7), random.uniform(-0.6, 0.6)};
             const int along = k % 3;
@@ -543,7 +543,17 @@ TEST(Bodies, PlanesOfAHullGoThroughTheLowestCornersOfTheirTriangles) {
             }
             box.push_back(p);
         }
-        expect_planes_below_triangles(box, 6);
+        expect_planes_below_triangles(box, 6, 5e-14);
+        for (Vec3& p : box) { // far from the origin of its frame, where planes are higher above their triangles
+            p += Vec3{100, 30, 20};
+        }
+        expect_planes_below_triangles(box, 6, 1e-12);
+        std::vector<Vec3> corners; // of a box, several within 1e-14 each
+        for (int k = 0; k < 60; ++k) {
+            const Vec3 corner{k & 1 ? 1.0 : -1.0, k & 2 ? 1.0 : -1.0, k & 4 ? 1.0 : -1.0};
+            corners.push_back(corner + test::random_direction(random) * 1e-14);
+        }
+        expect_planes_below_triangles(corners, 6, 1e-12);
     }
 }
 
