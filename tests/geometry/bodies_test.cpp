@@ -350,6 +350,11 @@ TEST(Bodies, TheGapIsThatOfTheCornerThatIsFarthestFromAllBodies) {
     const Piece inside{.corners = {{4, 0, 0}, {4.5, 0, 0}, {4, 0.5, 0}}, .beneath = {}};
     EXPECT_TRUE(bodies.gap(inside, both).held);
     EXPECT_FALSE(bodies.gap(inside, std::span(both).first(1)).held);
+    // Between the two, nearer to either: 0.25 from the first at most.
+    const Piece near{.corners = {{-0.75, 0, 0}, {-0.9, 0, 0}, {-1.5, 0, 0}}, .beneath = {}};
+    EXPECT_NEAR(bodies.gap(near, both).upper, 0.25, 1e-12);
+    EXPECT_NEAR(bodies.gap(near, both).lower, 0.25, 1e-12);
+    EXPECT_EQ(bodies.gap(near, both).farthest, 0u);
     const Piece prism{.corners = inside.corners, .beneath = {{4, 0, 0}, {4.5, 0, 2}, {4, 0.5, 0}}, .curved = true};
     EXPECT_FALSE(bodies.gap(prism, both).held);
     EXPECT_EQ(bodies.gap(prism, std::span(both).last(1)).farthest, 4u);
@@ -422,6 +427,19 @@ TEST_P(EachBody, OfWhatIsAsThinAsTheSlackNothingIsLeft) {
     }
     EXPECT_GT(none, 0);
     EXPECT_GT(some, 0);
+}
+
+TEST(Bodies, NothingIsLeftOfABoxThatIsThinAlongAnyAxis) {
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double share : {0.5, 0.99, 1.01}) { // of the slack
+            Element e{.kind = Kind::box, .half = {2, 2, 2}};
+            const double slack = 2 * unit * (most_halvings + 24) * (30 + std::sqrt(8));
+            e.half[axis] = share * slack;
+            const Bodies bodies({{}, std::span(&e, 1)}, {}, 30, most_halvings);
+            EXPECT_NEAR(bodies.slack(0), slack, 1e-6 * slack);
+            EXPECT_EQ(bodies.holds(0, Vec3{}), share > 1) << axis << ' ' << share;
+        }
+    }
 }
 
 TEST(Bodies, NothingIsLeftOfACylinderThatIsAsShortAsTheSlack) {

@@ -126,6 +126,9 @@ TEST(FinishedTree, InnerNumbersAreOnAGridAndStillInside) {
             for (std::size_t i = 0; i < spheres.size(); ++i) {
                 fitted[i].center = spheres[i].center;
                 EXPECT_LE(distance(fitted[i].center, given[i].center), 0.8662 * step);
+                for (int axis = 0; axis < 3; ++axis) {
+                    EXPECT_TRUE(step == 0 || digits_of(spheres[i].center[axis]) <= 8) << number_text(spheres[i].center[axis]);
+                }
                 EXPECT_TRUE(step == 0 || digits_of(spheres[i].radius) <= 8) << number_text(spheres[i].radius);
             }
             const std::vector<double> room = inner_radii(*solid, fitted);
