@@ -429,6 +429,26 @@ TEST_P(EachBody, OfWhatIsAsThinAsTheSlackNothingIsLeft) {
     EXPECT_GT(some, 0);
 }
 
+TEST(Bodies, WhatARadiusDoesNotSufficeForIsTakenFromTheBox) {
+    Element e{.kind = Kind::swept_box, .half = {1, 2, 3}, .radius = 1e-9};
+    const double slack = Bodies({{}, std::span(&e, 1)}, {}, 5, most_halvings, caution).slack(0);
+    ASSERT_GT(slack, 1e-5);
+    for (const double share : {0.1, 0.5, 0.9, 1.1}) {
+        e.radius = share * slack;
+        const Bodies bodies({{}, std::span(&e, 1)}, {}, 5, most_halvings, caution);
+        for (int axis = 0; axis < 3; ++axis) {
+            Vec3 p{};
+            const double end = e.half[axis] + e.radius - bodies.slack(0);
+            for (const double off : {-1e-9, 1e-9}) {
+                p[axis] = end + off;
+                EXPECT_EQ(bodies.holds(0, p), off < 0) << axis << ' ' << share;
+                EXPECT_NEAR(bodies.depth(0, p), off, 1e-12);
+            }
+        }
+        EXPECT_EQ(bodies.planes(0).size(), share < 1 ? 6u : 0u);
+    }
+}
+
 TEST(Bodies, NothingIsLeftOfABoxThatIsThinAlongAnyAxis) {
     for (int axis = 0; axis < 3; ++axis) {
         for (const double share : {0.5, 0.99, 1.01}) { // of the slack

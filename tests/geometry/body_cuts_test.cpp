@@ -278,6 +278,39 @@ TEST(BodyCuts, CutsBetweenRoundBodiesMeetTheEdgesWhereBothNeedTheSame) {
     EXPECT_GE(exact, 0.97 * places) << "eight steps are enough for nearly all" << places;
 }
 
+TEST(BodyCuts, OneRoundBodyCoversWithoutACut) {
+    Cuts c({ball_of({1, 1, 0}, 9), ball_of({1, 1, 0}, 0.1)});
+    EXPECT_TRUE(c.cover(triangle));
+    EXPECT_EQ(c.cuts.pieces(), 0u);
+    EXPECT_EQ(c.cuts.most_cuts(), 0u);
+}
+
+TEST(BodyCuts, ABodyThatHoldsNothingIsNotCutOut) {
+    // A pyramid that is thinner at its middle than its slack, and thicker elsewhere: its planes enclose a place, but it
+    // holds nothing.
+    const std::vector<Element> pyramid{
+        {.kind = Kind::hull,
+         .hull = convex_hull(std::vector<Vec3>{{0, -1, -1}, {0, 1, -1}, {0, -1, 1}, {0, 1, 1}, {12, 0, 0}})}};
+    const double slack = Bodies({{}, pyramid}, {}, 5, most_halvings, 1e6).slack(0);
+    const Bodies bodies({{}, pyramid}, {}, 5, most_halvings, 0.75e6 / slack);
+    EXPECT_NEAR(bodies.slack(0), 0.75, 1e-6);
+    const Vec3 enclosed{0.8, 0, 0};
+    for (const Polytope::Face& plane : bodies.planes(0)) {
+        EXPECT_LT(dot(plane.normal, enclosed - bodies.center(0)), plane.offset);
+    }
+    ASSERT_FALSE(bodies.holds(0, enclosed));
+    BodyCuts cuts(bodies, most_halvings);
+    const std::array<std::uint32_t, 1> all{0};
+    for (const Corners& t : {Corners{{0, -1, 0}, {3, -1, 0}, {0, 2, 0}}, {{0.79, 0, 0}, {0.81, 0, 0}, {0.8, 0.01, 0}}}) {
+        double area = 0;
+        for (const std::vector<Vec3>& polygon : cuts.rest(t, all, plenty)) {
+            area += area_of(polygon);
+        }
+        EXPECT_NEAR(area, area_of(t), 1e-15);
+        EXPECT_FALSE(cuts.cover(t, all, 1e-9, plenty));
+    }
+}
+
 TEST(BodyCuts, TrianglesThatAreAsLargeAsTheSmallestAreNotDivided) {
     // Cut once at half of its longest edge, which is 5, one part lies in a ball and the other in two.
     const Corners right{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
