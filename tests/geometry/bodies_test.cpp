@@ -458,6 +458,7 @@ TEST(Bodies, NothingIsLeftOfABoxThatIsThinAlongAnyAxis) {
             const Bodies bodies({{}, std::span(&e, 1)}, {}, 30, most_halvings);
             EXPECT_NEAR(bodies.slack(0), slack, 1e-6 * slack);
             EXPECT_EQ(bodies.holds(0, Vec3{}), share > 1) << axis << ' ' << share;
+            EXPECT_EQ(std::isinf(bodies.depth(0, Vec3{})), share < 1) << axis << ' ' << share;
         }
     }
 }
