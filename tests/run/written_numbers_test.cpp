@@ -305,13 +305,13 @@ TEST(WrittenNumbers, AHullHoldsWhatItHeldWhereverItsVerticesMove) {
     const DecimalGrid grid(1);
     const double step = grid.step();
     double most = 0;
-    for (const double x : {-0.4999, 0.4999}) {
-        for (const double y : {-0.4999, 0.4999}) {
-            for (double size = 20; size < 21; size += 0.02) {
+    for (const double x : {-0.4995, 0.4995}) {
+        for (const double y : {-0.4995, 0.4995}) {
+            for (double size = 20; size < 21; size += size > 20.42 && size < 20.63 ? 0.0008 : 0.02) {
                 std::vector<Vec3> points;
                 for (int axis = 0; axis < 3; ++axis) {
                     for (const double end : {-size, size}) {
-                        Vec3 p = Vec3{x, y, 0.4999} * step;
+                        Vec3 p = Vec3{x, y, 0.4995} * step;
                         p[axis] += end * step;
                         points.push_back(p);
                     }
