@@ -279,6 +279,12 @@ TEST(BodyCuts, CutsBetweenRoundBodiesMeetTheEdgesWhereBothNeedTheSame) {
     EXPECT_GE(exact, 0.97 * places) << "eight steps are enough for nearly all" << places;
 }
 
+TEST(BodyCuts, OfAProofThatFailedNothingIsLeft) {
+    Cuts c({box_of({1, 1, -1}, {1.5, 1.5, 1}), ball_of({0, 0, 0}, 0.5), ball_of({4, 0, 0}, 0.5), ball_of({0, 4, 0}, 0.5)});
+    EXPECT_FALSE(c.cover(triangle)); // cut at the box, of which four sides are left
+    EXPECT_TRUE(c.cover({{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}}));
+}
+
 TEST(BodyCuts, OneRoundBodyCoversWithoutACut) {
     Cuts c({ball_of({1, 1, 0}, 9), ball_of({1, 1, 0}, 0.1)});
     EXPECT_TRUE(c.cover(triangle));
@@ -320,6 +326,29 @@ TEST(BodyCuts, TrianglesThatAreAsLargeAsTheSmallestAreNotDivided) {
     EXPECT_EQ(c.cuts.pieces(), 4u);
     EXPECT_EQ(c.cuts.most_cuts(), 2u);
     EXPECT_FALSE(c.cover(right, 5));
+}
+
+TEST(BodyCuts, WhichCornerComesFirstDoesNotMatter) {
+    Random random(7);
+    int several = 0;
+    for (int k = 0; k < 300; ++k) {
+        std::vector<Element> balls;
+        for (const Vec3& place : {Vec3{0.7, 0.7, 0}, {3, 0.3, 0}, {0.3, 3, 0}, {1.8, 1.8, 0}, {1.5, 0.2, 0}, {0.2, 1.7, 0}}) {
+            balls.push_back(ball_of(place + test::random_direction(random) * 0.3, random.uniform(0.8, 1.5)));
+        }
+        Cuts c(balls);
+        if (c.cover(triangle)) {
+            const std::size_t pieces = c.cuts.pieces();
+            const std::uint32_t cuts = c.cuts.most_cuts();
+            several += cuts > 2;
+            for (const Corners& same : {Corners{triangle.a, triangle.c, triangle.b}, {triangle.b, triangle.c, triangle.a}}) {
+                EXPECT_TRUE(c.cover(same));
+                EXPECT_EQ(c.cuts.pieces(), pieces);
+                EXPECT_EQ(c.cuts.most_cuts(), cuts) << "that of the piece with most, whether first or last";
+            }
+        }
+    }
+    EXPECT_GT(several, 20);
 }
 
 TEST(BodyCuts, SmallTrianglesAreDividedToo) {
