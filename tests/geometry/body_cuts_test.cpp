@@ -192,6 +192,9 @@ TEST(BodyCuts, TwoRoundBodiesThatHoldTheEdgesAreToldApartByOneCut) {
         EXPECT_TRUE(c.cover(triangle)) << overlap;
         EXPECT_EQ(c.cuts.pieces(), 2u);
         EXPECT_EQ(c.cuts.most_cuts(), 1u);
+        Cuts more({left, ball_of({4, 0, 0}, 0.1), right}); // another that holds a corner is tried before
+        EXPECT_TRUE(more.cover(triangle)) << overlap;
+        EXPECT_EQ(more.cuts.pieces(), 2u);
         right.pose.translation = {4 + overlap, 0, 0};
         EXPECT_FALSE(Cuts({left, right}).cover(triangle));
     }

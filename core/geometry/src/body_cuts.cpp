@@ -129,8 +129,7 @@ std::vector<std::vector<Vec3>> BodyCuts::rest(const Corners& triangle, std::span
         bool done = false;
         for (std::size_t n = next.begin; n < next.end && !done; ++n) {
             const std::uint32_t i = indices_[n];
-            done = held(next, i) ||
-                   (pieces_ <= most_pieces_ && !bodies_.planes(i).empty() && cut_out(next, i));
+            done = held(next, i) || (pieces_ <= most_pieces_ && !bodies_.planes(i).empty() && cut_out(next, i));
         }
         if (!done) {
             result.emplace_back(next.corner.data(), next.corner.data() + next.corners);
