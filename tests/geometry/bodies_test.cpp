@@ -191,19 +191,25 @@ TEST_P(EachBody, HoldsABallWhereItsRadiusIsLeft) {
 }
 
 TEST_P(EachBody, PlanesAreThoseOfBoxesAndHulls) {
+    int inside = 0, outside = 0;
     for (int k = 0; k < 20; ++k) {
         const Element e = some_element(GetParam(), random);
         const Bodies bodies({{}, std::span(&e, 1)}, {}, 5, most_halvings, caution);
         EXPECT_EQ(bodies.planes(0).size(), e.hull ? e.hull->faces.size() : e.kind == Kind::box ? 6 : 0);
         for (int i = 0; i < 100 && !bodies.planes(0).empty(); ++i) {
-            const Vec3 p = support(e, test::random_direction(random)) + test::random_direction(random) * 1e-4;
+            const Vec3 outermost = support(e, test::random_direction(random));
+            const Vec3 p = outermost + (bodies.center(0) - outermost) * random.uniform(0, 4e-3) +
+                           test::random_direction(random) * bodies.slack(0);
             double most = -1e300;
             for (const Polytope::Face& plane : bodies.planes(0)) {
                 most = std::max(most, dot(plane.normal, p - bodies.center(0)) - plane.offset);
             }
             EXPECT_TRUE(std::abs(most) < 1e-12 || bodies.holds(0, p) == (most < 0));
+            inside += bodies.holds(0, p);
+            outside += !bodies.holds(0, p);
         }
     }
+    EXPECT_TRUE((inside > 300 && outside > 100) || inside + outside == 0) << inside << ' ' << outside;
 }
 
 TEST_P(EachBody, BoundsAreThoseOfTheElementAndTwoSlacks) {

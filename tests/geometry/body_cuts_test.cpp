@@ -331,6 +331,25 @@ TEST(BodyCuts, TrianglesThatAreAsLargeAsTheSmallestAreNotDivided) {
     EXPECT_FALSE(c.cover(right, 5));
 }
 
+TEST(BodyCuts, ACutMayGoThroughACorner) {
+    const Vec3 middle{0, 0, 0}, left{-1, 1, 0}, right{1, 1, 0};
+    for (const double y : {5.0, -1.0}) {
+        const Cuts c({ball_of({-2, y, 0}, 0.5), ball_of({2, y, 0}, 0.5)});
+        ASSERT_EQ(c.bodies.growth(0, middle), c.bodies.growth(1, middle));
+        for (const Corners& t : {Corners{middle, left, right}, {left, right, middle}, {right, middle, left},
+                                 {middle, right, left}, {right, left, middle}, {left, middle, right}}) {
+            double of_left = 0, of_right = 0;
+            for (const Corners& part : c.cuts.between_nearest(t, c.all)) {
+                const double x[]{part.a.x, part.b.x, part.c.x};
+                of_left += *std::max_element(x, x + 3) < 1e-11 ? area_of(part) : 0;
+                of_right += *std::min_element(x, x + 3) > -1e-11 ? area_of(part) : 0;
+            }
+            EXPECT_NEAR(of_left, 0.5, 1e-11);
+            EXPECT_NEAR(of_right, 0.5, 1e-11);
+        }
+    }
+}
+
 TEST(BodyCuts, WhichCornerComesFirstDoesNotMatter) {
     Random random(7);
     int several = 0;

@@ -46,16 +46,18 @@ template <class Value> bool BodyCuts::split(const Polygon& polygon, Value value,
     for (std::size_t k = 0; k < polygon.corners; ++k) {
         at[k] = value(polygon.corner[k]);
     }
+    const auto is_low = [&](std::size_t k) { return at[k] <= 0; };
     parts.low.corners = parts.high.corners = 0;
     int crossings = 0;
     bool whole = true;
     for (std::size_t k = 0; k < polygon.corners; ++k) {
-        const double here = at[k], next = at[k + 1 == polygon.corners ? 0 : k + 1];
-        whole = whole && (here <= 0 ? parts.low : parts.high).add(polygon.corner[k]);
-        if ((here <= 0) != (next <= 0)) {
-            const double share = crossing(polygon.corner[k], polygon.after(k), here, next, value); // from 0 to 1
+        const std::size_t next = k + 1 == polygon.corners ? 0 : k + 1;
+        whole = whole && (is_low(k) ? parts.low : parts.high).add(polygon.corner[k]);
+        if (is_low(k) != is_low(next)) {
+            const Vec3 &here = polygon.corner[k], &there = polygon.corner[next];
+            const double share = crossing(here, there, at[k], at[next], value); // from 0 to 1
             const double rest = 1 - share, taken = 1 - rest; // they add up to exactly 1 (Sterbenz 1974)
-            const Vec3 cut = polygon.corner[k] * rest + polygon.after(k) * taken;
+            const Vec3 cut = here * rest + there * taken;
             whole = whole && parts.low.add(cut) && parts.high.add(cut);
             ++crossings;
         }

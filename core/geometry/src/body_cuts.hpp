@@ -58,7 +58,6 @@ private:
         }
         /// A bit for each corner.
         std::uint32_t all() const { return (1u << corners) - 1; }
-        const Vec3& after(std::size_t k) const { return corner[k + 1 == corners ? 0 : k + 1]; }
     };
     struct Parts {
         Polygon low, high; ///< where the value is at most 0, and the rest
