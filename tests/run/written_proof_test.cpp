@@ -161,6 +161,7 @@ TEST_F(WrittenProofs, AReaderThatTakesOtherRadiiIsToldFromAnError) {
     EXPECT_EQ(hint({{{}, radius}}, {{{}, radius * (1 - 0.9e-5)}}, Guarantee::outer), "none");
     EXPECT_THAT(hint({{{}, radius}}, {{{}, radius * (1 - 1.1e-5)}}, Guarantee::outer), HasSubstr(" m less"));
     EXPECT_EQ(hint({{{}, 1}}, {{{}, 1.5}}, Guarantee::inner), "0.5 m more");
+    EXPECT_EQ(hint({{{}, 0.5}}, {{{}, 1.5}}, Guarantee::inner), "1 m more");
     EXPECT_EQ(hint({{{}, 1}}, {{{}, 1 + 0.9e-5}}, Guarantee::inner), "none");
     EXPECT_THAT(hint({{{}, 1}}, {{{}, 1 + 1.1e-5}}, Guarantee::inner), HasSubstr(" m more"));
     EXPECT_EQ(hint({}, {{{}, 1.5}}, Guarantee::inner), "none");
