@@ -339,6 +339,7 @@ TEST(FinishedTree, CostsOfElementsAreThoseOfWhatIsFinished) {
     e.pose.translation.x = 0.25;
     EXPECT_NEAR(costs(e, Guarantee::fitted).first, 0.25 + 0.25, 0.01) << "excess and missing";
     EXPECT_NEAR(costs(e, Guarantee::fitted).second, 0.25, 0.01);
+    EXPECT_NEAR(costs(e, Guarantee::outer).first, 0.25, 0.01) << "it grows on the other side";
     const Element inside{.kind = Element::Kind::capsule, .half = {0, 0, 0.1}, .radius = 0.2};
     EXPECT_NEAR(costs(inside, Guarantee::fitted).first, 1 - volume(0.2) - std::numbers::pi * 0.04 * 0.2, 0.01);
     EXPECT_EQ(costs(inside, Guarantee::fitted).second, 0);
