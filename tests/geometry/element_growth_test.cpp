@@ -149,6 +149,110 @@ TEST(ElementGrowth, TheWorseEndOfACapsuleCounts) {
     }
 }
 
+TEST(ElementGrowth, TheCurvedSideOfACylinderIsGivenToTheElementAroundIt) {
+    const auto solid = test::primitive_solid({Primitive::Kind::cylinder, {}, 1, 2});
+    Element low{.kind = Kind::cylinder, .half = {0, 0, 0.6}, .radius = 1.1}, high = low;
+    low.pose.translation.z = -0.5;
+    high.pose.translation.z = 0.5;
+    high.radius = 0.5;
+    for (const auto& elements : {std::vector{low, high}, std::vector{high, low}}) {
+        for (const Element& e : grown_to_cover(*solid, {{}, {}, elements}).others) {
+            EXPECT_NEAR(e.radius, e.pose.translation.z < 0 ? 1.1 : 1 / std::cos(std::numbers::pi / 64), 0.002);
+            EXPECT_NEAR(e.half.z, 0.6, hair);
+        }
+    }
+}
+
+/// A plate around the origin, the vertices of which are so far from that of their own frame that they hardly differ.
+Element plate_from_afar(double away) {
+    const Vec3 far{away, -away, away}, half{1, 1, 8e-16 * away};
+    Element plate{.kind = Kind::hull};
+    plate.hull = convex_hull(test::box(far - half, far + half).vertices);
+    plate.pose.translation = -far;
+    return plate;
+}
+
+TEST(ElementGrowth, WhatIsThinnerThanRoundingIsThickenedBeforeItGrows) {
+    for (const auto& [away, share] : {std::pair{1e4, 1e-9}, {1e6, 1e-7}, {1e8, 1e-5}}) {
+        for (const double half : {1e-9, 1e-5, 1e-2, 1.0}) {
+            const auto solid = Solid::make(test::box({-1, -1, -half}, {1, 1, half}));
+            const Element before = plate_from_afar(away);
+            ASSERT_TRUE(is_valid(before));
+            const Element after = grown_to_cover(*solid, {{}, {}, {before}}).others[0];
+            EXPECT_TRUE(covers(*solid, ElementsView{{}, {&after, 1}}));
+            const double thicker = 1.1 * share * solid->bounds().diagonal();
+            EXPECT_LE(bounds(after).size().z / 2, std::max(half, thicker) + 1e-2 * half + thicker) << away;
+            EXPECT_LE(bounds(after).size().x / 2, 2 + 5 * thicker) << away; // a box along the diagonal
+        }
+    }
+}
+
+Vec3 scaled(const Vec3& v, double by) {
+    return v * by;
+}
+Mesh scaled(Mesh mesh, double by) {
+    for (Vec3& v : mesh.vertices) {
+        v = scaled(v, by);
+    }
+    return mesh;
+}
+Element scaled(Element e, double by) {
+    e.pose.translation = e.pose.translation * by;
+    e.half = e.half * by;
+    e.radius *= by;
+    if (e.hull) {
+        e.hull = convex_hull(scaled(e.hull->surface, by).vertices);
+    }
+    return e;
+}
+
+TEST(ElementGrowth, ScalesWithAll) {
+    // Powers of two: numbers differ in their exponents alone, so any step that knows a length would do otherwise.
+    const Mesh bar = test::box({-0.05, -0.05, -1}, {0.05, 0.05, 1}), wide = test::box({-1, -1, -0.1}, {1, 1, 0.1});
+    for (const Kind kind : {Kind::box, Kind::cylinder, Kind::capsule, Kind::swept_box, Kind::sphere, Kind::hull}) {
+        std::vector<Element> ends{small_one(kind), small_one(kind), small_one(kind)};
+        ends[0].pose.translation = {0, 0.01, -1};
+        ends[1].pose.translation = {0.3, 0, 0.9};
+        ends[2].pose.translation = {-0.8, 0.8, 0.1};
+        for (const Mesh& mesh : {bar, wide}) {
+            const std::vector<Element> once = grown_over(mesh, ends);
+            for (const double by : {0x1p-10, 0x1p10}) {
+                std::vector<Element> small;
+                for (const Element& e : ends) {
+                    small.push_back(scaled(e, by));
+                }
+                const std::vector<Element> after = grown_over(scaled(mesh, by), small);
+                for (std::size_t i = 0; i < ends.size(); ++i) {
+                    EXPECT_EQ(after[i].half, once[i].half * by) << to_string(kind) << by;
+                    EXPECT_EQ(after[i].radius, once[i].radius * by) << to_string(kind) << by;
+                    EXPECT_EQ(after[i].pose.translation, once[i].pose.translation * by) << to_string(kind) << by;
+                    EXPECT_EQ(bounds(after[i]).low, bounds(once[i]).low * by) << to_string(kind) << by;
+                }
+            }
+        }
+    }
+}
+
+TEST(ElementGrowth, SpheresGrowBesideOthers) {
+    const auto solid = Solid::make(test::box({-0.1, -0.1, -1}, {0.1, 0.1, 1}));
+    Element low = box_between({-1, -1, -1}, {1, 1, 0}), far = low, bad = low;
+    bad.half.x = -1;
+    far.pose.translation.x = 9;
+    const Approximation::Level before{{{{0, 0, 0.5}, 0.1}, {{0, 0, -5}, 0.7}, {{0, 0, 5}, -1}}, {}, {low, far, bad}};
+    const Approximation::Level after = grown_to_cover(*solid, before);
+    ASSERT_EQ(after.spheres.size(), 3u);
+    ASSERT_EQ(after.others.size(), 3u);
+    EXPECT_NEAR(after.spheres[0].radius, std::hypot(0.5, 0.1, 0.1), hair);
+    EXPECT_NEAR(after.spheres[1].radius, 0.7, hair);
+    EXPECT_EQ(after.spheres[2], before.spheres[2]);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(after.spheres[i].center, before.spheres[i].center);
+    }
+    EXPECT_EQ(after.others[2], bad);
+    EXPECT_NEAR(volume(after.others[0]), volume(low), hair);
+    EXPECT_NEAR(volume(after.others[1]), volume(far), hair);
+}
+
 TEST(ElementGrowth, WhatCoversStaysAsItIs) {
     const auto solid = Solid::make(test::box({-1, -1, -1}, {1, 1, 1}));
     const Approximation::Level level{{{{}, 0.1}}, {}, {box_between({-1.1, -1.1, -1.1}, {1.1, 1.1, 1.1})}};
