@@ -258,4 +258,100 @@ TEST(ElementGrown, AFewLengthsOfReachAreNoSpike) {
     }
 }
 
+TEST(ElementGrown, ByNothingItStaysAsItIs) {
+    Element hull{.kind = Element::Kind::hull};
+    hull.hull = hull_of(lens(5, 1));
+    const std::vector<Element> all{{.kind = Element::Kind::sphere, .radius = 1},
+                                   {.kind = Element::Kind::cylinder, .half = {0, 0, 1}, .radius = 1},
+                                   {.kind = Element::Kind::box, .half = {1, 1, 1}}, hull};
+    for (const Element& e : all) {
+        for (const double length : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+            EXPECT_EQ(grown(e, length), e);
+        }
+    }
+}
+
+TEST(ElementGrown, LongOnesHaveRoomForTheRoundingOfTheirLength) {
+    for (int axis = 0; axis < 3; ++axis) {
+        Random random(8);
+        for (int k = 0; k < 40; ++k) {
+            std::vector<Vec3> points;
+            for (const double end : {-1e4, 1e4}) {
+                Vec3 tip = test::random_direction(random);
+                tip[axis] = end;
+                points.push_back(tip);
+            }
+            for (int i = 0; i < 8; ++i) {
+                points.push_back(test::random_direction(random));
+            }
+            const auto hull = hull_of(points);
+            const auto result = with_room(*hull, 1e-12);
+            expect_room(*result, points, 1e-12);
+            expect_room(*result, result->surface.vertices, 0);
+        }
+    }
+}
+
+TEST(ElementGrown, FarAwayASharpEdgeDoesNotReachOutLikeASpikeEither) {
+    for (const int corners : {3, 6}) {
+        std::vector<Vec3> points = lens(corners, corners == 3 ? 1e-5 : 1e-3);
+        for (Vec3& p : points) {
+            p = p + Vec3{300, -400, 500};
+        }
+        const double length = 1e-3, side = corners == 3 ? std::sqrt(3.0) : 2, across = corners == 3 ? 1.5 : 2;
+        const auto result = with_room(*hull_of(points), length);
+        expect_room(*result, points, length);
+        const double flat = corners == 3 ? 4e-5 : 2e-3;
+        const double box = (side + 2 * length) * (across + 2 * length) * (flat + 2 * length);
+        EXPECT_LE(signed_volume(result->surface), corners == 3 ? 1.03 * 27 / 6 * box : 1.02 * box);
+    }
+}
+
+TEST(ElementGrown, FacesMoveByManyTimesTheSize) {
+    const auto cube = hull_of(test::box({-1, -1, -1}, {1, 1, 1}).vertices);
+    const auto result = with_faces_moved(*cube, std::vector<double>(6, 1e4), {}, 1e4);
+    ASSERT_TRUE(result);
+    expect_room(*result, cube->surface.vertices, 1e4);
+    EXPECT_NEAR(signed_volume(result->surface), 8 * std::pow(1e4 + 1, 3), 1e-11 * 8e12);
+}
+
+TEST(ElementGrown, APlateThatIsThinnerThanItsRoundingHasRoomToo) {
+    // Its middle is not surely inside.
+    const Vec3 far{1e4, -1e4, 1e4}, half{1, 1, 8e-12};
+    const std::vector<Vec3> corners = test::box(far - half, far + half).vertices;
+    for (const double length : {1e-12, 1e-9, 1e-3}) {
+        const auto result = with_room(*hull_of(corners), length);
+        expect_room(*result, corners, length);
+        EXPECT_LE(result->surface.vertices.size(), 8u);
+        EXPECT_LE(signed_volume(result->surface), 2.1 * 4 * (5e-10 + 2 * length) * (1 + 2 * length) * (1 + 2 * length));
+    }
+}
+
+TEST(ElementGrown, ScalesWithAll) {
+    // By powers of two, which round nothing: a step that knows a length would do otherwise.
+    Random random(9);
+    for (int k = 0; k < 30; ++k) {
+        std::vector<Vec3> points = k < 20 ? lens(3 + k % 5, std::pow(10, -k % 4)) : lens(20, 1);
+        const Pose pose = test::random_pose(random, 2);
+        for (Vec3& p : points) {
+            p = pose * p;
+        }
+        for (const double length : {1e-12, 1e-3, 1.0}) {
+            const auto once = with_room(*hull_of(points), length);
+            for (const double by : {0x1p-12, 0x1p12}) {
+                std::vector<Vec3> others = points;
+                for (Vec3& p : others) {
+                    p = p * by;
+                }
+                const auto result = with_room(*hull_of(others), length * by);
+                const double volume = signed_volume(once->surface) * by * by * by, digits = 1e-10;
+                EXPECT_EQ(result->surface.vertices.size(), once->surface.vertices.size());
+                EXPECT_NEAR(signed_volume(result->surface), volume, digits * volume);
+                const Box box = bounds(result->surface), wanted{bounds(once->surface).low * by, bounds(once->surface).high * by};
+                EXPECT_LE(norm(box.low - wanted.low) + norm(box.high - wanted.high), digits * wanted.diagonal());
+            }
+        }
+    }
+}
+
 } // namespace
