@@ -106,7 +106,7 @@ private:
             return;
         }
         const PiecePoints corners(item.piece);
-        if (lower > 0 && (certificate_.holds || lower > proved_gap_)) {
+        if (lower > proved_gap_) {
             fail(item.piece, corners.points[farthest]);
             proved_gap_ = lower;
         }
