@@ -1,5 +1,4 @@
 // Parts of the proof for elements: what is contained by its lengths, which triangles are open, and where the gap is.
-#include "geometry/src/body_cuts.hpp"
 #include "geometry/src/element_proof.hpp"
 #include "plain_shapes.hpp"
 
@@ -366,52 +365,6 @@ TEST(ElementCertificate, ATriangleInOneBallIsProvedJustWhereTheBodyHoldsItsCorne
     EXPECT_GT(held, 500);
     EXPECT_LT(held, 2500);
     EXPECT_GT(at, 5);
-}
-
-Element ball_around(const Piece& piece) {
-    const auto& [a, b, c] = piece.corners;
-    Element ball{.kind = Kind::sphere};
-    ball.pose.translation = (a + b + c) / 3;
-    for (const Vec3& p : {a, b, c}) {
-        ball.radius = std::max(ball.radius, distance(p, ball.pose.translation) * (1 + 1e-6));
-    }
-    return ball;
-}
-
-TEST(ElementCertificate, CutsAndHalvingsTogetherAreNoMoreThanTheDepthAllows) {
-    // A box within the triangle is cut out by four cuts, which count as eight halvings. What is left is held by balls
-    // after two halvings more. Depth 3 allows nine halvings, depth 4 twelve.
-    const auto solid = Solid::make(Mesh{{{-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}}, {{0, 1, 2}}});
-    ASSERT_EQ(solid->bounds().center(), Vec3{});
-    Element box{.kind = Kind::box, .half = {0.05, 0.05, 1}};
-    box.pose.translation = {-0.5, -0.5, 0};
-    std::vector<Element> elements{box};
-    const Bodies bodies({{}, elements}, {}, 2, 9);
-    BodyCuts cuts(bodies, 9);
-    const Balls pieces(*solid, {}, 9);
-    const std::vector<std::uint32_t> all{0};
-    std::size_t large = 0;
-    for (const std::vector<Vec3>& polygon : cuts.rest(pieces.piece(0).corners, all, 100)) {
-        for (std::size_t k = 2; k < polygon.size(); ++k) {
-            const Piece part{.corners = {polygon[0], polygon[k - 1], polygon[k]}, .beneath = {}};
-            if (size_of(part) < 1.5) {
-                elements.push_back(ball_around(part));
-                continue;
-            }
-            const auto [first, second] = halves(part);
-            for (const Piece& half : {first, second}) {
-                const auto [third, fourth] = halves(half);
-                elements.push_back(ball_around(third));
-                elements.push_back(ball_around(fourth));
-            }
-            ++large;
-        }
-    }
-    EXPECT_EQ(cuts.most_cuts(), 4u);
-    EXPECT_GE(large, 1u);
-    EXPECT_FALSE(certify(*solid, ElementsView{{}, elements}, 3).holds);
-    EXPECT_TRUE(certify(*solid, ElementsView{{}, elements}, 4).holds);
-    EXPECT_TRUE(covers(*solid, ElementsView{{}, elements}));
 }
 
 } // namespace
