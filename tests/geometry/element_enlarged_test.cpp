@@ -183,6 +183,23 @@ TEST(ElementEnlarged, EndsAreRoundedOutwards) {
     }
 }
 
+TEST(ElementEnlarged, EndsFarFromASmallOneAreRoundedOutwards) {
+    // The middle moves by much more than the element is large: its place is rounded by more than its ends were.
+    Random random(14);
+    for (int k = 0; k < 500; ++k) {
+        Element box{.kind = Kind::box, .half = Vec3{1, 1, 1} * 1e-6};
+        box.pose.translation = test::random_direction(random) * 1e-6;
+        const Vec3 p = test::random_direction(random) * 3;
+        const Element result = enlarged(box, std::array{p}, 0);
+        for (int axis = 0; axis < 3; ++axis) {
+            const long double at = result.pose.translation[axis], half = result.half[axis];
+            const long double old = box.pose.translation[axis];
+            EXPECT_LE(at - half, std::min<long double>(p[axis], old - box.half[axis])) << k;
+            EXPECT_GE(at + half, std::max<long double>(p[axis], old + box.half[axis])) << k;
+        }
+    }
+}
+
 Element cube() {
     Element e{.kind = Kind::hull};
     e.hull = convex_hull(test::box({-1, -1, -1}, {1, 1, 1}).vertices);

@@ -58,6 +58,16 @@ void expect_room(const Polytope& outer, std::span<const Vec3> points, double len
     }
 }
 
+/// Two pyramids upon a regular polygon: flat ones have a sharp edge all around.
+std::vector<Vec3> lens(int corners, double height) {
+    std::vector<Vec3> points{{0, 0, height}, {0, 0, -height}};
+    for (int k = 0; k < corners; ++k) {
+        const double angle = 2 * std::numbers::pi * k / corners;
+        points.push_back({std::cos(angle), std::sin(angle), 0});
+    }
+    return points;
+}
+
 TEST(ElementGrown, VerticesMoveByTheLeastThatTheirPlanesAskFor) {
     Random random(1);
     int moved = 0;
@@ -118,6 +128,8 @@ TEST(ElementGrown, AllWithinTheLengthOfThePolytopeAndThePointsIsInside) {
         const auto result = with_faces_moved(*hull, lengths, corner, length);
         ASSERT_TRUE(result);
         expect_room(*result, hull->surface.vertices, length);
+        const auto more = with_faces_moved(*hull, std::vector<double>(hull->faces.size(), length + 1e-11), {}, 0);
+        EXPECT_LE(signed_volume(result->surface), signed_volume(more->surface) * (1 + 1e-13));
         // points that the moved planes do not hold
         const std::vector<Vec3> far{hull->surface.vertices[0] * 9};
         EXPECT_FALSE(with_faces_moved(*hull, lengths, far, length));
@@ -132,6 +144,52 @@ TEST(ElementGrown, FacesMoveFartherIfAPointNeedsTheRoom) {
     ASSERT_TRUE(result);
     expect_room(*result, point, 0.05);
     expect_room(*result, cube->surface.vertices, 0.05);
+    EXPECT_LE(bounds(result->surface).high.z, 1.1 + 8 * 0.03); // eight times as much is tried next
+}
+
+TEST(ElementGrown, FarFromTheOriginThereIsRoomForTheRounding) {
+    Random random(10);
+    for (int k = 0; k < 100; ++k) {
+        const auto hull = random_hull(4 + k % 40, random, Vec3{100, -200, 300});
+        const double length = std::pow(10, random.uniform(-12, -1));
+        const std::vector<double> lengths(hull->faces.size(), length);
+        const auto result = with_faces_moved(*hull, lengths, {}, length);
+        ASSERT_TRUE(result);
+        expect_room(*result, hull->surface.vertices, length);
+        const auto more = with_faces_moved(*hull, std::vector<double>(hull->faces.size(), length + 1e-9), {}, 0);
+        EXPECT_LE(signed_volume(result->surface), signed_volume(more->surface) * (1 + 1e-11));
+    }
+}
+
+TEST(ElementGrown, ManyTimesALittleRoomLeavesAllVerticesWithinThePlanes) {
+    Random random(11);
+    for (const int corners : {6, 30}) {
+        auto hull = random_hull(corners, random);
+        const std::vector<Vec3> before = hull->surface.vertices;
+        for (int k = 0; k < 3000; ++k) {
+            hull = with_room(*hull, 1e-13);
+        }
+        expect_room(*hull, hull->surface.vertices, 0);
+        expect_room(*hull, before, 3000e-13);
+        EXPECT_EQ(hull->surface.vertices.size(), before.size());
+    }
+}
+
+TEST(ElementGrown, FacesThatMeetWithinEightLengthsMove) {
+    for (const double reach : {3.0, 6.0, 7.5, 8.5, 15.0}) {
+        const double slope = 1 / std::sqrt(reach * reach - 1); // of the faces: their edges go out by so many lengths
+        std::vector<Vec3> points = lens(40, slope);
+        for (std::size_t k = 0; k < points.size(); k += 7) {
+            std::rotate(points.begin(), points.begin() + 7, points.end());
+            const auto hull = hull_of(points);
+            const auto moved = with_faces_moved(*hull, std::vector<double>(hull->faces.size(), 0.5), {}, 0.5);
+            ASSERT_TRUE(moved);
+            const auto result = with_room(*hull, 0.5);
+            expect_room(*result, points, 0.5);
+            const double smaller = signed_volume(moved->surface) - signed_volume(result->surface);
+            EXPECT_EQ(smaller > 0, reach > 8) << reach; // else a box would be smaller, and would not be taken
+        }
+    }
 }
 
 TEST(ElementGrown, ALittleRoomKeepsTheShape) {
@@ -173,16 +231,6 @@ TEST(ElementGrown, TheInnerPointIsTheMeanOfTheSurface) {
     }
 }
 
-/// Two pyramids upon a regular polygon: flat ones have a sharp edge all around.
-std::vector<Vec3> lens(int corners, double height) {
-    std::vector<Vec3> points{{0, 0, height}, {0, 0, -height}};
-    for (int k = 0; k < corners; ++k) {
-        const double angle = 2 * std::numbers::pi * k / corners;
-        points.push_back({std::cos(angle), std::sin(angle), 0});
-    }
-    return points;
-}
-
 TEST(ElementGrown, OffsetsOfSmallOnesAreRoundedByLittle) {
     Random random(7);
     for (const double size : {1e-3, 1e-6}) {
@@ -219,6 +267,7 @@ TEST(ElementGrown, ASharpEdgeDoesNotReachOutLikeASpike) {
         for (Vec3& p : points) {
             p = pose * p;
         }
+        std::rotate(points.begin(), points.begin() + 3, points.end());
         const auto result = with_room(*hull_of(points), length);
         expect_room(*result, points, length);
         EXPECT_LE(result->surface.vertices.size(), 8u);
@@ -293,11 +342,13 @@ TEST(ElementGrown, LongOnesHaveRoomForTheRoundingOfTheirLength) {
 }
 
 TEST(ElementGrown, FarAwayASharpEdgeDoesNotReachOutLikeASpikeEither) {
-    for (const int corners : {3, 6}) {
+    for (int k = 0; k < 16; ++k) {
+        const int corners = k % 2 ? 3 : 6;
         std::vector<Vec3> points = lens(corners, corners == 3 ? 1e-5 : 1e-3);
         for (Vec3& p : points) {
             p = p + Vec3{300, -400, 500};
         }
+        std::rotate(points.begin(), points.begin() + k / 2 % (corners + 2), points.end()); // any of them is the last
         const double length = 1e-3, side = corners == 3 ? std::sqrt(3.0) : 2, across = corners == 3 ? 1.5 : 2;
         const auto result = with_room(*hull_of(points), length);
         expect_room(*result, points, length);

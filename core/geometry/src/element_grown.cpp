@@ -126,7 +126,7 @@ static std::shared_ptr<const Polytope> scaled(const Polytope& hull, const Vec3& 
     double reach = 0;
     for (Vec3& v : result->surface.vertices) {
         v += (v - middle) * share;
-        reach = std::max({reach, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+        reach = std::max(reach, norm(v));
     }
     for (Polytope::Face& face : result->faces) {
         const double rounding = 32 * 0x1p-53 * (reach + norm(middle));
