@@ -331,16 +331,32 @@ TEST(ElementCertificate, ScalesWithAll) {
 
 TEST(ElementCertificate, TheFirstGapEndsTheSearch) {
     // Of a corner that is outside nothing has to be halved, and no triangle after it is looked at.
-    const auto solid = Solid::make(test::ball({}, 1, 8));
+    const auto solid = Solid::make(Mesh{{{-2, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0, -3, 0}}, {{0, 1, 2}, {1, 0, 3}}});
     for (const Kind kind : {Kind::sphere, Kind::box}) {
-        Element small{.kind = kind, .radius = 0.5};
+        Element left{.kind = kind, .radius = 0.5};
         if (kind == Kind::box) {
-            small = {.kind = kind, .half = {0.5, 0.5, 0.5}};
+            left = {.kind = kind, .half = {0.5, 0.5, 0.5}};
         }
-        const Certificate first = certify_to_first_gap(*solid, ElementsView{{}, {&small, 1}});
+        Element right = left;
+        left.pose.translation = {-2, 1.5, 0};
+        right.pose.translation = {2, 1.5, 0};
+        const std::vector<Element> both{left, right};
+        const Certificate first = certify_to_first_gap(*solid, ElementsView{{}, both});
         EXPECT_FALSE(first.holds);
         EXPECT_LE(first.pieces, 2u);
+        EXPECT_GT(certify(*solid, ElementsView{{}, both}).pieces, 4u);
     }
+}
+
+TEST(ElementCertificate, PartsThatCutsLeaveCountAsPieces) {
+    const auto solid = Solid::make(Mesh{{{-2, 0, 0}, {2, 0, 0}, {0, 3, 0}}, {{0, 1, 2}}});
+    Element left{.kind = Kind::box, .half = {1.1, 4, 1}}, right = left;
+    left.pose.translation.x = -1;
+    right.pose.translation.x = 1;
+    const std::vector<Element> both{left, right};
+    const Certificate certificate = certify(*solid, ElementsView{{}, both});
+    EXPECT_TRUE(certificate.holds);
+    EXPECT_EQ(certificate.pieces, 2u); // the triangle, and what one box leaves of it
 }
 
 TEST(ElementCertificate, ATriangleInOneBallIsProvedJustWhereTheBodyHoldsItsCorners) {
