@@ -116,13 +116,15 @@ TEST(ElementGrowth, ABarBetweenTwoIsShared) {
 }
 
 TEST(ElementGrowth, OnlyTheElementNearestToARoundPartGrowsAroundIt) {
-    const auto solid = test::primitive_solid({Primitive::Kind::sphere, {}, 1, 0});
-    for (const double less : {1e-3, 4e-3}) {
-        Element near{.kind = Kind::sphere, .radius = 1 - less}, far{.kind = Kind::sphere, .radius = 1};
-        far.pose.translation = {0, 0, 1.2 * less};
-        for (const auto& elements : {std::vector{near, far}, std::vector{far, near}}) {
-            for (const Element& e : grown_to_cover(*solid, {{}, {}, elements}).others) {
-                EXPECT_NEAR(e.radius, 1, hair);
+    for (const double by : {1.0, 0x1p-12, 0x1p12}) {
+        const auto solid = test::primitive_solid({Primitive::Kind::sphere, {}, by, 0});
+        for (const double less : {1e-3, 4e-3}) {
+            Element near{.kind = Kind::sphere, .radius = (1 - less) * by}, far{.kind = Kind::sphere, .radius = by};
+            far.pose.translation = {0, 0, 1.2 * less * by};
+            for (const auto& elements : {std::vector{near, far}, std::vector{far, near}}) {
+                for (const Element& e : grown_to_cover(*solid, {{}, {}, elements}).others) {
+                    EXPECT_NEAR(e.radius / by, 1, hair);
+                }
             }
         }
     }
@@ -164,8 +166,8 @@ TEST(ElementGrowth, TheCurvedSideOfACylinderIsGivenToTheElementAroundIt) {
 }
 
 /// A plate around the origin, the vertices of which are so far from that of their own frame that they hardly differ.
-Element plate_from_afar(double away) {
-    const Vec3 far{away, -away, away}, half{1, 1, 8e-16 * away};
+Element plate_from_afar(double away, double by) {
+    const Vec3 far = Vec3{away, -away, away} * by, half = Vec3{1, 1, 8e-16 * away} * by;
     Element plate{.kind = Kind::hull};
     plate.hull = convex_hull(test::box(far - half, far + half).vertices);
     plate.pose.translation = -far;
@@ -175,14 +177,17 @@ Element plate_from_afar(double away) {
 TEST(ElementGrowth, WhatIsThinnerThanRoundingIsThickenedBeforeItGrows) {
     for (const auto& [away, share] : {std::pair{1e4, 1e-9}, {1e6, 1e-7}, {1e8, 1e-5}}) {
         for (const double half : {1e-9, 1e-5, 1e-2, 1.0}) {
-            const auto solid = Solid::make(test::box({-1, -1, -half}, {1, 1, half}));
-            const Element before = plate_from_afar(away);
-            ASSERT_TRUE(is_valid(before));
-            const Element after = grown_to_cover(*solid, {{}, {}, {before}}).others[0];
-            EXPECT_TRUE(covers(*solid, ElementsView{{}, {&after, 1}}));
-            const double thicker = 1.1 * share * solid->bounds().diagonal();
-            EXPECT_LE(bounds(after).size().z / 2, std::max(half, thicker) + 1e-2 * half + thicker) << away;
-            EXPECT_LE(bounds(after).size().x / 2, 2 + 5 * thicker) << away; // a box along the diagonal
+            for (const double by : {1.0, 0x1p-10, 0x1p10}) {
+                const auto solid = Solid::make(test::box(Vec3{-1, -1, -half} * by, Vec3{1, 1, half} * by));
+                const Element before = plate_from_afar(away, by);
+                ASSERT_TRUE(is_valid(before));
+                const Element after = grown_to_cover(*solid, {{}, {}, {before}}).others[0];
+                EXPECT_TRUE(covers(*solid, ElementsView{{}, {&after, 1}}));
+                const double thicker = 1.1 * share * solid->bounds().diagonal() / by;
+                const Vec3 size = bounds(after).size() / by;
+                EXPECT_LE(size.z / 2, std::max(half, thicker) + 1e-2 * half + thicker) << away;
+                EXPECT_LE(size.x / 2, 2 + 5 * thicker) << away; // a box along the diagonal
+            }
         }
     }
 }
