@@ -312,7 +312,8 @@ TEST(ElementGrown, ByNothingItStaysAsItIs) {
     hull.hull = hull_of(lens(5, 1));
     const std::vector<Element> all{{.kind = Element::Kind::sphere, .radius = 1},
                                    {.kind = Element::Kind::cylinder, .half = {0, 0, 1}, .radius = 1},
-                                   {.kind = Element::Kind::box, .half = {1, 1, 1}}, hull};
+                                   {.kind = Element::Kind::box, .half = {1, 1, 1}},
+                                   hull};
     for (const Element& e : all) {
         for (const double length : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
             EXPECT_EQ(grown(e, length), e);
@@ -398,7 +399,8 @@ TEST(ElementGrown, ScalesWithAll) {
                 const double volume = signed_volume(once->surface) * by * by * by, digits = 1e-10;
                 EXPECT_EQ(result->surface.vertices.size(), once->surface.vertices.size());
                 EXPECT_NEAR(signed_volume(result->surface), volume, digits * volume);
-                const Box box = bounds(result->surface), wanted{bounds(once->surface).low * by, bounds(once->surface).high * by};
+                const Box box = bounds(result->surface),
+                          wanted{bounds(once->surface).low * by, bounds(once->surface).high * by};
                 EXPECT_LE(norm(box.low - wanted.low) + norm(box.high - wanted.high), digits * wanted.diagonal());
             }
         }
