@@ -53,7 +53,7 @@ BELONG = {
     "geometry/src/convex_hull.cpp": ["geometry/convex_hull_test", "geometry/element_test"],
     "collision/src/proof.cpp": ["self_collision/proof_test", "self_collision/matrix_test"],
     "search/src/convex/orientation_bounds.cpp": ["convex/orientation_bounds_test", "convex/least_element_test"],
-    "search/src/convex/proved_least.cpp": ["convex/least_element_test"],
+    "search/src/convex/proved_least.cpp": ["convex/proved_least_test", "convex/least_element_test"],
     "judge/src/evaluate/evaluate.cpp": ["evaluate/judged_links_test"],
     "judge/src/evaluate/match.cpp": ["evaluate/judged_links_test"],
     "judge/src/evaluate/proved_links.cpp": ["evaluate/judged_links_test"],

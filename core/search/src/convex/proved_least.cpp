@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <queue>
 
 namespace foam::inline search {
@@ -19,15 +18,14 @@ using Kind = Element::Kind;
 
 class Proof {
 public:
-    Proof(Kind kind, const Cloud& cloud, double tolerance) : kind_(kind), cloud_(cloud), tolerance_(tolerance) {
-        best_ = least_fit(kind, cloud, Effort::best);
-        least_ = volume(best_);
-    }
+    Proof(Kind kind, const Cloud& cloud, double tolerance)
+        : kind_(kind), cloud_(cloud), tolerance_(tolerance), best_(least_fit(kind, cloud, Effort::best)),
+          least_(volume(best_)) {}
     void run() {
         for (const Orientations& cell : all_orientations(of_axis())) {
             look_at(cell);
         }
-        while (!waiting_.empty() && waiting_.top().lower_bound < least_ / (1 + tolerance_)) {
+        while (waiting_.top().lower_bound < least_ / (1 + tolerance_)) { // each cell that is taken leaves parts
             check_cancelled();
             const Orientations cell = waiting_.top();
             waiting_.pop();
@@ -35,13 +33,10 @@ public:
                 look_at(part);
             }
         }
-        bound_ = std::min(least_, settled_);
-        if (!waiting_.empty()) {
-            bound_ = std::min(bound_, waiting_.top().lower_bound);
-        }
     }
     const Fit& best() const { return best_; }
-    double bound() const { return bound_; }
+    /// Returns the least bound of the cells, which have all orientations; rounding puts none above what was found.
+    double bound() const { return std::min(least_, waiting_.top().lower_bound); }
     std::size_t cells() const { return cells_; }
 
 private:
@@ -71,21 +66,16 @@ private:
             best_ = here;
             least_ = volume(here);
         }
-        if (cell.lower_bound < least_ / (1 + tolerance_)) {
-            waiting_.push(cell);
-        } else {
-            settled_ = std::min(settled_, cell.lower_bound);
-        }
+        waiting_.push(cell);
     }
 
     const Kind kind_;
     const Cloud& cloud_;
     const double tolerance_;
     Fit best_;
-    double least_ = 0, bound_ = 0;
-    double settled_ = std::numeric_limits<double>::infinity();
+    double least_; ///< its volume
     std::size_t cells_ = 0;
-    std::priority_queue<Orientations> waiting_;
+    std::priority_queue<Orientations> waiting_; ///< the least bound first
 };
 
 } // namespace
