@@ -298,6 +298,9 @@ TEST(TouchingProof, NoJointMovesOneConfiguration) {
     const std::vector<Sphere> one{{{}, 0.1}}, two{{{0.1, 0, 0}, 0.1}};
     const BallGroup a(ElementsView{one, {}}), b(ElementsView{two, {}});
     EXPECT_EQ(touching_verdict(none, chain_between(none, 0, 0), a, b, 1, nullptr), Verdict::always);
+    const std::vector<Sphere> beside{{{0.25, 0, 0}, 0.125}}, middle{{{}, 0.125}};
+    const BallGroup c(ElementsView{middle, {}}), d(ElementsView{beside, {}}); // have one point in common
+    EXPECT_EQ(touching_verdict(none, chain_between(none, 0, 0), c, d, 9, nullptr), Verdict::always);
 }
 
 /// A slider along y, and a ball that passes another with little room.
