@@ -223,6 +223,28 @@ TEST(OrientationBounds, ALineBetweenTwoPointsIsKnown) {
     }
 }
 
+TEST(OrientationBounds, ATurnedCylinderHasNoLessThanItsBound) {
+    // Around the rims of a cylinder, seen from a direction at an angle: long ones leave the bound the least room.
+    for (const double radius : {0.001, 0.01, 0.1, 0.5}) {
+        std::vector<Vec3> rims;
+        for (int k = 0; k < 128; ++k) {
+            const double turn = 2 * pi * k / 64;
+            rims.push_back({radius * std::cos(turn), radius * std::sin(turn), k < 64 ? 0.5 : -0.5});
+        }
+        const Cloud cloud = cloud_of(rims);
+        const double least = volume(cylinder_along(cloud, {0, 0, 1}));
+        for (const double angle : {1e-4, 1e-3, 0.01, 0.03, 0.1, 0.2, 0.3, 0.5, 0.8}) {
+            const Fit here = cylinder_along(cloud, {std::sin(angle), 0, std::cos(angle)});
+            const double bound = bound_of_cylinder(cloud, here, angle);
+            EXPECT_LE(bound, least) << radius << " " << angle;
+            if (angle < 0.02) {
+                const double off = 2 * angle + angle * angle / radius; // of the extent, and of the radius
+                EXPECT_GE(bound, least * (1 - 2 * off)) << radius << " " << angle;
+            }
+        }
+    }
+}
+
 TEST(OrientationBounds, ThereIsAlwaysAThickness) {
     const std::vector<Vec3> line{{0, 0, 0}, {1, 0, 0}};
     const Cloud cloud = cloud_of(line);

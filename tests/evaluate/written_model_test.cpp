@@ -187,6 +187,11 @@ TEST(WrittenModel, AFormatWithoutNamesOfLinksIsThatOfTheOnlyLink) {
     QuietContext context;
     const JudgedFiles judged = judged_files(writer, told_info(), model, &one, file, "out.told", context);
     EXPECT_EQ(judged.statement, all_proved);
+    const Original two = boxes_of_links({"a", "b"});
+    const auto [code, text] =
+        refused([&] { judged_files(writer, told_info(), model, &two, file, "out.told", context); });
+    EXPECT_EQ(code, ErrorCode::input);
+    EXPECT_THAT(text, HasSubstr("has 2 links with collision geometry; remedy: a model by link"));
 }
 
 TEST(WrittenModel, ElementsThatAnotherFileHoldsAreThoseThatWereGiven) {

@@ -245,6 +245,22 @@ TEST(ConvexHull, FacesOfPrismsPyramidsAndFrusta) {
     }
 }
 
+TEST(ConvexHull, PointsJustOutsideOfAFaceAreContained) {
+    // Beside a face by less than rounding they need be no corners, but the plane is above them. The faces meet at the
+    // origin, where there is the least room.
+    Random random(12);
+    for (int run = 0; run < 100; ++run) {
+        std::vector<Vec3> points;
+        for (int k = 0; k < 8; ++k) {
+            points.push_back({k & 1 ? 1.0 : 0.0, k & 2 ? 1.0 : 0.0, k & 4 ? 1.0 : 0.0});
+        }
+        std::rotate(points.begin(), points.begin() + run % 8, points.end());
+        const double beside = random.uniform(2.8e-15, 3.8e-15);
+        points.insert(points.end(), {{0.5, 0.5, -beside}, {0.5, -beside, 0.5}, {-beside, 0.5, 0.5}});
+        expect_hull_of(moved(points, test::random_pose(random, 0)));
+    }
+}
+
 TEST(ConvexHull, WhatIsNearlyFlatOrALine) {
     // Merging gives polygons of two corners, or fewer than four faces.
     Random random(18);
