@@ -143,6 +143,13 @@ TEST(ConvexHull, FacesAndEdgesOfALatticeAreMerged) {
         EXPECT_EQ(convex_hull(turned)->surface.vertices.size(), 8u);
         EXPECT_EQ(convex_hull(turned)->faces.size(), 6u);
     }
+    for (int k = 0; k < 6; ++k) { // far away along one axis, to either side
+        Pose away = Pose::from_xyz_rpy({}, {1, 2, 3});
+        away.translation[k % 3] = k < 3 ? 1000 : -1000;
+        const auto far = convex_hull(moved(points, away));
+        EXPECT_EQ(far->surface.vertices.size(), 8u);
+        EXPECT_EQ(far->faces.size(), 6u);
+    }
 }
 
 TEST(ConvexHull, DuplicatesChangeNothing) {
