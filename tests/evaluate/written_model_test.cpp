@@ -64,8 +64,8 @@ public:
     std::string companion(const std::string& ending, const SphereModel& model, Context&) const override {
         return ending + " " + model.file + " " + model.folder.filename().string();
     }
-    Levels read_elements(const std::string&, const std::map<std::string, std::string>& beside) const override {
-        beside_read = beside;
+    Levels read_elements(const std::string&, const std::map<std::string, std::string>& others) const override {
+        beside_read = others;
         return read_;
     }
     std::map<std::string, std::string> files_beside(const SphereModel&, Context&) const override { return beside; }
@@ -370,7 +370,6 @@ TEST(WrittenModel, AnEditedFileHasTheNewLineOnly) {
     const Told writer({});
     EXPECT_EQ(written_files(writer, told_info(), model, "out.told", context)[0].bytes, model.provenance);
     model.into = TextFile{"out.told", ""};
-    const std::string line = "# foam 1: proved: x";
     class Keeping final : public Writer {
     public:
         std::string write(const SphereModel&, Context&) const override { return "# foam 1: old, proved\n"; }
