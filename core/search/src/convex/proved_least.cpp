@@ -19,13 +19,12 @@ using Kind = Element::Kind;
 class Proof {
 public:
     Proof(Kind kind, const Cloud& cloud, double tolerance)
-        : kind_(kind), cloud_(cloud), tolerance_(tolerance), best_(least_fit(kind, cloud, Effort::best)),
-          least_(volume(best_)) {}
+        : kind_(kind), cloud_(cloud), tolerance_(tolerance), best_(least_fit(kind, cloud, Effort::best)) {}
     void run() {
         for (const Orientations& cell : all_orientations(of_axis())) {
             look_at(cell);
         }
-        while (waiting_.top().lower_bound < least_ / (1 + tolerance_)) { // each cell that is taken leaves parts
+        while (waiting_.top().lower_bound < volume(best_) / (1 + tolerance_)) { // each cell that is taken leaves parts
             check_cancelled();
             const Orientations cell = waiting_.top();
             waiting_.pop();
@@ -36,7 +35,7 @@ public:
     }
     const Fit& best() const { return best_; }
     /// Returns the least bound of the cells, which have all orientations; rounding puts none above what was found.
-    double bound() const { return std::min(least_, waiting_.top().lower_bound); }
+    double bound() const { return std::min(volume(best_), waiting_.top().lower_bound); }
     std::size_t cells() const { return cells_; }
 
 private:
@@ -62,9 +61,8 @@ private:
             here = descended(capsule_along(cloud_, direction_at(cell)), cloud_, steps, 0.1, true);
             cell.lower_bound = bound_of_capsule(volume(here), angle);
         }
-        if (volume(here) < least_) {
+        if (volume(here) < volume(best_)) {
             best_ = here;
-            least_ = volume(here);
         }
         waiting_.push(cell);
     }
@@ -73,7 +71,6 @@ private:
     const Cloud& cloud_;
     const double tolerance_;
     Fit best_;
-    double least_; ///< its volume
     std::size_t cells_ = 0;
     std::priority_queue<Orientations> waiting_; ///< the least bound first
 };
