@@ -239,7 +239,7 @@ std::shared_ptr<const Polytope> convex_hull(std::span<const Vec3> points) {
         }
         return name[point];
     };
-    const double unit = std::ldexp(1.0, most > 0 ? std::ilogb(most) : 0);
+    const double unit = std::ldexp(1.0, std::ilogb(most)); // not all points are at 0
     for (std::size_t f = 0; f < facets.size(); ++f) {
         const std::vector<std::uint32_t>& c = facets[f].corners;
         for (std::size_t k = 2; k < c.size(); ++k) {
