@@ -212,6 +212,76 @@ TEST(SelfCollision, NeverIsSaidOfTheGeometryWhereElementsMayLeaveItOut) {
     EXPECT_EQ(with_geometry(0.99, Source::cover, -1, 1).reason, PairReason::never);
 }
 
+TEST(SelfCollision, AlwaysIsSaidOfLimitsToo) {
+    // Apart in less of the range than samples meet: at one limit, or at zero.
+    const auto reason = [](double lower, double upper) {
+        return pair(arm(lower, upper).matrix({.samples = 500, .proof_boxes = 0}), 0, 3).reason;
+    };
+    EXPECT_EQ(reason(touches_from - 1e-7, pi), PairReason::none);
+    EXPECT_EQ(reason(-pi, -touches_from + 1e-7), PairReason::none);
+    EXPECT_EQ(reason(touches_from + 1e-7, pi), PairReason::always);
+    EXPECT_EQ(reason(-pi, -touches_from - 1e-7), PairReason::always);
+    const auto at_pose = [](double elbow) {
+        return pair(arm(touches_from, pi).matrix({.samples = 500, .proof_boxes = 0, .reference = {{"upper_lower", elbow}}}),
+                    0, 3)
+            .reason;
+    };
+    EXPECT_EQ(at_pose(pi), PairReason::always);
+}
+
+TEST(SelfCollision, ACornerOfTheLimitsIsLookedAt) {
+    // Two sliders: the links are apart where both are at one limit, in a millionth of a millionth of the range.
+    for (int corner = 0; corner < 4; ++corner) {
+        const double x = corner & 1 ? 1 : -1, y = corner & 2 ? 1 : -1;
+        const double far = std::sqrt(2.0) * 0.1 - 1e-7; // of the corner from the middle, but for a little
+        const Builder builder = Builder()
+                                    .link("base", {{{0, 0, 0}, far / 2}})
+                                    .link("between")
+                                    .link("hand", {{{0, 0, 0}, far / 2}})
+                                    .joint(slides, "base", "between", {}, x > 0 ? 0 : -0.1, x > 0 ? 0.1 : 0, {1, 0, 0})
+                                    .joint(slides, "between", "hand", {}, y > 0 ? 0 : -0.1, y > 0 ? 0.1 : 0, {0, 1, 0});
+        const LinkPair hand = pair(builder.matrix({.samples = 500, .proof_boxes = 0}), 0, 2);
+        EXPECT_EQ(hand.touching, 500u);
+        EXPECT_EQ(hand.reason, PairReason::none) << corner;
+    }
+}
+
+TEST(SelfCollision, AProofOfElementsThatLeaveGeometryOutIsNone) {
+    using Source = CollisionModel::Source;
+    const LinkPair given = with_geometry(0.99, Source::given, -1, 1), cover = with_geometry(0.99, Source::cover, -1, 1);
+    EXPECT_FALSE(given.proved);
+    EXPECT_EQ(given.geometry_samples, 3000u);
+    EXPECT_EQ(given.geometry_touching, 0u);
+    EXPECT_TRUE(cover.proved);
+    EXPECT_EQ(cover.geometry_samples, 0u);
+    CollisionModel mixed = arm(-1, 1).model();
+    mixed.solids = solids_of_spheres(mixed);
+    for (const std::size_t one : {0u, 3u}) { // one of the two is enough
+        mixed.sources.assign(mixed.sources.size(), Source::cover);
+        mixed.sources[one] = Source::given;
+        EXPECT_FALSE(pair(self_collision_matrix(Kinematics(mixed.robot), mixed, {.samples = 2000}), 0, 3).proved);
+    }
+    mixed.solids[3] = nullptr; // there is no geometry to be left out
+    EXPECT_TRUE(pair(self_collision_matrix(Kinematics(mixed.robot), mixed, {.samples = 2000}), 0, 3).proved);
+}
+
+TEST(SelfCollision, TheBoundIsOfThePairWithTheFewestConfigurations) {
+    SelfCollisionMatrix matrix = arm(-1, 1).matrix({.samples = 1000, .proof_boxes = 0});
+    LinkPair never = pair(matrix, 0, 3);
+    never.geometry_samples = 10;
+    matrix.pairs.push_back(never);
+    EXPECT_NEAR(std::pow(1 - matrix.rate_bound(), 10), 0.05, 1e-12);
+    EXPECT_NEAR(std::pow(1 - matrix.joint_rate_bound(), 10), 0.025, 1e-12);
+    EXPECT_NEAR(std::pow(1 - matrix.rate_bound(7), 7), 0.05, 1e-12);
+    matrix.pairs.back().proved = true;
+    EXPECT_NEAR(std::pow(1 - matrix.rate_bound(), 1000), 0.05, 1e-12) << "what is proved needs none";
+    matrix.pairs.back().proved = false;
+    matrix.pairs.back().reason = PairReason::always;
+    EXPECT_NEAR(std::pow(1 - matrix.rate_bound(), 1000), 0.05, 1e-12);
+    EXPECT_EQ(matrix.count(PairReason::always), 1u);
+    EXPECT_EQ(matrix.count(PairReason::adjacent), 2u);
+}
+
 TEST(SelfCollision, ASearchFindsContactsThatSamplesMiss) {
     // They touch in a hundred-thousandth of the range.
     const LinkPair hand = pair(arm(0, touches_from + 3e-5).matrix({.samples = 2000, .proof_boxes = 0}), 0, 3);
@@ -309,6 +379,16 @@ TEST(SelfCollision, NothingIsKnownAcrossAFloatingJoint) {
     EXPECT_EQ(pair(matrix, 0, 2).reason, PairReason::none);
     EXPECT_TRUE(pair(matrix, 0, 2).unbounded);
     EXPECT_EQ(pair(matrix, 0, 2).samples, 0u);
+    CollisionModel model = Builder()
+                               .link("a", {{{0, 0, 0}, 0.1}})
+                               .link("b", {{{9, 0, 0}, 0.1}})
+                               .link("c", {{{0, 0, 0}, 0.1}})
+                               .joint(Joint::Kind::floating, "a", "b")
+                               .joint(fixed, "b", "c")
+                               .model();
+    model.solids = solids_of_spheres(model);
+    const SelfCollisionMatrix by_pose = self_collision_matrix(Kinematics(model.robot), model, {.by_pose = true});
+    EXPECT_EQ(pair(by_pose, 0, 2).reason, PairReason::none) << "in the reference pose they touch";
 }
 
 /// A chain with axes, limits and spheres at random; every second one is so short that some links always touch.

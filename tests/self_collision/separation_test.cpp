@@ -73,6 +73,51 @@ TEST(Separation, TakesThePosesOfLinks) {
     EXPECT_NEAR(separation(box({}, {1, 1, 2}), box({}, {1, 2, 1}), {}, away).low, 5 - 2 - 2, 1e-5);
 }
 
+TEST(Separation, FromABallIsThatOfItsMiddle) {
+    Random random(3);
+    for (int round = 0; round < 300; ++round) {
+        const auto kind = static_cast<Element::Kind>(round % element_kinds);
+        const Element a = any(random, kind);
+        const double radius = random.uniform(0.01, 0.5);
+        const Vec3 middle{random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2)};
+        const double exact = distance(a, middle) - radius;
+        const bool is_exact = kind != Element::Kind::hull;
+        for (const Separation& between : {separation(a, ball(middle, radius)), separation(ball(middle, radius), a)}) {
+            if (is_exact) {
+                EXPECT_NEAR(between.low, std::max(exact, 0.0), 3e-6) << to_string(kind);
+                EXPECT_LE(between.low, std::max(exact, 0.0)) << "never more";
+            }
+            if (exact > 0.01) {
+                EXPECT_EQ(between.depth, 0);
+            } else if (exact < -0.01) {
+                EXPECT_EQ(between.low, 0);
+                EXPECT_GT(between.depth, distance(a, middle) > 0 && is_exact ? -exact * (1 - 1e-5) - 1e-5 : 0.5 * radius);
+            }
+        }
+    }
+}
+
+TEST(Separation, DepthIsWhatHasToBeMovedAtLeast) {
+    // Of boxes along the axes: the least overlap. Of round ones: from what their cores leave.
+    Random random(4);
+    for (int round = 0; round < 200; ++round) {
+        const Vec3 half{random.uniform(0.3, 1), random.uniform(0.3, 1), random.uniform(0.3, 1)};
+        const Vec3 at{random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5)};
+        const Vec3 other{random.uniform(0.3, 1), random.uniform(0.3, 1), random.uniform(0.3, 1)};
+        double overlap = std::numeric_limits<double>::infinity();
+        for (int axis = 0; axis < 3; ++axis) {
+            overlap = std::min(overlap, half[axis] + other[axis] - std::abs(at[axis]));
+        }
+        const double depth = separation(box({}, half), box(at, other)).depth;
+        EXPECT_LE(depth, overlap);
+        EXPECT_GE(depth, 0.6 * overlap) << "the search is a rough one";
+    }
+    Element capsule{.kind = Element::Kind::capsule, .half = {0, 0, 1}, .radius = 0.3};
+    EXPECT_NEAR(separation(capsule, shifted(capsule, {0.5, 0, 0})).depth, 0.1, 1e-6);
+    EXPECT_NEAR(separation(capsule, shifted(capsule, {0, 0.7, 2.5})).low, std::hypot(0.7, 0.5) - 0.6, 1e-6);
+    EXPECT_NEAR(separation(capsule, ball({0.4, 0, -0.9}, 0.2)).depth, 0.1, 1e-6);
+}
+
 TEST(Separation, IsConservativeForAllKinds) {
     Random random(7);
     int apart = 0, touching = 0;
