@@ -130,6 +130,18 @@ TEST(ElementGrowth, OnlyTheElementNearestToARoundPartGrowsAroundIt) {
     }
 }
 
+TEST(ElementGrowth, ARoundPartThatNoElementIsNearToIsCoveredToo) {
+    const auto solid = test::primitive_solid({Primitive::Kind::sphere, {}, 1, 0});
+    for (const Kind kind : {Kind::box, Kind::sphere, Kind::capsule}) {
+        const Element small =
+            kind == Kind::box ? Element{.kind = kind, .half = {0.2, 0.2, 0.2}}
+                              : Element{.kind = kind, .half = {0, 0, kind == Kind::capsule ? 0.1 : 0}, .radius = 0.5};
+        const Element after = grown_to_cover(*solid, {{}, {}, {small}}).others[0];
+        EXPECT_TRUE(covers(*solid, ElementsView{{}, {&after, 1}}));
+        EXPECT_LE(norm(bounds(after).size() / 2 - Vec3{1, 1, 1}), 0.2) << to_string(kind);
+    }
+}
+
 TEST(ElementGrowth, TheWorseEndOfACapsuleCounts) {
     const auto solid = test::primitive_solid({Primitive::Kind::capsule, {}, 1, 2});
     const Element one_end = box_between({-1, -1, -2}, {1, 1, 2 - 4e-3}),

@@ -118,7 +118,7 @@ private:
                            certificate_.pieces >= most_pieces_;
         if (small || !(upper - lower > accuracy_of_gap * upper) || upper <= smallest_) {
             fail(item.piece, corners.points[farthest]);
-            certificate_.growth = std::max(certificate_.growth, upper);
+            certificate_.growth = upper; // more than before
             return;
         }
         if (size_of(item.piece) > long_piece * upper && divide_between(item)) {
