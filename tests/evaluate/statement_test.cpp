@@ -77,7 +77,7 @@ TEST(Statement, OfASurfaceAloneSaysSo) {
     EXPECT_EQ(missing_text(links), "");
     links.guarantee = Guarantee::fitted;
     EXPECT_EQ(missing_text(links), "");
-    EXPECT_EQ(verdict_of(links), "");
+    EXPECT_EQ(verdict_of(links), "Nothing is proved (guarantee: fitted).\n");
 }
 
 TEST(Statement, NamesWhatIsLeftOut) {

@@ -198,7 +198,7 @@ TEST(ElementGrowth, WhatIsThinnerThanRoundingIsThickenedBeforeItGrows) {
                 const double thicker = 1.1 * share * solid->bounds().diagonal() / by;
                 const Vec3 size = bounds(after).size() / by;
                 EXPECT_LE(size.z / 2, std::max(half, thicker) + 1e-2 * half + thicker) << away;
-                EXPECT_LE(size.x / 2, 2 + 5 * thicker) << away; // a box along the diagonal
+                EXPECT_LE(size.x / 2, 2.001 + 5 * thicker) << away; // a box along the diagonal, its sides a little askew
             }
         }
     }
