@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <optional>
 
 using namespace foam;
@@ -367,11 +368,47 @@ TEST(ElementGrown, FacesMoveByManyTimesTheSize) {
     EXPECT_NEAR(signed_volume(result->surface), 8 * std::pow(1e4 + 1, 3), 1e-11 * 8e12);
 }
 
+/// More planes meet at the tip than are tried together: the sum of their normals points out of all of them.
+TEST(ElementGrown, TheTipOfASlenderConeMoves) {
+    constexpr int sides = 48;
+    constexpr double height = 8;
+    std::vector<Vec3> points{{0, 0, height}};
+    for (int k = 0; k < sides; ++k) {
+        const double angle = 2 * std::numbers::pi * k / sides;
+        points.push_back({std::cos(angle), std::sin(angle), 0});
+    }
+    const auto cone = hull_of(points);
+    const double length = 0.01, across = std::cos(std::numbers::pi / sides);
+    const auto result = with_faces_moved(*cone, std::vector<double>(cone->faces.size(), length), {}, length);
+    ASSERT_TRUE(result);
+    expect_room(*result, points, length);
+    const double tip = height + length * std::hypot(height, across) / across; // the planes of the sides meet there
+    EXPECT_NEAR(support(Element{.kind = Element::Kind::hull, .hull = result}, {0, 0, 1}).z, tip, 1e-6);
+}
+
+/// Planes of hulls contain their vertices, whatever a little growth rounds.
+TEST(ElementGrown, PlanesContainTheVerticesAfterALittleGrowth) {
+    Random random(21);
+    for (int k = 0; k < 40; ++k) {
+        const auto hull = random_hull(30, random);
+        const auto result = with_room(*hull, 1e-13 * (1 + k));
+        ASSERT_EQ(result->faces.size(), hull->faces.size());
+        for (const Polytope::Face& face : result->faces) {
+            for (const Vec3& v : result->surface.vertices) {
+                const long double reached = static_cast<long double>(face.normal.x) * v.x +
+                                            static_cast<long double>(face.normal.y) * v.y +
+                                            static_cast<long double>(face.normal.z) * v.z;
+                EXPECT_LE(reached, face.offset);
+            }
+        }
+    }
+}
+
 TEST(ElementGrown, APlateThatIsThinnerThanItsRoundingHasRoomToo) {
     // Its middle is not surely inside.
     const Vec3 far{1e4, -1e4, 1e4}, half{1, 1, 8e-12};
     const std::vector<Vec3> corners = test::box(far - half, far + half).vertices;
-    for (const double length : {1e-12, 1e-9, 1e-3}) {
+    for (const double length : {1e-12, 1e-9, 1e-3, 1e2, 1e6}) {
         const auto result = with_room(*hull_of(corners), length);
         expect_room(*result, corners, length);
         EXPECT_LE(result->surface.vertices.size(), 8u);
