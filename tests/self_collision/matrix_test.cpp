@@ -390,6 +390,16 @@ TEST(SelfCollision, NothingIsKnownAcrossAFloatingJoint) {
     EXPECT_EQ(pair(matrix, 0, 2).reason, PairReason::none);
     EXPECT_TRUE(pair(matrix, 0, 2).unbounded);
     EXPECT_EQ(pair(matrix, 0, 2).samples, 0u);
+    const LinkPair hinged = pair(Builder()
+                                     .link("a", {{{0, 0, 0}, 0.1}})
+                                     .link("b", {{{0, 0, 0}, 0.1}})
+                                     .link("c", {{{0, 0, 0}, 0.1}})
+                                     .joint(Joint::Kind::planar, "a", "b", {1, 0, 0})
+                                     .joint(turns, "b", "c", {1, 0, 0}, -1, 1)
+                                     .matrix(),
+                                 0, 2);
+    EXPECT_EQ(hinged.reason, PairReason::none);
+    EXPECT_EQ(hinged.samples, 0u) << "samples do not move the planar joint";
     CollisionModel model = Builder()
                                .link("a", {{{0, 0, 0}, 0.1}})
                                .link("b", {{{9, 0, 0}, 0.1}})

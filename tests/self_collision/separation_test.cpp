@@ -154,5 +154,52 @@ TEST(Separation, IsConservativeForAllKinds) {
     EXPECT_GT(touching, 100);
 }
 
+TEST(Separation, ABallInsideIsAsDeepAsItsMiddle) {
+    Random random(8);
+    int exact_cylinders = 0;
+    for (int round = 0; round < 200; ++round) {
+        const Vec3 half{random.uniform(0.3, 1), random.uniform(0.3, 1), random.uniform(0.3, 1)};
+        const Vec3 at{half.x * random.uniform(-0.6, 0.6), half.y * random.uniform(-0.6, 0.6), half.z * random.uniform(-1, 1)};
+        const double radius = random.uniform(0.1, 0.4);
+        const Vec3 room{half.x - std::abs(at.x), half.y - std::abs(at.y), half.z - std::abs(at.z)};
+        const double in_box = std::min({room.x, room.y, room.z});
+        const double in_cylinder = std::min(1 - std::hypot(at.x, at.y), room.z);
+        std::vector<Vec3> corners;
+        for (int k = 0; k < 8; ++k) {
+            corners.push_back({k & 1 ? half.x : -half.x, k & 2 ? half.y : -half.y, k & 4 ? half.z : -half.z});
+        }
+        Element hull{.kind = Element::Kind::hull};
+        hull.hull = convex_hull(corners);
+        const Element swept{.kind = Element::Kind::swept_box, .half = half, .radius = 0.2};
+        const Element cylinder{.kind = Element::Kind::cylinder, .half = {0, 0, half.z}, .radius = 1};
+        const Pose pose = Pose::from_xyz_rpy({random.uniform(-3, 3), 1, 2}, {random.uniform(-3, 3), random.uniform(-1, 1), 1});
+        for (const auto& [element, depth] : {std::pair(box({}, half), in_box), std::pair(hull, in_box),
+                                             std::pair(swept, in_box + 0.2)}) {
+            EXPECT_NEAR(separation(element, ball(at, radius), pose, pose).depth, depth + radius, 1e-9) << to_string(element.kind);
+            EXPECT_NEAR(separation(ball(at, radius), element, pose, pose).depth, depth + radius, 1e-9) << to_string(element.kind);
+        }
+        // The search for a common point may end just beside a round side: no more than that is then known.
+        const double found = separation(cylinder, ball(at, radius), pose, pose).depth;
+        EXPECT_LE(found, in_cylinder + radius);
+        EXPECT_GE(found, radius - 1e-6);
+        exact_cylinders += found > in_cylinder + radius - 1e-9 ? 1 : 0;
+    }
+    EXPECT_GT(exact_cylinders, 100);
+}
+
+TEST(Separation, AFlatCoreIsAsDeepAsItsRadius) {
+    // Points of a plate are beside it by rounding, and well within its edges.
+    Random random(9);
+    for (int round = 0; round < 60; ++round) {
+        Element plate{.kind = Element::Kind::swept_box, .half = {0.6, 0.6, 0.6}, .radius = 0.2};
+        plate.half[round % 3] = 0;
+        Vec3 along{0.2, 0.2, 0.2};
+        along[round % 3] = 0;
+        const Pose pose = Pose::from_xyz_rpy({random.uniform(-1, 1), random.uniform(-1, 1), 0.3},
+                                             {random.uniform(-3, 3), random.uniform(-1, 1), random.uniform(-3, 3)});
+        EXPECT_NEAR(separation(plate, box(along, {0.3, 0.3, 0.3}), pose, pose).depth, 0.5, 1e-9);
+    }
+}
+
 } // namespace
 } // namespace foam
