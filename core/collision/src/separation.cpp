@@ -151,7 +151,7 @@ Cores distance_of_cores(const Placed& a, const Placed& b) {
 }
 
 /// Returns the largest sum of the radii of balls around one point that lie in each of the elements, from below: by
-/// steps from a point of both. The sum is concave.
+/// steps from a point of both; -∞ where none is found. The sum is concave.
 double depth_of(const Placed& a, const Placed& b, const Vec3& from) {
     const auto sum_at = [&](const Vec3& point) {
         const double in_a = a.depth_at(point), in_b = b.depth_at(point);
@@ -178,7 +178,7 @@ double depth_of(const Placed& a, const Placed& b, const Vec3& from) {
             }
         }
     }
-    return std::max(0.0, best);
+    return best;
 }
 
 } // namespace
