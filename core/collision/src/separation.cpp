@@ -141,8 +141,7 @@ Cores distance_of_cores(const Placed& a, const Placed& b) {
         }
         result.high = closer;
         result.in_first = simplex.in_first();
-        if (simplex.size == 4 || closer == 0) {
-            result.high = 0;
+        if (closer == 0) { // a simplex with four corners is around the origin
             break;
         }
         between = closest;
