@@ -227,9 +227,11 @@ TEST(Separation, LeavesRoomForRounding) {
         hull.hull = convex_hull(corners);
         expect_room(1000 - separation(hull, ball({3000, 1000, 1000}, 2000)).low, 5000 + 2000 + 3000);
     }
-    const Separation meeting = separation(ball({}, 1), ball({2, 0, 0}, 1));
-    EXPECT_EQ(meeting.low, 0);
-    EXPECT_EQ(meeting.depth, 0);
+    for (const Separation& meeting : {separation(ball({}, 1), ball({2, 0, 0}, 1)),
+                                      separation(box({}, {1, 1, 1}), box({2, 0, 0}, {1, 1, 1}))}) {
+        EXPECT_EQ(meeting.low, 0);
+        EXPECT_EQ(meeting.depth, 0);
+    }
 }
 
 TEST(Separation, OfACylinderAlongItsAxis) {
