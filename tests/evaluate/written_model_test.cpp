@@ -381,8 +381,10 @@ TEST(WrittenModel, AnEditedFileHasTheNewLineOnly) {
     EXPECT_EQ(written_files(Keeping(), told_info(), model, "out.told", context)[0].bytes, "# foam 1: old, proved\n");
 }
 
-/// The pairs that need no check of a row of cubes, each 1 m from the next, with spheres around them.
-std::vector<std::string> ignored(double radius, bool with_geometry) {
+/// The pairs that need no check of a row of cubes, each 0.25 m from the next, with these spheres around them. `edge`: of the
+/// cubes; 0: they are not known.
+std::vector<std::string> ignored_of(const std::vector<LinkSpheres>& spheres, double edge,
+                                    const std::atomic<bool>* cancel = nullptr) {
     const auto original = boxes_of_links({"a", "b", "c"});
     Robot robot = *original.robot;
     robot.root = "a";
@@ -396,18 +398,21 @@ std::vector<std::string> ignored(double radius, bool with_geometry) {
                                 .lower = -0.01,
                                 .upper = 0.01});
     }
-    SphereModel model = sphere_model_of(given_file({ball_of("a", radius), ball_of("b", radius), ball_of("c", radius)}),
-                                        std::make_shared<const Robot>(robot));
-    if (with_geometry) {
+    SphereModel model = sphere_model_of(given_file(spheres), std::make_shared<const Robot>(robot));
+    if (edge > 0) {
         for (const OriginalLink& link : original.links) {
-            model.geometry[link.link] = link.solid;
+            model.geometry[link.link] = Solid::make({{nullptr, Primitive{Primitive::Kind::box, {edge, edge, edge}, 0, 0}, {}}});
         }
     }
     std::vector<std::string> names;
-    for (const IgnoredPair& pair : ignored_pairs_of(model, nullptr)) {
+    for (const IgnoredPair& pair : ignored_pairs_of(model, cancel)) {
         names.push_back(pair.first + pair.second + " " + pair.reason);
     }
     return names;
+}
+
+std::vector<std::string> ignored(double radius, bool with_geometry) {
+    return ignored_of({ball_of("a", radius), ball_of("b", radius), ball_of("c", radius)}, with_geometry ? 0.2 : 0);
 }
 
 TEST(WrittenModel, PairsAreThoseOfTheElementsAndTheGeometry) {
@@ -415,6 +420,30 @@ TEST(WrittenModel, PairsAreThoseOfTheElementsAndTheGeometry) {
     EXPECT_THAT(ignored(0.18, false), ElementsAre("ab Adjacent", "ac Never", "bc Adjacent"));
     EXPECT_THAT(ignored(0.4, false), ElementsAre("ab Adjacent", "bc Adjacent")) << "touch, of what is not known";
     EXPECT_THAT(ignored(0.4, true), ElementsAre("ab Adjacent", "ac Never", "bc Adjacent")) << "the geometry is apart";
+}
+
+TEST(WrittenModel, PairsAreThoseOfAllGroupsOfALink) {
+    // The larger one of the two reaches the third link, whichever comes first.
+    const std::vector<LinkSpheres> others{ball_of("b", 0.1), ball_of("c", 0.18)};
+    for (const bool larger_first : {false, true}) {
+        std::vector<LinkSpheres> links{ball_of("a", larger_first ? 0.4 : 0.1), ball_of("a", larger_first ? 0.1 : 0.4)};
+        links.insert(links.end(), others.begin(), others.end());
+        EXPECT_THAT(ignored_of(links, 0), ElementsAre("ab Adjacent", "bc Adjacent")) << larger_first;
+    }
+    // Elements that are no spheres count, too.
+    const LinkSpheres bar{"a", {{{}, 0.1}}, {{.kind = Element::Kind::box, .half = {0.4, 0.1, 0.1}}}};
+    EXPECT_THAT(ignored_of({bar, others[0], others[1]}, 0), ElementsAre("ab Adjacent", "bc Adjacent"));
+}
+
+TEST(WrittenModel, SpheresThatLeaveGeometryOutDoNotSpeakForIt) {
+    const std::vector<LinkSpheres> small{ball_of("a", 0.05), ball_of("b", 0.05), ball_of("c", 0.05)};
+    EXPECT_THAT(ignored_of(small, 0.2), ElementsAre("ab Adjacent", "ac Never", "bc Adjacent"));
+    EXPECT_THAT(ignored_of(small, 0.6), ElementsAre("ab Adjacent", "bc Adjacent")) << "cubes that touch";
+    std::vector<LinkSpheres> one = small; // that one of them covers its cube is not enough
+    one[0] = ball_of("a", 0.2);
+    EXPECT_THAT(ignored_of(one, 0.2), ElementsAre("ab Adjacent", "ac Never", "bc Adjacent"));
+    const std::atomic<bool> cancel = true;
+    EXPECT_EQ(refused([&] { ignored_of(small, 0.2, &cancel); }).first, ErrorCode::cancelled);
 }
 
 } // namespace

@@ -142,14 +142,16 @@ std::vector<IgnoredPair> ignored_pairs_of(const SphereModel& model, const std::a
     elements.others.resize(model.robot->links.size());
     elements.sources.resize(model.robot->links.size());
     for (std::size_t i = 0; i < model.robot->links.size(); ++i) {
+        Approximation::Level level; // a link may have several groups
         for (const SphereGroup& group : model.groups) {
             if (group.link == model.robot->links[i].name) {
-                elements.spheres[i] = group.tree.finest();
-                elements.others[i] = group.tree.levels.back().others;
-                const bool cover = elements.solids[i] && covers(*elements.solids[i], elements.of(i));
-                elements.sources[i] = cover ? Source::cover : Source::given;
+                append(level, group.tree.elements());
             }
         }
+        const bool cover = elements.solids[i] && !level.view().empty() && covers(*elements.solids[i], level.view());
+        elements.sources[i] = cover ? Source::cover : Source::given;
+        elements.spheres[i] = std::move(level.spheres);
+        elements.others[i] = std::move(level.others);
     }
     SelfCollisionOptions options;
     options.cancel = cancel;
