@@ -78,8 +78,8 @@ def fast_client(page, seed, end):
     while time.time() < end:
         try:
             page.ask(*request(page, rng))
-        except (OSError, http.client.HTTPException, ValueError):
-            time.sleep(0.05)  # the server has ended
+        except (OSError, http.client.HTTPException, ValueError, KeyError):
+            time.sleep(0.05)  # the server ends
 
 
 def slow_client(page, seed, end):
