@@ -9,10 +9,10 @@
 //
 // `link` is an index into the "comment link INDEX NAME" lines; control characters and % in names are percent-encoded
 // there.
-#include "icosphere.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
+#include <foam/geometry/inscribed_mesh.hpp>
 #include <foam/sdk/elements.hpp>
 #include <foam/sdk/plugin.hpp>
 
