@@ -34,21 +34,6 @@ std::string encoded(std::string_view name) {
     return result;
 }
 
-std::string decoded(std::string_view text) {
-    std::string result;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        unsigned int byte = 0;
-        if (text[i] == '%' && i + 2 < text.size() &&
-            std::from_chars(text.data() + i + 1, text.data() + i + 3, byte, 16).ec == std::errc{}) {
-            result += static_cast<char>(byte);
-            i += 2;
-        } else {
-            result += text[i];
-        }
-    }
-    return result;
-}
-
 std::string header_of(const std::vector<LinkSpheres>& links) {
     std::string text = "ply\nformat ascii 1.0\ncomment spheres in link frames, metres\n";
     for (std::size_t i = 0; i < links.size(); ++i) {
@@ -248,7 +233,7 @@ private:
                 elements_.emplace_back(name, whole_number(text));
             } else if (keyword == "comment" && word(text) == "link") {
                 const std::size_t index = whole_number(word(text));
-                names_[index] = decoded(text);
+                names_[index] = percent_decoded(text);
             }
         }
         if (elements_.empty()) {
