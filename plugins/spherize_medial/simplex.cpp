@@ -32,10 +32,11 @@ double settle(std::vector<Sphere>& balls, std::size_t index, Uncovered& surface,
         return squared_norm(c - old.center) > shift * shift ? std::numeric_limits<double>::infinity()
                                                             : free.outside({c, reach(c, points)});
     };
-    const Vec3 place = downhill_simplex(old.center, shift / 2, evaluations, value, [&](const auto& corners, int) {
-        const Vec3 middle = (corners[0].place + corners[1].place + corners[2].place) / 3;
-        return squared_norm(middle - corners[3].place) < 1e-8 * shift * shift / 4;
-    });
+    const auto middle = [](const auto&... places) { return (... + places) / double{sizeof...(places)}; };
+    const auto ended = [&](const auto& v, int) {
+        return squared_norm(middle(v[0].place, v[1].place, v[2].place) - v[3].place) < 1e-8 * shift * shift / 4;
+    };
+    const Vec3 place = downhill_simplex(old.center, shift / 2, evaluations, value, ended, middle);
     const Sphere moved{place, reach(place, points)};
     const double before = free.outside(old), here = free.outside(stay), there = free.outside(moved);
     balls[index] = there < here ? moved : stay;

@@ -13,6 +13,12 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// The middle of places of a simplex.
+struct MiddlePlace {
+    Vec3 operator()(const Vec3& a, const Vec3& b) const { return a + (b - a) * 0.5; }
+    Vec3 operator()(const Vec3& a, const Vec3& b, const Vec3& c) const { return a / 3 + b / 3 + c / 3; }
+};
+
 bool adds_less_volume(const TwoBalls& a, const TwoBalls& b) {
     return a.volume < b.volume;
 }
@@ -93,10 +99,11 @@ TwoBalls TwoBallSearch::descend(const Plane& start, double turn, double shift, i
         }
         return two.volume;
     };
-    downhill_simplex({}, 1, evaluations, value, [&](const auto& corners, int used) {
+    const auto ended = [&](const auto& corners, int used) {
         const double least = corners.front().value;
         return (used >= patience && least >= enough) || corners.back().value - least < flat * std::abs(least);
-    });
+    };
+    downhill_simplex({}, 1, evaluations, value, ended, MiddlePlace{});
     return best;
 }
 

@@ -18,8 +18,10 @@ struct DownhillCorner {
 /// Minimises `value` of a place by a downhill simplex (Nelder and Mead 1965): reflection 1, expansion 2, contraction
 /// and shrinking by half. The first corners are `start` and those at `size` from it along the axes. It ends after about
 /// `evaluations`, or where ended(corners, used), given the corners from least to largest value. Returns the best place.
-template <class Value, class Ended>
-Vec3 downhill_simplex(const Vec3& start, double size, int evaluations, const Value& value, const Ended& ended) {
+/// `middle` of three places and of two: the ways to compute it differ in the last bit, and results with it.
+template <class Value, class Ended, class Middle>
+Vec3 downhill_simplex(const Vec3& start, double size, int evaluations, const Value& value, const Ended& ended,
+                      const Middle& middle) {
     int used = 0;
     const auto corner = [&](const Vec3& place) {
         ++used;
@@ -33,19 +35,19 @@ Vec3 downhill_simplex(const Vec3& start, double size, int evaluations, const Val
         if (ended(v, used)) {
             break;
         }
-        const Vec3 middle = v[0].place / 3 + v[1].place / 3 + v[2].place / 3, away = middle - v[3].place;
-        const DownhillCorner reflected = corner(middle + away);
+        const Vec3 foot = middle(v[0].place, v[1].place, v[2].place), away = foot - v[3].place;
+        const DownhillCorner reflected = corner(foot + away);
         if (reflected.value < v[0].value) {
-            const DownhillCorner expanded = corner(middle + away * 2);
+            const DownhillCorner expanded = corner(foot + away * 2);
             v[3] = less(expanded, reflected) ? expanded : reflected;
         } else if (reflected.value < v[2].value) {
             v[3] = reflected;
-        } else if (const DownhillCorner contracted = corner(middle + away * (less(reflected, v[3]) ? 0.5 : -0.5));
+        } else if (const DownhillCorner contracted = corner(foot + away * (less(reflected, v[3]) ? 0.5 : -0.5));
                    contracted.value < std::min(reflected.value, v[3].value)) {
             v[3] = contracted;
         } else {
             for (std::size_t i = 1; i < 4; ++i) {
-                v[i] = corner(v[0].place + (v[i].place - v[0].place) * 0.5);
+                v[i] = corner(middle(v[0].place, v[i].place));
             }
         }
     }
