@@ -271,6 +271,11 @@ TEST(WrittenModel, FilesWithOtherElementsAreRefused) {
     EXPECT_EQ(refusal({ball_of("a", 0.1)}, boxed).second,
               "link 'a': the written file gives 1 sphere, 1 box, the model has 1 sphere");
     EXPECT_EQ(refusal(boxed, {ball_of("a", 0.1)}, {.elements_optional = true}).second, "no error");
+    for (const double radius : {0.09, 0.11}) { // in other numbers, as elements come back; the verdict is on these
+        const std::vector<LinkSpheres> read{{"a", {{{0, 0, 0.01}, radius}}, {box_of(0.2)}}}, at{{"a", {{{}, radius}}, {box_of(0.2)}}};
+        EXPECT_EQ(refusal(boxed, read).second, "no error");
+        EXPECT_EQ(refusal(boxed, at).second, "no error");
+    }
     EXPECT_EQ(refusal(balls, with({{{}, 0.1}}), {.elements_optional = true}), other) << "of spheres all are required";
 }
 
