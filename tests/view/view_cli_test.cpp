@@ -2,8 +2,7 @@
 #include "cli/program.hpp"
 
 #include "arm.hpp"
-
-#include <foam/sdk/abi.hpp>
+#include "support/sanitizers.hpp"
 
 namespace foam::test {
 namespace {
@@ -11,9 +10,6 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-/// The thread sanitizer runs no handler of a signal while a thread waits for a connection.
-constexpr bool signals_wait = std::string_view(FOAM_ABI_SANITIZER) == "thread";
 
 class ViewCli : public Cli {
 protected:
