@@ -93,8 +93,8 @@ void add_certify(Program& program) {
                                     "The proof covers every triangle of the raw geometry. If it fails, foam prints\n"
                                     "a point outside the spheres (witness), and the length by which the radius of\n"
                                     "the nearest sphere would have to grow to cover it (growth).\n"
-                                    "Exit codes: 0 all links that are asked for certified, 1 not, 2 invalid command\n"
-                                    "line");
+                                    "Exit codes: 0 certified, 1 not certified, 2 invalid command line. They are of\n"
+                                    "the links that were asked for.");
     auto arguments = std::make_shared<CertifyArguments>();
     add_judge_options(*command, program, arguments->judge);
     command->add_option("spheres", arguments->spheres, "The sphere model; - is the standard input")

@@ -16,29 +16,64 @@ from .errors import UsageError
 _MOST_SPHERES = 1_000_000
 
 
-def _proof(certified: bool) -> str:
-    return "surface certified" if certified else "not certified"
+class _Covering:
+    """What all covers of a mesh have: the proof and the volumes."""
+
+    __slots__ = ("certified", "volume", "_mesh", "_volumes")
+
+    certified: bool  #: whether the whole surface is proved to be covered
+    volume: float  #: of the union of what covers, m³
+
+    def __init__(self, certified: bool, volume: float, mesh: Mesh | None, volumes: tuple[float, float] | None):
+        self.certified = certified
+        self.volume = volume
+        self._mesh = mesh
+        self._volumes = volumes
+
+    @property
+    def excess(self) -> float:
+        """The volume of the cover outside the mesh / the volume of the mesh; inf for a mesh without inside.
+
+        Computed when it is first read, to about 0.1 % of the volume.
+        """
+        return self._measured()[0]
+
+    @property
+    def missing(self) -> float:
+        """The volume of the mesh outside the cover / the volume of the mesh; 0 for a mesh without inside.
+
+        Above 0 only the surface is proved to be covered. Computed when it is first read.
+        """
+        return self._measured()[1]
+
+    def _measured(self) -> tuple[float, float]:
+        if self._volumes is None:
+            assert self._mesh is not None
+            self._volumes = self._volumes_in(self._mesh)
+            self._mesh = None
+        return self._volumes
+
+    def _volumes_in(self, mesh: Mesh) -> tuple[float, float]:
+        raise NotImplementedError
+
+    def _proof(self) -> str:
+        return "surface certified" if self.certified else "not certified"
 
 
-class Cover:
+class Cover(_Covering):
     """Spheres that cover a mesh, with the proof.
 
     Equal covers have equal spheres. Covers can be pickled.
     """
 
-    __slots__ = ("spheres", "certified", "volume", "_mesh", "_volumes")
+    __slots__ = ("spheres",)
 
     spheres: NDArray[np.float64]  #: (n, 4) float64, read-only: x, y, z, r in metres, in the mesh's frame
-    certified: bool  #: whether the spheres are proved to cover the whole surface
-    volume: float  #: of the union of the spheres, m³
 
     def __init__(self, spheres: Any, certified: bool, volume: float, mesh: Mesh | None, volumes: tuple[float, float] | None = None):
         self.spheres = np.asarray(spheres)
         self.spheres.flags.writeable = False
-        self.certified = certified
-        self.volume = volume
-        self._mesh = mesh
-        self._volumes = volumes
+        super().__init__(certified, volume, mesh, volumes)
 
     @property
     def centers(self) -> NDArray[np.float64]:
@@ -50,28 +85,8 @@ class Cover:
         """The radii: (n,), metres; a view of `spheres`."""
         return self.spheres[:, 3]
 
-    @property
-    def excess(self) -> float:
-        """The volume of the spheres outside the mesh / the volume of the mesh; inf for a mesh without inside.
-
-        Computed when it is first read, to about 0.1 % of the volume.
-        """
-        return self._measured()[0]
-
-    @property
-    def missing(self) -> float:
-        """The volume of the mesh outside all spheres / the volume of the mesh; 0 for a mesh without inside.
-
-        Above 0 only the surface is proved to be covered. Computed when it is first read.
-        """
-        return self._measured()[1]
-
-    def _measured(self) -> tuple[float, float]:
-        if self._volumes is None:
-            assert self._mesh is not None
-            self._volumes = _core.volumes_of_spheres(self._mesh._core, self.spheres, self.volume)
-            self._mesh = None
-        return self._volumes
+    def _volumes_in(self, mesh: Mesh) -> tuple[float, float]:
+        return _core.volumes_of_spheres(mesh._core, self.spheres, self.volume)
 
     def to_trimesh(self) -> Any:
         """Return the spheres as one trimesh.Trimesh, for pictures."""
@@ -93,20 +108,18 @@ class Cover:
         return Cover, (np.array(self.spheres), self.certified, self.volume, None, self._measured())
 
     def __repr__(self) -> str:
-        return f"<foam.Cover: {len(self)} spheres, {_proof(self.certified)}>"
+        return f"<foam.Cover: {len(self)} spheres, {self._proof()}>"
 
 
-class ConvexCover:
+class ConvexCover(_Covering):
     """Convex elements that cover a mesh, with the proof.
 
     Equal covers have equal elements. Covers can be pickled.
     """
 
-    __slots__ = ("elements", "certified", "volume", "_mesh", "_volumes")
+    __slots__ = ("elements",)
 
     elements: list[dict[str, Any]]  #: spheres first; the dictionaries are those of SphereModel.elements()
-    certified: bool  #: whether the elements are proved to cover the whole surface
-    volume: float  #: of the union of the elements, m³
 
     def __init__(
         self,
@@ -117,33 +130,10 @@ class ConvexCover:
         volumes: tuple[float, float] | None = None,
     ):
         self.elements = elements
-        self.certified = certified
-        self.volume = volume
-        self._mesh = mesh
-        self._volumes = volumes
+        super().__init__(certified, volume, mesh, volumes)
 
-    @property
-    def excess(self) -> float:
-        """The volume of the elements outside the mesh / the volume of the mesh; inf for a mesh without inside.
-
-        Computed when it is first read, to about 0.1 % of the volume.
-        """
-        return self._measured()[0]
-
-    @property
-    def missing(self) -> float:
-        """The volume of the mesh outside all elements / the volume of the mesh; 0 for a mesh without inside.
-
-        Above 0 only the surface is proved to be covered. Computed when it is first read.
-        """
-        return self._measured()[1]
-
-    def _measured(self) -> tuple[float, float]:
-        if self._volumes is None:
-            assert self._mesh is not None
-            self._volumes = _core.volumes_of_elements(self._mesh._core, self.elements)
-            self._mesh = None
-        return self._volumes
+    def _volumes_in(self, mesh: Mesh) -> tuple[float, float]:
+        return _core.volumes_of_elements(mesh._core, self.elements)
 
     def to_trimesh(self) -> Any:
         """Return meshes around the elements as one trimesh.Trimesh, for pictures."""
@@ -167,7 +157,7 @@ class ConvexCover:
     def __repr__(self) -> str:
         numbers = Counter(element["kind"] for element in self.elements)
         kinds = ", ".join(f"{number} {kind}" for kind, number in numbers.items())
-        return f"<foam.ConvexCover: {kinds}, {_proof(self.certified)}>"
+        return f"<foam.ConvexCover: {kinds}, {self._proof()}>"
 
 
 def _count(elements: Any, what: str = "spheres") -> int:

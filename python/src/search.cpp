@@ -138,8 +138,11 @@ std::pair<double, double> volumes_of_elements(const HeldMesh& mesh, const std::v
     return worked([&](const Signals&) {
         const auto solid = mesh.solid();
         const double own = solid->volume();
-        return own > 0 ? std::pair(excess_volume(*solid, level.view()) / own, missing_volume(*solid, level.view()) / own)
-                       : nothing_inside;
+        if (!(own > 0)) {
+            return nothing_inside;
+        }
+        const auto [excess, missing] = excess_and_missing_volume(*solid, level.view());
+        return std::pair(excess / own, missing / own);
     });
 }
 
@@ -149,8 +152,11 @@ std::pair<double, double> volumes_of_spheres(const HeldMesh& mesh, const py::buf
     return worked([&](const Signals&) {
         const auto solid = mesh.solid();
         const double own = solid->volume();
-        const double missing = own > 0 ? solid->missing_volume(spheres) : 0;
-        return own > 0 ? std::pair((volume - own + missing) / own, missing / own) : nothing_inside;
+        if (!(own > 0)) {
+            return nothing_inside;
+        }
+        const double missing = solid->missing_volume(spheres);
+        return std::pair((volume - own + missing) / own, missing / own);
     });
 }
 

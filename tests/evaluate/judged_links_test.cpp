@@ -1,5 +1,5 @@
 // What is matched, judged and proved of robots and models that are made here: no reader takes part.
-#include "geometry/plain_shapes.hpp"
+#include "made_models.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/geometry/element_measure.hpp>
@@ -16,33 +16,19 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-const Primitive cube{Primitive::Kind::box, {0.2, 0.2, 0.2}, 0, 0};
 constexpr double around_cube = 0.1733; // a little more than half its diagonal
 
 /// A robot of links with a cube each, and one without geometry called "bare".
 Original cubes(const std::vector<std::string>& links, const std::string& left_out = "") {
-    Robot robot;
-    Original original;
-    original.file = "folder/robot.urdf";
-    for (const std::string& name : links) {
-        Link link{.name = name, .collisions = {}, .visuals = {}};
-        link.collisions.push_back({.origin = {}, .geometry = cube, .name = ""});
-        robot.links.push_back(link);
-        if (name != left_out) {
-            original.links.push_back({name, primitive_solid(cube)});
-        }
-    }
+    Original original = cubes_of_links(links, left_out);
+    Robot robot = *original.robot;
     robot.links.push_back({.name = "bare", .collisions = {}, .visuals = {}});
     original.robot = std::make_shared<const Robot>(robot);
     return original;
 }
 
 SphereFile file_of(std::vector<LinkSpheres> links) {
-    SphereFile file;
-    file.file = "model.yaml";
-    file.format = "test";
-    file.links = std::move(links);
-    return file;
+    return test::file_of(std::move(links), "model.yaml");
 }
 
 Element box_element(const Vec3& half) {

@@ -1,5 +1,5 @@
 // The files of a model with the verdict on what they hold: what a writer's files read back to is what is proved.
-#include "geometry/plain_shapes.hpp"
+#include "made_models.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/judge/written_model.hpp>
@@ -15,33 +15,12 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using Levels = std::map<std::string, Approximation::Level>;
 
-const Primitive edge_box{Primitive::Kind::box, {0.2, 0.2, 0.2}, 0, 0};
 const double half_diagonal = std::sqrt(0.03);
 const std::string all_proved = "proved: the collision geometry of 1 of 1 link lies inside its spheres";
 const std::string none_proved = "not proved: the geometry may extend beyond the spheres";
 
-/// A robot of links with a cube each.
-Original boxes_of_links(const std::vector<std::string>& links) {
-    Robot robot;
-    robot.name = "made";
-    Original original;
-    original.file = "folder/robot.urdf";
-    for (const std::string& name : links) {
-        Link link{.name = name, .collisions = {}, .visuals = {}};
-        link.collisions.push_back({.origin = {}, .geometry = edge_box, .name = ""});
-        robot.links.push_back(link);
-        original.links.push_back({name, Solid::make({{nullptr, edge_box, {}}})});
-    }
-    original.robot = std::make_shared<const Robot>(robot);
-    return original;
-}
-
 SphereFile given_file(std::vector<LinkSpheres> links) {
-    SphereFile file;
-    file.file = "folder/model.yaml";
-    file.format = "test";
-    file.links = std::move(links);
-    return file;
+    return file_of(std::move(links), "folder/model.yaml");
 }
 
 LinkSpheres ball_of(const std::string& link, double radius) {
@@ -126,7 +105,7 @@ std::pair<ErrorCode, std::string> refused(const std::function<void()>& call) {
 }
 
 TEST(WrittenModel, TheStatementIsThatOfTheProof) {
-    const Original one = boxes_of_links({"a"});
+    const Original one = cubes_of_links({"a"});
     const Said covered = said(&one, {ball_of("a", 0.1733)}, {ball_of("a", 0.1733)});
     EXPECT_EQ(covered.statement, all_proved);
     EXPECT_EQ(covered.model.guarantee, Guarantee::outer);
@@ -144,7 +123,7 @@ TEST(WrittenModel, TheStatementIsThatOfTheProof) {
 }
 
 TEST(WrittenModel, EachLinkHasItsOwnVerdict) {
-    const Original two = boxes_of_links({"a", "b"});
+    const Original two = cubes_of_links({"a", "b"});
     const std::vector<LinkSpheres> links{ball_of("b", 0.1), ball_of("a", 0.2)};
     const Said part = said(&two, links, links);
     EXPECT_THAT(part.statement, HasSubstr("proved in part: the collision geometry of 1 of 2 links lies inside their "
@@ -157,7 +136,7 @@ TEST(WrittenModel, EachLinkHasItsOwnVerdict) {
 }
 
 TEST(WrittenModel, WhatTheFilesHoldIsProvedNotWhatWasGiven) {
-    const Original one = boxes_of_links({"a"});
+    const Original one = cubes_of_links({"a"});
     // With the buffer of the file the ball covers the cube.
     const Said larger = said(&one, {ball_of("a", 0.15)}, {ball_of("a", 0.2)});
     EXPECT_EQ(larger.statement, all_proved);
@@ -179,7 +158,7 @@ TEST(WrittenModel, WhatTheFilesHoldIsProvedNotWhatWasGiven) {
 }
 
 TEST(WrittenModel, AFormatWithoutNamesOfLinksIsThatOfTheOnlyLink) {
-    const Original one = boxes_of_links({"a"});
+    const Original one = cubes_of_links({"a"});
     const SphereFile file = given_file({ball_of("a", 0.2)});
     SphereModel model = sphere_model_of(file, one.robot);
     model.groups[0].link = ""; // as the writer has it
@@ -187,7 +166,7 @@ TEST(WrittenModel, AFormatWithoutNamesOfLinksIsThatOfTheOnlyLink) {
     QuietContext context;
     const JudgedFiles judged = judged_files(writer, told_info(), model, &one, file, "out.told", context);
     EXPECT_EQ(judged.statement, all_proved);
-    const Original two = boxes_of_links({"a", "b"});
+    const Original two = cubes_of_links({"a", "b"});
     const auto [code, text] =
         refused([&] { judged_files(writer, told_info(), model, &two, file, "out.told", context); });
     EXPECT_EQ(code, ErrorCode::input);
@@ -195,7 +174,7 @@ TEST(WrittenModel, AFormatWithoutNamesOfLinksIsThatOfTheOnlyLink) {
 }
 
 TEST(WrittenModel, ElementsThatAnotherFileHoldsAreThoseThatWereGiven) {
-    const Original one = boxes_of_links({"a"});
+    const Original one = cubes_of_links({"a"});
     const std::vector<LinkSpheres> given{{"a", {}, {box_of(0.11)}}};
     const Said said_of_given = said(&one, given, {ball_of("a", 0.01)}, {.elements_optional = true});
     EXPECT_EQ(said_of_given.statement, "proved: the collision geometry of 1 of 1 link lies inside its elements");
@@ -205,7 +184,7 @@ TEST(WrittenModel, ElementsThatAnotherFileHoldsAreThoseThatWereGiven) {
 }
 
 TEST(WrittenModel, SinglePrecisionIsProvedToo) {
-    const Original two = boxes_of_links({"a", "b"});
+    const Original two = cubes_of_links({"a", "b"});
     // Between the half diagonal and the float above it are doubles that are rounded to the float below.
     const double below = static_cast<double>(std::nextafter(static_cast<float>(half_diagonal), 0.0F)),
                  nearest = static_cast<double>(static_cast<float>(half_diagonal)),
@@ -225,7 +204,7 @@ TEST(WrittenModel, SinglePrecisionIsProvedToo) {
     EXPECT_TRUE(single.model.groups[1].measures.certified);
     // Rounded up it covers, but not as it stands.
     const double short_of = std::nextafter(upper, 0);
-    const Original one = boxes_of_links({"a"});
+    const Original one = cubes_of_links({"a"});
     const std::vector<LinkSpheres> enough{ball_of("a", short_of)};
     EXPECT_THAT(said(&one, enough, enough, {.float32 = true}).statement, HasSubstr("also in single precision"));
     const std::vector<LinkSpheres> open{ball_of("a", half_diagonal * (1 - 1e-13)), ball_of("b", 0.2)};
@@ -233,7 +212,7 @@ TEST(WrittenModel, SinglePrecisionIsProvedToo) {
 }
 
 TEST(WrittenModel, FilesWithOtherElementsAreRefused) {
-    const Original two = boxes_of_links({"a", "b"});
+    const Original two = cubes_of_links({"a", "b"});
     const auto refusal = [&](const std::vector<LinkSpheres>& given, const std::vector<LinkSpheres>& read,
                              const Consumer& consumer = {}) {
         return refused([&] { said(&two, given, read, consumer); });
@@ -281,7 +260,7 @@ TEST(WrittenModel, FilesWithOtherElementsAreRefused) {
 
 TEST(WrittenModel, GroupsOfALinkAreReadTogether) {
     SphereModel model = sphere_model_of(given_file({ball_of("a", 0.1), ball_of("b", 0.2)}),
-                                        boxes_of_links({"a", "b"}).robot);
+                                        cubes_of_links({"a", "b"}).robot);
     model.groups.push_back(model.groups[0]);
     model.groups[2].tree = flat_approximation({{{1, 0, 0}, 0.3}}, {});
     const std::vector<WrittenFile> files{{"out.told", ""}};
@@ -296,7 +275,7 @@ TEST(WrittenModel, GroupsOfALinkAreReadTogether) {
 }
 
 TEST(WrittenModel, LinksAreNamedAndKnown) {
-    const Original one = boxes_of_links({"arm"}), two = boxes_of_links({"arm", "leg"});
+    const Original one = cubes_of_links({"arm"}), two = cubes_of_links({"arm", "leg"});
     SphereFile file = given_file({ball_of("", 1), ball_of("leg", 1)});
     const auto [code, text] = refused([&] { name_only_link(file, &two); });
     EXPECT_EQ(code, ErrorCode::input);
@@ -324,7 +303,7 @@ TEST(WrittenModel, LinksAreNamedAndKnown) {
 }
 
 TEST(WrittenModel, OfAFileIsNothingMeasured) {
-    const auto robot = boxes_of_links({"b", "a", "c"}).robot;
+    const auto robot = cubes_of_links({"b", "a", "c"}).robot;
     const SphereModel model = sphere_model_of(
         given_file({ball_of("a", 1), {"b", {{{}, 1}, {{}, 2}}, {box_of(1)}}, {"c", {}}}), robot);
     EXPECT_EQ(model.name, "model");
@@ -347,7 +326,7 @@ TEST(WrittenModel, FilesHaveTheirNames) {
     EXPECT_EQ(refused([&] { files_of(info, "x/out.told"); }).first, ErrorCode::usage);
     info.companions = {"srdf"};
     EXPECT_THAT(files_of(info, "x/out.told"), ElementsAre("x/out.told", "x/out.srdf"));
-    SphereModel model = sphere_model_of(given_file({ball_of("a", 1)}), boxes_of_links({"a"}).robot);
+    SphereModel model = sphere_model_of(given_file({ball_of("a", 1)}), cubes_of_links({"a"}).robot);
     model.provenance = "line";
     Told writer({});
     writer.beside = {{"meshes/one.stl", "bytes"}};
@@ -369,7 +348,7 @@ TEST(WrittenModel, FilesHaveTheirNames) {
 }
 
 TEST(WrittenModel, AnEditedFileHasTheNewLineOnly) {
-    SphereModel model = sphere_model_of(given_file({ball_of("a", 1)}), boxes_of_links({"a"}).robot);
+    SphereModel model = sphere_model_of(given_file({ball_of("a", 1)}), cubes_of_links({"a"}).robot);
     model.provenance = "# foam 1: it was proved";
     QuietContext context;
     const Told writer({});
@@ -390,7 +369,7 @@ TEST(WrittenModel, AnEditedFileHasTheNewLineOnly) {
 /// cubes; 0: they are not known.
 std::vector<std::string> ignored_of(const std::vector<LinkSpheres>& spheres, double edge,
                                     const std::atomic<bool>* cancel = nullptr) {
-    const auto original = boxes_of_links({"a", "b", "c"});
+    const auto original = cubes_of_links({"a", "b", "c"});
     Robot robot = *original.robot;
     robot.root = "a";
     for (const auto& [parent, child] : {std::pair("a", "b"), std::pair("b", "c")}) {

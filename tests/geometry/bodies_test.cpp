@@ -537,8 +537,8 @@ TEST(Bodies, ARotationCountsAsExactUpToSixteenUnits) {
     }
 }
 
-/// Expects that each triangle of the hull of points lies on or above a plane of the body before its erosion, and that
-/// no plane is farther inside than rounding asks for, by `lower`.
+/// Expects that each triangle of the hull of points lies on or above a plane of the body before its erosion. No plane is
+/// farther inside than by `lower`, what rounding asks for.
 void expect_planes_below_triangles(const std::vector<Vec3>& points, std::size_t faces, double lower) {
     Element e{.kind = Kind::hull, .hull = convex_hull(points)};
     const auto hull = convex_hull(e.hull->surface.vertices);
@@ -569,8 +569,8 @@ void expect_planes_below_triangles(const std::vector<Vec3>& points, std::size_t 
 TEST(Bodies, PlanesOfAHullGoThroughTheLowestCornersOfTheirTriangles) {
     Random random(5);
     for (int round = 0; round < 20; ++round) {
-        // A prism whose ends are plane only up to rounding, and a box with points just beyond its edges, which make
-        // triangles that are too thin for a plane of their own.
+        // The ends of the prism are plane only up to rounding. Points just beyond the edges of the box make triangles
+        // that are too thin for a plane of their own.
         std::vector<Vec3> prism, box = test::box({-1, -0.7, -0.6}, {1, 0.7, 0.6}).vertices;
         for (int k = 0; k < 12; ++k) {
             const double angle = k * std::numbers::pi / 6 + 0.1;

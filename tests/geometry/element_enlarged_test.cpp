@@ -165,6 +165,16 @@ TEST(ElementEnlarged, OfAxesThatAreOutByTheSameTheFirstBecomesLonger) {
     EXPECT_LT(with({0, 1.4, 1.4}).y, longer);
 }
 
+/// Expects that a box whose axes are those of the link contains another one and a point.
+void expect_around(const Element& result, const Element& box, const Vec3& p) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const long double at = result.pose.translation[axis], half = result.half[axis];
+        const long double old = box.pose.translation[axis];
+        EXPECT_LE(at - half, std::min<long double>(p[axis], old - box.half[axis]));
+        EXPECT_GE(at + half, std::max<long double>(p[axis], old + box.half[axis]));
+    }
+}
+
 TEST(ElementEnlarged, EndsAreRoundedOutwards) {
     // In the frame of the element all is exact but for the sum of place and shift.
     Random random(7);
@@ -173,13 +183,8 @@ TEST(ElementEnlarged, EndsAreRoundedOutwards) {
         Element box{.kind = Kind::box, .half = {length(), length(), length()}};
         box.pose.translation = {k % 2 ? 0 : random.uniform(-1, 1), random.uniform(-9, 9), random.uniform(-1e3, 1e3)};
         const Vec3 p = box.pose.translation + test::random_direction(random) * 3;
-        const Element result = enlarged(box, std::array{p}, 0);
-        for (int axis = 0; axis < 3; ++axis) {
-            const long double at = result.pose.translation[axis], half = result.half[axis];
-            const long double old = box.pose.translation[axis];
-            EXPECT_LE(at - half, std::min<long double>(p[axis], old - box.half[axis])) << k;
-            EXPECT_GE(at + half, std::max<long double>(p[axis], old + box.half[axis])) << k;
-        }
+        SCOPED_TRACE(k);
+        expect_around(enlarged(box, std::array{p}, 0), box, p);
     }
 }
 
@@ -190,13 +195,8 @@ TEST(ElementEnlarged, EndsFarFromASmallOneAreRoundedOutwards) {
         Element box{.kind = Kind::box, .half = Vec3{1, 1, 1} * 1e-6};
         box.pose.translation = test::random_direction(random) * 1e-6;
         const Vec3 p = test::random_direction(random) * 3;
-        const Element result = enlarged(box, std::array{p}, 0);
-        for (int axis = 0; axis < 3; ++axis) {
-            const long double at = result.pose.translation[axis], half = result.half[axis];
-            const long double old = box.pose.translation[axis];
-            EXPECT_LE(at - half, std::min<long double>(p[axis], old - box.half[axis])) << k;
-            EXPECT_GE(at + half, std::max<long double>(p[axis], old + box.half[axis])) << k;
-        }
+        SCOPED_TRACE(k);
+        expect_around(enlarged(box, std::array{p}, 0), box, p);
     }
 }
 

@@ -72,12 +72,17 @@ double missing_volume(const Solid& solid, const ElementsView& elements) {
 }
 
 double excess_volume(const Solid& solid, const ElementsView& elements) {
+    return excess_and_missing_volume(solid, elements).first;
+}
+
+std::pair<double, double> excess_and_missing_volume(const Solid& solid, const ElementsView& elements) {
     if (elements.others.empty()) {
-        return std::max(0.0, joint_volume(solid, elements.spheres) - solid.volume());
+        const double missing = solid.missing_volume(elements.spheres);
+        return {std::max(0.0, exact_union_volume(elements.spheres) + missing - solid.volume()), missing};
     }
     const ElementSet set(elements);
-    const double volume = volume_of_union(set, solid.bounds()).value;
-    return std::max(0.0, volume - solid.volume() + missing_of(solid, set));
+    const double volume = volume_of_union(set, solid.bounds()).value, missing = missing_of(solid, set);
+    return {std::max(0.0, volume - solid.volume() + missing), missing};
 }
 
 } // namespace foam::geometry

@@ -159,8 +159,8 @@ InsideLines::InsideLines(const SolidData& data)
     };
     const auto in_holes = [&](std::size_t row, Tracer& tracer) {
         tracer.closed_along();
-        const Intervals inside = base ? tracer.inside_along(base->inside(row, tracer.line % across_), parts_of_base)
-                                      : tracer.inside_along({}, 0);
+        const auto known = base ? base->inside(row, tracer.line % across_) : std::span<const Solid::Interval>{};
+        const Intervals inside = tracer.inside_along(known, parts_of_base);
         keep(row, tracer.along().origin(), inside);
         return tracer.surplus(length(tracer.intervals), length(inside));
     };

@@ -65,16 +65,10 @@ int segments_of(const std::vector<Solid::Part>& parts) {
     return count <= many ? 48 : count <= very_many ? 8 : 4;
 }
 
-/// When the meshes of a solid are interpreted.
-enum class MeshReading {
-    at_once,
-    on_first_use,
-};
-
-/// Returns the part as a mesh in the solid's frame, with its reading if that is made at once.
+/// Returns the part as a mesh in the solid's frame, with its reading; `quick`: without, it is made on first use.
 std::pair<std::shared_ptr<const Mesh>, std::optional<geometry::Reading>> part_mesh(const Solid::Part& part,
                                                                                    std::size_t index, int segments,
-                                                                                   MeshReading when) {
+                                                                                   bool quick) {
     if (part.primitive) {
         geometry::check_primitive(*part.primitive);
         Mesh mesh = transformed(enclosing_mesh(*part.primitive, segments), part.pose);
@@ -88,7 +82,7 @@ std::pair<std::shared_ptr<const Mesh>, std::optional<geometry::Reading>> part_me
     }
     check_mesh(*part.mesh, index);
     check_cancelled();
-    if (when == MeshReading::on_first_use) {
+    if (quick) {
         return {with_used_vertices(part.mesh), std::nullopt};
     }
     // With many copies of a triangle, every query would look at all of them.
@@ -129,9 +123,9 @@ private:
     std::shared_ptr<Mesh> own_;
 };
 
-void add_part(geometry::SolidData& data, SurfaceOfParts& surface, std::size_t index, int segments, MeshReading when) {
+void add_part(geometry::SolidData& data, SurfaceOfParts& surface, std::size_t index, int segments) {
     Solid::Part& part = data.parts[index];
-    auto [given, reading] = part_mesh(part, index, segments, when);
+    auto [given, reading] = part_mesh(part, index, segments, data.quick);
     if (!part.primitive) {
         part.mesh = given;
     }
@@ -203,13 +197,13 @@ double least_signed_distance(const geometry::SolidData& data, const Vec3& point)
 }
 
 /// Fills in the data of a solid but its parts.
-void build(geometry::SolidData& data, MeshReading when) {
+void build(geometry::SolidData& data) {
     data.offsets.push_back(0);
     SurfaceOfParts surface;
     const int segments = segments_of(data.parts);
     for (std::size_t i = 0; i < data.parts.size(); ++i) {
         check_cancelled();
-        add_part(data, surface, i, segments, when);
+        add_part(data, surface, i, segments);
     }
     data.surface = surface.take();
     if (data.surface->triangles.empty()) {
@@ -250,19 +244,15 @@ const geometry::Reading& geometry::QueriedMesh::reading() const {
 Solid::Solid(std::unique_ptr<const Data> data) : data_(std::move(data)) {}
 Solid::~Solid() = default;
 
-std::shared_ptr<const Solid> Solid::make(std::vector<Part> parts) {
-    auto data = std::make_unique<Data>();
-    data->parts = std::move(parts);
-    build(*data, MeshReading::at_once);
+std::shared_ptr<const Solid> SolidAccess::built(std::unique_ptr<Solid::Data> data) {
+    build(*data);
     return std::shared_ptr<const Solid>(new Solid(std::move(data)));
 }
 
-std::shared_ptr<const Solid> SolidAccess::quick(std::vector<Solid::Part> parts) {
-    auto data = std::make_unique<Solid::Data>();
+std::shared_ptr<const Solid> Solid::make(std::vector<Part> parts) {
+    auto data = std::make_unique<Data>();
     data->parts = std::move(parts);
-    data->quick = true;
-    build(*data, MeshReading::on_first_use);
-    return std::shared_ptr<const Solid>(new Solid(std::move(data)));
+    return SolidAccess::built(std::move(data));
 }
 
 std::shared_ptr<const Solid> SolidAccess::with_part(std::shared_ptr<const Solid> solid, Solid::Part part) {
@@ -270,8 +260,14 @@ std::shared_ptr<const Solid> SolidAccess::with_part(std::shared_ptr<const Solid>
     data->parts = solid->parts();
     data->parts.push_back(std::move(part));
     data->base = std::move(solid);
-    build(*data, MeshReading::at_once);
-    return std::shared_ptr<const Solid>(new Solid(std::move(data)));
+    return built(std::move(data));
+}
+
+std::shared_ptr<const Solid> SolidAccess::quick(std::vector<Solid::Part> parts) {
+    auto data = std::make_unique<Solid::Data>();
+    data->parts = std::move(parts);
+    data->quick = true;
+    return built(std::move(data));
 }
 
 std::shared_ptr<const Solid> quick_solid(std::vector<Solid::Part> parts) {

@@ -117,6 +117,7 @@ struct Solid::Data : geometry::SolidData {};
 /// The way from a solid to its data.
 struct SolidAccess {
     static const SolidData& data(const Solid& solid) { return *solid.data_; }
+    [[gnu::visibility("hidden")]] static std::shared_ptr<const Solid> built(std::unique_ptr<Solid::Data> data);
     static std::shared_ptr<const Solid> quick(std::vector<Solid::Part> parts);
     /// Returns the solid with one more part. What is known of lines through it is not computed again.
     [[gnu::visibility("hidden")]] static std::shared_ptr<const Solid> with_part(std::shared_ptr<const Solid> solid, Solid::Part part);

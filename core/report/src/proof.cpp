@@ -90,10 +90,11 @@ std::string proof_section(const Report& report) {
     html += fmt::format("<p>The proof uses the numbers read back from {}, as another program reads them, and the "
                         "meshes and primitives as the input gives them, not the repaired or simplified ones.</p>\n",
                         output_names(report));
-    html += has_other_elements(report) ? "<p>Method: the proof cuts every triangle along the elements and halves what is left, until one element "
-                     "contains each part; a part that is still undecided at the end counts as not covered. Round primitives "
-                     "are enclosed by polyhedra, unless one element contains them as they are. Rounding errors are on the "
-                     "safe side: no point outside the elements passes.</p>\n"
+    html += has_other_elements(report)
+                ? "<p>Method: the proof cuts every triangle along the elements and halves what is left, until one element "
+                  "contains each part; a part that is still undecided at the end counts as not covered. Round primitives "
+                  "are enclosed by polyhedra, unless one element contains them as they are. Rounding errors are on the "
+                  "safe side: no point outside the elements passes.</p>\n"
             : guarantee == "outer"
                 ? "<p>Method: a ball that contains the three corners of a triangle contains the triangle. If no single "
                   "ball contains a triangle, the proof splits it and examines its halves; a part that is still "

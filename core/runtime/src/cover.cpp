@@ -155,9 +155,10 @@ double cost_of_elements(const Solid& solid, const ElementsView& elements, Guaran
         return cost_volume(solid, std::vector<Sphere>(elements.spheres.begin(), elements.spheres.end()), guarantee);
     }
     if (guarantee == Guarantee::outer) {
-        return std::max(0.0, excess_volume(solid, grown_to_cover(solid, level_of(elements)).view()));
+        return excess_volume(solid, grown_to_cover(solid, level_of(elements)).view());
     }
-    return excess_volume(solid, elements) + missing_volume(solid, elements);
+    const auto [excess, missing] = excess_and_missing_volume(solid, elements);
+    return excess + missing;
 }
 
 /// Returns the options for a quick measure of the largest protrusion.

@@ -94,9 +94,9 @@ double bound_of_cylinder(const Cloud& cloud, const Fit& here, double angle) {
 }
 
 /// A capsule along another direction, turned to this one, is in one whose radius is larger by its length times the sine
-/// of half the angle. So the least volume there is at least that here without a layer of this thickness. Of all lengths
-/// up to the size of the points that of the longest capsule is the most: at constant volume V(r, l), r falls with l by
-/// r' = -V_l / V_r, and the derivative of l V_r is V_r + l (2 pi r - (2 pi l + 8 pi r) pi r^2 / V_r), which is above V_r.
+/// of half the angle. So the least volume there is at least that here without a layer of this thickness. The layer of
+/// the longest capsule, as long as the points are large, is the most. At constant volume V(r, l), r falls with l by
+/// r' = -V_l / V_r. The derivative of l V_r is V_r + l (2 pi r - (2 pi l + 8 pi r) pi r^2 / V_r), which is above V_r.
 double bound_of_capsule(double here, double angle) {
     const double r = capsule_radius(here);
     return here - std::sin(angle / 2) * (2 * pi * r + 4 * pi * r * r);

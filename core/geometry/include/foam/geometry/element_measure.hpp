@@ -7,6 +7,8 @@
 
 #include <vector>
 
+#include <utility>
+
 namespace foam {
 inline namespace [[gnu::visibility("default")]] geometry {
 
@@ -32,6 +34,8 @@ double missing_volume(const Solid& solid, const ElementsView& elements);
 /// Returns vol(U \ S), m³, along lines that are the same for all elements of a solid: the lines do not
 /// depend on the elements, so results for one solid can be compared.
 double excess_volume(const Solid& solid, const ElementsView& elements);
+/// Returns excess_volume() and missing_volume(), in the time of the first alone.
+std::pair<double, double> excess_and_missing_volume(const Solid& solid, const ElementsView& elements);
 
 } // namespace geometry
 } // namespace foam

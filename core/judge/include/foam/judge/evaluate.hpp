@@ -116,7 +116,7 @@ struct LinkProof {
 /// elements of other kinds than sphere.
 std::vector<LinkProof> prove(const Original& original, const MatchedModel& model, Guarantee guarantee);
 
-/// The reason in ProvedLinks for a link whose proof does not hold.
+/// The reasons in ProvedLinks for a link whose proof does not hold, and for one that has nothing to prove with.
 inline constexpr const char* proof_fails = "the proof does not hold";
 inline constexpr const char* no_elements = "it has no elements";
 /// Returns the verdict on a model. `proved`: of each link of the original.
