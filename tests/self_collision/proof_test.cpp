@@ -258,9 +258,7 @@ TEST(TouchingProof, EndsWhenItIsTold) {
 }
 
 TEST(TouchingProof, FreedomsAreSortedAndNamedOnce) {
-    const Arm arm{{{slides, {}, {0, 1, 0}, -1, 1}, {slides, {}, {0, 1, 0}, -1, 1}, {slides, {}, {0, 1, 0}, -1, 1}},
-                  "<robot name='made'><joint name='j1'><limit/></joint><joint name='j2'><limit/></joint>"
-                  "<joint name='j3'><limit/><mimic joint='j1'/></joint></robot>"};
+    const Arm arm{{{slides, {}, {0, 1, 0}, -1, 1}, {slides, {}, {0, 1, 0}, -1, 1}, {slides, {}, {0, 1, 0}, -1, 1}}, 1};
     const Kinematics kinematics(arm.robot());
     EXPECT_THAT(freedoms_of(chain_between(kinematics, 0, 3)), ElementsAre(0, 1));
     EXPECT_THAT(freedoms_of(chain_between(kinematics, 3, 0)), ElementsAre(0, 1));
