@@ -5,6 +5,7 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/file.hpp>
+#include <foam/base/text.hpp>
 
 #include <fmt/format.h>
 
@@ -13,23 +14,6 @@
 
 namespace foam::load_mesh {
 namespace {
-
-/// Decodes percent escapes: "my%20part.bin" → "my part.bin". Invalid escapes stay.
-std::string percent_decoded(std::string_view text) {
-    const auto digit = [](char c) {
-        return c >= '0' && c <= '9' ? c - '0' : (c | 32) >= 'a' && (c | 32) <= 'f' ? (c | 32) - 'a' + 10 : -1;
-    };
-    std::string result;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] == '%' && i + 2 < text.size() && digit(text[i + 1]) >= 0 && digit(text[i + 2]) >= 0) {
-            result.push_back(static_cast<char>(digit(text[i + 1]) * 16 + digit(text[i + 2])));
-            i += 2;
-        } else {
-            result.push_back(text[i]);
-        }
-    }
-    return result;
-}
 
 template <class T> T read(const char* bytes) {
     T value{};

@@ -7,15 +7,10 @@
 #include <foam/geometry/sphere.hpp>
 #include <foam/sdk/context.hpp>
 
-#include <functional>
 #include <span>
 #include <vector>
 
 namespace foam::medial {
-
-/// Downhill simplex (Nelder and Mead 1965) in space: returns a point near `start` with lower `cost`, after at most
-/// `evaluations`. `size`: edge of the first simplex.
-Vec3 downhill_simplex(const Vec3& start, double size, int evaluations, const std::function<double(const Vec3&)>& cost);
 
 constexpr double surface_resolution = 4e-3; ///< of pieces of the surface, in units of its extent
 

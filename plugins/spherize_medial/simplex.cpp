@@ -1,49 +1,10 @@
 #include "optimise.hpp"
 
+#include <foam/geometry/downhill.hpp>
+
 #include <algorithm>
-#include <array>
 
 namespace foam::medial {
-
-Vec3 downhill_simplex(const Vec3& start, double size, int evaluations, const std::function<double(const Vec3&)>& cost) {
-    struct Vertex {
-        Vec3 place;
-        double cost;
-    };
-    const auto vertex = [&](const Vec3& place) {
-        --evaluations;
-        return Vertex{place, cost(place)};
-    };
-    // A regular tetrahedron about the start, which is a vertex.
-    std::array<Vertex, 4> v{vertex(start), vertex(start + Vec3{size, 0, 0}), vertex(start + Vec3{0, size, 0}),
-                            vertex(start + Vec3{0, 0, size})};
-    while (evaluations > 0) {
-        std::stable_sort(v.begin(), v.end(), [](const Vertex& a, const Vertex& b) { return a.cost < b.cost; });
-        const Vec3 middle = (v[0].place + v[1].place + v[2].place) / 3.0, away = middle - v[3].place;
-        if (squared_norm(away) < 1e-8 * size * size) {
-            break;
-        }
-        const Vertex reflected = vertex(middle + away);
-        if (reflected.cost < v[0].cost) {
-            const Vertex expanded = vertex(middle + away * 2);
-            v[3] = expanded.cost < reflected.cost ? expanded : reflected;
-        } else if (reflected.cost < v[2].cost) {
-            v[3] = reflected;
-        } else {
-            const Vertex contracted = vertex(middle + away * (reflected.cost < v[3].cost ? 0.5 : -0.5));
-            if (contracted.cost < std::min(reflected.cost, v[3].cost)) {
-                v[3] = contracted;
-            } else {
-                for (std::size_t i = 1; i < 4; ++i) {
-                    v[i] = vertex((v[0].place + v[i].place) * 0.5);
-                }
-            }
-        }
-    }
-    return std::min_element(v.begin(), v.end(), [](const Vertex& a, const Vertex& b) { return a.cost < b.cost; })
-        ->place;
-}
-
 namespace {
 
 double reach(const Vec3& center, std::span<const Vec3> points) {
@@ -67,12 +28,15 @@ double settle(std::vector<Sphere>& balls, std::size_t index, Uncovered& surface,
     std::vector<Sphere> others = balls;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(index));
     const Columns::Free free(columns, others, old.center, std::max(old.radius, stay.radius + 2 * shift));
-    const Vec3 place = downhill_simplex(old.center, shift / 2, evaluations, [&](const Vec3& c) {
-        if (squared_norm(c - old.center) > shift * shift) {
-            return std::numeric_limits<double>::infinity();
-        }
-        return free.outside({c, reach(c, points)});
-    });
+    const auto value = [&](const Vec3& c) {
+        return squared_norm(c - old.center) > shift * shift ? std::numeric_limits<double>::infinity()
+                                                            : free.outside({c, reach(c, points)});
+    };
+    const auto middle = [](const auto&... places) { return (... + places) / double{sizeof...(places)}; };
+    const auto ended = [&](const auto& v, int) {
+        return squared_norm(middle(v[0].place, v[1].place, v[2].place) - v[3].place) < 1e-8 * shift * shift / 4;
+    };
+    const Vec3 place = downhill_simplex(old.center, shift / 2, evaluations, value, ended, middle);
     const Sphere moved{place, reach(place, points)};
     const double before = free.outside(old), here = free.outside(stay), there = free.outside(moved);
     balls[index] = there < here ? moved : stay;

@@ -1,17 +1,18 @@
 #include "picture.hpp"
 
-#include "unit_sphere.hpp"
-
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
 #include <foam/base/markup.hpp>
 #include <foam/base/text.hpp>
+#include <foam/geometry/inscribed_mesh.hpp>
 #include <foam/sdk/elements.hpp>
 #include <foam/sdk/planning.hpp>
 #include <foam/yaml/write.hpp>
 
 #include <fmt/format.h>
 
+#include <bit>
+#include <cstdint>
 #include <limits>
 #include <map>
 
@@ -143,6 +144,34 @@ Value positions_of(const Mesh& mesh, int view) {
     return positions;
 }
 
+void add_bytes(std::string& bytes, std::uint32_t number, int count) {
+    for (int i = 0; i < count; ++i) {
+        bytes += static_cast<char>(number >> (8 * i) & 0xFFU);
+    }
+}
+
+/// Returns the corners in single precision, little-endian.
+std::string corner_bytes(const Mesh& mesh) {
+    std::string bytes;
+    for (const Vec3& p : mesh.vertices) {
+        for (const double x : {p.x, p.y, p.z}) {
+            add_bytes(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(x)), 4);
+        }
+    }
+    return bytes;
+}
+
+/// Returns the triangles' corners as numbers of `size` bytes, little-endian.
+std::string index_bytes(const Mesh& mesh, int size) {
+    std::string bytes;
+    for (const Triangle& triangle : mesh.triangles) {
+        for (const std::uint32_t corner : triangle) {
+            add_bytes(bytes, corner, size);
+        }
+    }
+    return bytes;
+}
+
 /// Meshes with their accessors, views and bytes in one buffer.
 struct Meshes {
     Value meshes = yaml::list(), accessors = yaml::list(), views = yaml::list();
@@ -150,7 +179,7 @@ struct Meshes {
 
     /// Adds the mesh of all spheres, whose corners are its normals.
     void add_sphere(const Mesh& mesh) {
-        bytes = buffer_of(mesh);
+        bytes = corner_bytes(mesh) + index_bytes(mesh, 2);
         const std::size_t corners = 12 * mesh.vertices.size();
         accessors = yaml::list({positions_of(mesh, 0), accessor(0, type_float, mesh.vertices.size(), "VEC3"),
                                 accessor(1, type_uint16, 3 * mesh.triangles.size(), "SCALAR")});
@@ -168,7 +197,7 @@ struct Meshes {
         const std::size_t first = accessors.items.size(), corners = bytes.size();
         bytes += corner_bytes(mesh);
         const std::size_t indices = bytes.size();
-        bytes += index_bytes(mesh);
+        bytes += index_bytes(mesh, 4);
         const int corner_view = static_cast<int>(views.items.size());
         accessors.items.push_back(positions_of(mesh, corner_view));
         accessors.items.push_back(accessor(corner_view + 1, type_uint32, 3 * mesh.triangles.size(), "SCALAR"));
@@ -189,7 +218,7 @@ private:
 /// Adds the meshes of the elements and their bytes.
 void append_meshes(Value& root, const std::vector<LinkSpheres>& links) {
     Meshes meshes;
-    meshes.add_sphere(unit_sphere(2)); // 320 triangles look round at the size of a robot link
+    meshes.add_sphere(icosphere(2)); // 320 triangles look round at the size of a robot link
     for (const LinkSpheres& link : links) {
         for (const Element& element : link.others) {
             meshes.add_element(element);

@@ -9,10 +9,10 @@
 //
 // `link` is an index into the "comment link INDEX NAME" lines; control characters and % in names are percent-encoded
 // there.
-#include "icosphere.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
+#include <foam/geometry/inscribed_mesh.hpp>
 #include <foam/sdk/elements.hpp>
 #include <foam/sdk/plugin.hpp>
 
@@ -30,21 +30,6 @@ std::string encoded(std::string_view name) {
     for (const char c : name) {
         const unsigned char byte = static_cast<unsigned char>(c);
         result += byte < 0x20 || byte == 0x7F || c == '%' ? fmt::format("%{:02X}", byte) : std::string(1, c);
-    }
-    return result;
-}
-
-std::string decoded(std::string_view text) {
-    std::string result;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        unsigned int byte = 0;
-        if (text[i] == '%' && i + 2 < text.size() &&
-            std::from_chars(text.data() + i + 1, text.data() + i + 3, byte, 16).ec == std::errc{}) {
-            result += static_cast<char>(byte);
-            i += 2;
-        } else {
-            result += text[i];
-        }
     }
     return result;
 }
@@ -248,7 +233,7 @@ private:
                 elements_.emplace_back(name, whole_number(text));
             } else if (keyword == "comment" && word(text) == "link") {
                 const std::size_t index = whole_number(word(text));
-                names_[index] = decoded(text);
+                names_[index] = percent_decoded(text);
             }
         }
         if (elements_.empty()) {

@@ -3,6 +3,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/parallel.hpp>
+#include <foam/geometry/directions.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/sdk/resource.hpp>
 #include <foam/sdk/stage.hpp>
@@ -11,24 +12,20 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace foam::python {
 namespace {
 
 using Given = std::map<std::string, ParameterValue>;
 
-/// How far each sphere protrudes from the solid, m: over `count` directions, where no other sphere covers it.
+/// How far each sphere protrudes from the solid, m: over 200 directions, where no other sphere covers it.
 std::vector<double> protrusions(const Solid& solid, const std::vector<Sphere>& spheres) {
-    constexpr int count = 200;
+    const std::vector<Vec3> directions = fibonacci_directions(200);
     std::vector<double> far(spheres.size());
     parallel_for(spheres.size(), [&](std::size_t i) {
         const Sphere& sphere = spheres[i];
-        for (int k = 0; k < count; ++k) {
-            const double z = 1 - (2 * k + 1.0) / count, turn = std::numbers::pi * (3 - std::sqrt(5.0)) * k;
-            const double ring = std::sqrt(1 - z * z);
-            const Vec3 point = sphere.center + sphere.radius * Vec3{ring * std::cos(turn), ring * std::sin(turn), z};
+        for (const Vec3& direction : directions) {
+            const Vec3 point = sphere.center + sphere.radius * direction;
             const bool exposed = std::none_of(spheres.begin(), spheres.end(), [&](const Sphere& other) {
                 return &other != &sphere && distance(point, other.center) < other.radius;
             });

@@ -49,6 +49,15 @@ TEST(Text, Words) {
     EXPECT_THAT(words(" \n"), testing::IsEmpty());
 }
 
+TEST(Text, PercentEscapes) {
+    EXPECT_EQ(percent_decoded("my%20part%2fB%2F"), "my part/B/");
+    EXPECT_EQ(percent_decoded("%25%41%7e%Ff"), "%A~\xff");
+    EXPECT_EQ(percent_decoded("%2541"), "%41") << "once";
+    for (const char* text : {"", "50%", "%4", "%%", "%4g", "%g4", "%1z", "% 1", "%+1", "%00"}) {
+        EXPECT_EQ(percent_decoded(text), text);
+    }
+}
+
 TEST(Text, WhatIsShownSteersNoTerminal) {
     EXPECT_EQ(shown("base_link, größe 漢字"), "base_link, größe 漢字");
     EXPECT_EQ(shown("a\x1b[31m\n\t\x7f" + std::string(1, '\0')), "a\\x1b[31m\\x0a\\x09\\x7f\\x00");

@@ -301,6 +301,41 @@ TEST(JudgedLinks, ProvedLinksAreCountedByTheRobot) {
     EXPECT_EQ(last.left_out.at(0).link, "b");
 }
 
+/// Plates over the faces of the cube, which leave 0.9 of each of its lengths open.
+LinkSpheres shell_of(const std::string& link) {
+    LinkSpheres shell{link, {}};
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double side : {-0.1, 0.1}) {
+            Element plate = box_element({0.11, 0.11, 0.11});
+            plate.half[axis] = 0.01;
+            plate.pose.translation[axis] = side;
+            shell.others.push_back(plate);
+        }
+    }
+    return shell;
+}
+
+TEST(JudgedLinks, WhatIsMissingIsOfTheProvedLinks) {
+    const Original original = cubes({"shell", "full", "open", "bald"});
+    const MatchedModel model = match(original, file_of({shell_of("shell"), one_ball("full"), one_ball("open", 0.01)}));
+    const auto missing = [&](std::initializer_list<bool> proved) {
+        return proved_links(original, model, proofs_of(proved), Guarantee::outer).missing;
+    };
+    const double open_share = 0.9 * 0.9 * 0.9;
+    EXPECT_NEAR(missing({true, false, false, false}), open_share, 0.01);
+    EXPECT_NEAR(missing({true, true, false, false}), open_share / 2, 0.01);
+    EXPECT_NEAR(missing({false, true, false, false}), 0, 1e-6);
+    EXPECT_EQ(missing({false, false, false, false}), 0);
+    EXPECT_NEAR(missing({true, false, false, true}), open_share, 0.01) << "a link without elements has no share in it";
+    const ProvedLinks links = proved_links(original, model, prove(original, model, Guarantee::outer), Guarantee::outer);
+    EXPECT_EQ(links.proved, 2u);
+    EXPECT_EQ(links.elements, "elements");
+    EXPECT_NEAR(links.missing, open_share / 2, 0.01);
+    EXPECT_TRUE(links.surface_alone());
+    const MatchedModel balls = match(original, file_of({one_ball("full")}));
+    EXPECT_EQ(proved_links(original, balls, proofs_of({false, true, false, false}), Guarantee::outer).elements, "spheres");
+}
+
 TEST(JudgedLinks, LinksThatAreSeenOnlyAreNamed) {
     Original original = cubes({"a"});
     Robot robot = *original.robot;

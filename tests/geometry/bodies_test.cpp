@@ -191,19 +191,25 @@ TEST_P(EachBody, HoldsABallWhereItsRadiusIsLeft) {
 }
 
 TEST_P(EachBody, PlanesAreThoseOfBoxesAndHulls) {
+    int inside = 0, outside = 0;
     for (int k = 0; k < 20; ++k) {
         const Element e = some_element(GetParam(), random);
         const Bodies bodies({{}, std::span(&e, 1)}, {}, 5, most_halvings, caution);
         EXPECT_EQ(bodies.planes(0).size(), e.hull ? e.hull->faces.size() : e.kind == Kind::box ? 6 : 0);
         for (int i = 0; i < 100 && !bodies.planes(0).empty(); ++i) {
-            const Vec3 p = support(e, test::random_direction(random)) + test::random_direction(random) * 1e-4;
+            const Vec3 outermost = support(e, test::random_direction(random));
+            const Vec3 p = outermost + (bodies.center(0) - outermost) * random.uniform(0, 4e-3) +
+                           test::random_direction(random) * bodies.slack(0);
             double most = -1e300;
             for (const Polytope::Face& plane : bodies.planes(0)) {
                 most = std::max(most, dot(plane.normal, p - bodies.center(0)) - plane.offset);
             }
             EXPECT_TRUE(std::abs(most) < 1e-12 || bodies.holds(0, p) == (most < 0));
+            inside += bodies.holds(0, p);
+            outside += !bodies.holds(0, p);
         }
     }
+    EXPECT_TRUE((inside > 300 && outside > 100) || inside + outside == 0) << inside << ' ' << outside;
 }
 
 TEST_P(EachBody, BoundsAreThoseOfTheElementAndTwoSlacks) {
@@ -309,6 +315,27 @@ TEST(Bodies, NearAreThoseThatMayBeNearestToAPoint) {
     }
 }
 
+TEST(Bodies, NearAreThoseThatMayContainAPointInSpiteOfTheirSlack) {
+    // A body that needs the least and one that needs more: by twice the piece's radius, and by some slacks.
+    const Piece piece{.corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .beneath = {}};
+    const PieceMiddle middle = middle_of(piece);
+    for (const double slacks : {3.5, 3.9, 4.1, 4.5}) {
+        std::vector<Element> balls(2, {.kind = Kind::sphere, .radius = 1});
+        balls[0].pose.translation = middle.point + Vec3{0, 0, 2};
+        double more = 0;
+        for (int k = 0; k < 3; ++k) { // the slack depends a little on the place
+            balls[1].pose.translation = middle.point - Vec3{0, 0, 2 + more};
+            const Bodies bodies({{}, balls}, {}, 5, most_halvings, caution);
+            ASSERT_GT(bodies.slack(1), 1e-5);
+            more = 2.001 * middle.radius + slacks * bodies.slack(1) - (bodies.slack(1) - bodies.slack(0));
+        }
+        const Bodies bodies({{}, balls}, {}, 5, most_halvings, caution);
+        std::vector<std::uint32_t> near{0, 1};
+        bodies.choose_near(piece, 0, 2, near);
+        EXPECT_EQ(near.size(), slacks < 4 ? 4u : 3u) << slacks;
+    }
+}
+
 TEST(Bodies, TheGapIsThatOfTheCornerThatIsFarthestFromAllBodies) {
     std::vector<Element> balls(2, {.kind = Kind::sphere, .radius = 1});
     balls[0].pose.translation = {-2, 0, 0};
@@ -329,6 +356,11 @@ TEST(Bodies, TheGapIsThatOfTheCornerThatIsFarthestFromAllBodies) {
     const Piece inside{.corners = {{4, 0, 0}, {4.5, 0, 0}, {4, 0.5, 0}}, .beneath = {}};
     EXPECT_TRUE(bodies.gap(inside, both).held);
     EXPECT_FALSE(bodies.gap(inside, std::span(both).first(1)).held);
+    // Between the two, nearer to either: 0.25 from the first at most.
+    const Piece near{.corners = {{-0.75, 0, 0}, {-0.9, 0, 0}, {-1.5, 0, 0}}, .beneath = {}};
+    EXPECT_NEAR(bodies.gap(near, both).upper, 0.25, 1e-12);
+    EXPECT_NEAR(bodies.gap(near, both).lower, 0.25, 1e-12);
+    EXPECT_EQ(bodies.gap(near, both).farthest, 0u);
     const Piece prism{.corners = inside.corners, .beneath = {{4, 0, 0}, {4.5, 0, 2}, {4, 0.5, 0}}, .curved = true};
     EXPECT_FALSE(bodies.gap(prism, both).held);
     EXPECT_EQ(bodies.gap(prism, std::span(both).last(1)).farthest, 4u);
@@ -362,6 +394,211 @@ TEST(Bodies, WhatIsThinnerThanTheSlackHoldsNothing) {
             EXPECT_EQ(bodies.depth(0, {}) < 0, share > 1) << to_string(kind) << ' ' << share;
             EXPECT_EQ(std::isinf(bodies.growth(0, {50, 0, 0})), share < 1) << to_string(kind) << ' ' << share;
         }
+    }
+}
+
+/// An element of a kind that is `thin` across, and 2 m or more in other directions, if it has them.
+Element thin_element(Kind kind, double thin) {
+    Element e{.kind = kind};
+    e.radius = kind == Kind::box || kind == Kind::hull ? 0 : thin;
+    if (kind == Kind::hull) {
+        e.hull = convex_hull(test::box({-thin, -2, -2}, {thin, 2, 2}).vertices);
+    } else if (kind != Kind::sphere) {
+        e.half = {kind == Kind::box ? thin : 0, kind == Kind::box || kind == Kind::swept_box ? 2.0 : 0, 2};
+    }
+    return e;
+}
+
+TEST_P(EachBody, OfWhatIsAsThinAsTheSlackNothingIsLeft) {
+    const auto body_of = [](const Element& e) { return Bodies({{}, std::span(&e, 1)}, {}, 30, most_halvings); };
+    double about = 1e-12;
+    for (int k = 0; k < 3; ++k) {
+        about = body_of(thin_element(GetParam(), about)).slack(0);
+    }
+    const int steps = 400; // of a last digit, among which what is left is 0 exactly
+    int none = 0, some = 0;
+    double thin = about * (1 - steps / 4 * 0x1p-52);
+    for (int k = 0; k < steps; ++k) {
+        thin = std::nextafter(thin, 1);
+        const Element e = thin_element(GetParam(), thin);
+        const Bodies bodies = body_of(e);
+        double left = thin - bodies.slack(0);
+        for (const Polytope::Face& plane : e.hull ? bodies.planes(0) : std::span<const Polytope::Face>{}) {
+            left = std::min(left, plane.offset);
+        }
+        none += left == 0;
+        some += left > 0;
+        EXPECT_EQ(bodies.holds(0, bodies.center(0)), left > 0) << left;
+        EXPECT_EQ(std::isinf(bodies.depth(0, {})), !(left > 0)) << left;
+    }
+    EXPECT_GT(none, 0);
+    EXPECT_GT(some, 0);
+}
+
+TEST(Bodies, WhatARadiusDoesNotSufficeForIsTakenFromTheBox) {
+    Element e{.kind = Kind::swept_box, .half = {1, 2, 3}, .radius = 1e-9};
+    const double slack = Bodies({{}, std::span(&e, 1)}, {}, 5, most_halvings, caution).slack(0);
+    ASSERT_GT(slack, 1e-5);
+    for (const double share : {0.1, 0.5, 0.9, 1.1}) {
+        e.radius = share * slack;
+        const Bodies bodies({{}, std::span(&e, 1)}, {}, 5, most_halvings, caution);
+        for (int axis = 0; axis < 3; ++axis) {
+            Vec3 p{};
+            const double end = e.half[axis] + e.radius - bodies.slack(0);
+            for (const double off : {-1e-9, 1e-9}) {
+                p[axis] = end + off;
+                EXPECT_EQ(bodies.holds(0, p), off < 0) << axis << ' ' << share;
+                EXPECT_NEAR(bodies.depth(0, p), off, 1e-12);
+            }
+        }
+        EXPECT_EQ(bodies.planes(0).size(), share < 1 ? 6u : 0u);
+    }
+}
+
+TEST(Bodies, NothingIsLeftOfABoxThatIsThinAlongAnyAxis) {
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double share : {0.5, 0.99, 1.01}) { // of the slack
+            Element e{.kind = Kind::box, .half = {2, 2, 2}};
+            const double slack = 2 * unit * (most_halvings + 24) * (30 + std::sqrt(8));
+            e.half[axis] = share * slack;
+            const Bodies bodies({{}, std::span(&e, 1)}, {}, 30, most_halvings);
+            EXPECT_NEAR(bodies.slack(0), slack, 1e-6 * slack);
+            EXPECT_EQ(bodies.holds(0, Vec3{}), share > 1) << axis << ' ' << share;
+            EXPECT_EQ(std::isinf(bodies.depth(0, Vec3{})), share < 1) << axis << ' ' << share;
+        }
+    }
+}
+
+TEST(Bodies, NothingIsLeftOfACylinderThatIsAsShortAsTheSlack) {
+    int none = 0;
+    for (int k = -200; k < 200; ++k) {
+        Element e{.kind = Kind::cylinder, .half = {0, 0, 1e-30}, .radius = 2};
+        const double slack = Bodies({{}, std::span(&e, 1)}, {}, 1, most_halvings).slack(0);
+        e.half.z = slack * (1 + k * 0x1p-52);
+        const Bodies bodies({{}, std::span(&e, 1)}, {}, 1, most_halvings);
+        none += e.half.z == bodies.slack(0);
+        EXPECT_EQ(bodies.holds(0, Vec3{}), e.half.z > bodies.slack(0)) << k;
+    }
+    EXPECT_GT(none, 0);
+}
+
+TEST_P(EachBody, WhatIsTooLargeOrTooFarHoldsNothing) {
+    Element e = some_element(GetParam(), random);
+    e.pose = {};
+    const auto is_left = [&](const Element& of, const Vec3& origin) {
+        return !std::isinf(Bodies({{}, std::span(&of, 1)}, origin, 1, most_halvings).depth(0, {}));
+    };
+    EXPECT_TRUE(is_left(e, {}));
+    EXPECT_FALSE(is_left(e, {1e200, 0, 0})); // the square of the distance overflows
+    e.pose.translation = {1.7e308, 0, 0};
+    EXPECT_FALSE(is_left(e, {-1.7e308, 0, 0})); // the difference does
+    e = some_element(GetParam(), random);
+    e.pose = {};
+    e.pose.rotation[2].z = -1; // a reflection
+    EXPECT_FALSE(is_left(e, {}));
+    if (e.hull) {
+        return;
+    }
+    e = thin_element(GetParam(), 1e-290); // its length squared overflows, its volume does not
+    e.half = e.half * 1e159;
+    EXPECT_FALSE(is_left(e, {}));
+}
+
+TEST(Bodies, WhatIsNotValidHoldsNothing) {
+    Element box{.kind = Kind::box, .half = {1, 1, 1}}, ball{.kind = Kind::sphere, .radius = 1};
+    const auto is_held = [](const Element& e) {
+        return Bodies({{}, std::span(&e, 1)}, {}, 1, most_halvings).holds(0, Vec3{});
+    };
+    EXPECT_TRUE(is_held(box));
+    EXPECT_TRUE(is_held(ball));
+    box.radius = 0.1; // of another kind
+    ball.half.z = 1;
+    EXPECT_FALSE(is_held(box));
+    EXPECT_FALSE(is_held(ball));
+    EXPECT_FALSE(is_held({.kind = Kind::hull, .radius = 1})); // without a hull
+    const std::vector<Sphere> spheres{{{}, std::numeric_limits<double>::infinity()}, {{}, -1}, {{}, 1}};
+    const Bodies bodies({spheres, {}}, {}, 1, most_halvings);
+    std::vector<std::uint32_t> found;
+    bodies.meeting({{-1, -1, -1}, {1, 1, 1}}, found);
+    EXPECT_THAT(found, ElementsAre(2));
+}
+
+TEST(Bodies, ARotationCountsAsExactUpToSixteenUnits) {
+    // Three times the error of its square is 6 units for each unit of an entry.
+    const Element before{.kind = Kind::sphere, .radius = 1};
+    const double exact = Bodies({{}, std::span(&before, 1)}, {}, 1, most_halvings).slack(0);
+    for (int units = 0; units < 7; ++units) {
+        for (int axis = 0; axis < 3; ++axis) {
+            Element e = before;
+            e.pose.rotation[static_cast<std::size_t>(axis)][axis] = 1 + units * 2 * unit;
+            const double added = Bodies({{}, std::span(&e, 1)}, {}, 1, most_halvings).slack(0) - exact;
+            EXPECT_NEAR(added, units * 6 > 16 ? 2 * units * 6 * 2 * unit : 0, 0.01 * unit) << units;
+        }
+    }
+}
+
+/// Expects that each triangle of the hull of points lies on or above a plane of the body before its erosion, and that
+/// no plane is farther inside than rounding asks for, by `lower`.
+void expect_planes_below_triangles(const std::vector<Vec3>& points, std::size_t faces, double lower) {
+    Element e{.kind = Kind::hull, .hull = convex_hull(points)};
+    const auto hull = convex_hull(e.hull->surface.vertices);
+    const Bodies bodies({{}, std::span(&e, 1)}, {}, 1, most_halvings);
+    const double rounding = 0x1p-51;
+    const Vec3 middle = bodies.center(0);
+    ASSERT_EQ(bodies.planes(0).size(), hull->faces.size());
+    ASSERT_GE(hull->faces.size(), faces);
+    for (const auto& t : hull->surface.triangles) {
+        double highest = -1; // above a plane, of the corner that is lowest there
+        for (const Polytope::Face& plane : bodies.planes(0)) {
+            double lowest = 1;
+            for (const std::uint32_t v : t) {
+                const double height = dot(plane.normal, hull->surface.vertices[v] - middle);
+                lowest = std::min(lowest, height - (plane.offset + bodies.slack(0)));
+            }
+            highest = std::max(highest, lowest);
+        }
+        EXPECT_GE(highest, -rounding);
+    }
+    for (std::size_t f = 0; f < hull->faces.size(); ++f) {
+        const double given = hull->faces[f].offset - dot(hull->faces[f].normal, middle);
+        EXPECT_LE(bodies.planes(0)[f].offset + bodies.slack(0), given + rounding);
+        EXPECT_GE(bodies.planes(0)[f].offset + bodies.slack(0), given - lower);
+    }
+}
+
+TEST(Bodies, PlanesOfAHullGoThroughTheLowestCornersOfTheirTriangles) {
+    Random random(5);
+    for (int round = 0; round < 20; ++round) {
+        // A prism whose ends are plane only up to rounding, and a box with points just beyond its edges, which make
+        // triangles that are too thin for a plane of their own.
+        std::vector<Vec3> prism, box = test::box({-1, -0.7, -0.6}, {1, 0.7, 0.6}).vertices;
+        for (int k = 0; k < 12; ++k) {
+            const double angle = k * std::numbers::pi / 6 + 0.1;
+            for (const double z : {-0.5, 0.5}) {
+                prism.push_back({std::cos(angle), std::sin(angle), z + random.uniform(-1e-15, 1e-15)});
+            }
+        }
+        expect_planes_below_triangles(prism, 14, 5e-14);
+        for (int k = 0; k < 10; ++k) {
+            Vec3 p{random.uniform(-1, 1), random.uniform(-0.7, 0.7), random.uniform(-0.6, 0.6)};
+            const int along = k % 3;
+            for (int axis = 0; axis < 3; ++axis) {
+                const double end = axis == 0 ? 1 : axis == 1 ? 0.7 : 0.6;
+                p[axis] = axis == along ? p[axis] : std::copysign(end + random.uniform(0, 1e-14), p[axis]);
+            }
+            box.push_back(p);
+        }
+        expect_planes_below_triangles(box, 6, 5e-14);
+        for (Vec3& p : box) { // far from the origin of its frame, where planes are higher above their triangles
+            p += Vec3{100, 30, 20};
+        }
+        expect_planes_below_triangles(box, 6, 1e-12);
+        std::vector<Vec3> corners; // of a box, several within 1e-14 each
+        for (int k = 0; k < 60; ++k) {
+            const Vec3 corner{k & 1 ? 1.0 : -1.0, k & 2 ? 1.0 : -1.0, k & 4 ? 1.0 : -1.0};
+            corners.push_back(corner + test::random_direction(random) * 1e-14);
+        }
+        expect_planes_below_triangles(corners, 6, 1e-12);
     }
 }
 

@@ -57,6 +57,15 @@ void expect_hull_of(const std::vector<Vec3>& points, double tolerance = 1e-13) {
         }
         EXPECT_GE(highest, -rounding) << "the face does not touch the hull";
     }
+    for (const Triangle& t : hull->surface.triangles) { // in a face, or so thin that it is near others
+        const std::vector<Vec3>& v = hull->surface.vertices;
+        const Vec3 middle = v[t[0]] / 3 + v[t[1]] / 3 + v[t[2]] / 3;
+        double inside = std::numeric_limits<double>::infinity();
+        for (const Polytope::Face& face : hull->faces) {
+            inside = std::min(inside, face.offset - dot(face.normal, middle));
+        }
+        EXPECT_LE(inside, rounding + 1e-8 * box.diagonal()) << "a face is missing"; // slivers may lean
+    }
     const double all = signed_volume(hull->surface);
     if (std::abs(std::log10(box.diagonal())) < 50) {
         EXPECT_GT(all, 0);
@@ -134,6 +143,13 @@ TEST(ConvexHull, FacesAndEdgesOfALatticeAreMerged) {
         EXPECT_EQ(convex_hull(turned)->surface.vertices.size(), 8u);
         EXPECT_EQ(convex_hull(turned)->faces.size(), 6u);
     }
+    for (int k = 0; k < 6; ++k) { // far away along one axis, to either side
+        Pose away = Pose::from_xyz_rpy({}, {1, 2, 3});
+        away.translation[k % 3] = k < 3 ? 1000 : -1000;
+        const auto far = convex_hull(moved(points, away));
+        EXPECT_EQ(far->surface.vertices.size(), 8u);
+        EXPECT_EQ(far->faces.size(), 6u);
+    }
 }
 
 TEST(ConvexHull, DuplicatesChangeNothing) {
@@ -197,6 +213,84 @@ TEST(ConvexHull, NearlyFlatNoiseOnAllFaces) {
             p += test::random_direction(random) * noise;
         }
         expect_hull_of(moved(points, test::random_pose(random, 0)));
+    }
+}
+
+TEST(ConvexHull, FacesOfPrismsPyramidsAndFrusta) {
+    // Polygons and triangles side by side; each has as many faces and corners as it has, at any place.
+    Random random(10);
+    const auto ring = [](int n, double radius, double z) {
+        std::vector<Vec3> points;
+        for (int k = 0; k < n; ++k) {
+            const double angle = 2 * std::numbers::pi * k / n;
+            points.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
+        }
+        return points;
+    };
+    for (const int n : {3, 4, 5, 12}) {
+        for (const double top : {0.0, 0.5, 1.0}) {
+            std::vector<Vec3> points = ring(n, 1, 0);
+            const std::vector<Vec3> upper = top > 0 ? ring(n, top, 0.7) : std::vector<Vec3>{{0, 0, 0.7}};
+            points.insert(points.end(), upper.begin(), upper.end());
+            points.push_back({0.1, 0.1, 0}); // within a face
+            points.push_back((points[0] + points[1]) * 0.5); // and on an edge
+            for (const double away : {0.0, 10.0}) {
+                const std::vector<Vec3> turned = moved(points, test::random_pose(random, away));
+                expect_hull_of(turned);
+                const auto hull = convex_hull(turned);
+                EXPECT_EQ(hull->faces.size(), static_cast<std::size_t>(n + (top > 0 ? 2 : 1)));
+                EXPECT_EQ(hull->surface.vertices.size(), static_cast<std::size_t>(top > 0 ? 2 * n : n + 1));
+                for (const Polytope::Face& face : hull->faces) { // the offset is that of the corners, to some roundings
+                    double highest = -std::numeric_limits<double>::infinity();
+                    for (const Vec3& p : turned) {
+                        highest = std::max(highest, dot(face.normal, p));
+                    }
+                    EXPECT_NEAR(face.offset, highest, 64 * 0x1p-53 * (away + 4));
+                }
+            }
+        }
+    }
+}
+
+TEST(ConvexHull, PointsJustOutsideOfAFaceAreContained) {
+    // Beside a face by less than rounding they need be no corners, but the plane is above them. The faces meet at the
+    // origin, where there is the least room.
+    Random random(12);
+    for (int run = 0; run < 100; ++run) {
+        std::vector<Vec3> points;
+        for (int k = 0; k < 8; ++k) {
+            points.push_back({k & 1 ? 1.0 : 0.0, k & 2 ? 1.0 : 0.0, k & 4 ? 1.0 : 0.0});
+        }
+        std::rotate(points.begin(), points.begin() + run % 8, points.end());
+        const double beside = random.uniform(2.8e-15, 3.8e-15);
+        points.insert(points.end(), {{0.5, 0.5, -beside}, {0.5, -beside, 0.5}, {-beside, 0.5, 0.5}});
+        expect_hull_of(moved(points, test::random_pose(random, 0)));
+    }
+}
+
+TEST(ConvexHull, WhatIsNearlyFlatOrALine) {
+    // Merging gives polygons of two corners, or fewer than four faces.
+    Random random(18);
+    for (int run = 0; run < 2000; ++run) {
+        std::vector<Vec3> points = run % 2 ? lattice(1 + static_cast<int>(random.below(3)))
+                                           : random_points(random, 4 + random.below(20), unit);
+        const bool line = run % 8 < 6; // across a line by about the rounding: there it happens
+        const double along = line ? 1e-6 : 1, across = std::pow(10, random.uniform(-16, line ? -14.3 : -9));
+        const double noise = std::pow(10, random.uniform(-17, -14));
+        for (Vec3& p : points) {
+            p = Vec3{p.x, along * p.y, across * p.z} + test::random_direction(random) * noise;
+        }
+        try {
+            const std::vector<Vec3> turned = moved(points, test::random_pose(random, 0));
+            const auto hull = convex_hull(turned);
+            EXPECT_LE(most_outside(*hull, turned), 0);
+            const Topology t = topology(hull->surface);
+            EXPECT_TRUE(t.closed_manifold()) << describe(t);
+            EXPECT_EQ(t.components, 1u);
+            EXPECT_LE(hull->faces.size(), hull->surface.triangles.size()) << "each face has a triangle";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::geometry);
+        }
     }
 }
 

@@ -183,6 +183,23 @@ TEST(ElementEnlarged, EndsAreRoundedOutwards) {
     }
 }
 
+TEST(ElementEnlarged, EndsFarFromASmallOneAreRoundedOutwards) {
+    // The middle moves by much more than the element is large: its place is rounded by more than its ends were.
+    Random random(14);
+    for (int k = 0; k < 500; ++k) {
+        Element box{.kind = Kind::box, .half = Vec3{1, 1, 1} * 1e-6};
+        box.pose.translation = test::random_direction(random) * 1e-6;
+        const Vec3 p = test::random_direction(random) * 3;
+        const Element result = enlarged(box, std::array{p}, 0);
+        for (int axis = 0; axis < 3; ++axis) {
+            const long double at = result.pose.translation[axis], half = result.half[axis];
+            const long double old = box.pose.translation[axis];
+            EXPECT_LE(at - half, std::min<long double>(p[axis], old - box.half[axis])) << k;
+            EXPECT_GE(at + half, std::max<long double>(p[axis], old + box.half[axis])) << k;
+        }
+    }
+}
+
 Element cube() {
     Element e{.kind = Kind::hull};
     e.hull = convex_hull(test::box({-1, -1, -1}, {1, 1, 1}).vertices);
@@ -280,6 +297,94 @@ TEST(ElementEnlarged, TheAddedVolumeOfAHullIsThatOfThePyramidsOfThePointThatAdds
     EXPECT_NEAR(of({{-1.5, 0.5, 0}, {0.1, 0, 0}}), 4 * 0.5 / 3, 1e-12);
     EXPECT_NEAR(of({{0, 0.5, 1.5}, {2, -2, 2}}), 3 * 4 * 1.0 / 3, 1e-12);
     EXPECT_NEAR(of({{0, 2, -3}}), 4 * (1 + 2.0) / 3, 1e-12);
+}
+
+std::vector<Element> one_of_each() {
+    std::vector<Element> all{{.kind = Kind::sphere, .radius = 1},
+                             {.kind = Kind::capsule, .half = {0, 0, 1}, .radius = 1},
+                             {.kind = Kind::cylinder, .half = {0, 0, 1}, .radius = 1},
+                             {.kind = Kind::box, .half = {1, 2, 3}},
+                             {.kind = Kind::swept_box, .half = {1, 2, 3}, .radius = 1}};
+    all.push_back(cube());
+    return all;
+}
+
+TEST(ElementEnlarged, WhatHoldsThePointsStaysAsItIs) {
+    Random random(12);
+    for (const Element& e : one_of_each()) {
+        if (e.kind != Kind::hull) { // which gets room in any case
+            const auto [element, points] = placed(e, {{0.5, 0.2, -0.3}, {-0.1, 0.4, 0.5}}, random);
+            EXPECT_EQ(enlarged(element, points, 0.2), element) << to_string(e.kind);
+            EXPECT_EQ(enlarged(element, {}, 0.2), element) << to_string(e.kind);
+        }
+    }
+    const Element box{.kind = Kind::box, .half = {1, 2, 3}}; // points upon its faces
+    EXPECT_EQ(enlarged(box, std::vector<Vec3>{{1, 2, 3}, {-1, -2, -3}}, 0), box);
+}
+
+TEST(ElementEnlarged, ACapsuleThatHoldsAPointWithRoomIsNotLongerThere) {
+    const Element capsule{.kind = Kind::capsule, .half = {0, 0, 4}, .radius = 6};
+    const std::vector<Vec3> points{{0, 0, 9}, {0, 0, -20}}; // the first with all of the room
+    const Element result = enlarged(capsule, points, 1);
+    EXPECT_EQ(result.radius, 6);
+    EXPECT_NEAR(result.pose.translation.z + result.half.z, 4, last_digits);
+    EXPECT_NEAR(result.pose.translation.z - result.half.z, -20 + 5 - 1, last_digits);
+}
+
+TEST(ElementEnlarged, ScalesWithAll) {
+    // Powers of two: numbers differ in their exponents alone, so any step that knows a length would do otherwise.
+    Random random(13);
+    for (int k = 0; k < 20; ++k) {
+        for (const Element& e : one_of_each()) {
+            const auto [element, points] =
+                placed(e, {test::random_direction(random) * 4, test::random_direction(random) * 2}, random);
+            const double room = k % 2 * 1e-3;
+            const Element once = enlarged(element, points, room);
+            for (const double by : {0x1p-12, 0x1p12}) {
+                Element other = element;
+                other.pose.translation = other.pose.translation * by;
+                other.half = other.half * by;
+                other.radius *= by;
+                std::vector<Vec3> others;
+                for (const Vec3& p : points) {
+                    others.push_back(p * by);
+                }
+                if (e.hull) {
+                    std::vector<Vec3> corners = e.hull->surface.vertices;
+                    for (Vec3& v : corners) {
+                        v = v * by;
+                    }
+                    other.hull = convex_hull(corners);
+                }
+                const Element result = enlarged(other, others, room * by);
+                EXPECT_EQ(result.radius, once.radius * by) << to_string(e.kind);
+                EXPECT_EQ(result.half, once.half * by) << to_string(e.kind);
+                EXPECT_EQ(result.pose.translation, once.pose.translation * by) << to_string(e.kind);
+                const double more = by * by * by, added = added_volume(element, points) * more;
+                EXPECT_NEAR(volume(result), volume(once) * more, 1e-12 * volume(once) * more) << to_string(e.kind);
+                EXPECT_NEAR(added_volume(other, others), added, 1e-12 * added) << to_string(e.kind);
+            }
+        }
+    }
+}
+
+TEST(ElementEnlarged, AHullWhoseFacesCannotMoveIsThatOfThePoints) {
+    // Thinner than rounding at one end: no vertex can move beyond both of its sides.
+    for (const double thin : {1e-13, 1e-12, 1e-11}) {
+        const std::vector<Vec3> wedge{{0, 0, 0},    {0, 1, 0},    {1, 0, 0},   {1, 1, 0},
+                                      {0, 0, thin}, {0, 1, thin}, {1, 0, 0.1}, {1, 1, 0.1}};
+        Element e{.kind = Kind::hull};
+        e.hull = convex_hull(wedge);
+        for (const Vec3& p : {Vec3{1.5, 0.5, 0}, Vec3{0.5, 0.5, 0.3}, Vec3{-0.5, 0.5, 0}}) {
+            const Element result = enlarged(e, std::array{p}, 1e-6);
+            ASSERT_TRUE(result.hull);
+            EXPECT_TRUE(is_valid(result));
+            EXPECT_TRUE(holds(result, p, 1e-6));
+            for (const Vec3& corner : wedge) {
+                EXPECT_TRUE(holds(result, corner, 1e-6));
+            }
+        }
+    }
 }
 
 } // namespace

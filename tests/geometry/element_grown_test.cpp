@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <optional>
 
 using namespace foam;
@@ -56,6 +57,16 @@ void expect_room(const Polytope& outer, std::span<const Vec3> points, double len
             EXPECT_GE(face.offset - dot(face.normal, p), length);
         }
     }
+}
+
+/// Two pyramids upon a regular polygon: flat ones have a sharp edge all around.
+std::vector<Vec3> lens(int corners, double height) {
+    std::vector<Vec3> points{{0, 0, height}, {0, 0, -height}};
+    for (int k = 0; k < corners; ++k) {
+        const double angle = 2 * std::numbers::pi * k / corners;
+        points.push_back({std::cos(angle), std::sin(angle), 0});
+    }
+    return points;
 }
 
 TEST(ElementGrown, VerticesMoveByTheLeastThatTheirPlanesAskFor) {
@@ -118,6 +129,8 @@ TEST(ElementGrown, AllWithinTheLengthOfThePolytopeAndThePointsIsInside) {
         const auto result = with_faces_moved(*hull, lengths, corner, length);
         ASSERT_TRUE(result);
         expect_room(*result, hull->surface.vertices, length);
+        const auto more = with_faces_moved(*hull, std::vector<double>(hull->faces.size(), length + 1e-11), {}, 0);
+        EXPECT_LE(signed_volume(result->surface), signed_volume(more->surface) * (1 + 1e-13));
         // points that the moved planes do not hold
         const std::vector<Vec3> far{hull->surface.vertices[0] * 9};
         EXPECT_FALSE(with_faces_moved(*hull, lengths, far, length));
@@ -132,6 +145,52 @@ TEST(ElementGrown, FacesMoveFartherIfAPointNeedsTheRoom) {
     ASSERT_TRUE(result);
     expect_room(*result, point, 0.05);
     expect_room(*result, cube->surface.vertices, 0.05);
+    EXPECT_LE(bounds(result->surface).high.z, 1.1 + 8 * 0.03); // eight times as much is tried next
+}
+
+TEST(ElementGrown, FarFromTheOriginThereIsRoomForTheRounding) {
+    Random random(10);
+    for (int k = 0; k < 100; ++k) {
+        const auto hull = random_hull(4 + k % 40, random, Vec3{100, -200, 300});
+        const double length = std::pow(10, random.uniform(-12, -1));
+        const std::vector<double> lengths(hull->faces.size(), length);
+        const auto result = with_faces_moved(*hull, lengths, {}, length);
+        ASSERT_TRUE(result);
+        expect_room(*result, hull->surface.vertices, length);
+        const auto more = with_faces_moved(*hull, std::vector<double>(hull->faces.size(), length + 1e-9), {}, 0);
+        EXPECT_LE(signed_volume(result->surface), signed_volume(more->surface) * (1 + 1e-11));
+    }
+}
+
+TEST(ElementGrown, ManyTimesALittleRoomLeavesAllVerticesWithinThePlanes) {
+    Random random(11);
+    for (const int corners : {6, 30}) {
+        auto hull = random_hull(corners, random);
+        const std::vector<Vec3> before = hull->surface.vertices;
+        for (int k = 0; k < 3000; ++k) {
+            hull = with_room(*hull, 1e-13);
+        }
+        expect_room(*hull, hull->surface.vertices, 0);
+        expect_room(*hull, before, 3000e-13);
+        EXPECT_EQ(hull->surface.vertices.size(), before.size());
+    }
+}
+
+TEST(ElementGrown, FacesThatMeetWithinEightLengthsMove) {
+    for (const double reach : {3.0, 6.0, 7.5, 8.5, 15.0}) {
+        const double slope = 1 / std::sqrt(reach * reach - 1); // of the faces: their edges go out by so many lengths
+        std::vector<Vec3> points = lens(40, slope);
+        for (std::size_t k = 0; k < points.size(); k += 7) {
+            std::rotate(points.begin(), points.begin() + 7, points.end());
+            const auto hull = hull_of(points);
+            const auto moved = with_faces_moved(*hull, std::vector<double>(hull->faces.size(), 0.5), {}, 0.5);
+            ASSERT_TRUE(moved);
+            const auto result = with_room(*hull, 0.5);
+            expect_room(*result, points, 0.5);
+            const double smaller = signed_volume(moved->surface) - signed_volume(result->surface);
+            EXPECT_EQ(smaller > 0, reach > 8) << reach; // else a box would be smaller, and would not be taken
+        }
+    }
 }
 
 TEST(ElementGrown, ALittleRoomKeepsTheShape) {
@@ -173,16 +232,6 @@ TEST(ElementGrown, TheInnerPointIsTheMeanOfTheSurface) {
     }
 }
 
-/// Two pyramids upon a regular polygon: flat ones have a sharp edge all around.
-std::vector<Vec3> lens(int corners, double height) {
-    std::vector<Vec3> points{{0, 0, height}, {0, 0, -height}};
-    for (int k = 0; k < corners; ++k) {
-        const double angle = 2 * std::numbers::pi * k / corners;
-        points.push_back({std::cos(angle), std::sin(angle), 0});
-    }
-    return points;
-}
-
 TEST(ElementGrown, OffsetsOfSmallOnesAreRoundedByLittle) {
     Random random(7);
     for (const double size : {1e-3, 1e-6}) {
@@ -219,6 +268,7 @@ TEST(ElementGrown, ASharpEdgeDoesNotReachOutLikeASpike) {
         for (Vec3& p : points) {
             p = pose * p;
         }
+        std::rotate(points.begin(), points.begin() + 3, points.end());
         const auto result = with_room(*hull_of(points), length);
         expect_room(*result, points, length);
         EXPECT_LE(result->surface.vertices.size(), 8u);
@@ -254,6 +304,142 @@ TEST(ElementGrown, AFewLengthsOfReachAreNoSpike) {
             const auto moved = with_faces_moved(*hull, std::vector<double>(hull->faces.size(), length), {}, length);
             ASSERT_TRUE(moved);
             EXPECT_EQ(*result, *moved);
+        }
+    }
+}
+
+TEST(ElementGrown, ByNothingItStaysAsItIs) {
+    Element hull{.kind = Element::Kind::hull};
+    hull.hull = hull_of(lens(5, 1));
+    const std::vector<Element> all{{.kind = Element::Kind::sphere, .radius = 1},
+                                   {.kind = Element::Kind::cylinder, .half = {0, 0, 1}, .radius = 1},
+                                   {.kind = Element::Kind::box, .half = {1, 1, 1}},
+                                   hull};
+    for (const Element& e : all) {
+        for (const double length : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+            EXPECT_EQ(grown(e, length), e);
+        }
+    }
+}
+
+TEST(ElementGrown, LongOnesHaveRoomForTheRoundingOfTheirLength) {
+    for (int axis = 0; axis < 3; ++axis) {
+        Random random(8);
+        for (int k = 0; k < 40; ++k) {
+            std::vector<Vec3> points;
+            for (const double end : {-1e4, 1e4}) {
+                Vec3 tip = test::random_direction(random);
+                tip[axis] = end;
+                points.push_back(tip);
+            }
+            for (int i = 0; i < 8; ++i) {
+                points.push_back(test::random_direction(random));
+            }
+            const auto hull = hull_of(points);
+            const auto result = with_room(*hull, 1e-12);
+            expect_room(*result, points, 1e-12);
+            expect_room(*result, result->surface.vertices, 0);
+        }
+    }
+}
+
+TEST(ElementGrown, FarAwayASharpEdgeDoesNotReachOutLikeASpikeEither) {
+    for (int k = 0; k < 16; ++k) {
+        const int corners = k % 2 ? 3 : 6;
+        std::vector<Vec3> points = lens(corners, corners == 3 ? 1e-5 : 1e-3);
+        for (Vec3& p : points) {
+            p = p + Vec3{300, -400, 500};
+        }
+        std::rotate(points.begin(), points.begin() + k / 2 % (corners + 2), points.end()); // any of them is the last
+        const double length = 1e-3, side = corners == 3 ? std::sqrt(3.0) : 2, across = corners == 3 ? 1.5 : 2;
+        const auto result = with_room(*hull_of(points), length);
+        expect_room(*result, points, length);
+        const double flat = corners == 3 ? 4e-5 : 2e-3;
+        const double box = (side + 2 * length) * (across + 2 * length) * (flat + 2 * length);
+        EXPECT_LE(signed_volume(result->surface), corners == 3 ? 1.03 * 27 / 6 * box : 1.02 * box);
+    }
+}
+
+TEST(ElementGrown, FacesMoveByManyTimesTheSize) {
+    const auto cube = hull_of(test::box({-1, -1, -1}, {1, 1, 1}).vertices);
+    const auto result = with_faces_moved(*cube, std::vector<double>(6, 1e4), {}, 1e4);
+    ASSERT_TRUE(result);
+    expect_room(*result, cube->surface.vertices, 1e4);
+    EXPECT_NEAR(signed_volume(result->surface), 8 * std::pow(1e4 + 1, 3), 1e-11 * 8e12);
+}
+
+/// More planes meet at the tip than are tried together: the sum of their normals points out of all of them.
+TEST(ElementGrown, TheTipOfASlenderConeMoves) {
+    constexpr int sides = 48;
+    constexpr double height = 8;
+    std::vector<Vec3> points{{0, 0, height}};
+    for (int k = 0; k < sides; ++k) {
+        const double angle = 2 * std::numbers::pi * k / sides;
+        points.push_back({std::cos(angle), std::sin(angle), 0});
+    }
+    const auto cone = hull_of(points);
+    const double length = 0.01, across = std::cos(std::numbers::pi / sides);
+    const auto result = with_faces_moved(*cone, std::vector<double>(cone->faces.size(), length), {}, length);
+    ASSERT_TRUE(result);
+    expect_room(*result, points, length);
+    const double tip = height + length * std::hypot(height, across) / across; // the planes of the sides meet there
+    EXPECT_NEAR(support(Element{.kind = Element::Kind::hull, .hull = result}, {0, 0, 1}).z, tip, 1e-6);
+}
+
+/// Planes of hulls contain their vertices, whatever a little growth rounds.
+TEST(ElementGrown, PlanesContainTheVerticesAfterALittleGrowth) {
+    Random random(21);
+    for (int k = 0; k < 40; ++k) {
+        const auto hull = random_hull(30, random);
+        const auto result = with_room(*hull, 1e-13 * (1 + k));
+        ASSERT_EQ(result->faces.size(), hull->faces.size());
+        for (const Polytope::Face& face : result->faces) {
+            for (const Vec3& v : result->surface.vertices) {
+                const long double reached = static_cast<long double>(face.normal.x) * v.x +
+                                            static_cast<long double>(face.normal.y) * v.y +
+                                            static_cast<long double>(face.normal.z) * v.z;
+                EXPECT_LE(reached, face.offset);
+            }
+        }
+    }
+}
+
+TEST(ElementGrown, APlateThatIsThinnerThanItsRoundingHasRoomToo) {
+    // Its middle is not surely inside.
+    const Vec3 far{1e4, -1e4, 1e4}, half{1, 1, 8e-12};
+    const std::vector<Vec3> corners = test::box(far - half, far + half).vertices;
+    for (const double length : {1e-12, 1e-9, 1e-3, 1e2, 1e6}) {
+        const auto result = with_room(*hull_of(corners), length);
+        expect_room(*result, corners, length);
+        EXPECT_LE(result->surface.vertices.size(), 8u);
+        EXPECT_LE(signed_volume(result->surface), 2.1 * 4 * (5e-10 + 2 * length) * (1 + 2 * length) * (1 + 2 * length));
+    }
+}
+
+TEST(ElementGrown, ScalesWithAll) {
+    // By powers of two, which round nothing: a step that knows a length would do otherwise.
+    Random random(9);
+    for (int k = 0; k < 30; ++k) {
+        std::vector<Vec3> points = k < 20 ? lens(3 + k % 5, std::pow(10, -k % 4)) : lens(20, 1);
+        const Pose pose = test::random_pose(random, 2);
+        for (Vec3& p : points) {
+            p = pose * p;
+        }
+        for (const double length : {1e-12, 1e-3, 1.0}) {
+            const auto once = with_room(*hull_of(points), length);
+            for (const double by : {0x1p-12, 0x1p12}) {
+                std::vector<Vec3> others = points;
+                for (Vec3& p : others) {
+                    p = p * by;
+                }
+                const auto result = with_room(*hull_of(others), length * by);
+                const double volume = signed_volume(once->surface) * by * by * by, digits = 1e-10;
+                EXPECT_EQ(result->surface.vertices.size(), once->surface.vertices.size());
+                EXPECT_NEAR(signed_volume(result->surface), volume, digits * volume);
+                const Box box = bounds(result->surface),
+                          wanted{bounds(once->surface).low * by, bounds(once->surface).high * by};
+                EXPECT_LE(norm(box.low - wanted.low) + norm(box.high - wanted.high), digits * wanted.diagonal());
+            }
         }
     }
 }

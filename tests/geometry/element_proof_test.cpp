@@ -216,4 +216,171 @@ TEST(ElementCertificate, TheGapIsThatOfThePointThatIsFarthestFromAllElements) {
     EXPECT_GT(open, 5);
 }
 
+/// Two flat hulls for each triangle, which contain its halves and reach `depth` behind it.
+std::vector<Element> plates_on(const Mesh& mesh, double depth, double wider) {
+    std::vector<Element> plates;
+    for (const auto& [i, j, k] : mesh.triangles) {
+        const Vec3 corners[] = {mesh.vertices[i], mesh.vertices[j], mesh.vertices[k]};
+        const Vec3 normal = normalized(cross(corners[1] - corners[0], corners[2] - corners[0]));
+        for (const int end : {0, 1}) {
+            const std::array part{corners[end], (corners[0] + corners[1]) / 2, corners[2]};
+            const Vec3 middle = (part[0] + part[1] + part[2]) / 3;
+            std::vector<Vec3> points;
+            for (const Vec3& p : part) {
+                const Vec3 out = middle + (p - middle) * wider;
+                points.push_back(out + normal * 1e-6);
+                points.push_back(out - normal * depth);
+            }
+            plates.push_back({.kind = Kind::hull, .hull = convex_hull(points)});
+        }
+    }
+    return plates;
+}
+
+TEST(ElementCertificate, WhatLiesBeneathTheTrianglesOfARoundSideCounts) {
+    const auto round = test::primitive_solid({Primitive::Kind::cylinder, {}, 1, 0.1});
+    const auto flat = Solid::make(round->surface()); // the same triangles
+    const std::vector<Element> thin = plates_on(round->surface(), 1e-6, 1.01), deep = plates_on(round->surface(), 0.01, 1.2);
+    EXPECT_TRUE(covers(*flat, ElementsView{{}, thin}));
+    EXPECT_FALSE(covers(*round, ElementsView{{}, thin}));
+    EXPECT_TRUE(covers(*flat, ElementsView{{}, deep}));
+    EXPECT_TRUE(covers(*round, ElementsView{{}, deep}));
+}
+
+TEST(ElementCertificate, TheDepthIsThatOfTheBodiesThatProve) {
+    // One triangle is held by one element just where the bodies for that number of halvings hold its corners.
+    const auto solid = Solid::make(Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
+    const Balls pieces(*solid, {}, 0);
+    const auto least = [](const auto& holds) { // the smallest height of the element for which it holds
+        double low = 0, high = 1;
+        while (std::nextafter(low, high) < high) {
+            const double middle = std::max((low + high) / 2, std::nextafter(low, high));
+            Element box{.kind = Kind::box, .half = {2, 2, middle}};
+            (holds(box) ? high : low) = middle;
+        }
+        return high;
+    };
+    std::vector<double> found;
+    const auto with = [&](int halvings) {
+        return least([&](const Element& e) {
+            const Bodies bodies({{}, {&e, 1}}, solid->bounds().center(), pieces.extent(),
+                                static_cast<std::uint32_t>(halvings));
+            return bodies.holds(0, pieces.piece(0));
+        });
+    };
+    for (const auto& [depth, used] : {std::pair{-5, 0}, {0, 0}, {1, 1}, {20, 20}, {40, 40}, {60, 60}, {99, 60}}) {
+        const double height =
+            least([&](const Element& e) { return certify(*solid, ElementsView{{}, {&e, 1}}, depth).holds; });
+        EXPECT_EQ(height, with(3 * used)) << depth;
+        EXPECT_GT(height, 0);
+    }
+    EXPECT_EQ(least([&](const Element& e) { return covers(*solid, ElementsView{{}, {&e, 1}}); }), with(3 * 40));
+}
+
+TEST(ElementCertificate, TheGapAmongThreeIsAccurateToAThousandth) {
+    // Three equal balls about the corners of a triangle: the centre of its circle is farthest from them.
+    Random random(3);
+    for (int k = 0; k < 100; ++k) {
+        std::array<Vec3, 3> corners;
+        std::vector<Element> balls;
+        const double start = random.uniform(0, 6);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double angle = start + 2.1 * static_cast<double>(i) + random.uniform(-0.3, 0.3);
+            corners[i] = {std::cos(angle), std::sin(angle), 0};
+            balls.push_back({.kind = Kind::sphere, .radius = 0.1 + 0.005 * k});
+            balls.back().pose.translation = corners[i];
+        }
+        const auto solid = Solid::make(Mesh{{corners.begin(), corners.end()}, {{0, 1, 2}}});
+        const double gap = 1 - balls[0].radius;
+        const Certificate certificate = certify(*solid, ElementsView{{}, balls});
+        EXPECT_GE(certificate.growth, gap * (1 - 1e-12));
+        EXPECT_LE(certificate.growth, gap * 1.0011);
+        EXPECT_NEAR(norm(certificate.witness), 0, 0.1);
+    }
+}
+
+TEST(ElementCertificate, ScalesWithAll) {
+    // Powers of two: numbers differ in their exponents alone, so any step that knows a length would do otherwise.
+    Random random(4);
+    for (int k = 0; k < 10; ++k) {
+        const Mesh mesh = test::ball({1, 2, 3}, 1, 4);
+        const std::vector<Element> elements = strewn(mesh, 4 * k, 0.4, random);
+        for (const int depth : {3, 8, 40}) {
+            const Certificate once = certify(*Solid::make(mesh), ElementsView{{}, elements}, depth);
+            for (const double by : {0x1p-12, 0x1p12}) {
+                Mesh other = mesh;
+                for (Vec3& v : other.vertices) {
+                    v = v * by;
+                }
+                std::vector<Element> others = elements;
+                for (Element& e : others) {
+                    e.pose.translation = e.pose.translation * by;
+                    e.half = e.half * by;
+                    e.radius *= by;
+                }
+                const Certificate scaled = certify(*Solid::make(other), ElementsView{{}, others}, depth);
+                EXPECT_EQ(scaled.holds, once.holds);
+                EXPECT_EQ(scaled.growth, once.growth * by);
+                EXPECT_EQ(scaled.pieces, once.pieces);
+                EXPECT_EQ(scaled.witness, once.witness * by);
+                EXPECT_EQ(scaled.triangle, once.triangle);
+            }
+        }
+    }
+}
+
+TEST(ElementCertificate, TheFirstGapEndsTheSearch) {
+    // Of a corner that is outside nothing has to be halved, and no triangle after it is looked at.
+    const auto solid = Solid::make(Mesh{{{-2, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0, -3, 0}}, {{0, 1, 2}, {1, 0, 3}}});
+    for (const Kind kind : {Kind::sphere, Kind::box}) {
+        Element left{.kind = kind, .radius = 0.5};
+        if (kind == Kind::box) {
+            left = {.kind = kind, .half = {0.5, 0.5, 0.5}};
+        }
+        Element right = left;
+        left.pose.translation = {-2, 1.5, 0};
+        right.pose.translation = {2, 1.5, 0};
+        const std::vector<Element> both{left, right};
+        const Certificate first = certify_to_first_gap(*solid, ElementsView{{}, both});
+        EXPECT_FALSE(first.holds);
+        EXPECT_LE(first.pieces, 2u);
+        EXPECT_GT(certify(*solid, ElementsView{{}, both}).pieces, 4u);
+    }
+}
+
+TEST(ElementCertificate, PartsThatCutsLeaveCountAsPieces) {
+    const auto solid = Solid::make(Mesh{{{-2, 0, 0}, {2, 0, 0}, {0, 3, 0}}, {{0, 1, 2}}});
+    Element left{.kind = Kind::box, .half = {1.1, 4, 1}}, right = left;
+    left.pose.translation.x = -1;
+    right.pose.translation.x = 1;
+    const std::vector<Element> both{left, right};
+    const Certificate certificate = certify(*solid, ElementsView{{}, both});
+    EXPECT_TRUE(certificate.holds);
+    EXPECT_EQ(certificate.pieces, 2u); // the triangle, and what one box leaves of it
+}
+
+TEST(ElementCertificate, ATriangleInOneBallIsProvedJustWhereTheBodyHoldsItsCorners) {
+    // Corners at the ball to the last bits, where distance and squared distance may disagree.
+    Random random(5);
+    int held = 0, at = 0;
+    const Element ball{.kind = Kind::sphere, .radius = 1};
+    for (int k = 0; k < 3000; ++k) {
+        const Vec3 direction = test::random_direction(random);
+        const double slack = Bodies({{}, {&ball, 1}}, {}, 1, 120).slack(0);
+        const Vec3 p = direction * (1 - slack + (k % 9 - 4) * 0x1p-53);
+        const auto solid = Solid::make(Mesh{{p, -p, p * 0.5}, {{0, 1, 2}}});
+        ASSERT_EQ(solid->bounds().center(), Vec3{});
+        const Balls pieces(*solid, {}, 120);
+        const Bodies bodies({{}, {&ball, 1}}, {}, pieces.extent(), 120);
+        const bool holds = bodies.holds(0, p) && bodies.holds(0, -p);
+        EXPECT_EQ(covers(*solid, ElementsView{{}, {&ball, 1}}), holds) << k;
+        EXPECT_EQ(certify(*solid, ElementsView{{}, {&ball, 1}}).holds, holds) << k;
+        held += holds;
+        at += !holds && bodies.growth(0, p) == 0;
+    }
+    EXPECT_GT(held, 500);
+    EXPECT_LT(held, 2500);
+    EXPECT_GT(at, 5);
+}
+
 } // namespace

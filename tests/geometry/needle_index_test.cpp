@@ -131,9 +131,30 @@ TEST(NeedleIndex, LooksAtFewNeedles) {
     }
 }
 
+TEST(NeedleIndex, LooksAtFewNeedlesThatAreShortOrBesideOthersFarAway) {
+    for (const double by : {1.0, 1e-4}) {
+        std::vector<geometry::Corners> triangles;
+        for (const geometry::Corners& t : corners_of(rod())) {
+            triangles.push_back({(t.a - middle) * by, (t.b - middle) * by, (t.c - middle) * by});
+        }
+        const std::size_t needles = triangles.size();
+        const Vec3 far = Vec3{9, 5, 7} * (1e3 * by), side{3 * by, 0, 0}, other{0, 2 * by, 0};
+        triangles.push_back({far, far + side, far + other});
+        const geometry::NeedleIndex index(triangles, far / 2);
+        int near = 0;
+        for (int k = 0; k < 100; ++k) {
+            const double angle = 0.06 * k + 0.01;
+            const Vec3 p = placed(k - 50, 1.01 * std::cos(angle), 1.01 * std::sin(angle));
+            near += looked_at(index, triangles, (p - middle) * by);
+        }
+        EXPECT_LE(near, 100 * 8) << needles;
+    }
+}
+
 TEST(NeedleIndex, TrianglesWithoutAreaAreFoundToo) {
     // Segments along any axis, as triangles; a frame needs a second direction.
-    for (const Vec3& way : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, normalized(Vec3{1, 1, 1})}) {
+    for (const Vec3& way : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, normalized(Vec3{1, 1, 0}),
+                            normalized(Vec3{1, 1, 1})}) {
         std::vector<geometry::Corners> triangles;
         const Vec3 aside{way.y, way.z, way.x};
         for (int k = 0; k < 50; ++k) {

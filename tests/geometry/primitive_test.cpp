@@ -1,6 +1,8 @@
 // Primitives: closed forms against their tessellation and against rays.
 #include "geometry/shapes.hpp"
 
+#include <foam/geometry/inscribed_mesh.hpp>
+
 #include <gtest/gtest.h>
 
 using namespace foam;
@@ -37,6 +39,19 @@ TEST(Primitives, DefaultTessellationIsClose) {
     for (const Primitive& primitive : primitives) {
         const auto solid = primitive_solid(primitive);
         EXPECT_NEAR(signed_volume(solid->surface()) / solid->volume(), 1, 0.01);
+    }
+}
+
+TEST(Primitives, IcospheresLieWithinTheBall) {
+    for (int k = 0; k < 5; ++k) {
+        const Mesh mesh = icosphere(k);
+        EXPECT_EQ(mesh.triangles.size(), 20u << 2 * k);
+        EXPECT_TRUE(topology(mesh).closed_manifold());
+        EXPECT_LT(signed_volume(mesh), 4 * std::numbers::pi / 3);
+        EXPECT_GT(signed_volume(mesh), 4 * std::numbers::pi / 3 * (1 - 0.6 / (1 << 2 * k)));
+        for (const Vec3& p : mesh.vertices) {
+            EXPECT_NEAR(norm(p), 1, 1e-15);
+        }
     }
 }
 

@@ -49,17 +49,17 @@ double mean_radius(const SurfaceRuns& runs) {
     return sum / static_cast<double>(runs.size());
 }
 
-/// A plane grid of n × n squares of edge 1 across two axes, each two triangles, in any order.
-Mesh shuffled_grid(std::uint32_t n, int first_axis, int second_axis, Random& random) {
+/// A plane grid of n × m squares of edge 1 across two axes, each two triangles, in any order.
+Mesh shuffled_grid(std::uint32_t n, std::uint32_t m, int first_axis, int second_axis, Random& random) {
     Mesh mesh;
     for (std::uint32_t i = 0; i <= n; ++i) {
-        for (std::uint32_t k = 0; k <= n; ++k) {
+        for (std::uint32_t k = 0; k <= m; ++k) {
             Vec3 p{7, 7, 7};
             p[first_axis] += i;
             p[second_axis] += k;
             mesh.vertices.push_back(p);
-            if (i < n && k < n) {
-                const std::uint32_t a = i * (n + 1) + k, b = a + n + 1;
+            if (i < n && k < m) {
+                const std::uint32_t a = i * (m + 1) + k, b = a + m + 1;
                 mesh.triangles.insert(mesh.triangles.end(), {{a, a + 1, b}, {b, a + 1, b + 1}});
             }
         }
@@ -75,7 +75,7 @@ Mesh shuffled_grid(std::uint32_t n, int first_axis, int second_axis, Random& ran
 TEST(SurfaceRuns, OfAGridAreBlocksOfFourTimesTwoSquares) {
     Random random(4);
     for (const auto& [a, b] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{2, 0}}) {
-        const auto solid = Solid::make(shuffled_grid(128, a, b, random));
+        const auto solid = Solid::make(shuffled_grid(128, 128, a, b, random));
         const SurfaceRuns& runs = surface_runs(*solid);
         expect_runs_of(*solid);
         for (std::size_t r = 0; r < runs.size(); ++r) {
@@ -84,6 +84,17 @@ TEST(SurfaceRuns, OfAGridAreBlocksOfFourTimesTwoSquares) {
         for (std::size_t g = 0; g < runs.group_count();
              ++g) { // 16 × 8 squares, to the corner of the run that is farthest
             EXPECT_NEAR(runs.group(g).radius, std::hypot(6, 3) + std::hypot(2, 1), 1e-12);
+        }
+    }
+}
+
+TEST(SurfaceRuns, TheLongestEdgeGivesTheScale) {
+    Random random(5);
+    for (const auto& [longest, other] : {std::pair{0, 1}, {1, 0}, {1, 2}, {2, 1}, {2, 0}, {0, 2}}) {
+        const auto solid = Solid::make(shuffled_grid(128, 8, longest, other, random));
+        const SurfaceRuns& runs = surface_runs(*solid);
+        for (std::size_t r = 0; r < runs.size(); ++r) {
+            EXPECT_NEAR(runs[r].radius, std::hypot(2, 1), 1e-12) << longest << other;
         }
     }
 }

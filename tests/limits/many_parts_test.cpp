@@ -1,6 +1,7 @@
 // A solid of very many parts answers as its parts do, and a link of ten thousand elements is a matter of a second.
 #include "geometry/src/part_index.hpp"
 #include "support/runs.hpp"
+#include "support/sanitizers.hpp"
 
 #include <foam/base/random.hpp>
 #include <foam/geometry/internal/cavities.hpp>
@@ -133,7 +134,9 @@ TEST_F(ManyElements, OfOneLinkBecomeSpheres) {
         write("many.urdf", urdf + "</link></robot>");
         write("small.obj", "v 0 0 0\nv 0.008 0 0\nv 0 0.008 0\nv 0 0 0.008\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
         RunOptions limited = options();
-        limited.time_limit = 120;
+        if (!test::sanitized) {
+            limited.time_limit = 120;
+        }
         const RunResult result = run(
             recipe_of("name: many\nrobot: {urdf: many.urdf}\nstages: [spherize.cover: {effort: fast}]\nbudget: {spheres: "
                       "8}\n"),

@@ -4,6 +4,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
+#include <foam/geometry/element_measure.hpp>
 #include <foam/geometry/inner.hpp>
 #include <foam/geometry/joint_volume.hpp>
 #include <foam/geometry/measure.hpp>
@@ -125,6 +126,9 @@ TEST(FinishedTree, InnerNumbersAreOnAGridAndStillInside) {
             for (std::size_t i = 0; i < spheres.size(); ++i) {
                 fitted[i].center = spheres[i].center;
                 EXPECT_LE(distance(fitted[i].center, given[i].center), 0.8662 * step);
+                for (int axis = 0; axis < 3; ++axis) {
+                    EXPECT_TRUE(step == 0 || digits_of(spheres[i].center[axis]) <= 8) << number_text(spheres[i].center[axis]);
+                }
                 EXPECT_TRUE(step == 0 || digits_of(spheres[i].radius) <= 8) << number_text(spheres[i].radius);
             }
             const std::vector<double> room = inner_radii(*solid, fitted);
@@ -251,6 +255,101 @@ TEST(FinishedTree, OneSphereInsteadOfWorseOnes) {
     EXPECT_NEAR(cost_volume(*solid, {{{1, 0, 0}, 0.5}}, Guarantee::fitted), 1 + volume(0.5), 3e-3) << "both";
     EXPECT_NEAR(covered_protrusion(*solid, {{{}, 0.1}}, Guarantee::outer), std::sqrt(0.75) - 0.5, 1e-3);
     EXPECT_EQ(covered_protrusion(*solid, {{{}, 0.1}}, Guarantee::fitted), 0);
+}
+
+TEST(FinishedTree, NumbersInSinglePrecisionStillCoverOrFit) {
+    Random random(6);
+    const Vec3 place{50, -20, 10}; // where single precision moves a sphere by more than the grid does
+    const auto solid = Solid::make(test::box(place - Vec3{0.5, 0.5, 0.5}, place + Vec3{0.5, 0.5, 0.5}));
+    const auto single = [](double x) { return static_cast<double>(static_cast<float>(x)); };
+    for (int round = 0; round < 8; ++round) {
+        std::vector<Sphere> given = balls_in_cube(random, 1);
+        for (Sphere& sphere : given) {
+            sphere.center += place;
+        }
+        for (const Guarantee guarantee : {Guarantee::outer, Guarantee::inner, Guarantee::fitted}) {
+            const auto plain = finished_tree(*solid, flat_tree(given), guarantee, false).tree.finest();
+            const auto spheres = finished_tree(*solid, flat_tree(given), guarantee, false, Numbers::float32).tree.finest();
+            ASSERT_EQ(spheres.size(), plain.size());
+            std::vector<Sphere> read = spheres;
+            for (std::size_t i = 0; i < read.size(); ++i) {
+                const Vec3& c = read[i].center;
+                read[i] = {{single(c.x), single(c.y), single(c.z)}, single(read[i].radius)};
+                const double room = guarantee == Guarantee::fitted ? 0 : 0x1p-22 * 50.55;
+                const double sign = guarantee == Guarantee::outer ? 1 : -1;
+                EXPECT_NEAR(spheres[i].radius, plain[i].radius + sign * room, 2.1e-6 * (room > 0));
+            }
+            EXPECT_TRUE(guarantee != Guarantee::outer || certify(*solid, read).holds);
+            EXPECT_TRUE(guarantee != Guarantee::inner || certify_inner(*solid, read).holds);
+        }
+    }
+}
+
+TEST(FinishedTree, ElementsOfOtherKindsAreFinishedBesideSpheres) {
+    const auto solid = cube(1);
+    const Element box{.kind = Element::Kind::box, .half = {0.5, 0.45678912345, 0.5}};
+    SphereTree tree; // the sphere would be replaced by a better one if it were alone
+    tree.levels = {{{{{}, 2}}, {}, {}}, {{{{}, 0.1}, {{}, 2}}, {0, 0}, {box}}};
+    const FinishedTree outer = finished_tree(*solid, tree, Guarantee::outer);
+    EXPECT_FALSE(outer.one_instead);
+    ASSERT_EQ(outer.tree.levels.size(), 2u);
+    EXPECT_NEAR(outer.tree.levels[1].others.at(0).half.y, 0.456790, 1e-12);
+    EXPECT_NEAR(outer.growth, 0.456790 - 0.45678912345, 1e-12) << "of the finest level";
+    EXPECT_EQ(outer.tree.levels[1].spheres, tree.levels[1].spheres);
+    tree.levels[1].spheres.clear();
+    tree.levels[1].parents = {0};
+    const FinishedTree grown = finished_tree(*solid, tree, Guarantee::outer), fitted = finished_tree(*solid, tree, Guarantee::fitted);
+    EXPECT_TRUE(covers(*solid, grown.tree.levels[1].view()));
+    EXPECT_GE(grown.growth, 0.5 - 0.45678912345);
+    EXPECT_LT(grown.growth, 0.044);
+    EXPECT_NEAR(fitted.growth, 0.456790 - 0.45678912345, 1e-12);
+}
+
+TEST(FinishedTree, PaddedElementsGrowByALengthAndUpToTheGrid) {
+    const Element box{.kind = Element::Kind::box, .half = {0.5, 0.4, 0.3}};
+    SphereTree tree;
+    tree.levels = {{{{{0.1, 0, 0}, 0.2}}, {}, {box}}};
+    const SphereTree wide = padded(*cube(1), tree, 0.0100004);
+    EXPECT_NEAR(wide.levels[0].spheres[0].radius, 0.210001, 1e-12);
+    EXPECT_EQ(wide.levels[0].spheres[0].center, tree.levels[0].spheres[0].center);
+    EXPECT_NEAR(wide.levels[0].others[0].half.x, 0.510001, 1e-12);
+    EXPECT_NEAR(wide.levels[0].others[0].half.z, 0.310001, 1e-12);
+    const auto large = cube(1e8); // which has no grid
+    const SphereTree beside = beside_kept(*large, tree);
+    const double length = 1e-9 * large->bounds().diagonal();
+    EXPECT_NEAR(length, 0.1732, 1e-4);
+    EXPECT_NEAR(beside.levels[0].spheres[0].radius, 0.2 + length, 1e-12);
+    EXPECT_NEAR(beside.levels[0].others[0].half.y, 0.4 + length, 1e-12);
+}
+
+TEST(FinishedTree, CostsOfElementsAreThoseOfWhatIsFinished) {
+    const auto solid = cube(1);
+    const auto costs = [&](const Element& e, Guarantee guarantee) {
+        const ElementsView view{{}, std::span(&e, 1)};
+        return std::pair{cost_of_elements(*solid, view, guarantee), protrusion_of_elements(*solid, view, guarantee)};
+    };
+    Element e{.kind = Element::Kind::box, .half = {0.6, 0.6, 0.6}};
+    for (const Guarantee guarantee : {Guarantee::outer, Guarantee::fitted}) {
+        const auto [volume, protrusion] = costs(e, guarantee);
+        EXPECT_NEAR(volume, 1.2 * 1.2 * 1.2 - 1, 0.01);
+        EXPECT_NEAR(protrusion, 0.1 * std::numbers::sqrt3, 0.03);
+    }
+    e.half = {0.5, 0.5, 0.5};
+    EXPECT_NEAR(costs(e, Guarantee::outer).first, 0, 1e-3);
+    e.pose.translation.x = 0.25;
+    EXPECT_NEAR(costs(e, Guarantee::fitted).first, 0.25 + 0.25, 0.01) << "excess and missing";
+    EXPECT_NEAR(costs(e, Guarantee::fitted).second, 0.25, 0.01);
+    EXPECT_NEAR(costs(e, Guarantee::outer).first, 0.25, 0.01) << "it grows on the other side";
+    const Element inside{.kind = Element::Kind::capsule, .half = {0, 0, 0.1}, .radius = 0.2};
+    EXPECT_NEAR(costs(inside, Guarantee::fitted).first, 1 - volume(0.2) - std::numbers::pi * 0.04 * 0.2, 0.01);
+    EXPECT_EQ(costs(inside, Guarantee::fitted).second, 0);
+    EXPECT_GT(costs(inside, Guarantee::outer).first, volume(std::sqrt(0.5)) - 1) << "it has to reach the edges";
+    EXPECT_GT(costs(inside, Guarantee::outer).second, std::sqrt(0.5) - 0.5);
+    const std::vector<Sphere> spheres{{{0.1, 0, 0}, 0.6}};
+    for (const Guarantee guarantee : {Guarantee::outer, Guarantee::inner, Guarantee::fitted}) {
+        EXPECT_EQ(cost_of_elements(*solid, {spheres, {}}, guarantee), cost_volume(*solid, spheres, guarantee));
+        EXPECT_EQ(protrusion_of_elements(*solid, {spheres, {}}, guarantee), covered_protrusion(*solid, spheres, guarantee));
+    }
 }
 
 TEST(FinishedTree, ALevelThatIsGoneKeepsTheParentOfItsFirst) {

@@ -270,6 +270,114 @@ TEST(WrittenNumbers, WhatFilesLoseIsAddedWhereTheyLoseIt) {
     }
 }
 
+TEST(WrittenNumbers, WithoutAGridElementsGrowByWhatFilesLose) {
+    const DecimalGrid none(1e30);
+    for (const Vec3& place : {Vec3{-3, 1, 2}, Vec3{3, -1.5, -2}, Vec3{0.5, 2, -4}}) {
+        const auto solid = Solid::make(test::box(place - Vec3{0.1, 0.1, 0.1}, place + Vec3{0.1, 0.1, 0.1}));
+        for (const Kind kind : {Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box}) {
+            for (const bool turned : {false, true}) {
+                Element e = odd(kind, 1);
+                e.pose = turned ? Pose::from_axis_angle({0, 0, 1}, 0.3) : Pose{};
+                e.pose.translation = place;
+                const Box box = bounds(e);
+                const auto far = [](double a, double b) { return std::max(std::abs(a), std::abs(b)); };
+                const double size =
+                    norm({far(box.low.x, box.high.x), far(box.low.y, box.high.y), far(box.low.z, box.high.z)});
+                const bool by_ends = kind == Kind::capsule || kind == Kind::cylinder;
+                for (const Numbers numbers : {Numbers::float64, Numbers::float32}) {
+                    Approximation::Level level{{}, {}, {e}};
+                    const double growth = finish_elements(*solid, level, none, true, numbers);
+                    const double lost = numbers == Numbers::float32 ? size * 0x1p-20 : by_ends || turned ? size * 1e-12 : 0;
+                    const Element& after = level.others[0];
+                    EXPECT_NEAR(growth, lost, 1e-15) << to_string(kind);
+                    EXPECT_NEAR(after.radius - e.radius, kind == Kind::box ? 0 : lost, 1e-15) << to_string(kind);
+                    const bool longer = kind == Kind::box || kind == Kind::cylinder;
+                    EXPECT_NEAR(after.half.z - e.half.z, longer ? lost : 0, 1e-15) << to_string(kind);
+                }
+            }
+        }
+    }
+}
+
+TEST(WrittenNumbers, AHullHoldsWhatItHeldWhereverItsVerticesMove) {
+    // An octahedron whose vertices all move by half a step along each axis where its size happens to be a whole number
+    // of steps: its faces fall by half a step's diagonal then.
+    const DecimalGrid grid(1);
+    const double step = grid.step();
+    double most = 0;
+    for (const double x : {-0.4995, 0.4995}) {
+        for (const double y : {-0.4995, 0.4995}) {
+            for (double size = 20; size < 21; size += size > 20.42 && size < 20.63 ? 0.0008 : 0.02) {
+                std::vector<Vec3> points;
+                for (int axis = 0; axis < 3; ++axis) {
+                    for (const double end : {-size, size}) {
+                        Vec3 p = Vec3{x, y, 0.4995} * step;
+                        p[axis] += end * step;
+                        points.push_back(p);
+                    }
+                }
+                const Element before{.kind = Kind::hull, .hull = convex_hull(points)};
+                const Element after = up_on_grid(before, grid);
+                for (const Vec3& p : points) {
+                    EXPECT_TRUE(holds(after, p, -1e-9 * step)) << x << ' ' << y << ' ' << size;
+                }
+                for (const Vec3& p : after.hull->surface.vertices) {
+                    most = std::max(most, distance(before, p));
+                }
+            }
+        }
+    }
+    EXPECT_LT(most, 2.02 * std::numbers::sqrt3 / 2 * step) << "a face moves out, and then as far with its vertices";
+}
+
+TEST(WrittenNumbers, WhatDoesNotCoverHoldsAfterwardsWhatItHeld) {
+    const auto solid = Solid::make(test::box({-2, -0.2, -0.2}, {2, 0.2, 0.2}));
+    const DecimalGrid grid(4);
+    for (const Kind kind : {Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box, Kind::hull}) {
+        for (int k = 0; k < 20; ++k) {
+            const double shift = 0.0500012345 * k; // the nearest numbers on the grid are on either side
+            Element element = odd(kind, 0.5);
+            element.pose.translation.x = 3 + shift * 1.1; // beside the solid: there is nothing for it to grow for
+            const Sphere idle{{-3 - shift, shift, 2 + shift * 0.7}, 0.1 + shift * 0.1};
+            const Element around{.kind = Kind::box, .half = {1.99, 1, 1}};
+            Approximation::Level level{{idle}, {}, {element, around}};
+            finish_elements(*solid, level, grid, true, Numbers::float64);
+            ASSERT_TRUE(covers(*solid, level.view()));
+            const Sphere& after = level.spheres[0];
+            EXPECT_GE(after.radius, idle.radius + distance(after.center, idle.center) - 1e-15);
+            EXPECT_LE(after.radius, idle.radius + 3 * grid.step());
+            expect_holds(level.others[0], element);
+        }
+    }
+}
+
+TEST(WrittenNumbers, ElementsGrowUntilTheyAreProvedBySteps) {
+    const auto solid = Solid::make(test::box({-1, -0.1, -0.1}, {1, 0.1, 0.1}));
+    const DecimalGrid grid(2), none(1e30);
+    const double step = grid.step(), least = 1e-10 * solid->bounds().diagonal();
+    // One step, two more, four more, ... : after n rounds 2^n - 1.
+    for (const DecimalGrid& on : {grid, none}) {
+        const double unit = on.step() > 0 ? step : least;
+        for (const int missing : {-1, 0, 2, 6, 100, 4000, 4100}) {
+            Element half{.kind = Kind::box, .half = {0.5, 0.2, 0.2}};
+            half.pose.translation = {0.5, 0, 0};
+            const Sphere ball{{-0.5, 0, 0}, std::sqrt(0.25 + 0.02) - missing * unit + unit / 2};
+            half.half.x = 0.5 - missing * unit + unit / 2; // what overlaps covers, but for the ends
+            const int rounds = missing <= 0 ? 0 : static_cast<int>(std::ceil(std::log2(missing + 0.5)));
+            const double expected = missing > 4095 ? 4095 : std::ldexp(1, rounds) - 1;
+            Approximation::Level level{{ball}, {}, {half}};
+            grow_until_proved(*solid, level, on);
+            EXPECT_EQ(covers(*solid, level.view()), missing < 4100) << missing;
+            EXPECT_NEAR(level.spheres[0].radius, ball.radius + expected * unit, 1.1 * rounds * on.step() + 1e-15) << missing;
+            EXPECT_NEAR(level.others[0].half.x, half.half.x + expected * unit, 1.1 * rounds * on.step() + 1e-15) << missing;
+            if (rounds > 0) {
+                EXPECT_TRUE(is_on(on, level.spheres[0].radius));
+                EXPECT_TRUE(is_on(on, level.others[0].half.x));
+            }
+        }
+    }
+}
+
 TEST(WrittenNumbers, TheGrowthIsThatOfTheSphereThatGrowsMost) {
     const auto solid = Solid::make(test::box({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}));
     const DecimalGrid grid(1);

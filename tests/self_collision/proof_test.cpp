@@ -139,6 +139,105 @@ TEST(TouchingProof, AnElementMovesAsTheBallAroundIt) {
     }
 }
 
+TEST(TouchingProof, BallsAroundLinksKeepWhatTurnsAboutItsMiddle) {
+    // Two balls that turn about the point between them stay in the ball around both, which does not move: what is beside
+    // that ball is never touched, though each of them moves by more than the gap. The balls around the links overlap.
+    const std::vector<Sphere> turning{{{0.9, 0, 0}, 0.1}, {{-0.9, 0, 0}, 0.1}};
+    const auto beside = [](double x) { return std::vector<Sphere>{{{x, 1.5, 0}, 0.1}, {{x, -1.5, 0}, 0.1}}; };
+    const Arm arm{{{turns, {}, {0, 0, 1}, -2, 2}}};
+    EXPECT_EQ(verdict(arm, turning, beside(0.5), 1), Verdict::never);
+    EXPECT_EQ(verdict(arm, beside(0.5), turning, 1), Verdict::never);
+    // The limit is the ball around both, with room for rounding.
+    for (const bool swapped : {false, true}) {
+        for (const auto& [room, expected] : {std::pair{2e-9, Verdict::never}, {0.5e-9, Verdict::unknown}}) {
+            const double y = std::sqrt((1.1 + room) * (1.1 + room) - 0.3 * 0.3);
+            const std::vector<Sphere> near{{{0.3, y, 0}, 0.1}, {{0.3, -y, 0}, 0.1}};
+            EXPECT_EQ(swapped ? verdict(arm, near, turning, 1) : verdict(arm, turning, near, 1), expected) << room;
+        }
+    }
+}
+
+TEST(TouchingProof, AllPairsOfElementsAreCompared) {
+    // The balls around the links overlap; each pair of elements in turn decides alone.
+    Random random(5);
+    int never = 0, always = 0;
+    for (int round = 0; round < 400; ++round) {
+        std::vector<Sphere> first, second;
+        std::vector<Element> first_boxes, second_boxes;
+        const auto fill = [&](std::vector<Sphere>& balls, std::vector<Element>& boxes) {
+            for (int k = 0; k < 3; ++k) {
+                const Vec3 at = test::random_direction(random) * random.uniform(0, 1.5);
+                const double size = random.uniform(0.05, 0.3);
+                if (random.below(3) == 0) {
+                    boxes.push_back({.kind = Element::Kind::box, .pose = Pose::from_xyz_rpy(at, {}),
+                                     .half = {size, size, size}});
+                } else {
+                    balls.push_back({at, size});
+                }
+            }
+        };
+        fill(first, first_boxes);
+        fill(second, second_boxes);
+        const double half = random.uniform(0, 0.1);
+        const Arm arm{{{slides, {}, {0, 0, 1}, -half, half}}};
+        // A slider moves all by the same length: the least gap and the largest depth decide.
+        bool apart = true, deep = false, near = false;
+        const auto as_elements = [](const std::vector<Sphere>& balls, std::vector<Element> all) {
+            for (const Sphere& ball : balls) {
+                all.push_back(element_of(ball));
+            }
+            return all;
+        };
+        for (const Element& a : as_elements(first, first_boxes)) {
+            for (const Element& b : as_elements(second, second_boxes)) {
+                const Separation between = separation(a, b);
+                apart = apart && between.low > half + 1e-9;
+                deep = deep || between.depth > half + 1e-9;
+                near = near || std::abs(between.low + between.depth - half - 1e-9) < 1e-6;
+            }
+        }
+        if (near) {
+            continue; // the bound on boxes is not exact
+        }
+        const Verdict found = verdict(arm, ElementsView{first, first_boxes}, ElementsView{second, second_boxes}, 1);
+        EXPECT_EQ(found == Verdict::never, apart) << round;
+        EXPECT_EQ(found == Verdict::always, deep) << round;
+        never += apart;
+        always += deep;
+    }
+    EXPECT_GT(never, 50);
+    EXPECT_GT(always, 50);
+}
+
+TEST(TouchingProof, TheFrameIsThatOfTheLinkThatMovesLeast) {
+    // Two balls on a line with hinges; each is moved by the hinges between it and the link whose frame is taken.
+    const double half = 0.05, chord = 2 * std::sin(half / 2);
+    const auto expect_moves = [&](const std::vector<double>& hinges_before, const std::vector<double>& hinges_behind,
+                                  double moves) {
+        expect_limit(moves, Verdict::never, [&](double allowed) { // the gap grows where less is allowed
+            const double gap = 2 * moves - allowed;
+            std::vector<double> places;
+            for (const double x : hinges_before) {
+                places.push_back(-x);
+            }
+            for (const double x : hinges_behind) {
+                places.push_back(0.2 + gap + x);
+            }
+            Arm arm;
+            double before = 0;
+            for (const double x : places) {
+                arm.movers.push_back({turns, {x - before, 0, 0}, {0, 0, 1}, -half, half});
+                before = x;
+            }
+            return verdict(arm, {{{}, 0.1}}, {{{0.2 + gap - before, 0, 0}, 0.1}}, 1);
+        });
+    };
+    expect_moves({1}, {}, chord);                            // that of the last link
+    expect_moves({}, {1}, chord);                            // that of the first one
+    expect_moves({1}, {1}, 2 * chord);                       // that of the one in the middle
+    expect_moves({1, 1.5}, {1}, chord * (1 + 1.5 + 1 + chord)); // nearer to the last one
+}
+
 TEST(TouchingProof, ElementsThatTouchDeeplyTouchAlways) {
     const Element box{.kind = Element::Kind::box, .half = {1, 1, 1}};
     const std::vector<Sphere> ball{{{}, 0.5}};
@@ -198,6 +297,9 @@ TEST(TouchingProof, NoJointMovesOneConfiguration) {
     const std::vector<Sphere> one{{{}, 0.1}}, two{{{0.1, 0, 0}, 0.1}};
     const BallGroup a(ElementsView{one, {}}), b(ElementsView{two, {}});
     EXPECT_EQ(touching_verdict(none, chain_between(none, 0, 0), a, b, 1, nullptr), Verdict::always);
+    const std::vector<Sphere> beside{{{0.25, 0, 0}, 0.125}}, middle{{{}, 0.125}};
+    const BallGroup c(ElementsView{middle, {}}), d(ElementsView{beside, {}}); // have one point in common
+    EXPECT_EQ(touching_verdict(none, chain_between(none, 0, 0), c, d, 9, nullptr), Verdict::always);
 }
 
 /// A slider along y, and a ball that passes another with little room.

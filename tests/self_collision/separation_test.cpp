@@ -73,6 +73,51 @@ TEST(Separation, TakesThePosesOfLinks) {
     EXPECT_NEAR(separation(box({}, {1, 1, 2}), box({}, {1, 2, 1}), {}, away).low, 5 - 2 - 2, 1e-5);
 }
 
+TEST(Separation, FromABallIsThatOfItsMiddle) {
+    Random random(3);
+    for (int round = 0; round < 300; ++round) {
+        const auto kind = static_cast<Element::Kind>(round % element_kinds);
+        const Element a = any(random, kind);
+        const double radius = random.uniform(0.01, 0.5);
+        const Vec3 middle{random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2)};
+        const double exact = distance(a, middle) - radius;
+        const bool is_exact = kind != Element::Kind::hull;
+        for (const Separation& between : {separation(a, ball(middle, radius)), separation(ball(middle, radius), a)}) {
+            if (is_exact) {
+                EXPECT_NEAR(between.low, std::max(exact, 0.0), 3e-6) << to_string(kind);
+                EXPECT_LE(between.low, std::max(exact, 0.0)) << "never more";
+            }
+            if (exact > 0.01) {
+                EXPECT_EQ(between.depth, 0);
+            } else if (exact < -0.01) {
+                EXPECT_EQ(between.low, 0);
+                EXPECT_GT(between.depth, distance(a, middle) > 0 && is_exact ? -exact * (1 - 1e-5) - 1e-5 : 0.5 * radius);
+            }
+        }
+    }
+}
+
+TEST(Separation, DepthIsWhatHasToBeMovedAtLeast) {
+    // Of boxes along the axes: the least overlap. Of round ones: from what their cores leave.
+    Random random(4);
+    for (int round = 0; round < 200; ++round) {
+        const Vec3 half{random.uniform(0.3, 1), random.uniform(0.3, 1), random.uniform(0.3, 1)};
+        const Vec3 at{random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5)};
+        const Vec3 other{random.uniform(0.3, 1), random.uniform(0.3, 1), random.uniform(0.3, 1)};
+        double overlap = std::numeric_limits<double>::infinity();
+        for (int axis = 0; axis < 3; ++axis) {
+            overlap = std::min(overlap, half[axis] + other[axis] - std::abs(at[axis]));
+        }
+        const double depth = separation(box({}, half), box(at, other)).depth;
+        EXPECT_LE(depth, overlap);
+        EXPECT_GE(depth, 0.6 * overlap) << "the search is a rough one";
+    }
+    Element capsule{.kind = Element::Kind::capsule, .half = {0, 0, 1}, .radius = 0.3};
+    EXPECT_NEAR(separation(capsule, shifted(capsule, {0.5, 0, 0})).depth, 0.1, 1e-6);
+    EXPECT_NEAR(separation(capsule, shifted(capsule, {0, 0.7, 2.5})).low, std::hypot(0.7, 0.5) - 0.6, 1e-6);
+    EXPECT_NEAR(separation(capsule, ball({0.4, 0, -0.9}, 0.2)).depth, 0.1, 1e-6);
+}
+
 TEST(Separation, IsConservativeForAllKinds) {
     Random random(7);
     int apart = 0, touching = 0;
@@ -107,6 +152,95 @@ TEST(Separation, IsConservativeForAllKinds) {
     }
     EXPECT_GT(apart, 100);
     EXPECT_GT(touching, 100);
+}
+
+TEST(Separation, ABallInsideIsAsDeepAsItsMiddle) {
+    Random random(8);
+    int exact_cylinders = 0;
+    for (int round = 0; round < 200; ++round) {
+        const Vec3 half{random.uniform(0.3, 1), random.uniform(0.3, 1), random.uniform(0.3, 1)};
+        const Vec3 at{half.x * random.uniform(-0.6, 0.6), half.y * random.uniform(-0.6, 0.6), half.z * random.uniform(-1, 1)};
+        const double radius = random.uniform(0.1, 0.4);
+        const Vec3 room{half.x - std::abs(at.x), half.y - std::abs(at.y), half.z - std::abs(at.z)};
+        const double in_box = std::min({room.x, room.y, room.z});
+        const double in_cylinder = std::min(1 - std::hypot(at.x, at.y), room.z);
+        std::vector<Vec3> corners;
+        for (int k = 0; k < 8; ++k) {
+            corners.push_back({k & 1 ? half.x : -half.x, k & 2 ? half.y : -half.y, k & 4 ? half.z : -half.z});
+        }
+        Element hull{.kind = Element::Kind::hull};
+        hull.hull = convex_hull(corners);
+        const Element swept{.kind = Element::Kind::swept_box, .half = half, .radius = 0.2};
+        const Element cylinder{.kind = Element::Kind::cylinder, .half = {0, 0, half.z}, .radius = 1};
+        const Pose pose = Pose::from_xyz_rpy({random.uniform(-3, 3), 1, 2}, {random.uniform(-3, 3), random.uniform(-1, 1), 1});
+        for (const auto& [element, depth] : {std::pair(box({}, half), in_box), std::pair(hull, in_box),
+                                             std::pair(swept, in_box + 0.2)}) {
+            EXPECT_NEAR(separation(element, ball(at, radius), pose, pose).depth, depth + radius, 1e-9) << to_string(element.kind);
+            EXPECT_NEAR(separation(ball(at, radius), element, pose, pose).depth, depth + radius, 1e-9) << to_string(element.kind);
+        }
+        // The search for a common point may end just beside a round side: no more than that is then known.
+        const double found = separation(cylinder, ball(at, radius), pose, pose).depth;
+        EXPECT_LE(found, in_cylinder + radius);
+        EXPECT_GE(found, radius - 1e-6);
+        exact_cylinders += found > in_cylinder + radius - 1e-9 ? 1 : 0;
+    }
+    EXPECT_GT(exact_cylinders, 100);
+}
+
+TEST(Separation, AFlatCoreIsAsDeepAsItsRadius) {
+    // Points of a plate are beside it by rounding, and well within its edges. The search for a common point may end beside
+    // it, too: no more than its radius is then known.
+    Random random(9);
+    std::array<int, 3> exact{};
+    for (std::size_t round = 0; round < 300; ++round) {
+        const int flat = static_cast<int>(round % 3);
+        Element plate{.kind = Element::Kind::swept_box, .half = {0.6, 0.6, 0.6}, .radius = 0.2};
+        plate.half[flat] = 0;
+        Vec3 along{0.2, 0.2, 0.2};
+        along[flat] = 0;
+        const Pose pose = Pose::from_xyz_rpy({random.uniform(-1, 1), random.uniform(-1, 1), 0.3},
+                                             {random.uniform(-3, 3), random.uniform(-1, 1), random.uniform(-3, 3)});
+        const double depth = separation(plate, box(along, {0.3, 0.3, 0.3}), pose, pose).depth;
+        EXPECT_LE(depth, 0.5);
+        EXPECT_GE(depth, 0.2 - 1e-9);
+        exact[round % 3] += depth > 0.5 - 1e-9 ? 1 : 0;
+    }
+    for (const int count : exact) {
+        EXPECT_GE(count, 20);
+    }
+}
+
+TEST(Separation, LeavesRoomForRounding) {
+    // A millionth of a millionth of the sizes and the distance, off the gap and off the depth.
+    const auto expect_room = [](double taken, double sizes) {
+        EXPECT_GT(taken, 0.9e-12 * sizes);
+        EXPECT_LT(taken, 1.1e-12 * sizes);
+    };
+    expect_room(7000 - separation(ball({}, 2000), ball({10'000, 0, 0}, 1000)).low, 2000 + 1000 + 10'000);
+    expect_room(500 - separation(ball({}, 2000), ball({0, 2500, 0}, 1000)).depth, 2000 + 1000 + 2500);
+    expect_room(3000 - separation(ball({}, 2000), ball({}, 1000)).depth, 2000 + 1000);
+    expect_room(1000 - separation(box({}, {3000, 4000, 12'000}), ball({5000, 0, 0}, 1000)).low, 13'000 + 1000 + 2000);
+    for (int turn = 0; turn < 5; ++turn) { // a pyramid, of which one corner is farthest from the origin
+        std::vector<Vec3> corners{{0, 0, 0}, {0, 0, 3000}, {0, 3000, 0}, {-5000, 0, 0}, {0, 3000, 3000}};
+        std::rotate(corners.begin(), corners.begin() + turn, corners.end());
+        Element hull{.kind = Element::Kind::hull};
+        hull.hull = convex_hull(corners);
+        expect_room(1000 - separation(hull, ball({3000, 1000, 1000}, 2000)).low, 5000 + 2000 + 3000);
+    }
+    for (const Separation& meeting : {separation(ball({}, 1), ball({2, 0, 0}, 1)),
+                                      separation(box({}, {1, 1, 1}), box({2, 0, 0}, {1, 1, 1}))}) {
+        EXPECT_EQ(meeting.low, 0);
+        EXPECT_EQ(meeting.depth, 0);
+    }
+}
+
+TEST(Separation, OfACylinderAlongItsAxis) {
+    const Element cylinder{.kind = Element::Kind::cylinder, .half = {0, 0, 1}, .radius = 0.3};
+    for (const double side : {1.0, -1.0}) {
+        EXPECT_NEAR(separation(cylinder, ball({0, 0, 3 * side}, 0.5)).low, 1.5, 1e-6);
+        EXPECT_NEAR(separation(cylinder, ball({0, 2 * side, 0}, 0.5)).low, 1.2, 1e-5);
+        EXPECT_NEAR(separation(cylinder, ball({2 * side, 0, 0}, 0.5)).low, 1.2, 1e-5);
+    }
 }
 
 } // namespace

@@ -1,22 +1,18 @@
 // Which of several numbers of spheres is taken.
 #include "spherize_medial/best_with_at_most.hpp"
 
-#include <gtest/gtest.h>
+#include <foam/geometry/directions.hpp>
 
-#include <cmath>
-#include <numbers>
+#include <gtest/gtest.h>
 
 namespace foam::medial {
 namespace {
 
 /// Balls about the surface of the unit ball, along a spiral; the middle stays empty.
 std::vector<Sphere> shell() {
-    constexpr int count = 200;
     std::vector<Sphere> balls;
-    for (int i = 0; i < count; ++i) {
-        const double z = 1 - (2 * i + 1.0) / count, angle = std::numbers::pi * (3 - std::sqrt(5.0)) * i;
-        const double radius = std::sqrt(1 - z * z);
-        balls.push_back({Vec3{radius * std::cos(angle), radius * std::sin(angle), z}, 0.25});
+    for (const Vec3& direction : fibonacci_directions(200)) {
+        balls.push_back({direction, 0.25});
     }
     return balls;
 }

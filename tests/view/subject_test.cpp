@@ -74,7 +74,8 @@ TEST_F(ArmTest, LinksAreJudgedByTheGeometryThatIsChosen) {
         SubjectOptions options = with({"arm.urdf"});
         options.geometry = geometry;
         std::vector<bool> links;
-        for (const ViewedLink& link : subject(options).robots.at(0).links) {
+        const Subject shown = subject(options);
+        for (const ViewedLink& link : shown.robots.at(0).links) {
             links.push_back(link.judged);
         }
         return links;

@@ -96,7 +96,7 @@ private:
         for (LinkPair& pair : matrix_.pairs) {
             const Chain chain = chain_between(kinematics_, pair.first, pair.second);
             pair.unbounded = chain.unbounded;
-            rigid_.push_back(chain.steps.empty() && !chain.unbounded);
+            rigid_.push_back(chain.steps.empty()); // across a floating joint it is not asked for
             if (adjacent(kinematics_, have, pair.first, pair.second)) {
                 pair.reason = PairReason::adjacent;
             }
@@ -158,7 +158,7 @@ private:
     void judge_by_samples() {
         std::vector<LinkPair*> apart;
         for (LinkPair& pair : matrix_.pairs) {
-            if (pair.reason == PairReason::none && pair.samples > 0) {
+            if (pair.samples > 0) { // what is decided has none
                 if (pair.touching == 0) {
                     apart.push_back(&pair);
                 } else if (pair.touching == pair.samples) {
@@ -205,8 +205,8 @@ private:
         }
         count_geometry(of_never, [](const LinkPair& pair) { return pair.geometry_touching > 0; });
         for (LinkPair* pair : of_never) { // a proof was of elements that may leave geometry out
-            pair->proved = pair->proved && pair->geometry_samples == 0;
-            pair->reason = pair->geometry_touching > 0 ? PairReason::none : pair->reason;
+            pair->proved = false;
+            pair->reason = pair->geometry_samples == 0 || pair->geometry_touching > 0 ? PairReason::none : pair->reason;
         }
     }
 
@@ -314,7 +314,7 @@ private:
     const Groups groups_;
     const LinkShapes shapes_;
     const Samples samples_;
-    std::vector<bool> rigid_;           ///< of each pair: no joint moves one against the other
+    std::vector<bool> rigid_;          ///< of each pair: no joint moves one against the other, but for planar and floating ones
     std::set<const LinkPair*> always_; ///< pairs whose elements touch in every configuration, proved or sampled
     std::set<const LinkPair*> proved_always_;
 };

@@ -141,8 +141,7 @@ Cores distance_of_cores(const Placed& a, const Placed& b) {
         }
         result.high = closer;
         result.in_first = simplex.in_first();
-        if (simplex.size == 4 || closer == 0) {
-            result.high = 0;
+        if (closer == 0) { // a simplex with four corners is around the origin
             break;
         }
         between = closest;
@@ -151,7 +150,7 @@ Cores distance_of_cores(const Placed& a, const Placed& b) {
 }
 
 /// Returns the largest sum of the radii of balls around one point that lie in each of the elements, from below: by
-/// steps from a point of both. The sum is concave.
+/// steps from a point of both; -∞ where none is found. The sum is concave.
 double depth_of(const Placed& a, const Placed& b, const Vec3& from) {
     const auto sum_at = [&](const Vec3& point) {
         const double in_a = a.depth_at(point), in_b = b.depth_at(point);
@@ -178,7 +177,7 @@ double depth_of(const Placed& a, const Placed& b, const Vec3& from) {
             }
         }
     }
-    return std::max(0.0, best);
+    return best;
 }
 
 } // namespace

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double unreachable = std::numeric_limits<double>::infinity();
 
-/// Bounds on the size of a body and on radii, m: squares within them neither overflow nor lose much to underflow.
-constexpr double smallest_body = 1e-140, largest_body = 1e150;
+/// The least radius, m: its square does not lose much to underflow.
+constexpr double smallest_radius = 1e-140;
 
 /// Faces of a hull that are tested together, for vector instructions.
 constexpr std::size_t faces_at_once = 8;
@@ -79,15 +79,11 @@ Bodies::Bodies(const ElementsView& elements, const Vec3& origin, double extent, 
 
 void Bodies::meeting(const Box& box, std::vector<std::uint32_t>& result) const {
     result.clear();
-    const auto meets = [&](const Vec3& low, const Vec3& high) {
-        return low.x <= box.high.x && box.low.x <= high.x && low.y <= box.high.y && box.low.y <= high.y &&
-               low.z <= box.high.z && box.low.z <= high.z;
-    };
     for_each_entered(
-        bvh_, [&](const BvhNode& node) { return meets(node.low, node.high); },
+        bvh_, [&](const BvhNode& node) { return overlap(node, box); },
         [&](std::uint32_t place) {
             const std::uint32_t i = of_[bvh_.order()[place]];
-            if (meets(bodies_[i].bounds.low, bodies_[i].bounds.high)) {
+            if (overlap(bodies_[i].bounds, box)) {
                 result.push_back(i);
             }
         });
@@ -104,26 +100,15 @@ void Bodies::add(const Element& element, const Vec3& origin, double extent, doub
     body.rows = {column(r, 0), column(r, 1), column(r, 2)};
     body.half = element.half;
     body.radius = element.radius;
-    if (element.kind == Element::Kind::hull && !set_hull(body, element)) {
-        return;
+    if (element.kind == Element::Kind::hull) {
+        set_hull(body, element);
     }
     const Vec3 middle = element.pose.rotate(body.middle);
     body.center = middle + element.pose.translation - origin;
-    double reach = norm(body.half) + body.radius;
-    for (const Polytope::Face& face : body.faces) {
-        reach = std::max(reach, face.offset);
-    }
-    if (body.hull) {
-        reach = 0;
-        for (const Vec3& v : body.hull->surface.vertices) {
-            reach = std::max(reach, norm(v - body.middle));
-        }
-    }
-    if (!(reach >= smallest_body && reach <= largest_body && is_finite(body.center))) {
-        return;
-    }
+    const double reach = reach_of(body);
     const double exact_rotation = 16 * (2 * unit_roundoff); // below it the rows are those of a rotation, rounded
-    const double off = distortion(element.pose) > exact_rotation ? 2 * distortion(element.pose) : 0;
+    const double distorted = distortion(element.pose);
+    const double off = distorted > exact_rotation ? 2 * distorted : 0;
     body.slack = unit * (extent + norm(body.center) + reach) + placement +
                  8 * (2 * unit_roundoff) * (norm(middle) + norm(element.pose.translation)) + off * reach;
     body.sound = true;
@@ -136,14 +121,24 @@ void Bodies::add(const Element& element, const Vec3& origin, double extent, doub
     }
 }
 
-bool Bodies::set_hull(Body& body, const Element& element) {
+/// Returns the largest distance of a point of the body from its middle.
+double Bodies::reach_of(const Body& body) {
+    double reach = norm(body.half) + body.radius;
+    if (body.hull) {
+        for (const Vec3& v : body.hull->surface.vertices) {
+            reach = std::max(reach, norm(v - body.middle));
+        }
+    }
+    return reach;
+}
+
+void Bodies::set_hull(Body& body, const Element& element) {
     body.hull = convex_hull(element.hull->surface.vertices);
     body.middle = inner_point(*body.hull);
     for (const Polytope::Face& face : body.hull->faces) {
         body.faces.push_back({face.normal, face.offset - dot(face.normal, body.middle)});
     }
     lower_faces(body);
-    return std::all_of(body.faces.begin(), body.faces.end(), [](const Polytope::Face& f) { return f.offset > 0; });
 }
 
 /// Sets the faces so that what they enclose lies in the hull of the vertices. A face's plane is put through the lowest
@@ -155,6 +150,8 @@ void Bodies::lower_faces(Body& body) {
     for (const Vec3& v : vertices) {
         box.add(v);
     }
+    const double near = 64 * (2 * unit_roundoff) * box.diagonal();
+    const std::size_t count = body.faces.size();
     std::size_t likely = 0; // triangles come in the order of the faces
     for (const auto& [a, b, c] : body.hull->surface.triangles) {
         const auto lowest = [&](std::size_t f) {
@@ -164,17 +161,16 @@ void Bodies::lower_faces(Body& body) {
         };
         const auto below = [&](std::size_t f) { return body.faces[f].offset - lowest(f); };
         std::size_t best = likely;
-        for (const double near = 64 * (2 * unit_roundoff) * box.diagonal();
-             likely < body.faces.size() && below(likely) > near;) {
-            ++likely;
+        while (best < count && below(best) > near) {
+            ++best;
         }
-        if (likely == body.faces.size()) {
+        if (best < count) {
             likely = best;
-            for (std::size_t f = 0; f < body.faces.size(); ++f) {
+        } else { // a triangle whose own plane is far above it, or none
+            best = likely;
+            for (std::size_t f = 0; f < count; ++f) {
                 best = below(f) < below(best) ? f : best;
             }
-        } else {
-            best = likely;
         }
         body.faces[best].offset = std::min(body.faces[best].offset, lowest(best));
         body.face_of.push_back(static_cast<std::uint32_t>(best));
@@ -199,7 +195,8 @@ double Bodies::distance_to_hull(const Body& body, const Vec3& q) {
     return std::sqrt(least);
 }
 
-/// Makes the body smaller by its slack.
+/// Makes the body smaller by its slack. Nothing is left of what is too large for the argument: with a finite volume, an
+/// element whose reach is above 1e112 m is thinner than its slack. Nor is anything left where the slack is not finite.
 void Bodies::erode(Body& body, const Element& element) {
     const double s = body.slack;
     const auto to_surface = [&](const Vec3& normal) { // of the body's frame
@@ -217,14 +214,14 @@ void Bodies::erode(Body& body, const Element& element) {
     if (element.kind == Element::Kind::cylinder) {
         body.half.z -= s;
         body.radius -= s;
-        body.sound = body.half.z > 0 && body.radius >= smallest_body;
+        body.sound = body.half.z > 0 && body.radius >= smallest_radius;
         return;
     }
-    if (body.radius - s >= smallest_body) {
+    if (body.radius - s >= smallest_radius) {
         body.radius -= s;
         return;
     }
-    const double rest = s - body.radius + smallest_body;
+    const double rest = s - body.radius + smallest_radius;
     body.radius = 0;
     body.half = body.half - Vec3{rest, rest, rest};
     body.sound = std::min({body.half.x, body.half.y, body.half.z}) > 0;
@@ -238,15 +235,13 @@ void Bodies::erode(Body& body, const Element& element) {
 }
 
 /// Faces in blocks of eight, the x of their normals first, then y, z and the offsets. The last block is filled up with
-/// half-spaces that contain everything.
+/// the last face.
 void Bodies::set_blocks(Body& body) {
     for (std::size_t first = 0; first < body.faces.size(); first += faces_at_once) {
         for (int part = 0; part < 4; ++part) {
             for (std::size_t k = first; k < first + faces_at_once; ++k) {
-                const bool filling = k >= body.faces.size();
-                body.blocks.push_back(filling    ? (part < 3 ? 0 : largest_body)
-                                      : part < 3 ? body.faces[k].normal[part]
-                                                 : body.faces[k].offset);
+                const Polytope::Face& face = body.faces[std::min(k, body.faces.size() - 1)];
+                body.blocks.push_back(part < 3 ? face.normal[part] : face.offset);
             }
         }
     }
@@ -274,17 +269,17 @@ bool Bodies::holds(const Body& body, const Vec3& p, double ball) {
         return below_faces(body, q, ball);
     case Element::Kind::cylinder: {
         const double radius = body.radius - ball;
-        return std::abs(q.z) + ball <= body.half.z && radius >= smallest_body &&
+        return std::abs(q.z) + ball <= body.half.z && radius >= smallest_radius &&
                q.x * q.x + q.y * q.y <= radius * radius;
     }
     default:
         break;
     }
     const double radius = body.radius - ball;
-    if (radius >= smallest_body) {
+    if (radius >= smallest_radius) {
         return squared_norm(outside_box(body.half, q)) <= radius * radius;
     }
-    const double less = ball - body.radius; // at least 0, but for what is below `smallest_body`
+    const double less = ball - body.radius; // at least 0, but for what is below `smallest_radius`
     return within(body.half - Vec3{1, 1, 1} * std::max(less, 0.0), q);
 }
 
@@ -320,10 +315,10 @@ double Bodies::depth(std::uint32_t i, const Vec3& p) const {
 
 double Bodies::growth(std::uint32_t i, const Vec3& p) const {
     const double out = depth(i, p);
-    if (!(out > 0) || !bodies_[i].hull || out == unreachable) {
+    const Body& body = bodies_[i];
+    if (!(out > 0) || !body.hull) {
         return std::max(out, 0.0);
     }
-    const Body& body = bodies_[i];
     return std::max(out, distance_to_hull(body, local(body, p)) + 2 * body.slack);
 }
 

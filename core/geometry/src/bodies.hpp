@@ -87,7 +87,8 @@ private:
     };
 
     void add(const Element& element, const Vec3& origin, double extent, double unit, double placement);
-    static bool set_hull(Body& body, const Element& element);
+    static double reach_of(const Body& body);
+    static void set_hull(Body& body, const Element& element);
     static void lower_faces(Body& body);
     static double distance_to_hull(const Body& body, const Vec3& q);
     static void erode(Body& body, const Element& element);

@@ -13,7 +13,7 @@ constexpr double cut_depth = 1.0 / 8;
 /// Returns the share of the way from a to b where the value is 0; it has different signs there. Illinois method (Dowell
 /// and Jarratt 1971); a linear value takes one step.
 template <class Value> double crossing(const Vec3& a, const Vec3& b, double at_a, double at_b, Value value) {
-    double low = 0, high = 1, share = 0.5;
+    double low = 0, high = 1, share{};
     enum class End { none, low, high } moved = End::none; // an end that stays twice counts half
     for (int step = 0; step < 8; ++step) {
         share = low + (high - low) * (at_a / (at_a - at_b));
@@ -46,25 +46,24 @@ template <class Value> bool BodyCuts::split(const Polygon& polygon, Value value,
     for (std::size_t k = 0; k < polygon.corners; ++k) {
         at[k] = value(polygon.corner[k]);
     }
+    const auto is_low = [&](std::size_t k) { return at[k] <= 0; };
     parts.low.corners = parts.high.corners = 0;
     int crossings = 0;
     bool whole = true;
     for (std::size_t k = 0; k < polygon.corners; ++k) {
-        const double here = at[k], next = at[k + 1 == polygon.corners ? 0 : k + 1];
-        whole = whole && (here <= 0 ? parts.low : parts.high).add(polygon.corner[k]);
-        if ((here <= 0) != (next <= 0)) {
-            const double share = crossing(polygon.corner[k], polygon.after(k), here, next, value);
-            if (!(share >= 0 && share <= 1)) {
-                return false;
-            }
+        const std::size_t next = k + 1 == polygon.corners ? 0 : k + 1;
+        whole = whole && (is_low(k) ? parts.low : parts.high).add(polygon.corner[k]);
+        if (is_low(k) != is_low(next)) {
+            const Vec3 &here = polygon.corner[k], &there = polygon.corner[next];
+            const double share = crossing(here, there, at[k], at[next], value); // from 0 to 1
             const double rest = 1 - share, taken = 1 - rest; // they add up to exactly 1 (Sterbenz 1974)
-            const Vec3 cut = polygon.corner[k] * rest + polygon.after(k) * taken;
+            const Vec3 cut = here * rest + there * taken;
             whole = whole && parts.low.add(cut) && parts.high.add(cut);
             ++crossings;
         }
     }
-    parts.low.cuts = parts.high.cuts = polygon.cuts + (crossings > 0);
-    return whole && (crossings == 0 || crossings == 2);
+    parts.low.cuts = parts.high.cuts = polygon.cuts + 1;
+    return whole && crossings == 2;
 }
 
 void BodyCuts::push(Polygon polygon, const Polygon& whole, std::uint32_t without) {
@@ -75,9 +74,7 @@ void BodyCuts::push(Polygon polygon, const Polygon& whole, std::uint32_t without
     }
     for (std::size_t n = whole.begin; n < whole.end; ++n) {
         const std::uint32_t i = indices_[n];
-        const Box& b = bodies_.bounds(i);
-        if (i != without && b.low.x <= box.high.x && box.low.x <= b.high.x && b.low.y <= box.high.y &&
-            box.low.y <= b.high.y && b.low.z <= box.high.z && box.low.z <= b.high.z) {
+        if (i != without && overlap(bodies_.bounds(i), box)) {
             indices_.push_back(i);
         }
     }
@@ -94,6 +91,11 @@ void BodyCuts::begin(const Corners& triangle, std::span<const std::uint32_t> can
     indices_.assign(candidates.begin(), candidates.end());
     waiting_.clear();
     waiting_.push_back({.corner = {triangle.a, triangle.b, triangle.c}, .corners = 3, .end = indices_.size()});
+}
+
+bool BodyCuts::held(const Polygon& polygon, std::uint32_t body) const {
+    return std::all_of(polygon.corner.begin(), polygon.corner.begin() + polygon.corners,
+                       [&](const Vec3& p) { return bodies_.holds(body, p); });
 }
 
 bool BodyCuts::take(Polygon& next) {
@@ -129,9 +131,7 @@ std::vector<std::vector<Vec3>> BodyCuts::rest(const Corners& triangle, std::span
         bool done = false;
         for (std::size_t n = next.begin; n < next.end && !done; ++n) {
             const std::uint32_t i = indices_[n];
-            const std::span<const Vec3> corners(next.corner.data(), next.corners);
-            done = std::all_of(corners.begin(), corners.end(), [&](const Vec3& p) { return bodies_.holds(i, p); }) ||
-                   (pieces_ <= most_pieces_ && !bodies_.planes(i).empty() && cut_out(next, i));
+            done = held(next, i) || (pieces_ <= most_pieces_ && !bodies_.planes(i).empty() && cut_out(next, i));
         }
         if (!done) {
             result.emplace_back(next.corner.data(), next.corner.data() + next.corners);
@@ -145,7 +145,7 @@ std::vector<Corners> BodyCuts::between(const Corners& triangle, std::uint32_t fi
     Parts parts;
     const auto nearer = [&](const Vec3& p) { return bodies_.growth(first, p) - bodies_.growth(second, p); };
     std::vector<Corners> result;
-    if (split(whole, nearer, parts) && parts.low.corners > 2 && parts.high.corners > 2) {
+    if (split(whole, nearer, parts)) {
         for (const Polygon& part : {parts.low, parts.high}) {
             for (std::size_t k = 2; k < part.corners; ++k) {
                 result.push_back({part.corner[0], part.corner[k - 1], part.corner[k]});
@@ -175,21 +175,20 @@ std::vector<Corners> BodyCuts::between_nearest(const Corners& triangle, std::spa
 
 /// Returns false if a corner is in no body, or if the polygon cannot be divided further.
 bool BodyCuts::prove(const Polygon& polygon) {
-    const std::uint32_t all = (1u << polygon.corners) - 1;
-    std::uint32_t held = 0;
+    std::uint32_t together = 0;
     holders_.clear();
     for (std::size_t n = polygon.begin; n < polygon.end; ++n) {
         Holder holder{indices_[n], 0};
         for (std::size_t k = 0; k < polygon.corners; ++k) {
             holder.corners |= static_cast<std::uint32_t>(bodies_.holds(holder.body, polygon.corner[k])) << k;
         }
-        if (holder.corners == all) {
+        if (holder.corners == polygon.all()) {
             return true;
         }
-        held |= holder.corners;
+        together |= holder.corners;
         holders_.push_back(holder);
     }
-    if (held != all) {
+    if (together != polygon.all()) {
         return false;
     }
     std::stable_sort(holders_.begin(), holders_.end(), [](const Holder& a, const Holder& b) {
@@ -206,25 +205,22 @@ bool BodyCuts::prove(const Polygon& polygon) {
 /// Returns whether two bodies hold a part of the polygon each. Both are convex: where they hold each edge together, a
 /// cut through places of the edges that both hold leaves one part in each of them.
 bool BodyCuts::held_by_two(const Polygon& polygon) {
-    const std::uint32_t all = (1u << polygon.corners) - 1;
-    const auto in = [&](const Polygon& part, std::uint32_t body) {
-        const std::span<const Vec3> corners(part.corner.data(), part.corners);
-        return std::all_of(corners.begin(), corners.end(), [&](const Vec3& p) { return bodies_.holds(body, p); });
-    };
     std::size_t tries = 8;
     Parts parts;
-    for (std::size_t i = 0; i < holders_.size() && tries > 0; ++i) {
-        for (std::size_t k = i + 1; k < holders_.size() && tries > 0; ++k) {
+    for (std::size_t i = 0; i < holders_.size(); ++i) {
+        for (std::size_t k = i + 1; k < holders_.size(); ++k) {
             const auto [a, corners_of_a] = holders_[i];
             const auto [b, corners_of_b] = holders_[k];
-            if ((corners_of_a | corners_of_b) != all) {
+            if ((corners_of_a | corners_of_b) != polygon.all()) {
                 continue;
             }
-            --tries;
+            if (tries-- == 0) {
+                return false;
+            }
             const auto nearer = [&](const Vec3& p) { return bodies_.depth(a, p) - bodies_.depth(b, p); };
-            if (split(polygon, nearer, parts) && in(parts.low, a) && in(parts.high, b)) {
+            if (split(polygon, nearer, parts) && held(parts.low, a) && held(parts.high, b)) {
                 pieces_ += 2;
-                most_cuts_ = std::max({most_cuts_, parts.low.cuts, parts.high.cuts});
+                most_cuts_ = std::max(most_cuts_, parts.low.cuts);
                 return true;
             }
         }
@@ -243,16 +239,12 @@ bool BodyCuts::cut_out(const Polygon& polygon, std::uint32_t polytope) {
     bool cut = true;
     for (const Polytope::Face& plane : bodies_.planes(polytope)) {
         const auto above = [&](const Vec3& p) { return dot(plane.normal, p - center) - plane.offset + depth; };
-        bool all_below = true;
-        for (std::size_t k = 0; k < rest.corners && all_below; ++k) {
-            all_below = above(rest.corner[k]) <= depth * 7 / 8;
-        }
-        if (all_below) {
+        const auto is_below = [&](const Vec3& p) { return above(p) <= depth * 7 / 8; };
+        if (std::all_of(rest.corner.begin(), rest.corner.begin() + rest.corners, is_below)) {
             continue;
         }
         cut = split(rest, above, parts);
-        if (!cut || parts.low.corners == 0) {
-            cut = false;
+        if (!cut) {
             break;
         }
         push(parts.high, polygon, polytope);
@@ -260,9 +252,7 @@ bool BodyCuts::cut_out(const Polygon& polygon, std::uint32_t polytope) {
         rest.corners = parts.low.corners;
         rest.cuts = parts.low.cuts;
     }
-    for (std::size_t k = 0; k < rest.corners && cut; ++k) {
-        cut = bodies_.holds(polytope, rest.corner[k]);
-    }
+    cut = cut && held(rest, polytope);
     if (!cut) {
         waiting_.resize(waiting);
         indices_.resize(indices);
@@ -289,15 +279,15 @@ bool BodyCuts::divide(const Polygon& polygon) {
         return false;
     }
     Parts parts;
-    const auto queue = [&] {
-        push(parts.high, polygon, no_body);
-        push(parts.low, polygon, no_body);
-        return true;
-    };
     const Vec3 along = normalized(polygon.corner[to] - polygon.corner[from]);
     const Vec3 middle = polygon.corner[from] + (polygon.corner[to] - polygon.corner[from]) * 0.5;
     const auto beyond = [&](const Vec3& p) { return dot(p - middle, along); };
-    return split(polygon, beyond, parts) && parts.low.corners > 2 && parts.high.corners > 2 && queue();
+    if (!split(polygon, beyond, parts)) {
+        return false;
+    }
+    push(parts.high, polygon, no_body);
+    push(parts.low, polygon, no_body);
+    return true;
 }
 
 } // namespace foam::geometry

@@ -56,15 +56,18 @@ private:
             corner[corners++] = p;
             return true;
         }
-        const Vec3& after(std::size_t k) const { return corner[k + 1 == corners ? 0 : k + 1]; }
+        /// A bit for each corner.
+        std::uint32_t all() const { return (1u << corners) - 1; }
     };
     struct Parts {
-        Polygon low, high; ///< where the value is at most 0, and the rest; without corners if empty
+        Polygon low, high; ///< where the value is at most 0, and the rest
     };
 
     std::vector<Corners> between(const Corners& triangle, std::uint32_t first, std::uint32_t second) const;
     void begin(const Corners& triangle, std::span<const std::uint32_t> candidates, std::size_t most_pieces);
     bool take(Polygon& next);
+    /// Returns whether a body contains the polygon.
+    bool held(const Polygon& polygon, std::uint32_t body) const;
     bool prove(const Polygon& polygon);
     bool held_by_two(const Polygon& polygon);
     bool cut_out(const Polygon& polygon, std::uint32_t polytope);

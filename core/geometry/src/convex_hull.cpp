@@ -56,7 +56,7 @@ public:
     /// where rounding makes a polygon that is not simple.
     std::vector<Facet> run() {
         merge();
-        if (facets_.size() >= 4 && find_polygons() && closed()) {
+        if (facets_.size() >= 4 && find_polygons() && have_edges_once()) {
             return std::move(facets_);
         }
         facets_.clear();
@@ -111,7 +111,8 @@ private:
     }
 
     /// Follows the boundary of each facet. A corner stays where three facets or more meet; elsewhere it lies in a
-    /// facet or on an edge. Returns false if a boundary is no simple polygon.
+    /// facet or on an edge, and so on that of both facets there. Returns false if a boundary passes a corner twice, or is
+    /// more than one loop: then the way around ends early.
     bool find_polygons() {
         std::vector<std::uint32_t> next(points_.size(), no_index), meeting(points_.size(), 0);
         std::vector<std::vector<std::uint32_t>> members(facets_.size());
@@ -135,9 +136,6 @@ private:
                     }
                 }
             }
-            if (start == no_index) {
-                return false;
-            }
             std::uint32_t at = start;
             for (; edges > 0; --edges) {
                 if (meeting[at] >= 3) {
@@ -150,26 +148,21 @@ private:
                     return false;
                 }
             }
-            if (at != start || facets_[f].corners.size() < 3) {
-                return false;
-            }
         }
         return true;
     }
 
-    /// Returns whether each edge of a polygon is that of one other polygon, in the other direction.
-    bool closed() const {
-        std::vector<std::pair<std::uint32_t, std::uint32_t>> edges, back;
+    /// Returns whether no edge is there twice: that of a facet with two corners is, since its neighbours have it, too. In
+    /// the other direction each edge is that of the facet beyond it, which has the same corners.
+    bool have_edges_once() const {
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
         for (const Facet& facet : facets_) {
             for (std::size_t k = 0; k < facet.corners.size(); ++k) {
-                const std::uint32_t from = facet.corners[k], to = facet.corners[(k + 1) % facet.corners.size()];
-                edges.push_back({from, to});
-                back.push_back({to, from});
+                edges.push_back({facet.corners[k], facet.corners[(k + 1) % facet.corners.size()]});
             }
         }
         std::sort(edges.begin(), edges.end());
-        std::sort(back.begin(), back.end());
-        return edges == back && std::adjacent_find(edges.begin(), edges.end()) == edges.end();
+        return std::adjacent_find(edges.begin(), edges.end()) == edges.end();
     }
 
     std::span<const Vec3> points_;
@@ -246,7 +239,7 @@ std::shared_ptr<const Polytope> convex_hull(std::span<const Vec3> points) {
         }
         return name[point];
     };
-    const double unit = std::ldexp(1.0, most > 0 ? std::ilogb(most) : 0);
+    const double unit = std::ldexp(1.0, std::ilogb(most)); // not all points are at 0
     for (std::size_t f = 0; f < facets.size(); ++f) {
         const std::vector<std::uint32_t>& c = facets[f].corners;
         for (std::size_t k = 2; k < c.size(); ++k) {

@@ -23,28 +23,32 @@ void reach_along(Element& e, int axis, double low, double high) {
     }
 }
 
+/// Returns the box around all within `room` of the points, in the element's frame.
+Box own_box(const Element& e, std::span<const Vec3> points, double room) {
+    Box box;
+    for (const Vec3& p : points) {
+        const Vec3 q = to_own_frame(e, p);
+        box.add(q - Vec3{room, room, room});
+        box.add(q + Vec3{room, room, room});
+    }
+    return box;
+}
+
 Element box_around(Element e, std::span<const Vec3> points, double room) {
     for (int axis = 0; axis < 3; ++axis) {
-        double low = 0, high = 0;
-        for (const Vec3& p : points) {
-            const double at = to_own_frame(e, p)[axis];
-            low = std::min(low, at - room);
-            high = std::max(high, at + room);
-        }
-        reach_along(e, axis, low, high);
+        const Box box = own_box(e, points, room); // a move along one axis rounds along the others
+        reach_along(e, axis, box.low[axis], box.high[axis]);
     }
     return e;
 }
 
 Element cylinder_around(Element e, std::span<const Vec3> points, double room) {
-    double low = 0, high = 0;
     for (const Vec3& p : points) {
         const Vec3 q = to_own_frame(e, p);
         e.radius = std::max(e.radius, std::hypot(q.x, q.y) + room);
-        low = std::min(low, q.z - room);
-        high = std::max(high, q.z + room);
     }
-    reach_along(e, 2, low, high);
+    const Box box = own_box(e, points, room);
+    reach_along(e, 2, box.low.z, box.high.z);
     return e;
 }
 
@@ -71,7 +75,7 @@ Element longer(Element e, std::span<const Vec3> points, double room) {
         Vec3 aside = out;
         aside[axis] = 0;
         const double radius = e.radius - room, left = radius * radius - squared_norm(aside);
-        if (radius > 0 && left > 0 && out[axis] != 0) {
+        if (left > 0) {
             const double end = std::abs(q[axis]) - std::sqrt(left) * (1 - 1e-15) + room;
             reach_along(e, axis, q[axis] < 0 ? -end : 0, q[axis] > 0 ? end : 0);
         }

@@ -12,9 +12,9 @@ struct Demand {
     double least;
 };
 
-/// Returns the least factor by which the move has to be longer to meet all demands; infinite if none is enough.
+/// Returns the least factor, 1 or more, by which the move meets all demands; infinite if none is enough.
 double least_factor(std::span<const Demand> demands, const Vec3& move) {
-    double factor = 0;
+    double factor = 1;
     for (const Demand& demand : demands) {
         const double reached = dot(demand.normal, move);
         factor = std::max(factor, reached > 0 ? demand.least / reached : std::numeric_limits<double>::infinity());
@@ -22,15 +22,14 @@ double least_factor(std::span<const Demand> demands, const Vec3& move) {
     return factor;
 }
 
-/// Returns the shortest move that meets few demands with equality; zero if there is none.
+/// Returns the shortest move that meets few demands with equality; zero or not finite if there is none.
 Vec3 move_to(const Demand& a, const Demand& b) {
     const double c = dot(a.normal, b.normal), d = 1 - c * c;
     return d > 0 ? a.normal * ((a.least - c * b.least) / d) + b.normal * ((b.least - c * a.least) / d) : Vec3{};
 }
 Vec3 move_to(const Demand& a, const Demand& b, const Demand& c) {
     const Vec3 bc = cross(b.normal, c.normal), ca = cross(c.normal, a.normal), ab = cross(a.normal, b.normal);
-    const double d = dot(a.normal, bc);
-    return d != 0 ? (bc * a.least + ca * b.least + ab * c.least) / d : Vec3{};
+    return (bc * a.least + ca * b.least + ab * c.least) / dot(a.normal, bc);
 }
 
 /// Returns a short move that meets all demands; infinite if there is none. The shortest one meets at most three with
@@ -38,10 +37,10 @@ Vec3 move_to(const Demand& a, const Demand& b, const Demand& c) {
 Vec3 shortest_move(std::span<const Demand> demands) {
     constexpr std::size_t compared = 12;
     const std::span<const Demand> some = demands.first(std::min(compared, demands.size()));
-    Vec3 best{};
     double shortest = std::numeric_limits<double>::infinity();
+    Vec3 best{shortest, shortest, shortest};
     const auto consider = [&](const Vec3& move) {
-        const Vec3 enough = move * std::max(1.0, least_factor(demands, move));
+        const Vec3 enough = move * least_factor(demands, move);
         if (norm(enough) < shortest) {
             shortest = norm(enough);
             best = enough;
@@ -61,7 +60,7 @@ Vec3 shortest_move(std::span<const Demand> demands) {
             }
         }
     }
-    return std::isfinite(shortest) ? best : Vec3{shortest, shortest, shortest};
+    return best;
 }
 
 /// Returns the vertices, each moved beyond the planes at it, which are moved outwards. The surface between the moved
@@ -127,7 +126,7 @@ static std::shared_ptr<const Polytope> scaled(const Polytope& hull, const Vec3& 
     double reach = 0;
     for (Vec3& v : result->surface.vertices) {
         v += (v - middle) * share;
-        reach = std::max({reach, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+        reach = std::max(reach, norm(v));
     }
     for (Polytope::Face& face : result->faces) {
         const double rounding = 32 * 0x1p-53 * (reach + norm(middle));

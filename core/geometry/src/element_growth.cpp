@@ -152,7 +152,7 @@ private:
         std::uint32_t best = order.front().second;
         double least = std::numeric_limits<double>::infinity();
         for (const auto& [growth, i] : order) {
-            const double added = order.size() == 1 ? 0 : added_volume(elements_[i], corners);
+            const double added = added_volume(elements_[i], corners);
             if (added < least) {
                 least = added;
                 best = i;
@@ -213,7 +213,15 @@ bool covered(const Solid& solid, const std::vector<Element>& elements) {
     return covers(solid, ElementsView{{}, elements});
 }
 
-void grow_to_cover(const Solid& solid, std::vector<Element>& elements) {
+/// Grows the elements that are valid.
+void grow_all(std::vector<Element>& elements, double length) {
+    for (Element& e : elements) {
+        e = is_valid(e) ? grown(e, length) : e;
+    }
+}
+
+/// Enlarges elements for what is uncovered.
+void close_gaps(const Solid& solid, std::vector<Element>& elements) {
     constexpr int rounds = 16;
     for (int round = 0; round < rounds; ++round) {
         const Demands demands(solid, ElementsView{{}, elements});
@@ -226,23 +234,13 @@ void grow_to_cover(const Solid& solid, std::vector<Element>& elements) {
             }
         }
     }
-    for (int round = 0; round < rounds; ++round) {
-        if (covered(solid, elements)) {
-            return;
-        }
-        const Certificate certificate = certify(solid, ElementsView{{}, elements});
-        if (!std::isfinite(certificate.growth)) {
-            break;
-        }
-        for (Element& e : elements) { // what is left are gaps at the edge of what can be proved
-            e = is_valid(e) ? grown(e, certificate.growth * std::ldexp(1.0, round)) : e;
-        }
-    }
+}
+
+void grow_to_cover(const Solid& solid, std::vector<Element>& elements) {
     // Far from the origin an element may be thinner than the rounding, and then holds nothing for certain.
-    for (const double share : {1e-9, 1e-7, 1e-5, 1e-3}) {
-        for (Element& e : elements) {
-            e = is_valid(e) ? grown(e, share * solid.bounds().diagonal()) : e;
-        }
+    for (const double share : {0.0, 1e-9, 1e-7, 1e-5, 1e-3}) {
+        grow_all(elements, share * solid.bounds().diagonal());
+        close_gaps(solid, elements);
         if (covered(solid, elements)) {
             return;
         }
@@ -273,7 +271,7 @@ Approximation::Level grown_to_cover(const Solid& solid, Approximation::Level lev
         grow_to_cover(solid, elements);
     }
     for (std::size_t i = 0; i < level.spheres.size(); ++i) {
-        level.spheres[i].radius = std::max(level.spheres[i].radius, elements[i].radius);
+        level.spheres[i].radius = elements[i].radius;
     }
     level.others.assign(elements.begin() + static_cast<std::ptrdiff_t>(level.spheres.size()), elements.end());
     return level;

@@ -54,18 +54,16 @@ private:
         ++certificate_.pieces;
         bodies_.meeting(box_around(piece), candidates_);
         smallest_ = std::max(smallest_open_piece * pieces_.extent(), shrink_ * size_of(piece));
-        bool covered = false;
-        if (!piece.curved && !candidates_.empty() && certificate_.pieces < most_pieces_) {
-            covered = cuts_.cover(piece.corners, candidates_, smallest_,
-                                  std::min(pieces_of_cuts, most_pieces_ - certificate_.pieces));
-            certificate_.pieces += cuts_.pieces();
-        }
-        if (covered) {
-            return;
-        }
-        if (piece.curved || candidates_.empty()) {
+        if (piece.curved) {
             halve(piece);
             return;
+        }
+        if (certificate_.pieces < most_pieces_) {
+            const bool covered = cuts_.cover(piece.corners, candidates_, smallest_, pieces_of_cuts);
+            certificate_.pieces += cuts_.pieces();
+            if (covered) {
+                return;
+            }
         }
         for (const std::vector<Vec3>& polygon : cuts_.rest(piece.corners, candidates_, pieces_of_cuts)) {
             for (std::size_t k = 2; k < polygon.size(); ++k) {
@@ -108,7 +106,7 @@ private:
             return;
         }
         const PiecePoints corners(item.piece);
-        if (lower > 0 && (certificate_.holds || lower > proved_gap_)) {
+        if (lower > proved_gap_) {
             fail(item.piece, corners.points[farthest]);
             proved_gap_ = lower;
         }
@@ -120,7 +118,7 @@ private:
                            certificate_.pieces >= most_pieces_;
         if (small || !(upper - lower > accuracy_of_gap * upper) || upper <= smallest_) {
             fail(item.piece, corners.points[farthest]);
-            certificate_.growth = std::max(certificate_.growth, upper);
+            certificate_.growth = upper; // more than before
             return;
         }
         if (size_of(item.piece) > long_piece * upper && divide_between(item)) {

@@ -67,11 +67,6 @@ struct Heights {
     double depth, a, b;
 };
 
-Heights heights_along(const Circle& circle, const Cap& cap) {
-    return {circle.height * dot(circle.axis, cap.axis) - cap.height, circle.width * dot(circle.u, cap.axis),
-            circle.width * dot(circle.v, cap.axis)};
-}
-
 /// The heights of a circle in each of some caps, of which only few matter to it. The coordinates stand apart, so that
 /// compilers vectorise.
 class HeightTable {

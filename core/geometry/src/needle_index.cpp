@@ -22,7 +22,7 @@ Box box_of(const Corners& t) {
 
 /// Returns the longest edge of all, and the edge of that triangle that begins at the same corner.
 std::array<Vec3, 2> longest_edge(std::span<const Corners> triangles) {
-    double longest = -1;
+    double longest = 0;
     std::array<Vec3, 2> sides{};
     for (const Corners& t : triangles) {
         for (const auto& [a, b, c] : {std::array{t.a, t.b, t.c}, std::array{t.b, t.c, t.a}, std::array{t.c, t.a, t.b}}) {

@@ -104,7 +104,7 @@ void Quickhull::give(std::uint32_t triangle, std::uint32_t point, double height)
     }
     next_[point] = state.first;
     state.first = point;
-    if (state.farthest == none || height > state.height) {
+    if (height > state.height) { // of the first, too: it is above the tolerance
         state.farthest = point;
         state.height = height;
     }

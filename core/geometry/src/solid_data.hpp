@@ -119,6 +119,6 @@ struct SolidAccess {
     static const SolidData& data(const Solid& solid) { return *solid.data_; }
     static std::shared_ptr<const Solid> quick(std::vector<Solid::Part> parts);
     /// Returns the solid with one more part. What is known of lines through it is not computed again.
-    static std::shared_ptr<const Solid> with_part(std::shared_ptr<const Solid> solid, Solid::Part part);
+    [[gnu::visibility("hidden")]] static std::shared_ptr<const Solid> with_part(std::shared_ptr<const Solid> solid, Solid::Part part);
 };
 } // namespace foam::geometry

@@ -142,14 +142,16 @@ std::vector<IgnoredPair> ignored_pairs_of(const SphereModel& model, const std::a
     elements.others.resize(model.robot->links.size());
     elements.sources.resize(model.robot->links.size());
     for (std::size_t i = 0; i < model.robot->links.size(); ++i) {
+        Approximation::Level level; // a link may have several groups
         for (const SphereGroup& group : model.groups) {
             if (group.link == model.robot->links[i].name) {
-                elements.spheres[i] = group.tree.finest();
-                elements.others[i] = group.tree.levels.back().others;
-                const bool cover = elements.solids[i] && covers(*elements.solids[i], elements.of(i));
-                elements.sources[i] = cover ? Source::cover : Source::given;
+                append(level, group.tree.elements());
             }
         }
+        const bool cover = elements.solids[i] && !level.view().empty() && covers(*elements.solids[i], level.view());
+        elements.sources[i] = cover ? Source::cover : Source::given;
+        elements.spheres[i] = std::move(level.spheres);
+        elements.others[i] = std::move(level.others);
     }
     SelfCollisionOptions options;
     options.cancel = cancel;
@@ -222,7 +224,7 @@ std::map<std::string, Approximation::Level> read_back(const Writer& writer, cons
 static bool are_same_up_to_buffer(const std::vector<Sphere>& found, const std::vector<Sphere>& model) {
     return std::equal(found.begin(), found.end(), model.begin(), model.end(), [&](const Sphere& a, const Sphere& b) {
         const double buffer = found.front().radius - model.front().radius;
-        return a.center == b.center && (a == b || std::abs(a.radius - b.radius - buffer) <= 1e-9 * a.radius);
+        return a.center == b.center && std::abs(a.radius - b.radius - buffer) <= 1e-9 * a.radius;
     });
 }
 

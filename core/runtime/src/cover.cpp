@@ -75,7 +75,9 @@ SphereTree inner_tree(const Solid& solid, const SphereTree& tree, const DecimalG
         if (level.spheres.empty()) {
             level.spheres = {*std::max_element(below.spheres.begin(), below.spheres.end(),
                                                [](const Sphere& a, const Sphere& b) { return a.radius < b.radius; })};
-            level.parents.assign(l > 0 ? 1 : 0, tree.levels[l].parents.empty() ? 0 : tree.levels[l].parents[0]);
+            if (l > 0) {
+                level.parents = {tree.levels[l].parents.at(0)};
+            }
         }
         for (std::size_t i = 0; i < below.spheres.size(); ++i) {
             const std::optional<std::uint32_t> parent = left[below.parents[i]];

@@ -59,7 +59,7 @@ double growth_between(const Element& before, const Element& after) {
     for (int axis = 0; axis < 3; ++axis) {
         growth = std::max(growth, after.half[axis] - before.half[axis]);
     }
-    if (after.hull && before.hull) {
+    if (after.hull) {
         for (const Vec3& vertex : after.hull->surface.vertices) {
             growth = std::max(growth, distance(before, after.pose * vertex));
         }
@@ -119,16 +119,12 @@ static Approximation::Level grown_onto_grid(Approximation::Level level, const De
 
 /// Rounds the lengths of an element's numbers up to the grid, after a growth for what the numbers of a file lose.
 static Element with_written_numbers(Element element, const Element& placed, const DecimalGrid& grid, double slack) {
-    if (slack > 0) {
-        element = grown(element, slack);
-    }
+    element = grown(element, slack);
     const bool on_grid_already = element.kind == Element::Kind::hull && element == placed;
     return on_grid_already ? element : up_on_grid(std::move(element), grid);
 }
 
-/// Grows elements until they are proved to cover as they are. Elements that cover may not be proved to once their
-/// lengths are rounded up: where they only just overlap, pieces of the surface become too small for a proof.
-static void grow_until_proved(const Solid& solid, Approximation::Level& level, const DecimalGrid& grid) {
+void grow_until_proved(const Solid& solid, Approximation::Level& level, const DecimalGrid& grid) {
     constexpr int rounds = 12;
     constexpr double least = 1e-10; // of the size
     for (int round = 0; round < rounds && !covers(solid, level.view()); ++round) {
@@ -151,14 +147,10 @@ double finish_elements(const Solid& solid, Approximation::Level& level, const De
     for (Element& element : level.others) {
         element = on_grid(std::move(element), grid);
     }
-    const bool covered = outer && !level.others.empty() && covers(solid, level.view());
-    if (outer && !level.others.empty() && !covered) {
-        level = grown_onto_grid(given, grid); // much quicker than to find what their moves to the grid have opened
-    }
-    const Approximation::Level placed = level;
-    if (outer && !covered) {
-        level = grown_to_cover(solid, std::move(level));
-        level.parents = given.parents;
+    Approximation::Level placed = level;
+    if (outer && !covers(solid, level.view())) {
+        placed = grown_onto_grid(given, grid); // much quicker than to find what their moves to the grid have opened
+        level = grown_to_cover(solid, placed);
     }
     for (Sphere& sphere : level.spheres) {
         sphere.radius = grid.up(sphere.radius + (outer ? float32_slack(sphere, numbers) : 0));
@@ -168,7 +160,7 @@ double finish_elements(const Solid& solid, Approximation::Level& level, const De
         const double slack = outer ? slack_of(element, numbers) : 0;
         element = with_written_numbers(std::move(element), placed.others[i], grid, slack);
     }
-    if (outer && !level.others.empty() && !(level == placed)) {
+    if (outer && !(level == placed)) {
         grow_until_proved(solid, level, grid);
     }
     return growth_between(given, level);

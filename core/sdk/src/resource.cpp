@@ -1,4 +1,5 @@
 #include <foam/base/file.hpp>
+#include <foam/base/text.hpp>
 #include <foam/sdk/resource.hpp>
 
 #include <algorithm>
@@ -31,29 +32,6 @@ fs::path absolute_path(const fs::path& path) {
 /// the file system knows what ".." means.
 fs::path tidy(const fs::path& path) {
     return std::find(path.begin(), path.end(), "..") == path.end() ? path.lexically_normal() : path;
-}
-
-int hex_digit(char c) {
-    return c >= '0' && c <= '9'   ? c - '0'
-           : c >= 'a' && c <= 'f' ? c - 'a' + 10
-           : c >= 'A' && c <= 'F' ? c - 'A' + 10
-                                  : -1;
-}
-
-/// Decodes percent escapes (RFC 3986, section 2.1). Invalid escapes and %00 stay.
-std::string percent_decoded(std::string_view text) {
-    std::string decoded;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const int high = text[i] == '%' && i + 2 < text.size() ? hex_digit(text[i + 1]) : -1;
-        const int low = high >= 0 ? hex_digit(text[i + 2]) : -1;
-        if (low >= 0 && high + low > 0) {
-            decoded.push_back(static_cast<char>(high * 16 + low));
-            i += 2;
-        } else {
-            decoded.push_back(text[i]);
-        }
-    }
-    return decoded;
 }
 
 /// Returns the text of <name> in a package.xml (REP 149); empty if there is none.

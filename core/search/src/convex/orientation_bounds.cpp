@@ -16,16 +16,16 @@ double least_extent(const Cloud& cloud, const Vec3& axis, double angle) {
                             [&](const Vec3& a, const Vec3& b) { return dot(a, axis) < dot(b, axis); });
     const Vec3 d = *high - *low;
     const double length = norm(d);
-    const double between = length > 0 ? std::acos(std::clamp(dot(d, axis) / length, -1.0, 1.0)) : 0;
-    return std::max(length * std::cos(std::min(between + angle, pi / 2)), 2 * thin);
+    const double between = std::acos(std::min(1.0, dot(d, axis) / length)); // 0 where the length is
+    return std::max(length * std::cos(between + angle), 2 * thin);
 }
 
-/// Returns the radius of a capsule of a volume and a length of its core.
-double capsule_radius(double volume_of, double length) {
-    double low = 0, high = std::cbrt(volume_of * 3 / (4 * pi));
+/// Returns the radius of a capsule of a volume whose core has length 1.
+double capsule_radius(double volume_of) {
+    double low = 0, high = 1 + volume_of; // a cylinder of that radius has more
     for (int i = 0; i < 60; ++i) {
         const double r = (low + high) / 2;
-        (pi * r * r * length + 4 * pi / 3 * r * r * r < volume_of ? low : high) = r;
+        (pi * r * r + 4 * pi / 3 * r * r * r < volume_of ? low : high) = r;
     }
     return high;
 }
@@ -64,14 +64,15 @@ Vec3 direction_at(const Orientations& cell) {
 }
 
 double reach(const Orientations& cell, bool of_axis) {
-    double least = 1;
-    const double length = 1 + squared_norm(cell.at);
+    double angle = 0;
     for (int k = 0; k < (of_axis ? 4 : 8); ++k) {
-        const Vec3 corner = cell.at + Vec3{k & 1 ? cell.half : -cell.half, k & 2 ? cell.half : -cell.half,
-                                           of_axis ? 0 : (k & 4 ? cell.half : -cell.half)};
-        least = std::min(least, (1 + dot(cell.at, corner)) / std::sqrt(length * (1 + squared_norm(corner))));
+        const Vec3 off{k & 1 ? cell.half : -cell.half, k & 2 ? cell.half : -cell.half,
+                       of_axis ? 0 : (k & 4 ? cell.half : -cell.half)};
+        // Between (1, at) and (1, corner): a cosine near 1 would not tell small angles apart.
+        const double across = std::sqrt(squared_norm(off) + squared_norm(cross(cell.at, off)));
+        angle = std::max(angle, std::atan2(across, 1 + dot(cell.at, cell.at + off)));
     }
-    const double angle = std::acos(std::clamp(least, -1.0, 1.0)) + 1e-12;
+    angle += 1e-12;
     return of_axis ? angle : 2 * angle; // quaternions turn by half the angle
 }
 
@@ -86,25 +87,19 @@ double bound_of_box(const Cloud& cloud, const std::array<Vec3, 3>& axes, double 
 /// The least cylinder along another direction, turned to this one, is in a cylinder whose radius is larger by half its
 /// length times the sine; its length is at most what this one's becomes when it is turned there.
 double bound_of_cylinder(const Cloud& cloud, const Fit& here, double angle) {
-    const double sine = std::sin(std::min(angle, pi / 2));
+    const double sine = std::sin(angle);
     const double length = 2 * here.half.z + 2 * here.radius * sine;
     const double radius = std::max(here.radius - length / 2 * sine, thin);
     return pi * radius * radius * least_extent(cloud, here.axes[2], angle);
 }
 
 /// A capsule along another direction, turned to this one, is in one whose radius is larger by its length times the sine
-/// of half the angle. So the least volume there is at least that here without a layer of this thickness; the thickest
-/// of the layers for all lengths up to the size of the points counts.
+/// of half the angle. So the least volume there is at least that here without a layer of this thickness. Of all lengths
+/// up to the size of the points that of the longest capsule is the most: at constant volume V(r, l), r falls with l by
+/// r' = -V_l / V_r, and the derivative of l V_r is V_r + l (2 pi r - (2 pi l + 8 pi r) pi r^2 / V_r), which is above V_r.
 double bound_of_capsule(double here, double angle) {
-    const double sine = std::sin(std::min(angle / 2, pi / 2));
-    constexpr int steps = 40;
-    double loss = 0;
-    for (int i = 0; i < steps; ++i) {
-        const double shorter = static_cast<double>(i) / steps, longer = static_cast<double>(i + 1) / steps;
-        const double r = capsule_radius(here, shorter);
-        loss = std::max(loss, longer * sine * (2 * pi * r * longer + 4 * pi * r * r));
-    }
-    return here - loss;
+    const double r = capsule_radius(here);
+    return here - std::sin(angle / 2) * (2 * pi * r + 4 * pi * r * r);
 }
 
 } // namespace foam::inline search::convex

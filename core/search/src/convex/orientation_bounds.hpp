@@ -32,7 +32,7 @@ Vec3 direction_at(const Orientations& cell);
 double reach(const Orientations& cell, bool of_axis);
 
 /// Each returns a volume that no element around the points has less of, units³: a box whose axes are those turned by at
-/// most the angle, and a cylinder or capsule along a direction within the angle.
+/// most the angle, and a cylinder or capsule along a direction within the angle, which is at most a right one.
 double bound_of_box(const Cloud& cloud, const std::array<Vec3, 3>& axes, double angle);
 /// `here`: the least cylinder along the middle direction.
 double bound_of_cylinder(const Cloud& cloud, const Fit& here, double angle);

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <queue>
 
 namespace foam::inline search {
@@ -19,15 +18,13 @@ using Kind = Element::Kind;
 
 class Proof {
 public:
-    Proof(Kind kind, const Cloud& cloud, double tolerance) : kind_(kind), cloud_(cloud), tolerance_(tolerance) {
-        best_ = least_fit(kind, cloud, Effort::best);
-        least_ = volume(best_);
-    }
+    Proof(Kind kind, const Cloud& cloud, double tolerance)
+        : kind_(kind), cloud_(cloud), tolerance_(tolerance), best_(least_fit(kind, cloud, Effort::best)) {}
     void run() {
         for (const Orientations& cell : all_orientations(of_axis())) {
             look_at(cell);
         }
-        while (!waiting_.empty() && waiting_.top().lower_bound < least_ / (1 + tolerance_)) {
+        while (waiting_.top().lower_bound < volume(best_) / (1 + tolerance_)) { // each cell that is taken leaves parts
             check_cancelled();
             const Orientations cell = waiting_.top();
             waiting_.pop();
@@ -35,13 +32,10 @@ public:
                 look_at(part);
             }
         }
-        bound_ = std::min(least_, settled_);
-        if (!waiting_.empty()) {
-            bound_ = std::min(bound_, waiting_.top().lower_bound);
-        }
     }
     const Fit& best() const { return best_; }
-    double bound() const { return bound_; }
+    /// Returns the least bound of the cells, which have all orientations; rounding puts none above what was found.
+    double bound() const { return std::min(volume(best_), waiting_.top().lower_bound); }
     std::size_t cells() const { return cells_; }
 
 private:
@@ -67,25 +61,18 @@ private:
             here = descended(capsule_along(cloud_, direction_at(cell)), cloud_, steps, 0.1, true);
             cell.lower_bound = bound_of_capsule(volume(here), angle);
         }
-        if (volume(here) < least_) {
+        if (volume(here) < volume(best_)) {
             best_ = here;
-            least_ = volume(here);
         }
-        if (cell.lower_bound < least_ / (1 + tolerance_)) {
-            waiting_.push(cell);
-        } else {
-            settled_ = std::min(settled_, cell.lower_bound);
-        }
+        waiting_.push(cell);
     }
 
     const Kind kind_;
     const Cloud& cloud_;
     const double tolerance_;
     Fit best_;
-    double least_ = 0, bound_ = 0;
-    double settled_ = std::numeric_limits<double>::infinity();
     std::size_t cells_ = 0;
-    std::priority_queue<Orientations> waiting_;
+    std::priority_queue<Orientations> waiting_; ///< the least bound first
 };
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/directions.hpp>
+#include <foam/geometry/downhill.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,63 +13,14 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// The middle of places of a simplex.
+struct MiddlePlace {
+    Vec3 operator()(const Vec3& a, const Vec3& b) const { return a + (b - a) * 0.5; }
+    Vec3 operator()(const Vec3& a, const Vec3& b, const Vec3& c) const { return a / 3 + b / 3 + c / 3; }
+};
+
 bool adds_less_volume(const TwoBalls& a, const TwoBalls& b) {
     return a.volume < b.volume;
-}
-
-using Place = std::array<double, 3>;
-
-Place between(const Place& a, const Place& b, double t) {
-    return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
-}
-
-/// Minimises by a downhill simplex from the corner of the unit cube at the origin: reflection 1, expansion 2,
-/// contraction and shrinking by half. It stops after `patience` evaluations if no value was below `enough`.
-template <class Value> void downhill(const Value& value, int evaluations, int patience, double enough) {
-    std::array<std::pair<double, Place>, 4> simplex;
-    for (std::size_t i = 0; i < 4; ++i) {
-        simplex[i].second = {i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0, i == 3 ? 1.0 : 0.0};
-        simplex[i].first = value(simplex[i].second);
-    }
-    constexpr double flat = 1e-5;
-    for (int used = 4; used < evaluations;) {
-        std::stable_sort(simplex.begin(), simplex.end(),
-                         [](const auto& a, const auto& b) { return a.first < b.first; });
-        if (used >= patience && simplex[0].first >= enough) {
-            return;
-        }
-        const double most = simplex[3].first; // clang 14 lets no lambda capture a structured binding
-        const Place worst = simplex[3].second;
-        if (most - simplex[0].first < flat * std::abs(simplex[0].first)) {
-            return;
-        }
-        Place middle{};
-        for (std::size_t i = 0; i < 3; ++i) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                middle[k] += simplex[i].second[k] / 3;
-            }
-        }
-        const auto attempt = [&](double t) {
-            const Place place = between(middle, worst, t);
-            ++used;
-            return std::pair{value(place), place};
-        };
-        const auto reflected = attempt(-1);
-        if (reflected.first < simplex[0].first) {
-            const auto expanded = attempt(-2);
-            simplex[3] = expanded.first < reflected.first ? expanded : reflected;
-        } else if (reflected.first < simplex[2].first) {
-            simplex[3] = reflected;
-        } else if (const auto contracted = attempt(reflected.first < most ? -0.5 : 0.5);
-                   contracted.first < std::min(reflected.first, most)) {
-            simplex[3] = contracted;
-        } else {
-            for (std::size_t i = 1; i < 4; ++i, ++used) {
-                simplex[i].second = between(simplex[0].second, simplex[i].second, 0.5);
-                simplex[i].first = value(simplex[i].second);
-            }
-        }
-    }
 }
 
 } // namespace
@@ -136,17 +88,22 @@ TwoBalls TwoBallSearch::descend(const Plane& start, double turn, double shift, i
         middle += content_.points.at(i) / static_cast<double>(content_.points.size());
     }
     middle += n * (start.offset - dot(n, middle));
+    constexpr double flat = 1e-5;
     TwoBalls best;
     best.volume = infinity;
-    const auto value = [&](const Place& place) {
-        const Vec3 normal = normalized(n + u * (place[0] * turn) + v * (place[1] * turn));
-        const TwoBalls two = at({normal, dot(normal, middle + n * (place[2] * shift))});
+    const auto value = [&](const Vec3& place) {
+        const Vec3 normal = normalized(n + u * (place.x * turn) + v * (place.y * turn));
+        const TwoBalls two = at({normal, dot(normal, middle + n * (place.z * shift))});
         if (two.volume < best.volume) {
             best = two;
         }
         return two.volume;
     };
-    downhill(value, evaluations, patience, enough);
+    const auto ended = [&](const auto& corners, int used) {
+        const double least = corners.front().value;
+        return (used >= patience && least >= enough) || corners.back().value - least < flat * std::abs(least);
+    };
+    downhill_simplex({}, 1, evaluations, value, ended, MiddlePlace{});
     return best;
 }
 

@@ -18,6 +18,8 @@ std::optional<double> parse_number(std::string_view text);
 std::string counted(std::size_t count, std::string_view noun);
 /// Returns the text with the letters A to Z in lower case; other characters stay.
 std::string lower_case(std::string_view text);
+/// Returns the text with its percent escapes decoded (RFC 3986, section 2.1). Invalid escapes and %00 stay.
+std::string percent_decoded(std::string_view text);
 /// Returns the parts of a text between spaces, tabs and line ends, as views into `text`.
 std::vector<std::string_view> words(std::string_view text);
 
