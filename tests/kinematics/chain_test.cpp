@@ -21,8 +21,8 @@ std::shared_ptr<const Robot> tree_at_random(Random& random, std::size_t links, c
     }
     for (std::size_t i = 1; i < links; ++i) {
         robot.joints.push_back({.name = "j" + std::to_string(i), .kind = kinds[i % kinds.size()],
-                                .parent = "l" + std::to_string(random.below(i)), .child = "l" + std::to_string(i), .origin = random_pose(random, 1),
-                                .axis = random_direction(random), .lower = -1, .upper = 1});
+                                .parent = "l" + std::to_string(random.below(i)), .child = "l" + std::to_string(i),
+                                .origin = random_pose(random, 1), .axis = random_direction(random), .lower = -1, .upper = 1});
         if (i == 4) {
             robot.joints.back().mimic = Mimic{.joint = "j1", .multiplier = -2, .offset = 0.5};
         }
