@@ -68,10 +68,6 @@ Inertial read_inertial(const xml::Element& element, const Reader& reader) {
     return inertial;
 }
 
-const std::string* attribute_of(const xml::Element* element, const char* name) {
-    return element ? element->attribute(name) : nullptr;
-}
-
 /// Returns red, green, blue and opacity, which is 1 if absent; nothing if it is no colour.
 std::optional<std::array<double, 4>> read_colour(const std::string& text) {
     std::vector<std::string_view> parts = words(text);
@@ -89,18 +85,14 @@ std::optional<std::array<double, 4>> read_colour(const std::string& text) {
     return rgba;
 }
 
-Material read_material(const xml::Element& element) {
-    Material material;
-    if (const std::string* name = element.attribute("name")) {
-        material.name = *name;
-    }
-    if (const std::string* rgba = attribute_of(element.child("color"), "rgba")) {
-        material.rgba = read_colour(*rgba);
-    }
-    if (const std::string* file = attribute_of(element.child("texture"), "filename")) {
-        material.texture = *file;
-    }
-    return material;
+Material read_material(const xml::Element& material) {
+    const auto text = [](const xml::Element* element, const char* attribute) {
+        const std::string* found = element ? element->attribute(attribute) : nullptr;
+        return found ? *found : "";
+    };
+    return {.name = text(&material, "name"),
+            .rgba = read_colour(text(material.child("color"), "rgba")),
+            .texture = text(material.child("texture"), "filename")};
 }
 
 /// Adds what a material lacks from one of the same name.
