@@ -1,12 +1,12 @@
 #include "model.hpp"
 
-#include "geometry.hpp"
+#include "link.hpp"
 
 #include <foam/base/cancellation.hpp>
+#include <foam/base/text.hpp>
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
 namespace foam::urdf {
@@ -41,23 +41,6 @@ void require_robot(const xml::Element& root, const Reader& reader) {
     if (root.name != "robot") {
         reader.fail(root, fmt::format("the root element of a URDF is <robot>, not <{}>", root.name));
     }
-}
-
-Link read_link(const xml::Element& element, const Reader& reader, Context& context) {
-    Link link{.name = reader.required(element, "name"), .collisions = {}, .visuals = {}};
-    CancellationCounter asking(256);
-    for (const xml::Element* collision : element.children_named("collision")) {
-        asking.check();
-        link.collisions.push_back(read_geometry_element(*collision, reader));
-    }
-    for (const xml::Element* visual : element.children_named("visual")) {
-        try {
-            link.visuals.push_back(read_geometry_element(*visual, reader));
-        } catch (const Error& error) {
-            context.log(Severity::warning, fmt::format("a visual is left out of pictures: {}", error.what()));
-        }
-    }
-    return link;
 }
 
 Joint::Kind read_joint_kind(const xml::Element& element, const Reader& reader) {
@@ -108,6 +91,46 @@ void read_motion(Joint& joint, const xml::Element& element, const Reader& reader
     }
 }
 
+Mimic read_mimic(const xml::Element& element, const Reader& reader) {
+    Mimic mimic;
+    try {
+        const std::string* joint = element.attribute("joint");
+        if (!joint) {
+            reader.fail(element, "<mimic> does not say which joint it follows; remedy: <mimic joint=\"NAME\"/>");
+        }
+        mimic.joint = *joint;
+        mimic.multiplier = reader.number(element, "multiplier").value_or(1);
+        mimic.offset = reader.number(element, "offset").value_or(0);
+    } catch (const Error& error) {
+        mimic.problem = error.what();
+    }
+    return mimic;
+}
+
+/// Returns a number that no result depends on: nothing where it cannot be read.
+std::optional<double> number_of(const xml::Element* element, const char* attribute) {
+    const std::string* text = element ? element->attribute(attribute) : nullptr;
+    const std::vector<std::string_view> pieces = text ? words(*text) : std::vector<std::string_view>{};
+    return pieces.size() == 1 ? parse_number(pieces.front()) : std::nullopt;
+}
+
+/// Reads what only some users of the robot need, and refuse then.
+void read_details(Joint& joint, const xml::Element& element, const Reader& reader) {
+    const xml::Element* limit = element.child("limit");
+    const xml::Element* dynamics = element.child("dynamics");
+    joint.line = element.line;
+    joint.limited = limit != nullptr;
+    joint.effort = number_of(limit, "effort");
+    joint.velocity = number_of(limit, "velocity");
+    joint.damping = number_of(dynamics, "damping");
+    joint.friction = number_of(dynamics, "friction");
+    for (const xml::Element* mimic : element.children_named("mimic")) {
+        if (!joint.mimic || joint.mimic->problem.empty()) { // the last one counts, if all can be read
+            joint.mimic = read_mimic(*mimic, reader);
+        }
+    }
+}
+
 Joint read_joint(const xml::Element& element, const Names& links, const Reader& reader) {
     Joint joint;
     joint.name = reader.required(element, "name");
@@ -116,6 +139,7 @@ Joint read_joint(const xml::Element& element, const Names& links, const Reader& 
     joint.child = read_joint_end(element, "child", links, reader);
     joint.origin = reader.origin(element);
     read_motion(joint, element, reader);
+    read_details(joint, element, reader);
     return joint;
 }
 
@@ -164,11 +188,12 @@ Robot read_robot(const xml::Element& root, const std::string& name, const Reader
     Robot robot;
     const std::string* given = root.attribute("name");
     robot.name = given && !given->empty() ? *given : name;
+    const std::map<std::string, Material> materials = materials_by_name(root);
     Names links, joints;
     CancellationCounter asking(64);
     for (const xml::Element* element : root.children_named("link")) {
         asking.check();
-        robot.links.push_back(read_link(*element, reader, context));
+        robot.links.push_back(read_link(*element, materials, reader, context));
         require_new(links, robot.links.back().name, *element, reader);
     }
     if (robot.links.empty()) {

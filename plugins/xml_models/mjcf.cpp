@@ -32,35 +32,24 @@ std::string pose_text(const Pose& pose) {
            (turned ? attribute_text("quat", numbers_text(quaternion(pose))) : "");
 }
 
-/// Returns the mass properties that a URDF's <inertial> states, in the link's frame: fullinertia of MJCF allows no
-/// orientation.
-MassProperties stated_mass(const xml::Element& inertial, const std::string& file) {
-    const xml::Element* mass = inertial.child("mass");
-    const xml::Element* inertia = inertial.child("inertia");
-    if (!mass || !inertia) {
+/// Returns the mass properties that a robot states, in the link's frame: fullinertia of MJCF allows no orientation.
+MassProperties stated_mass(const Inertial& inertial, const std::string& file) {
+    if (!inertial.problem.empty()) {
+        throw Error(ErrorCode::input, inertial.problem);
+    }
+    if (!inertial.mass || !inertial.moments) {
         throw Error(ErrorCode::output,
                     fmt::format("{}:{}: <inertial> needs <mass> and <inertia> for MuJoCo", file, inertial.line));
     }
-    Pose origin;
-    if (const xml::Element* element = inertial.child("origin")) {
-        const auto triple = [&](const char* name) {
-            const std::vector<double> v =
-                element->attribute(name) ? numbers_of(*element, name, 3, file) : std::vector<double>{0, 0, 0};
-            return Vec3{v[0], v[1], v[2]};
-        };
-        origin = Pose::from_xyz_rpy(triple("xyz"), triple("rpy"));
-    }
-    const auto value = [&](const char* name) { return numbers_of(*inertia, name, 1, file).front(); };
-    const Vec3 rows[3] = {{value("ixx"), value("ixy"), value("ixz")},
-                          {value("ixy"), value("iyy"), value("iyz")},
-                          {value("ixz"), value("iyz"), value("izz")}};
-    const auto turned = [&](int i, int j) { // (R I Rᵀ)ᵢⱼ
-        const Vec3& a = origin.rotation[static_cast<std::size_t>(i)];
-        const Vec3& b = origin.rotation[static_cast<std::size_t>(j)];
+    const auto& [xx, yy, zz, xy, xz, yz] = *inertial.moments;
+    const Vec3 rows[3] = {{xx, xy, xz}, {xy, yy, yz}, {xz, yz, zz}};
+    const auto turned = [&](std::size_t i, std::size_t j) { // (R I Rᵀ)ᵢⱼ
+        const Vec3& a = inertial.origin.rotation[i];
+        const Vec3& b = inertial.origin.rotation[j];
         return dot(a, {dot(rows[0], b), dot(rows[1], b), dot(rows[2], b)});
     };
-    return {.mass = numbers_of(*mass, "value", 1, file).front(),
-            .center = origin.translation,
+    return {.mass = *inertial.mass,
+            .center = inertial.origin.translation,
             .inertia = {turned(0, 0), turned(1, 1), turned(2, 2), turned(0, 1), turned(0, 2), turned(1, 2)}};
 }
 
@@ -133,14 +122,6 @@ public:
             spheres_[link.link] = std::move(link.spheres);
         }
         keep_geometry();
-        if (!model.robot->source.empty()) {
-            urdf_ = xml::parse(model.robot->source, model.robot->file.string(), ErrorCode::output);
-            for (const xml::Element* link : urdf_->children_named("link")) {
-                if (const std::string* name = link->attribute("name")) {
-                    inertials_[*name] = link->child("inertial");
-                }
-            }
-        }
         const PlannedJoints joints = planned_joints(model);
         for (const auto& [joint, position] : joints.locked) {
             locked_[joint] = position;
@@ -289,11 +270,9 @@ private:
 
     /// The spheres have no mass, as their overlaps would count twice; so every body that moves needs an <inertial>.
     void add_inertial(const std::string& link, bool moves, std::size_t depth) {
-        const auto known = inertials_.find(link);
-        std::optional<MassProperties> stated;
-        if (known != inertials_.end() && known->second) {
-            stated = stated_mass(*known->second, model_.robot->file.string());
-        }
+        const std::optional<Inertial>& inertial = model_.robot->find_link(link)->inertial;
+        const auto stated =
+            inertial ? std::optional(stated_mass(*inertial, model_.robot->file.string())) : std::nullopt;
         if (stated && is_of_a_body(*stated)) {
             line(depth, inertial_text(*stated));
         } else if (stated && stated->mass > 0) {
@@ -382,8 +361,6 @@ private:
     std::map<std::string, std::vector<Sphere>> spheres_;
     std::map<std::string, std::vector<Element>> others_;
     MjcfShapes shapes_;
-    std::unique_ptr<const xml::Element> urdf_;
-    std::map<std::string, const xml::Element*> inertials_;
     std::vector<std::string> impossible_; ///< links whose stated inertia no body has
     std::vector<std::string> from_geometry_, from_open_, from_spheres_,
         from_elements_; ///< links by what their mass is made of
@@ -438,7 +415,7 @@ std::string MjcfWriter::write(const SphereModel& model, Context& context) const 
                             {.all_collision = replaces_collision_, .pairs = pairs_, .found = model.ignored_pairs},
                             context);
     }
-    if (!model.robot) {
+    if (!model.robot || (model.robot->joints.empty() && model.robot->links.size() > 1)) { // names of links, no tree
         require_robot(model, "write.mjcf");
     }
     const std::string name = model.robot->name.empty() ? model.name : model.robot->name;

@@ -265,6 +265,7 @@ TEST_F(CliConvert, MassesComeFromTheGeometry) {
 
 TEST_F(CliConvert, Refusals) {
     EXPECT_THAT(refusal("model.csv -o out.yml --format curobo"), HasSubstr("write.curobo needs the robot"));
+    EXPECT_THAT(refusal("model.csv -o out.xml --format mjcf"), HasSubstr("write.mjcf needs the robot")) << "two links";
     EXPECT_THAT(refusal("model.csv arm.urdf -o out.yml --format curobo"), HasSubstr("--tool-frame LINK"));
     EXPECT_THAT(refusal("model.csv arm.urdf -o out.yml --format curobo --tool-frame tool --lock sldie=1"),
                 HasSubstr("sldie"));

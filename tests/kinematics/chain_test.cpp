@@ -16,19 +16,17 @@ std::shared_ptr<const Robot> tree_at_random(Random& random, std::size_t links, c
     Robot robot;
     robot.name = "tree";
     robot.root = "l0";
-    robot.source = "<robot name='tree'>";
     for (std::size_t i = 0; i < links; ++i) {
         robot.links.push_back({.name = "l" + std::to_string(i), .collisions = {}, .visuals = {}});
     }
     for (std::size_t i = 1; i < links; ++i) {
-        const std::string name = "j" + std::to_string(i);
-        robot.joints.push_back({.name = name, .kind = kinds[i % kinds.size()], .parent = "l" + std::to_string(random.below(i)),
-                                .child = "l" + std::to_string(i), .origin = random_pose(random, 1),
-                                .axis = random_direction(random), .lower = -1, .upper = 1});
-        robot.source += "<joint name='" + name + "'><limit/>" + (i == 4 ? "<mimic joint='j1' multiplier='-2' offset='0.5'/>" : "") +
-                        "</joint>";
+        robot.joints.push_back({.name = "j" + std::to_string(i), .kind = kinds[i % kinds.size()],
+                                .parent = "l" + std::to_string(random.below(i)), .child = "l" + std::to_string(i),
+                                .origin = random_pose(random, 1), .axis = random_direction(random), .lower = -1, .upper = 1});
+        if (i == 4) {
+            robot.joints.back().mimic = Mimic{.joint = "j1", .multiplier = -2, .offset = 0.5};
+        }
     }
-    robot.source += "</robot>";
     return std::make_shared<const Robot>(std::move(robot));
 }
 

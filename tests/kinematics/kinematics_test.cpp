@@ -195,11 +195,17 @@ TEST(Kinematics, RobotsThatWereNotReadFromAUrdf) {
                     .axis = {0, 0, 1},
                     .lower = -0.5,
                     .upper = 0.5}};
-    for (const char* source : {"", "not XML", "<sdf/>"}) {
-        made.source = source;
-        const Kinematics kinematics(std::make_shared<const Robot>(made));
-        ASSERT_EQ(kinematics.freedoms().size(), 1u);
-        EXPECT_EQ(kinematics.freedoms()[0].lower, -0.5);
+    const Kinematics kinematics(std::make_shared<const Robot>(made));
+    ASSERT_EQ(kinematics.freedoms().size(), 1u);
+    EXPECT_EQ(kinematics.freedoms()[0].lower, -0.5);
+    made.joints[0].limited = false;
+    EXPECT_EQ(Kinematics(std::make_shared<const Robot>(made)).freedoms()[0].lower, -pi);
+    made.joints[0].mimic = Mimic{.joint = "k"};
+    try {
+        const Kinematics follows(std::make_shared<const Robot>(made));
+        ADD_FAILURE() << "it follows no joint";
+    } catch (const Error& error) { // no text has a line of it
+        EXPECT_STREQ(error.what(), "joint 'j' is to follow joint 'k', but there is no such joint");
     }
 }
 

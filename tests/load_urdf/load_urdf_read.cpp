@@ -81,6 +81,68 @@ TEST(LoadUrdf, ReadsJoints) {
     EXPECT_NEAR(distance(poses.at("c").translation, {0, 1, 1}), 0, 1e-15);
 }
 
+TEST(LoadUrdf, ReadsWhatFewUsersOfAJointNeed) {
+    const Robot robot = load_text(R"(<robot name="r"><link name="a"/><link name="b"/><link name="c"/>
+        <joint name="j" type="prismatic"><parent link="a"/><child link="b"/>
+            <limit upper="1" effort=" 87 " velocity="2.5"/><dynamics damping="0.5" friction="0.25"/></joint>
+        <joint name="k" type="revolute"><parent link="b"/><child link="c"/>
+            <mimic joint="x"/><mimic joint="j" multiplier="-2" offset="0.5"/><dynamics damping="high"/></joint>
+        </robot>)");
+    const Joint &j = robot.joints[0], &k = robot.joints[1];
+    EXPECT_TRUE(j.limited && !j.mimic && !k.limited && k.mimic);
+    EXPECT_EQ(std::tuple(j.line, j.effort, j.velocity, j.damping, j.friction), std::tuple(2, 87, 2.5, 0.5, 0.25));
+    EXPECT_FALSE(k.effort || k.velocity || k.damping || k.friction);
+    EXPECT_EQ(std::tuple(k.mimic->joint, k.mimic->multiplier, k.mimic->offset, k.mimic->problem),
+              std::tuple("j", -2, 0.5, ""));
+}
+
+TEST(LoadUrdf, ReadsInertialsAsWritten) {
+    const auto inertial = [](const std::string& inside) {
+        return *load_text("<robot name='r'><link name='a'>\n<inertial>\n" + inside + "</inertial></link></robot>")
+                    .links[0]
+                    .inertial;
+    };
+    const std::string moments = "<inertia ixx='1' ixy='2' ixz='3' iyy='4' iyz='5' izz='6'/>";
+    const Inertial whole = inertial("<origin xyz='1 2 3' rpy='0 0 1'/><mass value='7'/>" + moments);
+    EXPECT_EQ(std::tuple(whole.mass, whole.line, whole.problem), std::tuple(7, 2, ""));
+    EXPECT_EQ(*whole.moments, (std::array<double, 6>{1, 4, 6, 2, 3, 5}));
+    EXPECT_EQ(whole.origin, Pose::from_xyz_rpy({1, 2, 3}, {0, 0, 1}));
+    EXPECT_FALSE(inertial("<mass value='7'/>").moments);
+    EXPECT_FALSE(inertial(moments).mass);
+    // They are an error only for who needs them.
+    EXPECT_EQ(inertial("<mass value='heavy'/>" + moments).problem,
+              "/none/robot.urdf:3: value of <mass>: 'heavy' is not a finite number");
+    EXPECT_EQ(inertial("<origin xyz='1 2'/><mass value='1'/>" + moments).problem,
+              "/none/robot.urdf:3: xyz of <origin> holds 2 numbers, not 3");
+    EXPECT_EQ(inertial("<mass value='1'/>\n<inertia ixx='1'/>").problem,
+              "/none/robot.urdf:4: <inertia> has no ixy; remedy: add ixy=\"…\"");
+    EXPECT_FALSE(load_text("<robot name='r'><link name='a'/></robot>").links[0].inertial);
+}
+
+TEST(LoadUrdf, ResolvesMaterials) {
+    const auto visual = [](const std::string& material) {
+        return "<visual><geometry><sphere radius='1'/></geometry>" + material + "</visual>";
+    };
+    const std::string odd =
+        "<visual><geometry><plane/></geometry><material name='late'><color rgba='0 1 0'/></material></visual>";
+    const Robot robot = load_text(
+        "<robot name='r'><material name='red'><color rgba='1 0 0 0.5'/></material><material name='wood'>"
+        "<texture filename='wood.png'/></material><link name='a'>" +
+        visual("<material name='red'/>") + visual("<material name='red'><color rgba='0 0 2 1'/></material>") +
+        visual("<material name='late'/>") + visual("<material name='wood'/>") +
+        visual("<material name='none'><color rgba='1 1'/></material>") + visual("") + odd + "</link></robot>");
+    using Colour = std::array<double, 4>;
+    const std::vector<GeometryElement>& visuals = robot.links[0].visuals;
+    ASSERT_EQ(visuals.size(), 6u);
+    EXPECT_EQ(visuals[0].material->rgba, (Colour{1, 0, 0, 0.5}));
+    EXPECT_EQ(visuals[1].material->rgba, (Colour{0, 0, 2, 1})) << "its own one, as written";
+    EXPECT_EQ(visuals[2].material->rgba, (Colour{0, 1, 0, 1})) << "of a later element, opaque";
+    EXPECT_EQ(visuals[3].material->texture, "wood.png");
+    EXPECT_FALSE(visuals[3].material->rgba || visuals[4].material->rgba);
+    EXPECT_EQ(visuals[4].material->name, "none");
+    EXPECT_FALSE(visuals[5].material);
+}
+
 class LoadUrdfMeshes : public testing::Test {
 protected:
     void SetUp() override {

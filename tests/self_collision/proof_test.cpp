@@ -25,13 +25,12 @@ struct Arm {
         double lower, upper;
     };
     std::vector<Mover> movers;
-    std::string source{}; ///< for <mimic>
+    std::optional<double> multiplier{}; ///< of the last joint, which follows the first one
 
     std::shared_ptr<const Robot> robot() const {
         Robot robot;
         robot.name = "made";
         robot.root = "l0";
-        robot.source = source;
         robot.links.push_back({.name = "l0", .collisions = {}, .visuals = {}});
         for (std::size_t i = 0; i < movers.size(); ++i) {
             const auto& [kind, at, axis, lower, upper] = movers[i];
@@ -45,6 +44,9 @@ struct Arm {
                                     .axis = normalized(axis),
                                     .lower = lower,
                                     .upper = upper});
+        }
+        if (multiplier) {
+            robot.joints.back().mimic = Mimic{.joint = "j1", .multiplier = *multiplier};
         }
         return std::make_shared<const Robot>(robot);
     }
@@ -93,14 +95,11 @@ TEST(TouchingProof, AHingeMovesByItsChord) {
 }
 
 TEST(TouchingProof, AMimicMovesByItsMultiplier) {
-    for (const std::string multiplier : {"3", "-3"}) {
-        const std::string source = "<robot name='made'><joint name='j1'><limit/></joint><joint name='j2'><limit/>"
-                                   "<mimic joint='j1' multiplier='" +
-                                   multiplier + "'/></joint></robot>";
+    for (const double multiplier : {3, -3}) {
         expect_limit(0.8, Verdict::never, [&](double move) { // once by the joint itself, three times by the other
             const double half = move / 4;
-            return verdict({{{slides, {}, {0, 1, 0}, -half, half}, {slides, {}, {0, 0, 1}, 0, 0}}, source}, {{{}, 0.1}},
-                           {{{1, 0, 0}, 0.1}}, 1);
+            return verdict({{{slides, {}, {0, 1, 0}, -half, half}, {slides, {}, {0, 0, 1}, 0, 0}}, multiplier},
+                           {{{}, 0.1}}, {{{1, 0, 0}, 0.1}}, 1);
         });
     }
 }
@@ -361,9 +360,7 @@ TEST(TouchingProof, EndsWhenItIsTold) {
 }
 
 TEST(TouchingProof, FreedomsAreSortedAndNamedOnce) {
-    const Arm arm{{{slides, {}, {0, 1, 0}, -1, 1}, {slides, {}, {0, 1, 0}, -1, 1}, {slides, {}, {0, 1, 0}, -1, 1}},
-                  "<robot name='made'><joint name='j1'><limit/></joint><joint name='j2'><limit/></joint>"
-                  "<joint name='j3'><limit/><mimic joint='j1'/></joint></robot>"};
+    const Arm arm{{{slides, {}, {0, 1, 0}, -1, 1}, {slides, {}, {0, 1, 0}, -1, 1}, {slides, {}, {0, 1, 0}, -1, 1}}, 1};
     const Kinematics kinematics(arm.robot());
     EXPECT_THAT(freedoms_of(chain_between(kinematics, 0, 3)), ElementsAre(0, 1));
     EXPECT_THAT(freedoms_of(chain_between(kinematics, 3, 0)), ElementsAre(0, 1));

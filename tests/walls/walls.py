@@ -5,6 +5,7 @@ walls.py test         whether `check` would notice
 
 The table is the only list: its first column has the folders, its last the folders that each may use. Headers in `internal/` are
 for foam's own libraries and for `apps/bench`. A private header is for its own library, and for tests of that one library.
+The text of a robot is for those who read or write URDF: all others ask foam::Robot, which other formats fill as well.
 """
 import pathlib
 import re
@@ -15,6 +16,9 @@ PAGE = "docs/dev/architecture.md"
 INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]', re.M)
 SOURCES = ("core", "plugins", "apps", "python")
 USERS_OF_INTERNALS = ("core/", "apps/bench")
+TEXT = re.compile(r"\brobot_?(?:->|\.)source\b")
+USERS_OF_TEXT = ("plugins/load_urdf/", "plugins/write_urdf/", "core/runtime/src/input.cpp", "core/runtime/src/contract/writer.cpp",
+                 "python/src/robot.cpp")  # the last three make one or hand it over
 
 
 class Table:
@@ -61,7 +65,10 @@ def problems_of(root, table, path):
     if module is None:
         return [f"{path}: it is in no module; remedy: move it, or add its folder to the table in {PAGE}"]
     found = []
-    for bracket, name in INCLUDE.findall((root / path).read_text(errors="replace")):
+    text = (root / path).read_text(errors="replace")
+    if TEXT.search(text) and not path.startswith(USERS_OF_TEXT):
+        found.append(f"{path}: it reads the robot's URDF; remedy: a field of foam::Robot that load.urdf fills")
+    for bracket, name in INCLUDE.findall(text):
         place = place_of(root, path, bracket, name)
         used = place and table.module_of(place)
         if not used or used == module:
@@ -115,6 +122,7 @@ def test():
         "core/high/src/secret.cpp": ('#include "low/src/c.hpp"\n', "private to core/low"),
         "plugins/two/plugin.cpp": ("#include <foam/low/internal/b.hpp>\n", "internal to foam's libraries"),
         "core/nowhere.cpp": ("", "in no module"),
+        "core/high/src/colours.cpp": ("xml::parse(model.robot->source)", "it reads the robot's URDF"),
         "tests/x/x_test.cpp": ('#include "low/src/c.hpp"\n#include "high/src/e.hpp"\n', "split the test"),
     }
     failures = []

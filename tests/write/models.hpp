@@ -87,10 +87,7 @@ inline std::shared_ptr<const Robot> turning(const std::string& link) {
     robot->source.erase(robot->source.find(element), element.size());
     const std::string away = "xyz=\"0 0 1\"";
     robot->source.replace(robot->source.find(away), away.size(), "xyz=\"0 0 0\"");
-    robot->source.insert(
-        robot->source.find("  </link>"),
-        "    <inertial><mass value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/>"
-        "</inertial>\n");
+    robot->links[0].inertial = Inertial{.mass = 1, .moments = std::array<double, 6>{1, 1, 1, 0, 0, 0}, .origin = {}};
     const std::string fixed = "type=\"fixed\">";
     robot->source.replace(robot->source.find(fixed), fixed.size(),
                           "type=\"revolute\"><limit lower=\"-1\" upper=\"2\" effort=\"1\" velocity=\"1\"/>");

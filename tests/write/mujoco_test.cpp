@@ -226,6 +226,22 @@ TEST(MuJoCo, RefusesInertiasThatNoBodyHasSoTheyAreMended) {
     EXPECT_TRUE(context.warnings.empty());
 }
 
+TEST(MuJoCo, AnInertialThatCannotBeReadIsRefusedWhereItIsNeeded) {
+    const auto refusal = [](const std::string& inertial) {
+        QuietContext context;
+        try {
+            writer("xml_models", "write.mjcf")->write(sphere_on_tip(two_links("base", inertial)), context);
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(refusal("\n<inertial>\n<mass value='heavy'/><inertia/></inertial>"),
+              "/none/two.urdf:3: <inertia> has no ixx; remedy: add ixx=\"…\"");
+    EXPECT_EQ(refusal("\n<inertial><mass value='1'/></inertial>"),
+              "/none/two.urdf:2: <inertial> needs <mass> and <inertia> for MuJoCo");
+}
+
 TEST(MuJoCo, ALinkCalledWorldIsTheWorld) {
     QuietContext context;
     SphereModel model = sphere_on_tip(two_links("world", inertial_of(3, 2, 3, 4)));

@@ -1,5 +1,3 @@
-#include "joint_tags.hpp"
-
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/robot/kinematics.hpp>
@@ -13,35 +11,28 @@
 namespace foam::inline robot {
 namespace {
 
-using Tags = std::map<std::string, JointTags>;
-
 bool moves(const Joint& joint) {
     return joint.kind == Joint::Kind::revolute || joint.kind == Joint::Kind::continuous ||
            joint.kind == Joint::Kind::prismatic;
 }
 
-const JointTags* find(const Tags& tags, const std::string& joint) {
-    const auto it = tags.find(joint);
-    return it == tags.end() ? nullptr : &it->second;
+[[noreturn]] void fail(const Robot& robot, const Joint& joint, const std::string& what) {
+    throw Error(ErrorCode::input, joint.line > 0
+                                      ? fmt::format("{}:{}: {}", robot.file.string(), joint.line, shown(what))
+                                      : shown(what));
 }
 
-[[noreturn]] void fail(const Robot& robot, const JointTags* tags, const std::string& what) {
-    throw Error(ErrorCode::input,
-                tags ? fmt::format("{}:{}: {}", robot.file.string(), tags->line, shown(what)) : shown(what));
-}
-
-Freedom freedom_of(const Joint& joint, const Robot& robot, const JointTags* tags) {
+Freedom freedom_of(const Joint& joint, const Robot& robot) {
     constexpr double pi = std::numbers::pi;
-    const bool limited = !tags || tags->limited;
-    if (joint.kind == Joint::Kind::prismatic && !limited) {
-        fail(robot, tags,
+    if (joint.kind == Joint::Kind::prismatic && !joint.limited) {
+        fail(robot, joint,
              fmt::format("prismatic joint '{}' has no limits; remedy: <limit lower=\"…\" upper=\"…\"/>", joint.name));
     }
-    if (joint.kind == Joint::Kind::continuous || !limited) {
+    if (joint.kind == Joint::Kind::continuous || !joint.limited) {
         return {joint.name, -pi, pi};
     }
     if (joint.lower > joint.upper) {
-        fail(robot, tags,
+        fail(robot, joint,
              fmt::format("the lower limit of joint '{}', {}, is above the upper one, {}", joint.name, joint.lower,
                          joint.upper));
     }
@@ -51,8 +42,7 @@ Freedom freedom_of(const Joint& joint, const Robot& robot, const JointTags* tags
 /// Follows <mimic> from joint to joint until one that moves independently.
 class MimicResolver {
 public:
-    MimicResolver(const Robot& robot, const Tags& tags, const std::vector<Freedom>& freedoms)
-        : robot_(robot), tags_(tags) {
+    MimicResolver(const Robot& robot, const std::vector<Freedom>& freedoms) : robot_(robot) {
         for (const Joint& joint : robot.joints) {
             joints_[joint.name] = &joint;
         }
@@ -72,16 +62,15 @@ private:
         if (const auto own = freedom_index_.find(joint.name); own != freedom_index_.end()) {
             return {own->second, 1, 0};
         }
-        const JointTags* tags = find(tags_, joint.name);
-        const Mimic& mimic = *tags->mimic;
+        const Mimic& mimic = *joint.mimic;
         const auto other = joints_.find(mimic.joint);
         if (other == joints_.end()) {
             fail(
-                robot_, tags,
+                robot_, joint,
                 fmt::format("joint '{}' is to follow joint '{}', but there is no such joint", joint.name, mimic.joint));
         }
         if (steps == robot_.joints.size()) {
-            fail(robot_, find(tags_, first.name),
+            fail(robot_, first,
                  fmt::format("joint '{}' follows itself: the <mimic> of its joints go round in a circle", first.name));
         }
         const JointMotion followed = motion(first, *other->second, steps + 1);
@@ -90,7 +79,6 @@ private:
     }
 
     const Robot& robot_;
-    const Tags& tags_;
     std::map<std::string, const Joint*> joints_;
     std::map<std::string, std::size_t> freedom_index_;
 };
@@ -113,14 +101,17 @@ Pose joint_motion(const Joint& joint, double value) {
 }
 
 Kinematics::Kinematics(std::shared_ptr<const Robot> robot) : robot_(std::move(robot)) {
-    const Tags tags = read_joint_tags(*robot_);
     for (const Joint& joint : robot_->joints) {
-        const JointTags* own = find(tags, joint.name);
-        if (moves(joint) && !(own && own->mimic)) {
-            freedoms_.push_back(freedom_of(joint, *robot_, own));
+        if (joint.mimic && !joint.mimic->problem.empty()) {
+            throw Error(ErrorCode::input, joint.mimic->problem);
         }
     }
-    const MimicResolver mimics(*robot_, tags, freedoms_);
+    for (const Joint& joint : robot_->joints) {
+        if (moves(joint) && !joint.mimic) {
+            freedoms_.push_back(freedom_of(joint, *robot_));
+        }
+    }
+    const MimicResolver mimics(*robot_, freedoms_);
     for (const Joint& joint : robot_->joints) {
         motions_.push_back(mimics.motion(joint));
     }

@@ -1,5 +1,5 @@
 #include <foam/base/error.hpp>
-#include <foam/robot/robot.hpp>
+#include <foam/robot/kinematics.hpp>
 
 #include <fmt/format.h>
 
@@ -7,22 +7,6 @@
 
 namespace foam::inline robot {
 namespace {
-
-/// Returns the motion of a joint with one degree of freedom.
-Pose motion(const Joint& joint, double value) {
-    switch (joint.kind) {
-    case Joint::Kind::revolute:
-    case Joint::Kind::continuous:
-        return Pose::from_axis_angle(joint.axis, value);
-    case Joint::Kind::prismatic:
-        return Pose::from_xyz_rpy(joint.axis * value, {});
-    case Joint::Kind::fixed:
-    case Joint::Kind::planar:
-    case Joint::Kind::floating:
-        break;
-    }
-    return {};
-}
 
 double joint_value(const Joint& joint, const JointValues& values) {
     if (const auto it = values.find(joint.name); it != values.end()) {
@@ -79,7 +63,7 @@ std::map<std::string, Pose> link_poses(const Robot& robot, const JointValues& va
         const auto [begin, end] = joints_below.equal_range(parent);
         for (auto it = begin; it != end; ++it) {
             const Joint& joint = *it->second;
-            const Pose pose = poses.at(parent) * joint.origin * motion(joint, joint_value(joint, values));
+            const Pose pose = poses.at(parent) * joint.origin * joint_motion(joint, joint_value(joint, values));
             if (poses.emplace(joint.child, pose).second) {
                 front.push_back(joint.child);
             }

@@ -61,7 +61,7 @@ static void require_link(const SphereModel& model, const std::string& link, cons
 }
 
 void require_robot(const SphereModel& model, const std::string& writer) {
-    if (!model.robot || model.robot->source.empty()) {
+    if (!model.robot || model.robot->file.empty()) {
         throw Error(ErrorCode::output,
                     fmt::format("{} needs the robot, not only its spheres; remedy: give its URDF", writer));
     }

@@ -1,6 +1,5 @@
 #include "load_robot.hpp"
 
-#include "materials.hpp"
 #include "poses.hpp"
 
 #include <foam/base/file.hpp>
@@ -14,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -101,6 +101,18 @@ Recipe recipe_for(const std::filesystem::path& file, const SubjectOptions& optio
     return recipe;
 }
 
+/// Returns the colour of a visual's material; nothing where there is none, or only a texture.
+std::optional<Colour> colour_of(const GeometryElement& visual) {
+    if (!visual.material || !visual.material->rgba) {
+        return std::nullopt;
+    }
+    Colour colour = 0;
+    for (const double share : *visual.material->rgba) {
+        colour = colour << 8 | static_cast<Colour>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
+    }
+    return colour;
+}
+
 /// Drops visuals whose file was not found; their loader has warned of them.
 Robot without_missing_visuals(Robot robot) {
     for (Link& link : robot.links) {
@@ -166,7 +178,6 @@ ViewedRobot load_robot(const std::filesystem::path& file, const SubjectOptions& 
     std::vector<InputFile> files;
     const std::vector<LinkWork> work = load_links(workspace, all, files);
     const FileColours colours = file_colours(workspace, *robot);
-    const auto materials = material_colours(*robot);
     SharedMeshes shared;
     for (const LinkWork& link : work) {
         const auto l = static_cast<std::size_t>(link.link - all.links.data());
@@ -182,7 +193,7 @@ ViewedRobot load_robot(const std::filesystem::path& file, const SubjectOptions& 
             const bool visual = e >= collisions;
             ViewedElement viewed{shared.of(element, visual ? &colours : nullptr), element.source->origin, {}};
             if (visual) {
-                viewed.colour = materials[l][e - collisions];
+                viewed.colour = colour_of(*element.source);
             }
             (visual ? result.links[l].visuals : result.links[l].collisions).push_back(std::move(viewed));
         }

@@ -15,6 +15,7 @@ SphereModel model() {
     auto robot = std::make_shared<Robot>();
     robot->name = "pair";
     robot->root = "base";
+    robot->file = "pair.urdf";
     robot->source = "<robot name=\"pair\">\n";
     for (const char* name : {"base", "tool"}) {
         GeometryElement box;

@@ -30,7 +30,7 @@ struct JointMotion {
 /// is const and thread-safe.
 class Kinematics {
 public:
-    /// Takes the limits from the URDF. A continuous joint, and a revolute one without <limit>, turns from -π to π. A
+    /// Takes the limits from the robot. A continuous joint, and a revolute one without <limit>, turns from -π to π. A
     /// joint with <mimic> follows the other one and ignores its own limits; planar and floating joints stay at their
     /// origin. Throws Error(input) naming file and line for a <mimic> of an unknown joint or in a circle, reversed
     /// limits, and a prismatic joint without <limit>.

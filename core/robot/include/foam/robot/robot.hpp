@@ -1,12 +1,14 @@
-// The robot as its URDF describes it: links, joints, collision elements, and the source text.
+// The robot in words of no format: links, joints, geometry, and what writers ask for. A loader fills all of it.
 #pragma once
 
 #include <foam/geometry/primitive.hpp>
 #include <foam/geometry/vector.hpp>
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -14,7 +16,7 @@
 namespace foam {
 inline namespace [[gnu::visibility("default")]] robot {
 
-/// A mesh file that a URDF refers to.
+/// A mesh file that a robot refers to.
 struct MeshReference {
     std::string uri;            ///< as written
     std::filesystem::path path; ///< resolved
@@ -23,18 +25,43 @@ struct MeshReference {
 
 using Geometry = std::variant<Primitive, MeshReference>;
 
-/// One <collision> or <visual> element.
+/// What a surface looks like. A name that the file explains elsewhere is resolved.
+struct Material {
+    std::string name;
+    std::optional<std::array<double, 4>> rgba; ///< as written, usually 0 to 1
+    std::string texture;                       ///< URI as written, or empty
+};
+
+/// One element of collision or visual geometry.
 struct GeometryElement {
     Pose origin;
     Geometry geometry;
     std::string name; ///< the element's name attribute, or empty
     int line = 0;     ///< 1-based line of the element in the source text
+    std::shared_ptr<const Material> material{}; ///< of a visual; null if it has none
+};
+
+/// The mass of a link, as written. Only some writers need it, so `problem` keeps what they refuse it for.
+struct Inertial {
+    std::optional<double> mass;                   ///< kg
+    std::optional<std::array<double, 6>> moments; ///< xx, yy, zz, xy, xz, yz about the centre, kg m², in their own axes
+    Pose origin;                                  ///< the centre, and the axes of the moments, in the link's frame
+    std::string problem{}; ///< why the numbers cannot be read, with file and line; empty if they can
+    int line = 0;
 };
 
 struct Link {
     std::string name;
     std::vector<GeometryElement> collisions;
     std::vector<GeometryElement> visuals;
+    std::optional<Inertial> inertial{};
+};
+
+/// A joint's value follows that of another: offset + multiplier · value.
+struct Mimic {
+    std::string joint;
+    double multiplier = 1, offset = 0;
+    std::string problem{}; ///< why it cannot be read, with file and line; empty if it can. Kinematics refuses it
 };
 
 struct Joint {
@@ -45,6 +72,11 @@ struct Joint {
     Pose origin;
     Vec3 axis{1, 0, 0};          ///< unit, in the joint's frame
     double lower = 0, upper = 0; ///< rad or m; meaningful for revolute and prismatic
+    bool limited = true;         ///< whether `lower` and `upper` are stated
+    std::optional<Mimic> mimic{};
+    std::optional<double> effort{}, velocity{};  ///< limits: N or N m, m/s or rad/s; none if not stated
+    std::optional<double> damping{}, friction{}; ///< none if not stated
+    int line = 0;                                ///< 1-based line in the source text; 0: of no text
 };
 
 struct Robot {
@@ -52,8 +84,8 @@ struct Robot {
     std::string root;           ///< name of the root link
     std::vector<Link> links;    ///< in the order of the source
     std::vector<Joint> joints;  ///< in the order of the source
-    std::filesystem::path file; ///< where it was read from
-    std::string source;         ///< the XML text, unchanged: writers edit it and keep what they do not understand
+    std::filesystem::path file; ///< where it was read from; empty where only the names of links are known
+    std::string source;         ///< the text of a URDF, unchanged, for write.urdf, which edits it; nobody else reads it
 
     /// Returns the link; nullptr if no link has that name.
     const Link* find_link(const std::string& link) const;
