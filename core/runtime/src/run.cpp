@@ -368,7 +368,7 @@ const char* to_string(Cut cut) {
 }
 
 RunResult run(const Recipe& recipe, const Registry& registry, const RunOptions& options) {
-    const ThreadLimit limit(options.threads);
+    const ThreadLimit threads(options.threads);
     std::optional<RunDirectory> directory;
     if (!options.out.empty()) {
         directory.emplace(options.out);
