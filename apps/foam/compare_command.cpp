@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "comparison.hpp"
 
+#include <foam/base/parallel.hpp>
 #include <foam/sdk/stage.hpp>
 
 #include <fmt/format.h>

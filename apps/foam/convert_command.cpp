@@ -9,6 +9,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>
+#include <foam/base/parallel.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/length.hpp>
 #include <foam/judge/written_model.hpp>

@@ -7,6 +7,7 @@
 #include "cli/numbers.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/base/parallel.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/clip_plane.hpp>
 #include <foam/geometry/length.hpp>

@@ -9,6 +9,7 @@
 #include "cli/overwriting.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/base/parallel.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/figure.hpp>
 #include <foam/sdk/stage.hpp>

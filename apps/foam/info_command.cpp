@@ -3,6 +3,7 @@
 #include "judge.hpp"
 #include "table.hpp"
 
+#include <foam/base/parallel.hpp>
 #include <foam/base/text.hpp>
 #include <foam/recipe/quick_recipe.hpp>
 

@@ -11,6 +11,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>
+#include <foam/base/parallel.hpp>
 #include <foam/base/text.hpp>
 #include <foam/collision/reference_pose.hpp>
 #include <foam/judge/judge_json.hpp>

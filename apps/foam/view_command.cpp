@@ -8,6 +8,7 @@
 #include "cli/overwriting.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/base/parallel.hpp>
 #include <foam/base/text.hpp>
 #include <foam/view/page.hpp>
 #include <foam/view/server.hpp>

@@ -2,12 +2,6 @@
 # plugins, recipes), sdk (headers, find_package(foam), templates of plugins), gpl (plugins under the GPL), bench (the program of `foam bench`, without collision engines), python (the package foam).
 # The build folder serves as an SDK too: CMAKE_PREFIX_PATH=<build folder>.
 
-set(FOAM_SDK_INSTALLED "${CMAKE_INSTALL_LIBDIR}/cmake/foam")
-
-export(EXPORT foamTargets NAMESPACE foam:: FILE "${foam_DIR}/foamTargets.cmake")
-install(EXPORT foamTargets NAMESPACE foam:: DESTINATION "${FOAM_SDK_INSTALLED}" COMPONENT sdk)
-install(FILES "${foam_DIR}/foamConfig.cmake" "${foam_DIR}/foamConfigVersion.cmake" "${foam_DIR}/FoamPlugin.cmake"
-  DESTINATION "${FOAM_SDK_INSTALLED}" COMPONENT sdk)
 install(DIRECTORY configs schemas DESTINATION "${CMAKE_INSTALL_DATADIR}/foam" COMPONENT runtime
   PATTERN "*.py" EXCLUDE PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY apps/foam/templates DESTINATION "${CMAKE_INSTALL_DATADIR}/foam" COMPONENT sdk)

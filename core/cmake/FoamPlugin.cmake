@@ -7,6 +7,8 @@
 #     foam_add_plugin(spherize_mine SOURCES plugin.cpp)
 #     foam_test_plugin(spherize_mine)
 
+include(CheckCXXCompilerFlag)
+include(CheckLinkerFlag)
 include(GNUInstallDirs)
 
 # Measured against others, a plugin is to be an optimised one unless its author says otherwise.
@@ -27,12 +29,18 @@ function(foam_add_plugin NAME)
   endif()
   add_library(${NAME} MODULE ${ARG_SOURCES})
   target_link_libraries(${NAME} PRIVATE foam::sdk foam::search ${ARG_LIBRARIES})
-  target_link_options(${NAME} PRIVATE -Wl,--build-id=sha1) # part of the keys of the cache
+  check_linker_flag(CXX -Wl,--build-id=sha1 FOAM_HAS_BUILD_ID)
+  if(FOAM_HAS_BUILD_ID)
+    target_link_options(${NAME} PRIVATE -Wl,--build-id=sha1) # part of the keys of the cache
+  endif()
   if(TARGET foam_compiler) # in tree
     target_link_libraries(${NAME} PRIVATE foam_compiler)
     set_target_properties(${NAME} PROPERTIES UNITY_BUILD ${FOAM_UNITY} UNITY_BUILD_BATCH_SIZE 20)
   else()
-    target_compile_options(${NAME} PRIVATE -ffp-contract=off) # the same bits with and without fused multiply-add
+    check_cxx_compiler_flag(-ffp-contract=off FOAM_HAS_ffp_contract_off)
+    if(FOAM_HAS_ffp_contract_off)
+      target_compile_options(${NAME} PRIVATE -ffp-contract=off) # the same bits with and without fused multiply-add
+    endif()
   endif()
   set_target_properties(${NAME} PROPERTIES
     PREFIX ""

@@ -3,11 +3,11 @@
 #include "geometry/plain_shapes.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/base/parallel.hpp>
 #include <foam/geometry/element_measure.hpp>
 #include <foam/search/approximate.hpp>
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
 #include <numbers>
@@ -205,7 +205,7 @@ TEST(Approximate, TheSameOnAnyNumberOfThreads) {
     for (const Kind kind : {Kind::capsule, Kind::hull}) {
         std::vector<Approximation::Level> found;
         for (const std::size_t threads : {1, 4}) {
-            const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+            const ThreadLimit limit(threads);
             found.push_back(cover_by(*solid, 3, kind).elements);
         }
         EXPECT_EQ(found[0], found[1]) << to_string(kind);

@@ -6,7 +6,6 @@
 #include <foam/search/spherize.hpp>
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 namespace {
 
@@ -71,7 +70,7 @@ TEST(ManyCover, FastAlongItsCountsIsNeverWorse) {
 TEST(ManyCover, TheSameOnOneThreadAndOnFour) {
     const auto solid = torus();
     const auto on_threads = [&](std::size_t threads) {
-        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        const ThreadLimit limit(threads);
         return spherize(*solid, 100, fast).spheres;
     };
     EXPECT_EQ(on_threads(1), on_threads(4));

@@ -3,12 +3,12 @@
 #include "cover/expect_cover.hpp"
 #include "geometry/shapes.hpp"
 
+#include <foam/base/parallel.hpp>
 #include <foam/geometry/internal/measure_parts.hpp>
 #include <foam/runtime/contract.hpp>
 #include <foam/search/sphere_cache.hpp>
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 namespace {
 
@@ -87,7 +87,7 @@ TEST_P(ByObjective, MoreEffortIsProvedToo) {
 TEST_P(ByObjective, TheSameOnOneThreadAndOnFour) {
     const auto solid = sample::solids().at("Torus")();
     const auto on_threads = [&](std::size_t threads) {
-        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        const ThreadLimit limit(threads);
         return spherize(*solid, 7, {.objective = objective}).spheres;
     };
     EXPECT_EQ(on_threads(1), on_threads(4));

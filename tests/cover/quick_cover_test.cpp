@@ -7,7 +7,6 @@
 #include <foam/search/sphere_cache.hpp>
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 namespace {
 
@@ -16,7 +15,7 @@ using namespace foam;
 const SpherizeOptions fast{.effort = Effort::fast};
 
 Cover on_threads(std::size_t threads, const Solid& solid, std::size_t count) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    const ThreadLimit limit(threads);
     return spherize(solid, count, fast);
 }
 

@@ -2,8 +2,7 @@
 // number of calls, closed in - closed out, and errors instead of crashes.
 #include "filters.hpp"
 
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
+#include <foam/base/parallel.hpp>
 
 namespace foam::test {
 namespace {
@@ -39,7 +38,7 @@ TEST_P(EveryFilter, GivesTheSameOnAnyNumberOfThreads) {
     const auto made = filter(GetParam());
     std::vector<Mesh> results;
     for (const std::size_t threads : {1, 4}) {
-        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        const ThreadLimit limit(threads);
         QuietContext context;
         results.push_back(made->apply(mesh, context));
     }
@@ -54,7 +53,7 @@ TEST_P(EveryFilter, IsUsedByManyThreadsAtOnce) {
         QuietContext context;
         alone[i] = made->apply(shapes[i].mesh, context);
     }
-    tbb::parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t i) {
+    parallel_for(shapes.size(), [&](std::size_t i) {
         QuietContext context;
         together[i] = made->apply(shapes[i].mesh, context);
     });

@@ -7,7 +7,7 @@ compiler=$(command -v cc) || skip "there is no cc"
 install_foam "$room/first" runtime sdk
 mv "$room/first" "$room/a folder"
 prefix="$room/a folder"
-library=$(find "$prefix" -name libfoam-c.so.0)
+library=$(find "$prefix" -name libfoam-c.so)
 libraries=$(dirname "$library")
 
 # A project in C alone.

@@ -7,7 +7,6 @@
 #include <foam/geometry/inscribed_mesh.hpp>
 
 #include <nlohmann/json.hpp>
-#include <tbb/global_control.h>
 
 namespace foam::test {
 namespace {

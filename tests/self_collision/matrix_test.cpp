@@ -1,5 +1,6 @@
 // The self-collision matrix of robots whose answer is known, and what it promises of any robot.
 #include <foam/base/error.hpp>
+#include <foam/base/parallel.hpp>
 #include <foam/collision/self_collision.hpp>
 #include <foam/judge/evaluate.hpp>
 

@@ -1,8 +1,9 @@
 // What spherize.medial promises: counts, cover, trees, quality, and the same answer however it is asked.
 #include "fixture.hpp"
 
+#include <foam/base/parallel.hpp>
+
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 using namespace foam;
 using namespace foam::test;
@@ -136,7 +137,7 @@ TEST(SpherizeMedial, AnyNumberOfThreadsGivesTheSame) {
     const std::vector<Budget> budgets{at_most(2), at_most(3), at_most(4), at_most(6), at_most(30)};
     QuietContext context;
     const auto run = [&](std::size_t threads) {
-        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        const ThreadLimit limit(threads);
         const auto stage = medial();
         return stage->search(shape)->at_most(budgets, context);
     };

@@ -6,7 +6,6 @@
 #include <foam/search/sphere_cache.hpp>
 
 #include <benchmark/benchmark.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,9 +36,7 @@ void report_p99(benchmark::internal::Benchmark* benchmark) {
 
 /// Arguments: spheres, threads (0: all).
 void spherize_torus(benchmark::State& state) {
-    const auto threads = static_cast<std::size_t>(state.range(1));
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                    threads > 0 ? threads : thread_count());
+    const ThreadLimit limit(static_cast<std::size_t>(state.range(1)));
     const Mesh mesh = torus();
     Cover cover;
     for (auto _ : state) {
@@ -52,7 +49,7 @@ BENCHMARK(spherize_torus)->ArgNames({"spheres", "threads"})->ArgsProduct({{8, 16
 
 /// Argument: the kind of the one element. On one thread.
 void one_element_around_torus(benchmark::State& state) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+    const ThreadLimit limit(1);
     const Mesh mesh = torus();
     const auto kind = static_cast<Element::Kind>(state.range(0));
     ConvexCover cover;

@@ -1,9 +1,8 @@
 #include "report.hpp"
 
+#include <foam/base/parallel.hpp>
 #include <foam/runtime/internal/run_directory.hpp>
 #include <foam/runtime/scratch_folder.hpp>
-
-#include <tbb/global_control.h>
 
 #include <optional>
 
@@ -11,10 +10,7 @@ namespace foam::inline bench {
 
 ExperimentResult run_experiment(const Experiment& experiment, const Registry& registry,
                                 const ExperimentOptions& options) {
-    std::optional<tbb::global_control> threads;
-    if (options.threads > 0) {
-        threads.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
-    }
+    const ThreadLimit limit(options.threads);
     constexpr const char* csv = "results.csv";
     std::optional<RunDirectory> directory;
     if (!options.out.empty()) {

@@ -9,7 +9,7 @@ extern "C" void __tsan_release(void* address);
 namespace foam::inline base {
 
 /// Declares that what a thread did before give() happens before what a thread does after take(). It does not
-/// synchronise: TBB does, but is not built with the thread sanitizer, which would report every transfer as a data race.
+/// synchronise: oneTBB does, but is not built with the thread sanitizer, which would report every transfer as a data race.
 class Handover {
 public:
 #ifdef FOAM_THREAD_SANITIZER

@@ -2,11 +2,10 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
+#include <foam/base/internal/scheduler.hpp>
 #include <foam/search/spherize.hpp>
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
@@ -189,12 +188,9 @@ foam::Cover search(const foam::Mesh& mesh, std::size_t count, const foam_options
 }
 
 foam::Cover search_on_threads(const foam::Mesh& mesh, std::size_t count, const foam_options& options, Poll& poll) {
-    if (options.threads == 0) {
-        return search(mesh, count, options, poll);
-    }
-    const std::size_t cores = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-    tbb::task_arena arena(static_cast<int>(std::min<std::size_t>(options.threads, cores))); // TBB warns about more
-    return arena.execute([&] { return search(mesh, count, options, poll); });
+    foam::Cover cover;
+    foam::on_threads(options.threads, [&] { cover = search(mesh, count, options, poll); });
+    return cover;
 }
 
 void spherize(const foam::Mesh& mesh, std::size_t count, const foam_options& options, double* spheres,

@@ -3,10 +3,9 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
+#include <foam/base/internal/scheduler.hpp>
 #include <foam/geometry/internal/own_frame.hpp>
 #include <foam/geometry/internal/quick_solid.hpp>
-
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <limits>
@@ -216,7 +215,7 @@ void build(geometry::SolidData& data) {
 const geometry::InsideLines& lines_of(const geometry::SolidData& data) {
     // Isolated: a thread that waits inside must not start another task that requests the same lines.
     std::call_once(data.lines_once, [&] {
-        tbb::this_task_arena::isolate([&] { data.lines = std::make_unique<const geometry::InsideLines>(data); });
+        isolated([&] { data.lines = std::make_unique<const geometry::InsideLines>(data); });
     });
     return *data.lines;
 }

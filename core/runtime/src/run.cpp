@@ -11,6 +11,7 @@
 #include "visual_gap.hpp"
 #include "watchdog.hpp"
 
+#include <foam/base/parallel.hpp>
 #include <foam/geometry/element_measure.hpp>
 #include <foam/runtime/cache.hpp>
 #include <foam/runtime/internal/debug.hpp>
@@ -19,7 +20,6 @@
 #include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <limits>
 #include <optional>
@@ -368,10 +368,7 @@ const char* to_string(Cut cut) {
 }
 
 RunResult run(const Recipe& recipe, const Registry& registry, const RunOptions& options) {
-    std::optional<tbb::global_control> threads;
-    if (options.threads > 0) {
-        threads.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
-    }
+    const ThreadLimit threads(options.threads);
     std::optional<RunDirectory> directory;
     if (!options.out.empty()) {
         directory.emplace(options.out);

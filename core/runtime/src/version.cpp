@@ -1,10 +1,10 @@
+#include <foam/base/internal/scheduler.hpp>
 #include <foam/runtime/version.hpp>
 
 #include <Eigen/Core>
 #include <fmt/format.h>
 #include <gnu/libc-version.h>
 #include <nlohmann/json.hpp>
-#include <tbb/version.h>
 #include <xxhash.h>
 
 namespace foam::inline runtime {
@@ -16,17 +16,20 @@ std::string version() {
 std::map<std::string, std::string> library_versions() {
     const auto dotted = [](int major, int minor, int patch) { return fmt::format("{}.{}.{}", major, minor, patch); };
     const unsigned xxhash = XXH_versionNumber(); // major, minor, patch in two decimal digits each
-    return {
+    std::map<std::string, std::string> versions{
         {"eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
         {"fmt", dotted(FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
         {"glibc", gnu_get_libc_version()}, // for sine, power and other functions
         {"nlohmann-json",
          dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
-        {"onetbb", TBB_runtime_version()},
         {"xxhash", dotted(static_cast<int>(xxhash / 10000), static_cast<int>(xxhash / 100 % 100),
                           static_cast<int>(xxhash % 100))},
         {"yaml-cpp", FOAM_YAML_CPP_VERSION},
     };
+    if (const std::string onetbb = onetbb_version(); !onetbb.empty()) {
+        versions.emplace("onetbb", onetbb);
+    }
+    return versions;
 }
 
 } // namespace foam::runtime

@@ -1,5 +1,6 @@
 """foam.h by ctypes: the same box as in main.c."""
 import ctypes
+import ctypes.util
 import sys
 
 
@@ -45,6 +46,6 @@ TRIANGLES = [(0, 2, 1), (1, 2, 3), (4, 5, 6), (5, 7, 6), (0, 1, 4), (1, 5, 4),
              (2, 6, 3), (3, 6, 7), (0, 4, 2), (2, 4, 6), (1, 3, 5), (3, 7, 5)]
 
 if __name__ == "__main__":
-    foam = load(sys.argv[1] if len(sys.argv) > 1 else "libfoam-c.so.0")
+    foam = load(sys.argv[1] if len(sys.argv) > 1 else ctypes.util.find_library("foam-c") or "libfoam-c.so")
     for sphere in spherize(foam, VERTICES, TRIANGLES, 8, effort=FOAM_FAST):
         print("%.17g %.17g %.17g %.17g" % sphere)

@@ -3,6 +3,7 @@
 #include "figures.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/base/parallel.hpp>
 #include <foam/judge/evaluate.hpp>
 #include <foam/recipe/internal/glob.hpp>
 #include <foam/runtime/run.hpp>

@@ -1,8 +1,7 @@
 #include "promises.hpp"
 
 #include <foam/base/error.hpp>
-
-#include <tbb/global_control.h>
+#include <foam/base/parallel.hpp>
 
 namespace foam::inline runtime {
 namespace {
@@ -94,7 +93,7 @@ void require_stop(const std::function<void(Context&)>& call) {
 }
 
 void with_threads(std::size_t threads, const std::function<void()>& call) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    const ThreadLimit limit(threads);
     call();
 }
 

@@ -1,13 +1,13 @@
 // The child's side of an isolated call.
 #include "call.hpp"
 
+#include <foam/base/parallel.hpp>
 #include <foam/runtime/internal/bytes.hpp>
 #include <foam/runtime/internal/child.hpp>
 #include <foam/runtime/internal/child_process.hpp>
 #include <foam/runtime/isolation.hpp>
 #include <foam/sdk/registry.hpp>
 
-#include <tbb/global_control.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -137,8 +137,7 @@ std::string answer_to(const StageRequest& request, Context& context) {
         _exit(exit_code(ErrorCode::usage));
     }
     begin_child(request.parent, request.memory_limit);
-    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
-                                      std::max<std::size_t>(1, request.threads));
+    const ThreadLimit limit(std::max<std::size_t>(1, request.threads));
     RemoteContext context(request.seed);
     try {
         context.send(answer_to(request, context));

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 
 namespace foam {
 inline namespace [[gnu::visibility("default")]] base {
@@ -14,6 +15,20 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
 
 /// Returns the number of threads that parallel_for uses.
 std::size_t thread_count();
+
+/// Limits the threads of all parallel work of the process for the life of the object; of several limits the least
+/// holds. 0: no limit.
+class ThreadLimit {
+public:
+    explicit ThreadLimit(std::size_t threads);
+    ~ThreadLimit();
+    ThreadLimit(const ThreadLimit&) = delete;
+    ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
 
 } // namespace base
 } // namespace foam

@@ -36,19 +36,6 @@ struct Original {
     std::vector<std::string> notes;  ///< warnings of its loaders
 };
 
-/// Limits parallel work to the given number of threads for the life of the object; 0: one per core.
-class ThreadLimit {
-public:
-    explicit ThreadLimit(std::size_t threads);
-    ~ThreadLimit();
-    ThreadLimit(const ThreadLimit&) = delete;
-    ThreadLimit& operator=(const ThreadLimit&) = delete;
-
-private:
-    struct State;
-    std::unique_ptr<State> state_;
-};
-
 /// Reads a URDF, or a mesh if a mesh loader reads the file's ending. `links`: globs of the links to read; none: all.
 /// Throws Error(input) if the file or a mesh of it cannot be read, if no link remains to evaluate, or if a glob matches
 /// no link; Error(usage) for a unit of a file that states its own. `package_path`: folders with packages, searched
