@@ -34,7 +34,7 @@ std::string table_of_proofs(const Original& original, const MatchedModel& model,
         if (proofs[i].holds) {
             continue;
         }
-        if (outer && model.of(i).empty()) {
+        if (outer && model.elements[i].empty()) {
             table += padded(original.links[i].link, width) + "  it has no spheres\n";
             continue;
         }

@@ -53,7 +53,7 @@ Figure empty_figure(const Comparison& comparison, int width, int height) {
 }
 
 /// `pose`: from the link's frame to the panel's.
-void add_link(Panel& panel, const OriginalLink& link, const ElementsView& elements, const Pose& pose) {
+void add_link(Panel& panel, const OriginalLink& link, const Elements& elements, const Pose& pose) {
     panel.meshes.push_back({std::shared_ptr<const Mesh>(link.solid, &link.solid->surface()), pose, true});
     add_elements(panel, elements, pose);
 }
@@ -102,7 +102,7 @@ Figure figure_of(const Comparison& comparison) {
         for (std::size_t i = 0; i < comparison.original.links.size(); ++i) {
             const auto pose = poses.find(comparison.original.links[i].link);
             if (pose != poses.end()) {
-                add_link(panel, comparison.original.links[i], judged.model.of(i), pose->second);
+                add_link(panel, comparison.original.links[i], judged.model.elements[i], pose->second);
             }
         }
         figure.panels.push_back(std::move(panel));
@@ -113,7 +113,7 @@ Figure figure_of(const Comparison& comparison) {
 Figure figure_of_link(const Comparison& comparison, std::size_t link) {
     Figure figure = empty_figure(comparison, 400, 320);
     for (const JudgedModel& judged : comparison.models) {
-        const ElementsView elements = judged.model.of(link);
+        const Elements& elements = judged.model.elements[link];
         Panel panel;
         panel.caption = fmt::format("{}: {}", judged.label, counts_text(kinds_of(elements)));
         add_link(panel, comparison.original.links[link], elements, Pose{});

@@ -62,10 +62,10 @@ void pad(SphereFile& file, const std::string& text, const Original* original) {
     const auto excess = [&] { return evaluate(*original, match(*original, file)).total.measures.excess; };
     const double before = original ? excess() : 0;
     for (LinkSpheres& link : file.links) {
-        for (Sphere& s : link.spheres) {
+        for (Sphere& s : link.elements.spheres()) {
             s.radius += padding;
         }
-        for (Element& element : link.others) {
+        for (Element& element : link.elements.shaped()) {
             element = grown(element, padding);
         }
     }

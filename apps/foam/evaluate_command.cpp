@@ -104,10 +104,10 @@ LinkPlane plane_of(const std::string& text, const Original& original) {
 std::string planes_text(const std::vector<LinkPlane>& planes, const Original& original, const MatchedModel& model) {
     std::string text;
     for (const auto& [link, plane] : planes) {
-        text += model.of(link).empty()
+        text += model.elements[link].empty()
                     ? fmt::format("{}: has no spheres\n", shown(original.links[link].link))
                     : fmt::format("{}: {} mm beyond the plane with {}\n", shown(original.links[link].link),
-                                  millimetres(reached({plane}, model.of(link)).front().reached, 3), text_of(plane));
+                                  millimetres(reached({plane}, model.elements[link]).front().reached, 3), text_of(plane));
     }
     return text;
 }
@@ -120,7 +120,7 @@ nlohmann::ordered_json planes_json(const std::vector<LinkPlane>& planes, const O
             {{"link", original.links[link].link},
              {"normal", {plane.normal.x, plane.normal.y, plane.normal.z}},
              {"offset_m", plane.offset},
-             {"reached_m", json_number<nlohmann::ordered_json>(reached({plane}, model.of(link)).front().reached)}});
+             {"reached_m", json_number<nlohmann::ordered_json>(reached({plane}, model.elements[link]).front().reached)}});
     }
     return json;
 }

@@ -156,8 +156,8 @@ std::string millimetres(double metres, int digits) {
 
 KindCounts kinds_of_model(const MatchedModel& model) {
     KindCounts kinds{};
-    for (std::size_t link = 0; link < model.spheres.size(); ++link) {
-        kinds = sum_of(kinds, kinds_of(model.of(link)));
+    for (std::size_t link = 0; link < model.elements.size(); ++link) {
+        kinds = sum_of(kinds, kinds_of(model.elements[link]));
     }
     return kinds;
 }

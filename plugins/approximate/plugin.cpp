@@ -34,7 +34,7 @@ public:
         for (const foam::Budget& budget : budgets) {
             foam::ConvexCover cover = cover_for(budget);
             trees.push_back(
-                foam::flat_approximation(std::move(cover.elements.spheres), std::move(cover.elements.others)));
+                foam::flat_tree(std::move(cover.elements)));
         }
         return trees;
     }
@@ -61,7 +61,7 @@ private:
         most = std::min(most, affordable(*budget.max_cost, budget.cost));
         while (true) {
             foam::ConvexCover cover = search.cover(most);
-            const double price = foam::price_of(cover.elements.view(), budget.cost);
+            const double price = foam::price_of(cover.elements, budget.cost);
             if (most == 1 || price <= *budget.max_cost) {
                 return cover;
             }

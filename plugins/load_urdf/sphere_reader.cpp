@@ -37,16 +37,16 @@ std::optional<Element> SphereReader::read_hull(const MeshReference& mesh, std::s
 
 void SphereReader::read_link(const Link& link, SphereFile& result, Context& context) const {
     std::set<std::string> left_out;
-    Approximation::Level elements;
+    Elements elements;
     for (const GeometryElement& collision : link.collisions) {
         if (const auto* primitive = std::get_if<Primitive>(&collision.geometry)) {
-            add(elements, element_of(*primitive, collision.origin));
+            elements.add(element_of(*primitive, collision.origin));
             continue;
         }
         std::string why;
         if (auto hull = read_hull(std::get<MeshReference>(collision.geometry), why, context)) {
             hull->pose = collision.origin;
-            add(elements, *hull);
+            elements.add(*hull);
         } else {
             left_out.insert(why);
         }
@@ -57,7 +57,7 @@ void SphereReader::read_link(const Link& link, SphereFile& result, Context& cont
                                            link.name, fmt::join(left_out, ", ")));
     }
     if (elements.size() > 0) {
-        result.links.push_back({link.name, std::move(elements.spheres), std::move(elements.others)});
+        result.links.push_back({link.name, std::move(elements)});
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
+#include <foam/sdk/elements.hpp>
 #include <foam/sdk/plugin.hpp>
 
 #include <fmt/format.h>
@@ -44,16 +45,12 @@ public:
         return rows_text(model, frames_, context);
     }
 
-    std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override {
-        std::map<std::string, std::vector<Sphere>> result;
+    std::map<std::string, Elements> read(const std::string& bytes, const std::map<std::string, std::string>&) const override {
         try {
-            for (LinkSpheres& link : read_rows(bytes, "rows of GPMP2").links) {
-                result[link.link] = std::move(link.spheres);
-            }
+            return elements_of(read_rows(bytes, "rows of GPMP2"));
         } catch (const Error& error) {
             throw Error(ErrorCode::output, error.what());
         }
-        return result;
     }
 
 private:

@@ -186,7 +186,7 @@ std::string rows_text(const SphereModel& model, const std::vector<DhFrame>& fram
     for (const LinkSpheres& link : spheres_by_link(model)) {
         const DhFrame& frame = frame_of(link.link, frames);
         text += fmt::format("{}{}\n", frame_comment, frame.text);
-        for (const Sphere& sphere : link.spheres) {
+        for (const Sphere& sphere : link.elements.spheres()) {
             asking.check();
             const Sphere s = sphere_in(frame, sphere);
             text += fmt::format("{} {} {} {} {}\n", frame.id, number_text(s.center.x), number_text(s.center.y),

@@ -19,7 +19,7 @@ public:
         SphereTree::Level& finest = tree.levels.back();
         const bool flat = tree.levels.size() <= 2;
         try {
-            finest.spheres = fitted::fit(solid_, finest.spheres, most, flat ? fitted::Reach::far : fitted::Reach::near);
+            finest.elements.spheres() = fitted::fit(solid_, finest.elements.spheres(), most, flat ? fitted::Reach::far : fitted::Reach::near);
         } catch (const Error& error) {
             if (error.code() != ErrorCode::cancelled) {
                 throw;
@@ -27,7 +27,7 @@ public:
             return tree; // the given spheres remain
         }
         if (tree.levels.size() > 1 && flat) {
-            finest.parents.assign(finest.spheres.size(), 0);
+            finest.parents.assign(finest.elements.spheres().size(), 0);
         }
         return tree;
     }

@@ -15,9 +15,9 @@ namespace {
 SphereTree two_levels(const Sphere& root, std::vector<Sphere> balls) {
     SphereTree tree;
     tree.levels.resize(2);
-    tree.levels[0].spheres = {root};
+    tree.levels[0].elements.spheres() = {root};
     tree.levels[1].parents.assign(balls.size(), 0);
-    tree.levels[1].spheres = std::move(balls);
+    tree.levels[1].elements.spheres() = std::move(balls);
     return tree;
 }
 
@@ -107,7 +107,7 @@ private:
                 std::move(part.cells.begin(), part.cells.end(), std::back_inserter(finer.cells));
                 finer.balls.insert(finer.balls.end(), part.balls.begin(), part.balls.end());
             }
-            spheres.spheres = finer.balls;
+            spheres.elements.spheres() = finer.balls;
             level = std::move(finer);
         }
         return tree;

@@ -163,7 +163,7 @@ std::size_t first_count(const Budget& budget, const Settings& settings) {
 SphereTree::Level in_world(const Frame& frame, const Level& level) {
     SphereTree::Level result;
     for (const Sphere& ball : level.balls) {
-        result.spheres.push_back(frame.sphere_to_world(ball));
+        result.elements.spheres().push_back(frame.sphere_to_world(ball));
     }
     result.parents = level.parents;
     return result;

@@ -178,7 +178,7 @@ SphereTree Octree::tree() const {
             finer |= !children.empty();
             for (const std::size_t node : children.empty() ? std::vector<std::size_t>{level[i]} : children) {
                 next.push_back(node);
-                spheres.spheres.push_back(nodes_[node].ball);
+                spheres.elements.spheres().push_back(nodes_[node].ball);
                 spheres.parents.push_back(static_cast<std::uint32_t>(i));
             }
         }

@@ -29,9 +29,9 @@ std::vector<Sphere> inner_balls(const RadiusSearch::Result& outer, const std::st
 SphereTree tree(const Sphere& root, std::vector<Sphere> spheres) {
     SphereTree tree;
     tree.levels.resize(2);
-    tree.levels[0].spheres = {root};
+    tree.levels[0].elements.spheres() = {root};
     tree.levels[1].parents.assign(spheres.size(), 0);
-    tree.levels[1].spheres = std::move(spheres);
+    tree.levels[1].elements.spheres() = std::move(spheres);
     return tree;
 }
 

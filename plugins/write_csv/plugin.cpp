@@ -149,17 +149,17 @@ public:
     std::string write(const SphereModel& model, Context&) const override {
         const std::vector<LinkSpheres> links = elements_by_link(model, level_);
         const bool others =
-            std::any_of(links.begin(), links.end(), [](const LinkSpheres& link) { return !link.others.empty(); });
+            std::any_of(links.begin(), links.end(), [](const LinkSpheres& link) { return !link.elements.are_spheres(); });
         std::string text(others ? element_header : header);
         text += '\n';
         for (const LinkSpheres& link : links) {
             const std::string name = quoted(link.link);
             CancellationCounter asking(1024);
-            for (const Element& element : link.others) {
+            for (const Element& element : link.elements.shaped()) {
                 asking.check();
                 text += element_row(name, element);
             }
-            for (const Sphere& s : link.spheres) {
+            for (const Sphere& s : link.elements.spheres()) {
                 asking.check();
                 if (others) {
                     text += element_row(name, {.pose = {.translation = s.center}, .radius = s.radius});
@@ -172,31 +172,23 @@ public:
         return text;
     }
 
-    std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override {
-        std::map<std::string, std::vector<Sphere>> result;
-        for (auto& [link, elements] : read_elements(bytes, {})) {
-            result[link] = std::move(elements.spheres);
-        }
-        return result;
-    }
-
-    std::map<std::string, Approximation::Level>
-    read_elements(const std::string& bytes, const std::map<std::string, std::string>&) const override {
+    std::map<std::string, Elements>
+    read(const std::string& bytes, const std::map<std::string, std::string>&) const override {
         RowReader rows(bytes);
         const std::string first = rows.at_end() ? "" : fmt::format("{}", fmt::join(rows.next(), ","));
         const bool others = first == element_header;
         if (!others && first != header) {
             throw Error(ErrorCode::output, fmt::format("CSV: the first row is not '{}'", header));
         }
-        std::map<std::string, Approximation::Level> result;
+        std::map<std::string, Elements> result;
         CancellationCounter asking(1024);
         for (std::size_t number = 2; !rows.at_end(); ++number) {
             asking.check();
             const std::vector<std::string> row = rows.next();
             if (others) {
-                add(result[row.front()], read_element(row, number));
+                result[row.front()].add(read_element(row, number));
             } else {
-                result[row.front()].spheres.push_back(read_sphere(row, number));
+                result[row.front()].add(read_sphere(row, number));
             }
         }
         return result;

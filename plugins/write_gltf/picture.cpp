@@ -78,12 +78,12 @@ Value nodes_of(const std::vector<LinkSpheres>& links, const std::map<std::string
         require_name(link.link);
         Value children = yaml::list();
         CancellationCounter asking(1024);
-        for (const Sphere& s : link.spheres) {
+        for (const Sphere& s : link.elements.spheres()) {
             asking.check();
             children.items.push_back(whole(first_sphere + sphere_nodes.items.size()));
             sphere_nodes.items.push_back(sphere_node(s));
         }
-        for (const Element& element : link.others) {
+        for (const Element& element : link.elements.shaped()) {
             asking.check();
             children.items.push_back(whole(first_sphere + sphere_nodes.items.size()));
             sphere_nodes.items.push_back(element_node(element, ++meshes)); // 0 is the sphere
@@ -220,7 +220,7 @@ void append_meshes(Value& root, const std::vector<LinkSpheres>& links) {
     Meshes meshes;
     meshes.add_sphere(icosphere(2)); // 320 triangles look round at the size of a robot link
     for (const LinkSpheres& link : links) {
-        for (const Element& element : link.others) {
+        for (const Element& element : link.elements.shaped()) {
             meshes.add_element(element);
         }
     }

@@ -71,23 +71,21 @@ private:
     }
 
     void read_link(const Value& node, const Value& children, const Value& nodes) {
-        Approximation::Level elements;
+        Elements elements;
         for (const Value& number : children.items) {
             const Value& child = child_of(number, nodes);
             const Value* extras = child.find("extras");
             const Value* radius = extras ? extras->find("radius") : nullptr;
             const Value* element = extras ? extras->find("element") : nullptr;
             if (radius) {
-                elements.spheres.push_back({translation(child), this->number(*radius)});
+                elements.add(Sphere{translation(child), this->number(*radius)});
             } else if (element && element->is(Kind::map)) {
-                add(elements, read_element(*element));
+                elements.add(read_element(*element));
             }
         }
         if (elements.size() > 0) {
             const Value* name = node.find("name");
-            LinkSpheres& target = link_of(result, name ? name->text : "");
-            target.spheres.insert(target.spheres.end(), elements.spheres.begin(), elements.spheres.end());
-            target.others.insert(target.others.end(), elements.others.begin(), elements.others.end());
+            link_of(result, name ? name->text : "").elements.add(elements);
         }
     }
 

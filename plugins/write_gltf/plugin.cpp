@@ -12,16 +12,8 @@ class GltfWriter final : public Writer {
 public:
     std::string write(const SphereModel& model, Context&) const override { return picture_text(model); }
 
-    std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override {
-        std::map<std::string, std::vector<Sphere>> result;
-        for (auto& [link, elements] : read_elements(bytes, {})) {
-            result[link] = std::move(elements.spheres);
-        }
-        return result;
-    }
-
-    std::map<std::string, Approximation::Level>
-    read_elements(const std::string& bytes, const std::map<std::string, std::string>&) const override {
+    std::map<std::string, Elements>
+    read(const std::string& bytes, const std::map<std::string, std::string>&) const override {
         try {
             return elements_of(read_picture(bytes, "glTF"));
         } catch (const Error& error) {

@@ -14,7 +14,7 @@
 namespace foam {
 
 using Json = nlohmann::ordered_json; // keeps the order of a link's groups
-using ElementsByLink = std::map<std::string, Approximation::Level>;
+using ElementsByLink = std::map<std::string, Elements>;
 
 /// Returns foam's layout: schemas/spheres.schema.json. Version 2 where there are elements other than spheres.
 std::string write_links_layout(const SphereModel& model);

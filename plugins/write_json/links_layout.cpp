@@ -87,15 +87,15 @@ std::string level_array(const SphereTree::Level& level) {
     const auto parent = [&](std::size_t i) {
         return i < level.parents.size() ? fmt::format(", \"parent\": {}", level.parents[i]) : "";
     };
-    for (std::size_t i = 0; i < level.spheres.size(); ++i) {
+    for (std::size_t i = 0; i < level.elements.spheres().size(); ++i) {
         asking.check();
-        const Sphere& s = level.spheres[i];
+        const Sphere& s = level.elements.spheres()[i];
         elements.push_back(fmt::format("            {{\"center\": {}, \"radius\": {}{}}}", json_point(s.center),
                                        number_text(s.radius), parent(i)));
     }
-    for (std::size_t i = 0; i < level.others.size(); ++i) {
+    for (std::size_t i = level.elements.spheres().size(); i < level.elements.size(); ++i) {
         asking.check();
-        elements.push_back("            " + element_object(level.others[i], parent(level.spheres.size() + i)));
+        elements.push_back("            " + element_object(level.elements[i], parent(i)));
     }
     return fmt::format("          [\n{}\n          ]", fmt::join(elements, ",\n"));
 }
@@ -116,10 +116,10 @@ std::string group_object(const SphereGroup& group) {
 
 std::string link_member(const LinkSpheres& link, const SphereModel& model) {
     std::vector<std::string> spheres, others, groups;
-    for (const Element& element : link.others) {
+    for (const Element& element : link.elements.shaped()) {
         others.push_back("        " + element_object(element, ""));
     }
-    for (const Sphere& s : link.spheres) {
+    for (const Sphere& s : link.elements.spheres()) {
         spheres.push_back(fmt::format("        [{}, {}, {}, {}]", number_text(s.center.x), number_text(s.center.y),
                                       number_text(s.center.z), number_text(s.radius)));
     }
@@ -143,7 +143,7 @@ std::string write_links_layout(const SphereModel& model) {
     int version = 1;
     for (const LinkSpheres& link : elements_by_link(model)) {
         links.push_back(link_member(link, model));
-        version = link.others.empty() ? version : 2;
+        version = link.elements.are_spheres() ? version : 2;
     }
     std::vector<std::string> uncovered;
     for (const std::string& link : uncovered_links(model)) {
@@ -176,11 +176,11 @@ ElementsByLink read_links_layout(const Json& document) {
     ElementsByLink result;
     for (const auto& [name, link] : document.at("links").items()) {
         for (const Json& s : link.at("spheres")) {
-            result[name].spheres.push_back(
-                {{s.at(0).get<double>(), s.at(1).get<double>(), s.at(2).get<double>()}, s.at(3).get<double>()});
+            result[name].add(
+                Sphere{{s.at(0).get<double>(), s.at(1).get<double>(), s.at(2).get<double>()}, s.at(3).get<double>()});
         }
         for (const Json& element : link.value("elements", Json::array())) {
-            add(result[name], read_element(element));
+            result[name].add(read_element(element));
         }
     }
     return result;

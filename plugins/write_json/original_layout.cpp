@@ -17,11 +17,7 @@ std::string depth_object(const SphereGroup& group, std::size_t depth, const std:
                          const std::string& indent) {
     std::vector<std::string> spheres;
     CancellationCounter asking(1024);
-    Approximation::Level level = group.tree.levels[depth];
-    for (const Element& element : group.tree.levels[depth].others) { // all of kind sphere: require_spheres()
-        add(level, element);
-    }
-    for (const Sphere& s : level.spheres) {
+    for (const Sphere& s : group.tree.levels[depth].elements.spheres()) { // all there is: require_spheres()
         asking.check();
         spheres.push_back(
             fmt::format("{}  {{\"origin\": {}, \"radius\": {}}}", indent, json_point(s.center), number_text(s.radius)));
@@ -54,13 +50,11 @@ void require_spheres(const SphereModel& model) {
     require_writable(model);
     for (const SphereGroup& group : model.groups) {
         for (const SphereTree::Level& level : group.tree.levels) {
-            for (const Element& element : level.others) {
-                if (element.kind != Element::Kind::sphere) {
-                    throw Error(ErrorCode::output,
-                                fmt::format("link '{}' has a {}, and the layouts of CoMMALab/foam hold spheres only; "
-                                            "remedy: layout: links",
-                                            group.link, to_string(element.kind)));
-                }
+            if (!level.elements.are_spheres()) {
+                throw Error(ErrorCode::output,
+                            fmt::format("link '{}' has a {}, and the layouts of CoMMALab/foam hold spheres only; "
+                                        "remedy: layout: links",
+                                        group.link, to_string(level.elements.shaped().front().kind)));
             }
         }
     }
@@ -106,7 +100,7 @@ ElementsByLink read_original_layout(const Json& document) {
     const auto add = [&](const std::string& link, const Json& spheres) {
         for (const Json& s : spheres) {
             const Json& origin = s.at("origin");
-            result[link].spheres.push_back(
+            result[link].spheres().push_back(
                 {{origin.at(0).get<double>(), origin.at(1).get<double>(), origin.at(2).get<double>()},
                  s.at("radius").get<double>()});
         }

@@ -18,16 +18,8 @@ public:
                                    : write_original_mesh_layout(model);
     }
 
-    std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override {
-        std::map<std::string, std::vector<Sphere>> result;
-        for (auto& [link, elements] : read_elements(bytes, {})) {
-            result[link] = std::move(elements.spheres);
-        }
-        return result;
-    }
-
-    std::map<std::string, Approximation::Level>
-    read_elements(const std::string& bytes, const std::map<std::string, std::string>&) const override {
+    std::map<std::string, Elements>
+    read(const std::string& bytes, const std::map<std::string, std::string>&) const override {
         try {
             const Json document = Json::parse(bytes);
             return layout_ == "links" ? read_links_layout(document) : read_original_layout(document);

@@ -48,7 +48,7 @@ constexpr std::string_view sphere_properties = "property double x\nproperty doub
 std::string sphere_rows(const std::vector<LinkSpheres>& links) {
     std::string text;
     for (std::size_t i = 0; i < links.size(); ++i) {
-        for (const Sphere& s : links[i].spheres) {
+        for (const Sphere& s : links[i].elements.spheres()) {
             text += number_text(s.center.x) + ' ' + number_text(s.center.y) + ' ' + number_text(s.center.z) + ' ' +
                     number_text(s.radius) + ' ' + std::to_string(i) + '\n';
         }
@@ -76,7 +76,7 @@ std::vector<std::pair<std::string, std::size_t>> columns_of(Element::Kind kind) 
 std::size_t count_others(const std::vector<LinkSpheres>& links) {
     std::size_t result = 0;
     for (const LinkSpheres& link : links) {
-        result += link.others.size();
+        result += link.elements.shaped().size();
     }
     return result;
 }
@@ -93,7 +93,7 @@ std::string other_header(const std::vector<LinkSpheres>& links) {
 std::string other_rows(const std::vector<LinkSpheres>& links) {
     std::string text;
     for (std::size_t i = 0; i < links.size(); ++i) {
-        for (const Element& element : links[i].others) {
+        for (const Element& element : links[i].elements.shaped()) {
             std::string numbers;
             std::size_t count = 0;
             const ElementNumbers all = numbers_of(element);
@@ -115,7 +115,7 @@ std::string other_rows(const std::vector<LinkSpheres>& links) {
 std::size_t count(const std::vector<LinkSpheres>& links) {
     std::size_t result = 0;
     for (const LinkSpheres& link : links) {
-        result += link.spheres.size();
+        result += link.elements.spheres().size();
     }
     return result;
 }
@@ -144,14 +144,14 @@ std::string as_surface(const std::vector<LinkSpheres>& links, const std::map<std
     for (const LinkSpheres& link : links) {
         context.check_cancelled();
         const auto pose = poses.find(link.link);
-        for (const Sphere& s : link.spheres) {
+        for (const Sphere& s : link.elements.spheres()) {
             const Vec3 center = pose == poses.end() ? s.center : pose->second * s.center;
             for (const Vec3& direction : unit.vertices) {
                 add_vertex(center + direction * s.radius);
             }
             add_faces(unit);
         }
-        for (const Element& element : link.others) {
+        for (const Element& element : link.elements.shaped()) {
             const Mesh mesh = enclosing_mesh(element, 8 << subdivisions); // about as fine as the spheres
             for (const Vec3& p : mesh.vertices) {
                 add_vertex(pose == poses.end() ? p : pose->second * p);
@@ -172,9 +172,9 @@ class PlyReader {
 public:
     explicit PlyReader(std::string_view text) : rest_(text) {}
 
-    std::map<std::string, Approximation::Level> read() {
+    std::map<std::string, Elements> read() {
         read_header();
-        std::map<std::string, Approximation::Level> result;
+        std::map<std::string, Elements> result;
         const std::size_t last = elements_.size() - (elements_.back().first == "other" && elements_.size() > 1 ? 2 : 1);
         for (std::size_t i = 0; i < elements_.size(); ++i) {
             for (std::size_t row = 0; row < elements_[i].second; ++row) {
@@ -258,15 +258,15 @@ private:
         return name->second;
     }
 
-    void read_sphere(std::string_view text, std::map<std::string, Approximation::Level>& result) const {
+    void read_sphere(std::string_view text, std::map<std::string, Elements>& result) const {
         std::array<double, 4> values{};
         for (double& value : values) {
             value = number(text);
         }
-        result[link_named(text)].spheres.push_back({{values[0], values[1], values[2]}, values[3]});
+        result[link_named(text)].add(Sphere{{values[0], values[1], values[2]}, values[3]});
     }
 
-    void read_other(std::string_view text, std::map<std::string, Approximation::Level>& result) const {
+    void read_other(std::string_view text, std::map<std::string, Elements>& result) const {
         const std::string& link = link_named(word(text));
         const std::size_t kind = whole_number(word(text)), count = whole_number(word(text));
         if (kind >= element_kinds) {
@@ -288,7 +288,7 @@ private:
             at = end;
         }
         try {
-            add(result[link], element_of(to_string(static_cast<Element::Kind>(kind)), numbers));
+            result[link].add(element_of(to_string(static_cast<Element::Kind>(kind)), numbers));
         } catch (const Error& error) {
             fail(error.what());
         }
@@ -316,16 +316,8 @@ public:
         return as_surface(links, poses, subdivisions_, context);
     }
 
-    std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override {
-        std::map<std::string, std::vector<Sphere>> result;
-        for (auto& [link, elements] : read_elements(bytes, {})) {
-            result[link] = std::move(elements.spheres);
-        }
-        return result;
-    }
-
-    std::map<std::string, Approximation::Level>
-    read_elements(const std::string& bytes, const std::map<std::string, std::string>&) const override {
+    std::map<std::string, Elements>
+    read(const std::string& bytes, const std::map<std::string, std::string>&) const override {
         return PlyReader(bytes).read();
     }
 

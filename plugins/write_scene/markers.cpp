@@ -123,7 +123,7 @@ public:
         }
         LinkSpheres& link = link_of(result, frame.text);
         if (type == sphere_type) {
-            link.spheres.push_back({pose.translation, size.x / 2});
+            link.elements.add(Sphere{pose.translation, size.x / 2});
             return;
         }
         Element element{.pose = pose};
@@ -138,7 +138,7 @@ public:
             element.half.z = size.z / 2;
             element.radius = size.x / 2;
         }
-        link.others.push_back(std::move(element));
+        link.elements.add(std::move(element));
     }
 
     const Value& list(const Value& value) const {
@@ -234,14 +234,9 @@ std::string markers_text(const SphereModel& model, double alpha) {
         }
         const Value colour = colour_value(number++, alpha);
         CancellationCounter asking(1024);
-        for (std::size_t i = 0; i < link.spheres.size(); ++i) {
+        for (std::int64_t id = 0; const Element& element : link.elements) {
             asking.check();
-            markers.items.push_back(marker_value(link.link, static_cast<std::int64_t>(i), link.spheres[i], colour));
-        }
-        for (std::size_t i = 0; i < link.others.size(); ++i) {
-            asking.check();
-            const auto id = static_cast<std::int64_t>(link.spheres.size() + i);
-            markers.items.push_back(marker_value(link.link, id, link.others[i], colour));
+            markers.items.push_back(marker_value(link.link, id++, element, colour));
         }
     }
     return (model.provenance.empty() ? "" : "# " + shown(model.provenance) + "\n") +

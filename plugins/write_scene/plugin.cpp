@@ -16,21 +16,13 @@ public:
     using Read = SphereFile (*)(const std::string& bytes);
     explicit BackReader(Read read) : read_(read) {}
 
-    std::map<std::string, Approximation::Level>
-    read_elements(const std::string& bytes, const std::map<std::string, std::string>&) const override {
+    std::map<std::string, Elements>
+    read(const std::string& bytes, const std::map<std::string, std::string>&) const override {
         try {
             return elements_of(read_(bytes));
         } catch (const Error& error) {
             throw Error(ErrorCode::output, error.what());
         }
-    }
-
-    std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override {
-        std::map<std::string, std::vector<Sphere>> result;
-        for (auto& [link, elements] : read_elements(bytes, {})) {
-            result[link] = std::move(elements.spheres);
-        }
-        return result;
     }
 
 private:

@@ -89,13 +89,13 @@ std::string scene_text(const SphereModel& model, bool old_format) {
                             shown(link.link)));
         }
         text +=
-            "* " + link.link + '\n' + (old_format ? "" : pose_text(pose)) + std::to_string(link.view().size()) + '\n';
+            "* " + link.link + '\n' + (old_format ? "" : pose_text(pose)) + std::to_string(link.elements.size()) + '\n';
         CancellationCounter asking(1024);
-        for (const Sphere& s : link.spheres) {
+        for (const Sphere& s : link.elements.spheres()) {
             asking.check();
             text += "sphere\n" + number_text(s.radius) + '\n' + point_text(s.center) + "0 0 0 1\n0 0 0 0\n";
         }
-        for (const Element& element : link.others) {
+        for (const Element& element : link.elements.shaped()) {
             asking.check();
             text += shape_text(element);
         }

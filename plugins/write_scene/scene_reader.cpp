@@ -156,7 +156,7 @@ void read_object(Words& words, bool old_format, SphereFile& result) {
         read_pose(words); // elements are asked for in the frame of their link, not in the world
     }
     std::set<std::string> left_out;
-    Approximation::Level elements;
+    Elements elements;
     for (std::uint32_t left = words.count("the number of shapes"); left > 0; --left) {
         const std::string kind(words.word("a shape"));
         std::optional<Element> element = read_shape(kind, words);
@@ -164,7 +164,7 @@ void read_object(Words& words, bool old_format, SphereFile& result) {
         words.skip_numbers(4, "a colour");
         if (element) {
             element->pose = pose;
-            add(elements, *element);
+            elements.add(*element);
         } else {
             left_out.insert(kind);
         }
@@ -179,9 +179,7 @@ void read_object(Words& words, bool old_format, SphereFile& result) {
                                            shown(name), fmt::join(left_out, ", ")));
     }
     if (elements.size() > 0) {
-        LinkSpheres& target = link_of(result, name);
-        target.spheres.insert(target.spheres.end(), elements.spheres.begin(), elements.spheres.end());
-        target.others.insert(target.others.end(), elements.others.begin(), elements.others.end());
+        link_of(result, name).elements.add(elements);
     }
 }
 

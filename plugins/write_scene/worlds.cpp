@@ -94,12 +94,7 @@ public:
 
     void add(const std::string& name, const Element& element) {
         const std::size_t end = name.rfind('_');
-        LinkSpheres& link = link_of(result, end == name.npos ? name : name.substr(0, end));
-        if (element.kind == Element::Kind::sphere) {
-            link.spheres.push_back({element.pose.translation, element.radius});
-        } else {
-            link.others.push_back(element);
-        }
+        link_of(result, end == name.npos ? name : name.substr(0, end)).elements.add(element);
     }
 
     SphereFile result;
@@ -164,11 +159,11 @@ std::string curobo_scene_text(const SphereModel& model, int segments) {
             yaml::map(
                 {{"vertices", std::move(vertices)}, {"faces", std::move(faces)}, {"pose", curobo_pose(hull.pose)}}));
     };
-    for (const Sphere& s : link.spheres) {
+    for (const Sphere& s : link.elements.spheres()) {
         yaml::append(spheres, name_of(link, number++),
                      yaml::map({{"radius", yaml::real(s.radius)}, {"pose", curobo_pose({.translation = s.center})}}));
     }
-    for (const Element& element : link.others) {
+    for (const Element& element : link.elements.shaped()) {
         add(element);
     }
     yaml::Value root = yaml::map();
@@ -235,12 +230,12 @@ std::string vamp_world_text(const SphereModel& model) {
     const LinkSpheres& link = only_link(links, "write.vamp_world");
     yaml::Value spheres = yaml::list(), cylinders = yaml::list(), boxes = yaml::list();
     std::size_t number = 0;
-    for (const Sphere& s : link.spheres) {
+    for (const Sphere& s : link.elements.spheres()) {
         spheres.items.push_back(yaml::map({{"name", yaml::text(name_of(link, number++))},
                                            {"position", point_list(s.center)},
                                            {"radius", yaml::real(s.radius)}}));
     }
-    for (const Element& element : link.others) {
+    for (const Element& element : link.elements.shaped()) {
         const std::string name = name_of(link, number++);
         const bool is_box = element.kind == Element::Kind::box;
         if (!is_box && element.kind != Element::Kind::capsule && element.kind != Element::Kind::cylinder) {

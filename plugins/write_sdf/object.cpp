@@ -94,15 +94,15 @@ std::string object_text(const SphereModel& model, bool is_static, const KnownKin
                                    "    <link name=\"{}\">\n",
                                    markup_escaped(name), is_static, markup_escaped(link.link));
     CancellationCounter asking(1024);
-    for (std::size_t i = 0; i < link.spheres.size(); ++i) {
+    std::size_t i = 0;
+    for (const Sphere& sphere : link.elements.spheres()) {
         asking.check();
-        text += collision_text(i, link.spheres[i]);
+        text += collision_text(i++, sphere);
     }
     HullNames names(file_name_of(model));
-    for (std::size_t i = 0; i < link.others.size(); ++i) {
+    for (const Element& element : link.elements.shaped()) {
         asking.check();
-        text += collision_text(link.spheres.size() + i, link.others[i],
-                               link.others[i].kind == Element::Kind::hull ? names.next(link.link) : "");
+        text += collision_text(i++, element, element.kind == Element::Kind::hull ? names.next(link.link) : "");
     }
     return text + "    </link>\n  </model>\n</sdf>\n";
 }

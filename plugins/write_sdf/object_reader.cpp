@@ -70,7 +70,7 @@ private:
     void read_link(const Node& link, const std::string& scope) {
         const std::string& own_name = name_of(link);
         std::set<std::string> left_out;
-        Approximation::Level elements;
+        Elements elements;
         std::size_t masked = 0;
         for (const Node* collision : link.children_named("collision")) {
             if (is_masked(*collision)) {
@@ -92,7 +92,7 @@ private:
                                         to_string(element->kind), *frame));
             }
             element->pose = pose ? read_pose(*pose) : Pose{};
-            add(elements, *element);
+            elements.add(*element);
         }
         if (!left_out.empty()) {
             result_.notes.push_back(
@@ -106,9 +106,7 @@ private:
                                                 masked == 1 ? "it" : "them"));
         }
         if (elements.size() > 0) {
-            LinkSpheres& target = link_of(result_, scope + own_name);
-            target.spheres.insert(target.spheres.end(), elements.spheres.begin(), elements.spheres.end());
-            target.others.insert(target.others.end(), elements.others.begin(), elements.others.end());
+            link_of(result_, scope + own_name).elements.add(elements);
         }
     }
 

@@ -23,16 +23,8 @@ public:
         return text;
     }
 
-    std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override {
-        std::map<std::string, std::vector<Sphere>> result;
-        for (auto& [link, elements] : read_elements(bytes, {})) {
-            result[link] = std::move(elements.spheres);
-        }
-        return result;
-    }
-
-    std::map<std::string, Approximation::Level>
-    read_elements(const std::string& bytes, const std::map<std::string, std::string>& beside) const override {
+    std::map<std::string, Elements>
+    read(const std::string& bytes, const std::map<std::string, std::string>& beside) const override {
         try {
             return elements_of(read_sdf(bytes, "SDF", [&](const std::string& uri) {
                 const std::string* text = text_beside(beside, uri);

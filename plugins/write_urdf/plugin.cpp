@@ -52,12 +52,8 @@ public:
         return urdf.result();
     }
 
-    std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override {
-        return spheres_of_urdf(bytes);
-    }
-
-    std::map<std::string, Approximation::Level>
-    read_elements(const std::string& bytes, const std::map<std::string, std::string>& beside) const override {
+    std::map<std::string, Elements>
+    read(const std::string& bytes, const std::map<std::string, std::string>& beside) const override {
         return elements_of_urdf(bytes, beside);
     }
 

@@ -92,11 +92,11 @@ std::optional<Element> read_shape(const xml::Element& shape, const std::map<std:
 std::vector<std::string> collision_elements(const LinkSpheres& link, const UrdfWords& words,
                                             const std::function<std::string()>& uri_of_hull) {
     std::vector<std::string> result;
-    for (const Sphere& sphere : link.spheres) {
+    for (const Sphere& sphere : link.elements.spheres()) {
         result.push_back(
             collision_element(sphere.center, {}, "<sphere radius=\"" + number_text(sphere.radius) + "\"/>", words));
     }
-    for (const Element& element : link.others) {
+    for (const Element& element : link.elements.shaped()) {
         if (element.kind == Kind::hull) {
             const std::string open = "<mesh filename=\"" + uri_of_hull() + "\"";
             result.push_back(
@@ -112,7 +112,7 @@ std::vector<std::string> collision_elements(const LinkSpheres& link, const UrdfW
 }
 
 void add_collision(const xml::Element& collision, const std::map<std::string, std::string>& beside,
-                   Approximation::Level& elements) {
+                   Elements& elements) {
     const xml::Element* geometry = collision.child("geometry");
     if (!geometry || geometry->children.empty()) {
         return;
@@ -127,7 +127,7 @@ void add_collision(const xml::Element& collision, const std::map<std::string, st
         element->pose = element->kind == Kind::sphere ? Pose{.translation = xyz}
                                                       : Pose::from_xyz_rpy(xyz, read_vector(*origin, "rpy", "0 0 0"));
     }
-    add(elements, *element);
+    elements.add(*element);
 }
 
 } // namespace foam

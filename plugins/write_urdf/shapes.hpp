@@ -26,6 +26,6 @@ std::vector<std::string> collision_elements(const LinkSpheres& link, const UrdfW
 /// Adds the element of a <collision> as another program computes it; meshes are looked up in `beside`, others left out.
 /// Throws Error(output) for numbers that are none.
 void add_collision(const xml::Element& collision, const std::map<std::string, std::string>& beside,
-                   Approximation::Level& elements);
+                   Elements& elements);
 
 } // namespace foam

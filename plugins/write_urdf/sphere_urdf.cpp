@@ -63,7 +63,7 @@ void SphereUrdf::put_elements(const std::vector<LinkSpheres>& links, const UrdfW
         editor_.replace_children(element, element.children_named("collision"),
                                  collision_elements(elements, words, uri_of_hull));
         replaced_.insert(elements.link);
-        capsules = capsules || std::any_of(elements.others.begin(), elements.others.end(),
+        capsules = capsules || std::any_of(elements.elements.shaped().begin(), elements.elements.shaped().end(),
                                            [](const Element& e) { return e.kind == Element::Kind::capsule; });
     }
     if (capsules && words.capsule == "capsule") {
@@ -90,30 +90,18 @@ std::string file_name_of(const SphereModel& model) {
     return model.file.empty() ? model.robot->name + ".urdf" : model.file;
 }
 
-std::map<std::string, Approximation::Level> elements_of_urdf(const std::string& bytes,
+std::map<std::string, Elements> elements_of_urdf(const std::string& bytes,
                                                              const std::map<std::string, std::string>& beside) {
     const auto root = xml::parse(bytes, "URDF", ErrorCode::output);
-    std::map<std::string, Approximation::Level> result;
+    std::map<std::string, Elements> result;
     for (const xml::Element* link : root->children_named("link")) {
         const std::string* name = link->attribute("name");
-        Approximation::Level elements;
+        Elements elements;
         for (const xml::Element* collision : link->children_named("collision")) {
             add_collision(*collision, beside, elements);
         }
         if (name && elements.size() > 0) {
-            Approximation::Level& all = result[*name];
-            all.spheres.insert(all.spheres.end(), elements.spheres.begin(), elements.spheres.end());
-            all.others.insert(all.others.end(), elements.others.begin(), elements.others.end());
-        }
-    }
-    return result;
-}
-
-std::map<std::string, std::vector<Sphere>> spheres_of_urdf(const std::string& bytes) {
-    std::map<std::string, std::vector<Sphere>> result;
-    for (auto& [link, elements] : elements_of_urdf(bytes, {})) {
-        if (!elements.spheres.empty()) {
-            result[link] = std::move(elements.spheres);
+            result[*name].add(elements);
         }
     }
     return result;

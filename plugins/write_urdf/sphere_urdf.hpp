@@ -55,10 +55,8 @@ private:
 /// Returns the name of the file that is written, or one after the robot where it is not known.
 std::string file_name_of(const SphereModel& model);
 /// Returns the elements by link, without links whose collision geometry has none. Throws Error(output).
-std::map<std::string, Approximation::Level> elements_of_urdf(const std::string& bytes,
+std::map<std::string, Elements> elements_of_urdf(const std::string& bytes,
                                                              const std::map<std::string, std::string>& beside);
-/// Returns the spheres by link, without links whose collision geometry has no sphere. Throws Error(output).
-std::map<std::string, std::vector<Sphere>> spheres_of_urdf(const std::string& bytes);
 
 /// The parameter of the writers for move_references().
 Parameter mesh_paths_parameter();

@@ -77,14 +77,14 @@ void report_bounding_spheres(const std::vector<LinkSpheres>& links, Context& con
     double worst = 0;
     const LinkSpheres* of = nullptr;
     for (const LinkSpheres& link : links) {
-        if (link.spheres.size() < 2) {
+        if (link.elements.spheres().size() < 2) {
             continue;
         }
         double spheres = 0;
-        for (const Sphere& s : link.spheres) {
+        for (const Sphere& s : link.elements.spheres()) {
             spheres += s.radius * s.radius * s.radius;
         }
-        const double radius = enclosing_sphere(link.spheres).radius;
+        const double radius = enclosing_sphere(link.elements.spheres()).radius;
         if (const double ratio = radius * radius * radius / spheres; ratio > worst) {
             worst = ratio;
             of = &link;
@@ -127,8 +127,8 @@ std::string VampWriter::write(const SphereModel& model, Context& context) const 
     return urdf.result();
 }
 
-std::map<std::string, std::vector<Sphere>> VampWriter::read(const std::string& bytes) const {
-    return spheres_of_urdf(bytes);
+std::map<std::string, Elements> VampWriter::read(const std::string& bytes, const std::map<std::string, std::string>&) const {
+    return elements_of_urdf(bytes, {});
 }
 
 std::string VampWriter::companion(const std::string& ending, const SphereModel& model, Context& context) const {

@@ -10,7 +10,7 @@ class VampWriter final : public Writer {
 public:
     VampWriter(const Parameters& parameters, const StageMaker& maker);
     std::string write(const SphereModel& model, Context& context) const override;
-    std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override;
+    std::map<std::string, Elements> read(const std::string& bytes, const std::map<std::string, std::string>&) const override;
     std::string companion(const std::string& ending, const SphereModel& model, Context& context) const override;
 
 private:

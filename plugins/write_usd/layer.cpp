@@ -156,13 +156,14 @@ void write_spheres(LayerWriter& layer, const LinkSpheres& link) {
     layer.open("def Scope \"foam_spheres\"");
     layer.line("custom string foam:link = " + literal(link.link)); // the prim's name may differ
     CancellationCounter asking(1024);
-    for (std::size_t i = 0; i < link.spheres.size(); ++i) {
+    std::size_t i = 0;
+    for (const Sphere& sphere : link.elements.spheres()) {
         asking.check();
-        write_sphere(layer, i, link.spheres[i]);
+        write_sphere(layer, i++, sphere);
     }
-    for (std::size_t i = 0; i < link.others.size(); ++i) {
+    for (const Element& element : link.elements.shaped()) {
         asking.check();
-        write_element(layer, link.spheres.size() + i, link.others[i]);
+        write_element(layer, i++, element);
     }
     layer.close();
 }

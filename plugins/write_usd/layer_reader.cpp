@@ -129,11 +129,7 @@ private:
         LinkSpheres& link = result_.links.empty() || result_.links.back().link != *prim.link
                                 ? link_of(result_, *prim.link)
                                 : result_.links.back(); // nearly always the same link
-        if (*kind == Element::Kind::sphere) {
-            link.spheres.push_back({prim.center, *prim.radius});
-        } else {
-            link.others.push_back(element);
-        }
+        link.elements.add(element);
     }
 
     [[noreturn]] void refuse(const Prim& prim, const std::string& why) const {

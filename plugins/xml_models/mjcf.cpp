@@ -98,13 +98,13 @@ MassProperties of_spheres(const std::vector<Sphere>& spheres, double density) {
 }
 
 /// Returns the mass properties of the union of the elements.
-std::optional<MassProperties> of_elements(const ElementsView& elements, double density) {
+std::optional<MassProperties> of_elements(const Elements& elements, double density) {
     std::vector<Solid::Part> parts;
-    for (const Sphere& s : elements.spheres) {
+    for (const Sphere& s : elements.spheres()) {
         parts.push_back(
             {nullptr, Primitive{.kind = Primitive::Kind::sphere, .radius = s.radius}, Pose{.translation = s.center}});
     }
-    for (const Element& element : elements.others) {
+    for (const Element& element : elements.shaped()) {
         parts.push_back({std::make_shared<const Mesh>(enclosing_mesh(element)), std::nullopt, Pose{}});
     }
     return mass_properties(*Solid::make(std::move(parts)), density);
@@ -118,8 +118,7 @@ public:
     Bodies(const SphereModel& model, const KnownKinds& known, bool free, double density, Context& context)
         : model_(model), context_(context), kinematics_(model.robot), free_(free), density_(density) {
         for (LinkSpheres& link : in_known_kinds(elements_by_link(model), known)) {
-            others_[link.link] = std::move(link.others);
-            spheres_[link.link] = std::move(link.spheres);
+            elements_[link.link] = std::move(link.elements);
         }
         keep_geometry();
         const PlannedJoints joints = planned_joints(model);
@@ -132,7 +131,7 @@ public:
         const std::string base = base_link(model_);
         for (const Link& link : model_.robot->links) {
             if (link.name == world &&
-                (link.name != base || free_ || !spheres_[world].empty() || !others_[world].empty())) {
+                (link.name != base || free_ || !elements_[world].empty())) {
                 throw Error(ErrorCode::output, "write.mjcf: a link is called 'world', which is MuJoCo's own body; "
                                                "remedy: rename the link, unless it is a fixed base without spheres");
             }
@@ -187,8 +186,8 @@ public:
                            "/>\n  </keyframe>\n"
                      : "";
     }
-    bool has_others() const {
-        return std::any_of(others_.begin(), others_.end(), [](const auto& link) { return !link.second.empty(); });
+    bool has_shaped() const {
+        return std::any_of(elements_.begin(), elements_.end(), [](const auto& link) { return !link.second.are_spheres(); });
     }
 
 private:
@@ -207,12 +206,7 @@ private:
                 if (!primitive) {
                     continue;
                 }
-                const Element element = element_of(*primitive, geometry.origin);
-                if (element.kind == Element::Kind::sphere) {
-                    spheres_[name].push_back({element.pose.translation, element.radius});
-                } else {
-                    others_[name].push_back(element);
-                }
+                elements_[name].add(element_of(*primitive, geometry.origin));
             }
             if (meshes) {
                 context_.log(Severity::warning,
@@ -246,11 +240,11 @@ private:
             line(depth + 1, joint_text(*joint));
             joints_.push_back(static_cast<std::size_t>(joint - model_.robot->joints.data()));
         }
-        for (const Sphere& s : spheres_[link]) {
+        for (const Sphere& s : elements_[link].spheres()) {
             line(depth + 1, "<geom class=\"sphere\"" + attribute_text("pos", vector_text(s.center)) +
                                 attribute_text("size", numbers_text({&s.radius, 1})) + "/>");
         }
-        for (const Element& element : others_[link]) {
+        for (const Element& element : elements_[link].shaped()) {
             line(depth + 1, "<geom class=\"element\"" + shapes_.attributes(element) + "/>");
         }
         add_children(link, depth + 1);
@@ -324,15 +318,16 @@ private:
                 return Invented{*mass, geometry->second->closed() ? &from_geometry_ : &from_open_};
             }
         }
-        if (!others_[link].empty()) {
-            if (const auto mass = of_elements({spheres_[link], others_[link]}, density_)) {
+        const Elements& elements = elements_[link];
+        if (!elements.are_spheres()) {
+            if (const auto mass = of_elements(elements, density_)) {
                 return Invented{*mass, &from_elements_};
             }
         }
-        if (spheres_[link].empty()) {
+        if (elements.spheres().empty()) {
             return {};
         }
-        return Invented{of_spheres(spheres_[link], density_), &from_spheres_};
+        return Invented{of_spheres(elements.spheres(), density_), &from_spheres_};
     }
 
     std::string joint_text(const Joint& joint) const {
@@ -358,8 +353,7 @@ private:
     Kinematics kinematics_;
     bool free_;
     double density_; ///< kg/m³
-    std::map<std::string, std::vector<Sphere>> spheres_;
-    std::map<std::string, std::vector<Element>> others_;
+    std::map<std::string, Elements> elements_; ///< of each link
     MjcfShapes shapes_;
     std::vector<std::string> impossible_; ///< links whose stated inertia no body has
     std::vector<std::string> from_geometry_, from_open_, from_spheres_,
@@ -426,14 +420,14 @@ std::string MjcfWriter::write(const SphereModel& model, Context& context) const 
            "  <default>\n"
            "    <default class=\"sphere\"><geom type=\"sphere\" group=\"3\" mass=\"0\" contype=\"1\" "
            "conaffinity=\"1\"/></default>\n" +
-           (bodies.has_others() ? "    <default class=\"element\"><geom group=\"3\" mass=\"0\" contype=\"1\" "
+           (bodies.has_shaped() ? "    <default class=\"element\"><geom group=\"3\" mass=\"0\" contype=\"1\" "
                                   "conaffinity=\"1\"/></default>\n"
                                 : "") +
            "  </default>\n" + bodies.assets() + "  <worldbody>\n" + tree + "  </worldbody>\n" + equality_text(model) +
            contact_text(model) + bodies.keyframe() + "</mujoco>\n";
 }
 
-std::map<std::string, Approximation::Level> MjcfWriter::read_elements(const std::string& bytes,
+std::map<std::string, Elements> MjcfWriter::read(const std::string& bytes,
                                                                       const std::map<std::string, std::string>&) const {
     try {
         QuietContext context;
@@ -441,14 +435,6 @@ std::map<std::string, Approximation::Level> MjcfWriter::read_elements(const std:
     } catch (const Error& error) {
         throw Error(ErrorCode::output, error.what());
     }
-}
-
-std::map<std::string, std::vector<Sphere>> MjcfWriter::read(const std::string& bytes) const {
-    std::map<std::string, std::vector<Sphere>> result;
-    for (auto& [link, elements] : read_elements(bytes, {})) {
-        result[link] = std::move(elements.spheres);
-    }
-    return result;
 }
 
 } // namespace foam::xml_models

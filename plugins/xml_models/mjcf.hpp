@@ -11,9 +11,8 @@ class MjcfWriter final : public Writer {
 public:
     explicit MjcfWriter(const Parameters& parameters);
     std::string write(const SphereModel& model, Context& context) const override;
-    std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override;
-    std::map<std::string, Approximation::Level>
-    read_elements(const std::string& bytes, const std::map<std::string, std::string>& beside) const override;
+    std::map<std::string, Elements>
+    read(const std::string& bytes, const std::map<std::string, std::string>& beside) const override;
 
 private:
     KnownKinds known_;

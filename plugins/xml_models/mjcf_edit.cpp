@@ -200,12 +200,12 @@ private:
         const std::string end = std::string(own_class ? "" : R"( group="3" contype="1" conaffinity="1")") +
                                 (weighed ? attribute_text("mass", "0") : "");
         std::vector<std::string> geoms;
-        for (const Sphere& s : link.spheres) {
+        for (const Sphere& s : link.elements.spheres()) {
             geoms.push_back(kind + attribute_text("type", "sphere") + end +
                             attribute_text("pos", vector_text(s.center)) +
                             attribute_text("size", numbers_text({&s.radius, 1})) + "/>");
         }
-        for (const Element& element : link.others) {
+        for (const Element& element : link.elements.shaped()) {
             geoms.push_back(kind + end + shapes_.attributes(element) + "/>");
         }
         editor_.replace_children(body, old, geoms);

@@ -31,12 +31,7 @@ SphereFile MjcfReader::read(const std::string& text, const std::filesystem::path
         if (!geom.collides()) {
             ++visual;
         } else if (const auto element = elements.element_of(geom, why)) {
-            LinkSpheres& link = link_of(result, name_of_body(*geom.body));
-            if (element->kind == Element::Kind::sphere) {
-                link.spheres.push_back({element->pose.translation, element->radius});
-            } else {
-                link.others.push_back(*element);
-            }
+            link_of(result, name_of_body(*geom.body)).elements.add(*element);
         } else {
             ++others;
             reasons.insert(why);

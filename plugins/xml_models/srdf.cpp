@@ -29,10 +29,10 @@ std::vector<LinkSpheres> links_of_spheres(const SphereModel& model, Context& con
     std::vector<LinkSpheres> links = elements_by_link(model);
     KindCounts left_out{};
     std::erase_if(links, [&](const LinkSpheres& link) {
-        if (!link.others.empty()) {
-            left_out = sum_of(left_out, kinds_of(link.view()));
+        if (!link.elements.are_spheres()) {
+            left_out = sum_of(left_out, kinds_of(link.elements));
         }
-        return !link.others.empty();
+        return !link.elements.are_spheres();
     });
     if (!spheres_alone(left_out)) {
         context.log(Severity::warning,
@@ -46,7 +46,7 @@ std::string spheres_text(const std::vector<LinkSpheres>& links) {
     std::string text;
     for (const LinkSpheres& link : links) {
         text += "  <link_sphere_approximation" + attribute_text("link", link.link) + ">\n";
-        for (const Sphere& s : link.spheres) {
+        for (const Sphere& s : link.elements.spheres()) {
             text += "    <sphere" + attribute_text("center", vector_text(s.center)) +
                     attribute_text("radius", numbers_text({&s.radius, 1})) + "/>\n";
         }
@@ -128,17 +128,13 @@ std::string SrdfWriter::write(const SphereModel& model, Context& context) const 
            "</robot>\n";
 }
 
-std::map<std::string, std::vector<Sphere>> SrdfWriter::read(const std::string& bytes) const {
-    std::map<std::string, std::vector<Sphere>> result;
+std::map<std::string, Elements> SrdfWriter::read(const std::string& bytes, const std::map<std::string, std::string>&) const {
     try {
         QuietContext context;
-        for (LinkSpheres& link : SrdfReader().read(bytes, "SRDF", context).links) {
-            result[link.link] = std::move(link.spheres);
-        }
+        return elements_of(SrdfReader().read(bytes, "SRDF", context));
     } catch (const Error& error) {
         throw Error(ErrorCode::output, error.what());
     }
-    return result;
 }
 
 bool SrdfReader::recognises(std::string_view text) const {

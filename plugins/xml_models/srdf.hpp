@@ -10,7 +10,7 @@ class SrdfWriter final : public Writer {
 public:
     explicit SrdfWriter(const Parameters& parameters);
     std::string write(const SphereModel& model, Context& context) const override;
-    std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override;
+    std::map<std::string, Elements> read(const std::string& bytes, const std::map<std::string, std::string>&) const override;
 
 private:
     PairEdit pairs_; ///< in a file of the user

@@ -74,8 +74,8 @@ void keep_named_links(const Value& kinematics, Tree& tree) {
             tree.result.notes.push_back(fmt::format(
                 "{} sphere{} of link '{}' {} left out: collision_link_names (line {}) does not name it, so that cuRobo "
                 "does not use that link",
-                link.spheres.size(), link.spheres.size() == 1 ? "" : "s", link.link,
-                link.spheres.size() == 1 ? "is" : "are", named->where.line));
+                link.elements.spheres().size(), link.elements.spheres().size() == 1 ? "" : "s", link.link,
+                link.elements.spheres().size() == 1 ? "is" : "are", named->where.line));
         }
     }
     std::erase_if(tree.result.links, [&](const LinkSpheres& link) { return !is_named(link); });

@@ -17,7 +17,7 @@ Value rows_of_links(const std::vector<LinkSpheres>& links) {
     Value map = yaml::map();
     for (const LinkSpheres& link : links) {
         Value rows = yaml::list();
-        for (const Sphere& s : link.spheres) {
+        for (const Sphere& s : link.elements.spheres()) {
             rows.items.push_back(yaml::list({s.center.x, s.center.y, s.center.z, s.radius}));
         }
         yaml::append(map, link.link, yaml::map({{"spheres", std::move(rows)}}));
@@ -87,7 +87,7 @@ BubblifyWriter::BubblifyWriter(const Parameters&) : TreeWriter("write.bubblify",
 Value BubblifyWriter::document(const SphereModel&, const std::vector<LinkSpheres>& links, Context&) const {
     std::size_t total = 0;
     for (const LinkSpheres& link : links) {
-        total += link.spheres.size();
+        total += link.elements.spheres().size();
     }
     return yaml::map({{"collision_spheres", spheres_of_links(links)},
                       {"metadata", yaml::map({{"total_spheres", yaml::integer(static_cast<std::int64_t>(total))},
@@ -132,7 +132,7 @@ PyrokiWriter::PyrokiWriter(const Parameters&) : TreeWriter("write.pyroki", read_
 Value PyrokiWriter::document(const SphereModel&, const std::vector<LinkSpheres>& links, Context&) const {
     Value map = yaml::map();
     for (const LinkSpheres& link : links) {
-        yaml::append(map, link.link, columns_of(link.spheres));
+        yaml::append(map, link.link, columns_of(link.elements.spheres()));
     }
     return map;
 }
@@ -150,7 +150,7 @@ Value MorphitWriter::document(const SphereModel&, const std::vector<LinkSpheres>
                                 "remedy: skip the others, or write.pyroki for all links",
                                 links.size()));
     }
-    Value document = columns_of(links.front().spheres);
+    Value document = columns_of(links.front().elements.spheres());
     yaml::append(document, "link", yaml::text(links.front().link)); // other keys are free
     return document;
 }

@@ -15,7 +15,7 @@ Value spheres_of_links(const std::vector<LinkSpheres>& links) {
     Value map = yaml::map();
     for (const LinkSpheres& link : links) {
         Value list = yaml::list();
-        for (const Sphere& s : link.spheres) {
+        for (const Sphere& s : link.elements.spheres()) {
             list.items.push_back(yaml::map(
                 {{"center", yaml::list({s.center.x, s.center.y, s.center.z})}, {"radius", yaml::real(s.radius)}}));
         }

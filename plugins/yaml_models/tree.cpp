@@ -99,8 +99,7 @@ void Tree::append_numbers(const Value& value, std::vector<double>& numbers) cons
 }
 
 void Tree::add_elements(const std::string& link, const Value& elements) {
-    LinkSpheres& target = link_of(result, link);
-    Approximation::Level all{std::move(target.spheres), {}, std::move(target.others)};
+    Elements& all = link_of(result, link).elements;
     for (const Value& object : list(elements, "a list of elements").items) {
         const std::string kind = at(object, "kind").text;
         ElementNumbers numbers;
@@ -111,13 +110,11 @@ void Tree::add_elements(const std::string& link, const Value& elements) {
             }
         }
         try {
-            foam::add(all, element_of(kind, numbers));
+            all.add(element_of(kind, numbers));
         } catch (const Error& error) {
             fail(object, error.what());
         }
     }
-    target.spheres = std::move(all.spheres);
-    target.others = std::move(all.others);
 }
 
 void Tree::add_columns(const std::string& link, const Value& value) {

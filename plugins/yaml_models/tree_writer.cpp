@@ -1,6 +1,7 @@
 #include "tree_writer.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/sdk/elements.hpp>
 
 #include <fmt/format.h>
 
@@ -16,7 +17,7 @@ std::string TreeWriter::write(const SphereModel& model, Context& context) const 
     return file.text();
 }
 
-std::map<std::string, std::vector<Sphere>> TreeWriter::read(const std::string& bytes) const {
+std::map<std::string, Elements> TreeWriter::read(const std::string& bytes, const std::map<std::string, std::string>&) const {
     SphereFile read;
     read.file = name_;
     Tree tree(read);
@@ -26,11 +27,7 @@ std::map<std::string, std::vector<Sphere>> TreeWriter::read(const std::string& b
         throw Error(ErrorCode::output, error.what());
     }
     add_buffers(read); // the proof is of what the program uses
-    std::map<std::string, std::vector<Sphere>> result;
-    for (LinkSpheres& link : read.links) {
-        result[link.link] = std::move(link.spheres);
-    }
-    return result;
+    return elements_of(std::move(read));
 }
 
 void TreeWriter::edit(yaml::Splice&, const SphereModel& model, const std::vector<LinkSpheres>&, Context&) const {

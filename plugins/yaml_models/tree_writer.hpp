@@ -18,7 +18,7 @@ public:
     TreeWriter(std::string name, Reading reading) : name_(std::move(name)), reading_(reading) {}
 
     std::string write(const SphereModel& model, Context& context) const override;
-    std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override;
+    std::map<std::string, Elements> read(const std::string& bytes, const std::map<std::string, std::string>&) const override;
 
 protected:
     /// Returns the whole file.

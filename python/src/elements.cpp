@@ -138,10 +138,10 @@ py::list elements_of(const SphereFile& file) {
     py::list links;
     for (const LinkSpheres& link : file.links) {
         py::list elements;
-        for (const Element& element : link.others) {
+        for (const Element& element : link.elements.shaped()) {
             elements.append(dict_of(element));
         }
-        if (!link.others.empty()) {
+        if (!link.elements.are_spheres()) {
             links.append(py::make_tuple(link.link, elements));
         }
     }
@@ -156,11 +156,9 @@ SphereFile file_of_model(const SphereModel& model) {
         auto link = std::find_if(file.links.begin(), file.links.end(),
                                  [&](const LinkSpheres& known) { return known.link == group.link; });
         if (link == file.links.end()) {
-            link = file.links.insert(link, {group.link, {}, {}});
+            link = file.links.insert(link, {group.link, {}});
         }
-        const ElementsView elements = group.tree.elements();
-        link->spheres.insert(link->spheres.end(), elements.spheres.begin(), elements.spheres.end());
-        link->others.insert(link->others.end(), elements.others.begin(), elements.others.end());
+        link->elements.add(group.tree.elements());
     }
     return file;
 }

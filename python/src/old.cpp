@@ -64,7 +64,7 @@ py::list levels_by(const HeldMesh& mesh, const HeldMesh* processed, const Regist
         std::vector<std::vector<Sphere>> found;
         if (counts.empty()) {
             for (SphereTree::Level& level : spherizer->spherize(shape, {}, context).levels) {
-                found.push_back(std::move(level.spheres));
+                found.push_back(std::move(level.elements.spheres()));
             }
         }
         for (const std::size_t count : counts) {

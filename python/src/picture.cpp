@@ -26,7 +26,7 @@ py::bytes picture_of(const Registry& registry, const SphereFile& spheres, const 
         }
         for (const LinkSpheres& link : spheres.links) {
             const Pose& pose = poses[link.link];
-            add_elements(panel, link.view(), pose);
+            add_elements(panel, link.elements, pose);
         }
         Figure figure;
         figure.title = title;

@@ -84,16 +84,16 @@ SphereFile file_of(const std::vector<std::pair<std::string, py::buffer>>& links,
     file.file = name;
     file.format = "foam";
     for (const auto& [link, rows] : links) {
-        file.links.push_back({link, spheres_of(rows), {}});
+        file.links.push_back({link, spheres_of(rows)});
     }
     for (const auto& [link, others] : elements) {
         auto found = std::find_if(file.links.begin(), file.links.end(),
                                   [&, &name_of_link = link](const LinkSpheres& l) { return l.link == name_of_link; });
         if (found == file.links.end()) {
-            found = file.links.insert(found, {link, {}, {}});
+            found = file.links.insert(found, {link, {}});
         }
         for (const py::dict& other : others) {
-            found->others.push_back(element_of_dict(other));
+            found->elements.add(element_of_dict(other));
         }
     }
     return file;
@@ -102,7 +102,7 @@ SphereFile file_of(const std::vector<std::pair<std::string, py::buffer>>& links,
 py::list links_of(const SphereFile& file) {
     py::list links;
     for (const LinkSpheres& link : file.links) {
-        links.append(py::make_tuple(link.link, rows_of(link.spheres)));
+        links.append(py::make_tuple(link.link, rows_of(link.elements.spheres())));
     }
     return links;
 }

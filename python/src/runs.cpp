@@ -98,7 +98,7 @@ py::tuple ran(const HeldRecipes& held, std::size_t index, const std::optional<st
     model->model = std::move(result.model);
     py::list links;
     for (LinkSpheres& link : spheres) {
-        links.append(py::make_tuple(link.link, rows_of(std::move(link.spheres))));
+        links.append(py::make_tuple(link.link, rows_of(std::move(link.elements.spheres()))));
     }
     return py::make_tuple(json, links, model);
 }

@@ -5,7 +5,7 @@
 #include "work.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 #include <foam/sdk/kinds.hpp>
 #include <foam/search/approximate.hpp>
 #include <foam/search/least_element.hpp>
@@ -97,10 +97,7 @@ py::tuple approximated(const HeldMesh& mesh, std::size_t count, const std::vecto
         return approximate(*mesh.solid(), count, kinds, options);
     });
     py::list elements;
-    for (const Sphere& sphere : cover.elements.spheres) {
-        elements.append(dict_of({.pose = {.translation = sphere.center}, .radius = sphere.radius}));
-    }
-    for (const Element& element : cover.elements.others) {
+    for (const Element& element : cover.elements) {
         elements.append(dict_of(element));
     }
     return py::make_tuple(elements, cover.certificate.holds, cover.volume);
@@ -127,13 +124,9 @@ constexpr std::pair<double, double> nothing_inside{std::numeric_limits<double>::
 
 /// Returns excess vol(U \ S) / vol(S) and missing vol(S \ U) / vol(S) of covering elements.
 std::pair<double, double> volumes_of_elements(const HeldMesh& mesh, const std::vector<py::dict>& dicts) {
-    Approximation::Level level;
+    Elements level;
     for (const py::dict& dict : dicts) {
-        if (Element element = element_of_dict(dict); element.kind == Element::Kind::sphere) {
-            level.spheres.push_back({element.pose.translation, element.radius});
-        } else {
-            level.others.push_back(std::move(element));
-        }
+        level.add(element_of_dict(dict));
     }
     return worked([&](const Signals&) {
         const auto solid = mesh.solid();
@@ -141,7 +134,7 @@ std::pair<double, double> volumes_of_elements(const HeldMesh& mesh, const std::v
         if (!(own > 0)) {
             return nothing_inside;
         }
-        const auto [excess, missing] = excess_and_missing_volume(*solid, level.view());
+        const auto [excess, missing] = excess_and_missing_volume(*solid, level);
         return std::pair(excess / own, missing / own);
     });
 }

@@ -46,7 +46,7 @@ TEST(SdformatElements, HaveTheSameSizesAndPoses) {
     const SphereModel model = model_of(chain_of({"only"}), {group_of("only", {}, level_of({}, awkward_elements()))});
     const auto writes = writer("write_sdf", "write.sdf");
     const std::string text = writes->write(model, context);
-    const auto ours = writes->read_elements(text, writes->files_beside(model, context)).at("only");
+    const auto ours = writes->read(text, writes->files_beside(model, context)).at("only");
     sdf::Root root;
     for (const sdf::Error& error : root.LoadSdfString(text)) {
         ADD_FAILURE() << error.Message();
@@ -64,14 +64,14 @@ TEST(SdformatElements, HaveTheSameSizesAndPoses) {
         }
     }
     EXPECT_EQ(spheres, ours.spheres);
-    ASSERT_EQ(theirs.size(), ours.others.size());
+    ASSERT_EQ(theirs.size(), ours.shaped().size());
     for (std::size_t i = 0; i < theirs.size(); ++i) {
-        EXPECT_EQ(theirs[i].kind, ours.others[i].kind);
-        EXPECT_EQ(theirs[i].half, ours.others[i].half);
-        EXPECT_EQ(theirs[i].radius, ours.others[i].radius);
-        EXPECT_EQ(theirs[i].pose.translation, ours.others[i].pose.translation);
+        EXPECT_EQ(theirs[i].kind, ours.shaped()[i].kind);
+        EXPECT_EQ(theirs[i].half, ours.shaped()[i].half);
+        EXPECT_EQ(theirs[i].radius, ours.shaped()[i].radius);
+        EXPECT_EQ(theirs[i].pose.translation, ours.shaped()[i].pose.translation);
         for (std::size_t row = 0; row < 3; ++row) {
-            EXPECT_LT(distance(theirs[i].pose.rotation[row], ours.others[i].pose.rotation[row]), 2e-15);
+            EXPECT_LT(distance(theirs[i].pose.rotation[row], ours.shaped()[i].pose.rotation[row]), 2e-15);
         }
     }
 }

@@ -124,7 +124,7 @@ std::shared_ptr<const Robot> panda_with_mass(const std::vector<std::string>& mas
 /// numbers, and some need 17.
 SphereModel with_decimals(SphereModel model) {
     for (SphereGroup& group : model.groups) {
-        for (Sphere& s : group.tree.levels.back().spheres) {
+        for (Sphere& s : group.tree.levels.back().elements.spheres()) {
             for (double* number : {&s.center.x, &s.center.y, &s.center.z, &s.radius}) {
                 *number = std::round(*number * 1e7) / 1e7;
             }

@@ -38,7 +38,7 @@ TEST(UrdfdomElements, HaveTheSameSizesAndPoses) {
     const SphereModel model = model_of(one_link(), {group_of("only", {}, level_of({}, awkward_elements()))});
     const auto urdf = writer("write_urdf", "write.urdf", {{"capsules", "as_parts"}}); // 3.0.1 knows no capsule
     const std::string text = urdf->write(model, context);
-    const auto ours = urdf->read_elements(text, urdf->files_beside(model, context)).at("only");
+    const auto ours = urdf->read(text, urdf->files_beside(model, context)).at("only");
     const urdf::ModelInterfaceSharedPtr read = urdf::parseURDF(text);
     ASSERT_TRUE(read);
     std::vector<Element> theirs;
@@ -52,14 +52,14 @@ TEST(UrdfdomElements, HaveTheSameSizesAndPoses) {
         }
     }
     EXPECT_EQ(spheres, ours.spheres);
-    ASSERT_EQ(theirs.size(), ours.others.size());
+    ASSERT_EQ(theirs.size(), ours.shaped().size());
     for (std::size_t i = 0; i < theirs.size(); ++i) {
-        EXPECT_EQ(theirs[i].kind, ours.others[i].kind);
-        EXPECT_EQ(theirs[i].half, ours.others[i].half);
-        EXPECT_EQ(theirs[i].radius, ours.others[i].radius);
-        EXPECT_EQ(theirs[i].pose.translation, ours.others[i].pose.translation);
+        EXPECT_EQ(theirs[i].kind, ours.shaped()[i].kind);
+        EXPECT_EQ(theirs[i].half, ours.shaped()[i].half);
+        EXPECT_EQ(theirs[i].radius, ours.shaped()[i].radius);
+        EXPECT_EQ(theirs[i].pose.translation, ours.shaped()[i].pose.translation);
         for (std::size_t row = 0; row < 3; ++row) {
-            EXPECT_LT(distance(theirs[i].pose.rotation[row], ours.others[i].pose.rotation[row]), 2e-15);
+            EXPECT_LT(distance(theirs[i].pose.rotation[row], ours.shaped()[i].pose.rotation[row]), 2e-15);
         }
     }
 }

@@ -4,7 +4,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/parallel.hpp>
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 #include <foam/search/approximate.hpp>
 
 #include <gtest/gtest.h>
@@ -26,14 +26,14 @@ ConvexCover cover_by(const Solid& solid, std::size_t count, Kind kind, const App
 }
 
 double excess_of(const Solid& solid, const ConvexCover& cover) {
-    return excess_volume(solid, cover.elements.view()) / solid.volume();
+    return excess_volume(solid, cover.elements) / solid.volume();
 }
 
 void expect_cover(const Solid& solid, const ConvexCover& cover, std::size_t most) {
     EXPECT_GE(cover.elements.size(), 1u);
     EXPECT_LE(cover.elements.size(), most);
     EXPECT_TRUE(cover.certificate.holds);
-    EXPECT_TRUE(certify(solid, cover.elements.view()).holds);
+    EXPECT_TRUE(certify(solid, cover.elements).holds);
 }
 
 Mesh torus() {
@@ -133,8 +133,8 @@ TEST(Approximate, HullsKeepTheLimitOfVertices) {
             ApproximateOptions options = fast;
             options.max_vertices = most;
             const ConvexCover cover = cover_by(*solid, 1, Kind::hull, options);
-            ASSERT_EQ(cover.elements.others.size(), 1u);
-            EXPECT_LE(cover.elements.others.front().hull->surface.vertices.size(), most);
+            ASSERT_EQ(cover.elements.shaped().size(), 1u);
+            EXPECT_LE(cover.elements.shaped().front().hull->surface.vertices.size(), most);
             expect_cover(*solid, cover, 1);
         }
     }
@@ -203,7 +203,7 @@ TEST(Approximate, HullsOfFewVerticesAddLittle) {
 TEST(Approximate, TheSameOnAnyNumberOfThreads) {
     const auto solid = Solid::make(l_shape());
     for (const Kind kind : {Kind::capsule, Kind::hull}) {
-        std::vector<Approximation::Level> found;
+        std::vector<Elements> found;
         for (const std::size_t threads : {1, 4}) {
             const ThreadLimit limit(threads);
             found.push_back(cover_by(*solid, 3, kind).elements);
@@ -245,7 +245,7 @@ TEST(Approximate, HullsFillAnOpenBody) {
     for (const auto& [count, most] : {std::pair{4, 0.35}, {8, 0.06}, {16, 0.03}}) {
         const ConvexCover cover = cover_by(*open, static_cast<std::size_t>(count), Kind::hull, {});
         expect_cover(*open, cover, static_cast<std::size_t>(count));
-        EXPECT_LE(missing_volume(*open, cover.elements.view()), 0.01 * open->volume()) << count;
+        EXPECT_LE(missing_volume(*open, cover.elements), 0.01 * open->volume()) << count;
         EXPECT_LE(excess_of(*open, cover), most) << count;
     }
 }
@@ -263,7 +263,7 @@ TEST(Approximate, OneElementProtrudesLeastWhereThatIsTheObjective) {
     for (const Mesh& mesh : {l_shape(), torus()}) {
         const auto solid = Solid::make(mesh);
         const auto measured = [&](Kind kind, ApproximationObjective objective) {
-            return measure(*solid, cover_by(*solid, 1, kind, {.objective = objective}).elements.view());
+            return measure(*solid, cover_by(*solid, 1, kind, {.objective = objective}).elements);
         };
         using enum ApproximationObjective;
         for (const Kind kind : {Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box}) {

@@ -4,7 +4,7 @@
 #include "element_truth.hpp"
 #include "geometry/plain_shapes.hpp"
 
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ struct Case {
     double size = 1, extent = 1; ///< of the solid; of that and its place
 
     std::shared_ptr<const Solid> solid() const { return Solid::make(std::vector{part}); }
-    ElementsView view() const { return {{}, std::span(&element, 1)}; }
+    Elements view() const { return {{}, std::span(&element, 1)}; }
     Quad outside() const { return Judge(element).outside(part); }
 };
 
@@ -341,9 +341,9 @@ TEST_P(ElementAdversary, WhatHasGrownHoldsTheSolid) {
                 Case c = tight_case(GetParam(), inner, place, 1, 1, random);
                 c.element = scaled(c.element, 1 - smaller);
                 c.element.pose.translation += test::random_direction(random) * smaller;
-                const Approximation::Level grown = grown_to_cover(*c.solid(), {{}, {}, {c.element}});
+                const Elements grown = grown_to_cover(*c.solid(), {{}, {}, {c.element}});
                 const double before = volume(c.element);
-                c.element = grown.others.at(0);
+                c.element = grown[0];
                 EXPECT_LE(static_cast<double>(c.outside()), 0) << c;
                 EXPECT_TRUE(certify(*c.solid(), c.view()).holds) << c;
                 EXPECT_GE(volume(c.element), before) << c;
@@ -365,7 +365,7 @@ TEST(ElementGrowth, OfASmallerCopyEndsAtThePrimitive) {
             Element start = scaled(element, 1 - smaller);
             start.pose = pose;
             const auto solid = Solid::make({{nullptr, primitive, pose}});
-            const Element grown = grown_to_cover(*solid, {{}, {}, {start}}).others.at(0);
+            const Element grown = grown_to_cover(*solid, Elements(std::vector<Element>{start}))[0];
             // A cylinder grows to the facets around it, and of a capsule either the radius grows or the length.
             const double most = element.kind == Kind::cylinder  ? 2.5 * facet
                                 : element.kind == Kind::capsule ? 4 * smaller + 1e-10
@@ -382,10 +382,10 @@ TEST(ElementGrowth, OnlyTheElementThatAddsLeastGrows) {
     left.pose.translation = {-0.45, 0, 0};
     right.pose.translation = {0.45, 0, 0};
     const Mesh bar = test::box({-0.9, -0.1, -0.1}, {0.96, 0.1, 0.1});
-    const Approximation::Level grown = grown_to_cover(*Solid::make(bar), {{}, {}, {left, right}});
-    EXPECT_NEAR(volume(grown.others[0]), volume(left), 1e-10);
-    EXPECT_NEAR(volume(grown.others[1]), volume(right) * 1.01, 1e-10);
-    EXPECT_NEAR(grown.others[1].half.y, 0.2, 1e-10);
+    const Elements grown = grown_to_cover(*Solid::make(bar), {{}, {}, {left, right}});
+    EXPECT_NEAR(volume(grown[0]), volume(left), 1e-10);
+    EXPECT_NEAR(volume(grown[1]), volume(right) * 1.01, 1e-10);
+    EXPECT_NEAR(grown[1].half.y, 0.2, 1e-10);
 }
 
 TEST(ElementGrowth, OneEndGrowsWhereOneEndIsOpen) {
@@ -399,7 +399,7 @@ TEST(ElementGrowth, OneEndGrowsWhereOneEndIsOpen) {
             {{.kind = Kind::capsule, .half = {0, 0, 0.45}, .radius = 0.3}, 1 - std::sqrt(0.09 - 0.02)},
             {{.kind = Kind::swept_box, .half = {0.05, 0.05, 0.45}, .radius = 0.3}, 1 - std::sqrt(0.09 - 0.005)}};
         for (const auto& [element, end] : cases) {
-            const Element grown = grown_to_cover(*solid, {{}, {}, {element}}).others.at(0);
+            const Element grown = grown_to_cover(*solid, Elements(std::vector<Element>{element}))[0];
             EXPECT_NEAR(grown.half.z, (0.45 + end) / 2, 1e-9) << to_string(element.kind);
             EXPECT_NEAR(grown.pose.translation.z, side * (end - 0.45) / 2, 1e-9) << to_string(element.kind);
             EXPECT_NEAR(grown.radius, element.radius, 1e-9) << to_string(element.kind);
@@ -414,7 +414,7 @@ TEST(ElementGrowth, TheRadiusGrowsToTheFarthestCorner) {
          {std::pair{Element{.kind = Kind::sphere, .radius = 0.2}, std::sqrt(0.09 + 0.02)},
           std::pair{Element{.kind = Kind::capsule, .half = {0, 0, 0.45}, .radius = 0.2}, std::sqrt(0.09 + 0.01)},
           std::pair{Element{.kind = Kind::cylinder, .half = {0, 0, 0.45}, .radius = 0.2}, std::sqrt(0.09 + 0.01)}}) {
-        const Element grown = grown_to_cover(*solid, {{}, {}, {element}}).others.at(0);
+        const Element grown = grown_to_cover(*solid, Elements(std::vector<Element>{element}))[0];
         EXPECT_NEAR(grown.radius, radius, 1e-9) << to_string(element.kind);
         EXPECT_NEAR(grown.half.z, element.half.z, 1e-9) << to_string(element.kind);
     }
@@ -511,8 +511,8 @@ TEST_P(ElementAdversary, TwoElementsWithASlitBetweenThem) {
                 h.right = change(touching.right, 1);
                 const std::array both{h.left, h.right};
                 const auto solid = Solid::make(std::vector{h.part()});
-                const Certificate certificate = certify(*solid, ElementsView{{}, both});
-                EXPECT_EQ(covers(*solid, ElementsView{{}, both}), certificate.holds);
+                const Certificate certificate = certify(*solid, Elements(both));
+                EXPECT_EQ(covers(*solid, Elements(both)), certificate.holds);
                 if (is_open(h)) {
                     ++open;
                     EXPECT_FALSE(certificate.holds) << share * way;
@@ -521,8 +521,8 @@ TEST_P(ElementAdversary, TwoElementsWithASlitBetweenThem) {
                               -1e-12)
                         << share * way;
                     EXPECT_GT(certificate.growth, 0);
-                    const Approximation::Level grown = grown_to_cover(*solid, {{}, {}, {h.left, h.right}});
-                    EXPECT_FALSE(is_open({h.pose, h.half, grown.others[0], grown.others[1]})) << share * way;
+                    const Elements grown = grown_to_cover(*solid, Elements(std::vector<Element>{h.left, h.right}));
+                    EXPECT_FALSE(is_open({h.pose, h.half, grown[0], grown[1]})) << share * way;
                 }
                 if (halves_outside(h) < -1e-11) {
                     ++closed;
@@ -556,13 +556,13 @@ TEST_P(ElementAdversary, RoundPrimitivesInTwoElements) {
         const double radius = solid->parts()[0].primitive->radius;
         // Pieces of a round surface are halved down to the overlap, which therefore is not small here.
         const std::array wide{scaled(h.left, 1.05), scaled(h.right, 1.05)};
-        EXPECT_TRUE(covers(*solid, ElementsView{{}, wide})) << round;
+        EXPECT_TRUE(covers(*solid, Elements(wide))) << round;
         for (const double slit : {1e-2, 1e-3}) {
             const std::array apart{moved_along(h.left, h.pose, -slit), moved_along(h.right, h.pose, slit)};
             const test::QuadPoint p = test::quad(h.pose.translation) + test::turned(h.pose, {0, radius, 0});
             if (std::min(Judge(apart[0]).outside(p), Judge(apart[1]).outside(p)) > 0) {
                 ++open;
-                EXPECT_FALSE(covers(*solid, ElementsView{{}, apart})) << slit;
+                EXPECT_FALSE(covers(*solid, Elements(apart))) << slit;
             }
         }
     }
@@ -639,9 +639,9 @@ TEST(ElementShells, PlatesUponTheFacetsOfARoundPrimitiveAreNoCover) {
             EXPECT_TRUE(std::all_of(thin.begin(), thin.end(), [&](const Element& e) {
                 return Judge(e).outside(test::quad(pose * beneath_a_corner(primitive))) > 0;
             }));
-            EXPECT_TRUE(covers(*Solid::make(shell), ElementsView{{}, thin})) << to_string(kind);
-            EXPECT_FALSE(covers(*solid, ElementsView{{}, thin})) << to_string(kind) << ' ' << to_string(inner);
-            EXPECT_TRUE(covers(*solid, ElementsView{{}, thick})) << to_string(kind) << ' ' << to_string(inner);
+            EXPECT_TRUE(covers(*Solid::make(shell), Elements(thin))) << to_string(kind);
+            EXPECT_FALSE(covers(*solid, Elements(thin))) << to_string(kind) << ' ' << to_string(inner);
+            EXPECT_TRUE(covers(*solid, Elements(thick))) << to_string(kind) << ' ' << to_string(inner);
         }
     }
 }

@@ -2,7 +2,7 @@
 #include "made_models.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 #include <foam/geometry/inner.hpp>
 #include <foam/geometry/internal/proof.hpp>
 #include <foam/judge/evaluate.hpp>
@@ -73,13 +73,13 @@ TEST(JudgedLinks, SpheresAndElementsGoToTheLinksOfTheirNames) {
     SphereFile file = file_of({one_ball("b", 0.3, {1, 2, 3}), {"a", {}, {box_element({1, 2, 3})}}});
     file.notes = {"of the reader"};
     const MatchedModel model = match(cubes({"a", "b"}), file);
-    ASSERT_EQ(model.spheres.size(), 2u);
-    EXPECT_THAT(model.spheres[0], IsEmpty());
-    EXPECT_THAT(model.spheres[1], ElementsAre(Sphere{{1, 2, 3}, 0.3}));
+    ASSERT_EQ(model.elements.size(), 2u);
+    EXPECT_THAT(model.elements[0], IsEmpty());
+    EXPECT_THAT(model.elements[1], ElementsAre(Sphere{{1, 2, 3}, 0.3}));
     EXPECT_THAT(model.others[0], ElementsAre(box_element({1, 2, 3})));
     EXPECT_THAT(model.others[1], IsEmpty());
     EXPECT_THAT(model.notes, ElementsAre("of the reader"));
-    EXPECT_THAT(match(cubes({"x_1", "b"}), file_of({one_ball("old1")}), {{"old", "x_"}}).spheres[0].size(), 1u);
+    EXPECT_THAT(match(cubes({"x_1", "b"}), file_of({one_ball("old1")}), {{"old", "x_"}}).elements[0].size(), 1u);
 }
 
 TEST(JudgedLinks, WhatALinkIsFixedToTakesItsElementsInItsFrame) {
@@ -89,10 +89,10 @@ TEST(JudgedLinks, WhatALinkIsFixedToTakesItsElementsInItsFrame) {
     SphereFile file = file_of({{"finger", {{{1, 0, 0}, 0.1}}, {box_element({1, 2, 3})}}, one_ball("a", 0.2)});
     file.fixed_joints = {{"finger", {"palm", up}}, {"palm", {"a", turned}}};
     const MatchedModel one = match(cubes({"a"}), file);
-    ASSERT_EQ(one.spheres[0].size(), 2u);
-    EXPECT_NEAR(distance(one.spheres[0][0].center, {5, 1, 1}), 0, 1e-15);
-    EXPECT_EQ(one.spheres[0][0].radius, 0.1);
-    EXPECT_EQ(one.spheres[0][1], (Sphere{{}, 0.2}));
+    ASSERT_EQ(one.elements[0].size(), 2u);
+    EXPECT_NEAR(distance(one.elements[0][0].center, {5, 1, 1}), 0, 1e-15);
+    EXPECT_EQ(one.elements[0][0].radius, 0.1);
+    EXPECT_EQ(one.elements[0][1], (Sphere{{}, 0.2}));
     ASSERT_EQ(one.others[0].size(), 1u);
     EXPECT_NEAR(distance(one.others[0][0].pose * Vec3{1, 0, 0}, {5, 1, 1}), 0, 1e-15);
     EXPECT_THAT(one.notes, ElementsAre("1 link that the robot lacks is taken with the link that it is fixed to"));
@@ -100,7 +100,7 @@ TEST(JudgedLinks, WhatALinkIsFixedToTakesItsElementsInItsFrame) {
     file.links.push_back(one_ball("palm"));
     EXPECT_THAT(match(cubes({"a"}), file).notes,
                 ElementsAre("2 links that the robot lacks are taken with the link that they are fixed to"));
-    EXPECT_EQ(match(cubes({"z"}), file, {{"a", "z"}}).spheres[0].size(), 3u) << "by the new name of that link";
+    EXPECT_EQ(match(cubes({"z"}), file, {{"a", "z"}}).elements[0].size(), 3u) << "by the new name of that link";
 
     file.fixed_joints["palm"].parent = "finger"; // in a circle
     EXPECT_THAT(match(cubes({"a"}), file).notes,
@@ -119,12 +119,12 @@ TEST(JudgedLinks, WhatIsLeftOutIsSaid) {
 }
 
 TEST(JudgedLinks, SpheresWithoutALinkBelongToTheOnlyOne) {
-    EXPECT_EQ(match(cubes({"a"}), file_of({one_ball("")})).spheres[0].size(), 1u);
+    EXPECT_EQ(match(cubes({"a"}), file_of({one_ball("")})).elements[0].size(), 1u);
     EXPECT_THAT(refusal_of(cubes({"a", "b"}), file_of({one_ball("")})),
                 HasSubstr("model.yaml: the spheres name no link, and folder/robot.urdf has 2 links; remedy: --rename"));
     EXPECT_THAT(refusal_of(cubes({}), file_of({one_ball("")})), HasSubstr("folder/robot.urdf has 0 links; remedy"));
-    EXPECT_EQ(match(cubes({"a", "b"}), file_of({one_ball("")}), {{"", "b"}}).spheres[1].size(), 1u);
-    EXPECT_EQ(match(cubes({"a", "b"}), file_of({{"", {}}, one_ball("b")})).spheres[1].size(), 1u);
+    EXPECT_EQ(match(cubes({"a", "b"}), file_of({one_ball("")}), {{"", "b"}}).elements[1].size(), 1u);
+    EXPECT_EQ(match(cubes({"a", "b"}), file_of({{"", {}}, one_ball("b")})).elements[1].size(), 1u);
 }
 
 TEST(JudgedLinks, AModelOfNothingIsRefused) {
@@ -176,7 +176,7 @@ TEST(JudgedLinks, ProofsOfCover) {
         original, file_of({one_ball("open", 0.15), one_ball("covered"), {"boxed", {}, {box_element({1, 1, 1})}}}));
     const std::vector<LinkProof> proofs = prove(original, model, Guarantee::outer);
     ASSERT_EQ(proofs.size(), 4u);
-    const Certificate open = certify(*original.links[0].solid, model.spheres[0]);
+    const Certificate open = certify(*original.links[0].solid, model.elements[0]);
     EXPECT_FALSE(proofs[0].holds);
     EXPECT_EQ(proofs[0].growth, open.growth);
     EXPECT_NEAR(proofs[0].growth, 0.1 * std::sqrt(3) - 0.15, 1e-9);
@@ -204,12 +204,12 @@ TEST(JudgedLinks, HalvingsAreThoseOfTheSmallestPiece) {
     const Original original = cubes({"a"});
     LinkSpheres balls{"a", {}};
     for (int k = 0; k < 8; ++k) {
-        balls.spheres.push_back({{k & 1 ? 0.05 : -0.05, k & 2 ? 0.05 : -0.05, k & 4 ? 0.05 : -0.05}, 0.1});
+        balls.elements.spheres().push_back({{k & 1 ? 0.05 : -0.05, k & 2 ? 0.05 : -0.05, k & 4 ? 0.05 : -0.05}, 0.1});
     }
     const LinkProof proof = prove(original, match(original, file_of({balls})), Guarantee::outer)[0];
     EXPECT_TRUE(proof.holds);
     EXPECT_GT(proof.pieces, 12u);
-    const geometry::CoverProof expected = geometry::prove_cover(*original.links[0].solid, balls.spheres);
+    const geometry::CoverProof expected = geometry::prove_cover(*original.links[0].solid, balls.elements.spheres());
     EXPECT_GT(proof.halvings, 0u);
     EXPECT_EQ(proof.halvings, expected.halvings);
     EXPECT_EQ(proof.triangles, 12u);
@@ -275,7 +275,7 @@ TEST(JudgedLinks, ProvedLinksAreCountedByTheRobot) {
     EXPECT_EQ(links.left_out[1].reason, no_elements);
     EXPECT_FALSE(links.all());
     MatchedModel small = no_spheres(original);
-    small.spheres[1] = {{{0, 0, 0}, 0.01}};
+    small.elements[1] = {{{0, 0, 0}, 0.01}};
     const ProvedLinks open = proved_links(original, small, proofs_of({true, false, true}), Guarantee::outer);
     EXPECT_EQ(open.left_out[1].reason, proof_fails);
     const Original two = cubes({"a", "b"}), first = cubes({"a", "b"}, "b");
@@ -295,7 +295,7 @@ LinkSpheres shell_of(const std::string& link) {
             Element plate = box_element({0.11, 0.11, 0.11});
             plate.half[axis] = 0.01;
             plate.pose.translation[axis] = side;
-            shell.others.push_back(plate);
+            shell.elements.shaped().push_back(plate);
         }
     }
     return shell;

@@ -46,7 +46,7 @@ TEST_F(Readers, OneReadsWhatEachWriterWrites) {
         const SphereFile read = parse_sphere_file(text, "model", registry);
         ASSERT_THAT(read.links, SizeIs(1));
         EXPECT_EQ(read.links[0].link, "only");
-        EXPECT_EQ(read.links[0].spheres, spheres_of(model).at("only"));
+        EXPECT_EQ(read.links[0].elements.spheres(), spheres_of(model).at("only"));
     }
 }
 

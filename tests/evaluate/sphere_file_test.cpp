@@ -16,9 +16,9 @@ void expect_both_links(const SphereFile& file, const std::string& format) {
     EXPECT_EQ(file.format, format);
     ASSERT_EQ(file.links.size(), 2u);
     EXPECT_EQ(file.links[0].link, "l");
-    EXPECT_THAT(file.links[0].spheres, ElementsAre(one, two));
+    EXPECT_THAT(file.links[0].elements.spheres(), ElementsAre(one, two));
     EXPECT_EQ(file.links[1].link, "m");
-    EXPECT_THAT(file.links[1].spheres, ElementsAre(one));
+    EXPECT_THAT(file.links[1].elements.spheres(), ElementsAre(one));
     EXPECT_THAT(file.notes, ElementsAre());
 }
 
@@ -26,7 +26,7 @@ void expect_nameless(const SphereFile& file, const std::string& format) {
     EXPECT_EQ(file.format, format);
     ASSERT_EQ(file.links.size(), 1u);
     EXPECT_EQ(file.links[0].link, "");
-    EXPECT_THAT(file.links[0].spheres, ElementsAre(one, two));
+    EXPECT_THAT(file.links[0].elements.spheres(), ElementsAre(one, two));
 }
 
 const std::string lists = "{l: [{center: [0.1, 0.2, 0.3], radius: 0.05}, {center: [-1, 0, 2.5], radius: 0.25}], "
@@ -56,9 +56,9 @@ TEST_F(SphereFiles, UrdfWithOtherGeometryAndSpheresOfNoSize) {
     <collision><origin xyz="-1 0 2.5"/><geometry><sphere radius="0.25"/></geometry></collision>
   </link>
 </robot>)");
-    EXPECT_THAT(file.links.at(0).spheres, ElementsAre(two));
-    ASSERT_EQ(file.links.at(0).others.size(), 1U);
-    EXPECT_EQ(file.links.at(0).others[0], (Element{.kind = Element::Kind::box, .half = {0.5, 0.5, 0.5}}));
+    EXPECT_THAT(file.links.at(0).elements.spheres(), ElementsAre(two));
+    ASSERT_EQ(file.links.at(0).elements.shaped().size(), 1U);
+    EXPECT_EQ(file.links.at(0).elements.shaped()[0], (Element{.kind = Element::Kind::box, .half = {0.5, 0.5, 0.5}}));
     EXPECT_THAT(
         file.notes,
         ElementsAre("link 'l' has collision geometry that is no convex element (a mesh that is not found), which "
@@ -74,7 +74,7 @@ TEST_F(SphereFiles, UrdfWithCapsulesAndCylinders) {
   </link>
 </robot>)");
     const Pose pose = Pose::from_xyz_rpy({1, 2, 3}, {0.1, 0.2, 0.3});
-    EXPECT_EQ(file.links.at(0).others,
+    EXPECT_EQ(file.links.at(0).elements.shaped(),
               (std::vector<Element>{{.kind = Element::Kind::capsule, .pose = pose, .half = {0, 0, 0.25}, .radius = 0.1},
                                     {.kind = Element::Kind::cylinder, .half = {0, 0, 1}, .radius = 0.25}}));
 }
@@ -83,10 +83,10 @@ TEST_F(SphereFiles, FoamJsonWithElements) {
     const SphereFile file = read(R"({"foam_spheres": 2, "name": "r", "links": {"l": {"spheres": [], "elements": [
   {"kind": "box", "position": [1, 2, 3], "size": [2, 4, 6]},
   {"kind": "hull", "position": [0, 0, 0], "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]}]}}})");
-    ASSERT_EQ(file.links.at(0).others.size(), 2U);
-    EXPECT_EQ(file.links[0].others[0],
+    ASSERT_EQ(file.links.at(0).elements.shaped().size(), 2U);
+    EXPECT_EQ(file.links[0].elements.shaped()[0],
               (Element{.kind = Element::Kind::box, .pose = {.translation = {1, 2, 3}}, .half = {1, 2, 3}}));
-    EXPECT_EQ(file.links[0].others[1].hull->surface.vertices.size(), 4U);
+    EXPECT_EQ(file.links[0].elements.shaped()[1].hull->surface.vertices.size(), 4U);
     EXPECT_THAT(
         refusal(
             R"({"foam_spheres": 2, "links": {"l": {"spheres": [], "elements": [{"kind": "box", "position": [0, 0, 0]}]}}})"),
@@ -156,7 +156,7 @@ TEST_F(SphereFiles, ANegativeRadiusSwitchesASphereOff) {
     const SphereFile file =
         read("collision_spheres: {l: [{center: [0, 0, 0], radius: -1}, {center: [0, 0, 0], radius: -10}, "
              "{center: [-1, 0, 2.5], radius: 0.25}]}");
-    EXPECT_THAT(file.links.at(0).spheres, ElementsAre(two));
+    EXPECT_THAT(file.links.at(0).elements.spheres(), ElementsAre(two));
     EXPECT_THAT(file.notes, ElementsAre("2 spheres of a radius not above 0 are switched off and left out"));
 }
 
@@ -239,8 +239,8 @@ TEST_F(SphereFiles, ABufferSwitchesSpheresOnAndOff) {
         sphere.radius += by;
         return sphere;
     };
-    EXPECT_THAT(xrdf.links.at(0).spheres, ElementsAre(larger({{0, 0, 0}, -0.01}, 0.025), larger(two, 0.025)));
-    EXPECT_THAT(xrdf.links.at(1).spheres, ElementsAre());
+    EXPECT_THAT(xrdf.links.at(0).elements.spheres(), ElementsAre(larger({{0, 0, 0}, -0.01}, 0.025), larger(two, 0.025)));
+    EXPECT_THAT(xrdf.links.at(1).elements.spheres(), ElementsAre());
     EXPECT_THAT(xrdf.notes,
                 ElementsAre("buffer_distance (line 4) belongs to the radii: the program that uses the file adds it",
                             "1 sphere of a radius not above 0 is switched off and left out"));
@@ -248,7 +248,7 @@ TEST_F(SphereFiles, ABufferSwitchesSpheresOnAndOff) {
                 ElementsAre("self_collision_buffer (line 2) changes the radii where the robot is checked against itself: "
                             "figures, proofs and pairs are without it"));
     const SphereFile curobo = read("kinematics:\n  collision_sphere_buffer: -0.2\n  collision_spheres: " + lists);
-    EXPECT_THAT(curobo.links.at(0).spheres, ElementsAre(larger(two, -0.2)));
+    EXPECT_THAT(curobo.links.at(0).elements.spheres(), ElementsAre(larger(two, -0.2)));
     EXPECT_THAT(curobo.notes,
                 ElementsAre("collision_sphere_buffer (line 2) belongs to the radii: the program that uses the file adds it",
                             "the buffer switches 2 spheres off, which are left out (the first: link 'l', 0.05 m - 0.2 "
@@ -370,7 +370,7 @@ TEST_F(SphereFiles, FilesOfTheirPrograms) {
         const SphereFile file = read_sphere_file(theirs / expected.file, registry);
         std::size_t spheres = 0;
         for (const LinkSpheres& link : file.links) {
-            spheres += link.spheres.size();
+            spheres += link.elements.spheres().size();
         }
         EXPECT_EQ(file.format, expected.format);
         EXPECT_EQ(file.links.size(), expected.links);

@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using Levels = std::map<std::string, Approximation::Level>;
+using Levels = std::map<std::string, Elements>;
 
 const double half_diagonal = std::sqrt(0.03);
 const std::string all_proved = "proved: the collision geometry of 1 of 1 link lies inside its spheres";
@@ -39,11 +39,10 @@ public:
         written.push_back(model);
         return model.provenance;
     }
-    std::map<std::string, std::vector<Sphere>> read(const std::string&) const override { return {}; }
     std::string companion(const std::string& ending, const SphereModel& model, Context&) const override {
         return ending + " " + model.file + " " + model.folder.filename().string();
     }
-    Levels read_elements(const std::string&, const std::map<std::string, std::string>& others) const override {
+    Levels read(const std::string&, const std::map<std::string, std::string>& others) const override {
         beside_read = others;
         return read_;
     }
@@ -69,7 +68,7 @@ StageInfo told_info(const Consumer& consumer = {}) {
 Levels levels_of(const std::vector<LinkSpheres>& links) {
     Levels levels;
     for (const LinkSpheres& link : links) {
-        levels[link.link] = {.spheres = link.spheres, .parents = {}, .others = link.others};
+        levels[link.link] = link.elements;
     }
     return levels;
 }
@@ -220,7 +219,7 @@ TEST(WrittenModel, FilesWithOtherElementsAreRefused) {
     const std::vector<LinkSpheres> balls{{"a", {{{}, 0.1}, {{1, 0, 0}, 0.2}}}, ball_of("b", 0.3)};
     const auto with = [&](const std::vector<Sphere>& spheres) {
         std::vector<LinkSpheres> read = balls;
-        read[0].spheres = spheres;
+        read[0].elements.spheres() = spheres;
         return read;
     };
     const auto other = std::pair(ErrorCode::internal,
@@ -262,7 +261,7 @@ TEST(WrittenModel, GroupsOfALinkAreReadTogether) {
     SphereModel model = sphere_model_of(given_file({ball_of("a", 0.1), ball_of("b", 0.2)}),
                                         cubes_of_links({"a", "b"}).robot);
     model.groups.push_back(model.groups[0]);
-    model.groups[2].tree = flat_approximation({{{1, 0, 0}, 0.3}}, {});
+    model.groups[2].tree = flat_tree({{{1, 0, 0}, 0.3}});
     const std::vector<WrittenFile> files{{"out.told", ""}};
     const auto text = [&](const std::vector<Sphere>& of_a) {
         return refused([&] {
@@ -357,7 +356,7 @@ TEST(WrittenModel, AnEditedFileHasTheNewLineOnly) {
     class Keeping final : public Writer {
     public:
         std::string write(const SphereModel&, Context&) const override { return "# foam 1: old, proved\n"; }
-        std::map<std::string, std::vector<Sphere>> read(const std::string&) const override { return {}; }
+        std::map<std::string, Elements> read(const std::string&, const std::map<std::string, std::string>&) const override { return {}; }
     };
     model.provenance = "foam 2: not proved";
     EXPECT_EQ(written_files(Keeping(), told_info(), model, "out.told", context)[0].bytes, "# foam 2: not proved\n");

@@ -2,7 +2,7 @@
 #include "geometry/src/body_cuts.hpp"
 #include "plain_shapes.hpp"
 
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include "plain_shapes.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 #include <foam/geometry/internal/triangle.hpp>
 
 #include <gtest/gtest.h>
@@ -232,17 +232,17 @@ TEST_P(EachKind, WhatIsProvedHoldsAllPointsAndALittleLessDoesNot) {
             start[0].hull = convex_hull(mesh.vertices);
             start[0].pose = {};
         }
-        const Approximation::Level level = grown_to_cover(*solid, {{}, {}, start});
-        ASSERT_TRUE(level.spheres.empty());
-        ASSERT_EQ(level.others.size(), start.size());
-        const Certificate certificate = certify(*solid, level.view());
+        const Elements level = grown_to_cover(*solid, Elements(start));
+        ASSERT_TRUE(level.spheres().empty());
+        ASSERT_EQ(level.size(), start.size());
+        const Certificate certificate = certify(*solid, level.elements);
         ASSERT_TRUE(certificate.holds) << run;
-        EXPECT_EQ(Jury(level.others).outside(solid->surface(), samples / runs, random), 0u) << run;
+        EXPECT_EQ(Jury(level.shaped()).outside(solid->surface(), samples / runs, random), 0u) << run;
         std::vector<Element> less;
-        for (const Element& e : level.others) {
+        for (const Element& e : level) {
             less.push_back(shrunk(e, 1e-9));
         }
-        const Certificate refused = certify(*solid, ElementsView{{}, less});
+        const Certificate refused = certify(*solid, Elements(less));
         if (tight) { // growth was least, so that a corner is outside now
             ASSERT_FALSE(refused.holds) << run;
             EXPECT_FALSE(Jury(less).hold(refused.witness)) << run;
@@ -262,12 +262,12 @@ TEST_P(EachKind, RefusesANeedleBetweenTwo) {
         b.pose.translation = {2, 0, 0};
         const auto solid = Solid::make(Mesh{{{0, 0, 0}, {2, 0, 0}, {0, 1e-6, 0}}, {{0, 1, 2}}});
         const std::vector<Element> two{a, b};
-        const Certificate c = certify(*solid, ElementsView{{}, two});
+        const Certificate c = certify(*solid, Elements(two));
         ASSERT_FALSE(c.holds);
         EXPECT_FALSE(Jury(two).hold(c.witness));
-        const Approximation::Level grown = grown_to_cover(*solid, {{}, {}, two});
+        const Elements grown = grown_to_cover(*solid, Elements(two));
         EXPECT_TRUE(certify(*solid, grown.view()).holds);
-        EXPECT_EQ(Jury(grown.others).outside(solid->surface(), 10'000, random), 0u);
+        EXPECT_EQ(Jury(grown.shaped()).outside(solid->surface(), 10'000, random), 0u);
     }
 }
 
@@ -280,9 +280,9 @@ TEST_P(EachKind, RotationsThatAreNotQuiteOrthonormal) {
             row += test::random_direction(random) * 2e-7;
         }
         ASSERT_TRUE(is_valid(e));
-        const Approximation::Level level = grown_to_cover(*solid, {{}, {}, {e}});
-        ASSERT_TRUE(certify(*solid, level.view()).holds);
-        EXPECT_EQ(Jury(level.others).outside(solid->surface(), 20'000, random), 0u) << run;
+        const Elements level = grown_to_cover(*solid, Elements(std::vector<Element>{e}));
+        ASSERT_TRUE(certify(*solid, level.elements).holds);
+        EXPECT_EQ(Jury(level.shaped()).outside(solid->surface(), 20'000, random), 0u) << run;
     }
 }
 
@@ -292,19 +292,19 @@ TEST_P(EachKind, HugeAndTinyNumbers) {
     for (const double away : {1e6, 1e9}) {
         const auto solid = Solid::make(scaled(mesh, 1, {away, -away, away}));
         Element e = small_element(GetParam(), solid->bounds().center(), 0.5, random);
-        const Approximation::Level level = grown_to_cover(*solid, {{}, {}, {e}});
-        ASSERT_TRUE(certify(*solid, level.view()).holds);
-        EXPECT_EQ(Jury(level.others).outside(solid->surface(), 20'000, random), 0u);
+        const Elements level = grown_to_cover(*solid, Elements(std::vector<Element>{e}));
+        ASSERT_TRUE(certify(*solid, level.elements).holds);
+        EXPECT_EQ(Jury(level.shaped()).outside(solid->surface(), 20'000, random), 0u);
     }
     for (const double size : {1e-300, 1e-200, 1e-100, 1e100, 1e200, 1e300}) {
         const auto solid = Solid::make(scaled(mesh, size, {}));
         std::vector<Element> e{small_element(GetParam(), {0, 0, 0}, 10 * size, random)};
-        const Certificate c = certify(*solid, ElementsView{{}, e});
+        const Certificate c = certify(*solid, Elements(e));
         if (c.holds) {
             EXPECT_EQ(Jury(e).outside(solid->surface(), 1'000, random), 0u);
         }
         e = {small_element(GetParam(), {0, 0, 0}, 0.3 * size, random)};
-        EXPECT_FALSE(certify(*solid, ElementsView{{}, e}).holds) << size;
+        EXPECT_FALSE(certify(*solid, Elements(e)).holds) << size;
     }
 }
 
@@ -313,16 +313,16 @@ TEST_P(EachKind, WhatIsNotValidHoldsNothing) {
     const auto solid = Solid::make(test::box({-0.01, -0.01, -0.01}, {0.01, 0.01, 0.01}));
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     const Element good = small_element(GetParam(), {}, 1, random);
-    ASSERT_TRUE(certify(*solid, ElementsView{{}, std::span(&good, 1)}).holds);
+    ASSERT_TRUE(certify(*solid, Elements(std::vector<Element>{good})).holds);
     for (const double bad : {nan, infinity, -1.0}) {
         Element e = good;
         (GetParam() == Kind::hull || GetParam() == Kind::box ? e.half.x : e.radius) = bad;
         EXPECT_FALSE(is_valid(e));
-        EXPECT_FALSE(certify(*solid, ElementsView{{}, std::span(&e, 1)}).holds);
-        EXPECT_THROW(grown_to_cover(*solid, Approximation::Level{{}, {}, {e}}), Error);
+        EXPECT_FALSE(certify(*solid, Elements(std::vector<Element>{e})).holds);
+        EXPECT_THROW(grown_to_cover(*solid, Elements(std::vector<Element>{e})), Error);
         e = good;
         e.pose.rotation[1].y = bad;
-        EXPECT_FALSE(certify(*solid, ElementsView{{}, std::span(&e, 1)}).holds);
+        EXPECT_FALSE(certify(*solid, Elements(std::vector<Element>{e})).holds);
     }
     // A box with a radius is no swept box: a proof that took it for one would prove points that no box holds.
     const bool box = GetParam() == Kind::box || GetParam() == Kind::swept_box;
@@ -373,19 +373,19 @@ TEST(ElementGrowth, NeedlesAcrossTwoElementsNeedNoMoreThanWhatIsOpen) {
             Mesh needle{{{-0.3, 0.2, 0}, {0.35, 0.2, 0}, {0.1, 0.2, thickness}}, {{0, 1, 2}}};
             // Where the two meet, the needle is open.
             const double meets = 0.037;
-            Approximation::Level level;
-            level.others = {left, right};
-            level.others[0].radius = meets + 0.213 - open;
-            level.others[1].radius = 0.287 - meets - open;
+            Elements level;
+            level.shaped() = {left, right};
+            level[0].radius = meets + 0.213 - open;
+            level[1].radius = 0.287 - meets - open;
             const auto solid = Solid::make(needle);
-            const Certificate before = certify(*solid, level.view());
+            const Certificate before = certify(*solid, level.elements);
             ASSERT_FALSE(before.holds);
             const double across = 2 * thickness * thickness; // capsules are round
             EXPECT_LT(before.growth, 2 * open + across + 1e-9);
-            const Approximation::Level grown = grown_to_cover(*solid, level);
+            const Elements grown = grown_to_cover(*solid, level);
             EXPECT_TRUE(certify(*solid, grown.view()).holds);
             for (std::size_t i = 0; i < 2; ++i) {
-                EXPECT_LT(grown.others[i].radius - level.others[i].radius, 3 * open + 2 * across + 1e-7) << i;
+                EXPECT_LT(grown[i].radius - level[i].radius, 3 * open + 2 * across + 1e-7) << i;
             }
         }
     }
@@ -414,7 +414,7 @@ TEST(ElementCertificate, TheGapBesideAHullIsTheDistance) {
         }
         const double side = 1e-9; // of a triangle that is hardly more than the point
         const auto solid = Solid::make(Mesh{{p, p + Vec3{side, 0, 0}, p + Vec3{0, side, 0}}, {{0, 1, 2}}});
-        if (const Certificate certificate = certify(*solid, ElementsView{{}, {&hull, 1}}); !certificate.holds) {
+        if (const Certificate certificate = certify(*solid, Elements{{}, {&hull, 1}}); !certificate.holds) {
             EXPECT_NEAR(certificate.growth, distance, 4 * side + 1e-3 * distance) << k;
             ++outside;
         }
@@ -424,7 +424,7 @@ TEST(ElementCertificate, TheGapBesideAHullIsTheDistance) {
 
 /// Expects that elements are proved to cover the solid, cut where they meet instead of halved down to their overlap.
 void expect_proved_by_cuts(const Solid& solid, const std::vector<Element>& elements, Random& random) {
-    const Certificate certificate = certify(solid, ElementsView{{}, elements});
+    const Certificate certificate = certify(solid, Elements(elements));
     EXPECT_TRUE(certificate.holds);
     EXPECT_LT(certificate.pieces, 100u);
     EXPECT_EQ(Jury(elements).outside(solid.surface(), 10'000, random), 0u);
@@ -439,17 +439,17 @@ TEST(ElementCertificate, PolytopesThatMeetAtAPlane) {
             for (const double gap : {1e-3, 1e-6, 1e-9, 1e-12}) {
                 SCOPED_TRACE(gap);
                 const std::vector<Element> apart{make(-1, -gap / 2, pose), make(gap / 2, 1, pose)};
-                const Certificate open = certify(*solid, ElementsView{{}, apart});
+                const Certificate open = certify(*solid, Elements(apart));
                 EXPECT_FALSE(open.holds) << gap;
                 EXPECT_LT(open.pieces, 50'000u);
                 EXPECT_LT(open.growth, 3 * gap + 1e-9);
                 expect_proved_by_cuts(*solid, {make(-1, gap / 2, pose), make(-gap / 2, 1, pose)}, random);
             }
-            const Approximation::Level level = grown_to_cover(*solid, {{}, {}, {make(-1, 0, pose), make(0, 1, pose)}});
-            const Certificate touching = certify(*solid, level.view());
+            const Elements level = grown_to_cover(*solid, Elements(std::vector<Element>{make(-1, 0, pose), make(0, 1, pose)}));
+            const Certificate touching = certify(*solid, level.elements);
             EXPECT_TRUE(touching.holds);
             EXPECT_LT(touching.pieces, 100u);
-            for (const Element& e : level.others) {
+            for (const Element& e : level) {
                 EXPECT_NEAR(volume(e), 4, 1e-10);
             }
         }
@@ -480,7 +480,7 @@ TEST(ElementCertificate, RoundElementsThatHardlyOverlap) {
             for (const double gap : {1e-3, 1e-6, 1e-8}) {
                 SCOPED_TRACE(gap);
                 const std::vector<Element> apart{make(-1, -gap / 2, pose), make(gap / 2, 1, pose)};
-                EXPECT_FALSE(certify(*solid, ElementsView{{}, apart}).holds) << gap;
+                EXPECT_FALSE(certify(*solid, Elements(apart)).holds) << gap;
                 expect_proved_by_cuts(*solid, {make(-1, gap / 2, pose), make(-gap / 2, 1, pose)}, random);
             }
         }
@@ -508,7 +508,7 @@ TEST(ElementCertificate, ATriangleAcrossManyRoundElementsTakesFewPieces) {
     for (const auto& [kind, pieces] : {std::pair{Kind::capsule, 400u}, std::pair{Kind::cylinder, 400u},
                                        std::pair{Kind::swept_box, 550u}, std::pair{Kind::sphere, 400u}}) {
         const std::vector<Element> elements = grid_of(kind);
-        const Certificate certificate = certify(*solid, ElementsView{{}, elements});
+        const Certificate certificate = certify(*solid, Elements(elements));
         EXPECT_TRUE(certificate.holds) << to_string(kind);
         EXPECT_LT(certificate.pieces, pieces) << to_string(kind);
     }
@@ -529,7 +529,7 @@ TEST(ElementCertificate, AHoleInsideATriangleWhoseEdgesAreCovered) {
         ASSERT_TRUE(is_valid(e));
         capsules.push_back(e);
     }
-    Certificate open = certify(*solid, ElementsView{{}, capsules});
+    Certificate open = certify(*solid, Elements(capsules));
     EXPECT_FALSE(open.holds);
     EXPECT_FALSE(Jury(capsules).hold(open.witness));
     // the incircle of the triangle: its radius closes the hole
@@ -540,7 +540,7 @@ TEST(ElementCertificate, AHoleInsideATriangleWhoseEdgesAreCovered) {
         for (Element& e : capsules) {
             e.radius = radius;
         }
-        EXPECT_EQ(certify(*solid, ElementsView{{}, capsules}).holds, radius > in);
+        EXPECT_EQ(certify(*solid, Elements(capsules)).holds, radius > in);
     }
 }
 
@@ -557,20 +557,20 @@ TEST(ElementCertificate, PrimitivesInElementsOfTheirKind) {
             {{Primitive::Kind::box, {1, 2, 3}, 0, 0}, {.kind = Kind::box, .pose = pose, .half = {0.5, 1, 1.5}}}};
         for (const auto& [primitive, element] : cases) {
             const auto solid = test::primitive_solid(primitive, pose);
-            EXPECT_TRUE(certify(*solid, ElementsView{{}, std::span(&element, 1)}).holds) << to_string(primitive.kind);
+            EXPECT_TRUE(certify(*solid, Elements(std::vector<Element>{element})).holds) << to_string(primitive.kind);
             const Element less = shrunk(element, 1e-9);
-            const Certificate refused = certify(*solid, ElementsView{{}, std::span(&less, 1)});
+            const Certificate refused = certify(*solid, Elements(std::vector<Element>{less}));
             EXPECT_FALSE(refused.holds) << to_string(primitive.kind);
-            const Approximation::Level level = grown_to_cover(*solid, {{}, {}, {less}});
-            EXPECT_TRUE(certify(*solid, level.view()).holds) << to_string(primitive.kind);
+            const Elements level = grown_to_cover(*solid, Elements(std::vector<Element>{less}));
+            EXPECT_TRUE(certify(*solid, level.elements).holds) << to_string(primitive.kind);
         }
         // around others, in closed form: no larger than by rounding
         const auto ball = test::primitive_solid({Primitive::Kind::sphere, {}, 0.3, 0}, pose);
         Element box{.kind = Kind::box, .pose = pose, .half = Vec3{1, 1, 1} * (0.3 * (1 + 1e-12))};
         box.pose.rotation = test::random_pose(random, 0).rotation;
-        EXPECT_TRUE(certify(*ball, ElementsView{{}, std::span(&box, 1)}).holds);
+        EXPECT_TRUE(certify(*ball, Elements(std::vector<Element>{box})).holds);
         box.half.x = 0.2999;
-        EXPECT_FALSE(certify(*ball, ElementsView{{}, std::span(&box, 1)}).holds);
+        EXPECT_FALSE(certify(*ball, Elements(std::vector<Element>{box})).holds);
     }
 }
 
@@ -579,15 +579,15 @@ TEST(ElementCertificate, SpheresAndOthersTogether) {
     const auto solid = Solid::make(test::box({-1, -0.2, -0.2}, {1, 0.2, 0.2}));
     const Element box = box_between(0, 1.1, {});
     const std::vector<Sphere> ball{{{-0.5, 0, 0}, 0.6}};
-    EXPECT_TRUE(certify(*solid, ElementsView{ball, std::span(&box, 1)}).holds);
-    EXPECT_FALSE(certify(*solid, ElementsView{{}, std::span(&box, 1)}).holds);
+    EXPECT_TRUE(certify(*solid, Elements{ball, std::span(&box, 1)}).holds);
+    EXPECT_FALSE(certify(*solid, Elements(std::vector<Element>{box})).holds);
     const std::vector<Sphere> small{{{-0.5, 0, 0}, 0.5}};
-    EXPECT_FALSE(certify(*solid, ElementsView{small, std::span(&box, 1)}).holds);
-    const Approximation::Level level = grown_to_cover(*solid, {small, {}, {box}});
-    EXPECT_TRUE(certify(*solid, level.view()).holds);
+    EXPECT_FALSE(certify(*solid, Elements{small, std::span(&box, 1)}).holds);
+    const Elements level = grown_to_cover(*solid, {small, {}, {box}});
+    EXPECT_TRUE(certify(*solid, level.elements).holds);
     EXPECT_GE(level.spheres[0].radius, 0.5);
     EXPECT_NEAR(level.spheres[0].radius, std::sqrt(0.25 + 0.08), 1e-6);
-    const Certificate spheres = certify(*solid, ElementsView{ball, {}});
+    const Certificate spheres = certify(*solid, Elements{ball, {}});
     EXPECT_EQ(spheres.growth, certify(*solid, ball).growth);
 }
 

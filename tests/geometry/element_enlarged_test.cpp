@@ -3,7 +3,7 @@
 #include "geometry/src/element_growth.hpp"
 #include "plain_shapes.hpp"
 
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

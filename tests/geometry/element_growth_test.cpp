@@ -1,7 +1,7 @@
 // Growth of elements until they cover: which of them grow, and by how much.
 #include "plain_shapes.hpp"
 
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 
 #include <gtest/gtest.h>
 
@@ -20,9 +20,9 @@ Element box_between(const Vec3& low, const Vec3& high) {
 
 std::vector<Element> grown_over(const Mesh& mesh, const std::vector<Element>& elements) {
     const auto solid = Solid::make(mesh);
-    const Approximation::Level level = grown_to_cover(*solid, {{}, {}, elements});
-    EXPECT_TRUE(covers(*solid, level.view()));
-    return level.others;
+    const Elements level = grown_to_cover(*solid, Elements(elements));
+    EXPECT_TRUE(covers(*solid, level.elements));
+    return level.shaped();
 }
 
 double added(const std::vector<Element>& before, const std::vector<Element>& after, std::size_t i) {
@@ -122,7 +122,7 @@ TEST(ElementGrowth, OnlyTheElementNearestToARoundPartGrowsAroundIt) {
             Element near{.kind = Kind::sphere, .radius = (1 - less) * by}, far{.kind = Kind::sphere, .radius = by};
             far.pose.translation = {0, 0, 1.2 * less * by};
             for (const auto& elements : {std::vector{near, far}, std::vector{far, near}}) {
-                for (const Element& e : grown_to_cover(*solid, {{}, {}, elements}).others) {
+                for (const Element& e : grown_to_cover(*solid, Elements(elements))) {
                     EXPECT_NEAR(e.radius / by, 1, hair);
                 }
             }
@@ -136,8 +136,8 @@ TEST(ElementGrowth, ARoundPartThatNoElementIsNearToIsCoveredToo) {
         const Element small =
             kind == Kind::box ? Element{.kind = kind, .half = {0.2, 0.2, 0.2}}
                               : Element{.kind = kind, .half = {0, 0, kind == Kind::capsule ? 0.1 : 0}, .radius = 0.5};
-        const Element after = grown_to_cover(*solid, {{}, {}, {small}}).others[0];
-        EXPECT_TRUE(covers(*solid, ElementsView{{}, {&after, 1}}));
+        const Element after = grown_to_cover(*solid, Elements(std::vector<Element>{small}))[0];
+        EXPECT_TRUE(covers(*solid, Elements{{}, {&after, 1}}));
         EXPECT_LE(norm(bounds(after).size() / 2 - Vec3{1, 1, 1}), 0.2) << to_string(kind);
     }
 }
@@ -153,7 +153,7 @@ TEST(ElementGrowth, TheWorseEndOfACapsuleCounts) {
             for (Element& e : small) { // so that both of them do not cover
                 e.half.x -= 2e-3;
             }
-            const std::vector<Element> after = grown_to_cover(*solid, {{}, {}, small}).others;
+            const std::vector<Element> after = grown_to_cover(*solid, Elements(small)).shaped();
             for (std::size_t i = 0; i < 2; ++i) {
                 const bool grows = elements[i] == both_ends;
                 EXPECT_NEAR(after[i].half.z, grows ? 2 : small[i].half.z, hair);
@@ -170,7 +170,7 @@ TEST(ElementGrowth, TheCurvedSideOfACylinderIsGivenToTheElementAroundIt) {
     high.pose.translation.z = 0.5;
     high.radius = 0.5;
     for (const auto& elements : {std::vector{low, high}, std::vector{high, low}}) {
-        for (const Element& e : grown_to_cover(*solid, {{}, {}, elements}).others) {
+        for (const Element& e : grown_to_cover(*solid, Elements(elements))) {
             EXPECT_NEAR(e.radius, e.pose.translation.z < 0 ? 1.1 : 1 / std::cos(std::numbers::pi / 64), 0.002);
             EXPECT_NEAR(e.half.z, 0.6, hair);
         }
@@ -193,8 +193,8 @@ TEST(ElementGrowth, WhatIsThinnerThanRoundingIsThickenedBeforeItGrows) {
                 const auto solid = Solid::make(test::box(Vec3{-1, -1, -half} * by, Vec3{1, 1, half} * by));
                 const Element before = plate_from_afar(away, by);
                 ASSERT_TRUE(is_valid(before));
-                const Element after = grown_to_cover(*solid, {{}, {}, {before}}).others[0];
-                EXPECT_TRUE(covers(*solid, ElementsView{{}, {&after, 1}}));
+                const Element after = grown_to_cover(*solid, Elements(std::vector<Element>{before}))[0];
+                EXPECT_TRUE(covers(*solid, Elements{{}, {&after, 1}}));
                 const double thicker = 1.1 * share * solid->bounds().diagonal() / by;
                 const Vec3 size = bounds(after).size() / by;
                 EXPECT_LE(size.z / 2, std::max(half, thicker) + 1e-2 * half + thicker) << away;
@@ -315,26 +315,26 @@ TEST(ElementGrowth, SpheresGrowBesideOthers) {
     Element low = box_between({-1, -1, -1}, {1, 1, 0}), far = low, bad = low;
     bad.half.x = -1;
     far.pose.translation.x = 9;
-    const Approximation::Level before{{{{0, 0, 0.5}, 0.1}, {{0, 0, -5}, 0.7}, {{0, 0, 5}, -1}}, {}, {low, far, bad}};
-    const Approximation::Level after = grown_to_cover(*solid, before);
-    ASSERT_EQ(after.spheres.size(), 3u);
-    ASSERT_EQ(after.others.size(), 3u);
+    const Elements before{{{{0, 0, 0.5}, 0.1}, {{0, 0, -5}, 0.7}, {{0, 0, 5}, -1}}, {}, {low, far, bad}};
+    const Elements after = grown_to_cover(*solid, before);
+    ASSERT_EQ(after.spheres().size(), 3u);
+    ASSERT_EQ(after.size(), 3u);
     EXPECT_NEAR(after.spheres[0].radius, std::hypot(0.5, 0.1, 0.1), hair);
     EXPECT_NEAR(after.spheres[1].radius, 0.7, hair);
     EXPECT_EQ(after.spheres[2], before.spheres[2]);
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_EQ(after.spheres[i].center, before.spheres[i].center);
     }
-    EXPECT_EQ(after.others[2], bad);
-    EXPECT_NEAR(volume(after.others[0]), volume(low), hair);
-    EXPECT_NEAR(volume(after.others[1]), volume(far), hair);
+    EXPECT_EQ(after[2], bad);
+    EXPECT_NEAR(volume(after[0]), volume(low), hair);
+    EXPECT_NEAR(volume(after[1]), volume(far), hair);
 }
 
 TEST(ElementGrowth, WhatCoversStaysAsItIs) {
     const auto solid = Solid::make(test::box({-1, -1, -1}, {1, 1, 1}));
-    const Approximation::Level level{{{{}, 0.1}}, {}, {box_between({-1.1, -1.1, -1.1}, {1.1, 1.1, 1.1})}};
-    const Approximation::Level grown = grown_to_cover(*solid, level);
-    EXPECT_EQ(grown.others, level.others);
+    const Elements level{{{{}, 0.1}}, {}, {box_between({-1.1, -1.1, -1.1}, {1.1, 1.1, 1.1})}};
+    const Elements grown = grown_to_cover(*solid, level);
+    EXPECT_EQ(grown.shaped(), level.shaped());
     EXPECT_EQ(grown.spheres, level.spheres);
 }
 

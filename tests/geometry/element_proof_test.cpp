@@ -2,7 +2,7 @@
 #include "geometry/src/element_proof.hpp"
 #include "plain_shapes.hpp"
 
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 #include <foam/geometry/internal/proof.hpp>
 
 #include <gtest/gtest.h>
@@ -120,7 +120,7 @@ TEST(OpenTriangles, AreThoseThatNoElementContains) {
         }
         EXPECT_EQ(OpenTriangles(*solid, {{}, elements}, pieces, bodies).triangles(), expected);
         EXPECT_FALSE(expected.empty());
-        const Certificate certificate = certify(*solid, ElementsView{{}, elements});
+        const Certificate certificate = certify(*solid, Elements(elements));
         EXPECT_GE(certificate.pieces, solid->surface().triangles.size());
     }
 }
@@ -134,18 +134,18 @@ TEST(ElementCertificate, APartThatIsContainedProvesNothingOfOthers) {
         both.pose = right;
         const std::vector<Element> one{left}, two{left, both};
         const auto solid = Solid::make({{nullptr, p, {}}, {nullptr, p, right}});
-        EXPECT_FALSE(covers(*solid, ElementsView{{}, one})) << to_string(p.kind);
-        EXPECT_TRUE(covers(*solid, ElementsView{{}, two})) << to_string(p.kind);
+        EXPECT_FALSE(covers(*solid, Elements(one))) << to_string(p.kind);
+        EXPECT_TRUE(covers(*solid, Elements(two))) << to_string(p.kind);
         const auto reversed = Solid::make({{nullptr, p, right}, {nullptr, p, {}}});
-        EXPECT_FALSE(covers(*reversed, ElementsView{{}, one})) << to_string(p.kind);
-        EXPECT_TRUE(covers(*reversed, ElementsView{{}, two})) << to_string(p.kind);
+        EXPECT_FALSE(covers(*reversed, Elements(one))) << to_string(p.kind);
+        EXPECT_TRUE(covers(*reversed, Elements(two))) << to_string(p.kind);
     }
 }
 
 TEST(ElementCertificate, ASmallTriangleFarAwayIsLookedAtOnce) {
     const auto solid = Solid::make(Mesh{{{3, 0, 0}, {3, 1e-4, 0}, {3, 0, 1e-4}}, {{0, 1, 2}}});
     const Element box{.kind = Kind::box, .half = {1, 1, 1}};
-    const Certificate certificate = certify(*solid, ElementsView{{}, std::span(&box, 1)});
+    const Certificate certificate = certify(*solid, Elements(std::vector<Element>{box}));
     EXPECT_NEAR(certificate.growth, 2, 1e-3);
     EXPECT_EQ(certificate.pieces, 2u); // the triangle, and its gap
 }
@@ -155,7 +155,7 @@ TEST(ElementCertificate, SpheresAloneHaveAProofOfTheirOwn) {
     for (const double radius : {0.5, 2.0}) {
         const std::vector<Sphere> spheres{{{}, radius}, {{0.1, 0, 0}, radius}};
         const Certificate own = certify(*solid, spheres),
-                          first = certify_to_first_gap(*solid, ElementsView{spheres, {}});
+                          first = certify_to_first_gap(*solid, Elements{spheres, {}});
         EXPECT_EQ(first.holds, own.holds);
         EXPECT_EQ(first.growth, own.growth);
         EXPECT_EQ(first.pieces, own.pieces);
@@ -165,7 +165,7 @@ TEST(ElementCertificate, SpheresAloneHaveAProofOfTheirOwn) {
 TEST(ElementCertificate, ATriangleInOneElementIsOnePiece) {
     const auto solid = Solid::make(test::ball({}, 1, 6));
     const Element box{.kind = Kind::box, .half = {2, 2, 2}};
-    const Certificate certificate = certify(*solid, ElementsView{{}, std::span(&box, 1)});
+    const Certificate certificate = certify(*solid, Elements(std::vector<Element>{box}));
     EXPECT_TRUE(certificate.holds);
     EXPECT_EQ(certificate.pieces, solid->surface().triangles.size());
     EXPECT_EQ(certificate.growth, 0);
@@ -195,7 +195,7 @@ TEST(ElementCertificate, TheGapIsThatOfThePointThatIsFarthestFromAllElements) {
                 }
             }
         }
-        const ElementsView view{{}, elements};
+        const Elements view{{}, elements};
         const Certificate certificate = certify(*solid, view), first = certify_to_first_gap(*solid, view);
         ASSERT_FALSE(certificate.holds);
         EXPECT_GE(certificate.growth, gap - 1e-12);
@@ -241,10 +241,10 @@ TEST(ElementCertificate, WhatLiesBeneathTheTrianglesOfARoundSideCounts) {
     const auto round = test::primitive_solid({Primitive::Kind::cylinder, {}, 1, 0.1});
     const auto flat = Solid::make(round->surface()); // the same triangles
     const std::vector<Element> thin = plates_on(round->surface(), 1e-6, 1.01), deep = plates_on(round->surface(), 0.01, 1.2);
-    EXPECT_TRUE(covers(*flat, ElementsView{{}, thin}));
-    EXPECT_FALSE(covers(*round, ElementsView{{}, thin}));
-    EXPECT_TRUE(covers(*flat, ElementsView{{}, deep}));
-    EXPECT_TRUE(covers(*round, ElementsView{{}, deep}));
+    EXPECT_TRUE(covers(*flat, Elements(thin)));
+    EXPECT_FALSE(covers(*round, Elements(thin)));
+    EXPECT_TRUE(covers(*flat, Elements(deep)));
+    EXPECT_TRUE(covers(*round, Elements(deep)));
 }
 
 TEST(ElementCertificate, TheDepthIsThatOfTheBodiesThatProve) {
@@ -270,11 +270,11 @@ TEST(ElementCertificate, TheDepthIsThatOfTheBodiesThatProve) {
     };
     for (const auto& [depth, used] : {std::pair{-5, 0}, {0, 0}, {1, 1}, {20, 20}, {40, 40}, {60, 60}, {99, 60}}) {
         const double height =
-            least([&](const Element& e) { return certify(*solid, ElementsView{{}, {&e, 1}}, depth).holds; });
+            least([&](const Element& e) { return certify(*solid, Elements{{}, {&e, 1}}, depth).holds; });
         EXPECT_EQ(height, with(3 * used)) << depth;
         EXPECT_GT(height, 0);
     }
-    EXPECT_EQ(least([&](const Element& e) { return covers(*solid, ElementsView{{}, {&e, 1}}); }), with(3 * 40));
+    EXPECT_EQ(least([&](const Element& e) { return covers(*solid, Elements{{}, {&e, 1}}); }), with(3 * 40));
 }
 
 TEST(ElementCertificate, TheGapAmongThreeIsAccurateToAThousandth) {
@@ -292,7 +292,7 @@ TEST(ElementCertificate, TheGapAmongThreeIsAccurateToAThousandth) {
         }
         const auto solid = Solid::make(Mesh{{corners.begin(), corners.end()}, {{0, 1, 2}}});
         const double gap = 1 - balls[0].radius;
-        const Certificate certificate = certify(*solid, ElementsView{{}, balls});
+        const Certificate certificate = certify(*solid, Elements(balls));
         EXPECT_GE(certificate.growth, gap * (1 - 1e-12));
         EXPECT_LE(certificate.growth, gap * 1.0011);
         EXPECT_NEAR(norm(certificate.witness), 0, 0.1);
@@ -306,7 +306,7 @@ TEST(ElementCertificate, ScalesWithAll) {
         const Mesh mesh = test::ball({1, 2, 3}, 1, 4);
         const std::vector<Element> elements = strewn(mesh, 4 * k, 0.4, random);
         for (const int depth : {3, 8, 40}) {
-            const Certificate once = certify(*Solid::make(mesh), ElementsView{{}, elements}, depth);
+            const Certificate once = certify(*Solid::make(mesh), Elements(elements), depth);
             for (const double by : {0x1p-12, 0x1p12}) {
                 Mesh other = mesh;
                 for (Vec3& v : other.vertices) {
@@ -318,7 +318,7 @@ TEST(ElementCertificate, ScalesWithAll) {
                     e.half = e.half * by;
                     e.radius *= by;
                 }
-                const Certificate scaled = certify(*Solid::make(other), ElementsView{{}, others}, depth);
+                const Certificate scaled = certify(*Solid::make(other), Elements(others), depth);
                 EXPECT_EQ(scaled.holds, once.holds);
                 EXPECT_EQ(scaled.growth, once.growth * by);
                 EXPECT_EQ(scaled.pieces, once.pieces);
@@ -341,10 +341,10 @@ TEST(ElementCertificate, TheFirstGapEndsTheSearch) {
         left.pose.translation = {-2, 1.5, 0};
         right.pose.translation = {2, 1.5, 0};
         const std::vector<Element> both{left, right};
-        const Certificate first = certify_to_first_gap(*solid, ElementsView{{}, both});
+        const Certificate first = certify_to_first_gap(*solid, Elements(both));
         EXPECT_FALSE(first.holds);
         EXPECT_LE(first.pieces, 2u);
-        EXPECT_GT(certify(*solid, ElementsView{{}, both}).pieces, 4u);
+        EXPECT_GT(certify(*solid, Elements(both)).pieces, 4u);
     }
 }
 
@@ -354,7 +354,7 @@ TEST(ElementCertificate, PartsThatCutsLeaveCountAsPieces) {
     left.pose.translation.x = -1;
     right.pose.translation.x = 1;
     const std::vector<Element> both{left, right};
-    const Certificate certificate = certify(*solid, ElementsView{{}, both});
+    const Certificate certificate = certify(*solid, Elements(both));
     EXPECT_TRUE(certificate.holds);
     EXPECT_EQ(certificate.pieces, 2u); // the triangle, and what one box leaves of it
 }
@@ -373,8 +373,8 @@ TEST(ElementCertificate, ATriangleInOneBallIsProvedJustWhereTheBodyHoldsItsCorne
         const Balls pieces(*solid, {}, 120);
         const Bodies bodies({{}, {&ball, 1}}, {}, pieces.extent(), 120);
         const bool holds = bodies.holds(0, p) && bodies.holds(0, -p);
-        EXPECT_EQ(covers(*solid, ElementsView{{}, {&ball, 1}}), holds) << k;
-        EXPECT_EQ(certify(*solid, ElementsView{{}, {&ball, 1}}).holds, holds) << k;
+        EXPECT_EQ(covers(*solid, Elements{{}, {&ball, 1}}), holds) << k;
+        EXPECT_EQ(certify(*solid, Elements{{}, {&ball, 1}}).holds, holds) << k;
         held += holds;
         at += !holds && bodies.growth(0, p) == 0;
     }

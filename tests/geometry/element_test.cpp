@@ -1,7 +1,7 @@
 // Queries and figures of convex elements, each against another way to the same answer.
 #include "plain_shapes.hpp"
 
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 
 #include <gtest/gtest.h>
 
@@ -114,16 +114,16 @@ TEST_P(Elements, MeshesEncloseAndVolumesAgree) {
         EXPECT_LE(solid->volume(), exact * 1.03);
         // by lines: two of them at one place
         const std::vector<Element> twice{e, e};
-        EXPECT_NEAR(union_volume(ElementsView{{}, twice}), exact, 4e-3 * exact);
-        EXPECT_NEAR(union_volume(ElementsView{{}, std::span(&e, 1)}), exact, 1e-12 * exact);
+        EXPECT_NEAR(union_volume(Elements(twice)), exact, 4e-3 * exact);
+        EXPECT_NEAR(union_volume(Elements(std::vector<Element>{e})), exact, 1e-12 * exact);
         // the mesh lies in an element a little larger, with the excess of it
         const Element around = grown(e, 0.2);
-        const Measures m = measure(*solid, ElementsView{{}, std::span(&around, 1)});
+        const Measures m = measure(*solid, Elements(std::vector<Element>{around}));
         EXPECT_TRUE(m.certified);
         EXPECT_EQ(m.gap, 0);
         EXPECT_EQ(m.missing, 0);
         EXPECT_NEAR(m.excess_volume, volume(around) - solid->volume(), 1e-9);
-        EXPECT_NEAR(excess_volume(*solid, ElementsView{{}, std::span(&around, 1)}), m.excess_volume, 1e-9);
+        EXPECT_NEAR(excess_volume(*solid, Elements(std::vector<Element>{around})), m.excess_volume, 1e-9);
         EXPECT_GE(m.protrusion_max, m.protrusion_mean);
         EXPECT_LE(m.protrusion_mean, 0.35 * 2);
         // a smaller one leaves some of it out, and its surface does not protrude
@@ -132,7 +132,7 @@ TEST_P(Elements, MeshesEncloseAndVolumesAgree) {
         if (e.kind != Kind::hull) {
             inside.radius *= 0.8;
             inside.half *= 0.8;
-            const Measures less = measure(*solid, ElementsView{{}, std::span(&inside, 1)});
+            const Measures less = measure(*solid, Elements(std::vector<Element>{inside}));
             EXPECT_FALSE(less.certified);
             EXPECT_NEAR(less.missing_volume, solid->volume() - volume(inside), 5 * less.missing_volume_error + 1e-9);
             EXPECT_NEAR(less.excess_volume, 0, 1e-9);
@@ -146,7 +146,7 @@ TEST_P(Elements, MeshesEncloseAndVolumesAgree) {
 TEST(ElementFigures, ABoxAroundABox) {
     const auto solid = Solid::make(test::box({-1, -1, -1}, {1, 1, 1}));
     Element box{.kind = Kind::box, .half = {1.1, 1.1, 1.1}};
-    const Measures m = measure(*solid, ElementsView{{}, std::span(&box, 1)});
+    const Measures m = measure(*solid, Elements(std::vector<Element>{box}));
     EXPECT_TRUE(m.certified);
     EXPECT_EQ(m.spheres, 1u);
     EXPECT_NEAR(m.excess, 1.331 - 1, 1e-9);
@@ -159,7 +159,7 @@ TEST(ElementFigures, ABoxAroundABox) {
     halves[0].half.x = halves[1].half.x = 0.55;
     halves[0].pose.translation.x = -0.55;
     halves[1].pose.translation.x = 0.55;
-    const Measures two = measure(*solid, ElementsView{{}, halves});
+    const Measures two = measure(*solid, Elements(halves));
     EXPECT_NEAR(two.exposed_area, m.exposed_area, 1e-6);
     EXPECT_NEAR(two.excess, m.excess, 1e-6);
     EXPECT_NEAR(two.protrusion_max, m.protrusion_max, 1e-9);
@@ -168,19 +168,19 @@ TEST(ElementFigures, ABoxAroundABox) {
 TEST(ElementFigures, SpheresKeepTheirResults) {
     const auto solid = Solid::make(test::ball({0, 0, 0}, 0.5, 12));
     const std::vector<Sphere> spheres{{{0.1, 0, 0}, 0.55}, {{-0.2, 0, 0}, 0.4}};
-    const Measures a = measure(*solid, spheres), b = measure(*solid, ElementsView{spheres, {}});
+    const Measures a = measure(*solid, spheres), b = measure(*solid, Elements{spheres, {}});
     EXPECT_EQ(a.excess, b.excess);
     EXPECT_EQ(a.gap, b.gap);
     EXPECT_EQ(a.protrusion_mean, b.protrusion_mean);
-    EXPECT_EQ(solid->missing_volume(spheres), missing_volume(*solid, ElementsView{spheres, {}}));
-    EXPECT_EQ(union_volume(std::span<const Sphere>(spheres)), union_volume(ElementsView{spheres, {}}));
-    EXPECT_EQ(grown_to_cover(*solid, spheres), grown_to_cover(*solid, Approximation::Level{spheres, {}, {}}).spheres);
+    EXPECT_EQ(solid->missing_volume(spheres), missing_volume(*solid, Elements{spheres, {}}));
+    EXPECT_EQ(union_volume(std::span<const Sphere>(spheres)), union_volume(Elements{spheres, {}}));
+    EXPECT_EQ(grown_to_cover(*solid, spheres), grown_to_cover(*solid, Elements(spheres)).spheres);
     Element ball;
     ball.pose.translation = {0.3, 0, 0};
     ball.radius = 0.2;
-    const Approximation flat = flat_approximation(spheres, {ball});
+    const Approximation flat = flat_tree({spheres, {ball}});
     EXPECT_EQ(flat.levels[1].parents.size(), 3u);
-    EXPECT_LE(distance(flat.levels[0].spheres[0].center, ball.pose.translation) + 0.2,
+    EXPECT_LE(distance(flat.levels[0].elements.elements.spheres()[0].center, ball.pose.translation) + 0.2,
               flat.levels[0].spheres[0].radius * (1 + 1e-9));
 }
 

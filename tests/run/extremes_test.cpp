@@ -3,7 +3,7 @@
 #include "support/runs.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 #include <foam/runtime/contract.hpp>
 #include <foam/runtime/internal/cover.hpp>
 #include <foam/search/approximate.hpp>
@@ -338,11 +338,11 @@ TEST(ExtremesOfNumbers, BoxesThatOverlapByAMillionthAreProved) {
         SphereTree tree;
         tree.levels.push_back(search.cover(count).elements);
         const double less = (3e-4 - 1e-6) * solid->bounds().diagonal(); // of the overlap
-        for (Element& box : tree.levels.back().others) {
+        for (Element& box : tree.levels.back().elements.shaped()) {
             box.half -= Vec3{less, less, less};
         }
         const runtime::FinishedTree finished = runtime::finished_tree(*solid, std::move(tree), Guarantee::outer);
-        EXPECT_TRUE(certify(*solid, finished.tree.levels.back().view()).holds) << count;
+        EXPECT_TRUE(certify(*solid, finished.tree.levels.back().elements).holds) << count;
     }
 }
 

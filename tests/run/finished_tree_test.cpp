@@ -4,7 +4,6 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
-#include <foam/geometry/element_measure.hpp>
 #include <foam/geometry/inner.hpp>
 #include <foam/geometry/joint_volume.hpp>
 #include <foam/geometry/measure.hpp>
@@ -186,13 +185,13 @@ TEST(FinishedTree, EveryLevelCovers) {
     const FinishedTree finished = finished_tree(*solid, tree, Guarantee::outer, false);
     ASSERT_EQ(finished.tree.levels.size(), 2u);
     for (const SphereTree::Level& level : finished.tree.levels) {
-        EXPECT_TRUE(certify(*solid, level.spheres).holds);
+        EXPECT_TRUE(certify(*solid, level.elements.spheres()).holds);
     }
     EXPECT_EQ(finished.tree.levels[1].parents, (std::vector<std::uint32_t>{0, 0}));
     EXPECT_NEAR(finished.growth, finished.tree.finest()[0].radius - 0.5, 0.1) << "of the finest level only";
     EXPECT_LT(finished.growth, 0.5);
     const FinishedTree fitted = finished_tree(*solid, tree, Guarantee::fitted);
-    EXPECT_EQ(fitted.tree.levels[0].spheres, tree.levels[0].spheres) << "neither grown nor shrunk";
+    EXPECT_EQ(fitted.tree.levels[0].elements.elements.spheres(), tree.levels[0].spheres) << "neither grown nor shrunk";
     EXPECT_EQ(fitted.growth, 0);
 }
 
@@ -205,26 +204,26 @@ TEST(FinishedTree, InnerLevelsKeepTheirParents) {
         {{{{0.7, 0.5, 0.5}, 0.4}, {{3.5, 0.5, 0.5}, 0.4}, {{1.5, 9, 9}, 0.1}, {{2.9, 0.4, 0.5}, 0.3}}, {1, 0, 1, 2}}};
     const SphereTree inner = finished_tree(*solid, tree, Guarantee::inner).tree;
     ASSERT_EQ(inner.levels.size(), 3u);
-    ASSERT_EQ(inner.levels[1].spheres.size(), 2u);
+    ASSERT_EQ(inner.levels[1].elements.spheres().size(), 2u);
     EXPECT_EQ(inner.levels[1].parents, (std::vector<std::uint32_t>{0, 0}));
-    ASSERT_EQ(inner.levels[2].spheres.size(), 3u);
+    ASSERT_EQ(inner.levels[2].elements.spheres().size(), 3u);
     EXPECT_EQ(inner.levels[2].parents, (std::vector<std::uint32_t>{0, 1, 1}));
     EXPECT_TRUE(inner.levels[0].parents.empty());
     for (const SphereTree::Level& level : inner.levels) {
-        EXPECT_TRUE(certify_inner(*solid, level.spheres).holds);
+        EXPECT_TRUE(certify_inner(*solid, level.elements.spheres()).holds);
     }
-    tree.levels[1].spheres = {{{2, 9, 9}, 0.1}, {{2, 9, 9}, 0.1}, {{2, 9, 9}, 0.1}};
+    tree.levels[1].elements.spheres() = {{{2, 9, 9}, 0.1}, {{2, 9, 9}, 0.1}, {{2, 9, 9}, 0.1}};
     const SphereTree bridged = finished_tree(*solid, tree, Guarantee::inner).tree;
-    EXPECT_EQ(bridged.levels[1].spheres, (std::vector<Sphere>{bridged.levels[2].spheres[0]})) << "the largest below it";
+    EXPECT_EQ(bridged.levels[1].elements.elements.spheres(), (std::vector<Sphere>{bridged.levels[2].spheres[0]})) << "the largest below it";
     EXPECT_EQ(bridged.levels[1].parents, (std::vector<std::uint32_t>{0}));
     EXPECT_EQ(bridged.levels[2].parents, (std::vector<std::uint32_t>{0, 0, 0}));
-    tree.levels[0].spheres = {{{2, 9, 9}, 0.1}};
+    tree.levels[0].elements.spheres() = {{{2, 9, 9}, 0.1}};
     EXPECT_TRUE(finished_tree(*solid, tree, Guarantee::inner).tree.levels[0].parents.empty());
-    EXPECT_EQ(finished_tree(*solid, tree, Guarantee::inner).tree.levels[0].spheres.size(), 1u);
-    tree.levels[2].spheres.assign(4, {{2, 9, 9}, 0.1});
+    EXPECT_EQ(finished_tree(*solid, tree, Guarantee::inner).tree.levels[0].elements.spheres().size(), 1u);
+    tree.levels[2].elements.spheres().assign(4, {{2, 9, 9}, 0.1});
     EXPECT_THROW(finished_tree(*solid, tree, Guarantee::inner), Error);
     EXPECT_THROW(require_room(*solid, tree), Error);
-    tree.levels[2].spheres[3] = {{2, 0.5, 0.5}, 0.1};
+    tree.levels[2].elements.spheres()[3] = {{2, 0.5, 0.5}, 0.1};
     EXPECT_NO_THROW(require_room(*solid, tree));
 }
 
@@ -293,13 +292,13 @@ TEST(FinishedTree, ElementsOfOtherKindsAreFinishedBesideSpheres) {
     const FinishedTree outer = finished_tree(*solid, tree, Guarantee::outer);
     EXPECT_FALSE(outer.one_instead);
     ASSERT_EQ(outer.tree.levels.size(), 2u);
-    EXPECT_NEAR(outer.tree.levels[1].others.at(0).half.y, 0.456790, 1e-12);
+    EXPECT_NEAR(outer.tree.levels[1].elements.shaped().at(0).half.y, 0.456790, 1e-12);
     EXPECT_NEAR(outer.growth, 0.456790 - 0.45678912345, 1e-12) << "of the finest level";
-    EXPECT_EQ(outer.tree.levels[1].spheres, tree.levels[1].spheres);
-    tree.levels[1].spheres.clear();
+    EXPECT_EQ(outer.tree.levels[1].elements.elements.spheres(), tree.levels[1].spheres);
+    tree.levels[1].elements.spheres().clear();
     tree.levels[1].parents = {0};
     const FinishedTree grown = finished_tree(*solid, tree, Guarantee::outer), fitted = finished_tree(*solid, tree, Guarantee::fitted);
-    EXPECT_TRUE(covers(*solid, grown.tree.levels[1].view()));
+    EXPECT_TRUE(covers(*solid, grown.tree.levels[1].elements));
     EXPECT_GE(grown.growth, 0.5 - 0.45678912345);
     EXPECT_LT(grown.growth, 0.044);
     EXPECT_NEAR(fitted.growth, 0.456790 - 0.45678912345, 1e-12);
@@ -310,22 +309,22 @@ TEST(FinishedTree, PaddedElementsGrowByALengthAndUpToTheGrid) {
     SphereTree tree;
     tree.levels = {{{{{0.1, 0, 0}, 0.2}}, {}, {box}}};
     const SphereTree wide = padded(*cube(1), tree, 0.0100004);
-    EXPECT_NEAR(wide.levels[0].spheres[0].radius, 0.210001, 1e-12);
-    EXPECT_EQ(wide.levels[0].spheres[0].center, tree.levels[0].spheres[0].center);
-    EXPECT_NEAR(wide.levels[0].others[0].half.x, 0.510001, 1e-12);
-    EXPECT_NEAR(wide.levels[0].others[0].half.z, 0.310001, 1e-12);
+    EXPECT_NEAR(wide.levels[0].elements.spheres()[0].radius, 0.210001, 1e-12);
+    EXPECT_EQ(wide.levels[0].elements.elements.spheres()[0].center, tree.levels[0].spheres[0].center);
+    EXPECT_NEAR(wide.levels[0].elements.shaped()[0].half.x, 0.510001, 1e-12);
+    EXPECT_NEAR(wide.levels[0].elements.shaped()[0].half.z, 0.310001, 1e-12);
     const auto large = cube(1e8); // which has no grid
     const SphereTree beside = beside_kept(*large, tree);
     const double length = 1e-9 * large->bounds().diagonal();
     EXPECT_NEAR(length, 0.1732, 1e-4);
-    EXPECT_NEAR(beside.levels[0].spheres[0].radius, 0.2 + length, 1e-12);
-    EXPECT_NEAR(beside.levels[0].others[0].half.y, 0.4 + length, 1e-12);
+    EXPECT_NEAR(beside.levels[0].elements.spheres()[0].radius, 0.2 + length, 1e-12);
+    EXPECT_NEAR(beside.levels[0].elements.shaped()[0].half.y, 0.4 + length, 1e-12);
 }
 
 TEST(FinishedTree, CostsOfElementsAreThoseOfWhatIsFinished) {
     const auto solid = cube(1);
     const auto costs = [&](const Element& e, Guarantee guarantee) {
-        const ElementsView view{{}, std::span(&e, 1)};
+        const Elements view{{}, std::span(&e, 1)};
         return std::pair{cost_of_elements(*solid, view, guarantee), protrusion_of_elements(*solid, view, guarantee)};
     };
     Element e{.kind = Element::Kind::box, .half = {0.6, 0.6, 0.6}};

@@ -1,7 +1,7 @@
 // Elements of any kind through a whole run: what a third party's stage makes is grown, proved, written and recorded.
 #include "small_robot.hpp"
 
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -26,7 +26,7 @@ protected:
     }
     json manifest(const std::string& out = "out") const { return json::parse(text_of(out + "/manifest.json")); }
     /// The elements of a link, as the files hold them.
-    Approximation::Level read_back(const std::string& link, const std::string& out = "out") const {
+    Elements read_back(const std::string& link, const std::string& out = "out") const {
         std::map<std::string, std::string> beside;
         for (const auto& file : std::filesystem::directory_iterator(folder.path() / out)) {
             for (const auto& hull : file.path().filename() == "hulls" ? std::filesystem::directory_iterator(file.path())
@@ -35,7 +35,7 @@ protected:
                     text_of(out + "/hulls/" + hull.path().filename().string());
             }
         }
-        return registry.make<Writer>("write.by_hand")->read_elements(text_of(out + "/two.hand"), beside).at(link);
+        return registry.make<Writer>("write.by_hand")->read(text_of(out + "/two.hand"), beside).at(link);
     }
 };
 
@@ -54,14 +54,14 @@ TEST_F(Elements, OfEveryKindAreProvedOnTheNumbersReadBack) {
             SCOPED_TRACE(parameters);
             const RunResult result = made(parameters);
             EXPECT_TRUE(result.certified);
-            const Approximation::Level level = read_back("base");
+            const Elements level = read_back("base");
             EXPECT_EQ(result.total.spheres, level.size() + read_back("tip").size());
             EXPECT_LE(result.total.spheres, 6u);
             if (result.total.spheres < 6u) {
                 EXPECT_THAT(warnings_of(result), Contains(HasSubstr("more elements did not reduce the excess")));
             }
-            EXPECT_TRUE(certify(*base(), level.view()).holds);
-            EXPECT_GT(level.others.size(), 0u);
+            EXPECT_TRUE(certify(*base(), level.elements).holds);
+            EXPECT_GT(level.shaped().size(), 0u);
         }
     }
 }

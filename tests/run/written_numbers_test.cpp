@@ -2,7 +2,7 @@
 #include "geometry/plain_shapes.hpp"
 #include "runtime/src/written_numbers.hpp"
 
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 
 #include <gmock/gmock.h>
 
@@ -118,7 +118,7 @@ TEST(WrittenNumbers, SpheresThatCoverGrowByWhatSinglePrecisionLoses) {
     box.pose.translation = far.center;
     for (const Numbers numbers : {Numbers::float64, Numbers::float32}) {
         for (const bool outer : {false, true}) {
-            Approximation::Level level{{far}, {}, {box}};
+            Elements level{{far}, {}, {box}};
             finish_elements(*solid, level, grid, outer, numbers);
             const double lost = outer ? float32_slack(far, numbers) : 0;
             EXPECT_EQ(level.spheres[0].radius, grid.up(0.5 + lost));
@@ -152,11 +152,11 @@ TEST_P(WrittenNumbers, FinishedElementsCoverAndAreOnTheGrid) {
         const auto solid = Solid::make(test::box(box.low, box.high));
         const DecimalGrid grid(solid->bounds().diagonal());
         for (const Numbers numbers : {Numbers::float64, Numbers::float32}) {
-            Approximation::Level level{{}, {}, {start}};
+            Elements level{{}, {}, {start}};
             const double growth = finish_elements(*solid, level, grid, true, numbers);
-            ASSERT_EQ(level.others.size(), 1u);
-            const Element& e = level.others[0];
-            EXPECT_TRUE(certify(*solid, level.view()).holds) << size;
+            ASSERT_EQ(level.size(), 1u);
+            const Element& e = level[0];
+            EXPECT_TRUE(certify(*solid, level.elements).holds) << size;
             EXPECT_TRUE(is_on(grid, e.radius));
             EXPECT_TRUE(is_on(grid, e.half));
             double most = e.radius - start.radius;
@@ -173,7 +173,7 @@ TEST_P(WrittenNumbers, FinishedElementsCoverAndAreOnTheGrid) {
             EXPECT_EQ(growth, most);
             if (numbers == Numbers::float32) {
                 const Element read = in_float(e);
-                EXPECT_TRUE(certify(*solid, ElementsView{{}, std::span(&read, 1)}).holds) << size;
+                EXPECT_TRUE(certify(*solid, Elements(std::vector<Element>{read})).holds) << size;
             }
         }
     }
@@ -183,14 +183,14 @@ TEST_P(WrittenNumbers, WhatCoversAlreadyGrowsByNoMoreThanRounding) {
     const auto solid = Solid::make(test::box({0.05, -0.3, 0.25}, {0.2, -0.2, 0.4}));
     const Element start = odd(GetParam(), 1);
     const DecimalGrid grid(1);
-    Approximation::Level level{{}, {}, {start}};
-    ASSERT_TRUE(covers(*solid, level.view()));
+    Elements level{{}, {}, {start}};
+    ASSERT_TRUE(covers(*solid, level.elements));
     const double growth = finish_elements(*solid, level, grid, true, Numbers::float64);
     EXPECT_GE(growth, 0);
     EXPECT_LT(growth, GetParam() == Kind::hull ? 5 * grid.step() : 2 * grid.step());
-    EXPECT_TRUE(covers(*solid, level.view()));
+    EXPECT_TRUE(covers(*solid, level.elements));
     if (GetParam() != Kind::hull) {
-        EXPECT_EQ(level.others[0].pose.translation, grid.nearest(start.pose.translation));
+        EXPECT_EQ(level[0].pose.translation, grid.nearest(start.pose.translation));
     }
 }
 
@@ -198,12 +198,12 @@ TEST(WrittenNumbers, WhatIsNotToCoverOnlyMovesToTheGrid) {
     const auto solid = Solid::make(test::box({-9, -9, -9}, {9, 9, 9}));
     const DecimalGrid grid(1);
     const Element start = odd(Kind::swept_box, 1);
-    Approximation::Level level{{{{0.1234567891, 0, 0}, 0.2222222222}}, {}, {start}};
+    Elements level{{{{0.1234567891, 0, 0}, 0.2222222222}}, {}, {start}};
     finish_elements(*solid, level, grid, false, Numbers::float32);
     EXPECT_EQ(level.spheres[0], (Sphere{grid.nearest(Vec3{0.1234567891, 0, 0}), grid.up(0.2222222222)}));
     Element expected = up_on_grid(start, grid);
     expected.pose.translation = grid.nearest(start.pose.translation);
-    EXPECT_THAT(level.others, ElementsAre(expected));
+    EXPECT_THAT(level.shaped(), ElementsAre(expected));
 }
 
 TEST(WrittenNumbers, SpheresBesideElementsCoverWithThem) {
@@ -213,19 +213,19 @@ TEST(WrittenNumbers, SpheresBesideElementsCoverWithThem) {
     box.pose = {};
     box.pose.translation = {0.5123456789, 0, 0};
     for (const Numbers numbers : {Numbers::float64, Numbers::float32}) {
-        Approximation::Level level{{{{-0.5123456789, 0, 0}, 0.3333333333}}, {}, {box}};
+        Elements level{{{{-0.5123456789, 0, 0}, 0.3333333333}}, {}, {box}};
         const double growth = finish_elements(*solid, level, grid, true, numbers);
-        EXPECT_TRUE(covers(*solid, level.view()));
+        EXPECT_TRUE(covers(*solid, level.elements));
         EXPECT_TRUE(is_on(grid, level.spheres[0].radius));
         EXPECT_TRUE(is_on(grid, level.spheres[0].center));
         EXPECT_GE(growth, level.spheres[0].radius - 0.3333333333);
         EXPECT_GT(level.spheres[0].radius, 0.5);
-        const Element read_box = in_float(level.others[0]);
+        const Element read_box = in_float(level[0]);
         const Vec3& c = level.spheres[0].center;
         const Sphere read{{static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z)},
                           static_cast<float>(level.spheres[0].radius)};
         if (numbers == Numbers::float32) {
-            EXPECT_TRUE(covers(*solid, ElementsView{std::span(&read, 1), std::span(&read_box, 1)}));
+            EXPECT_TRUE(covers(*solid, Elements{std::span(&read, 1), std::span(&read_box, 1)}));
         }
     }
 }
@@ -236,9 +236,9 @@ TEST(WrittenNumbers, WhatFilesLoseIsAddedWhereTheyLoseIt) {
     const DecimalGrid grid(1);
     const auto finished = [&](Element e, const Pose& pose, Numbers numbers, bool outer = true) {
         e.pose = pose;
-        Approximation::Level level{{}, {}, {e}};
+        Elements level{{}, {}, {e}};
         finish_elements(*solid, level, grid, outer, numbers);
-        return level.others[0];
+        return level[0];
     };
     const Pose turned = Pose::from_axis_angle({0, 0, 1}, 0.3);
     const double next = grid.up(0.5 + 0.5 * grid.step());
@@ -263,9 +263,9 @@ TEST(WrittenNumbers, WhatFilesLoseIsAddedWhereTheyLoseIt) {
         const double far = norm({-3 + box.low.x, box.high.y, 2 + box.high.z});
         const auto elsewhere = Solid::make(test::box({-3.1, -0.1, 1.9}, {-2.9, 0.1, 2.1}));
         e.pose = below;
-        Approximation::Level level{{}, {}, {e}};
+        Elements level{{}, {}, {e}};
         finish_elements(*elsewhere, level, grid, true, Numbers::float32);
-        EXPECT_NEAR(length(level.others[0]) - 0.5, 8 * std::numeric_limits<float>::epsilon() * far,
+        EXPECT_NEAR(length(level[0]) - 0.5, 8 * std::numeric_limits<float>::epsilon() * far,
                     1.001 * grid.step());
     }
 }
@@ -285,10 +285,10 @@ TEST(WrittenNumbers, WithoutAGridElementsGrowByWhatFilesLose) {
                     norm({far(box.low.x, box.high.x), far(box.low.y, box.high.y), far(box.low.z, box.high.z)});
                 const bool by_ends = kind == Kind::capsule || kind == Kind::cylinder;
                 for (const Numbers numbers : {Numbers::float64, Numbers::float32}) {
-                    Approximation::Level level{{}, {}, {e}};
+                    Elements level{{}, {}, {e}};
                     const double growth = finish_elements(*solid, level, none, true, numbers);
                     const double lost = numbers == Numbers::float32 ? size * 0x1p-20 : by_ends || turned ? size * 1e-12 : 0;
-                    const Element& after = level.others[0];
+                    const Element& after = level[0];
                     EXPECT_NEAR(growth, lost, 1e-15) << to_string(kind);
                     EXPECT_NEAR(after.radius - e.radius, kind == Kind::box ? 0 : lost, 1e-15) << to_string(kind);
                     const bool longer = kind == Kind::box || kind == Kind::cylinder;
@@ -340,13 +340,13 @@ TEST(WrittenNumbers, WhatDoesNotCoverHoldsAfterwardsWhatItHeld) {
             element.pose.translation.x = 3 + shift * 1.1; // beside the solid: there is nothing for it to grow for
             const Sphere idle{{-3 - shift, shift, 2 + shift * 0.7}, 0.1 + shift * 0.1};
             const Element around{.kind = Kind::box, .half = {1.99, 1, 1}};
-            Approximation::Level level{{idle}, {}, {element, around}};
+            Elements level{{idle}, {}, {element, around}};
             finish_elements(*solid, level, grid, true, Numbers::float64);
-            ASSERT_TRUE(covers(*solid, level.view()));
+            ASSERT_TRUE(covers(*solid, level.elements));
             const Sphere& after = level.spheres[0];
             EXPECT_GE(after.radius, idle.radius + distance(after.center, idle.center) - 1e-15);
             EXPECT_LE(after.radius, idle.radius + 3 * grid.step());
-            expect_holds(level.others[0], element);
+            expect_holds(level[0], element);
         }
     }
 }
@@ -365,14 +365,14 @@ TEST(WrittenNumbers, ElementsGrowUntilTheyAreProvedBySteps) {
             half.half.x = 0.5 - missing * unit + unit / 2; // what overlaps covers, but for the ends
             const int rounds = missing <= 0 ? 0 : static_cast<int>(std::ceil(std::log2(missing + 0.5)));
             const double expected = missing > 4095 ? 4095 : std::ldexp(1, rounds) - 1;
-            Approximation::Level level{{ball}, {}, {half}};
+            Elements level{{ball}, {}, {half}};
             grow_until_proved(*solid, level, on);
-            EXPECT_EQ(covers(*solid, level.view()), missing < 4100) << missing;
+            EXPECT_EQ(covers(*solid, level.elements), missing < 4100) << missing;
             EXPECT_NEAR(level.spheres[0].radius, ball.radius + expected * unit, 1.1 * rounds * on.step() + 1e-15) << missing;
-            EXPECT_NEAR(level.others[0].half.x, half.half.x + expected * unit, 1.1 * rounds * on.step() + 1e-15) << missing;
+            EXPECT_NEAR(level[0].half.x, half.half.x + expected * unit, 1.1 * rounds * on.step() + 1e-15) << missing;
             if (rounds > 0) {
                 EXPECT_TRUE(is_on(on, level.spheres[0].radius));
-                EXPECT_TRUE(is_on(on, level.others[0].half.x));
+                EXPECT_TRUE(is_on(on, level[0].half.x));
             }
         }
     }
@@ -384,15 +384,15 @@ TEST(WrittenNumbers, TheGrowthIsThatOfTheSphereThatGrowsMost) {
     const Element box{.kind = Kind::box, .half = {0.5, 0.5, 0.5}}; // on the grid
     const double most = 0.2 + 0.1 * grid.step(), less = 0.3 + 0.8 * grid.step();
     for (const auto& [a, b] : {std::pair{most, less}, std::pair{less, most}}) {
-        Approximation::Level level{{{{}, a}, {{}, b}}, {}, {box}};
+        Elements level{{{{}, a}, {{}, b}}, {}, {box}};
         EXPECT_EQ(finish_elements(*solid, level, grid, true, Numbers::float64), grid.up(most) - most);
-        EXPECT_EQ(level.others[0], box);
+        EXPECT_EQ(level[0], box);
     }
 }
 
 TEST(WrittenNumbers, ParentsStayWhereElementsGrow) {
     const auto solid = Solid::make(test::box({-1, -0.2, -0.2}, {1, 0.2, 0.2}));
-    Approximation::Level level{{{{-0.5, 0, 0}, 0.3}}, {3, 5}, {odd(Kind::box, 0.5)}};
+    Elements level{{{{-0.5, 0, 0}, 0.3}}, {3, 5}, {odd(Kind::box, 0.5)}};
     finish_elements(*solid, level, DecimalGrid(2), true, Numbers::float64);
     EXPECT_THAT(level.parents, ElementsAre(3, 5));
 }
@@ -408,7 +408,7 @@ TEST(WrittenNumbers, TheGrowthIsThatOfTheElementThatGrowsMost) {
         length = 0.5 - 0.3 * grid.step();
         const double growth = 0.5 - length;
         for (const auto& elements : {std::vector{whole, less}, std::vector{less, whole}}) {
-            Approximation::Level level{{}, {}, elements};
+            Elements level{{}, {}, elements};
             EXPECT_EQ(finish_elements(*solid, level, grid, true, Numbers::float64), growth) << axis;
         }
     }
@@ -425,11 +425,11 @@ TEST(WrittenNumbers, ElementsThatTouchOverlapAfterwards) {
         halves.push_back(e);
     }
     const DecimalGrid grid(2);
-    Approximation::Level level{{}, {}, halves};
+    Elements level{{}, {}, halves};
     const double growth = finish_elements(*solid, level, grid, true, Numbers::float64);
-    EXPECT_TRUE(covers(*solid, level.view()));
+    EXPECT_TRUE(covers(*solid, level.elements));
     EXPECT_LT(growth, 20 * grid.step());
-    for (const Element& e : level.others) {
+    for (const Element& e : level) {
         EXPECT_TRUE(is_on(grid, e.half));
         EXPECT_TRUE(is_on(grid, e.pose.translation));
     }
@@ -441,11 +441,11 @@ TEST(WrittenNumbers, AHullThinnerThanTheStepIsGrownBeforeItIsRounded) {
     const auto solid = Solid::make(test::box({0, 0, 0}, {0.5, 0.5, thin}));
     Element hull{.kind = Kind::hull};
     hull.hull = convex_hull(solid->surface().vertices);
-    Approximation::Level level{{}, {}, {hull}};
+    Elements level{{}, {}, {hull}};
     const double growth = finish_elements(*solid, level, grid, true, Numbers::float64);
-    EXPECT_TRUE(covers(*solid, level.view()));
+    EXPECT_TRUE(covers(*solid, level.elements));
     EXPECT_LT(growth, 20 * grid.step());
-    for (const Vec3& v : level.others[0].hull->surface.vertices) {
+    for (const Vec3& v : level[0].hull->surface.vertices) {
         EXPECT_TRUE(is_on(grid, v));
     }
 }

@@ -2,7 +2,6 @@
 #include "geometry/shapes.hpp"
 
 #include <foam/base/text.hpp>
-#include <foam/geometry/element_measure.hpp>
 #include <foam/geometry/inner.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/internal/written_proof.hpp>
@@ -21,9 +20,9 @@ using Read = std::map<std::string, std::vector<Sphere>>;
 /// Proves spheres alone.
 std::vector<WrittenProof> prove_spheres(const Read& read, const FinishedModel& finished, Guarantee guarantee,
                                         Numbers numbers, const std::string& file) {
-    std::map<std::string, Approximation::Level> levels;
+    std::map<std::string, Elements> levels;
     for (const auto& [link, spheres] : read) {
-        levels[link].spheres = spheres;
+        levels[link].spheres() = spheres;
     }
     return prove_written(levels, finished, guarantee, numbers, file);
 }
@@ -145,7 +144,7 @@ TEST_F(WrittenProofs, AReaderThatTakesOtherRadiiIsToldFromAnError) {
     // What shrinks or grows the largest radius by more than a hundred thousandth is a buffer.
     const double radius = std::sqrt(3.0) * (1 + 1e-9);
     const auto hint = [&](const std::vector<Sphere>& model, const std::vector<Sphere>& file, Guarantee guarantee) {
-        finished.links[0].elements.spheres = model;
+        finished.links[0].elements.spheres() = model;
         const std::vector<Sphere> good{{{}, guarantee == Guarantee::outer ? 2 : 0.5}};
         try {
             prove_spheres({{"base", file}, {"tip", good}}, finished, guarantee, Numbers::float64, "f");
@@ -177,12 +176,12 @@ TEST_F(WrittenProofs, ElementsOfOtherKindsAreProvedUnlessTheyAreOptional) {
     const Element around{.kind = Element::Kind::box, .half = {1.01, 1.01, 1.01}};
     Element small = around;
     small.half.x = 0.99;
-    finished.links[0].elements.others = {around};
+    finished.links[0].elements.shaped() = {around};
     const std::vector<Sphere> good{{{}, 2}};
-    const auto proved = [&](const Approximation::Level& base, bool optional) {
+    const auto proved = [&](const Elements& base, bool optional) {
         return prove_written({{"base", base}, {"tip", {good, {}, {}}}}, finished, Guarantee::outer, Numbers::float64, "f", optional);
     };
-    const auto told = [&](const Approximation::Level& base) {
+    const auto told = [&](const Elements& base) {
         try {
             proved(base, false);
         } catch (const Error& error) {
@@ -195,7 +194,7 @@ TEST_F(WrittenProofs, ElementsOfOtherKindsAreProvedUnlessTheyAreOptional) {
     ASSERT_EQ(proofs.size(), 2u);
     EXPECT_EQ(proofs[0].spheres, 2u);
     EXPECT_EQ(proofs[0].triangles, 12u);
-    EXPECT_EQ(proofs[0].pieces, certify(*finished.links[0].solid, ElementsView{{}, std::span(&around, 1)}).pieces);
+    EXPECT_EQ(proofs[0].pieces, certify(*finished.links[0].solid, Elements(std::vector<Element>{around})).pieces);
     EXPECT_THAT(told({{}, {}, {small}}), HasSubstr("f: link 'base': the certificate does not hold for the numbers read back: 0.01"));
     EXPECT_EQ(told({good, {}, {}}), "f: link 'base' has 1 sphere in the written file, the model has 1 box");
     EXPECT_EQ(told({}), "f: link 'base' has no spheres in the written file");
@@ -203,7 +202,7 @@ TEST_F(WrittenProofs, ElementsOfOtherKindsAreProvedUnlessTheyAreOptional) {
     const auto some = proved({{{{}, 0.5}}, {}, {}}, true);
     ASSERT_EQ(some.size(), 1u);
     EXPECT_EQ(some[0].link, "tip");
-    finished.links[0].elements.others.clear();
+    finished.links[0].elements.shaped().clear();
     EXPECT_EQ(proved({good, {}, {}}, true).size(), 2u);
     EXPECT_THAT(told({{}, {}, {around}}), IsEmpty());
 }

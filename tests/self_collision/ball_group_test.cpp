@@ -35,7 +35,7 @@ struct SomeElements {
         }
         return elements;
     }
-    BallGroup group() const { return BallGroup(ElementsView{spheres, others}); }
+    BallGroup group() const { return BallGroup(Elements{spheres, others}); }
 };
 
 TEST(BallGroup, TouchesAnotherAsOneOfItsElementsDoes) {
@@ -61,7 +61,7 @@ TEST(BallGroup, TouchesAnotherAsOneOfItsElementsDoes) {
 
 TEST(BallGroup, SpheresThatMeetInAPointTouch) {
     const std::vector<Sphere> one{{{}, 1}}, other{{{3, 0, 0}, 2}}, near{{{3.001, 0, 0}, 2}};
-    const auto group = [](const std::vector<Sphere>& spheres) { return BallGroup(ElementsView{spheres, {}}); };
+    const auto group = [](const std::vector<Sphere>& spheres) { return BallGroup(Elements{spheres, {}}); };
     EXPECT_TRUE(touch(group(one), {}, group(other), {}));
     EXPECT_FALSE(touch(group(one), {}, group(near), {}));
     EXPECT_FALSE(others_touch(group(one), {}, group(other), {})) << "of pairs with an element that is no sphere";

@@ -63,7 +63,7 @@ private:
 /// Returns the spheres as original geometry.
 LinkSolids solids_of_spheres(const CollisionModel& model) {
     LinkSolids solids;
-    for (const std::vector<Sphere>& spheres : model.spheres) {
+    for (const std::vector<Sphere>& spheres : model.elements) {
         std::vector<Solid::Part> parts;
         for (const Sphere& sphere : spheres) {
             parts.push_back({nullptr, Primitive{.radius = sphere.radius}, Pose::from_xyz_rpy(sphere.center, {})});
@@ -179,7 +179,7 @@ CollisionModel model_with_geometry(const Builder& builder, double share, Collisi
     CollisionModel model = builder.model();
     model.sources.assign(model.sources.size(), source);
     CollisionModel small = model;
-    for (std::vector<Sphere>& spheres : small.spheres) {
+    for (std::vector<Sphere>& spheres : small.elements) {
         for (Sphere& sphere : spheres) {
             sphere.radius *= share;
         }
@@ -314,7 +314,7 @@ TEST(SelfCollision, OneConfigurationDecidesAboutLinksThatNoJointMoves) {
                                    .model();
         model.sources.assign(3, CollisionModel::Source::cover);
         CollisionModel small = model;
-        for (std::vector<Sphere>& spheres : small.spheres) {
+        for (std::vector<Sphere>& spheres : small.elements) {
             spheres.front().radius *= share;
         }
         model.solids = solids_of_spheres(small);
@@ -513,7 +513,7 @@ TEST(SelfCollision, AskingForNonsenseIsRefused) {
         EXPECT_THAT(refused(model, confidence), ::testing::HasSubstr("must lie between 0 and 1"));
     }
     EXPECT_EQ(refused(model, 1e-6) + refused(model, 1 - 1e-6), "");
-    model.spheres.pop_back();
+    model.elements.pop_back();
     EXPECT_EQ(refused(model, 0.5), "spheres are given for 3 links, the robot has 4");
 }
 

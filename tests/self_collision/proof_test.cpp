@@ -53,7 +53,7 @@ struct Arm {
 };
 
 /// The verdict about the first and the last link.
-Verdict verdict(const Arm& arm, const ElementsView& first, const ElementsView& last, std::size_t boxes,
+Verdict verdict(const Arm& arm, const Elements& first, const Elements& last, std::size_t boxes,
                 const std::atomic<bool>* cancel = nullptr) {
     const Kinematics kinematics(arm.robot());
     const BallGroup a(first), b(last);
@@ -61,7 +61,7 @@ Verdict verdict(const Arm& arm, const ElementsView& first, const ElementsView& l
 }
 Verdict verdict(const Arm& arm, const std::vector<Sphere>& first, const std::vector<Sphere>& last, std::size_t boxes,
                 const std::atomic<bool>* cancel = nullptr) {
-    return verdict(arm, ElementsView{first, {}}, ElementsView{last, {}}, boxes, cancel);
+    return verdict(arm, Elements{first, {}}, Elements{last, {}}, boxes, cancel);
 }
 
 /// Expects that one box is enough where links move by less than the limit, and not where they move by more.
@@ -124,7 +124,7 @@ TEST(TouchingProof, AnElementMovesAsTheBallAroundIt) {
     // Not by the chord of its middle alone: a bar that turns about its own middle, beside a ball within its reach. The
     // frame is that of the link that moves less.
     const Element bar{.kind = Element::Kind::capsule, .half = {0, 0, 1}, .radius = 0.1};
-    const double reach = BallGroup(ElementsView{{}, std::span(&bar, 1)}).others[0].bound.radius;
+    const double reach = BallGroup(Elements(std::vector<Element>{bar}))[0].bound.radius;
     for (const double at : {0.8, 1.05}) {
         const std::vector<Sphere> ball{{{at, 0, 0}, 0.1}};
         const double arm = std::min(reach, at + 0.1);
@@ -132,7 +132,7 @@ TEST(TouchingProof, AnElementMovesAsTheBallAroundIt) {
             expect_limit(at - 0.2, Verdict::never, [&](double move) {
                 const double half = 2 * std::asin(move / arm / 2);
                 const Arm turning{{{turns, {}, {0, 1, 0}, -half, half}}};
-                const ElementsView balls{ball, {}}, bars{{}, std::span(&bar, 1)};
+                const Elements balls{ball, {}}, bars{{}, std::span(&bar, 1)};
                 return swapped ? verdict(turning, balls, bars, 1) : verdict(turning, bars, balls, 1);
             });
         }
@@ -199,7 +199,7 @@ TEST(TouchingProof, AllPairsOfElementsAreCompared) {
         if (near) {
             continue; // the bound on boxes is not exact
         }
-        const Verdict found = verdict(arm, ElementsView{first, first_boxes}, ElementsView{second, second_boxes}, 1);
+        const Verdict found = verdict(arm, Elements{first, first_boxes}, Elements{second, second_boxes}, 1);
         EXPECT_EQ(found == Verdict::never, apart) << round;
         EXPECT_EQ(found == Verdict::always, deep) << round;
         never += apart;
@@ -244,7 +244,7 @@ TEST(TouchingProof, ElementsThatTouchDeeplyTouchAlways) {
     for (const bool swapped : {false, true}) {
         const auto moved_by = [&](double half) {
             const Arm arm{{{slides, {}, {0, 1, 0}, -half, half}}};
-            const ElementsView boxes{{}, std::span(&box, 1)}, balls{ball, {}};
+            const Elements boxes{{}, std::span(&box, 1)}, balls{ball, {}};
             return swapped ? verdict(arm, balls, boxes, 1) : verdict(arm, boxes, balls, 1);
         };
         EXPECT_EQ(moved_by(0.4), Verdict::always);
@@ -252,7 +252,7 @@ TEST(TouchingProof, ElementsThatTouchDeeplyTouchAlways) {
     }
     const auto two_boxes = [&](double half) {
         const Arm arm{{{slides, {}, {0, 1, 0}, -half, half}}};
-        return verdict(arm, ElementsView{{}, std::span(&box, 1)}, ElementsView{{}, std::span(&box, 1)}, 1);
+        return verdict(arm, Elements(std::vector<Element>{box}), Elements(std::vector<Element>{box}), 1);
     };
     EXPECT_EQ(two_boxes(0.9), Verdict::always);
     EXPECT_EQ(two_boxes(2.1), Verdict::unknown);
@@ -271,9 +271,9 @@ TEST(TouchingProof, OneOfManyElementsDecides) {
     Element away = box;
     away.pose.translation = {0, 0, 4};
     const std::vector<Element> boxes{away, box, away};
-    EXPECT_EQ(verdict(arm, ElementsView{{}, boxes}, ElementsView{last, {}}, 1), Verdict::always);
-    EXPECT_EQ(verdict(arm, ElementsView{last, {}}, ElementsView{{}, boxes}, 1), Verdict::always);
-    EXPECT_EQ(verdict(arm, ElementsView{far, {}}, ElementsView{{}, boxes}, 1), Verdict::never);
+    EXPECT_EQ(verdict(arm, Elements(boxes), Elements{last, {}}, 1), Verdict::always);
+    EXPECT_EQ(verdict(arm, Elements{last, {}}, Elements(boxes), 1), Verdict::always);
+    EXPECT_EQ(verdict(arm, Elements{far, {}}, Elements(boxes), 1), Verdict::never);
 }
 
 TEST(TouchingProof, BothWereSeen) {
@@ -282,8 +282,8 @@ TEST(TouchingProof, BothWereSeen) {
     EXPECT_EQ(verdict({{{slides, {}, {1, 0, 0}, -2, 2}}}, {{{}, 0.3}}, {{{0.1, 0, 0}, 0.3}}, 100), Verdict::some);
     const Element box{.kind = Element::Kind::box, .half = {0.3, 0.3, 0.3}};
     EXPECT_EQ(verdict({{{slides, {}, {1, 0, 0}, -2, 2}}}, {{{}, 0.3}}, {{{1.2, 0, 0}, 0.3}}, 1), Verdict::unknown);
-    EXPECT_EQ(verdict({{{slides, {}, {1, 0, 0}, -2, 2}}}, ElementsView{{}, std::span(&box, 1)},
-                      ElementsView{{}, std::span(&box, 1)}, 100),
+    EXPECT_EQ(verdict({{{slides, {}, {1, 0, 0}, -2, 2}}}, Elements(std::vector<Element>{box}),
+                      Elements(std::vector<Element>{box}), 100),
               Verdict::some);
 }
 
@@ -295,10 +295,10 @@ TEST(TouchingProof, NoJointMovesOneConfiguration) {
     EXPECT_EQ(rigid(0.5), Verdict::never);
     const Kinematics none(Arm{{}}.robot());
     const std::vector<Sphere> one{{{}, 0.1}}, two{{{0.1, 0, 0}, 0.1}};
-    const BallGroup a(ElementsView{one, {}}), b(ElementsView{two, {}});
+    const BallGroup a(Elements{one, {}}), b(Elements{two, {}});
     EXPECT_EQ(touching_verdict(none, chain_between(none, 0, 0), a, b, 1, nullptr), Verdict::always);
     const std::vector<Sphere> beside{{{0.25, 0, 0}, 0.125}}, middle{{{}, 0.125}};
-    const BallGroup c(ElementsView{middle, {}}), d(ElementsView{beside, {}}); // have one point in common
+    const BallGroup c(Elements{middle, {}}), d(Elements{beside, {}}); // have one point in common
     EXPECT_EQ(touching_verdict(none, chain_between(none, 0, 0), c, d, 9, nullptr), Verdict::always);
 }
 
@@ -410,7 +410,7 @@ TEST(TouchingProof, NoSampleContradictsIt) {
             arm.movers.push_back({random.below(3) ? turns : slides, at, test::random_direction(random), -half, half});
         }
         const std::vector<Element> first = random_elements(random, 0.3), last = random_elements(random, 0.3);
-        const Verdict said = verdict(arm, ElementsView{{}, first}, ElementsView{{}, last}, 500);
+        const Verdict said = verdict(arm, Elements(first), Elements(last), 500);
         const auto [apart, touching] = seen(arm, first, last, random);
         never += said == Verdict::never;
         always += said == Verdict::always;

@@ -36,7 +36,7 @@ TEST_P(Robots, EveryPairIsJudged) {
     const Kinematics kinematics(model.robot);
     const SelfCollisionMatrix matrix = self_collision_matrix(kinematics, model, {.samples = 200, .proof_boxes = 50});
     const auto links = static_cast<std::size_t>(
-        std::count_if(model.spheres.begin(), model.spheres.end(), [](const auto& s) { return !s.empty(); }));
+        std::count_if(model.elements.begin(), model.elements.end(), [](const auto& s) { return !s.empty(); }));
     EXPECT_EQ(matrix.pairs.size(), links * (links - 1) / 2);
     std::set<std::pair<std::size_t, std::size_t>> adjacent;
     for (const LinkPair& pair : matrix.pairs) {
@@ -47,10 +47,10 @@ TEST_P(Robots, EveryPairIsJudged) {
             adjacent.emplace(pair.first, pair.second);
         }
     }
-    for (std::size_t link = 0; link < model.spheres.size(); ++link) {
+    for (std::size_t link = 0; link < model.elements.size(); ++link) {
         if (const auto joint = kinematics.joint_above()[link]) {
             const std::size_t above = kinematics.link_above()[*joint];
-            if (!model.spheres[link].empty() && !model.spheres[above].empty()) {
+            if (!model.elements[link].empty() && !model.elements[above].empty()) {
                 EXPECT_TRUE(adjacent.contains(std::minmax(link, above))) << model.robot->links[link].name;
             }
         }

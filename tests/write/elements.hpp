@@ -76,8 +76,8 @@ inline std::vector<Element> awkward_elements() {
 }
 
 /// A level with spheres and these elements.
-inline Approximation level_of(std::vector<Sphere> spheres, std::vector<Element> others) {
-    return flat_approximation(std::move(spheres), std::move(others));
+inline Approximation level_of(std::vector<Sphere> spheres, const std::vector<Element>& elements) {
+    return flat_tree({std::move(spheres), elements});
 }
 
 /// Random points of the element: in it, and on its surface.
@@ -94,13 +94,13 @@ inline std::vector<Vec3> points_of(const Element& element, int count) {
 }
 
 /// Whether the elements hold the point, but for the rounding of a support point of an element of that reach.
-inline bool covered(const Vec3& point, const ElementsView& elements, double allowed) {
+inline bool covered(const Vec3& point, const Elements& elements, double allowed) {
     for (const Sphere& s : elements.spheres) {
         if (distance(point, s.center) <= s.radius + allowed) {
             return true;
         }
     }
-    for (const Element& element : elements.others) {
+    for (const Element& element : elements.shaped()) {
         if (distance(element, point) <= allowed) {
             return true;
         }
@@ -109,7 +109,7 @@ inline bool covered(const Vec3& point, const ElementsView& elements, double allo
 }
 
 /// Expects that what comes back contains the element, and is little larger. `larger`: share of its size.
-inline void expect_contained(const Element& element, const ElementsView& back, double larger) {
+inline void expect_contained(const Element& element, const Elements& back, double larger) {
     const Box own = bounds(element);
     // The certificate is what proves; here only the rounding of the sampled points is allowed.
     double skew = 0; // a rotation that is none, but nearly: support points and the body differ by so much
@@ -127,7 +127,7 @@ inline void expect_contained(const Element& element, const ElementsView& back, d
         all.add(s.center - r);
         all.add(s.center + r);
     }
-    for (const Element& other : back.others) {
+    for (const Element& other : back.shaped()) {
         all.add(bounds(other));
     }
     EXPECT_LE(all.diagonal(), own.diagonal() * (1 + larger) + 1e-8 * norm(element.pose.translation))

@@ -139,7 +139,7 @@ inline SphereModel awkward_model() {
 inline std::map<std::string, std::vector<Sphere>> spheres_of(const SphereModel& model, int level = -1) {
     std::map<std::string, std::vector<Sphere>> result;
     for (const LinkSpheres& link : spheres_by_link(model, level)) {
-        result[link.link] = link.spheres;
+        result[link.link] = link.elements.spheres();
     }
     return result;
 }

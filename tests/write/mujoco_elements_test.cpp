@@ -80,27 +80,27 @@ TEST(MujocoElements, HaveTheSameSizesAndPoses) {
     const SphereModel model = model_of(turning("only"), {group_of("only", {}, level_of({}, given))});
     const auto mjcf = writer("xml_models", "write.mjcf");
     const std::string text = mjcf->write(model, context);
-    const auto ours = mjcf->read_elements(text, {}).at("only");
+    const auto ours = mjcf->read(text, {}).at("only");
     const Loaded mujoco(text);
     ASSERT_TRUE(mujoco.model);
     std::vector<Element> theirs = elements_of_body(*mujoco.model, "only");
-    ASSERT_EQ(theirs.size(), ours.spheres.size() + ours.others.size());
-    theirs.erase(theirs.begin(), theirs.begin() + static_cast<std::ptrdiff_t>(ours.spheres.size()));
+    ASSERT_EQ(theirs.size(), ours.spheres().size() + ours.shaped().size());
+    theirs.erase(theirs.begin(), theirs.begin() + static_cast<std::ptrdiff_t>(ours.spheres().size()));
     for (std::size_t i = 0; i < theirs.size(); ++i) {
-        ASSERT_EQ(theirs[i].kind, ours.others[i].kind);
+        ASSERT_EQ(theirs[i].kind, ours.shaped()[i].kind);
         if (theirs[i].kind == Kind::hull) { // MuJoCo moves a mesh to its centre, in single precision
             const double rounding =
-                1e-6 * bounds(ours.others[i]).diagonal() + 1e-15 * norm(ours.others[i].pose.translation);
-            for (const Vec3& p : ours.others[i].hull->surface.vertices) {
-                EXPECT_LE(distance(theirs[i], ours.others[i].pose * p), rounding);
+                1e-6 * bounds(ours.shaped()[i]).diagonal() + 1e-15 * norm(ours.shaped()[i].pose.translation);
+            for (const Vec3& p : ours.shaped()[i].hull->surface.vertices) {
+                EXPECT_LE(distance(theirs[i], ours.shaped()[i].pose * p), rounding);
             }
             continue;
         }
-        EXPECT_EQ(theirs[i].half, ours.others[i].half);
-        EXPECT_EQ(theirs[i].radius, ours.others[i].radius);
-        EXPECT_EQ(theirs[i].pose.translation, ours.others[i].pose.translation);
+        EXPECT_EQ(theirs[i].half, ours.shaped()[i].half);
+        EXPECT_EQ(theirs[i].radius, ours.shaped()[i].radius);
+        EXPECT_EQ(theirs[i].pose.translation, ours.shaped()[i].pose.translation);
         for (std::size_t row = 0; row < 3; ++row) {
-            EXPECT_LT(distance(theirs[i].pose.rotation[row], ours.others[i].pose.rotation[row]), 2e-15);
+            EXPECT_LT(distance(theirs[i].pose.rotation[row], ours.shaped()[i].pose.rotation[row]), 2e-15);
         }
     }
 }
@@ -121,7 +121,7 @@ TEST(MujocoElements, ReadsGeomsOfOthersAsMujocoDoes) {
     QuietContext context;
     const SphereFile read = registry.make<ModelReader>("read.mjcf")->read(text, "a.xml", context);
     ASSERT_EQ(read.links.size(), 1U);
-    EXPECT_EQ(read.links[0].spheres, (std::vector<Sphere>{{{0, 0, 0}, 0.5}}));
+    EXPECT_EQ(read.links[0].elements.spheres(), (std::vector<Sphere>{{{0, 0, 0}, 0.5}}));
     EXPECT_THAT(read.notes, testing::ElementsAre("1 geom is no convex element (ellipsoid) and left out",
                                                  "1 geom is without contact and left out"));
     std::string without = text;
@@ -130,7 +130,7 @@ TEST(MujocoElements, ReadsGeomsOfOthersAsMujocoDoes) {
     const Loaded mujoco(without);
     ASSERT_TRUE(mujoco.model);
     const std::vector<Element> theirs = elements_of_body(*mujoco.model, "b");
-    const std::vector<Element>& ours = read.links[0].others;
+    const std::vector<Element>& ours = read.links[0].elements.shaped();
     ASSERT_EQ(ours.size(), 8U);
     for (std::size_t i = 0; i < ours.size(); ++i) {
         SCOPED_TRACE(i);

@@ -40,7 +40,7 @@ TEST(ReadScene, DecidesTheFormatByTheLineAfterTheObject) {
     EXPECT_EQ(with_pose.format, "MoveIt scene");
     ASSERT_EQ(with_pose.links.size(), 1U);
     EXPECT_EQ(with_pose.links[0].link, "a b");
-    EXPECT_EQ(with_pose.links[0].spheres, (std::vector<Sphere>{{{1, 2, 3}, 0.5}}));
+    EXPECT_EQ(with_pose.links[0].elements.spheres(), (std::vector<Sphere>{{{1, 2, 3}, 0.5}}));
 }
 
 TEST(ReadScene, SaysWhatIsWrongAndWhere) {
@@ -76,7 +76,7 @@ TEST(ReadScene, ReadsTheScenesOfMoveIt) {
         const SphereFile read = scene.file(text);
         EXPECT_EQ(read.format, format);
         ASSERT_FALSE(read.links.empty());
-        EXPECT_EQ(read.links.at(0).others.at(0).kind, Element::Kind::box);
+        EXPECT_EQ(read.links.at(0).elements.shaped().at(0).kind, Element::Kind::box);
     }
 }
 
@@ -100,7 +100,7 @@ TEST(ReadMarkers, LeavesOutWhatIsNoSphere) {
         markers.file("markers:\n- {type: 2, " + rest + "scale: {x: 1, y: 1, z: 1}}\n- {type: 2, " + rest +
                      "scale: {x: 1, y: 2, z: 1}}\n- {type: 7, " + rest + "scale: {x: 1, y: 1, z: 1}}\n");
     ASSERT_EQ(read.links.size(), 1U);
-    EXPECT_EQ(read.links[0].spheres, (std::vector<Sphere>{{{1, 2, 3}, 0.5}}));
+    EXPECT_EQ(read.links[0].elements.spheres(), (std::vector<Sphere>{{{1, 2, 3}, 0.5}}));
     EXPECT_EQ(read.notes, std::vector<std::string>{"2 markers are no single convex elements, and left out"});
 }
 
@@ -120,7 +120,7 @@ TEST(ReadMarkers, LeavesOutTrianglesThatAreNoConvexSurface) {
     };
     const SphereFile whole = markers.file(listed({{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}));
     ASSERT_EQ(whole.links.size(), 1U);
-    EXPECT_EQ(whole.links[0].others.size(), 1U);
+    EXPECT_EQ(whole.links[0].elements.shaped().size(), 1U);
     // A face is missing: all corners are there, but the triangles enclose nothing.
     const SphereFile open = markers.file(listed({{0, 2, 1}, {0, 1, 3}, {1, 2, 3}}));
     EXPECT_TRUE(open.links.empty());

@@ -73,8 +73,8 @@ TEST(ReadSdf, ReadsAModelOfGazebo) {
     const SphereFile read = sdf.file(contents(file));
     ASSERT_EQ(read.links.size(), 1U);
     EXPECT_EQ(read.links[0].link, "link");
-    EXPECT_EQ(read.links[0].spheres, (std::vector<Sphere>{{{0, 0, 0}, 23.4}}));
-    EXPECT_GE(read.links[0].others.size(), 3U); // box, capsule, cylinder
+    EXPECT_EQ(read.links[0].elements.spheres(), (std::vector<Sphere>{{{0, 0, 0}, 23.4}}));
+    EXPECT_GE(read.links[0].elements.shaped().size(), 3U); // box, capsule, cylinder
     EXPECT_THAT(read.notes.at(0), HasSubstr("no convex element (cone"));
 }
 

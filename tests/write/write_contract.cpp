@@ -91,7 +91,7 @@ TEST(WriterContract, RefusesSpheresThatNoReaderTakes) {
          {Sphere{{0, 0, 0}, 0}, Sphere{{0, 0, 0}, -1}, Sphere{{NAN, 0, 0}, 1}, Sphere{{0, 0, 0}, INFINITY}}) {
         for_each_writer([&](const std::string&, const Writer& writer) {
             SphereModel model = plain_model();
-            model.groups[0].tree.levels.back().spheres[2] = bad;
+            model.groups[0].tree.levels.back().elements.spheres()[2] = bad;
             EXPECT_THAT(refusal(writer, model), testing::HasSubstr("sphere 2 of link 'only'"));
         });
     }

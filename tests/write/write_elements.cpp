@@ -46,9 +46,9 @@ bool holds_kind(const StageInfo& info, Kind kind) {
     return std::find(info.kinds.begin(), info.kinds.end(), kind) != info.kinds.end();
 }
 
-Approximation::Level round_trip(const Writer& writer, const SphereModel& model) {
+Elements round_trip(const Writer& writer, const SphereModel& model) {
     QuietContext context;
-    auto read = writer.read_elements(writer.write(model, context), writer.files_beside(model, context));
+    auto read = writer.read(writer.write(model, context), writer.files_beside(model, context));
     EXPECT_EQ(read.size(), 1U);
     return read["only"];
 }
@@ -62,10 +62,10 @@ TEST(ElementWriters, KindsThatAWriterHoldsComeBackAsElementsThatContainThem) {
                 continue;
             }
             const SphereModel model = model_with({element});
-            const Approximation::Level back = round_trip(writer, model);
+            const Elements back = round_trip(writer, model);
             // A swept box as a hull of 8 segments is the widest; planners' worlds have other forms of round ones, too.
             const bool other_form = element.kind == Kind::swept_box || name == "write.curobo_scene";
-            expect_contained(element, back.view(), name == "write.vamp_world" ? 2 : other_form ? 0.3 : 1e-3);
+            expect_contained(element, back, name == "write.vamp_world" ? 2 : other_form ? 0.3 : 1e-3);
             holders.insert(name);
         }
     });
@@ -101,10 +101,10 @@ TEST(ElementWriters, SpheresAndElementsOfALinkAreKeptApart) {
     const std::vector<Sphere> spheres{{{1, 2, 3}, 0.5}, {{0, 0, 0.1}, 0.25}};
     for_each_writer([&](const std::string&, const StageInfo& info, const Writer& writer) {
         if (holds_kind(info, Kind::box)) {
-            const Approximation::Level back = round_trip(writer, model_with({box({}, {0.5, 0.25, 1})}, spheres));
+            const Elements back = round_trip(writer, model_with({box({}, {0.5, 0.25, 1})}, spheres));
             EXPECT_EQ(back.spheres, spheres);
-            ASSERT_EQ(back.others.size(), 1U);
-            EXPECT_EQ(back.others[0], box({}, {0.5, 0.25, 1})) << "half and full extents, axes";
+            ASSERT_EQ(back.shaped().size(), 1U);
+            EXPECT_EQ(back.shaped()[0], box({}, {0.5, 0.25, 1})) << "half and full extents, axes";
         }
     });
 }
@@ -129,13 +129,13 @@ TEST(ElementWriters, WhatCameBackComesBackAgainToTheBit) {
                 continue;
             }
             SCOPED_TRACE(to_string(element.kind));
-            const Approximation::Level once = round_trip(writer, model_with({element}));
-            for (const Element& e : once.others) {
+            const Elements once = round_trip(writer, model_with({element}));
+            for (const Element& e : once.shaped()) {
                 if (e.kind == Kind::hull) { // its corners are exact in single precision now
-                    const Approximation::Level twice = round_trip(writer, model_with({e}));
-                    ASSERT_EQ(twice.others.size(), 1U);
-                    EXPECT_EQ(twice.others[0].hull->surface.vertices.size(), e.hull->surface.vertices.size());
-                    EXPECT_EQ(twice.others[0].pose.translation, e.pose.translation);
+                    const Elements twice = round_trip(writer, model_with({e}));
+                    ASSERT_EQ(twice.shaped().size(), 1U);
+                    EXPECT_EQ(twice.shaped()[0].hull->surface.vertices.size(), e.hull->surface.vertices.size());
+                    EXPECT_EQ(twice.shaped()[0].pose.translation, e.pose.translation);
                 }
             }
         }
@@ -151,7 +151,7 @@ TEST(ElementWriters, RefuseElementsThatNoReaderTakes) {
                                box(mirrored, {1, 1, 1}), box(scaled, {1, 1, 1}), cylinder({}, 1, INFINITY)}) {
         for_each_writer([&](const std::string&, const StageInfo&, const Writer& writer) {
             SphereModel model = model_with({box({}, {1, 1, 1})}, {{{0, 0, 0}, 1}});
-            model.groups[0].tree.levels.back().others[0] = bad;
+            model.groups[0].tree.levels.back().elements.shaped()[0] = bad;
             EXPECT_THAT(refusal(writer, model),
                         HasSubstr(std::string(to_string(bad.kind)) + " 1 of link 'only' cannot be written"));
         });

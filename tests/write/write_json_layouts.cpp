@@ -37,10 +37,10 @@ TEST(WriteJson, HoldsAllOfTheModel) {
     const SphereTree& tree = model.groups[2].tree;
     ASSERT_EQ(group["levels"].size(), tree.levels.size());
     for (std::size_t l = 0; l < tree.levels.size(); ++l) {
-        for (std::size_t i = 0; i < tree.levels[l].spheres.size(); ++i) {
+        for (std::size_t i = 0; i < tree.levels[l].elements.spheres().size(); ++i) {
             const json& sphere = group["levels"][l][i];
-            EXPECT_EQ(sphere["center"][2], tree.levels[l].spheres[i].center.z);
-            EXPECT_EQ(sphere["radius"], tree.levels[l].spheres[i].radius);
+            EXPECT_EQ(sphere["center"][2], tree.levels[l].elements.spheres()[i].center.z);
+            EXPECT_EQ(sphere["radius"], tree.levels[l].elements.spheres()[i].radius);
             EXPECT_EQ(sphere.contains("parent"), l > 0);
             if (l > 0) {
                 EXPECT_EQ(sphere["parent"], tree.levels[l].parents[i]);

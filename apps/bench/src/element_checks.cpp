@@ -69,8 +69,8 @@ private:
         const ElementRobot whole = element_robot(kinematics, links);
         ElementCase result{.robot = robot.name, .method = method.label, .each = each, .reports = {}};
         for (const LinkSpheres& link : links) {
-            result.elements += link.view().size();
-            result.price += price_of(link.view(), ElementCost());
+            result.elements += link.elements.size();
+            result.price += price_of(link.elements, ElementCost());
         }
         result.price /= static_cast<double>(result.elements);
         result.shape_pairs = shape_pairs(whole.robot);

@@ -97,7 +97,7 @@ private:
     static Panel panel_of(const SphereModel& model, const std::map<std::string, Pose>& poses) {
         Panel panel;
         for (const LinkSpheres& link : spheres_by_link(model)) {
-            for (const Sphere& sphere : link.spheres) {
+            for (const Sphere& sphere : link.elements.spheres()) {
                 panel.spheres.push_back({poses.at(link.link) * sphere.center, sphere.radius});
             }
         }

@@ -96,8 +96,8 @@ std::vector<GraspModel> Throughput::models_of(const Bench& bench, const Original
         const RunResult made = foam::run(recipe, bench.registry(), options);
         GraspModel model = bare;
         for (LinkSpheres& link : spheres_by_link(made.model)) {
-            model.spheres += link.spheres.size();
-            model.links[index_of(urdf, link.link)].spheres = std::move(link.spheres);
+            model.spheres += link.elements.spheres().size();
+            model.links[index_of(urdf, link.link)].spheres = std::move(link.elements.spheres());
         }
         model.label = fmt::format("{} spheres", model.spheres);
         models.push_back(std::move(model));
@@ -120,7 +120,7 @@ LinkPairs Throughput::excluded_pairs(const Kinematics& kinematics, const std::ve
         CollisionModel balls{
             std::shared_ptr<const Robot>(std::shared_ptr<const Robot>(), &kinematics.robot()), {}, {}, {}};
         for (const GraspLink& link : model.links) {
-            balls.spheres.push_back(link.spheres);
+            balls.elements.push_back(link.spheres);
         }
         for (const LinkPair& pair : self_collision_matrix(kinematics, balls, options).pairs) {
             if (pair.reason != PairReason::none) {

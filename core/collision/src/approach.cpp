@@ -30,8 +30,8 @@ public:
                 compare_sphere(a);
             }
         }
-        for (const BoundedElement& a : first_.others) {
-            compare(a, second_.others);
+        for (const BoundedElement& a : first_.shaped) {
+            compare(a, second_.shaped);
             for (const Sphere& b : second_.spheres) {
                 compare(a, {element_of(b), b});
             }
@@ -44,8 +44,8 @@ private:
         for (const Sphere& b : second_.spheres) {
             least_ = std::min(least_, gap(a, moved(pose_, b)));
         }
-        if (!second_.others.empty()) {
-            compare({element_of(a), a}, second_.others);
+        if (!second_.shaped.empty()) {
+            compare({element_of(a), a}, second_.shaped);
         }
     }
     void compare(const BoundedElement& a, const std::vector<BoundedElement>& others) {

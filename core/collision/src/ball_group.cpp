@@ -6,12 +6,12 @@
 
 namespace foam::inline collision::self_collision {
 
-bool others_touch(const BallGroup& a, const Pose& pose_a, const BallGroup& b, const Pose& pose_b) {
+bool shaped_touch(const BallGroup& a, const Pose& pose_a, const BallGroup& b, const Pose& pose_b) {
     const auto meet = [&](const Element& e, const Sphere& bound_of_e, const Element& f, const Sphere& bound_of_f) {
         return touch(moved(pose_a, bound_of_e), moved(pose_b, bound_of_f)) && separation(e, f, pose_a, pose_b).low == 0;
     };
-    for (const BoundedElement& f : b.others) {
-        for (const BoundedElement& e : a.others) {
+    for (const BoundedElement& f : b.shaped) {
+        for (const BoundedElement& e : a.shaped) {
             if (meet(e.element, e.bound, f.element, f.bound)) {
                 return true;
             }
@@ -22,7 +22,7 @@ bool others_touch(const BallGroup& a, const Pose& pose_a, const BallGroup& b, co
             }
         }
     }
-    for (const BoundedElement& e : a.others) {
+    for (const BoundedElement& e : a.shaped) {
         for (const Sphere& f : b.spheres) {
             if (meet(e.element, e.bound, element_of(f), f)) {
                 return true;
@@ -45,7 +45,7 @@ bool touch(const BallGroup& a, const Pose& pose_a, const BallGroup& b, const Pos
         return std::any_of(near.begin(), near.end(), [&](const Sphere& other) { return touch(here, other); });
     };
     return (!near.empty() && std::any_of(a.spheres.begin(), a.spheres.end(), touches_near)) ||
-           others_touch(a, pose_a, b, pose_b);
+           shaped_touch(a, pose_a, b, pose_b);
 }
 
 } // namespace foam::inline collision::self_collision

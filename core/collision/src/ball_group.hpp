@@ -16,14 +16,14 @@ struct BoundedElement {
 struct BallGroup {
     Sphere bound;
     std::vector<Sphere> spheres;
-    std::vector<BoundedElement> others;
+    std::vector<BoundedElement> shaped; ///< elements that are no spheres
 
     /// Precondition: there is at least one element.
-    explicit BallGroup(const ElementsView& elements) : spheres(elements.spheres.begin(), elements.spheres.end()) {
+    explicit BallGroup(const Elements& elements) : spheres(elements.spheres()) {
         std::vector<Sphere> all = spheres;
-        for (const Element& element : elements.others) {
-            others.push_back({element, minimum_enclosing_sphere(enclosing_mesh(element).vertices)});
-            all.push_back(others.back().bound);
+        for (const Element& element : elements.shaped()) {
+            shaped.push_back({element, minimum_enclosing_sphere(enclosing_mesh(element).vertices)});
+            all.push_back(shaped.back().bound);
         }
         bound = enclosing_sphere(all);
     }
@@ -47,6 +47,6 @@ inline Sphere moved(const Pose& pose, const Sphere& sphere) {
 /// Returns whether elements of two links touch. O(n · m) in the elements near the other link.
 bool touch(const BallGroup& a, const Pose& pose_a, const BallGroup& b, const Pose& pose_b);
 /// Returns the same of those pairs of elements of which at least one is no sphere.
-bool others_touch(const BallGroup& a, const Pose& pose_a, const BallGroup& b, const Pose& pose_b);
+bool shaped_touch(const BallGroup& a, const Pose& pose_a, const BallGroup& b, const Pose& pose_b);
 
 } // namespace foam::collision::self_collision

@@ -14,16 +14,16 @@ namespace {
 using namespace self_collision;
 
 std::size_t size_of(const BallGroup& group) {
-    return group.spheres.size() + group.others.size();
+    return group.spheres.size() + group.shaped.size();
 }
 
 /// Returns the sphere around an element; spheres come first.
 const Sphere& bound_of(const BallGroup& group, std::size_t i) {
-    return i < group.spheres.size() ? group.spheres[i] : group.others[i - group.spheres.size()].bound;
+    return i < group.spheres.size() ? group.spheres[i] : group.shaped[i - group.spheres.size()].bound;
 }
 
 Element element_at(const BallGroup& group, std::size_t i) {
-    return i < group.spheres.size() ? element_of(group.spheres[i]) : group.others[i - group.spheres.size()].element;
+    return i < group.spheres.size() ? element_of(group.spheres[i]) : group.shaped[i - group.spheres.size()].element;
 }
 
 /// Calls found(i, k) for the elements of two links that touch, until it returns false.

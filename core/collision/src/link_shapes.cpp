@@ -9,20 +9,14 @@ namespace {
 
 /// Returns the primitives of a link; nothing if it has a mesh.
 std::optional<self_collision::BallGroup> primitives_of(const Solid& solid) {
-    std::vector<Sphere> spheres;
-    std::vector<Element> others;
+    Elements elements;
     for (const Solid::Part& part : solid.parts()) {
         if (!part.primitive) {
             return std::nullopt;
         }
-        const Element element = element_of(*part.primitive, part.pose);
-        if (element.kind == Element::Kind::sphere) {
-            spheres.push_back({element.pose.translation, element.radius});
-        } else {
-            others.push_back(element);
-        }
+        elements.add(element_of(*part.primitive, part.pose));
     }
-    return self_collision::BallGroup(ElementsView{spheres, others});
+    return self_collision::BallGroup(elements);
 }
 
 } // namespace

@@ -25,9 +25,9 @@ void require_sensible(const Kinematics& kinematics, const CollisionModel& model,
         throw Error(ErrorCode::usage,
                     fmt::format("the confidence must lie between 0 and 1, got {}", options.confidence));
     }
-    if (model.spheres.size() != kinematics.robot().links.size()) {
+    if (model.elements.size() != kinematics.robot().links.size()) {
         throw Error(ErrorCode::usage, fmt::format("spheres are given for {} links, the robot has {}",
-                                                  model.spheres.size(), kinematics.robot().links.size()));
+                                                  model.elements.size(), kinematics.robot().links.size()));
     }
 }
 

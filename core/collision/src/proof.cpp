@@ -195,7 +195,7 @@ private:
                 look.touching_in_the_middle = look.touching_in_the_middle || apart <= 0;
             }
         }
-        if (!first_.group().others.empty() || !second_.group().others.empty()) {
+        if (!first_.group().shaped.empty() || !second_.group().shaped.empty()) {
             look_at_others(look);
         }
         return look;
@@ -204,12 +204,12 @@ private:
     /// Compares the pairs of elements of which at least one is no sphere.
     void look_at_others(Look& look) {
         const std::vector<BoundedElement> balls = spheres_of(second_.group());
-        for (const BoundedElement& a : first_.group().others) {
-            compare(a, second_.group().others, look);
+        for (const BoundedElement& a : first_.group().shaped) {
+            compare(a, second_.group().shaped, look);
             compare(a, balls, look);
         }
         for (const BoundedElement& a : spheres_of(first_.group())) {
-            compare(a, second_.group().others, look);
+            compare(a, second_.group().shaped, look);
         }
     }
 

@@ -4,10 +4,10 @@
 
 namespace foam::inline collision::self_collision {
 Groups groups_of(const CollisionModel& model) {
-    Groups groups(model.spheres.size());
+    Groups groups(model.elements.size());
     for (std::size_t i = 0; i < groups.size(); ++i) {
-        if (!model.of(i).empty()) {
-            groups[i].emplace(model.of(i));
+        if (!model.elements[i].empty()) {
+            groups[i].emplace(model.elements[i]);
         }
     }
     return groups;
@@ -53,7 +53,7 @@ bool PlacedLinks::touching(std::size_t first, std::size_t second) {
     };
     const std::vector<Sphere>& others = spheres(first);
     return (!near_.empty() && std::any_of(others.begin(), others.end(), touches_near)) ||
-           others_touch(*groups_[first], poses_[first], *groups_[second], poses_[second]);
+           shaped_touch(*groups_[first], poses_[first], *groups_[second], poses_[second]);
 }
 
 } // namespace foam::collision::self_collision

@@ -182,13 +182,6 @@ double depth_of(const Placed& a, const Placed& b, const Vec3& from) {
 
 } // namespace
 
-Element element_of(const Sphere& sphere) {
-    Element element;
-    element.pose.translation = sphere.center;
-    element.radius = sphere.radius;
-    return element;
-}
-
 Separation separation(const Element& a, const Element& b, const Pose& pose_a, const Pose& pose_b) {
     const Placed first(a, pose_a), second(b, pose_b);
     const Cores cores = distance_of_cores(first, second);

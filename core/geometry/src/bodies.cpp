@@ -50,19 +50,13 @@ double plane_distance(std::span<const Polytope::Face> faces, const Vec3& p) {
 
 } // namespace
 
-Bodies::Bodies(const ElementsView& elements, const Vec3& origin, double extent, std::uint32_t most_halvings,
+Bodies::Bodies(const Elements& elements, const Vec3& origin, double extent, std::uint32_t most_halvings,
                double caution) {
     const double unit = (2 * unit_roundoff) * (most_halvings + 24) * caution;
     const double placement = 8 * (2 * unit_roundoff) * norm(origin) * caution;
     bodies_.reserve(elements.size());
-    for (const Sphere& s : elements.spheres) {
-        Element e;
-        e.pose.translation = s.center;
-        e.radius = s.radius;
-        add(e, origin, extent, unit, placement);
-    }
     CancellationCounter asking(16);
-    for (const Element& e : elements.others) {
+    for (const Element& e : elements) {
         asking.check();
         add(e, origin, extent, unit, placement);
     }

@@ -16,7 +16,7 @@ namespace foam::inline geometry {
 class Bodies {
 public:
     /// `extent`: the largest distance of a vertex from `origin`. `most_halvings`, `caution`: as for Balls.
-    Bodies(const ElementsView& elements, const Vec3& origin, double extent, std::uint32_t most_halvings,
+    Bodies(const Elements& elements, const Vec3& origin, double extent, std::uint32_t most_halvings,
            double caution = 1);
 
     std::size_t size() const { return bodies_.size(); }

@@ -159,12 +159,8 @@ private:
 
 } // namespace
 
-CoverProof prove_cover(const Solid& solid, std::span<const Sphere> spheres, int depth) {
+CoverProof prove_cover_by_spheres(const Solid& solid, std::span<const Sphere> spheres, int depth) {
     return Proof(solid, spheres, std::clamp(depth, 0, 60)).run();
-}
-
-Certificate certify(const Solid& solid, std::span<const Sphere> spheres, int depth) {
-    return geometry::prove_cover(solid, spheres, depth).certificate;
 }
 
 } // namespace foam::geometry

@@ -22,10 +22,14 @@ double reach_beyond(const ClipPlane& plane, const Sphere& sphere) {
     return dot(normalized(plane.normal), sphere.center) + sphere.radius - plane.offset;
 }
 
-double reach_beyond(const ClipPlane& plane, std::span<const Sphere> spheres) {
+double reach_beyond(const ClipPlane& plane, const Elements& elements) {
     double most = -std::numeric_limits<double>::infinity();
-    for (const Sphere& sphere : spheres) {
+    for (const Sphere& sphere : elements.spheres()) {
         most = std::max(most, reach_beyond(plane, sphere));
+    }
+    const Vec3 normal = normalized(plane.normal);
+    for (const Element& element : elements.shaped()) {
+        most = std::max(most, dot(normal, support(element, normal)) - plane.offset);
     }
     return most;
 }
@@ -58,18 +62,18 @@ void require_within(const Solid& solid, const Pose& pose, const std::vector<Clip
     }
 }
 
-double violation_of(const std::vector<ClipPlane>& planes, std::span<const Sphere> spheres) {
+double violation_of(const std::vector<ClipPlane>& planes, const Elements& elements) {
     double most = -std::numeric_limits<double>::infinity();
     for (const ClipPlane& plane : planes) {
-        most = std::max(most, reach_beyond(plane, spheres) - plane.reach);
+        most = std::max(most, reach_beyond(plane, elements) - plane.reach);
     }
     return most;
 }
 
-std::vector<PlaneReach> reached(const std::vector<ClipPlane>& planes, std::span<const Sphere> spheres) {
+std::vector<PlaneReach> reached(const std::vector<ClipPlane>& planes, const Elements& elements) {
     std::vector<PlaneReach> result;
     for (const ClipPlane& plane : planes) {
-        result.push_back({plane, reach_beyond(plane, spheres)});
+        result.push_back({plane, reach_beyond(plane, elements)});
     }
     return result;
 }

@@ -37,15 +37,15 @@ void add_to(Hasher& hasher, const Element& element) {
 void add_to(Hasher& hasher, const SphereTree& tree) {
     hasher.add(static_cast<std::uint64_t>(tree.levels.size()));
     for (const SphereTree::Level& level : tree.levels) {
-        hasher.add(static_cast<std::uint64_t>(level.spheres.size()));
-        for (const Sphere& sphere : level.spheres) {
+        hasher.add(static_cast<std::uint64_t>(level.elements.spheres().size()));
+        for (const Sphere& sphere : level.elements.spheres()) {
             hasher.add(sphere.center).add(sphere.radius);
         }
         hasher.add(static_cast<std::uint64_t>(level.parents.size()));
         hasher.bytes(level.parents.data(), level.parents.size() * sizeof(std::uint32_t));
-        if (!level.others.empty()) { // spheres alone keep their digests
-            hasher.add(static_cast<std::uint64_t>(level.others.size()));
-            for (const Element& element : level.others) {
+        if (!level.elements.are_spheres()) { // spheres alone keep their digests
+            hasher.add(static_cast<std::uint64_t>(level.elements.shaped().size()));
+            for (const Element& element : level.elements.shaped()) {
                 hasher.add(element);
             }
         }

@@ -6,7 +6,7 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 
 namespace foam::inline geometry {
 namespace {
@@ -26,8 +26,8 @@ double twice_area(const Corners& t) {
 /// The points that each element is to contain, from the uncovered parts of a surface.
 class Demands {
 public:
-    Demands(const Solid& solid, const ElementsView& elements)
-        : elements_(elements.others), pieces_(solid, {}, growth_cuts),
+    Demands(const Solid& solid, const std::vector<Element>& elements)
+        : elements_(elements), pieces_(solid, {}, growth_cuts),
           bodies_(elements, solid.bounds().center(), pieces_.extent(), growth_cuts), cuts_(bodies_, growth_cuts),
           points_(elements.size()), looks_left_(20'000 + 20 * pieces_.piece_count()),
           smallest_(1e-8 * pieces_.extent()) {
@@ -173,26 +173,13 @@ private:
     std::vector<Waiting> waiting_;
 };
 
-/// Returns the elements in one list, spheres as elements.
-std::vector<Element> as_elements(const Approximation::Level& level) {
-    std::vector<Element> elements;
-    for (const Sphere& s : level.spheres) {
-        Element ball;
-        ball.pose.translation = s.center;
-        ball.radius = s.radius;
-        elements.push_back(ball);
-    }
-    elements.insert(elements.end(), level.others.begin(), level.others.end());
-    return elements;
-}
-
 /// Enlarges an element to contain a ball or capsule of the solid if that takes less than the protrusion of the
 /// polyhedron around it.
 void grow_around_round_parts(const Solid& solid, std::vector<Element>& elements) {
     constexpr double tessellation = 0.005;
     const Balls pieces(solid, {}, growth_cuts);
     for (const RoundPart& part : pieces.round_parts()) {
-        const Bodies bodies(ElementsView{{}, elements}, solid.bounds().center(), pieces.extent(), growth_cuts);
+        const Bodies bodies(elements, solid.bounds().center(), pieces.extent(), growth_cuts);
         double least = tessellation * part.radius;
         auto best = static_cast<std::uint32_t>(bodies.size());
         for (std::uint32_t i = 0; i < bodies.size(); ++i) {
@@ -209,10 +196,6 @@ void grow_around_round_parts(const Solid& solid, std::vector<Element>& elements)
     }
 }
 
-bool covered(const Solid& solid, const std::vector<Element>& elements) {
-    return covers(solid, ElementsView{{}, elements});
-}
-
 /// Grows the elements that are valid.
 void grow_all(std::vector<Element>& elements, double length) {
     for (Element& e : elements) {
@@ -224,7 +207,7 @@ void grow_all(std::vector<Element>& elements, double length) {
 void close_gaps(const Solid& solid, std::vector<Element>& elements) {
     constexpr int rounds = 16;
     for (int round = 0; round < rounds; ++round) {
-        const Demands demands(solid, ElementsView{{}, elements});
+        const Demands demands(solid, elements);
         if (demands.none()) {
             break;
         }
@@ -241,7 +224,7 @@ void grow_to_cover(const Solid& solid, std::vector<Element>& elements) {
     for (const double share : {0.0, 1e-9, 1e-7, 1e-5, 1e-3}) {
         grow_all(elements, share * solid.bounds().diagonal());
         close_gaps(solid, elements);
-        if (covered(solid, elements)) {
+        if (covers(solid, elements)) {
             return;
         }
     }
@@ -250,31 +233,26 @@ void grow_to_cover(const Solid& solid, std::vector<Element>& elements) {
 
 } // namespace
 
-Approximation::Level grown_to_cover(const Solid& solid, Approximation::Level level) {
-    if (level.others.empty()) {
-        level.spheres = grown_to_cover(solid, std::move(level.spheres));
-        return level;
+Elements grown_to_cover(const Solid& solid, Elements given) {
+    if (given.are_spheres()) {
+        return grown_to_cover(solid, std::move(given.spheres()));
     }
-    std::vector<Element> elements = as_elements(level);
+    std::vector<Element> elements(given.begin(), given.end());
     if (std::none_of(elements.begin(), elements.end(), is_valid)) {
         throw Error(ErrorCode::geometry, "there is no valid element that could grow to cover the solid");
     }
-    if (covers(solid, level.view())) {
-        return level;
+    if (covers(solid, given)) {
+        return given;
     }
-    const Bodies bodies(ElementsView{{}, elements}, solid.bounds().center(), solid.bounds().diagonal(), growth_cuts);
+    const Bodies bodies(given, solid.bounds().center(), solid.bounds().diagonal(), growth_cuts);
     for (std::uint32_t i = 0; i < elements.size(); ++i) { // rounding may be all that is missing
         elements[i] = is_valid(elements[i]) ? grown(elements[i], room_in_slacks * bodies.slack(i)) : elements[i];
     }
-    if (!covered(solid, elements)) {
+    if (!covers(solid, elements)) {
         grow_around_round_parts(solid, elements);
         grow_to_cover(solid, elements);
     }
-    for (std::size_t i = 0; i < level.spheres.size(); ++i) {
-        level.spheres[i].radius = elements[i].radius;
-    }
-    level.others.assign(elements.begin() + static_cast<std::ptrdiff_t>(level.spheres.size()), elements.end());
-    return level;
+    return elements;
 }
 
 } // namespace foam::geometry

@@ -11,6 +11,8 @@ namespace foam::inline geometry {
 Estimate volume_of_union(const ElementSet& set, const Box& lattice);
 /// Returns vol(S \ U), m³, along the solid's lines.
 double missing_of(const Solid& solid, const ElementSet& set);
+/// Returns the volume of a union of balls, as union_volume() for spheres alone.
+double quick_union_volume(std::span<const Sphere> spheres, std::size_t directions);
 
 /// Estimates vol(U \ S) and vol(S \ U). `covered`: the elements contain the whole surface.
 Difference volume_difference(const Solid& solid, const ElementSet& set, bool covered, const MeasureOptions& options);

@@ -3,7 +3,7 @@
 #include "body_cuts.hpp"
 
 #include <foam/base/cancellation.hpp>
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 #include <foam/geometry/internal/proof.hpp>
 
 namespace foam::inline geometry {
@@ -25,7 +25,7 @@ Box box_around(const Piece& piece) {
 class ElementProof {
 public:
     /// `gap`: finds the largest gap where the elements do not cover; else it stops at the first one.
-    ElementProof(const Solid& solid, const ElementsView& elements, int depth, bool gap)
+    ElementProof(const Solid& solid, const Elements& elements, int depth, bool gap)
         : gap_(gap), shrink_(std::ldexp(1.0, -depth)), most_halvings_(static_cast<std::uint32_t>(3 * depth)),
           pieces_(solid, {}, most_halvings_),
           bodies_(elements, solid.bounds().center(), pieces_.extent(), most_halvings_),
@@ -191,7 +191,7 @@ bool contains_by_lengths(const Element& element, const Solid::Part& part) {
            2 * element.half.x >= p.size.x && 2 * element.half.y >= p.size.y && 2 * element.half.z >= p.size.z;
 }
 
-OpenTriangles::OpenTriangles(const Solid& solid, const ElementsView& elements, const Balls& pieces,
+OpenTriangles::OpenTriangles(const Solid& solid, const Elements& elements, const Balls& pieces,
                              const Bodies& bodies) {
     find_contained_parts(solid, elements, pieces, bodies);
     find_holders(solid, bodies);
@@ -240,7 +240,7 @@ bool OpenTriangles::held_by_one(const Triangle& triangle, const Balls& pieces, c
     return false;
 }
 
-void OpenTriangles::find_contained_parts(const Solid& solid, const ElementsView& elements, const Balls& pieces,
+void OpenTriangles::find_contained_parts(const Solid& solid, const Elements& elements, const Balls& pieces,
                                          const Bodies& bodies) {
     const auto contained = [&](std::uint32_t begin, std::uint32_t end) {
         contained_.resize(pieces.piece_count(), 0);
@@ -256,29 +256,34 @@ void OpenTriangles::find_contained_parts(const Solid& solid, const ElementsView&
     }
     for (std::size_t i = 0; i < solid.parts().size(); ++i) {
         const Solid::Part& part = solid.parts()[i];
-        if (part.primitive && std::any_of(elements.others.begin(), elements.others.end(),
+        if (part.primitive && std::any_of(elements.shaped().begin(), elements.shaped().end(),
                                           [&](const Element& e) { return contains_by_lengths(e, part); })) {
             contained(solid.part_offsets()[i], solid.part_offsets()[i + 1]);
         }
     }
 }
 
-Certificate certify(const Solid& solid, const ElementsView& elements, int depth) {
-    if (elements.others.empty()) {
-        return certify(solid, elements.spheres, depth);
+CoverProof prove_cover(const Solid& solid, const Elements& elements, int depth) {
+    if (elements.are_spheres()) {
+        return prove_cover_by_spheres(solid, elements.spheres(), depth);
     }
-    return ElementProof(solid, elements, std::clamp(depth, 0, 60), true).run();
+    return {.certificate = ElementProof(solid, elements, std::clamp(depth, 0, 60), true).run(),
+            .triangles = solid.surface().triangles.size()};
 }
 
-Certificate certify_to_first_gap(const Solid& solid, const ElementsView& elements) {
-    if (elements.others.empty()) {
-        return certify(solid, elements.spheres);
+Certificate certify(const Solid& solid, const Elements& elements, int depth) {
+    return prove_cover(solid, elements, depth).certificate;
+}
+
+Certificate certify_to_first_gap(const Solid& solid, const Elements& elements) {
+    if (elements.are_spheres()) {
+        return certify(solid, elements);
     }
     constexpr int depth = 40;
     return ElementProof(solid, elements, depth, false).run();
 }
 
-bool covers(const Solid& solid, const ElementsView& elements) {
+bool covers(const Solid& solid, const Elements& elements) {
     return certify_to_first_gap(solid, elements).holds;
 }
 

@@ -66,7 +66,7 @@ Vec3 coarse_enough(Vec3 cell, const Vec3& region) {
 
 } // namespace
 
-ElementSet::ElementSet(const ElementsView& elements) {
+ElementSet::ElementSet(const Elements& elements) {
     const auto add = [&](const Element& e) {
         if (is_valid(e)) {
             elements_.push_back(e);
@@ -74,13 +74,7 @@ ElementSet::ElementSet(const ElementsView& elements) {
             all_.add(boxes_.back());
         }
     };
-    for (const Sphere& s : elements.spheres) {
-        Element ball;
-        ball.pose.translation = s.center;
-        ball.radius = s.radius;
-        add(ball);
-    }
-    for (const Element& e : elements.others) {
+    for (const Element& e : elements) {
         add(e);
     }
 }

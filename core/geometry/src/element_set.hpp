@@ -13,7 +13,7 @@ namespace foam::inline geometry {
 /// The valid elements of a view, spheres as elements, each with its box.
 class ElementSet {
 public:
-    explicit ElementSet(const ElementsView& elements);
+    explicit ElementSet(const Elements& elements);
 
     std::size_t size() const { return elements_.size(); }
     const Element& operator[](std::size_t i) const { return elements_[i]; }

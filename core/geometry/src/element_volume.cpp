@@ -3,7 +3,7 @@
 #include "inside_lines.hpp"
 
 #include <foam/base/parallel.hpp>
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 #include <foam/geometry/joint_volume.hpp>
 
 #include <algorithm>
@@ -56,29 +56,30 @@ double missing_of(const Solid& solid, const ElementSet& set) {
     return sum;
 }
 
-double union_volume(const ElementsView& elements) {
-    if (elements.others.empty()) {
-        return union_volume(elements.spheres);
+double union_volume(const Elements& elements, std::size_t directions) {
+    if (elements.are_spheres()) {
+        return quick_union_volume(elements.spheres(), directions);
     }
-    if (elements.spheres.empty() && elements.others.size() == 1) {
-        return is_valid(elements.others.front()) ? volume(elements.others.front()) : 0;
+    if (elements.size() == 1) {
+        const Element& one = elements.shaped().front();
+        return is_valid(one) ? volume(one) : 0;
     }
     const ElementSet set(elements);
     return set.size() == 0 ? 0 : volume_of_union(set, set.bounds()).value;
 }
 
-double missing_volume(const Solid& solid, const ElementsView& elements) {
-    return elements.others.empty() ? solid.missing_volume(elements.spheres) : missing_of(solid, ElementSet(elements));
+double missing_volume(const Solid& solid, const Elements& elements) {
+    return elements.are_spheres() ? solid.missing_volume(elements.spheres()) : missing_of(solid, ElementSet(elements));
 }
 
-double excess_volume(const Solid& solid, const ElementsView& elements) {
+double excess_volume(const Solid& solid, const Elements& elements) {
     return excess_and_missing_volume(solid, elements).first;
 }
 
-std::pair<double, double> excess_and_missing_volume(const Solid& solid, const ElementsView& elements) {
-    if (elements.others.empty()) {
-        const double missing = solid.missing_volume(elements.spheres);
-        return {std::max(0.0, exact_union_volume(elements.spheres) + missing - solid.volume()), missing};
+std::pair<double, double> excess_and_missing_volume(const Solid& solid, const Elements& elements) {
+    if (elements.are_spheres()) {
+        const double missing = solid.missing_volume(elements.spheres());
+        return {std::max(0.0, exact_union_volume(elements.spheres()) + missing - solid.volume()), missing};
     }
     const ElementSet set(elements);
     const double volume = volume_of_union(set, solid.bounds()).value, missing = missing_of(solid, set);

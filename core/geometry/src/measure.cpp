@@ -1,6 +1,6 @@
 #include "element_parts.hpp"
 
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 #include <foam/geometry/internal/quick_solid.hpp>
 
 #include <algorithm>
@@ -57,7 +57,7 @@ static Measures measured(const Solid& solid, const Set& set, const Certificate& 
     return result;
 }
 
-Measures measure(const Solid& solid, std::span<const Sphere> spheres, const MeasureOptions& options) {
+static Measures measure_spheres(const Solid& solid, const std::vector<Sphere>& spheres, const MeasureOptions& options) {
     std::vector<Sphere> balls;
     for (const Sphere& s : spheres) {
         if (is_finite(s.center) && std::isfinite(s.radius) && s.radius > 0) {
@@ -67,14 +67,14 @@ Measures measure(const Solid& solid, std::span<const Sphere> spheres, const Meas
     return measured(solid, std::span<const Sphere>(balls), certify(solid, balls), options);
 }
 
-Measures measure(const Solid& solid, const ElementsView& elements, const MeasureOptions& options) {
-    if (elements.others.empty()) {
-        return measure(solid, elements.spheres, options);
+Measures measure(const Solid& solid, const Elements& elements, const MeasureOptions& options) {
+    if (elements.are_spheres()) {
+        return measure_spheres(solid, elements.spheres(), options);
     }
     return measured(solid, ElementSet(elements), certify(solid, elements), options);
 }
 
-Measures bounds_of_measures(const Solid& solid, const ElementsView& elements) {
+Measures bounds_of_measures(const Solid& solid, const Elements& elements) {
     const Certificate certificate = certify(solid, elements);
     Box box = solid.bounds();
     Measures result;
@@ -83,14 +83,14 @@ Measures bounds_of_measures(const Solid& solid, const ElementsView& elements) {
     result.certified = certificate.holds;
     result.gap = certificate.holds ? 0 : certificate.growth;
     result.covered = certificate.holds ? 1 : 0;
-    for (const Sphere& s : elements.spheres) {
+    for (const Sphere& s : elements.spheres()) {
         const Vec3 half{s.radius, s.radius, s.radius};
         box.add(s.center - half);
         box.add(s.center + half);
         result.excess_volume += 4 * std::numbers::pi / 3 * s.radius * s.radius * s.radius;
         result.exposed_area += 4 * std::numbers::pi * s.radius * s.radius;
     }
-    for (const Element& element : elements.others) {
+    for (const Element& element : elements.shaped()) {
         const Mesh mesh = enclosing_mesh(element);
         for (const Vec3& vertex : mesh.vertices) {
             box.add(vertex);

@@ -151,8 +151,8 @@ Element OwnFrame::from_own(Element element) const {
 
 Approximation OwnFrame::from_own(Approximation tree) const {
     for (Approximation::Level& level : tree.levels) {
-        level.spheres = from_own(std::move(level.spheres));
-        for (Element& element : level.others) {
+        level.elements.spheres() = from_own(std::move(level.elements.spheres()));
+        for (Element& element : level.elements.shaped()) {
             element = from_own(std::move(element));
         }
     }

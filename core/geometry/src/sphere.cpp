@@ -236,15 +236,6 @@ Sphere enclosing_sphere(const std::vector<Sphere>& spheres) {
     return best;
 }
 
-SphereTree flat_tree(std::vector<Sphere> spheres) {
-    SphereTree tree;
-    tree.levels.resize(2);
-    tree.levels[0].spheres = {enclosing_sphere(spheres)};
-    tree.levels[1].parents.assign(spheres.size(), 0);
-    tree.levels[1].spheres = std::move(spheres);
-    return tree;
-}
-
 namespace {
 
 /// Appends balls whose hull contains the element, and is little larger.
@@ -267,15 +258,16 @@ void add_balls_around(const Element& e, std::vector<Sphere>& balls) {
 
 } // namespace
 
-Approximation flat_approximation(std::vector<Sphere> spheres, std::vector<Element> others) {
-    std::vector<Sphere> balls = spheres;
-    for (const Element& e : others) {
+Approximation flat_tree(Elements elements) {
+    std::vector<Sphere> balls = elements.spheres();
+    for (const Element& e : elements.shaped()) {
         add_balls_around(e, balls);
     }
-    Approximation result = flat_tree(std::move(spheres));
-    result.levels[0].spheres = {enclosing_sphere(balls)};
-    result.levels[1].parents.resize(balls.empty() ? 0 : result.levels[1].spheres.size() + others.size(), 0);
-    result.levels[1].others = std::move(others);
+    Approximation result;
+    result.levels.resize(2);
+    result.levels[0].elements = {enclosing_sphere(balls)};
+    result.levels[1].parents.assign(elements.size(), 0);
+    result.levels[1].elements = std::move(elements);
     return result;
 }
 

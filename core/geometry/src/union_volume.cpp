@@ -17,7 +17,7 @@ bool solid_ball(const Sphere& s) {
 
 /// Returns the volume by the divergence theorem: V = 1/3 ∮ x·n dA over the exposed parts of the balls' surfaces. With x
 /// = c + r n a ball's share is r²/3 · 4π/m · Σ (c·n + r) over the exposed directions n.
-double union_volume(std::span<const Sphere> spheres, std::size_t directions) {
+double quick_union_volume(std::span<const Sphere> spheres, std::size_t directions) {
     std::vector<Sphere> balls;
     for (const Sphere& s : spheres) {
         if (solid_ball(s)) {

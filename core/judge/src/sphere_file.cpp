@@ -32,7 +32,7 @@ std::string_view first_token(std::string_view text) {
 void drop_disabled(SphereFile& result) {
     std::size_t dropped = 0;
     for (LinkSpheres& link : result.links) {
-        dropped += std::erase_if(link.spheres, [](const Sphere& s) { return !(s.radius > 0); });
+        dropped += std::erase_if(link.elements.spheres(), [](const Sphere& s) { return !(s.radius > 0); });
     }
     if (dropped > 0) {
         result.notes.push_back(fmt::format("{} sphere{} of a radius not above 0 {} switched off and left out", dropped,
@@ -49,7 +49,7 @@ double far_of(const Element& element) {
 /// Throws Error(input) for numbers whose squares and cubes exceed a double: figures would be infinite.
 void require_workable(const SphereFile& result) {
     for (const LinkSpheres& link : result.links) {
-        for (const Sphere& s : link.spheres) {
+        for (const Sphere& s : link.elements.spheres()) {
             const double largest = std::max({std::abs(s.center.x), std::abs(s.center.y), std::abs(s.center.z), s.radius});
             if (!(largest <= farthest_sphere)) {
                 throw Error(ErrorCode::input,
@@ -59,7 +59,7 @@ void require_workable(const SphereFile& result) {
                                         shown(link.link), farthest_sphere));
             }
         }
-        for (const Element& element : link.others) {
+        for (const Element& element : link.elements.shaped()) {
             if (!is_valid(element) || !(far_of(element) <= farthest_sphere)) {
                 throw Error(ErrorCode::input,
                             fmt::format("{}: a {} of link '{}' has no volume, numbers that are not finite, a rotation "

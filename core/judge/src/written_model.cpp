@@ -2,7 +2,7 @@
 #include <foam/base/internal/files.hpp>
 #include <foam/base/text.hpp>
 #include <foam/collision/reference_pose.hpp>
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 #include <foam/judge/written_model.hpp>
 #include <foam/runtime/internal/elements.hpp>
 #include <foam/sdk/elements.hpp>
@@ -19,14 +19,12 @@ namespace {
 
 SphereFile in_single_precision(SphereFile file) {
     for (LinkSpheres& link : file.links) {
-        Approximation::Level level = foam::in_single_precision(level_of(link.view()));
-        link.spheres = std::move(level.spheres);
-        link.others = std::move(level.others);
+        link.elements = foam::in_single_precision(std::move(link.elements));
     }
     return file;
 }
 
-Measures not_measured(const ElementsView& elements) {
+Measures not_measured(const Elements& elements) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     return {.spheres = elements.size(),
             .area = unknown,
@@ -97,9 +95,8 @@ SphereModel sphere_model_of(const SphereFile& file, std::shared_ptr<const Robot>
     model.robot = std::move(robot);
     for (const Link& link : model.robot->links) {
         for (const LinkSpheres& spheres : file.links) {
-            if (spheres.link == link.name && !spheres.view().empty()) {
-                model.groups.push_back({link.name, {}, flat_approximation(spheres.spheres, spheres.others),
-                                        not_measured(spheres.view())});
+            if (spheres.link == link.name && !spheres.elements.empty()) {
+                model.groups.push_back({link.name, {}, flat_tree(spheres.elements), not_measured(spheres.elements)});
             }
         }
     }
@@ -138,20 +135,17 @@ std::vector<IgnoredPair> ignored_pairs_of(const SphereModel& model, const std::a
     CollisionModel elements;
     elements.robot = model.robot;
     elements.solids = solids_of(model);
-    elements.spheres.resize(model.robot->links.size());
-    elements.others.resize(model.robot->links.size());
+    elements.elements.resize(model.robot->links.size());
     elements.sources.resize(model.robot->links.size());
     for (std::size_t i = 0; i < model.robot->links.size(); ++i) {
-        Approximation::Level level; // a link may have several groups
         for (const SphereGroup& group : model.groups) {
             if (group.link == model.robot->links[i].name) {
-                append(level, group.tree.elements());
+                elements.elements[i].add(group.tree.elements()); // a link may have several groups
             }
         }
-        const bool cover = elements.solids[i] && !level.view().empty() && covers(*elements.solids[i], level.view());
+        const Elements& those = elements.elements[i];
+        const bool cover = elements.solids[i] && !those.empty() && covers(*elements.solids[i], those);
         elements.sources[i] = cover ? Source::cover : Source::given;
-        elements.spheres[i] = std::move(level.spheres);
-        elements.others[i] = std::move(level.others);
     }
     SelfCollisionOptions options;
     options.cancel = cancel;
@@ -209,7 +203,7 @@ std::vector<WrittenFile> written_files(const Writer& writer, const StageInfo& in
     return files;
 }
 
-std::map<std::string, Approximation::Level> read_back(const Writer& writer, const std::vector<WrittenFile>& files) {
+std::map<std::string, Elements> read_back(const Writer& writer, const std::vector<WrittenFile>& files) {
     std::map<std::string, std::string> beside;
     const std::filesystem::path folder = files.front().file.parent_path();
     for (const WrittenFile& file : files) {
@@ -217,7 +211,7 @@ std::map<std::string, Approximation::Level> read_back(const Writer& writer, cons
             beside[file.file.lexically_relative(folder).string()] = file.bytes;
         }
     }
-    return writer.read_elements(files.front().bytes, beside);
+    return writer.read(files.front().bytes, beside);
 }
 
 /// Returns whether the spheres are those of the model with radii that are larger by one buffer, or by none.
@@ -239,28 +233,28 @@ static bool are_smaller(const std::vector<Sphere>& found, const std::vector<Sphe
 
 void require_written(const SphereModel& model, const Writer& writer, const StageInfo& info,
                      const std::vector<WrittenFile>& files) {
-    std::map<std::string, Approximation::Level> links;
+    std::map<std::string, Elements> links;
     for (const SphereGroup& group : model.groups) {
-        append(links[group.link], group.tree.elements());
+        links[group.link].add(group.tree.elements());
     }
     auto read = read_back(writer, files);
     for (const auto& [link, elements] : links) {
-        const Approximation::Level& found = read[link];
-        if (info.consumer.elements_optional && !elements.others.empty()) {
+        const Elements& found = read[link];
+        if (info.consumer.elements_optional && !elements.are_spheres()) {
             continue;
         }
-        if (found.others.empty() != elements.others.empty()) {
+        if (found.are_spheres() != elements.are_spheres()) {
             throw Error(ErrorCode::internal,
                         fmt::format("link '{}': the written file gives {}, the model has {}", link,
-                                    counts_text(kinds_of(found.view())), counts_text(kinds_of(elements.view()))));
+                                    counts_text(kinds_of(found)), counts_text(kinds_of(elements))));
         }
-        if (elements.others.empty() && are_smaller(found.spheres, elements.spheres)) {
+        if (elements.are_spheres() && are_smaller(found.spheres(), elements.spheres())) {
             throw Error(ErrorCode::output,
                         fmt::format("link '{}': with its buffer, the file's reader takes smaller spheres than the "
                                     "model's; remedy: a buffer that is not negative",
                                     shown(link)));
         }
-        if (elements.others.empty() && !are_same_up_to_buffer(found.spheres, elements.spheres)) {
+        if (elements.are_spheres() && !are_same_up_to_buffer(found.spheres(), elements.spheres())) {
             throw Error(ErrorCode::internal,
                         fmt::format("link '{}': the written file gives other spheres than the model", link));
         }
@@ -288,13 +282,12 @@ static std::optional<SphereFile> changed_by_writing(const SphereFile& given, con
     for (auto& [link, elements] : read_back(writer, files)) {
         const auto before = std::find_if(given.links.begin(), given.links.end(),
                                          [&, &name = link](const LinkSpheres& one) { return one.link == name; });
-        same = same && before != given.links.end() && before->others.empty() && elements.others.empty() &&
-               before->spheres == elements.spheres;
-        file.links.push_back({link, std::move(elements.spheres), std::move(elements.others)});
+        same = same && before != given.links.end() && before->elements == elements;
+        file.links.push_back({link, std::move(elements)});
     }
     const bool elsewhere = info.consumer.elements_optional &&
                            std::any_of(given.links.begin(), given.links.end(),
-                                       [](const LinkSpheres& link) { return !link.others.empty(); });
+                                       [](const LinkSpheres& link) { return !link.elements.are_spheres(); });
     return same || elsewhere ? std::nullopt : std::optional(std::move(file));
 }
 

@@ -94,7 +94,7 @@ private:
 std::string radii_section(const Report& report) {
     std::vector<double> radii;
     for (const ReportLink& link : report.links) {
-        for (const Sphere& sphere : link.scene.levels.back()) {
+        for (const Sphere& sphere : link.scene.levels.back().spheres()) {
             radii.push_back(mm_per_m * sphere.radius);
         }
     }

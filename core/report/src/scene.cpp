@@ -188,14 +188,15 @@ std::string scene_json(const std::vector<SceneLink>& links, std::size_t max_tria
         for (const StageMesh& stage : link.meshes) {
             indices.push_back(meshes.index_of(stage.mesh));
         }
-        for (const std::vector<Sphere>& level : link.levels) {
-            levels.push_back(to_floats(level));
+        for (const Elements& level : link.levels) {
+            levels.push_back(to_floats(level.spheres()));
         }
         list.push_back(
             {{"name", shown(link.name)}, {"pose", rows_of(link.pose)}, {"meshes", indices}, {"levels", levels}});
-        for (const std::vector<Element>& level : link.other_levels) {
+        const bool spheres_alone = link.levels.empty() || link.levels.back().are_spheres();
+        for (std::size_t l = 0; !spheres_alone && l < link.levels.size(); ++l) {
             Json elements = Json::array();
-            for (const Element& element : level) {
+            for (const Element& element : link.levels[l].shaped()) {
                 const auto mesh = std::make_shared<const Mesh>(enclosing_mesh(element, segments));
                 elements.push_back({{"kind", to_string(element.kind)}, {"mesh", meshes.index_of(mesh)}});
             }

@@ -58,9 +58,10 @@ std::string strip(const Report& report, std::size_t index) {
     for (std::size_t stage = 0; stage < link.scene.meshes.size(); ++stage) {
         frames += frame(index, fmt::format("{}", stage), mesh_caption(report.manifest, link.scene, stage));
     }
+    const Elements& finest = link.scene.levels.back();
     frames += frame(index, "spheres",
                     fmt::format("<strong>{}</strong> {}", as_text(link.spherizer),
-                                counted(link.scene.levels.back().size(), "sphere")));
+                                counted(finest.size(), finest.are_spheres() ? "sphere" : "element")));
     return fmt::format("<h3>{}</h3>\n<div class=\"strip\">\n{}</div>\n", as_text(link.scene.name), frames);
 }
 

@@ -25,14 +25,12 @@ CollisionModel collision_model(const Workspace& workspace, const FinishedModel& 
     const bool outer = workspace.recipe.guarantee == Guarantee::outer;
     CollisionModel model;
     model.robot = finished.model.robot;
-    model.spheres.resize(model.robot->links.size());
-    model.others.resize(model.robot->links.size());
+    model.elements.resize(model.robot->links.size());
     model.sources.resize(model.robot->links.size());
     model.solids.resize(model.robot->links.size());
     for (const FinishedLink& link : finished.links) {
         const auto at = static_cast<std::size_t>(link.work->link - model.robot->links.data());
-        model.spheres[at] = link.elements.spheres;
-        model.others[at] = link.elements.others;
+        model.elements[at] = link.elements;
         model.sources[at] = outer && link.work->report.measures.certified ? CollisionModel::Source::cover
                                                                           : CollisionModel::Source::given;
         model.solids[at] = link.solid;
@@ -91,7 +89,7 @@ std::vector<IgnoredPair> pairs_of(const Workspace& workspace, const FinishedMode
 std::string provenance(const Input& input, const FinishedModel& finished, const ProvedLinks& proved) {
     KindCounts kinds{};
     for (const FinishedLink& link : finished.links) {
-        kinds = sum_of(kinds, kinds_of(link.elements.view()));
+        kinds = sum_of(kinds, kinds_of(link.elements));
     }
     return fmt::format("foam {}; {} ({}); {}; {}", version(), input.file.filename().string(), input.digest,
                        counts_text(kinds), statement_of(proved));

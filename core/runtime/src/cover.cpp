@@ -3,7 +3,6 @@
 #include "written_numbers.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/geometry/element_measure.hpp>
 #include <foam/geometry/inner.hpp>
 #include <foam/geometry/joint_volume.hpp>
 #include <foam/geometry/measure.hpp>
@@ -37,7 +36,7 @@ Error no_room() {
 /// i.
 SphereTree::Level fitted_level(const Solid& solid, const SphereTree::Level& level, const DecimalGrid& grid,
                                Numbers numbers, std::vector<std::optional<std::uint32_t>>& left) {
-    std::vector<Sphere> spheres = shrunk_to_fit(solid, level.spheres);
+    std::vector<Sphere> spheres = shrunk_to_fit(solid, level.elements.spheres());
     for (Sphere& sphere : spheres) {
         sphere.center = grid.nearest(sphere.center);
     }
@@ -46,8 +45,8 @@ SphereTree::Level fitted_level(const Solid& solid, const SphereTree::Level& leve
     left.assign(spheres.size(), {});
     for (std::size_t i = 0; i < spheres.size(); ++i) {
         if (const double radius = grid.down(radii[i] - float32_slack(spheres[i], numbers)); radius > 0) {
-            left[i] = static_cast<std::uint32_t>(result.spheres.size());
-            result.spheres.push_back({spheres[i].center, radius});
+            left[i] = static_cast<std::uint32_t>(result.elements.spheres().size());
+            result.elements.spheres().push_back({spheres[i].center, radius});
             if (!level.parents.empty()) {
                 result.parents.push_back(level.parents[i]);
             }
@@ -66,29 +65,29 @@ SphereTree inner_tree(const Solid& solid, const SphereTree& tree, const DecimalG
         SphereTree::Level& level = result.levels[l];
         level = fitted_level(solid, tree.levels[l], grid, numbers, left);
         if (l + 1 == tree.levels.size()) {
-            if (level.spheres.empty()) {
+            if (level.elements.spheres().empty()) {
                 throw no_room();
             }
             continue;
         }
         SphereTree::Level& below = result.levels[l + 1];
-        if (level.spheres.empty()) {
-            level.spheres = {*std::max_element(below.spheres.begin(), below.spheres.end(),
+        if (level.elements.spheres().empty()) {
+            level.elements.spheres() = {*std::max_element(below.elements.spheres().begin(), below.elements.spheres().end(),
                                                [](const Sphere& a, const Sphere& b) { return a.radius < b.radius; })};
             if (l > 0) {
                 level.parents = {tree.levels[l].parents.at(0)};
             }
         }
-        for (std::size_t i = 0; i < below.spheres.size(); ++i) {
+        for (std::size_t i = 0; i < below.elements.spheres().size(); ++i) {
             const std::optional<std::uint32_t> parent = left[below.parents[i]];
             const auto nearer = [&](const Sphere& a, const Sphere& b) {
-                return distance(a.center, below.spheres[i].center) < distance(b.center, below.spheres[i].center);
+                return distance(a.center, below.elements.spheres()[i].center) < distance(b.center, below.elements.spheres()[i].center);
             };
             below.parents[i] =
                 parent
                     ? *parent
-                    : static_cast<std::uint32_t>(std::min_element(level.spheres.begin(), level.spheres.end(), nearer) -
-                                                 level.spheres.begin());
+                    : static_cast<std::uint32_t>(std::min_element(level.elements.spheres().begin(), level.elements.spheres().end(), nearer) -
+                                                 level.elements.spheres().begin());
         }
     }
     return result;
@@ -115,13 +114,13 @@ std::optional<Sphere> better_one(const Solid& solid, const std::vector<Sphere>& 
 
 /// Moves the spheres of a level onto the grid, grows them to cover, and rounds their radii up.
 void finish_spheres(const Solid& solid, SphereTree::Level& level, const DecimalGrid& grid, bool outer, Numbers numbers) {
-    for (Sphere& sphere : level.spheres) {
+    for (Sphere& sphere : level.elements.spheres()) {
         sphere.center = grid.nearest(sphere.center);
     }
     if (outer) {
-        level.spheres = grown_to_cover(solid, std::move(level.spheres));
+        level.elements.spheres() = grown_to_cover(solid, std::move(level.elements.spheres()));
     }
-    for (Sphere& sphere : level.spheres) {
+    for (Sphere& sphere : level.elements.spheres()) {
         sphere.radius = grid.up(sphere.radius + (outer ? float32_slack(sphere, numbers) : 0));
     }
 }
@@ -150,12 +149,12 @@ double cost_volume(const Solid& solid, std::vector<Sphere> spheres, Guarantee gu
     return std::max(0.0, 2 * geometry::joint_volume(solid, spheres) - solid.volume() - exact_union_volume(spheres));
 }
 
-double cost_of_elements(const Solid& solid, const ElementsView& elements, Guarantee guarantee) {
-    if (elements.others.empty()) {
-        return cost_volume(solid, std::vector<Sphere>(elements.spheres.begin(), elements.spheres.end()), guarantee);
+double cost_of_elements(const Solid& solid, const Elements& elements, Guarantee guarantee) {
+    if (elements.are_spheres()) {
+        return cost_volume(solid, elements.spheres(), guarantee);
     }
     if (guarantee == Guarantee::outer) {
-        return excess_volume(solid, grown_to_cover(solid, level_of(elements)).view());
+        return excess_volume(solid, grown_to_cover(solid, elements));
     }
     const auto [excess, missing] = excess_and_missing_volume(solid, elements);
     return excess + missing;
@@ -177,14 +176,12 @@ double covered_protrusion(const Solid& solid, std::vector<Sphere> spheres, Guara
     return measure(solid, spheres, quick_protrusion()).protrusion_max;
 }
 
-double protrusion_of_elements(const Solid& solid, const ElementsView& elements, Guarantee guarantee) {
-    if (elements.others.empty()) {
-        return covered_protrusion(solid, std::vector<Sphere>(elements.spheres.begin(), elements.spheres.end()),
-                                  guarantee);
+double protrusion_of_elements(const Solid& solid, const Elements& elements, Guarantee guarantee) {
+    if (elements.are_spheres()) {
+        return covered_protrusion(solid, elements.spheres(), guarantee);
     }
-    const Approximation::Level level =
-        guarantee == Guarantee::outer ? grown_to_cover(solid, level_of(elements)) : level_of(elements);
-    return measure(solid, level.view(), quick_protrusion()).protrusion_max;
+    const Elements grown = guarantee == Guarantee::outer ? grown_to_cover(solid, elements) : elements;
+    return measure(solid, grown, quick_protrusion()).protrusion_max;
 }
 
 void require_room(const Solid& solid, const SphereTree& tree) {
@@ -204,15 +201,15 @@ FinishedTree finished_tree(const Solid& solid, SphereTree tree, Guarantee guaran
     const bool outer = guarantee == Guarantee::outer;
     result.tree = std::move(tree);
     for (SphereTree::Level& level : result.tree.levels) {
-        if (!level.others.empty()) {
-            result.growth = finish_elements(solid, level, grid, outer, numbers);
+        if (!level.elements.are_spheres()) {
+            result.growth = finish_elements(solid, level.elements, grid, outer, numbers);
             continue;
         }
-        const std::vector<Sphere> before = level.spheres;
+        const std::vector<Sphere> before = level.elements.spheres();
         finish_spheres(solid, level, grid, outer, numbers);
-        result.growth = growth_of(before, level.spheres);
+        result.growth = growth_of(before, level.elements.spheres());
     }
-    const bool spheres_alone = result.tree.levels.back().others.empty();
+    const bool spheres_alone = result.tree.levels.back().elements.are_spheres();
     const auto one = outer && one_may_do && spheres_alone ? better_one(solid, result.tree.finest()) : std::nullopt;
     if (one) {
         result = finished_tree(solid, flat_tree({*one}), guarantee, false, numbers);
@@ -224,10 +221,10 @@ FinishedTree finished_tree(const Solid& solid, SphereTree tree, Guarantee guaran
 SphereTree padded(const Solid& solid, SphereTree tree, double length) {
     const DecimalGrid grid(solid.bounds().diagonal());
     for (SphereTree::Level& level : tree.levels) {
-        for (Sphere& sphere : level.spheres) {
+        for (Sphere& sphere : level.elements.spheres()) {
             sphere.radius = grid.up(sphere.radius + length);
         }
-        for (Element& element : level.others) {
+        for (Element& element : level.elements.shaped()) {
             element = up_on_grid(grown(element, length), grid);
         }
     }

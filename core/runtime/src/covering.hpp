@@ -16,14 +16,14 @@ public:
         : workspace_(workspace), shapes_(shapes) {}
 
     /// Returns the finest level of a known tree of the group's shape, in the frame of its link.
-    Approximation::Level of(const Group& group, std::size_t count);
+    Elements of(const Group& group, std::size_t count);
 
 private:
-    const Approximation::Level& of_shape(std::size_t shape, std::size_t count);
+    const Elements& of_shape(std::size_t shape, std::size_t count);
 
     const Workspace& workspace_;
     const std::vector<ShapeWork>& shapes_;
-    std::map<std::pair<std::size_t, std::size_t>, Approximation::Level> known_; ///< by shape and count
+    std::map<std::pair<std::size_t, std::size_t>, Elements> known_; ///< by shape and count
 };
 
 } // namespace foam::runtime

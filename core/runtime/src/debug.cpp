@@ -85,10 +85,10 @@ std::vector<OutputFile> write_debug_meshes(const Workspace& workspace, const Fin
             write(f + 1, filters[f].stage, link_mesh(link, f + 1));
         }
         Mesh spheres;
-        for (const Element& element : finished.links[l].elements.others) {
+        for (const Element& element : finished.links[l].elements.shaped()) {
             append(spheres, enclosing_mesh(element));
         }
-        for (const Sphere& sphere : finished.links[l].elements.spheres) {
+        for (const Sphere& sphere : finished.links[l].elements.spheres()) {
             Pose pose;
             pose.translation = sphere.center;
             append(spheres,

@@ -23,63 +23,29 @@ std::array<Vec3, 3> single(const std::array<Vec3, 3>& rotation) {
     return {x, across, cross(x, across)};
 }
 
-double reach_beyond(const ClipPlane& plane, const Element& element) {
-    const Vec3 normal = normalized(plane.normal);
-    return dot(normal, support(element, normal)) - plane.offset;
-}
-
-double reach_beyond(const ClipPlane& plane, const ElementsView& elements) {
-    double reach = foam::reach_beyond(plane, elements.spheres);
-    for (const Element& element : elements.others) {
-        reach = std::max(reach, reach_beyond(plane, element));
-    }
-    return reach;
-}
-
 } // namespace
-
-Approximation::Level level_of(const ElementsView& elements) {
-    return {.spheres = {elements.spheres.begin(), elements.spheres.end()},
-            .parents = {},
-            .others = {elements.others.begin(), elements.others.end()}};
-}
-
-void append(Approximation::Level& level, const ElementsView& more) {
-    level.spheres.insert(level.spheres.end(), more.spheres.begin(), more.spheres.end());
-    level.others.insert(level.others.end(), more.others.begin(), more.others.end());
-}
-
-Approximation::Level moved(Approximation::Level level, const Pose& pose) {
-    for (Sphere& sphere : level.spheres) {
-        sphere.center = pose * sphere.center;
-    }
-    for (Element& element : level.others) {
-        element = geometry::moved(std::move(element), pose);
-    }
-    return level;
-}
 
 Approximation moved(Approximation approximation, const Pose& pose) {
     for (Approximation::Level& level : approximation.levels) {
-        level = moved(std::move(level), pose);
+        level.elements = geometry::moved(std::move(level.elements), pose);
     }
     return approximation;
 }
 
-void add_elements(Panel& panel, const ElementsView& elements, const Pose& pose) {
-    for (const Sphere& sphere : elements.spheres) {
+void add_elements(Panel& panel, const Elements& elements, const Pose& pose) {
+    for (const Sphere& sphere : elements.spheres()) {
         panel.spheres.push_back({pose * sphere.center, sphere.radius});
     }
-    for (const Element& element : elements.others) {
+    for (const Element& element : elements.shaped()) {
         panel.meshes.push_back({std::make_shared<const Mesh>(enclosing_mesh(element)), pose, true});
     }
 }
 
-Approximation::Level in_single_precision(Approximation::Level level) {
-    for (Sphere& s : level.spheres) {
+Elements in_single_precision(Elements elements) {
+    for (Sphere& s : elements.spheres()) {
         s = {single(s.center), single(s.radius)};
     }
-    for (Element& e : level.others) {
+    for (Element& e : elements.shaped()) {
         e.pose.translation = single(e.pose.translation);
         e.pose.rotation = e.pose.rotation == Pose{}.rotation ? e.pose.rotation : single(e.pose.rotation);
         e.half = single(e.half);
@@ -92,26 +58,7 @@ Approximation::Level in_single_precision(Approximation::Level level) {
             e.hull = convex_hull(vertices);
         }
     }
-    return level;
-}
-
-double violation_of(const std::vector<ClipPlane>& planes, const ElementsView& elements) {
-    if (elements.others.empty()) {
-        return foam::violation_of(planes, elements.spheres);
-    }
-    double worst = -std::numeric_limits<double>::infinity();
-    for (const PlaneReach& plane : reached(planes, elements)) {
-        worst = std::max(worst, plane.reached - plane.plane.reach);
-    }
-    return worst;
-}
-
-std::vector<PlaneReach> reached(const std::vector<ClipPlane>& planes, const ElementsView& elements) {
-    std::vector<PlaneReach> result;
-    for (const ClipPlane& plane : planes) {
-        result.push_back({plane, reach_beyond(plane, elements)});
-    }
-    return result;
+    return elements;
 }
 
 } // namespace foam::runtime

@@ -24,7 +24,7 @@ bool is_loaded(const LinkWork& link) {
 /// Returns what enclosing spheres take of the recipe's budget, with the spheres that links keep.
 std::size_t total_of_enclosing(const Recipe& recipe, const std::vector<LinkWork>& links) {
     const Sphere one{{}, 1};
-    const std::size_t each = size_of(recipe, ElementsView{{&one, 1}, {}});
+    const std::size_t each = size_of(recipe, {one});
     std::size_t sum = 0;
     for (const LinkWork& link : links) {
         sum += is_to_be_enclosed(link) ? each + link.recipe.keep.size() : 0;

@@ -80,7 +80,7 @@ std::size_t kept_spheres(const std::vector<LinkWork>& links, const std::vector<G
 SphereTree with_kept(const std::vector<Sphere>& kept, SphereTree tree) {
     for (std::size_t l = 0; l < tree.levels.size(); ++l) {
         SphereTree::Level& level = tree.levels[l];
-        level.spheres.insert(level.spheres.begin(), kept.begin(), kept.end());
+        level.elements.spheres().insert(level.elements.spheres().begin(), kept.begin(), kept.end());
         if (l == 0) {
             continue;
         }

@@ -5,7 +5,6 @@
 #include "own_frame.hpp"
 
 #include <foam/base/text.hpp>
-#include <foam/geometry/element_measure.hpp>
 #include <foam/geometry/inner.hpp>
 #include <foam/geometry/internal/filled.hpp>
 #include <foam/geometry/internal/quick_solid.hpp>
@@ -52,7 +51,7 @@ std::vector<std::size_t> all_elements(const LinkWork& link) {
     return elements;
 }
 
-Measures measured(const Workspace& workspace, const Solid& solid, const ElementsView& elements) {
+Measures measured(const Workspace& workspace, const Solid& solid, const Elements& elements) {
     MeasureOptions options;
     options.seed = workspace.recipe.seed;
     Measures measures = measure(solid, elements, options);
@@ -60,7 +59,7 @@ Measures measured(const Workspace& workspace, const Solid& solid, const Elements
     case Guarantee::outer: // as measured
         break;
     case Guarantee::inner:
-        measures.certified = elements.others.empty() && certify_inner(solid, elements.spheres).holds;
+        measures.certified = elements.are_spheres() && certify_inner(solid, elements.spheres()).holds;
         break;
     case Guarantee::fitted:
         measures.certified = false;
@@ -69,7 +68,7 @@ Measures measured(const Workspace& workspace, const Solid& solid, const Elements
 }
 
 /// Returns bounds on the measures of covering elements, where there is no time to measure.
-Measures bounded(const Workspace& workspace, const Solid& solid, const ElementsView& elements) {
+Measures bounded(const Workspace& workspace, const Solid& solid, const Elements& elements) {
     Measures bounds = geometry::bounds_of_measures(solid, elements);
     bounds.certified = bounds.certified && workspace.recipe.guarantee == Guarantee::outer;
     return bounds;
@@ -78,7 +77,7 @@ Measures bounded(const Workspace& workspace, const Solid& solid, const ElementsV
 /// Returns the measures of a solid whose inside counts as geometry; what is proved and how much of the surface is
 /// covered is that of the solid itself. `full`: the solid with its inside, `volume`: of what was filled, m³.
 Measures measured_filled(const Workspace& workspace, const std::shared_ptr<const Solid>& solid,
-                         const std::shared_ptr<const Solid>& full, const ElementsView& elements, double& volume) {
+                         const std::shared_ptr<const Solid>& full, const Elements& elements, double& volume) {
     const Measures own = measured(workspace, *solid, elements);
     if (full == solid) {
         return own;
@@ -102,7 +101,7 @@ void tell_bounds(const Workspace& workspace, const LinkWork& link) {
 }
 
 /// Reports the half-space constraints on the numbers that are written.
-void report_planes(const Workspace& workspace, LinkWork& link, const ElementsView& elements) {
+void report_planes(const Workspace& workspace, LinkWork& link, const Elements& elements) {
     link.report.clip = reached(link.recipe.clip, elements);
     for (const std::string& sentence : not_kept(link.report.clip)) {
         workspace.journal.finding({Severity::warning, link.link->name, "", sentence});
@@ -288,7 +287,7 @@ private:
 
 /// Measures the elements of all groups of a link.
 void measure_whole(const Workspace& workspace, const FinishedLink& link, LinkWork& work) {
-    const ElementsView elements = link.elements.view();
+    const Elements& elements = link.elements;
     const auto measure = [&] {
         const StopScope scope(workspace.in(Phase::covering).request());
         work.report.measures = work.recipe.hollow == Hollow::fill
@@ -343,7 +342,7 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
         std::vector<Measures> unpadded;
         for (std::size_t g = 0; g < groups.size(); ++g) {
             if (groups[g].link == l) {
-                append(link.elements, result.model.groups[g].tree.elements());
+                link.elements.add(result.model.groups[g].tree.elements());
                 links[l].report.growth = std::max(links[l].report.growth, finishing.growth[g]);
                 links[l].report.measures = result.model.groups[g].measures;
                 unpadded.push_back(finishing.unpadded[g]);
@@ -368,8 +367,8 @@ FinishedModel finish_links(const Workspace& workspace, std::shared_ptr<const Rob
                 links[l].report.pad = links[l].recipe.pad;
                 links[l].report.unpadded = total(unpadded);
             }
-            links[l].report.kinds = kinds_of(link.elements.view());
-            report_planes(workspace, links[l], link.elements.view());
+            links[l].report.kinds = kinds_of(link.elements);
+            report_planes(workspace, links[l], link.elements);
             result.links.push_back(std::move(link));
         }
     }
@@ -401,7 +400,7 @@ bool handle_errors(const Workspace& workspace, std::vector<LinkWork>& links, std
         group.link = l;
         group.elements = all_elements(links[l]);
         group.tree.levels.resize(1);
-        group.tree.levels[0].spheres = {minimum_enclosing_sphere(points)};
+        group.tree.levels[0].elements.spheres() = {minimum_enclosing_sphere(points)};
         groups.push_back(std::move(group));
     }
     std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.link < b.link; });

@@ -25,7 +25,7 @@ void tell_loose_links(const Workspace& workspace, const FinishedModel& finished)
     bool spheres = true;
     for (const FinishedLink& link : finished.links) {
         most = std::max(most, link.elements.size());
-        spheres = spheres && link.elements.others.empty();
+        spheres = spheres && link.elements.are_spheres();
         all.push_back(link.work->report.measures);
     }
     const double excess = total(all).excess;

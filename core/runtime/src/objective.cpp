@@ -1,6 +1,5 @@
 #include "objective.hpp"
 
-#include <foam/geometry/element_measure.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/internal/cover.hpp>
 #include <foam/runtime/internal/elements.hpp>
@@ -33,9 +32,9 @@ double figure_of(const Solid& solid, const std::vector<Sphere>& spheres, Objecti
     return largest;
 }
 
-double figure_of(const Solid& solid, const ElementsView& elements, Objective objective) {
-    if (elements.others.empty()) {
-        return figure_of(solid, std::vector<Sphere>(elements.spheres.begin(), elements.spheres.end()), objective);
+double figure_of(const Solid& solid, const Elements& elements, Objective objective) {
+    if (elements.are_spheres()) {
+        return figure_of(solid, elements.spheres(), objective);
     }
     switch (objective) {
     case Objective::excess:
@@ -45,12 +44,12 @@ double figure_of(const Solid& solid, const ElementsView& elements, Objective obj
     case Objective::radius:
         break;
     }
-    const Approximation::Level grown = grown_to_cover(solid, level_of(elements));
+    const Elements grown = grown_to_cover(solid, elements);
     double largest = 0;
-    for (const Sphere& sphere : grown.spheres) {
+    for (const Sphere& sphere : grown.spheres()) {
         largest = std::max(largest, sphere.radius);
     }
-    for (const Element& element : grown.others) {
+    for (const Element& element : grown.shaped()) {
         largest = std::max(largest, minimum_enclosing_sphere(enclosing_mesh(element).vertices).radius);
     }
     return largest;

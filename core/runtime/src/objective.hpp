@@ -18,6 +18,6 @@ std::optional<Objective> objective_of(const StageCall& spherizer, const Registry
 /// largest protrusion, m, or the largest radius, m.
 double figure_of(const Solid& solid, const std::vector<Sphere>& spheres, Objective objective);
 /// Returns the same for elements of any kind; their size is the radius of the smallest sphere around each.
-double figure_of(const Solid& solid, const ElementsView& elements, Objective objective);
+double figure_of(const Solid& solid, const Elements& elements, Objective objective);
 
 } // namespace foam::runtime

@@ -114,7 +114,7 @@ std::vector<OutputFile> write_outputs(const Workspace& workspace, const Finished
     std::vector<std::vector<OutputFile>> files(outputs.size());
     parallel_for(outputs.size(), [&](std::size_t i) {
         std::vector<WrittenProof> proofs = as_task(i, [&](Context&) {
-            return prove_written(writers[i]->read_elements(texts[i].texts.front().text, texts[i].beside), finished,
+            return prove_written(writers[i]->read(texts[i].texts.front().text, texts[i].beside), finished,
                                  workspace.recipe.guarantee, workspace.recipe.proved_numbers(workspace.registry),
                                  outputs[i].file,
                                  workspace.registry.find(outputs[i].writer.stage)->info.consumer.elements_optional);

@@ -22,25 +22,24 @@ RandomPoses::RandomPoses(std::shared_ptr<const Robot> robot, const std::vector<L
     configurations_ = random_configurations(kinematics_, count, derive_seed(seed, "budget for poses"));
 }
 
-Consequences RandomPoses::consequences(const std::vector<Approximation::Level>& of_link) {
+Consequences RandomPoses::consequences(const std::vector<Elements>& of_link) {
     if (solids_.empty()) {
         solids_ = solids_of(*robot_, links_);
     }
     CollisionModel model; // as it is written: with kept spheres and padding
     model.robot = robot_;
-    model.spheres.resize(robot_->links.size());
-    model.others.resize(robot_->links.size());
+    model.elements.resize(robot_->links.size());
     model.sources.resize(robot_->links.size(), CollisionModel::Source::none);
     for (std::size_t i = 0; i < of_link.size(); ++i) {
         const std::size_t link = robot_links_[i];
         const Recipe::LinkRecipe& recipe = links_[i].recipe;
-        model.spheres[link] = recipe.keep;
-        model.spheres[link].insert(model.spheres[link].end(), of_link[i].spheres.begin(), of_link[i].spheres.end());
-        for (Sphere& sphere : model.spheres[link]) {
+        model.elements[link] = recipe.keep;
+        model.elements[link].add(of_link[i]);
+        for (Sphere& sphere : model.elements[link].spheres()) {
             sphere.radius += recipe.pad;
         }
-        for (const Element& element : of_link[i].others) {
-            model.others[link].push_back(recipe.pad > 0 ? grown(element, recipe.pad) : element);
+        for (Element& element : model.elements[link].shaped()) {
+            element = recipe.pad > 0 ? grown(element, recipe.pad) : element;
         }
         model.sources[link] = CollisionModel::Source::given;
     }
@@ -103,11 +102,11 @@ private:
     }
 
     FalseContacts counted_in_poses(const Shared& shared) {
-        std::vector<Approximation::Level> of_link(poses_.links()); // kept spheres may be all that a link has
+        std::vector<Elements> of_link(poses_.links()); // kept spheres may be all that a link has
         const std::vector<std::size_t> allocated = allocated_groups(shapes_, groups_);
         for (std::size_t i = 0; i < allocated.size(); ++i) {
             const Group& group = groups_[allocated[i]];
-            append(of_link[group.link], covering_.of(group, shared.counts[i]).view());
+            of_link[group.link].add(covering_.of(group, shared.counts[i]));
         }
         const Consequences found = poses_.consequences(of_link);
         FalseContacts result{0, std::vector<std::size_t>(groups_.size(), 0)};

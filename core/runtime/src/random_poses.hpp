@@ -22,7 +22,7 @@ public:
 
     /// Returns what the elements of each link do in the poses, with those that it keeps, padded: one level for each of
     /// the run's links, in the link's frame. Throws Error(cancelled).
-    Consequences consequences(const std::vector<Approximation::Level>& of_link);
+    Consequences consequences(const std::vector<Elements>& of_link);
     /// Returns the number of the run's links.
     std::size_t links() const { return links_.size(); }
     /// Returns the index in the robot's links of one of the run's.

@@ -66,7 +66,7 @@ bool touch(const Solid& a, const Solid& b, const Pose& pose) {
 
 /// Returns the depth of the two elements that overlap most, of which at least one is no sphere. Not above 0: they are
 /// apart by more than the rounding.
-double depth_of_others(const Approximation::Level& a, const Approximation::Level& b) {
+double depth_of_shaped(const Elements& a, const Elements& b) {
     constexpr double rounding = 1e-5;
     double deepest = -std::numeric_limits<double>::infinity();
     const auto compare = [&](const Element& s, const Element& t) {
@@ -74,16 +74,13 @@ double depth_of_others(const Approximation::Level& a, const Approximation::Level
         const double reach = rounding * (bounds(s).diagonal() + bounds(t).diagonal()) / 2;
         deepest = std::max(deepest, between.low > 0 ? reach - between.low : reach + between.depth);
     };
-    for (const Element& s : a.others) {
-        for (const Element& t : b.others) {
+    for (const Element& s : a.shaped()) {
+        for (const Element& t : b) {
             compare(s, t);
         }
-        for (const Sphere& t : b.spheres) {
-            compare(s, element_of(t));
-        }
     }
-    for (const Sphere& s : a.spheres) {
-        for (const Element& t : b.others) {
+    for (const Sphere& s : a.spheres()) {
+        for (const Element& t : b.shaped()) {
             compare(element_of(s), t);
         }
     }
@@ -183,7 +180,7 @@ bool ReferencePose::geometry_touches(std::size_t a, std::size_t b) {
 }
 
 std::vector<Overlap> ReferencePose::overlaps(const std::vector<ElementsOfLink>& all) {
-    std::vector<Approximation::Level> placed;
+    std::vector<Elements> placed;
     for (const ElementsOfLink& link : all) {
         placed.push_back(moved(link.elements, poses_[link.link]));
     }
@@ -194,7 +191,7 @@ std::vector<Overlap> ReferencePose::overlaps(const std::vector<ElementsOfLink>& 
                 continue;
             }
             const double deepest =
-                std::max(depth(placed[a].spheres, placed[b].spheres), depth_of_others(placed[a], placed[b]));
+                std::max(depth(placed[a].spheres(), placed[b].spheres()), depth_of_shaped(placed[a], placed[b]));
             if (deepest > 0 && !geometry_touches(all[a].link, all[b].link)) {
                 overlaps.push_back({a, b, deepest});
             }

@@ -17,7 +17,7 @@ namespace foam::inline runtime {
 /// The elements of a link, in its frame.
 struct ElementsOfLink {
     std::size_t link = 0; ///< index into the links
-    Approximation::Level elements;
+    Elements elements;
 };
 
 /// Two entries of a list of ElementsOfLink that overlap.

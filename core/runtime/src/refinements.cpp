@@ -21,7 +21,7 @@ RefinementGoal goal_of(const Workspace& workspace, const ShapeWork& work) {
 /// Throws Error(recipe) for elements that the refiner does not know: it might drop them.
 void require_known(const Workspace& workspace, const RefinementWork& refinement, const SphereTree& tree) {
     const std::vector<Element::Kind>& known = workspace.registry.find(refinement.call.stage)->info.kinds;
-    for (const Element& element : tree.levels.back().others) {
+    for (const Element& element : tree.levels.back().elements.shaped()) {
         if (!knows_all(known, {element.kind})) {
             throw Error(ErrorCode::recipe, fmt::format("it refines {} alone, not {}; remedy: delete it",
                                                        words_of(known), noun_of(element.kind, 2)));
@@ -69,12 +69,12 @@ namespace {
 
 void check_elements(const SphereTree::Level& level, const std::vector<Element::Kind>& kinds,
                     std::string_view stage_kind) {
-    for (const Sphere& sphere : level.spheres) {
+    for (const Sphere& sphere : level.elements.spheres()) {
         if (!is_finite(sphere.center) || !std::isfinite(sphere.radius) || sphere.radius < 0) {
             broken(stage_kind, "a sphere is not finite or has a negative radius");
         }
     }
-    for (const Element& element : level.others) {
+    for (const Element& element : level.elements.shaped()) {
         if (std::find(kinds.begin(), kinds.end(), element.kind) == kinds.end()) {
             broken(stage_kind,
                    fmt::format("it returned a {}, which its StageInfo::kinds lacks", noun_of(element.kind, 1)));
@@ -109,22 +109,22 @@ void check_reach(const SphereTree::Level& level, const Box& bounds, std::string_
                                noun, bounds.diagonal()));
         }
     };
-    for (const Sphere& sphere : level.spheres) {
+    for (const Sphere& sphere : level.elements.spheres()) {
         check("sphere", distance(sphere.center, middle) + sphere.radius);
     }
-    for (const Element& element : level.others) {
+    for (const Element& element : level.elements.shaped()) {
         check(noun_of(element.kind, 1), reach_from(middle, element));
     }
 }
 
 void check_parents(const SphereTree& tree, std::size_t l, std::string_view stage_kind) {
     const SphereTree::Level& level = tree.levels[l];
-    if (l == 0 ? !level.parents.empty() : level.parents.size() != level.size()) {
-        broken(stage_kind, fmt::format("level {} has {} {} and {} parents", l, level.size(),
-                                       level.others.empty() ? "spheres" : "elements", level.parents.size()));
+    if (l == 0 ? !level.parents.empty() : level.parents.size() != level.elements.size()) {
+        broken(stage_kind, fmt::format("level {} has {} {} and {} parents", l, level.elements.size(),
+                                       level.elements.are_spheres() ? "spheres" : "elements", level.parents.size()));
     }
     for (const std::uint32_t parent : level.parents) {
-        if (parent >= tree.levels[l - 1].size()) {
+        if (parent >= tree.levels[l - 1].elements.size()) {
             broken(stage_kind, fmt::format("a parent index of level {} is out of range", l));
         }
     }
@@ -137,8 +137,8 @@ void check_tree(const SphereTree& tree, const Budget& budget, const std::vector<
     if (tree.levels.empty() || tree.elements().empty()) {
         broken(stage_kind, "it returned no spheres");
     }
-    const ElementsView finest = tree.elements();
-    const char* noun = finest.others.empty() ? "spheres" : "elements";
+    const Elements finest = tree.elements();
+    const char* noun = finest.are_spheres() ? "spheres" : "elements";
     if (budget.max_spheres && finest.size() > *budget.max_spheres) {
         broken(stage_kind, fmt::format("it returned {} {} where at most {} were requested", finest.size(), noun,
                                        *budget.max_spheres));

@@ -10,15 +10,15 @@ using report::Report;
 using report::ReportLink;
 
 /// Returns the levels over all groups of the link. A group with fewer levels shows its finest in the others.
-std::vector<Approximation::Level> levels_of(const SphereModel& model, const std::string& link) {
+std::vector<Elements> levels_of(const SphereModel& model, const std::string& link) {
     std::size_t count = 0;
     for (const SphereGroup& group : model.groups) {
         count = group.link == link ? std::max(count, group.tree.levels.size()) : count;
     }
-    std::vector<Approximation::Level> levels(count);
+    std::vector<Elements> levels(count);
     for (const SphereGroup& group : model.groups) {
         for (std::size_t l = 0; group.link == link && l < count; ++l) {
-            append(levels[l], group.tree.levels[std::min(l, group.tree.levels.size() - 1)].view());
+            levels[l].add(group.tree.levels[std::min(l, group.tree.levels.size() - 1)].elements);
         }
     }
     return levels;
@@ -37,13 +37,7 @@ ReportLink report_link(const FinishedLink& finished, const SphereModel& model,
         link.scene.meshes.push_back({stage == 0 ? "original" : work.recipe.filters[stage - 1].stage,
                                      std::make_shared<const Mesh>(link_mesh(work, stage))});
     }
-    for (Approximation::Level& level : levels_of(model, link.scene.name)) {
-        link.scene.levels.push_back(std::move(level.spheres));
-        link.scene.other_levels.push_back(std::move(level.others));
-    }
-    if (finished.elements.others.empty()) {
-        link.scene.other_levels.clear();
-    }
+    link.scene.levels = levels_of(model, link.scene.name);
     return link;
 }
 

@@ -12,7 +12,7 @@
 #include "watchdog.hpp"
 
 #include <foam/base/parallel.hpp>
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 #include <foam/runtime/cache.hpp>
 #include <foam/runtime/internal/debug.hpp>
 #include <foam/runtime/internal/input.hpp>
@@ -34,7 +34,7 @@ Measures without_filling(const LinkWork& link, const FinishedModel& finished) {
     for (const FinishedLink& one : finished.links) {
         if (one.work == &link && link.report.filled > 0) {
             measures.volume = one.solid->volume();
-            measures.missing_volume = missing_volume(*one.solid, one.elements.view());
+            measures.missing_volume = missing_volume(*one.solid, one.elements);
         }
     }
     return measures;

@@ -186,8 +186,8 @@ void report_overlaps(const Workspace& workspace, const FinishedModel& finished, 
         all.push_back({static_cast<std::size_t>(link.work - links.data()), link.elements});
     }
     for (const Overlap& overlap : pose.overlaps(all)) {
-        const bool spheres = finished.links[overlap.first].elements.others.empty() &&
-                             finished.links[overlap.second].elements.others.empty();
+        const bool spheres = finished.links[overlap.first].elements.are_spheres() &&
+                             finished.links[overlap.second].elements.are_spheres();
         workspace.journal.finding(
             {Severity::warning, finished.links[overlap.first].work->link->name, "",
              fmt::format("its {0} overlap those of {1} by {2:.3g} m in the pose of self_collision, although the "

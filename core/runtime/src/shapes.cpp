@@ -26,7 +26,7 @@ std::optional<std::size_t> total_of(const Recipe& recipe) {
                               : recipe.budget_spheres;
 }
 
-std::size_t size_of(const Recipe& recipe, const ElementsView& elements) {
+std::size_t size_of(const Recipe& recipe, const Elements& elements) {
     return recipe.budget_cost
                ? static_cast<std::size_t>(std::ceil(price_of(elements, recipe.costs) / price_step - 1e-6))
                : elements.size();

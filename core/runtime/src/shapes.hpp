@@ -80,7 +80,7 @@ constexpr double price_step = 0.01;
 /// Returns the recipe's budget of the whole robot: a number of elements, or a cost in hundredths; nothing: none.
 std::optional<std::size_t> total_of(const Recipe& recipe);
 /// Returns what elements take of that budget: their number, or their cost, rounded up.
-std::size_t size_of(const Recipe& recipe, const ElementsView& elements);
+std::size_t size_of(const Recipe& recipe, const Elements& elements);
 /// Returns the word for several of what the shapes get: spheres or elements.
 const char* plural_of(const std::vector<ShapeWork>& shapes);
 

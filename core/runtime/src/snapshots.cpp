@@ -55,8 +55,8 @@ Figure robot_figure(const Recipe& recipe, const FinishedModel& finished) {
             continue;
         }
         panel.meshes.push_back({shared_mesh(*link.work, 0), pose->second, true});
-        add_elements(panel, link.elements.view(), pose->second);
-        kinds = sum_of(kinds, kinds_of(link.elements.view()));
+        add_elements(panel, link.elements, pose->second);
+        kinds = sum_of(kinds, kinds_of(link.elements));
     }
     figure.title = fmt::format("{}: {}", finished.model.name, counts_text(kinds));
     figure.panels = {std::move(panel)};
@@ -72,7 +72,7 @@ Figure link_figure(const Recipe& recipe, const FinishedLink& link) {
     const Measures& m = link.work->report.measures;
     const bool inner = recipe.guarantee == Guarantee::inner;
     const std::string gap = fmt::format("gap {:.1f} mm", 1000 * m.gap);
-    figure.title = fmt::format("{}: {}, {} {:.2f}, {}", link.work->link->name, counts_text(kinds_of(link.elements.view())),
+    figure.title = fmt::format("{}: {}, {} {:.2f}, {}", link.work->link->name, counts_text(kinds_of(link.elements)),
                                inner ? "missing" : "excess", inner ? m.missing : m.excess,
                                !m.certified    ? gap
                                : inner         ? "proved inside"
@@ -80,7 +80,7 @@ Figure link_figure(const Recipe& recipe, const FinishedLink& link) {
                                                : "cover proved");
     Panel panel;
     panel.meshes.push_back({shared_mesh(*link.work, 0), Pose{}, true});
-    add_elements(panel, link.elements.view(), {});
+    add_elements(panel, link.elements, {});
     figure.panels = {std::move(panel)};
     return figure;
 }
@@ -100,8 +100,8 @@ Figure stages_figure(const FinishedLink& link) {
     }
     Panel spheres;
     spheres.caption =
-        fmt::format("{} ({})", link.work->recipe.spherizer.stage, counts_text(kinds_of(link.elements.view())));
-    add_elements(spheres, link.elements.view(), {});
+        fmt::format("{} ({})", link.work->recipe.spherizer.stage, counts_text(kinds_of(link.elements)));
+    add_elements(spheres, link.elements, {});
     figure.panels.push_back(std::move(spheres));
     figure.width = 480 * static_cast<int>(figure.panels.size());
     figure.height = 560;

@@ -1,6 +1,6 @@
 #include "visual_gap.hpp"
 
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 
 #include <algorithm>
 
@@ -46,7 +46,7 @@ void measure_visual_gaps(const Workspace& workspace, const FinishedModel& finish
             gap.unknown = loaded[i].error->what();
             return;
         }
-        const Certificate certificate = certify(*solid_of(loaded[i]), link.elements.view());
+        const Certificate certificate = certify(*solid_of(loaded[i]), link.elements);
         gap.length = certificate.holds ? 0 : certificate.growth;
     });
 }

@@ -1,7 +1,7 @@
 #include "written_numbers.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -67,13 +67,13 @@ double growth_between(const Element& before, const Element& after) {
     return growth;
 }
 
-double growth_between(const Approximation::Level& before, const Approximation::Level& after) {
+double growth_between(const Elements& before, const Elements& after) {
     double growth = 0;
-    for (std::size_t i = 0; i < after.spheres.size(); ++i) {
-        growth = std::max(growth, after.spheres[i].radius - before.spheres[i].radius);
+    for (std::size_t i = 0; i < after.spheres().size(); ++i) {
+        growth = std::max(growth, after.spheres()[i].radius - before.spheres()[i].radius);
     }
-    for (std::size_t i = 0; i < after.others.size(); ++i) {
-        growth = std::max(growth, growth_between(before.others[i], after.others[i]));
+    for (std::size_t i = 0; i < after.shaped().size(); ++i) {
+        growth = std::max(growth, growth_between(before.shaped()[i], after.shaped()[i]));
     }
     return growth;
 }
@@ -101,12 +101,12 @@ Element up_on_grid(Element element, const DecimalGrid& grid) {
 }
 
 /// Returns the elements with numbers on the grid, grown by no less than they move to it: they contain the given ones.
-static Approximation::Level grown_onto_grid(Approximation::Level level, const DecimalGrid& grid) {
+static Elements grown_onto_grid(Elements elements, const DecimalGrid& grid) {
     const double move = farthest_move(grid);
-    for (Sphere& sphere : level.spheres) {
+    for (Sphere& sphere : elements.spheres()) {
         sphere = {grid.nearest(sphere.center), sphere.radius + move};
     }
-    for (Element& element : level.others) {
+    for (Element& element : elements.shaped()) {
         if (element.kind == Element::Kind::hull) {
             element = up_on_grid(std::move(element), grid);
         } else {
@@ -114,7 +114,7 @@ static Approximation::Level grown_onto_grid(Approximation::Level level, const De
             element.pose.translation = grid.nearest(element.pose.translation);
         }
     }
-    return level;
+    return elements;
 }
 
 /// Rounds the lengths of an element's numbers up to the grid, after a growth for what the numbers of a file lose.
@@ -124,46 +124,45 @@ static Element with_written_numbers(Element element, const Element& placed, cons
     return on_grid_already ? element : up_on_grid(std::move(element), grid);
 }
 
-void grow_until_proved(const Solid& solid, Approximation::Level& level, const DecimalGrid& grid) {
+void grow_until_proved(const Solid& solid, Elements& elements, const DecimalGrid& grid) {
     constexpr int rounds = 12;
     constexpr double least = 1e-10; // of the size
-    for (int round = 0; round < rounds && !covers(solid, level.view()); ++round) {
+    for (int round = 0; round < rounds && !covers(solid, elements); ++round) {
         const double length = std::ldexp(std::max(grid.step(), least * solid.bounds().diagonal()), round);
-        for (Sphere& sphere : level.spheres) {
+        for (Sphere& sphere : elements.spheres()) {
             sphere.radius = grid.up(sphere.radius + length);
         }
-        for (Element& element : level.others) {
+        for (Element& element : elements.shaped()) {
             element = up_on_grid(grown(element, length), grid);
         }
     }
 }
 
-double finish_elements(const Solid& solid, Approximation::Level& level, const DecimalGrid& grid, bool outer,
-                       Numbers numbers) {
-    const Approximation::Level given = level;
-    for (Sphere& sphere : level.spheres) {
+double finish_elements(const Solid& solid, Elements& elements, const DecimalGrid& grid, bool outer, Numbers numbers) {
+    const Elements given = elements;
+    for (Sphere& sphere : elements.spheres()) {
         sphere.center = grid.nearest(sphere.center);
     }
-    for (Element& element : level.others) {
+    for (Element& element : elements.shaped()) {
         element = on_grid(std::move(element), grid);
     }
-    Approximation::Level placed = level;
-    if (outer && !covers(solid, level.view())) {
+    Elements placed = elements;
+    if (outer && !covers(solid, elements)) {
         placed = grown_onto_grid(given, grid); // much quicker than to find what their moves to the grid have opened
-        level = grown_to_cover(solid, placed);
+        elements = grown_to_cover(solid, placed);
     }
-    for (Sphere& sphere : level.spheres) {
+    for (Sphere& sphere : elements.spheres()) {
         sphere.radius = grid.up(sphere.radius + (outer ? float32_slack(sphere, numbers) : 0));
     }
-    for (std::size_t i = 0; i < level.others.size(); ++i) {
-        Element& element = level.others[i];
+    for (std::size_t i = 0; i < elements.shaped().size(); ++i) {
+        Element& element = elements.shaped()[i];
         const double slack = outer ? slack_of(element, numbers) : 0;
-        element = with_written_numbers(std::move(element), placed.others[i], grid, slack);
+        element = with_written_numbers(std::move(element), placed.shaped()[i], grid, slack);
     }
-    if (outer && !(level == placed)) {
-        grow_until_proved(solid, level, grid);
+    if (outer && !(elements == placed)) {
+        grow_until_proved(solid, elements, grid);
     }
-    return growth_between(given, level);
+    return growth_between(given, elements);
 }
 
 } // namespace foam::runtime

@@ -19,11 +19,11 @@ Element up_on_grid(Element element, const DecimalGrid& grid);
 /// Grows elements until they are proved to cover as they are, by 4095 steps of the grid at most. Elements that cover may
 /// not be proved to once their lengths are rounded up: where they only just overlap, pieces of the surface become too
 /// small for a proof.
-void grow_until_proved(const Solid& solid, Approximation::Level& level, const DecimalGrid& grid);
+void grow_until_proved(const Solid& solid, Elements& elements, const DecimalGrid& grid);
 
 /// Moves the elements of a level that has not only spheres onto the grid, grows them to cover if they are to be `outer`,
 /// and rounds their lengths up. Returns the largest growth of a length, m.
-double finish_elements(const Solid& solid, Approximation::Level& level, const DecimalGrid& grid, bool outer,
+double finish_elements(const Solid& solid, Elements& elements, const DecimalGrid& grid, bool outer,
                        Numbers numbers);
 
 } // namespace foam::runtime

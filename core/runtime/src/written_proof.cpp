@@ -1,6 +1,5 @@
 #include <foam/runtime/internal/written_proof.hpp>
 
-#include <foam/geometry/element_measure.hpp>
 #include <foam/geometry/inner.hpp>
 #include <foam/geometry/internal/proof.hpp>
 #include <foam/geometry/measure.hpp>
@@ -14,18 +13,12 @@
 namespace foam::inline runtime {
 namespace {
 
-geometry::CoverProof cover_proof(const Solid& solid, const ElementsView& elements) {
-    return elements.others.empty() ? geometry::prove_cover(solid, elements.spheres)
-                                   : geometry::CoverProof{.certificate = certify(solid, elements),
-                                                          .triangles = solid.surface().triangles.size()};
-}
-
 /// Returns the violation of the guarantee by the elements; empty if the guarantee is proved, and then `took` is filled
 /// in.
-std::string broken_promise(const Solid& solid, const ElementsView& elements, Guarantee guarantee, WrittenProof& took) {
+std::string broken_promise(const Solid& solid, const Elements& elements, Guarantee guarantee, WrittenProof& took) {
     took.spheres = elements.size();
     if (guarantee == Guarantee::outer) {
-        const geometry::CoverProof cover = cover_proof(solid, elements);
+        const geometry::CoverProof cover = geometry::prove_cover(solid, elements);
         const Certificate& proof = cover.certificate;
         took.triangles = cover.triangles;
         took.pieces = proof.pieces;
@@ -34,7 +27,7 @@ std::string broken_promise(const Solid& solid, const ElementsView& elements, Gua
                            : fmt::format("{} m are missing at [{}, {}, {}]", proof.growth, proof.witness.x,
                                          proof.witness.y, proof.witness.z);
     }
-    const InnerCertificate proof = certify_inner(solid, elements.spheres);
+    const InnerCertificate proof = certify_inner(solid, elements.spheres());
     took.triangles = solid.surface().triangles.size();
     return proof.holds ? "" : fmt::format("sphere {} protrudes by {} m", proof.sphere, proof.excess);
 }
@@ -55,12 +48,12 @@ double shrunk_by(const std::vector<Sphere>& model, const std::vector<Sphere>& fi
 
 } // namespace
 
-std::vector<WrittenProof> prove_written(const std::map<std::string, Approximation::Level>& read,
+std::vector<WrittenProof> prove_written(const std::map<std::string, Elements>& read,
                                         const FinishedModel& finished, Guarantee guarantee, Numbers numbers,
                                         const std::string& file, bool elements_optional) {
     std::vector<WrittenProof> proofs;
     for (const FinishedLink& link : finished.links) {
-        if (elements_optional && !link.elements.others.empty()) {
+        if (elements_optional && !link.elements.are_spheres()) {
             continue;
         }
         const std::string& name = link.work->link->name;
@@ -69,18 +62,18 @@ std::vector<WrittenProof> prove_written(const std::map<std::string, Approximatio
             throw Error(ErrorCode::internal,
                         fmt::format("{}: link '{}' has no spheres in the written file", file, name));
         }
-        if (!link.elements.others.empty() && found->second.others.empty()) {
+        if (!link.elements.are_spheres() && found->second.are_spheres()) {
             throw Error(ErrorCode::internal, fmt::format("{}: link '{}' has {} in the written file, the model has {}",
-                                                         file, name, counts_text(kinds_of(found->second.view())),
-                                                         counts_text(kinds_of(link.elements.view()))));
+                                                         file, name, counts_text(kinds_of(found->second)),
+                                                         counts_text(kinds_of(link.elements))));
         }
         if (!link.work->report.measures.certified) {
             continue;
         }
-        const double buffer = shrunk_by(link.elements.spheres, found->second.spheres);
+        const double buffer = shrunk_by(link.elements.spheres(), found->second.spheres());
         WrittenProof& took = proofs.emplace_back(WrittenProof{.link = name});
-        const auto require = [&](const Approximation::Level& elements, const char* which) {
-            if (const std::string lack = broken_promise(*link.solid, elements.view(), guarantee, took); !lack.empty()) {
+        const auto require = [&](const Elements& elements, const char* which) {
+            if (const std::string lack = broken_promise(*link.solid, elements, guarantee, took); !lack.empty()) {
                 const std::string hint =
                     buffer == 0 ? ""
                                 : fmt::format("; with its buffer, the file's reader takes radii that are {} m {} than the "

@@ -83,33 +83,32 @@ std::vector<Element::Kind> every_kind() {
     return {Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box, Kind::hull};
 }
 
-std::map<std::string, Approximation::Level> elements_of(SphereFile file) {
-    std::map<std::string, Approximation::Level> result;
+std::map<std::string, Elements> elements_of(SphereFile file) {
+    std::map<std::string, Elements> result;
     for (LinkSpheres& link : file.links) {
-        result[link.link] = {std::move(link.spheres), {}, std::move(link.others)};
+        result[link.link] = std::move(link.elements);
     }
     return result;
 }
 
 std::vector<LinkSpheres> in_known_kinds(std::vector<LinkSpheres> links, const KnownKinds& known) {
     for (LinkSpheres& link : links) {
-        Approximation::Level stated{std::move(link.spheres), {}, {}};
-        for (const Element& element : link.others) {
+        Elements stated(std::move(link.elements.spheres()));
+        for (const Element& element : link.elements.shaped()) {
             if (element.kind == Kind::capsule && element.half.z == 0) {
-                add(stated, {.kind = Kind::sphere, .pose = element.pose, .radius = element.radius}); // a point, widened
+                stated.add(Sphere{element.pose.translation, element.radius}); // a point, widened
             } else if (element.kind == Kind::capsule && !known.capsules) {
                 for (const Element& part : capsule_parts(element)) {
-                    add(stated, part);
+                    stated.add(part);
                 }
             } else if (element.kind == Kind::swept_box || element.kind == Kind::hull) {
                 const Element hull = enclosing_hull(element, known.segments);
-                add(stated, known.float32_hulls ? float32_hull(hull) : hull);
+                stated.add(known.float32_hulls ? float32_hull(hull) : hull);
             } else {
-                add(stated, element);
+                stated.add(element);
             }
         }
-        link.spheres = std::move(stated.spheres);
-        link.others = std::move(stated.others);
+        link.elements = std::move(stated);
     }
     return links;
 }
@@ -226,7 +225,7 @@ std::map<std::string, std::string> hull_files(const std::vector<LinkSpheres>& li
     std::map<std::string, std::string> files;
     HullNames names(file);
     for (const LinkSpheres& link : links) {
-        for (const Element& element : link.others) {
+        for (const Element& element : link.elements.shaped()) {
             if (element.kind == Kind::hull) {
                 files[names.next(link.link)] = obj_text(element.hull->surface);
             }

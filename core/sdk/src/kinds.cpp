@@ -12,10 +12,10 @@ namespace foam::inline sdk {
 
 static_assert(static_cast<std::size_t>(Element::Kind::sphere) == 0);
 
-KindCounts kinds_of(const ElementsView& elements) {
+KindCounts kinds_of(const Elements& elements) {
     KindCounts counts{};
-    counts[static_cast<std::size_t>(Element::Kind::sphere)] = elements.spheres.size();
-    for (const Element& element : elements.others) {
+    counts[static_cast<std::size_t>(Element::Kind::sphere)] = elements.spheres().size();
+    for (const Element& element : elements.shaped()) {
         ++counts[static_cast<std::size_t>(element.kind)];
     }
     return counts;
@@ -89,12 +89,12 @@ void require_held(const StageInfo& writer, const SphereModel& model) {
     }
     for (const SphereGroup& group : model.groups) {
         for (const Approximation::Level& level : group.tree.levels) {
-            for (const Element& element : level.others) {
+            for (const Element& element : level.elements.shaped()) {
                 if (!knows_all(writer.kinds, {element.kind})) {
                     throw Error(ErrorCode::output,
                                 fmt::format("link '{}' has {}, files of {} hold {}; remedy: another output, such as "
                                             "write.json, or a stage that makes these alone",
-                                            shown(group.link), counts_text(kinds_of(level.view())), writer.name,
+                                            shown(group.link), counts_text(kinds_of(level.elements)), writer.name,
                                             words_of(writer.kinds)));
                 }
             }
@@ -107,10 +107,10 @@ double price_of(const Element& element, const ElementCost& cost) {
     return cost.of_kind[static_cast<std::size_t>(element.kind)] + vertices * cost.of_hull_vertex;
 }
 
-double price_of(const ElementsView& elements, const ElementCost& cost) {
+double price_of(const Elements& elements, const ElementCost& cost) {
     double sum =
-        static_cast<double>(elements.spheres.size()) * cost.of_kind[static_cast<std::size_t>(Element::Kind::sphere)];
-    for (const Element& element : elements.others) {
+        static_cast<double>(elements.spheres().size()) * cost.of_kind[static_cast<std::size_t>(Element::Kind::sphere)];
+    for (const Element& element : elements.shaped()) {
         sum += price_of(element, cost);
     }
     return sum;

@@ -46,19 +46,19 @@ void require_writable(const Sphere& s, std::size_t index, const std::string& lin
     }
 }
 
-void require_writable(const SphereTree::Level& level, const std::string& link) {
-    if (level.size() == 0) {
+void require_writable(const Elements& elements, const std::string& link) {
+    if (elements.empty()) {
         throw Error(ErrorCode::output, fmt::format("link '{}' has no spheres to write", link));
     }
-    for (std::size_t i = 0; i < level.spheres.size(); ++i) {
-        require_writable(level.spheres[i], i, link);
+    for (std::size_t i = 0; i < elements.spheres().size(); ++i) {
+        require_writable(elements.spheres()[i], i, link);
     }
-    for (std::size_t i = 0; i < level.others.size(); ++i) {
-        if (!is_valid(level.others[i])) {
+    for (std::size_t i = elements.spheres().size(); i < elements.size(); ++i) {
+        if (const Element element = elements[i]; !is_valid(element)) {
             throw Error(ErrorCode::output,
                         fmt::format("{} {} of link '{}' cannot be written: its numbers must be finite, its pose a "
                                     "rotation and a translation, and its volume above 0",
-                                    to_string(level.others[i].kind), level.spheres.size() + i, link));
+                                    to_string(element.kind), i, link));
         }
     }
 }
@@ -66,7 +66,7 @@ void require_writable(const SphereTree::Level& level, const std::string& link) {
 } // namespace
 
 std::vector<Sphere>& spheres_of(SphereFile& file, const std::string& link) {
-    return link_of(file, link).spheres;
+    return link_of(file, link).elements.spheres();
 }
 
 LinkSpheres& link_of(SphereFile& file, const std::string& link) {
@@ -77,31 +77,17 @@ LinkSpheres& link_of(SphereFile& file, const std::string& link) {
     return *it;
 }
 
-void add(Approximation::Level& level, const Element& element) {
-    if (element.kind == Element::Kind::sphere) {
-        level.spheres.push_back({element.pose.translation, element.radius});
-    } else {
-        level.others.push_back(element);
-    }
-}
-
 std::vector<LinkSpheres> elements_by_link(const SphereModel& model, int level) {
     std::vector<LinkSpheres> links;
     for (const SphereGroup& group : model.groups) {
-        const SphereTree::Level& elements = level_of(group, level);
+        const Elements& elements = level_of(group, level).elements;
         require_writable(elements, group.link);
         auto it = std::find_if(links.begin(), links.end(),
                                [&](const LinkSpheres& known) { return known.link == group.link; });
         if (it == links.end()) {
             it = links.insert(links.end(), {group.link, {}});
         }
-        Approximation::Level all{std::move(it->spheres), {}, std::move(it->others)};
-        all.spheres.insert(all.spheres.end(), elements.spheres.begin(), elements.spheres.end());
-        for (const Element& element : elements.others) {
-            add(all, element);
-        }
-        it->spheres = std::move(all.spheres);
-        it->others = std::move(all.others);
+        it->elements.add(elements);
     }
     return links;
 }
@@ -111,7 +97,7 @@ void add_buffers(SphereFile& file) {
     for (LinkSpheres& link : file.links) {
         const auto found = file.buffers.find(link.link);
         const double buffer = found == file.buffers.end() ? 0 : found->second;
-        std::erase_if(link.spheres, [&](Sphere& s) {
+        std::erase_if(link.elements.spheres(), [&](Sphere& s) {
             const bool with = s.radius + buffer > 0, without = s.radius > 0;
             if (without && !with) {
                 off.add(link.link, s.radius, buffer);
@@ -147,11 +133,11 @@ std::vector<std::string> uncovered_links(const SphereModel& model) {
 std::vector<LinkSpheres> spheres_by_link(const SphereModel& model, int level) {
     std::vector<LinkSpheres> links = elements_by_link(model, level);
     for (const LinkSpheres& link : links) {
-        if (!link.others.empty()) {
+        if (!link.elements.are_spheres()) {
             throw Error(ErrorCode::output,
                         fmt::format("link '{}' has a {}, and this format holds spheres only; remedy: a model of "
                                     "spheres, or a format that holds this kind: write.urdf, write.mjcf, write.json",
-                                    link.link, to_string(link.others.front().kind)));
+                                    link.link, to_string(link.elements.shaped().front().kind)));
         }
     }
     return links;
@@ -161,7 +147,7 @@ void require_writable(const SphereModel& model) {
     elements_by_link(model);
     for (const SphereGroup& group : model.groups) {
         for (const SphereTree::Level& level : group.tree.levels) {
-            require_writable(level, group.link);
+            require_writable(level.elements, group.link);
         }
     }
 }

@@ -53,15 +53,6 @@ std::unique_ptr<SphereSearch> Spherizer::search(const Shape& shape) const {
     return std::make_unique<OneByOne>(*this, shape);
 }
 
-std::map<std::string, Approximation::Level> Writer::read_elements(const std::string& bytes,
-                                                                  const std::map<std::string, std::string>&) const {
-    std::map<std::string, Approximation::Level> result;
-    for (auto& [link, spheres] : read(bytes)) {
-        result[link].spheres = std::move(spheres);
-    }
-    return result;
-}
-
 std::map<std::string, std::string> Writer::files_beside(const SphereModel&, Context&) const {
     return {};
 }
@@ -92,8 +83,8 @@ SphereFile read_written(const Writer& writer, const std::string& text, const std
                         std::string format, std::string_view remedy) {
     SphereFile result{.file = file, .format = std::move(format), .links = {}, .fixed_joints = {}, .notes = {}};
     try {
-        for (auto& [link, elements] : writer.read_elements(text, {})) {
-            result.links.push_back({link, std::move(elements.spheres), std::move(elements.others)});
+        for (auto& [link, elements] : writer.read(text, {})) {
+            result.links.push_back({link, std::move(elements)});
         }
     } catch (const Error& error) {
         throw Error(ErrorCode::input, fmt::format("{}: {}; remedy: {}", file.string(), error.what(), remedy));

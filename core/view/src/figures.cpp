@@ -62,7 +62,7 @@ LinkPairs ignored_pairs_of(const ViewedRobot& robot, const Original* original,
     }
     CollisionModel model;
     model.robot = robot.robot;
-    model.spheres = spheres;
+    model.elements.assign(spheres.begin(), spheres.end());
     for (const std::vector<Sphere>& link : spheres) {
         model.sources.push_back(link.empty() ? CollisionModel::Source::none : CollisionModel::Source::given);
     }

@@ -55,7 +55,7 @@ Original names_for(const ViewedRobot& robot, const SphereFile& file) {
 std::size_t count_of(const std::vector<LinkSpheres>& links) {
     std::size_t count = 0;
     for (const LinkSpheres& link : links) {
-        count += link.spheres.size();
+        count += link.elements.spheres().size();
     }
     return count;
 }
@@ -143,7 +143,7 @@ private:
 
     void add_model(const std::filesystem::path& file, SphereFile spheres, const Renames& renames) {
         if (std::any_of(spheres.links.begin(), spheres.links.end(),
-                        [](const LinkSpheres& link) { return !link.others.empty(); })) {
+                        [](const LinkSpheres& link) { return !link.elements.are_spheres(); })) {
             throw Error(ErrorCode::input,
                         fmt::format("{}: it has elements of other kinds than sphere, which foam view does "
                                     "not show as a model; remedy: convert it to a URDF, and view that",
@@ -155,7 +155,7 @@ private:
         MatchedModel matched = match(names, std::move(spheres), renames);
         model.spheres.resize(robot.robot->links.size());
         for (std::size_t i = 0; i < names.links.size(); ++i) {
-            model.spheres[link_index(*robot.robot, names.links[i].link)] = std::move(matched.spheres[i]);
+            model.spheres[link_index(*robot.robot, names.links[i].link)] = std::move(matched.elements[i].spheres());
         }
         for (const std::string& note : matched.file.notes) {
             subject_.notes.push_back(fmt::format("{}: {}", shown(file.filename().string()), shown(note)));

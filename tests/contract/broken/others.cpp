@@ -32,7 +32,7 @@ public:
 class Rounds final : public Writer {
 public:
     std::string write(const SphereModel&, Context&) const override { return "spheres"; }
-    std::map<std::string, std::vector<Sphere>> read(const std::string&) const override {
+    std::map<std::string, Elements> read(const std::string&, const std::map<std::string, std::string>&) const override {
         return {{"base", {{{0, 0, 0}, 0.9}}}, {"tool", {{{0.1, -0.2, 0.333}, 0.05}, {{0, 1234.5, 0}, 0.8}}}};
     }
 };

@@ -6,7 +6,7 @@ namespace {
 class Text final : public foam::Writer {
 public:
     std::string write(const foam::SphereModel&, foam::Context&) const override { return ""; }
-    std::map<std::string, std::vector<foam::Sphere>> read(const std::string&) const override { return {}; }
+    std::map<std::string, foam::Elements> read(const std::string&, const std::map<std::string, std::string>&) const override { return {}; }
 };
 
 } // namespace

@@ -39,9 +39,9 @@ EngineShape shape_of(const Element& given) {
 std::vector<Element> all_elements(const std::vector<LinkSpheres>& links) {
     std::vector<Element> all;
     for (const LinkSpheres& link : links) {
-        std::transform(link.spheres.begin(), link.spheres.end(), std::back_inserter(all),
+        std::transform(link.elements.spheres().begin(), link.elements.spheres().end(), std::back_inserter(all),
                        [](const Sphere& sphere) { return as_checked(element_of(sphere)); });
-        std::transform(link.others.begin(), link.others.end(), std::back_inserter(all), as_checked);
+        std::transform(link.elements.shaped().begin(), link.elements.shaped().end(), std::back_inserter(all), as_checked);
     }
     return all;
 }
@@ -60,12 +60,9 @@ bool overlap(const Box& a, const Box& b) {
 
 } // namespace
 
-EngineBody body_of(const ElementsView& elements) {
+EngineBody body_of(const Elements& elements) {
     EngineBody body;
-    for (const Sphere& sphere : elements.spheres) {
-        body.push_back(shape_of(element_of(sphere)));
-    }
-    for (const Element& element : elements.others) {
+    for (const Element& element : elements) {
         body.push_back(shape_of(element));
     }
     return body;
@@ -81,7 +78,7 @@ ElementRobot element_robot(const Kinematics& kinematics, const std::vector<LinkS
         if (link != links.end()) {
             has[i] = true;
             result.links.push_back(i);
-            result.robot.bodies.push_back(body_of(link->view()));
+            result.robot.bodies.push_back(body_of(link->elements));
         }
     }
     const auto bodies = static_cast<std::uint32_t>(result.links.size());

@@ -12,7 +12,7 @@
 namespace foam::inline bench {
 
 /// Returns the elements as libraries take them: a hull as a convex mesh, and so a swept box, which none of them knows.
-EngineBody body_of(const ElementsView& elements);
+EngineBody body_of(const Elements& elements);
 
 /// The links of a robot with elements.
 struct ElementRobot {

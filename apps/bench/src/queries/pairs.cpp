@@ -10,12 +10,12 @@ namespace {
 CollisionModel collision_model(const TwoModels& models) {
     CollisionModel result;
     result.robot = std::shared_ptr<const Robot>(models.kinematics, &models.kinematics->robot());
-    result.spheres.resize(result.robot->links.size());
+    result.elements.resize(result.robot->links.size());
     result.sources.resize(result.robot->links.size(), CollisionModel::Source::none);
     for (std::size_t b = 0; b < models.links.size(); ++b) {
         for (const EngineShape& shape : models.spheres.bodies[b]) {
-            result.spheres[models.links[b]].push_back(
-                {shape.pose.translation, std::get<Primitive>(shape.geometry).radius});
+            result.elements[models.links[b]].add(
+                Sphere{shape.pose.translation, std::get<Primitive>(shape.geometry).radius});
         }
         result.sources[models.links[b]] = CollisionModel::Source::given;
     }

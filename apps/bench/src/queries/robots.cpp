@@ -69,7 +69,7 @@ TwoModels with_made_spheres(const Workspace& workspace) {
     const RunResult made = run(workspace.recipe, workspace.registry, workspace.options);
     SpheresByLink spheres;
     for (LinkSpheres& link : spheres_by_link(made.model)) {
-        spheres[link.link] = std::move(link.spheres);
+        spheres[link.link] = std::move(link.elements.spheres());
     }
     TwoModels models = two_models(workspace, load_input(workspace), spheres);
     models.certified = made.certified;
@@ -83,20 +83,20 @@ TwoModels with_given_spheres(const Workspace& workspace, const std::filesystem::
     const MatchedModel matched = match(original, read_sphere_file(file, workspace.registry));
     SpheresByLink spheres;
     for (std::size_t i = 0; i < original.links.size(); ++i) {
-        if (!matched.of(i).others.empty()) {
+        if (!matched.elements[i].are_spheres()) {
             throw Error(ErrorCode::usage, fmt::format("{}: link '{}' has other elements than spheres, which these "
                                                       "queries do not take; remedy: a model of spheres",
                                                       file.string(), original.links[i].link));
         }
-        if (!matched.spheres[i].empty()) {
-            spheres[original.links[i].link] = matched.spheres[i];
+        if (!matched.elements[i].empty()) {
+            spheres[original.links[i].link] = matched.elements[i].spheres();
         }
     }
     TwoModels models = two_models(workspace, input, spheres);
     const std::vector<LinkProof> proofs = prove(original, matched, Guarantee::outer);
     models.certified = true;
     for (std::size_t i = 0; i < proofs.size(); ++i) {
-        models.certified = models.certified && (proofs[i].holds || matched.spheres[i].empty());
+        models.certified = models.certified && (proofs[i].holds || matched.elements[i].empty());
     }
     models.excess = evaluate(original, matched).with_spheres.measures.excess;
     return models;

@@ -27,14 +27,15 @@ public:
         return text;
     }
 
-    /// As another program would read it: the proof of cover runs on these spheres.
-    std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const override {
+    /// As another program would read it: the proof of cover runs on these elements.
+    std::map<std::string, Elements> read(const std::string& bytes,
+                                         const std::map<std::string, std::string>&) const override {
         std::istringstream stream(bytes);
         std::string line;
         if (!std::getline(stream, line) || line != header) {
             throw Error(ErrorCode::output, std::string("the first line is not '") + header + "'");
         }
-        std::map<std::string, std::vector<Sphere>> spheres;
+        std::map<std::string, Elements> links;
         while (std::getline(stream, line)) {
             const std::vector<std::string_view> fields = words(line);
             if (fields.size() < 5) {
@@ -49,9 +50,9 @@ public:
                 values[i] = *value;
             }
             const std::string link = line.substr(static_cast<std::size_t>(fields[4].data() - line.data()));
-            spheres[link].push_back({{values[0], values[1], values[2]}, values[3]});
+            links[link].add(Sphere{{values[0], values[1], values[2]}, values[3]});
         }
-        return spheres;
+        return links;
     }
 };
 

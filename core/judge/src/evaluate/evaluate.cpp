@@ -2,7 +2,7 @@
 #include <foam/base/error.hpp>
 #include <foam/base/parallel.hpp>
 #include <foam/base/random.hpp>
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 #include <foam/geometry/inner.hpp>
 #include <foam/geometry/internal/proof.hpp>
 #include <foam/judge/evaluate.hpp>
@@ -24,7 +24,7 @@ double share_error(double share, std::size_t points) {
     return std::sqrt(p * (1 - p) / n);
 }
 
-Figures figures_of(const OriginalLink& link, const ElementsView& elements, std::uint64_t seed) {
+Figures figures_of(const OriginalLink& link, const Elements& elements, std::uint64_t seed) {
     MeasureOptions options;
     options.seed = derive_seed(seed, link.link);
     Figures figures;
@@ -48,11 +48,8 @@ Figures total_of(const std::vector<Figures>& links) {
     return sum;
 }
 
-LinkProof prove_outer(const Solid& solid, const ElementsView& elements) {
-    const geometry::CoverProof proof = elements.others.empty()
-                                           ? geometry::prove_cover(solid, elements.spheres)
-                                           : geometry::CoverProof{.certificate = certify(solid, elements),
-                                                                  .triangles = solid.surface().triangles.size()};
+LinkProof prove_outer(const Solid& solid, const Elements& elements) {
+    const geometry::CoverProof proof = geometry::prove_cover(solid, elements);
     const Certificate& certificate = proof.certificate;
     return {.holds = certificate.holds,
             .growth = certificate.growth,
@@ -78,7 +75,7 @@ Evaluation evaluate(const Original& original, const MatchedModel& model, std::ui
     Evaluation result;
     result.links.resize(original.links.size());
     parallel_for(original.links.size(),
-                 [&](std::size_t i) { result.links[i] = figures_of(original.links[i], model.of(i), seed); });
+                 [&](std::size_t i) { result.links[i] = figures_of(original.links[i], model.elements[i], seed); });
     result.total = total_of(result.links);
     std::vector<Figures> with_spheres;
     for (const Figures& link : result.links) {
@@ -95,7 +92,7 @@ std::vector<LinkProof> prove(const Original& original, const MatchedModel& model
         throw Error(ErrorCode::usage, "there is no proof of the guarantee fitted; remedy: outer or inner");
     }
     if (guarantee == Guarantee::inner &&
-        std::any_of(model.others.begin(), model.others.end(), [](const auto& others) { return !others.empty(); })) {
+        !std::all_of(model.elements.begin(), model.elements.end(), std::mem_fn(&Elements::are_spheres))) {
         throw Error(ErrorCode::usage, fmt::format("{}: only spheres are proved to lie inside the geometry, and it has "
                                                   "other elements; remedy: outer",
                                                   model.file.file.string()));
@@ -104,7 +101,7 @@ std::vector<LinkProof> prove(const Original& original, const MatchedModel& model
     parallel_for(proofs.size(), [&](std::size_t i) {
         const Solid& solid = *original.links[i].solid;
         proofs[i] =
-            guarantee == Guarantee::outer ? prove_outer(solid, model.of(i)) : prove_inner(solid, model.spheres[i]);
+            guarantee == Guarantee::outer ? prove_outer(solid, model.elements[i]) : prove_inner(solid, model.elements[i].spheres());
     });
     return proofs;
 }

@@ -33,14 +33,13 @@ public:
         : original_(original), model_(model), renames_(renames) {}
 
     void run() {
-        model_.spheres.resize(original_.links.size());
-        model_.others.resize(original_.links.size());
+        model_.elements.resize(original_.links.size());
         for (const LinkSpheres& link : model_.file.links) {
             place(link);
         }
         bool any = false;
         for (std::size_t i = 0; i < original_.links.size(); ++i) {
-            any = any || !model_.of(i).empty();
+            any = any || !model_.elements[i].empty();
         }
         if (!any) {
             fail_unmatched();
@@ -57,20 +56,15 @@ private:
     }
 
     void put(std::size_t i, const LinkSpheres& link, const Pose& pose) {
-        for (const Sphere& sphere : link.spheres) {
-            model_.spheres[i].push_back({pose == Pose{} ? sphere.center : pose * sphere.center, sphere.radius});
-        }
-        for (const Element& element : link.others) {
-            model_.others[i].push_back(pose == Pose{} ? element : moved(element, pose));
-        }
+        model_.elements[i].add(pose == Pose{} ? link.elements : moved(link.elements, pose));
     }
 
     void place(const LinkSpheres& link) {
         const std::string name = renamed(link.link, renames_);
-        if (link.view().empty()) {
+        if (link.elements.empty()) {
             return;
         }
-        const std::string content = counts_text(kinds_of(link.view()));
+        const std::string content = counts_text(kinds_of(link.elements));
         if (name.empty()) {
             if (original_.links.size() != 1) {
                 throw Error(ErrorCode::input,
@@ -93,7 +87,7 @@ private:
         }
         if (!place_above(link)) {
             note(fmt::format("{} of link '{}' {} ignored: {} has no such link", content, name,
-                             link.view().size() == 1 ? "is" : "are", original_.file.filename().string()));
+                             link.elements.size() == 1 ? "is" : "are", original_.file.filename().string()));
         }
     }
 
@@ -127,7 +121,7 @@ private:
                             model_.file.file.string(), model_.file.format));
         }
         if (std::all_of(model_.file.links.begin(), model_.file.links.end(),
-                        [](const LinkSpheres& link) { return link.view().empty(); })) {
+                        [](const LinkSpheres& link) { return link.elements.empty(); })) {
             throw Error(ErrorCode::input, fmt::format("{}: no sphere has a radius above 0; remedy: correct the file",
                                                       model_.file.file.string()));
         }
@@ -153,7 +147,7 @@ private:
         }
         std::vector<std::string> bare;
         for (std::size_t i = 0; i < original_.links.size(); ++i) {
-            if (model_.of(i).empty()) {
+            if (model_.elements[i].empty()) {
                 bare.push_back(original_.links[i].link);
             }
         }

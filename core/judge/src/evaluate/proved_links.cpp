@@ -1,5 +1,5 @@
 // What the proofs of single links say of the robot.
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 #include <foam/judge/evaluate.hpp>
 
 #include <algorithm>
@@ -15,9 +15,9 @@ ProvedLinks verdict_on(const Original& original, const MatchedModel& model, cons
     links.geometry = original.geometry;
     links.visual_only = visual_only_links(*original.robot);
     links.collision_only = original.collision_only;
-    const auto has_others = [](const std::vector<Element>& others) { return !others.empty(); };
-    links.elements =
-        std::any_of(model.others.begin(), model.others.end(), has_others) ? "elements" : std::move(links.elements);
+    if (!std::all_of(model.elements.begin(), model.elements.end(), std::mem_fn(&Elements::are_spheres))) {
+        links.elements = "elements";
+    }
     std::size_t next = 0; // of those that are judged, in the robot's order
     for (const Link& link : original.robot->links) {
         if (link.collisions.empty()) {
@@ -29,7 +29,7 @@ ProvedLinks verdict_on(const Original& original, const MatchedModel& model, cons
         } else if (proved[next++]) {
             ++links.proved;
         } else {
-            links.left_out.push_back({link.name, model.of(next - 1).empty() ? no_elements : proof_fails});
+            links.left_out.push_back({link.name, model.elements[next - 1].empty() ? no_elements : proof_fails});
         }
     }
     return links;
@@ -39,8 +39,8 @@ ProvedLinks verdict_on(const Original& original, const MatchedModel& model, cons
 double missing_share(const Original& original, const MatchedModel& model, const std::vector<bool>& proved) {
     double missing = 0, volume = 0;
     for (std::size_t i = 0; i < original.links.size(); ++i) {
-        if (proved[i] && !model.of(i).empty()) {
-            missing += missing_volume(*original.links[i].solid, model.of(i));
+        if (proved[i] && !model.elements[i].empty()) {
+            missing += missing_volume(*original.links[i].solid, model.elements[i]);
             volume += original.links[i].solid->volume();
         }
     }

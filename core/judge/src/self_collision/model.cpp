@@ -3,7 +3,7 @@
 #include <foam/base/file.hpp>
 #include <foam/base/internal/files.hpp>
 #include <foam/base/parallel.hpp>
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 #include <foam/judge/collision_model.hpp>
 #include <foam/sdk/context.hpp>
 #include <foam/sdk/stage.hpp>
@@ -48,20 +48,20 @@ CollisionModel load_robot(const std::filesystem::path& urdf, const Registry& reg
             ->load(read_file(urdf, most_robot_bytes), urdf,
                    ResourceResolver::from_environment().preceded_by(package_path), listener));
     model.notes = std::move(listener.warnings);
-    model.spheres.resize(model.robot->links.size());
+    model.elements.resize(model.robot->links.size());
     model.sources.resize(model.robot->links.size(), CollisionModel::Source::none);
     return model;
 }
 
 /// Takes the spheres of a link without other geometry. Returns false if it has other geometry.
-bool take_spheres(const Link& link, std::vector<Sphere>& spheres) {
+bool take_spheres(const Link& link, Elements& elements) {
     for (const GeometryElement& element : link.collisions) {
         const auto* primitive = std::get_if<Primitive>(&element.geometry);
         if (!primitive || primitive->kind != Primitive::Kind::sphere) {
-            spheres.clear();
+            elements = {};
             return false;
         }
-        spheres.push_back({element.origin.translation, primitive->radius});
+        elements.add(Sphere{element.origin.translation, primitive->radius});
     }
     return true;
 }
@@ -79,8 +79,8 @@ void take_solids(const Original& original, CollisionModel& model) {
 
 void require_pairs(const CollisionModel& model) {
     std::size_t with_spheres = 0;
-    for (std::size_t i = 0; i < model.spheres.size(); ++i) {
-        with_spheres += model.of(i).empty() ? 0 : 1;
+    for (std::size_t i = 0; i < model.elements.size(); ++i) {
+        with_spheres += model.elements[i].empty() ? 0 : 1;
     }
     if (with_spheres < 2) {
         throw Error(ErrorCode::input, fmt::format("{}: {} {} collision geometry: there is no pair of links to check",
@@ -96,10 +96,10 @@ CollisionModel load_collision_model(const std::filesystem::path& urdf, const Reg
                                     const std::vector<std::filesystem::path>& package_path) {
     CollisionModel model = load_robot(urdf, registry, package_path);
     bool any = false;
-    for (std::size_t i = 0; i < model.spheres.size(); ++i) {
+    for (std::size_t i = 0; i < model.elements.size(); ++i) {
         const Link& link = model.robot->links[i];
         any = any || !link.collisions.empty();
-        if (take_spheres(link, model.spheres[i]) && !link.collisions.empty()) {
+        if (take_spheres(link, model.elements[i]) && !link.collisions.empty()) {
             model.sources[i] = CollisionModel::Source::geometry;
         }
     }
@@ -115,7 +115,7 @@ CollisionModel load_collision_model(const std::filesystem::path& urdf, const Reg
             }
             QuietContext context;
             const Shape shape(link.link, link.solid, link.solid);
-            model.spheres[i] = spherizer->spherize(shape, {spheres_per_link, {}, Guarantee::outer}, context).finest();
+            model.elements[i] = spherizer->spherize(shape, {spheres_per_link, {}, Guarantee::outer}, context).finest();
             model.sources[i] = CollisionModel::Source::cover;
         }
     }
@@ -126,16 +126,14 @@ CollisionModel load_collision_model(const std::filesystem::path& urdf, const Reg
 CollisionModel collision_model_of(const Original& original, const MatchedModel& matched) {
     CollisionModel model;
     model.robot = original.robot;
-    model.spheres.resize(model.robot->links.size());
+    model.elements.resize(model.robot->links.size());
     model.sources.resize(model.robot->links.size(), CollisionModel::Source::none);
-    model.others.resize(model.robot->links.size());
     model.notes = original.notes;
     model.notes.insert(model.notes.end(), matched.notes.begin(), matched.notes.end());
     for (std::size_t i = 0; i < original.links.size(); ++i) {
         const std::size_t link = index_of(*model.robot, original.links[i].link);
-        model.spheres[link] = matched.spheres[i];
-        const ElementsView elements = matched.of(i);
-        model.others[link].assign(elements.others.begin(), elements.others.end());
+        model.elements[link] = matched.elements[i];
+        const Elements& elements = matched.elements[i];
         if (!elements.empty()) {
             model.sources[link] = covers(*original.links[i].solid, elements) ? CollisionModel::Source::cover
                                                                              : CollisionModel::Source::given;

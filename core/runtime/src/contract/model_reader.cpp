@@ -14,11 +14,11 @@ constexpr std::string_view no_models[] = {"", "words without a meaning\n", "\x7f
 void require_model(const SphereFile& model, const std::string& file) {
     require(!model.format.empty(), fmt::format("{}: it does not name the format", file));
     for (const LinkSpheres& link : model.links) {
-        for (const Sphere& s : link.spheres) {
+        for (const Sphere& s : link.elements.spheres()) {
             require(is_finite(s.center) && std::isfinite(s.radius),
                     fmt::format("{}: it gives a sphere of link '{}' that is not finite", file, link.link));
         }
-        for (const Element& element : link.others) {
+        for (const Element& element : link.elements.shaped()) {
             require(is_valid(element), fmt::format("{}: it gives a {} of link '{}' that is no body", file,
                                                    to_string(element.kind), link.link));
         }
@@ -44,8 +44,8 @@ void require_model_or_refusal(const ModelReader& reader, const std::string& text
 bool equal(const SphereFile& a, const SphereFile& b) {
     return a.format == b.format && a.notes == b.notes &&
            std::equal(a.links.begin(), a.links.end(), b.links.begin(), b.links.end(),
-                      [](const LinkSpheres& x, const LinkSpheres& y) { 
-                          return x.link == y.link && x.spheres == y.spheres && x.others == y.others;
+                      [](const LinkSpheres& x, const LinkSpheres& y) {
+                          return x.link == y.link && x.elements == y.elements;
                       });
 }
 

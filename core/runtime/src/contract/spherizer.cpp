@@ -1,7 +1,6 @@
 #include "promises.hpp"
 
 #include <foam/base/parallel.hpp>
-#include <foam/geometry/element_measure.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/internal/elements.hpp>
 #include <foam/sdk/kinds.hpp>
@@ -12,14 +11,14 @@ namespace foam::inline runtime {
 namespace {
 
 /// Returns the gap: the largest distance from samples of the surface to the elements, m.
-double gap(const Solid& solid, const ElementsView& elements) {
+double gap(const Solid& solid, const Elements& elements) {
     double worst = 0;
     for (const SurfacePoint& sample : solid.sample_surface(1'000, 5)) {
         double nearest = std::numeric_limits<double>::infinity();
-        for (const Sphere& sphere : elements.spheres) {
+        for (const Sphere& sphere : elements.spheres()) {
             nearest = std::min(nearest, distance(sample.point, sphere.center) - sphere.radius);
         }
-        for (const Element& element : elements.others) {
+        for (const Element& element : elements.shaped()) {
             nearest = std::min(nearest, distance(element, sample.point));
         }
         worst = std::max(worst, nearest);
@@ -39,7 +38,7 @@ void require_spheres(const Solid& solid, const std::vector<Sphere>& spheres) {
     }
 }
 
-void require_elements(const Solid& solid, const std::vector<Element>& elements, const StageInfo& info) {
+void require_elements(const Solid& solid, std::span<const Element> elements, const StageInfo& info) {
     const double size = solid.bounds().diagonal();
     for (const Element& element : elements) {
         const std::string noun = noun_of(element.kind, 1);
@@ -54,26 +53,26 @@ void require_elements(const Solid& solid, const std::vector<Element>& elements, 
 
 void require_tree(const Solid& solid, const SphereTree& tree, std::optional<std::size_t> most, const StageInfo& info) {
     require(!tree.levels.empty() && !tree.elements().empty(), "it gives no sphere at all");
-    require(tree.levels[0].spheres.size() == 1 && tree.levels[0].size() == 1 && tree.levels[0].parents.empty(),
+    require(tree.levels[0].elements.spheres().size() == 1 && tree.levels[0].elements.size() == 1 && tree.levels[0].parents.empty(),
             fmt::format("level 0 is not one bounding sphere without a parent, but {} spheres and {} parents; remedy: "
-                        "foam::flat_tree(), foam::flat_approximation()",
-                        tree.levels[0].spheres.size(), tree.levels[0].parents.size()));
+                        "foam::flat_tree()",
+                        tree.levels[0].elements.spheres().size(), tree.levels[0].parents.size()));
     require(!most || tree.elements().size() <= *most,
             fmt::format("{} {} in the finest level, {} were allowed; remedy: keep to budget.max_spheres",
                         tree.elements().size(), spheres_alone(info.kinds) ? "spheres" : "elements", most.value_or(0)));
     for (std::size_t l = 0; l < tree.levels.size(); ++l) {
         const SphereTree::Level& level = tree.levels[l];
-        require(l == 0 || level.parents.size() == level.size(),
-                fmt::format("level {} has {} {} and {} parents", l, level.size(),
-                            level.others.empty() ? "spheres" : "elements", level.parents.size()));
+        require(l == 0 || level.parents.size() == level.elements.size(),
+                fmt::format("level {} has {} {} and {} parents", l, level.elements.size(),
+                            level.elements.are_spheres() ? "spheres" : "elements", level.parents.size()));
         for (const std::uint32_t parent : level.parents) {
-            require(parent < tree.levels[l - 1].size(),
+            require(parent < tree.levels[l - 1].elements.size(),
                     fmt::format("a sphere of level {} has parent {}, but there are {}", l, parent,
-                                tree.levels[l - 1].size()));
+                                tree.levels[l - 1].elements.size()));
         }
-        require_spheres(solid, level.spheres);
-        require_elements(solid, level.others, info);
-        const double sticks_out = gap(solid, level.view()), size = solid.bounds().diagonal();
+        require_spheres(solid, level.elements.spheres());
+        require_elements(solid, level.elements.shaped(), info);
+        const double sticks_out = gap(solid, level.elements), size = solid.bounds().diagonal();
         require(
             sticks_out <= 0.05 * size,
             fmt::format("level {} does not stand for the whole solid: {} m of it stick out, it is {} m long; remedy: "
@@ -121,8 +120,8 @@ void check_budgets(const Spherizer& spherizer, const Shape& shape, const StageIn
     for (std::size_t i = 0; i < trees.size(); ++i) {
         try {
             require_tree(solid, trees[i], wanted[i].max_spheres, info);
-            const Approximation::Level grown = grown_to_cover(solid, level_of(trees[i].elements()));
-            require(certify(solid, grown.view()).holds, "cover cannot be proved after growth");
+            const Elements grown = grown_to_cover(solid, trees[i].elements());
+            require(certify(solid, grown).holds, "cover cannot be proved after growth");
         } catch (const std::exception& error) {
             throw Breach(fmt::format("budget of {}: {}", *wanted[i].max_spheres, error.what()));
         }

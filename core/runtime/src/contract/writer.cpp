@@ -113,17 +113,14 @@ Vec3 inner_point(const Element& element) {
 }
 
 /// Requires that the elements that were read contain the one that was written.
-void require_contained(const Element& written, const Approximation::Level& read) {
+void require_contained(const Element& written, const Elements& read) {
     require(read.size() > 0, fmt::format("a {} is not read back", noun_of(written.kind, 1)));
     constexpr std::size_t directions = 200;
     constexpr double inwards = 1 - 1e-9; // orientations are read back to rounding
     const Vec3 middle = inner_point(written);
     for (const Vec3& direction : fibonacci_directions(directions)) {
         const Vec3 point = middle + (support(written, direction) - middle) * inwards;
-        const bool held =
-            std::any_of(read.spheres.begin(), read.spheres.end(),
-                        [&](const Sphere& s) { return distance(s.center, point) <= s.radius; }) ||
-            std::any_of(read.others.begin(), read.others.end(), [&](const Element& e) { return holds(e, point); });
+        const bool held = std::any_of(read.begin(), read.end(), [&](const Element& e) { return holds(e, point); });
         require(held, fmt::format("a {} comes back smaller or elsewhere; remedy: write all digits, or round outwards",
                                   noun_of(written.kind, 1)));
     }
@@ -133,13 +130,13 @@ void require_contained(const Element& written, const Approximation::Level& read)
 void check_kind(const Writer& writer, Element::Kind kind) {
     SphereModel elements = model_for(writer);
     const Element element = element_of_kind(kind);
-    elements.groups.back().tree = flat_approximation({}, {element});
+    elements.groups.back().tree = flat_tree(std::vector<Element>{element});
     elements.file = "contract.urdf";
     QuietContext context;
     const std::string bytes = writer.write(elements, context);
     require(bytes == writer.write(elements, context), "the second time it writes other bytes");
     const auto beside = writer.files_beside(elements, context);
-    const auto read = writer.read_elements(bytes, beside);
+    const auto read = writer.read(bytes, beside);
     const auto found = read.find(elements.groups.back().link);
     require(found != read.end(), fmt::format("link {} is not read back", elements.groups.back().link));
     require_contained(element, found->second);
@@ -159,11 +156,12 @@ void check_writer(const Writer& writer, const StageInfo& info, Promises& promise
         const SphereModel spheres = model_for(writer);
         const std::string bytes = writer.write(spheres, context);
         require(bytes == writer.write(spheres, context), "the second time it writes other bytes");
-        const auto read = writer.read(bytes);
+        const auto read = writer.read(bytes, {});
         for (const SphereGroup& group : spheres.groups) {
             const auto found = read.find(group.link);
             require(found != read.end(), fmt::format("link {} is not read back", group.link));
-            require_equal_up_to_growth(group.link, found->second, group.tree.finest());
+            require(found->second.are_spheres(), fmt::format("link {}: its spheres come back as other kinds", group.link));
+            require_equal_up_to_growth(group.link, found->second.spheres(), group.tree.finest());
         }
         require(read.size() == spheres.groups.size(),
                 fmt::format("{} links are read back, {} were written", read.size(), spheres.groups.size()));
@@ -200,11 +198,11 @@ void check_writer(const Writer& writer, const StageInfo& info, Promises& promise
     promises.check("refuses what nobody could read", [&] {
         require_refusal("a radius of nan", [&] {
             SphereModel spheres = model_for(writer);
-            spheres.groups.back().tree.levels.back().spheres[0].radius = std::numeric_limits<double>::quiet_NaN();
+            spheres.groups.back().tree.levels.back().elements.spheres()[0].radius = std::numeric_limits<double>::quiet_NaN();
             QuietContext context;
             writer.write(spheres, context);
         });
-        require_refusal("reading bytes that are no such file", [&] { writer.read("\x7f nothing \x01"); });
+        require_refusal("reading bytes that are no such file", [&] { writer.read("\x7f nothing \x01", {}); });
     });
 }
 

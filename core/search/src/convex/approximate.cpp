@@ -9,7 +9,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/parallel.hpp>
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 #include <foam/geometry/internal/own_frame.hpp>
 #include <foam/search/approximate.hpp>
 #include <foam/search/least_element.hpp>
@@ -180,13 +180,6 @@ struct ApproximationSearch::Data {
         }
         return std::move(*best);
     }
-    static void add(Approximation::Level& level, Element element) {
-        if (element.kind == Element::Kind::sphere) {
-            level.spheres.push_back({element.pose.translation, element.radius});
-        } else {
-            level.others.push_back(std::move(element));
-        }
-    }
     /// Returns one element: that of the quick search, or a better one.
     Rated single() const {
         Rated best{single(Effort::fast), {}};
@@ -203,22 +196,22 @@ struct ApproximationSearch::Data {
         const std::vector<Vec3>& points = solid.surface().vertices;
         const convex::Cloud cloud = convex::cloud_of(points);
         for (const Element::Kind kind : kinds) {
-            Approximation::Level level;
+            Elements level;
             if (kind == Element::Kind::hull) {
-                add(level, hull_of(points));
+                level.add(hull_of(points));
             } else {
                 const convex::Fit fit = kind == Element::Kind::sphere
                                             ? convex::least_sphere(cloud)
                                             : convex::least_protrusion(kind, cloud, solid, options.objective,
                                                                        options.effort, options.axis_aligned);
-                add(level, convex::element_of(fit, cloud));
+                level.add(convex::element_of(fit, cloud));
             }
             take_better(best, {convex::proved(solid, std::move(level)), {}});
         }
     }
     ConvexCover single(Effort effort) const {
-        Approximation::Level level;
-        add(level, element_around(solid.surface().vertices, effort));
+        Elements level;
+        level.add(element_around(solid.surface().vertices, effort));
         return convex::proved(solid, std::move(level));
     }
     const convex::BodyOfSolid& body() {
@@ -258,9 +251,9 @@ struct ApproximationSearch::Data {
         // They cover with numbers of six digits, too. What this adds to slivers counts. The proof halves the surfaces
         // of round primitives down to the overlap, but cuts triangles along the elements.
         const double overlap = (has_round_parts() ? 3e-4 : 1e-6) * body().unit;
-        Approximation::Level level;
+        Elements level;
         for (const Element& element : elements) {
-            add(level, grown(element, overlap));
+            level.add(grown(element, overlap));
         }
         return convex::proved(solid, std::move(level));
     }
@@ -342,7 +335,7 @@ ConvexCover ApproximationSearch::cover(std::size_t count) {
                     "approximate: a cover needs at least 1 element, got a count of 0; remedy: ask for 1 or more");
     }
     ConvexCover cover = data_->best_of(count).cover;
-    cover.volume = union_volume(cover.elements.view());
+    cover.volume = union_volume(cover.elements);
     return cover;
 }
 

@@ -3,7 +3,7 @@
 #include "cloud.hpp"
 #include "fewer_vertices.hpp"
 
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 #include <foam/geometry/internal/proof.hpp>
 
 #include <limits>
@@ -54,12 +54,12 @@ Element hull_around(std::vector<Vec3> points, double unit, std::size_t most_vert
     return grown(element, spare * unit);
 }
 
-ConvexCover proved(const Solid& solid, Approximation::Level elements) {
+ConvexCover proved(const Solid& solid, Elements elements) {
     ConvexCover cover;
-    cover.certificate = geometry::certify_to_first_gap(solid, elements.view());
+    cover.certificate = geometry::certify_to_first_gap(solid, elements);
     if (!cover.certificate.holds) {
         elements = grown_to_cover(solid, std::move(elements));
-        cover.certificate = certify(solid, elements.view());
+        cover.certificate = certify(solid, elements);
     }
     cover.elements = std::move(elements);
     return cover;
@@ -67,14 +67,14 @@ ConvexCover proved(const Solid& solid, Approximation::Level elements) {
 
 double figure_of(const Solid& solid, const ConvexCover& cover, ApproximationObjective objective) {
     if (objective == ApproximationObjective::excess) {
-        return solid.volume() > 0 ? excess_volume(solid, cover.elements.view()) : union_volume(cover.elements.view());
+        return solid.volume() > 0 ? excess_volume(solid, cover.elements) : union_volume(cover.elements);
     }
     MeasureOptions quick;
     quick.surface_points = 1;
     quick.volume_rays = 1;
     quick.volume_points = 1;
     quick.directions_per_sphere = 200;
-    const Measures measures = measure(solid, cover.elements.view(), quick);
+    const Measures measures = measure(solid, cover.elements, quick);
     return objective == ApproximationObjective::protrusion ? measures.protrusion_max : measures.protrusion_mean;
 }
 

@@ -10,7 +10,7 @@ namespace foam::inline search::convex {
 Element hull_around(std::vector<Vec3> points, double unit, std::size_t most_vertices);
 
 /// Returns the elements, grown where the proof asks for it, with their proof; their volume is left to the caller.
-ConvexCover proved(const Solid& solid, Approximation::Level elements);
+ConvexCover proved(const Solid& solid, Elements elements);
 
 /// Returns the figure that the objective compares: m³ of excess volume, or m of protrusion.
 double figure_of(const Solid& solid, const ConvexCover& cover, ApproximationObjective objective);

@@ -46,7 +46,7 @@ std::vector<Sphere> shrunk_within(const Solid& solid, std::vector<Sphere> sphere
     constexpr int rounds = 8; // a sphere moved off one plane comes nearer to another that faces it
     const double spare = room * cover::Frame(solid.bounds()).unit;
     for (Sphere& sphere : spheres) {
-        for (int round = 0; round < rounds && violation_of(planes, {&sphere, 1}) > -spare; ++round) {
+        for (int round = 0; round < rounds && violation_of(planes, {sphere}) > -spare; ++round) {
             for (const ClipPlane& plane : planes) {
                 const double over = reach_beyond(plane, sphere) - plane.reach + spare;
                 if (over > 0) {

@@ -35,16 +35,10 @@ struct CollisionModel {
         cover,    ///< certified to cover the link's geometry
     };
     std::shared_ptr<const Robot> robot;
-    std::vector<std::vector<Sphere>> spheres; ///< of each link of the robot, in its frame
-    std::vector<Source> sources;              ///< of each link of the robot
-    std::vector<std::string> notes;           ///< warnings of the loaders, and what is left out
-    std::vector<std::vector<Element>> others{}; ///< elements of other kinds of each link; empty: none of any link
+    std::vector<Elements> elements; ///< of each link of the robot, in its frame; a link without any never collides
+    std::vector<Source> sources;    ///< of each link of the robot
+    std::vector<std::string> notes; ///< warnings of the loaders, and what is left out
     LinkSolids solids{};
-
-    /// The elements of a link; without any it never collides.
-    ElementsView of(std::size_t link) const {
-        return {spheres[link], others.empty() ? std::span<const Element>() : std::span<const Element>(others[link])};
-    }
 };
 
 /// Why a pair is not checked, in the words of MoveIt's SRDFs.

@@ -16,9 +16,6 @@ struct Separation {
     double depth = 0;
 };
 
-/// Returns the element that is the sphere.
-Element element_of(const Sphere& sphere);
-
 /// Returns the bounds, conservative to rounding (1e-12 of the elements' size and distance). `pose_a`, `pose_b`: from
 /// the frame of each element's link to a common frame. The distance of the cores of spheres, capsules and swept boxes
 /// is computed, and their radii are subtracted (Gilbert, Johnson, Keerthi: A fast procedure for computing the distance

@@ -31,8 +31,8 @@ struct PlaneReach {
 
 /// Returns how far a sphere extends beyond the plane, m; negative: it ends before it.
 double reach_beyond(const ClipPlane& plane, const Sphere& sphere);
-/// Returns the maximum over several spheres; minus infinity for none.
-double reach_beyond(const ClipPlane& plane, std::span<const Sphere> spheres);
+/// Returns the maximum over all elements; minus infinity for none.
+double reach_beyond(const ClipPlane& plane, const Elements& elements);
 
 /// Returns "normal [0, 0, -1], offset 0.01 m".
 std::string text_of(const ClipPlane& plane);
@@ -46,10 +46,10 @@ void require_within(const Solid& solid, const Pose& pose, const std::vector<Clip
 
 /// Returns the largest length by which spheres extend farther than the half-space constraints allow, m. Negative: all
 /// constraints are kept.
-double violation_of(const std::vector<ClipPlane>& planes, std::span<const Sphere> spheres);
+double violation_of(const std::vector<ClipPlane>& planes, const Elements& elements);
 
 /// Returns for each plane how far the spheres extend beyond it.
-std::vector<PlaneReach> reached(const std::vector<ClipPlane>& planes, std::span<const Sphere> spheres);
+std::vector<PlaneReach> reached(const std::vector<ClipPlane>& planes, const Elements& elements);
 
 /// Returns a sentence for each half-space constraint, counted from 1, that is not kept.
 std::vector<std::string> not_kept(const std::vector<PlaneReach>& planes);

@@ -1,4 +1,5 @@
-// The figures of a sphere model. Symbols: S the original geometry, U the union of the spheres.
+// Proof, growth and figures of convex elements. Symbols: S the original geometry, U the union of the elements. Spheres alone
+// take quicker paths of their own.
 #pragma once
 
 #include <foam/geometry/solid.hpp>
@@ -7,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace foam {
@@ -14,7 +16,7 @@ inline namespace [[gnu::visibility("default")]] geometry {
 
 /// The figures of one link.
 struct Measures {
-    std::size_t spheres = 0;  ///< spheres with a radius above 0
+    std::size_t spheres = 0;  ///< elements with a volume
     double area = 0;          ///< of ∂S, m²
     double volume = 0;        ///< vol(S), m³
     double covered = 0;       ///< area of ∂S inside U / area of ∂S
@@ -46,17 +48,25 @@ struct MeasureOptions {
 };
 
 /// Measures the figures. Equal seeds give equal numbers on any number of threads. `certified` and `gap` come from
-/// certify(). Spheres that are not finite or have no radius count as absent.
-Measures measure(const Solid& solid, std::span<const Sphere> spheres, const MeasureOptions& options = {});
+/// certify(). Elements that are not valid count as absent. Volumes are integrated along lines, exactly along each line; for spheres
+/// alone vol(U) is exact.
+Measures measure(const Solid& solid, const Elements& elements, const MeasureOptions& options = {});
 /// Returns the figures over a robot: counts and volumes are sums, gap and protrusion_max are maxima, covered and
 /// protrusion_mean are weighted by area, certified is true if all links are certified.
 Measures total(std::span<const Measures> links);
 
-/// Returns the volume, m³, of the union of balls by the divergence theorem over their exposed surfaces, with
-/// `directions` Fibonacci points per ball. Relative error about 1/directions. O(n² · directions) at worst.
-double union_volume(std::span<const Sphere> spheres, std::size_t directions = 1'000);
+/// Returns the volume of the union, m³. For spheres alone by the divergence theorem over their exposed surfaces, with `directions`
+/// Fibonacci points per ball: relative error about 1/directions, O(n² · directions) at worst. Else integrated along lines that are the
+/// same for equal bounds: relative error about 1e-3.
+double union_volume(const Elements& elements, std::size_t directions = 1'000);
+/// Returns vol(S \ U), m³, along the solid's lines.
+double missing_volume(const Solid& solid, const Elements& elements);
+/// Returns vol(U \ S), m³, along lines that are the same for all elements of a solid, so that results for one solid can be compared.
+double excess_volume(const Solid& solid, const Elements& elements);
+/// Returns excess_volume() and missing_volume(), in the time of the first alone.
+std::pair<double, double> excess_and_missing_volume(const Solid& solid, const Elements& elements);
 
-/// The result of the proof that the spheres cover a surface.
+/// The result of the proof that elements cover a surface.
 struct Certificate {
     bool holds = false;
     std::size_t pieces = 0; ///< triangles, and pieces of them, that were examined
@@ -65,14 +75,18 @@ struct Certificate {
     std::uint32_t triangle = 0; ///< if it does not hold: the triangle of Solid::surface() it lies on
 };
 
-/// Proves that every triangle of solid.surface() lies in the union of the spheres. A ball that contains the three
-/// corners contains the triangle; otherwise the triangle is split and its halves are tested, to `depth` halvings of its
+/// Proves that every triangle of solid.surface() lies in the union of the elements. An element that contains the corners of a convex
+/// piece contains the piece; otherwise the piece is cut along the faces of an element, or halved, to `depth` halvings of its
 /// longest edge. Rounding is on the safe side: an uncovered point never passes.
-Certificate certify(const Solid& solid, std::span<const Sphere> spheres, int depth = 40);
+Certificate certify(const Solid& solid, const Elements& elements, int depth = 40);
+/// Returns whether certify() holds. Where it does not, this takes much less time: the gap is not searched for.
+bool covers(const Solid& solid, const Elements& elements);
 
-/// Returns the spheres grown by about the least that makes certify() hold. Centres stay, and no sphere becomes smaller.
-/// Of the spheres that could close a gap, the one grows that adds least excess volume. Then grown spheres shrink as far
-/// as the others allow. Spheres that cover already stay as they are. Throws Error(geometry) if no sphere is finite.
+/// Returns the elements grown by about the least that makes certify() hold; none becomes smaller, and elements that cover already
+/// stay as they are. Throws Error(geometry) if no element is valid.
+Elements grown_to_cover(const Solid& solid, Elements elements);
+/// Returns the same of spheres. Centres stay. Of the spheres that could close a gap, the one grows that adds least excess volume.
+/// Then grown spheres shrink as far as the others allow.
 std::vector<Sphere> grown_to_cover(const Solid& solid, std::vector<Sphere> spheres);
 
 } // namespace geometry

@@ -55,14 +55,8 @@ void rename_links(SphereFile& file, const Renames& renames);
 /// A sphere model matched to the links of an original.
 struct MatchedModel {
     SphereFile file;
-    std::vector<std::vector<Sphere>> spheres; ///< of each link of the original; empty: none
-    std::vector<std::string> notes;           ///< notes of the file, and what is not evaluated
-    std::vector<std::vector<Element>> others{}; ///< elements of other kinds of each link; empty: none of any link
-
-    /// The elements of a link of the original.
-    ElementsView of(std::size_t link) const {
-        return {spheres[link], others.empty() ? std::span<const Element>() : std::span<const Element>(others[link])};
-    }
+    std::vector<Elements> elements; ///< of each link of the original; empty: none
+    std::vector<std::string> notes; ///< notes of the file, and what is not evaluated
 };
 
 /// Matches links by name. A link that the robot lacks is matched to the link that it is fixed to, if the file names

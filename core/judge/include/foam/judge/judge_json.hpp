@@ -41,7 +41,7 @@ Json json_of_evaluation(const Original& original, const MatchedModel& model, con
     for (std::size_t i = 0; i < original.links.size(); ++i) {
         Json link{{"link", original.links[i].link}};
         link.update(json_of_figures<Json>(evaluation.links[i]));
-        if (const ElementsView elements = model.of(i); !elements.others.empty()) {
+        if (const Elements& elements = model.elements[i]; !elements.are_spheres()) {
             link["kinds"] = json_of_kinds<Json>(kinds_of(elements));
         }
         json["links"].push_back(std::move(link));
@@ -94,13 +94,13 @@ template <class Json> Json json_of_consequences(const Robot& robot, const Conseq
 /// Returns the links with spheres.
 template <class Json> Json json_of_links(const CollisionModel& model) {
     Json links = Json::array();
-    for (std::size_t i = 0; i < model.spheres.size(); ++i) {
-        const ElementsView elements = model.of(i);
+    for (std::size_t i = 0; i < model.elements.size(); ++i) {
+        const Elements& elements = model.elements[i];
         if (!elements.empty()) {
             links.push_back({{"link", model.robot->links[i].name},
                              {"spheres", elements.size()},
                              {"certified_cover", model.sources[i] == CollisionModel::Source::cover}});
-            if (!elements.others.empty()) {
+            if (!elements.are_spheres()) {
                 links.back()["kinds"] = json_of_kinds<Json>(kinds_of(elements));
             }
         }

@@ -58,7 +58,7 @@ struct JudgedFiles {
 JudgedFiles judged_files(const Writer& writer, const StageInfo& info, SphereModel model, const Original* original,
                          const SphereFile& given, const std::filesystem::path& target, Context& context);
 /// Returns the elements of each link, as they are read back from the files.
-std::map<std::string, Approximation::Level> read_back(const Writer& writer, const std::vector<WrittenFile>& files);
+std::map<std::string, Elements> read_back(const Writer& writer, const std::vector<WrittenFile>& files);
 /// Of links with other elements nothing is required where Consumer::elements_optional.
 /// Throws Error(internal) if the writer's files give other spheres than the model, or no other elements where it has
 /// some. Numbers of other elements may differ in the last places, as their orientations do: proofs are on the numbers

@@ -1,7 +1,6 @@
-// Elements of any kind in pictures and beside planes.
+// Elements of any kind in pictures.
 #pragma once
 
-#include <foam/geometry/clip_plane.hpp>
 #include <foam/geometry/figure.hpp>
 #include <foam/geometry/sphere.hpp>
 
@@ -11,10 +10,7 @@ namespace foam {
 inline namespace [[gnu::visibility("default")]] runtime {
 
 /// Adds elements to a view, at the pose of their link: spheres as spheres, others as meshes around them.
-void add_elements(Panel& panel, const ElementsView& elements, const Pose& pose);
-
-/// Returns what reached() of clip_plane.hpp does, for elements of any kind.
-std::vector<PlaneReach> reached(const std::vector<ClipPlane>& planes, const ElementsView& elements);
+void add_elements(Panel& panel, const Elements& elements, const Pose& pose);
 
 } // namespace runtime
 } // namespace foam

@@ -13,19 +13,16 @@
 namespace foam {
 inline namespace [[gnu::visibility("default")]] sdk {
 
-/// Returns the elements of links in the order of their first groups, as spheres_by_link() does, with those of other
-/// kinds in `others`; there is no other of kind sphere. Throws Error(output) for a group without elements, and for an
+/// Returns the elements of links in the order of their first groups, as spheres_by_link() does. Throws Error(output) for a group without elements, and for an
 /// element that no reader accepts.
 std::vector<LinkSpheres> elements_by_link(const SphereModel& model, int level = -1);
 
-/// Appends an element; one of kind sphere becomes a sphere.
-void add(Approximation::Level& level, const Element& element);
 /// Returns the link of a file; adds it at the end if it is missing.
 LinkSpheres& link_of(SphereFile& file, const std::string& link);
 /// Returns all kinds, for StageInfo::kinds.
 std::vector<Element::Kind> every_kind();
-/// Returns the elements of a file by link, as Writer::read_elements() does.
-std::map<std::string, Approximation::Level> elements_of(SphereFile file);
+/// Returns the elements of a file by link, as Writer::read() does.
+std::map<std::string, Elements> elements_of(SphereFile file);
 
 /// Returns the text of an edited file in which the line of provenance that foam wrote into the user's file is that of the
 /// model: an old one says what was proved of other elements. Other comments stay, as do files without such a line.

@@ -14,7 +14,7 @@ inline namespace [[gnu::visibility("default")]] sdk {
 
 /// The number of elements of each kind, by Element::Kind.
 using KindCounts = std::array<std::size_t, element_kinds>;
-KindCounts kinds_of(const ElementsView& elements);
+KindCounts kinds_of(const Elements& elements);
 KindCounts sum_of(const KindCounts& a, const KindCounts& b);
 
 /// Returns the noun of a kind for a number: "capsule", "boxes", "swept boxes".
@@ -48,7 +48,7 @@ void require_held(const StageInfo& writer, const SphereModel& model);
 
 /// Returns what a check of the element costs.
 double price_of(const Element& element, const ElementCost& cost);
-double price_of(const ElementsView& elements, const ElementCost& cost);
+double price_of(const Elements& elements, const ElementCost& cost);
 /// Returns the least price of an element of these kinds: a hull has at least four vertices.
 double least_price(const std::vector<Element::Kind>& kinds, const ElementCost& cost);
 

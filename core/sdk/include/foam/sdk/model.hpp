@@ -61,10 +61,7 @@ struct SphereModel {
 /// The elements of one link, over all its groups.
 struct LinkSpheres {
     std::string link;
-    std::vector<Sphere> spheres;
-    std::vector<Element> others{}; ///< elements of other kinds than sphere
-
-    ElementsView view() const { return {spheres, others}; }
+    Elements elements;
 };
 
 /// The spheres of a file, by link: the result of readers. Metres; link frames.

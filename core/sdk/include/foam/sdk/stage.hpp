@@ -168,17 +168,14 @@ public:
     ~Writer() override;
     /// Returns the bytes of the file. Equal models give equal bytes.
     virtual std::string write(const SphereModel& model, Context& context) const = 0;
-    /// Returns the spheres (finest level) by link, read back from such bytes, exactly as another program would read
-    /// them. The runtime proves the guarantee on these. Throws Error(output) if the bytes cannot be read.
-    virtual std::map<std::string, std::vector<Sphere>> read(const std::string& bytes) const = 0;
+    /// Returns the elements (finest level) by link, read back from such bytes and from the files beside them, exactly as another
+    /// program would read them. The runtime proves the guarantee on these. `beside`: the texts of the files that files_beside()
+    /// returned, by name. Throws Error(output) if the bytes cannot be read.
+    virtual std::map<std::string, Elements> read(const std::string& bytes,
+                                                 const std::map<std::string, std::string>& beside) const = 0;
     /// Returns the bytes of a file that belongs to that of write(): one for each ending of StageInfo::companions.
     /// Throws Error(internal) unless overridden.
     virtual std::string companion(const std::string& ending, const SphereModel& model, Context& context) const;
-    /// Returns all elements by link, read back from such bytes and from the files beside them. The default returns what
-    /// read() does; writers whose StageInfo::kinds has more than spheres override it. `beside`: the texts of the files
-    /// that files_beside() returned, by name. Throws Error(output) if the bytes cannot be read.
-    virtual std::map<std::string, Approximation::Level>
-    read_elements(const std::string& bytes, const std::map<std::string, std::string>& beside) const;
     /// Returns the files that the written file refers to, by their names relative to its folder: meshes of hulls. The
     /// default returns none.
     virtual std::map<std::string, std::string> files_beside(const SphereModel& model, Context& context) const;

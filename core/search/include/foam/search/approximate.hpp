@@ -39,7 +39,7 @@ struct ApproximateOptions {
 
 /// Convex elements that cover a solid, with the proof. Figures beside the volume: foam/geometry/element_measure.hpp.
 struct ConvexCover {
-    Approximation::Level elements; ///< m, in the solid's frame; at least one
+    Elements elements; ///< m, in the solid's frame; at least one
     Certificate certificate;       ///< proof that solid.surface() lies in their union; it always holds
     double volume = 0;             ///< of their union, m³
 };

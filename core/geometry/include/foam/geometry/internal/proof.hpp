@@ -1,11 +1,9 @@
 // Proofs that elements cover a solid: with statistics, and up to the first gap.
 #pragma once
 
-#include <foam/geometry/element.hpp>
 #include <foam/geometry/measure.hpp>
 
 #include <cstdint>
-#include <span>
 
 namespace foam {
 inline namespace [[gnu::visibility("default")]] geometry {
@@ -17,11 +15,11 @@ struct CoverProof {
 };
 
 /// Runs the proof of certify().
-CoverProof prove_cover(const Solid& solid, std::span<const Sphere> spheres, int depth = 40);
+CoverProof prove_cover(const Solid& solid, const Elements& elements, int depth = 40);
 
 /// Runs the proof of certify() up to the first gap. If there is one, the certificate does not hold, and its other
 /// figures mean nothing: the worst gap takes many times as long to find.
-Certificate certify_to_first_gap(const Solid& solid, const ElementsView& elements);
+Certificate certify_to_first_gap(const Solid& solid, const Elements& elements);
 
 } // namespace geometry
 } // namespace foam

@@ -1,7 +1,7 @@
 // Solids and figures where there is no time for the usual ones.
 #pragma once
 
-#include <foam/geometry/element_measure.hpp>
+#include <foam/geometry/measure.hpp>
 #include <foam/geometry/solid.hpp>
 
 #include <memory>
@@ -17,7 +17,7 @@ std::shared_ptr<const Solid> quick_solid(std::vector<Solid::Part> parts);
 /// Returns bounds on the figures, in the time that a proof takes: as if the solid had no volume, so that all of the
 /// elements is excess, and as if their surface were exposed as far from the solid as it can be, the diagonal of the box
 /// around both.
-Measures bounds_of_measures(const Solid& solid, const ElementsView& elements);
+Measures bounds_of_measures(const Solid& solid, const Elements& elements);
 
 } // namespace geometry
 } // namespace foam

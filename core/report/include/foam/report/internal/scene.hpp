@@ -20,10 +20,9 @@ struct StageMesh {
 
 struct SceneLink {
     std::string name;
-    Pose pose;                                        ///< from its frame to the robot's
-    std::vector<StageMesh> meshes;                    ///< the original first
-    std::vector<std::vector<Sphere>> levels;          ///< coarse to fine; link frame
-    std::vector<std::vector<Element>> other_levels{}; ///< elements of other kinds of each level; empty: none
+    Pose pose;                     ///< from its frame to the robot's
+    std::vector<StageMesh> meshes; ///< the original first
+    std::vector<Elements> levels;  ///< coarse to fine; link frame
 };
 
 /// A mesh with corners on a grid, for a 16-bit vertex buffer.

@@ -52,10 +52,10 @@ inline void put_element(std::string& out, const Element& element) {
 inline void put_tree(std::string& out, const Approximation& tree) {
     put(out, static_cast<std::uint64_t>(tree.levels.size()));
     for (const Approximation::Level& level : tree.levels) {
-        put_values(out, level.spheres);
+        put_values(out, level.elements.spheres());
         put_values(out, level.parents);
-        put(out, static_cast<std::uint64_t>(level.others.size()));
-        for (const Element& element : level.others) {
+        put(out, static_cast<std::uint64_t>(level.elements.shaped().size()));
+        for (const Element& element : level.elements.shaped()) {
             put_element(out, element);
         }
     }
@@ -136,10 +136,10 @@ inline Approximation take_tree(ByteReader& in) {
     Approximation tree;
     for (auto levels = in.take<std::uint64_t>(); levels > 0 && in.good(); --levels) {
         Approximation::Level& level = tree.levels.emplace_back();
-        level.spheres = in.take_values<Sphere>();
+        level.elements.spheres() = in.take_values<Sphere>();
         level.parents = in.take_values<std::uint32_t>();
         for (auto others = in.take<std::uint64_t>(); others > 0 && in.good(); --others) {
-            level.others.push_back(take_element(in));
+            level.elements.add(take_element(in));
         }
     }
     return tree;

@@ -16,12 +16,12 @@ inline namespace [[gnu::visibility("default")]] runtime {
 /// lines that are the same for all spheres of a solid.
 double cost_volume(const Solid& solid, std::vector<Sphere> spheres, Guarantee guarantee);
 /// Returns the same for elements of any kind. Precondition: spheres alone with guarantee inner.
-double cost_of_elements(const Solid& solid, const ElementsView& elements, Guarantee guarantee);
+double cost_of_elements(const Solid& solid, const Elements& elements, Guarantee guarantee);
 
 /// Returns the protrusion once the guarantee is kept, m: the largest distance of the exposed surface from the solid.
 double covered_protrusion(const Solid& solid, std::vector<Sphere> spheres, Guarantee guarantee);
 /// Returns the same for elements of any kind.
-double protrusion_of_elements(const Solid& solid, const ElementsView& elements, Guarantee guarantee);
+double protrusion_of_elements(const Solid& solid, const Elements& elements, Guarantee guarantee);
 
 /// Throws Error(geometry) if no sphere of the finest level can lie in the solid: guarantee inner cannot be kept.
 void require_room(const Solid& solid, const SphereTree& tree);

@@ -16,7 +16,7 @@ inline namespace [[gnu::visibility("default")]] runtime {
 struct FinishedLink {
     const LinkWork* work = nullptr;
     std::shared_ptr<const Solid> solid;
-    Approximation::Level elements; ///< of all its groups, finest level; without parents
+    Elements elements; ///< of all its groups, finest level; without parents
 };
 
 struct FinishedModel {

@@ -24,7 +24,7 @@ struct WrittenProof {
 /// report is certified. Numbers::float32: also for these numbers rounded to single precision. Throws Error(internal)
 /// for a link without elements, or with spheres alone where the model has others, and where a proof does not hold.
 /// `elements_optional`: Consumer's; a link with elements of other kinds than spheres is not proved then.
-std::vector<WrittenProof> prove_written(const std::map<std::string, Approximation::Level>& read,
+std::vector<WrittenProof> prove_written(const std::map<std::string, Elements>& read,
                                         const FinishedModel& finished, Guarantee guarantee, Numbers numbers,
                                         const std::string& file, bool elements_optional = false);
 
