@@ -86,7 +86,7 @@ TEST_P(CorpusFilters, MakeASolidAndItsSpheres) {
     Budget budget;
     budget.max_spheres = 8;
     const SphereTree tree = registry().make<Spherizer>("spherize.grid")->spherize(shape, budget, context);
-    const std::vector<Sphere> spheres = grown_to_cover(*original, tree.levels.back().spheres);
+    const std::vector<Sphere> spheres = grown_to_cover(*original, tree.levels.back().elements.spheres());
     EXPECT_LE(spheres.size(), 8u);
     EXPECT_TRUE(certify(*original, spheres).holds);
     std::printf("%s; %zu spheres\n", row.c_str(), spheres.size());

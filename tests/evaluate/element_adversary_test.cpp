@@ -30,7 +30,7 @@ struct Case {
     double size = 1, extent = 1; ///< of the solid; of that and its place
 
     std::shared_ptr<const Solid> solid() const { return Solid::make(std::vector{part}); }
-    Elements view() const { return {{}, std::span(&element, 1)}; }
+    Elements view() const { return Elements(std::span(&element, 1)); }
     Quad outside() const { return Judge(element).outside(part); }
 };
 
@@ -341,7 +341,7 @@ TEST_P(ElementAdversary, WhatHasGrownHoldsTheSolid) {
                 Case c = tight_case(GetParam(), inner, place, 1, 1, random);
                 c.element = scaled(c.element, 1 - smaller);
                 c.element.pose.translation += test::random_direction(random) * smaller;
-                const Elements grown = grown_to_cover(*c.solid(), {{}, {}, {c.element}});
+                const Elements grown = grown_to_cover(*c.solid(), Elements(std::vector{c.element}));
                 const double before = volume(c.element);
                 c.element = grown[0];
                 EXPECT_LE(static_cast<double>(c.outside()), 0) << c;
@@ -382,7 +382,7 @@ TEST(ElementGrowth, OnlyTheElementThatAddsLeastGrows) {
     left.pose.translation = {-0.45, 0, 0};
     right.pose.translation = {0.45, 0, 0};
     const Mesh bar = test::box({-0.9, -0.1, -0.1}, {0.96, 0.1, 0.1});
-    const Elements grown = grown_to_cover(*Solid::make(bar), {{}, {}, {left, right}});
+    const Elements grown = grown_to_cover(*Solid::make(bar), Elements(std::vector{left, right}));
     EXPECT_NEAR(volume(grown[0]), volume(left), 1e-10);
     EXPECT_NEAR(volume(grown[1]), volume(right) * 1.01, 1e-10);
     EXPECT_NEAR(grown[1].half.y, 0.2, 1e-10);

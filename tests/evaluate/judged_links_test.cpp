@@ -70,14 +70,15 @@ TEST(JudgedLinks, ARenameOfTheWholeNameComesBeforeTheLongestPrefix) {
 }
 
 TEST(JudgedLinks, SpheresAndElementsGoToTheLinksOfTheirNames) {
-    SphereFile file = file_of({one_ball("b", 0.3, {1, 2, 3}), {"a", {}, {box_element({1, 2, 3})}}});
+    SphereFile file = file_of({one_ball("b", 0.3, {1, 2, 3}), {"a", {{}, {box_element({1, 2, 3})}}}});
     file.notes = {"of the reader"};
     const MatchedModel model = match(cubes({"a", "b"}), file);
     ASSERT_EQ(model.elements.size(), 2u);
     EXPECT_THAT(model.elements[0], IsEmpty());
     EXPECT_THAT(model.elements[1], ElementsAre(Sphere{{1, 2, 3}, 0.3}));
-    EXPECT_THAT(model.others[0], ElementsAre(box_element({1, 2, 3})));
-    EXPECT_THAT(model.others[1], IsEmpty());
+    EXPECT_THAT(std::vector<Element>(model.elements[0].shaped().begin(), model.elements[0].shaped().end()),
+                ElementsAre(box_element({1, 2, 3})));
+    EXPECT_TRUE(model.elements[1].are_spheres());
     EXPECT_THAT(model.notes, ElementsAre("of the reader"));
     EXPECT_THAT(match(cubes({"x_1", "b"}), file_of({one_ball("old1")}), {{"old", "x_"}}).elements[0].size(), 1u);
 }
@@ -86,15 +87,15 @@ TEST(JudgedLinks, WhatALinkIsFixedToTakesItsElementsInItsFrame) {
     Pose up, turned = Pose::from_axis_angle({0, 0, 1}, std::numbers::pi / 2);
     up.translation = {0, 0, 1};
     turned.translation = {5, 0, 0};
-    SphereFile file = file_of({{"finger", {{{1, 0, 0}, 0.1}}, {box_element({1, 2, 3})}}, one_ball("a", 0.2)});
+    SphereFile file = file_of({{"finger", {{{{1, 0, 0}, 0.1}}, {box_element({1, 2, 3})}}}, one_ball("a", 0.2)});
     file.fixed_joints = {{"finger", {"palm", up}}, {"palm", {"a", turned}}};
     const MatchedModel one = match(cubes({"a"}), file);
-    ASSERT_EQ(one.elements[0].size(), 2u);
-    EXPECT_NEAR(distance(one.elements[0][0].center, {5, 1, 1}), 0, 1e-15);
+    ASSERT_EQ(one.elements[0].size(), 3u);
+    EXPECT_NEAR(distance(one.elements[0].spheres()[0].center, {5, 1, 1}), 0, 1e-15);
     EXPECT_EQ(one.elements[0][0].radius, 0.1);
-    EXPECT_EQ(one.elements[0][1], (Sphere{{}, 0.2}));
-    ASSERT_EQ(one.others[0].size(), 1u);
-    EXPECT_NEAR(distance(one.others[0][0].pose * Vec3{1, 0, 0}, {5, 1, 1}), 0, 1e-15);
+    EXPECT_EQ(one.elements[0].spheres()[1], (Sphere{{}, 0.2}));
+    ASSERT_EQ(one.elements[0].shaped().size(), 1u);
+    EXPECT_NEAR(distance(one.elements[0].shaped()[0].pose * Vec3{1, 0, 0}, {5, 1, 1}), 0, 1e-15);
     EXPECT_THAT(one.notes, ElementsAre("1 link that the robot lacks is taken with the link that it is fixed to"));
 
     file.links.push_back(one_ball("palm"));
@@ -114,7 +115,7 @@ TEST(JudgedLinks, WhatIsLeftOutIsSaid) {
     EXPECT_THAT(model.notes, ElementsAre("link 'bare' has 1 sphere, but no geometry to judge them by",
                                          "1 sphere of link 'else' is ignored: robot.urdf has no such link",
                                          "2 of 3 links with collision geometry have no spheres: a, c"));
-    EXPECT_THAT(match(cubes({"a", "b", "c"}), file_of({{"b", {}, {box_element({1, 1, 1})}}, one_ball("a")})).notes,
+    EXPECT_THAT(match(cubes({"a", "b", "c"}), file_of({{"b", {{}, {box_element({1, 1, 1})}}}, one_ball("a")})).notes,
                 ElementsAre("1 of 3 links with collision geometry have no spheres: c"));
 }
 
@@ -143,7 +144,7 @@ TEST(JudgedLinks, FiguresAreThoseOfEachLinkAndTheirSums) {
     ASSERT_EQ(evaluation.links.size(), 3u);
     MeasureOptions options;
     options.seed = derive_seed(7, "open");
-    const Measures open = measure(*original.links[0].solid, model.of(0), options);
+    const Measures open = measure(*original.links[0].solid, model.elements[0], options);
     EXPECT_EQ(evaluation.links[0].measures.covered, open.covered);
     ASSERT_GT(open.covered, 0.1);
     ASSERT_LT(open.covered, 0.95);
@@ -173,7 +174,7 @@ TEST(JudgedLinks, FiguresAreThoseOfEachLinkAndTheirSums) {
 TEST(JudgedLinks, ProofsOfCover) {
     const Original original = cubes({"open", "covered", "none", "boxed"});
     const MatchedModel model = match(
-        original, file_of({one_ball("open", 0.15), one_ball("covered"), {"boxed", {}, {box_element({1, 1, 1})}}}));
+        original, file_of({one_ball("open", 0.15), one_ball("covered"), {"boxed", {{}, {box_element({1, 1, 1})}}}}));
     const std::vector<LinkProof> proofs = prove(original, model, Guarantee::outer);
     ASSERT_EQ(proofs.size(), 4u);
     const Certificate open = certify(*original.links[0].solid, model.elements[0]);
@@ -191,9 +192,9 @@ TEST(JudgedLinks, ProofsOfCover) {
     EXPECT_EQ(proofs[3].triangles, 12u);
     EXPECT_EQ(proofs[3].pieces, 12u);
 
-    const MatchedModel small = match(original, file_of({{"boxed", {}, {box_element({0.1, 0.1, 0.05})}}}));
+    const MatchedModel small = match(original, file_of({{"boxed", {{}, {box_element({0.1, 0.1, 0.05})}}}}));
     const LinkProof refused = prove(original, small, Guarantee::outer)[3];
-    const Certificate expected = certify(*original.links[3].solid, small.of(3));
+    const Certificate expected = certify(*original.links[3].solid, small.elements[3]);
     EXPECT_FALSE(refused.holds);
     EXPECT_NEAR(refused.growth, 0.05, 1e-9);
     EXPECT_EQ(refused.witness, expected.witness);
@@ -240,7 +241,7 @@ TEST(JudgedLinks, WhatHasNoProofIsRefused) {
         return "";
     };
     EXPECT_THAT(refusal(file_of({one_ball("a")}), Guarantee::fitted), HasSubstr("no proof of the guarantee fitted"));
-    EXPECT_THAT(refusal(file_of({one_ball("a", 0.01), {"b", {}, {box_element({1, 1, 1})}}}), Guarantee::inner),
+    EXPECT_THAT(refusal(file_of({one_ball("a", 0.01), {"b", {{}, {box_element({1, 1, 1})}}}}), Guarantee::inner),
                 HasSubstr("model.yaml: only spheres are proved to lie inside"));
     EXPECT_EQ(refusal(file_of({one_ball("a", 0.01)}), Guarantee::inner), "");
 }
@@ -255,7 +256,7 @@ std::vector<LinkProof> proofs_of(std::initializer_list<bool> holds) {
 }
 
 MatchedModel no_spheres(const Original& original) {
-    return {{}, std::vector<std::vector<Sphere>>(original.links.size()), {}};
+    return {{}, std::vector<Elements>(original.links.size()), {}};
 }
 
 TEST(JudgedLinks, ProvedLinksAreCountedByTheRobot) {
@@ -295,7 +296,7 @@ LinkSpheres shell_of(const std::string& link) {
             Element plate = box_element({0.11, 0.11, 0.11});
             plate.half[axis] = 0.01;
             plate.pose.translation[axis] = side;
-            shell.elements.shaped().push_back(plate);
+            shell.elements.add(plate);
         }
     }
     return shell;

@@ -37,13 +37,13 @@ TEST_F(Match, ByName) {
     const Original robot = original();
     ASSERT_EQ(robot.links.size(), 2u);
     const MatchedModel model = match(robot, read("tip 0 0 0 0.1\nbase 0 0 0 0.2\n"));
-    EXPECT_THAT(model.elements, ElementsAre(ElementsAre(Sphere{{}, 0.2}), ElementsAre(Sphere{{}, 0.1})));
+    EXPECT_THAT(model.elements, ElementsAre(Elements{{{}, 0.2}}, Elements{{{}, 0.1}}));
     EXPECT_THAT(model.notes, IsEmpty());
 }
 
 TEST_F(Match, NothingIsLeftOutSilently) {
     const MatchedModel model = match(original(), read("base 0 0 0 0.2\nmid 0 0 0 1\nmid 0 0 1 1\nother 0 0 0 1\n"));
-    EXPECT_THAT(model.elements, ElementsAre(ElementsAre(Sphere{{}, 0.2}), IsEmpty()));
+    EXPECT_THAT(model.elements, ElementsAre(Elements{{{}, 0.2}}, Elements{}));
     EXPECT_THAT(model.notes, ElementsAre("link 'mid' has 2 spheres, but no geometry to judge them by",
                                          "1 sphere of link 'other' is ignored: arm.urdf has no such link",
                                          "1 of 2 links with collision geometry have no spheres: tip"));
@@ -61,8 +61,8 @@ TEST_F(Match, LinksThatOnlyCarrySpheresAreFolded) {
     <origin xyz="0 0 1" rpy="0 0 1.5707963267948966"/></joint>
 </robot>)"));
     ASSERT_EQ(model.elements.at(1).size(), 2u);
-    EXPECT_EQ(model.elements[1][0], (Sphere{{1, 2, 3}, 0.1}));
-    EXPECT_NEAR(distance(model.elements[1][1].center, {1, 2.5, 4}), 0, 1e-12);
+    EXPECT_EQ(model.elements[1].spheres()[0], (Sphere{{1, 2, 3}, 0.1}));
+    EXPECT_NEAR(distance(model.elements[1].spheres()[1].center, {1, 2.5, 4}), 0, 1e-12);
     EXPECT_THAT(model.notes, ElementsAre("2 links that the robot lacks are taken with the link that they are fixed to",
                                          "1 of 2 links with collision geometry have no spheres: base"));
 }
@@ -76,7 +76,7 @@ TEST_F(Match, Renames) {
     const SphereFile file = read("my_base 0 0 0 0.2\n7 0 0 0 0.1\n");
     const MatchedModel model = match(original(), file, {{"my_", ""}, {"7", "tip"}});
     EXPECT_THAT(model.notes, IsEmpty());
-    EXPECT_THAT(model.elements, ElementsAre(ElementsAre(Sphere{{}, 0.2}), ElementsAre(Sphere{{}, 0.1})));
+    EXPECT_THAT(model.elements, ElementsAre(Elements{{{}, 0.2}}, Elements{{{}, 0.1}}));
 }
 
 TEST_F(Match, SpheresWithoutALink) {
@@ -84,7 +84,7 @@ TEST_F(Match, SpheresWithoutALink) {
     EXPECT_THAT(refusal_of("0 0 0 1\n"), HasSubstr("arm.urdf has 2 links; remedy: --rename =LINK"));
     EXPECT_THAT(match(original(), read("0 0 0 1\n"), {{"", "tip"}}).elements,
                 ElementsAre(IsEmpty(), ElementsAre(Sphere{{}, 1})));
-    EXPECT_THAT(match(original({"tip"}), read("0 0 0 1\n")).elements, ElementsAre(ElementsAre(Sphere{{}, 1})));
+    EXPECT_THAT(match(original({"tip"}), read("0 0 0 1\n")).elements, ElementsAre(Elements{{{}, 1}}));
 }
 
 TEST_F(Match, NoLinkInCommon) {

@@ -74,8 +74,8 @@ TEST_F(SphereFiles, UrdfWithCapsulesAndCylinders) {
   </link>
 </robot>)");
     const Pose pose = Pose::from_xyz_rpy({1, 2, 3}, {0.1, 0.2, 0.3});
-    EXPECT_EQ(file.links.at(0).elements.shaped(),
-              (std::vector<Element>{{.kind = Element::Kind::capsule, .pose = pose, .half = {0, 0, 0.25}, .radius = 0.1},
+    EXPECT_EQ(file.links.at(0).elements,
+              Elements(std::vector<Element>{{.kind = Element::Kind::capsule, .pose = pose, .half = {0, 0, 0.25}, .radius = 0.1},
                                     {.kind = Element::Kind::cylinder, .half = {0, 0, 1}, .radius = 0.25}}));
 }
 

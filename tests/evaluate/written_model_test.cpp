@@ -144,16 +144,16 @@ TEST(WrittenModel, WhatTheFilesHoldIsProvedNotWhatWasGiven) {
     EXPECT_TRUE(larger.model.groups[0].measures.certified);
     EXPECT_EQ(said(&one, {ball_of("a", 0.2)}, {ball_of("a", 0.3)}).times, 1u) << "the line stays";
     // Elements come back in other numbers, here in smaller ones.
-    const std::vector<LinkSpheres> given{{"a", {}, {box_of(0.11)}}};
+    const std::vector<LinkSpheres> given{{"a", {{}, {box_of(0.11)}}}};
     const std::string elements = "proved: the collision geometry of 1 of 1 link lies inside its elements";
     EXPECT_EQ(said(&one, given, given).statement, elements);
-    const Said smaller = said(&one, given, {{"a", {}, {box_of(0.09)}}});
+    const Said smaller = said(&one, given, {{"a", {{}, {box_of(0.09)}}}});
     EXPECT_THAT(smaller.statement, HasSubstr("not proved: the geometry may extend beyond the elements"));
     EXPECT_FALSE(smaller.model.groups[0].measures.certified);
     EXPECT_EQ(smaller.model.guarantee, Guarantee::fitted);
     EXPECT_EQ(smaller.times, 2u);
-    const std::vector<LinkSpheres> both{{"a", {{{}, 0.05}}, {box_of(0.11)}}};
-    EXPECT_THAT(said(&one, both, {{"a", {{{}, 0.05}}, {box_of(0.09)}}}).statement, HasSubstr("not proved"));
+    const std::vector<LinkSpheres> both{{"a", {{{{}, 0.05}}, {box_of(0.11)}}}};
+    EXPECT_THAT(said(&one, both, {{"a", {{{{}, 0.05}}, {box_of(0.09)}}}}).statement, HasSubstr("not proved"));
 }
 
 TEST(WrittenModel, AFormatWithoutNamesOfLinksIsThatOfTheOnlyLink) {
@@ -174,7 +174,7 @@ TEST(WrittenModel, AFormatWithoutNamesOfLinksIsThatOfTheOnlyLink) {
 
 TEST(WrittenModel, ElementsThatAnotherFileHoldsAreThoseThatWereGiven) {
     const Original one = cubes_of_links({"a"});
-    const std::vector<LinkSpheres> given{{"a", {}, {box_of(0.11)}}};
+    const std::vector<LinkSpheres> given{{"a", {{}, {box_of(0.11)}}}};
     const Said said_of_given = said(&one, given, {ball_of("a", 0.01)}, {.elements_optional = true});
     EXPECT_EQ(said_of_given.statement, "proved: the collision geometry of 1 of 1 link lies inside its elements");
     EXPECT_EQ(said_of_given.times, 1u);
@@ -242,7 +242,7 @@ TEST(WrittenModel, FilesWithOtherElementsAreRefused) {
                         "buffer that is not negative");
     }
     EXPECT_EQ(refusal(balls, with({{{}, 0.05}, {{1, 0, 0}, 0.2}})), other) << "one alone is no buffer";
-    const std::vector<LinkSpheres> boxed{{"a", {{{}, 0.1}}, {box_of(0.2)}}};
+    const std::vector<LinkSpheres> boxed{{"a", {{{{}, 0.1}}, {box_of(0.2)}}}};
     EXPECT_EQ(refusal(boxed, {ball_of("a", 0.1)}),
               std::pair(ErrorCode::internal,
                         std::string("link 'a': the written file gives 1 sphere, the model has 1 sphere, 1 box")));
@@ -250,7 +250,7 @@ TEST(WrittenModel, FilesWithOtherElementsAreRefused) {
               "link 'a': the written file gives 1 sphere, 1 box, the model has 1 sphere");
     EXPECT_EQ(refusal(boxed, {ball_of("a", 0.1)}, {.elements_optional = true}).second, "no error");
     for (const double radius : {0.09, 0.11}) { // in other numbers, as elements come back; the verdict is on these
-        const std::vector<LinkSpheres> read{{"a", {{{0, 0, 0.01}, radius}}, {box_of(0.2)}}}, at{{"a", {{{}, radius}}, {box_of(0.2)}}};
+        const std::vector<LinkSpheres> read{{"a", {{{{0, 0, 0.01}, radius}}, {box_of(0.2)}}}}, at{{"a", {{{{}, radius}}, {box_of(0.2)}}}};
         EXPECT_EQ(refusal(boxed, read).second, "no error");
         EXPECT_EQ(refusal(boxed, at).second, "no error");
     }
@@ -304,7 +304,7 @@ TEST(WrittenModel, LinksAreNamedAndKnown) {
 TEST(WrittenModel, OfAFileIsNothingMeasured) {
     const auto robot = cubes_of_links({"b", "a", "c"}).robot;
     const SphereModel model = sphere_model_of(
-        given_file({ball_of("a", 1), {"b", {{{}, 1}, {{}, 2}}, {box_of(1)}}, {"c", {}}}), robot);
+        given_file({ball_of("a", 1), {"b", {{{{}, 1}, {{}, 2}}, {box_of(1)}}}, {"c", {}}}), robot);
     EXPECT_EQ(model.name, "model");
     EXPECT_EQ(model.guarantee, Guarantee::fitted);
     ASSERT_EQ(model.groups.size(), 2u);
@@ -414,7 +414,7 @@ TEST(WrittenModel, PairsAreThoseOfAllGroupsOfALink) {
         EXPECT_THAT(ignored_of(links, 0), ElementsAre("ab Adjacent", "bc Adjacent")) << larger_first;
     }
     // Elements that are no spheres count, too.
-    const LinkSpheres bar{"a", {{{}, 0.1}}, {{.kind = Element::Kind::box, .half = {0.4, 0.1, 0.1}}}};
+    const LinkSpheres bar{"a", {{{{}, 0.1}}, {{.kind = Element::Kind::box, .half = {0.4, 0.1, 0.1}}}}};
     EXPECT_THAT(ignored_of({bar, others[0], others[1]}, 0), ElementsAre("ab Adjacent", "bc Adjacent"));
 }
 

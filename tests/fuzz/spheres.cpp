@@ -30,7 +30,7 @@ void read_spheres(std::string_view bytes) {
         const SphereFile model = parse_sphere_file(std::string(bytes), file, readers());
         promise(!model.format.empty(), "a format without a name");
         for (const LinkSpheres& link : model.links) {
-            for (const Sphere& sphere : link.spheres) {
+            for (const Sphere& sphere : link.elements.spheres()) {
                 promise(is_finite(sphere.center), "a centre that is not finite");
                 promise(std::isfinite(sphere.radius) && sphere.radius > 0, "a radius that is none");
             }

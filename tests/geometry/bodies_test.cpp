@@ -72,13 +72,13 @@ TEST_P(EachBody, TheSlackIsThatOfTheArgument) {
         const double c = norm(e.pose.rotate(m) + e.pose.translation - origin);
         const double expected = 2 * unit * (most_halvings + 24) * (extent + c + s) +
                                 16 * unit * (norm(origin) + norm(e.pose.translation) + turned);
-        const Bodies bodies({{}, std::span(&e, 1)}, origin, extent, most_halvings);
+        const Bodies bodies(Elements(std::span(&e, 1)), origin, extent, most_halvings);
         EXPECT_NEAR(bodies.slack(0), expected, 1e-12 * expected);
         EXPECT_NEAR(bodies.rounding(), 16 * expected, 1e-11 * expected);
         EXPECT_LE(distance(bodies.center(0), e.pose.rotate(m) + e.pose.translation - origin), 1e-13);
         const double careful = caution * (expected - 16 * unit * (norm(e.pose.translation) + turned)) +
                                16 * unit * (norm(e.pose.translation) + turned);
-        const Bodies cautious({{}, std::span(&e, 1)}, origin, extent, most_halvings, caution);
+        const Bodies cautious(Elements(std::span(&e, 1)), origin, extent, most_halvings, caution);
         EXPECT_NEAR(cautious.slack(0), careful, 1e-12 * careful);
     }
 }
@@ -86,7 +86,7 @@ TEST_P(EachBody, TheSlackIsThatOfTheArgument) {
 TEST_P(EachBody, AnInexactRotationAddsToTheSlack) {
     for (int k = 0; k < 20; ++k) {
         Element e = some_element(GetParam(), random);
-        const double before = Bodies({{}, std::span(&e, 1)}, {}, 1, most_halvings).slack(0);
+        const double before = Bodies(Elements(std::span(&e, 1)), {}, 1, most_halvings).slack(0);
         for (Vec3& row : e.pose.rotation) {
             row += test::random_direction(random) * 1e-8;
         }
@@ -101,7 +101,7 @@ TEST_P(EachBody, AnInexactRotationAddsToTheSlack) {
         }
         Vec3 m;
         const double s = reach_of(e, m);
-        const Bodies bodies({{}, std::span(&e, 1)}, {}, 1, most_halvings);
+        const Bodies bodies(Elements(std::span(&e, 1)), {}, 1, most_halvings);
         EXPECT_NEAR(bodies.slack(0) - before, 2 * 3 * most * s, 1e-6 * most);
     }
 }
@@ -131,7 +131,7 @@ TEST_P(EachBody, HoldsWhatIsInsideByMoreThanTheSlack) {
     for (int k = 0; k < 40; ++k) {
         const Element e = some_element(GetParam(), random);
         const Vec3 origin{1, 2, 3};
-        const Bodies bodies({{}, std::span(&e, 1)}, origin, 5, most_halvings, caution);
+        const Bodies bodies(Elements(std::span(&e, 1)), origin, 5, most_halvings, caution);
         const double slack = bodies.slack(0);
         ASSERT_GT(slack, 1e-5);
         for (int i = 0; i < 100; ++i) {
@@ -158,7 +158,7 @@ TEST_P(EachBody, HoldsABallWhereItsRadiusIsLeft) {
     int held = 0;
     for (int k = 0; k < 40; ++k) {
         const Element e = some_element(GetParam(), random);
-        const Bodies bodies({{}, std::span(&e, 1)}, {}, 5, most_halvings, caution);
+        const Bodies bodies(Elements(std::span(&e, 1)), {}, 5, most_halvings, caution);
         for (int i = 0; i < 50; ++i) {
             const double radius = random.uniform(0, i % 2 ? 1 : 0.1);
             Vec3 m;
@@ -194,7 +194,7 @@ TEST_P(EachBody, PlanesAreThoseOfBoxesAndHulls) {
     int inside = 0, outside = 0;
     for (int k = 0; k < 20; ++k) {
         const Element e = some_element(GetParam(), random);
-        const Bodies bodies({{}, std::span(&e, 1)}, {}, 5, most_halvings, caution);
+        const Bodies bodies(Elements(std::span(&e, 1)), {}, 5, most_halvings, caution);
         EXPECT_EQ(bodies.planes(0).size(), e.hull ? e.hull->faces.size() : e.kind == Kind::box ? 6 : 0);
         for (int i = 0; i < 100 && !bodies.planes(0).empty(); ++i) {
             const Vec3 outermost = support(e, test::random_direction(random));
@@ -216,7 +216,7 @@ TEST_P(EachBody, BoundsAreThoseOfTheElementAndTwoSlacks) {
     for (int k = 0; k < 20; ++k) {
         const Element e = some_element(GetParam(), random);
         const Vec3 origin{1, 2, 3};
-        const Bodies bodies({{}, std::span(&e, 1)}, origin, 5, most_halvings, caution);
+        const Bodies bodies(Elements(std::span(&e, 1)), origin, 5, most_halvings, caution);
         const Vec3 room = Vec3{2, 2, 2} * bodies.slack(0);
         const Box box = bounds(e);
         EXPECT_LE(distance(bodies.bounds(0).low, box.low - origin - room), 1e-13);
@@ -228,7 +228,7 @@ TEST(Bodies, TheGrowthOfAHullIsTheDistanceAndTwoSlacks) {
     Random random(1);
     for (int k = 0; k < 40; ++k) {
         const Element e = some_element(Kind::hull, random);
-        const Bodies bodies({{}, std::span(&e, 1)}, {}, 5, most_halvings, caution);
+        const Bodies bodies(Elements(std::span(&e, 1)), {}, 5, most_halvings, caution);
         for (int i = 0; i < 20; ++i) {
             const Vec3 p = support(e, test::random_direction(random)) + test::random_direction(random);
             if (bodies.holds(0, p)) {
@@ -386,7 +386,7 @@ TEST(Bodies, WhatIsThinnerThanTheSlackHoldsNothing) {
             const double reach = kind == Kind::sphere                              ? 0
                                  : kind == Kind::capsule || kind == Kind::cylinder ? 2
                                                                                    : std::sqrt(8);
-            const Bodies bodies({{}, std::span(&e, 1)}, {}, 100 - reach, most_halvings, caution);
+            const Bodies bodies(Elements(std::span(&e, 1)), {}, 100 - reach, most_halvings, caution);
             EXPECT_EQ(bodies.holds(0, Vec3{}), share > 1) << to_string(kind) << ' ' << share;
             std::vector<std::uint32_t> found;
             bodies.meeting({{-9, -9, -9}, {9, 9, 9}}, found);
@@ -410,7 +410,7 @@ Element thin_element(Kind kind, double thin) {
 }
 
 TEST_P(EachBody, OfWhatIsAsThinAsTheSlackNothingIsLeft) {
-    const auto body_of = [](const Element& e) { return Bodies({{}, std::span(&e, 1)}, {}, 30, most_halvings); };
+    const auto body_of = [](const Element& e) { return Bodies(Elements(std::span(&e, 1)), {}, 30, most_halvings); };
     double about = 1e-12;
     for (int k = 0; k < 3; ++k) {
         about = body_of(thin_element(GetParam(), about)).slack(0);
@@ -437,11 +437,11 @@ TEST_P(EachBody, OfWhatIsAsThinAsTheSlackNothingIsLeft) {
 
 TEST(Bodies, WhatARadiusDoesNotSufficeForIsTakenFromTheBox) {
     Element e{.kind = Kind::swept_box, .half = {1, 2, 3}, .radius = 1e-9};
-    const double slack = Bodies({{}, std::span(&e, 1)}, {}, 5, most_halvings, caution).slack(0);
+    const double slack = Bodies(Elements(std::span(&e, 1)), {}, 5, most_halvings, caution).slack(0);
     ASSERT_GT(slack, 1e-5);
     for (const double share : {0.1, 0.5, 0.9, 1.1}) {
         e.radius = share * slack;
-        const Bodies bodies({{}, std::span(&e, 1)}, {}, 5, most_halvings, caution);
+        const Bodies bodies(Elements(std::span(&e, 1)), {}, 5, most_halvings, caution);
         for (int axis = 0; axis < 3; ++axis) {
             Vec3 p{};
             const double end = e.half[axis] + e.radius - bodies.slack(0);
@@ -461,7 +461,7 @@ TEST(Bodies, NothingIsLeftOfABoxThatIsThinAlongAnyAxis) {
             Element e{.kind = Kind::box, .half = {2, 2, 2}};
             const double slack = 2 * unit * (most_halvings + 24) * (30 + std::sqrt(8));
             e.half[axis] = share * slack;
-            const Bodies bodies({{}, std::span(&e, 1)}, {}, 30, most_halvings);
+            const Bodies bodies(Elements(std::span(&e, 1)), {}, 30, most_halvings);
             EXPECT_NEAR(bodies.slack(0), slack, 1e-6 * slack);
             EXPECT_EQ(bodies.holds(0, Vec3{}), share > 1) << axis << ' ' << share;
             EXPECT_EQ(std::isinf(bodies.depth(0, Vec3{})), share < 1) << axis << ' ' << share;
@@ -473,9 +473,9 @@ TEST(Bodies, NothingIsLeftOfACylinderThatIsAsShortAsTheSlack) {
     int none = 0;
     for (int k = -200; k < 200; ++k) {
         Element e{.kind = Kind::cylinder, .half = {0, 0, 1e-30}, .radius = 2};
-        const double slack = Bodies({{}, std::span(&e, 1)}, {}, 1, most_halvings).slack(0);
+        const double slack = Bodies(Elements(std::span(&e, 1)), {}, 1, most_halvings).slack(0);
         e.half.z = slack * (1 + k * 0x1p-52);
-        const Bodies bodies({{}, std::span(&e, 1)}, {}, 1, most_halvings);
+        const Bodies bodies(Elements(std::span(&e, 1)), {}, 1, most_halvings);
         none += e.half.z == bodies.slack(0);
         EXPECT_EQ(bodies.holds(0, Vec3{}), e.half.z > bodies.slack(0)) << k;
     }
@@ -486,7 +486,7 @@ TEST_P(EachBody, WhatIsTooLargeOrTooFarHoldsNothing) {
     Element e = some_element(GetParam(), random);
     e.pose = {};
     const auto is_left = [&](const Element& of, const Vec3& origin) {
-        return !std::isinf(Bodies({{}, std::span(&of, 1)}, origin, 1, most_halvings).depth(0, {}));
+        return !std::isinf(Bodies(Elements(std::span(&of, 1)), origin, 1, most_halvings).depth(0, {}));
     };
     EXPECT_TRUE(is_left(e, {}));
     EXPECT_FALSE(is_left(e, {1e200, 0, 0})); // the square of the distance overflows
@@ -507,7 +507,7 @@ TEST_P(EachBody, WhatIsTooLargeOrTooFarHoldsNothing) {
 TEST(Bodies, WhatIsNotValidHoldsNothing) {
     Element box{.kind = Kind::box, .half = {1, 1, 1}}, ball{.kind = Kind::sphere, .radius = 1};
     const auto is_held = [](const Element& e) {
-        return Bodies({{}, std::span(&e, 1)}, {}, 1, most_halvings).holds(0, Vec3{});
+        return Bodies(Elements(std::span(&e, 1)), {}, 1, most_halvings).holds(0, Vec3{});
     };
     EXPECT_TRUE(is_held(box));
     EXPECT_TRUE(is_held(ball));
@@ -526,12 +526,12 @@ TEST(Bodies, WhatIsNotValidHoldsNothing) {
 TEST(Bodies, ARotationCountsAsExactUpToSixteenUnits) {
     // Three times the error of its square is 6 units for each unit of an entry.
     const Element before{.kind = Kind::sphere, .radius = 1};
-    const double exact = Bodies({{}, std::span(&before, 1)}, {}, 1, most_halvings).slack(0);
+    const double exact = Bodies(Elements(std::span(&before, 1)), {}, 1, most_halvings).slack(0);
     for (int units = 0; units < 7; ++units) {
         for (int axis = 0; axis < 3; ++axis) {
             Element e = before;
             e.pose.rotation[static_cast<std::size_t>(axis)][axis] = 1 + units * 2 * unit;
-            const double added = Bodies({{}, std::span(&e, 1)}, {}, 1, most_halvings).slack(0) - exact;
+            const double added = Bodies(Elements(std::span(&e, 1)), {}, 1, most_halvings).slack(0) - exact;
             EXPECT_NEAR(added, units * 6 > 16 ? 2 * units * 6 * 2 * unit : 0, 0.01 * unit) << units;
         }
     }
@@ -542,7 +542,7 @@ TEST(Bodies, ARotationCountsAsExactUpToSixteenUnits) {
 void expect_planes_below_triangles(const std::vector<Vec3>& points, std::size_t faces, double lower) {
     Element e{.kind = Kind::hull, .hull = convex_hull(points)};
     const auto hull = convex_hull(e.hull->surface.vertices);
-    const Bodies bodies({{}, std::span(&e, 1)}, {}, 1, most_halvings);
+    const Bodies bodies(Elements(std::span(&e, 1)), {}, 1, most_halvings);
     const double rounding = 0x1p-51;
     const Vec3 middle = bodies.center(0);
     ASSERT_EQ(bodies.planes(0).size(), hull->faces.size());
@@ -616,7 +616,7 @@ TEST(Bodies, RoundingIsThatOfTheBodyWithTheMostSlack) {
 TEST(Bodies, SpheresComeFirst) {
     const std::vector<Sphere> spheres{{{1, 2, 3}, 2}};
     const Element box{.kind = Kind::box, .half = {1, 1, 1}};
-    const Bodies bodies({spheres, std::span(&box, 1)}, {1, 0, 0}, 5, most_halvings);
+    const Bodies bodies(Elements{spheres, {box}}, {1, 0, 0}, 5, most_halvings);
     EXPECT_EQ(bodies.size(), 2u);
     EXPECT_EQ(bodies.center(0), (Vec3{0, 2, 3}));
     EXPECT_EQ(bodies.center(1), (Vec3{-1, 0, 0}));

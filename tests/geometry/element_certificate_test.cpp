@@ -91,7 +91,7 @@ private:
 
 class Jury {
 public:
-    explicit Jury(const std::vector<Element>& elements) : judges_(elements.begin(), elements.end()) {}
+    explicit Jury(const Elements& elements) : judges_(elements.begin(), elements.end()) {}
     bool hold(const LongVec& p) const {
         return std::any_of(judges_.begin(), judges_.end(), [&](const Judge& j) { return j.holds(p); });
     }
@@ -235,9 +235,9 @@ TEST_P(EachKind, WhatIsProvedHoldsAllPointsAndALittleLessDoesNot) {
         const Elements level = grown_to_cover(*solid, Elements(start));
         ASSERT_TRUE(level.spheres().empty());
         ASSERT_EQ(level.size(), start.size());
-        const Certificate certificate = certify(*solid, level.elements);
+        const Certificate certificate = certify(*solid, level);
         ASSERT_TRUE(certificate.holds) << run;
-        EXPECT_EQ(Jury(level.shaped()).outside(solid->surface(), samples / runs, random), 0u) << run;
+        EXPECT_EQ(Jury(level).outside(solid->surface(), samples / runs, random), 0u) << run;
         std::vector<Element> less;
         for (const Element& e : level) {
             less.push_back(shrunk(e, 1e-9));
@@ -266,8 +266,8 @@ TEST_P(EachKind, RefusesANeedleBetweenTwo) {
         ASSERT_FALSE(c.holds);
         EXPECT_FALSE(Jury(two).hold(c.witness));
         const Elements grown = grown_to_cover(*solid, Elements(two));
-        EXPECT_TRUE(certify(*solid, grown.view()).holds);
-        EXPECT_EQ(Jury(grown.shaped()).outside(solid->surface(), 10'000, random), 0u);
+        EXPECT_TRUE(certify(*solid, grown).holds);
+        EXPECT_EQ(Jury(grown).outside(solid->surface(), 10'000, random), 0u);
     }
 }
 
@@ -281,8 +281,8 @@ TEST_P(EachKind, RotationsThatAreNotQuiteOrthonormal) {
         }
         ASSERT_TRUE(is_valid(e));
         const Elements level = grown_to_cover(*solid, Elements(std::vector<Element>{e}));
-        ASSERT_TRUE(certify(*solid, level.elements).holds);
-        EXPECT_EQ(Jury(level.shaped()).outside(solid->surface(), 20'000, random), 0u) << run;
+        ASSERT_TRUE(certify(*solid, level).holds);
+        EXPECT_EQ(Jury(level).outside(solid->surface(), 20'000, random), 0u) << run;
     }
 }
 
@@ -293,15 +293,15 @@ TEST_P(EachKind, HugeAndTinyNumbers) {
         const auto solid = Solid::make(scaled(mesh, 1, {away, -away, away}));
         Element e = small_element(GetParam(), solid->bounds().center(), 0.5, random);
         const Elements level = grown_to_cover(*solid, Elements(std::vector<Element>{e}));
-        ASSERT_TRUE(certify(*solid, level.elements).holds);
-        EXPECT_EQ(Jury(level.shaped()).outside(solid->surface(), 20'000, random), 0u);
+        ASSERT_TRUE(certify(*solid, level).holds);
+        EXPECT_EQ(Jury(level).outside(solid->surface(), 20'000, random), 0u);
     }
     for (const double size : {1e-300, 1e-200, 1e-100, 1e100, 1e200, 1e300}) {
         const auto solid = Solid::make(scaled(mesh, size, {}));
         std::vector<Element> e{small_element(GetParam(), {0, 0, 0}, 10 * size, random)};
         const Certificate c = certify(*solid, Elements(e));
         if (c.holds) {
-            EXPECT_EQ(Jury(e).outside(solid->surface(), 1'000, random), 0u);
+            EXPECT_EQ(Jury(std::vector{e}).outside(solid->surface(), 1'000, random), 0u);
         }
         e = {small_element(GetParam(), {0, 0, 0}, 0.3 * size, random)};
         EXPECT_FALSE(certify(*solid, Elements(e)).holds) << size;
@@ -373,17 +373,16 @@ TEST(ElementGrowth, NeedlesAcrossTwoElementsNeedNoMoreThanWhatIsOpen) {
             Mesh needle{{{-0.3, 0.2, 0}, {0.35, 0.2, 0}, {0.1, 0.2, thickness}}, {{0, 1, 2}}};
             // Where the two meet, the needle is open.
             const double meets = 0.037;
-            Elements level;
-            level.shaped() = {left, right};
-            level[0].radius = meets + 0.213 - open;
-            level[1].radius = 0.287 - meets - open;
+            Elements level(std::vector{left, right});
+            level.shaped()[0].radius = meets + 0.213 - open;
+            level.shaped()[1].radius = 0.287 - meets - open;
             const auto solid = Solid::make(needle);
-            const Certificate before = certify(*solid, level.elements);
+            const Certificate before = certify(*solid, level);
             ASSERT_FALSE(before.holds);
             const double across = 2 * thickness * thickness; // capsules are round
             EXPECT_LT(before.growth, 2 * open + across + 1e-9);
             const Elements grown = grown_to_cover(*solid, level);
-            EXPECT_TRUE(certify(*solid, grown.view()).holds);
+            EXPECT_TRUE(certify(*solid, grown).holds);
             for (std::size_t i = 0; i < 2; ++i) {
                 EXPECT_LT(grown[i].radius - level[i].radius, 3 * open + 2 * across + 1e-7) << i;
             }
@@ -414,7 +413,7 @@ TEST(ElementCertificate, TheGapBesideAHullIsTheDistance) {
         }
         const double side = 1e-9; // of a triangle that is hardly more than the point
         const auto solid = Solid::make(Mesh{{p, p + Vec3{side, 0, 0}, p + Vec3{0, side, 0}}, {{0, 1, 2}}});
-        if (const Certificate certificate = certify(*solid, Elements{{}, {&hull, 1}}); !certificate.holds) {
+        if (const Certificate certificate = certify(*solid, Elements(std::span(&hull, 1))); !certificate.holds) {
             EXPECT_NEAR(certificate.growth, distance, 4 * side + 1e-3 * distance) << k;
             ++outside;
         }
@@ -446,7 +445,7 @@ TEST(ElementCertificate, PolytopesThatMeetAtAPlane) {
                 expect_proved_by_cuts(*solid, {make(-1, gap / 2, pose), make(-gap / 2, 1, pose)}, random);
             }
             const Elements level = grown_to_cover(*solid, Elements(std::vector<Element>{make(-1, 0, pose), make(0, 1, pose)}));
-            const Certificate touching = certify(*solid, level.elements);
+            const Certificate touching = certify(*solid, level);
             EXPECT_TRUE(touching.holds);
             EXPECT_LT(touching.pieces, 100u);
             for (const Element& e : level) {
@@ -562,7 +561,7 @@ TEST(ElementCertificate, PrimitivesInElementsOfTheirKind) {
             const Certificate refused = certify(*solid, Elements(std::vector<Element>{less}));
             EXPECT_FALSE(refused.holds) << to_string(primitive.kind);
             const Elements level = grown_to_cover(*solid, Elements(std::vector<Element>{less}));
-            EXPECT_TRUE(certify(*solid, level.elements).holds) << to_string(primitive.kind);
+            EXPECT_TRUE(certify(*solid, level).holds) << to_string(primitive.kind);
         }
         // around others, in closed form: no larger than by rounding
         const auto ball = test::primitive_solid({Primitive::Kind::sphere, {}, 0.3, 0}, pose);
@@ -579,15 +578,15 @@ TEST(ElementCertificate, SpheresAndOthersTogether) {
     const auto solid = Solid::make(test::box({-1, -0.2, -0.2}, {1, 0.2, 0.2}));
     const Element box = box_between(0, 1.1, {});
     const std::vector<Sphere> ball{{{-0.5, 0, 0}, 0.6}};
-    EXPECT_TRUE(certify(*solid, Elements{ball, std::span(&box, 1)}).holds);
+    EXPECT_TRUE(certify(*solid, Elements{ball, {box}}).holds);
     EXPECT_FALSE(certify(*solid, Elements(std::vector<Element>{box})).holds);
     const std::vector<Sphere> small{{{-0.5, 0, 0}, 0.5}};
-    EXPECT_FALSE(certify(*solid, Elements{small, std::span(&box, 1)}).holds);
-    const Elements level = grown_to_cover(*solid, {small, {}, {box}});
-    EXPECT_TRUE(certify(*solid, level.elements).holds);
-    EXPECT_GE(level.spheres[0].radius, 0.5);
-    EXPECT_NEAR(level.spheres[0].radius, std::sqrt(0.25 + 0.08), 1e-6);
-    const Certificate spheres = certify(*solid, Elements{ball, {}});
+    EXPECT_FALSE(certify(*solid, Elements{small, {box}}).holds);
+    const Elements level = grown_to_cover(*solid, Elements{small, {box}});
+    EXPECT_TRUE(certify(*solid, level).holds);
+    EXPECT_GE(level.spheres()[0].radius, 0.5);
+    EXPECT_NEAR(level.spheres()[0].radius, std::sqrt(0.25 + 0.08), 1e-6);
+    const Certificate spheres = certify(*solid, Elements(ball));
     EXPECT_EQ(spheres.growth, certify(*solid, ball).growth);
 }
 

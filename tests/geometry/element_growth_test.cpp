@@ -21,8 +21,8 @@ Element box_between(const Vec3& low, const Vec3& high) {
 std::vector<Element> grown_over(const Mesh& mesh, const std::vector<Element>& elements) {
     const auto solid = Solid::make(mesh);
     const Elements level = grown_to_cover(*solid, Elements(elements));
-    EXPECT_TRUE(covers(*solid, level.elements));
-    return level.shaped();
+    EXPECT_TRUE(covers(*solid, level));
+    return {level.begin(), level.end()};
 }
 
 double added(const std::vector<Element>& before, const std::vector<Element>& after, std::size_t i) {
@@ -137,7 +137,7 @@ TEST(ElementGrowth, ARoundPartThatNoElementIsNearToIsCoveredToo) {
             kind == Kind::box ? Element{.kind = kind, .half = {0.2, 0.2, 0.2}}
                               : Element{.kind = kind, .half = {0, 0, kind == Kind::capsule ? 0.1 : 0}, .radius = 0.5};
         const Element after = grown_to_cover(*solid, Elements(std::vector<Element>{small}))[0];
-        EXPECT_TRUE(covers(*solid, Elements{{}, {&after, 1}}));
+        EXPECT_TRUE(covers(*solid, Elements(std::span(&after, 1))));
         EXPECT_LE(norm(bounds(after).size() / 2 - Vec3{1, 1, 1}), 0.2) << to_string(kind);
     }
 }
@@ -153,7 +153,7 @@ TEST(ElementGrowth, TheWorseEndOfACapsuleCounts) {
             for (Element& e : small) { // so that both of them do not cover
                 e.half.x -= 2e-3;
             }
-            const std::vector<Element> after = grown_to_cover(*solid, Elements(small)).shaped();
+            const Elements after = grown_to_cover(*solid, Elements(small));
             for (std::size_t i = 0; i < 2; ++i) {
                 const bool grows = elements[i] == both_ends;
                 EXPECT_NEAR(after[i].half.z, grows ? 2 : small[i].half.z, hair);
@@ -194,7 +194,7 @@ TEST(ElementGrowth, WhatIsThinnerThanRoundingIsThickenedBeforeItGrows) {
                 const Element before = plate_from_afar(away, by);
                 ASSERT_TRUE(is_valid(before));
                 const Element after = grown_to_cover(*solid, Elements(std::vector<Element>{before}))[0];
-                EXPECT_TRUE(covers(*solid, Elements{{}, {&after, 1}}));
+                EXPECT_TRUE(covers(*solid, Elements(std::span(&after, 1))));
                 const double thicker = 1.1 * share * solid->bounds().diagonal() / by;
                 const Vec3 size = bounds(after).size() / by;
                 EXPECT_LE(size.z / 2, std::max(half, thicker) + 1e-2 * half + thicker) << away;
@@ -315,27 +315,26 @@ TEST(ElementGrowth, SpheresGrowBesideOthers) {
     Element low = box_between({-1, -1, -1}, {1, 1, 0}), far = low, bad = low;
     bad.half.x = -1;
     far.pose.translation.x = 9;
-    const Elements before{{{{0, 0, 0.5}, 0.1}, {{0, 0, -5}, 0.7}, {{0, 0, 5}, -1}}, {}, {low, far, bad}};
+    const Elements before{{{{0, 0, 0.5}, 0.1}, {{0, 0, -5}, 0.7}, {{0, 0, 5}, -1}}, {low, far, bad}};
     const Elements after = grown_to_cover(*solid, before);
     ASSERT_EQ(after.spheres().size(), 3u);
-    ASSERT_EQ(after.size(), 3u);
-    EXPECT_NEAR(after.spheres[0].radius, std::hypot(0.5, 0.1, 0.1), hair);
-    EXPECT_NEAR(after.spheres[1].radius, 0.7, hair);
-    EXPECT_EQ(after.spheres[2], before.spheres[2]);
+    ASSERT_EQ(after.size(), 6u);
+    EXPECT_NEAR(after.spheres()[0].radius, std::hypot(0.5, 0.1, 0.1), hair);
+    EXPECT_NEAR(after.spheres()[1].radius, 0.7, hair);
+    EXPECT_EQ(after.spheres()[2], before.spheres()[2]);
     for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_EQ(after.spheres[i].center, before.spheres[i].center);
+        EXPECT_EQ(after.spheres()[i].center, before.spheres()[i].center);
     }
-    EXPECT_EQ(after[2], bad);
-    EXPECT_NEAR(volume(after[0]), volume(low), hair);
-    EXPECT_NEAR(volume(after[1]), volume(far), hair);
+    EXPECT_EQ(after[5], bad);
+    EXPECT_NEAR(volume(after[3]), volume(low), hair);
+    EXPECT_NEAR(volume(after[4]), volume(far), hair);
 }
 
 TEST(ElementGrowth, WhatCoversStaysAsItIs) {
     const auto solid = Solid::make(test::box({-1, -1, -1}, {1, 1, 1}));
-    const Elements level{{{{}, 0.1}}, {}, {box_between({-1.1, -1.1, -1.1}, {1.1, 1.1, 1.1})}};
+    const Elements level{{{{}, 0.1}}, {box_between({-1.1, -1.1, -1.1}, {1.1, 1.1, 1.1})}};
     const Elements grown = grown_to_cover(*solid, level);
-    EXPECT_EQ(grown.shaped(), level.shaped());
-    EXPECT_EQ(grown.spheres, level.spheres);
+    EXPECT_EQ(grown, level);
 }
 
 TEST(ElementGrowth, WhatIsNotValidStaysAsItIs) {

@@ -155,7 +155,7 @@ TEST(ElementCertificate, SpheresAloneHaveAProofOfTheirOwn) {
     for (const double radius : {0.5, 2.0}) {
         const std::vector<Sphere> spheres{{{}, radius}, {{0.1, 0, 0}, radius}};
         const Certificate own = certify(*solid, spheres),
-                          first = certify_to_first_gap(*solid, Elements{spheres, {}});
+                          first = certify_to_first_gap(*solid, Elements(spheres));
         EXPECT_EQ(first.holds, own.holds);
         EXPECT_EQ(first.growth, own.growth);
         EXPECT_EQ(first.pieces, own.pieces);
@@ -263,18 +263,18 @@ TEST(ElementCertificate, TheDepthIsThatOfTheBodiesThatProve) {
     std::vector<double> found;
     const auto with = [&](int halvings) {
         return least([&](const Element& e) {
-            const Bodies bodies({{}, {&e, 1}}, solid->bounds().center(), pieces.extent(),
+            const Bodies bodies(Elements(std::span(&e, 1)), solid->bounds().center(), pieces.extent(),
                                 static_cast<std::uint32_t>(halvings));
             return bodies.holds(0, pieces.piece(0));
         });
     };
     for (const auto& [depth, used] : {std::pair{-5, 0}, {0, 0}, {1, 1}, {20, 20}, {40, 40}, {60, 60}, {99, 60}}) {
         const double height =
-            least([&](const Element& e) { return certify(*solid, Elements{{}, {&e, 1}}, depth).holds; });
+            least([&](const Element& e) { return certify(*solid, Elements(std::span(&e, 1)), depth).holds; });
         EXPECT_EQ(height, with(3 * used)) << depth;
         EXPECT_GT(height, 0);
     }
-    EXPECT_EQ(least([&](const Element& e) { return covers(*solid, Elements{{}, {&e, 1}}); }), with(3 * 40));
+    EXPECT_EQ(least([&](const Element& e) { return covers(*solid, Elements(std::span(&e, 1))); }), with(3 * 40));
 }
 
 TEST(ElementCertificate, TheGapAmongThreeIsAccurateToAThousandth) {
@@ -366,15 +366,15 @@ TEST(ElementCertificate, ATriangleInOneBallIsProvedJustWhereTheBodyHoldsItsCorne
     const Element ball{.kind = Kind::sphere, .radius = 1};
     for (int k = 0; k < 3000; ++k) {
         const Vec3 direction = test::random_direction(random);
-        const double slack = Bodies({{}, {&ball, 1}}, {}, 1, 120).slack(0);
+        const double slack = Bodies(Elements(std::span(&ball, 1)), {}, 1, 120).slack(0);
         const Vec3 p = direction * (1 - slack + (k % 9 - 4) * 0x1p-53);
         const auto solid = Solid::make(Mesh{{p, -p, p * 0.5}, {{0, 1, 2}}});
         ASSERT_EQ(solid->bounds().center(), Vec3{});
         const Balls pieces(*solid, {}, 120);
-        const Bodies bodies({{}, {&ball, 1}}, {}, pieces.extent(), 120);
+        const Bodies bodies(Elements(std::span(&ball, 1)), {}, pieces.extent(), 120);
         const bool holds = bodies.holds(0, p) && bodies.holds(0, -p);
-        EXPECT_EQ(covers(*solid, Elements{{}, {&ball, 1}}), holds) << k;
-        EXPECT_EQ(certify(*solid, Elements{{}, {&ball, 1}}).holds, holds) << k;
+        EXPECT_EQ(covers(*solid, Elements(std::span(&ball, 1))), holds) << k;
+        EXPECT_EQ(certify(*solid, Elements(std::span(&ball, 1))).holds, holds) << k;
         held += holds;
         at += !holds && bodies.growth(0, p) == 0;
     }

@@ -30,21 +30,21 @@ Element random_element(Kind kind, Random& random) {
     return e;
 }
 
-class Elements : public ::testing::TestWithParam<Kind> {
+class EveryKind : public ::testing::TestWithParam<Kind> {
 protected:
     Random random{derive_seed(11, to_string(GetParam()))};
 };
-INSTANTIATE_TEST_SUITE_P(Kinds, Elements,
+INSTANTIATE_TEST_SUITE_P(Kinds, EveryKind,
                          ::testing::Values(Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box,
                                            Kind::hull),
                          [](const auto& kind) { return to_string(kind.param); });
 
-TEST_P(Elements, WordsNameKinds) {
+TEST_P(EveryKind, WordsNameKinds) {
     EXPECT_EQ(element_kind_named(to_string(GetParam())), GetParam());
     EXPECT_FALSE(element_kind_named("balls"));
 }
 
-TEST_P(Elements, SupportIsTheFarthestPointAndBoundsAreTight) {
+TEST_P(EveryKind, SupportIsTheFarthestPointAndBoundsAreTight) {
     for (int run = 0; run < 50; ++run) {
         const Element e = random_element(GetParam(), random);
         ASSERT_TRUE(is_valid(e));
@@ -67,7 +67,7 @@ TEST_P(Elements, SupportIsTheFarthestPointAndBoundsAreTight) {
     }
 }
 
-TEST_P(Elements, LinesEnterAndLeaveWherePointsDo) {
+TEST_P(EveryKind, LinesEnterAndLeaveWherePointsDo) {
     for (int run = 0; run < 300; ++run) {
         const Element e = random_element(GetParam(), random);
         const Box box = test::enlarged(bounds(e), 0.3);
@@ -82,7 +82,7 @@ TEST_P(Elements, LinesEnterAndLeaveWherePointsDo) {
     }
 }
 
-TEST_P(Elements, GrowthContainsWhatIsWithinTheLength) {
+TEST_P(EveryKind, GrowthContainsWhatIsWithinTheLength) {
     for (int run = 0; run < 50; ++run) {
         const Element e = random_element(GetParam(), random);
         for (const double length : {0.0, 1e-12, 1e-6, 0.3}) {
@@ -100,7 +100,7 @@ TEST_P(Elements, GrowthContainsWhatIsWithinTheLength) {
     }
 }
 
-TEST_P(Elements, MeshesEncloseAndVolumesAgree) {
+TEST_P(EveryKind, MeshesEncloseAndVolumesAgree) {
     for (int run = 0; run < 5; ++run) {
         const Element e = random_element(GetParam(), random);
         const Mesh mesh = enclosing_mesh(e, 24);
@@ -168,20 +168,19 @@ TEST(ElementFigures, ABoxAroundABox) {
 TEST(ElementFigures, SpheresKeepTheirResults) {
     const auto solid = Solid::make(test::ball({0, 0, 0}, 0.5, 12));
     const std::vector<Sphere> spheres{{{0.1, 0, 0}, 0.55}, {{-0.2, 0, 0}, 0.4}};
-    const Measures a = measure(*solid, spheres), b = measure(*solid, Elements{spheres, {}});
+    const Measures a = measure(*solid, spheres), b = measure(*solid, Elements(spheres));
     EXPECT_EQ(a.excess, b.excess);
     EXPECT_EQ(a.gap, b.gap);
     EXPECT_EQ(a.protrusion_mean, b.protrusion_mean);
-    EXPECT_EQ(solid->missing_volume(spheres), missing_volume(*solid, Elements{spheres, {}}));
-    EXPECT_EQ(union_volume(std::span<const Sphere>(spheres)), union_volume(Elements{spheres, {}}));
-    EXPECT_EQ(grown_to_cover(*solid, spheres), grown_to_cover(*solid, Elements(spheres)).spheres);
+    EXPECT_EQ(solid->missing_volume(spheres), missing_volume(*solid, Elements(spheres)));
+        EXPECT_EQ(grown_to_cover(*solid, spheres), grown_to_cover(*solid, Elements(spheres)).spheres());
     Element ball;
     ball.pose.translation = {0.3, 0, 0};
     ball.radius = 0.2;
     const Approximation flat = flat_tree({spheres, {ball}});
     EXPECT_EQ(flat.levels[1].parents.size(), 3u);
-    EXPECT_LE(distance(flat.levels[0].elements.elements.spheres()[0].center, ball.pose.translation) + 0.2,
-              flat.levels[0].spheres[0].radius * (1 + 1e-9));
+    EXPECT_LE(distance(flat.levels[0].elements.spheres()[0].center, ball.pose.translation) + 0.2,
+              flat.levels[0].elements.spheres()[0].radius * (1 + 1e-9));
 }
 
 } // namespace

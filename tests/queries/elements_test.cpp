@@ -50,7 +50,7 @@ class EveryKind : public testing::TestWithParam<Element::Kind> {};
 
 TEST_P(EveryKind, ShapesHoldTheElement) {
     const Element given = element(GetParam());
-    const EngineShape shape = body_of({{}, std::span(&given, 1)}).at(0);
+    const EngineShape shape = body_of(Elements(std::span(&given, 1))).at(0);
     EXPECT_EQ(shape.convex, given.kind == Element::Kind::swept_box || given.kind == Element::Kind::hull);
     Box box;
     if (const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&shape.geometry)) {

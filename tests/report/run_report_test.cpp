@@ -1,5 +1,6 @@
 // The report that every run writes.
 #include "fixture.hpp"
+#include "support/read_spheres.hpp"
 
 namespace foam::test {
 namespace {
@@ -64,7 +65,7 @@ TEST_F(ReportOfRun, SaysWhatTheProofTook) {
 
 TEST_F(ReportOfRun, HoldsTheSpheresThatWereWritten) {
     const auto scene = scene_of(report_of(recipe(chain)));
-    const auto written = registry.make<Writer>("write.urdf")->read(read_file(folder.path() / "out/arm.urdf"));
+    const auto written = read_spheres(*registry.make<Writer>("write.urdf"), read_file(folder.path() / "out/arm.urdf"));
     ASSERT_EQ(scene["links"].size(), written.size());
     for (const auto& link : scene["links"]) {
         const std::vector<Sphere>& spheres = written.at(link["name"].get<std::string>());

@@ -44,7 +44,7 @@ protected:
 std::string hexadecimal(const SphereTree& tree) {
     std::string text;
     for (const SphereTree::Level& level : tree.levels) {
-        for (const Sphere& s : level.spheres) {
+        for (const Sphere& s : level.elements.spheres()) {
             char line[128];
             std::snprintf(line, sizeof line, "%a %a %a %a\n", s.center.x, s.center.y, s.center.z, s.radius);
             text += line;

@@ -336,7 +336,7 @@ TEST(ExtremesOfNumbers, BoxesThatOverlapByAMillionthAreProved) {
     ApproximationSearch search(*solid, kinds, {});
     for (const std::size_t count : {2, 3, 4, 5, 6, 7, 8}) {
         SphereTree tree;
-        tree.levels.push_back(search.cover(count).elements);
+        tree.levels.push_back({search.cover(count).elements});
         const double less = (3e-4 - 1e-6) * solid->bounds().diagonal(); // of the overlap
         for (Element& box : tree.levels.back().elements.shaped()) {
             box.half -= Vec3{less, less, less};

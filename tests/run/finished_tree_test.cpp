@@ -191,7 +191,7 @@ TEST(FinishedTree, EveryLevelCovers) {
     EXPECT_NEAR(finished.growth, finished.tree.finest()[0].radius - 0.5, 0.1) << "of the finest level only";
     EXPECT_LT(finished.growth, 0.5);
     const FinishedTree fitted = finished_tree(*solid, tree, Guarantee::fitted);
-    EXPECT_EQ(fitted.tree.levels[0].elements.elements.spheres(), tree.levels[0].spheres) << "neither grown nor shrunk";
+    EXPECT_EQ(fitted.tree.levels[0].elements.spheres(), tree.levels[0].elements.spheres()) << "neither grown nor shrunk";
     EXPECT_EQ(fitted.growth, 0);
 }
 
@@ -214,7 +214,7 @@ TEST(FinishedTree, InnerLevelsKeepTheirParents) {
     }
     tree.levels[1].elements.spheres() = {{{2, 9, 9}, 0.1}, {{2, 9, 9}, 0.1}, {{2, 9, 9}, 0.1}};
     const SphereTree bridged = finished_tree(*solid, tree, Guarantee::inner).tree;
-    EXPECT_EQ(bridged.levels[1].elements.elements.spheres(), (std::vector<Sphere>{bridged.levels[2].spheres[0]})) << "the largest below it";
+    EXPECT_EQ(bridged.levels[1].elements.spheres(), (std::vector<Sphere>{bridged.levels[2].elements.spheres()[0]})) << "the largest below it";
     EXPECT_EQ(bridged.levels[1].parents, (std::vector<std::uint32_t>{0}));
     EXPECT_EQ(bridged.levels[2].parents, (std::vector<std::uint32_t>{0, 0, 0}));
     tree.levels[0].elements.spheres() = {{{2, 9, 9}, 0.1}};
@@ -288,13 +288,13 @@ TEST(FinishedTree, ElementsOfOtherKindsAreFinishedBesideSpheres) {
     const auto solid = cube(1);
     const Element box{.kind = Element::Kind::box, .half = {0.5, 0.45678912345, 0.5}};
     SphereTree tree; // the sphere would be replaced by a better one if it were alone
-    tree.levels = {{{{{}, 2}}, {}, {}}, {{{{}, 0.1}, {{}, 2}}, {0, 0}, {box}}};
+    tree.levels = {{{{{}, 2}}}, {{{{{}, 0.1}, {{}, 2}}, {box}}, {0, 0}}};
     const FinishedTree outer = finished_tree(*solid, tree, Guarantee::outer);
     EXPECT_FALSE(outer.one_instead);
     ASSERT_EQ(outer.tree.levels.size(), 2u);
-    EXPECT_NEAR(outer.tree.levels[1].elements.shaped().at(0).half.y, 0.456790, 1e-12);
+    EXPECT_NEAR(outer.tree.levels[1].elements.shaped()[0].half.y, 0.456790, 1e-12);
     EXPECT_NEAR(outer.growth, 0.456790 - 0.45678912345, 1e-12) << "of the finest level";
-    EXPECT_EQ(outer.tree.levels[1].elements.elements.spheres(), tree.levels[1].spheres);
+    EXPECT_EQ(outer.tree.levels[1].elements.spheres(), tree.levels[1].elements.spheres());
     tree.levels[1].elements.spheres().clear();
     tree.levels[1].parents = {0};
     const FinishedTree grown = finished_tree(*solid, tree, Guarantee::outer), fitted = finished_tree(*solid, tree, Guarantee::fitted);
@@ -307,10 +307,10 @@ TEST(FinishedTree, ElementsOfOtherKindsAreFinishedBesideSpheres) {
 TEST(FinishedTree, PaddedElementsGrowByALengthAndUpToTheGrid) {
     const Element box{.kind = Element::Kind::box, .half = {0.5, 0.4, 0.3}};
     SphereTree tree;
-    tree.levels = {{{{{0.1, 0, 0}, 0.2}}, {}, {box}}};
+    tree.levels = {{{{{{0.1, 0, 0}, 0.2}}, {box}}}};
     const SphereTree wide = padded(*cube(1), tree, 0.0100004);
     EXPECT_NEAR(wide.levels[0].elements.spheres()[0].radius, 0.210001, 1e-12);
-    EXPECT_EQ(wide.levels[0].elements.elements.spheres()[0].center, tree.levels[0].spheres[0].center);
+    EXPECT_EQ(wide.levels[0].elements.spheres()[0].center, tree.levels[0].elements.spheres()[0].center);
     EXPECT_NEAR(wide.levels[0].elements.shaped()[0].half.x, 0.510001, 1e-12);
     EXPECT_NEAR(wide.levels[0].elements.shaped()[0].half.z, 0.310001, 1e-12);
     const auto large = cube(1e8); // which has no grid
@@ -324,7 +324,7 @@ TEST(FinishedTree, PaddedElementsGrowByALengthAndUpToTheGrid) {
 TEST(FinishedTree, CostsOfElementsAreThoseOfWhatIsFinished) {
     const auto solid = cube(1);
     const auto costs = [&](const Element& e, Guarantee guarantee) {
-        const Elements view{{}, std::span(&e, 1)};
+        const Elements view(std::span(&e, 1));
         return std::pair{cost_of_elements(*solid, view, guarantee), protrusion_of_elements(*solid, view, guarantee)};
     };
     Element e{.kind = Element::Kind::box, .half = {0.6, 0.6, 0.6}};

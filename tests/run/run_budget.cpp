@@ -1,5 +1,6 @@
 // How the spheres of a robot are shared out by runs: numbers, excess, protrusion, weights.
 #include "small_robot.hpp"
+#include "support/read_spheres.hpp"
 
 #include <foam/geometry/union_volume.hpp>
 
@@ -34,7 +35,7 @@ TEST_F(Run, MoreSpheresForTheRobotNeverClaimMore) {
         EXPECT_TRUE(result.certified);
         double claimed = 0;
         for (const auto& [link, spheres] :
-             registry.make<Writer>("write.urdf")->read(read_file(folder.path() / "out/two.urdf"))) {
+             test::read_spheres(*registry.make<Writer>("write.urdf"), read_file(folder.path() / "out/two.urdf"))) {
             EXPECT_LE(spheres.size(), link == "base" ? 5u : budget);
             claimed += exact_union_volume(spheres);
         }
@@ -135,7 +136,7 @@ TEST_F(Run, NoExcessOfASurface) {
 TEST_F(Run, AWeightDrawsSpheres) {
     const auto spheres_of_tip = [&](const std::string& links) {
         run(recipe("stages: [spherize.grid]\nbudget: {spheres: 12}\n" + links), registry, options());
-        return registry.make<Writer>("write.urdf")->read(read_file(folder.path() / "out/two.urdf")).at("tip").size();
+        return test::read_spheres(*registry.make<Writer>("write.urdf"), read_file(folder.path() / "out/two.urdf")).at("tip").size();
     };
     const std::size_t even = spheres_of_tip("");
     EXPECT_GT(spheres_of_tip("links: {tip: {weight: 100}}\n"), even);
@@ -192,7 +193,7 @@ TEST_F(Run, ASphereStaysOneSphereWhateverTheSpherizer) {
         ball.urdf = {"ball.urdf"};
         run(ball, registry, options());
         const auto spheres =
-            registry.make<Writer>("write.urdf")->read(read_file(folder.path() / "out/two.urdf")).at("ball");
+            test::read_spheres(*registry.make<Writer>("write.urdf"), read_file(folder.path() / "out/two.urdf")).at("ball");
         ASSERT_EQ(spheres.size(), 1u);
         EXPECT_NEAR(distance(spheres[0].center, {0.1, 0.2, 0.3}), 0, 1e-9);
         EXPECT_NEAR(spheres[0].radius, 0.05, 1e-6);
@@ -213,7 +214,7 @@ TEST_F(Run, ACylinderTakesTheRowOfSpheresWhereItClaimsLess) {
     EXPECT_TRUE(result.certified);
     EXPECT_EQ(result.total.spheres, 10u);
     const auto spheres =
-        registry.make<Writer>("write.urdf")->read(read_file(folder.path() / "out/two.urdf")).at("pole");
+        test::read_spheres(*registry.make<Writer>("write.urdf"), read_file(folder.path() / "out/two.urdf")).at("pole");
     for (const Sphere& sphere : spheres) {
         EXPECT_NEAR(sphere.radius, std::hypot(0.05, 0.05), 3e-4);
     }

@@ -1,5 +1,6 @@
 // What runs make of spheres so that the guarantee is kept.
 #include "small_robot.hpp"
+#include "support/read_spheres.hpp"
 
 namespace foam {
 namespace {
@@ -35,7 +36,7 @@ TEST_F(Run, InnerShrinksWhatSticksOut) {
     EXPECT_NEAR(result.total.excess, 0, 1e-9);
     EXPECT_EQ(result.total.protrusion_max, 0);
     EXPECT_GT(result.total.gap, 0);
-    const auto written = registry.make<Writer>("write.urdf")->read(read_file(folder.path() / "out/two.urdf"));
+    const auto written = test::read_spheres(*registry.make<Writer>("write.urdf"), read_file(folder.path() / "out/two.urdf"));
     std::size_t count = 0;
     for (const auto& [link, spheres] : written) {
         count += spheres.size();

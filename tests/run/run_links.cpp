@@ -1,6 +1,7 @@
 // What recipes ask for links beyond the search: padding, spheres that stay, no collision geometry, shares, and which
 // geometry is covered.
 #include "small_robot.hpp"
+#include "support/read_spheres.hpp"
 
 #include <foam/base/text.hpp>
 #include <foam/geometry/measure.hpp>
@@ -32,7 +33,7 @@ protected:
     RunResult result_of(const std::string& rest) { return run(recipe(rest), registry, options()); }
     nlohmann::json manifest() const { return nlohmann::json::parse(read_file(folder.path() / "out/manifest.json")); }
     std::map<std::string, std::vector<Sphere>> written() const {
-        return registry.make<Writer>("write.urdf")->read(read_file(folder.path() / "out/two.urdf"));
+        return test::read_spheres(*registry.make<Writer>("write.urdf"), read_file(folder.path() / "out/two.urdf"));
     }
 };
 

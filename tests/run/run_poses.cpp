@@ -1,5 +1,6 @@
 // Runs whose budget serves random poses: links whose spheres touch though their geometry does not get more of it.
 #include "small_robot.hpp"
+#include "support/read_spheres.hpp"
 
 namespace foam {
 namespace {
@@ -37,7 +38,7 @@ protected:
     std::string written() const { return read_file(folder.path() / "out/two.urdf"); }
     /// In how many of 301 heights the spheres of the two plates touch; the plates never do.
     int heights_in_contact() const {
-        const auto spheres = registry.make<Writer>("write.urdf")->read(written());
+        const auto spheres = test::read_spheres(*registry.make<Writer>("write.urdf"), written());
         int touching = 0;
         for (int i = 0; i <= 300; ++i) {
             const Vec3 above{0, 0, 0.05 + 0.001 * i};

@@ -1,5 +1,6 @@
 // Runs that keep the spheres of links apart.
 #include "small_robot.hpp"
+#include "support/read_spheres.hpp"
 
 namespace foam {
 namespace {
@@ -27,7 +28,7 @@ TEST_F(Run, SpheresOfLinksThatAreApartStayApart) {
                    registry, options());
     };
     const auto overlap = [&] {
-        const auto spheres = registry.make<Writer>("write.urdf")->read(read_file(folder.path() / "out/two.urdf"));
+        const auto spheres = test::read_spheres(*registry.make<Writer>("write.urdf"), read_file(folder.path() / "out/two.urdf"));
         double deepest = 0;
         for (const Sphere& a : spheres.at("table")) {
             for (const Sphere& b : spheres.at("tool")) {

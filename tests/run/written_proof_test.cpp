@@ -176,10 +176,10 @@ TEST_F(WrittenProofs, ElementsOfOtherKindsAreProvedUnlessTheyAreOptional) {
     const Element around{.kind = Element::Kind::box, .half = {1.01, 1.01, 1.01}};
     Element small = around;
     small.half.x = 0.99;
-    finished.links[0].elements.shaped() = {around};
+    finished.links[0].elements = {finished.links[0].elements.spheres(), {around}};
     const std::vector<Sphere> good{{{}, 2}};
     const auto proved = [&](const Elements& base, bool optional) {
-        return prove_written({{"base", base}, {"tip", {good, {}, {}}}}, finished, Guarantee::outer, Numbers::float64, "f", optional);
+        return prove_written({{"base", base}, {"tip", good}}, finished, Guarantee::outer, Numbers::float64, "f", optional);
     };
     const auto told = [&](const Elements& base) {
         try {
@@ -190,21 +190,21 @@ TEST_F(WrittenProofs, ElementsOfOtherKindsAreProvedUnlessTheyAreOptional) {
         }
         return std::string();
     };
-    const auto proofs = proved({{{{}, 0.5}}, {}, {around}}, false);
+    const auto proofs = proved({{{{}, 0.5}}, {around}}, false);
     ASSERT_EQ(proofs.size(), 2u);
     EXPECT_EQ(proofs[0].spheres, 2u);
     EXPECT_EQ(proofs[0].triangles, 12u);
     EXPECT_EQ(proofs[0].pieces, certify(*finished.links[0].solid, Elements(std::vector<Element>{around})).pieces);
-    EXPECT_THAT(told({{}, {}, {small}}), HasSubstr("f: link 'base': the certificate does not hold for the numbers read back: 0.01"));
-    EXPECT_EQ(told({good, {}, {}}), "f: link 'base' has 1 sphere in the written file, the model has 1 box");
+    EXPECT_THAT(told(std::vector{small}), HasSubstr("f: link 'base': the certificate does not hold for the numbers read back: 0.01"));
+    EXPECT_EQ(told(good), "f: link 'base' has 1 sphere in the written file, the model has 1 box");
     EXPECT_EQ(told({}), "f: link 'base' has no spheres in the written file");
     // A reader that takes spheres only: the link is not proved, others are.
-    const auto some = proved({{{{}, 0.5}}, {}, {}}, true);
+    const auto some = proved({{{}, 0.5}}, true);
     ASSERT_EQ(some.size(), 1u);
     EXPECT_EQ(some[0].link, "tip");
-    finished.links[0].elements.shaped().clear();
-    EXPECT_EQ(proved({good, {}, {}}, true).size(), 2u);
-    EXPECT_THAT(told({{}, {}, {around}}), IsEmpty());
+    finished.links[0].elements = finished.links[0].elements.spheres();
+    EXPECT_EQ(proved(good, true).size(), 2u);
+    EXPECT_THAT(told(std::vector{around}), IsEmpty());
 }
 
 TEST_F(WrittenProofs, WhatWasNotProvedIsNotAskedFor) {

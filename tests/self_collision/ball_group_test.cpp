@@ -61,10 +61,10 @@ TEST(BallGroup, TouchesAnotherAsOneOfItsElementsDoes) {
 
 TEST(BallGroup, SpheresThatMeetInAPointTouch) {
     const std::vector<Sphere> one{{{}, 1}}, other{{{3, 0, 0}, 2}}, near{{{3.001, 0, 0}, 2}};
-    const auto group = [](const std::vector<Sphere>& spheres) { return BallGroup(Elements{spheres, {}}); };
+    const auto group = [](const std::vector<Sphere>& spheres) { return BallGroup(Elements(spheres)); };
     EXPECT_TRUE(touch(group(one), {}, group(other), {}));
     EXPECT_FALSE(touch(group(one), {}, group(near), {}));
-    EXPECT_FALSE(others_touch(group(one), {}, group(other), {})) << "of pairs with an element that is no sphere";
+    EXPECT_FALSE(shaped_touch(group(one), {}, group(other), {})) << "of pairs with an element that is no sphere";
 }
 
 } // namespace

@@ -21,7 +21,7 @@ class Builder {
 public:
     Builder& link(const std::string& name, std::vector<Sphere> spheres = {}) {
         robot_.links.push_back({.name = name, .collisions = {}, .visuals = {}});
-        spheres_.push_back(std::move(spheres));
+        elements_.push_back(std::move(spheres));
         return *this;
     }
     Builder& joint(Joint::Kind kind, const std::string& parent, const std::string& child, const Vec3& at = {},
@@ -46,8 +46,8 @@ public:
         robot.name = "made";
         robot.root = robot.links.front().name;
         return {std::make_shared<const Robot>(robot),
-                spheres_,
-                std::vector<CollisionModel::Source>(spheres_.size(), CollisionModel::Source::geometry),
+                elements_,
+                std::vector<CollisionModel::Source>(elements_.size(), CollisionModel::Source::geometry),
                 {}};
     }
     SelfCollisionMatrix matrix(const SelfCollisionOptions& options = {}) const {
@@ -57,15 +57,15 @@ public:
 
 private:
     Robot robot_;
-    std::vector<std::vector<Sphere>> spheres_;
+    std::vector<Elements> elements_;
 };
 
 /// Returns the spheres as original geometry.
 LinkSolids solids_of_spheres(const CollisionModel& model) {
     LinkSolids solids;
-    for (const std::vector<Sphere>& spheres : model.elements) {
+    for (const Elements& elements : model.elements) {
         std::vector<Solid::Part> parts;
-        for (const Sphere& sphere : spheres) {
+        for (const Sphere& sphere : elements.spheres()) {
             parts.push_back({nullptr, Primitive{.radius = sphere.radius}, Pose::from_xyz_rpy(sphere.center, {})});
         }
         solids.push_back(parts.empty() ? nullptr : Solid::make(std::move(parts)));
@@ -179,8 +179,8 @@ CollisionModel model_with_geometry(const Builder& builder, double share, Collisi
     CollisionModel model = builder.model();
     model.sources.assign(model.sources.size(), source);
     CollisionModel small = model;
-    for (std::vector<Sphere>& spheres : small.elements) {
-        for (Sphere& sphere : spheres) {
+    for (Elements& elements : small.elements) {
+        for (Sphere& sphere : elements.spheres()) {
             sphere.radius *= share;
         }
     }
@@ -314,8 +314,8 @@ TEST(SelfCollision, OneConfigurationDecidesAboutLinksThatNoJointMoves) {
                                    .model();
         model.sources.assign(3, CollisionModel::Source::cover);
         CollisionModel small = model;
-        for (std::vector<Sphere>& spheres : small.elements) {
-            spheres.front().radius *= share;
+        for (Elements& elements : small.elements) {
+            elements.spheres().front().radius *= share;
         }
         model.solids = solids_of_spheres(small);
         return pair(self_collision_matrix(Kinematics(model.robot), model, {}), 0, 2);

@@ -59,10 +59,6 @@ Verdict verdict(const Arm& arm, const Elements& first, const Elements& last, std
     const BallGroup a(first), b(last);
     return touching_verdict(kinematics, chain_between(kinematics, 0, arm.movers.size()), a, b, boxes, cancel);
 }
-Verdict verdict(const Arm& arm, const std::vector<Sphere>& first, const std::vector<Sphere>& last, std::size_t boxes,
-                const std::atomic<bool>* cancel = nullptr) {
-    return verdict(arm, Elements{first, {}}, Elements{last, {}}, boxes, cancel);
-}
 
 /// Expects that one box is enough where links move by less than the limit, and not where they move by more.
 template <class Of> void expect_limit(double limit, Verdict below, Of&& of) {
@@ -124,7 +120,7 @@ TEST(TouchingProof, AnElementMovesAsTheBallAroundIt) {
     // Not by the chord of its middle alone: a bar that turns about its own middle, beside a ball within its reach. The
     // frame is that of the link that moves less.
     const Element bar{.kind = Element::Kind::capsule, .half = {0, 0, 1}, .radius = 0.1};
-    const double reach = BallGroup(Elements(std::vector<Element>{bar}))[0].bound.radius;
+    const double reach = BallGroup(std::vector<Element>{bar}).shaped[0].bound.radius;
     for (const double at : {0.8, 1.05}) {
         const std::vector<Sphere> ball{{{at, 0, 0}, 0.1}};
         const double arm = std::min(reach, at + 0.1);
@@ -132,7 +128,7 @@ TEST(TouchingProof, AnElementMovesAsTheBallAroundIt) {
             expect_limit(at - 0.2, Verdict::never, [&](double move) {
                 const double half = 2 * std::asin(move / arm / 2);
                 const Arm turning{{{turns, {}, {0, 1, 0}, -half, half}}};
-                const Elements balls{ball, {}}, bars{{}, std::span(&bar, 1)};
+                const Elements balls{ball}, bars{std::span(&bar, 1)};
                 return swapped ? verdict(turning, balls, bars, 1) : verdict(turning, bars, balls, 1);
             });
         }
@@ -244,7 +240,7 @@ TEST(TouchingProof, ElementsThatTouchDeeplyTouchAlways) {
     for (const bool swapped : {false, true}) {
         const auto moved_by = [&](double half) {
             const Arm arm{{{slides, {}, {0, 1, 0}, -half, half}}};
-            const Elements boxes{{}, std::span(&box, 1)}, balls{ball, {}};
+            const Elements boxes{std::span(&box, 1)}, balls{ball, {}};
             return swapped ? verdict(arm, balls, boxes, 1) : verdict(arm, boxes, balls, 1);
         };
         EXPECT_EQ(moved_by(0.4), Verdict::always);
@@ -271,9 +267,9 @@ TEST(TouchingProof, OneOfManyElementsDecides) {
     Element away = box;
     away.pose.translation = {0, 0, 4};
     const std::vector<Element> boxes{away, box, away};
-    EXPECT_EQ(verdict(arm, Elements(boxes), Elements{last, {}}, 1), Verdict::always);
-    EXPECT_EQ(verdict(arm, Elements{last, {}}, Elements(boxes), 1), Verdict::always);
-    EXPECT_EQ(verdict(arm, Elements{far, {}}, Elements(boxes), 1), Verdict::never);
+    EXPECT_EQ(verdict(arm, Elements(boxes), Elements(last), 1), Verdict::always);
+    EXPECT_EQ(verdict(arm, Elements(last), Elements(boxes), 1), Verdict::always);
+    EXPECT_EQ(verdict(arm, Elements(far), Elements(boxes), 1), Verdict::never);
 }
 
 TEST(TouchingProof, BothWereSeen) {
@@ -295,10 +291,10 @@ TEST(TouchingProof, NoJointMovesOneConfiguration) {
     EXPECT_EQ(rigid(0.5), Verdict::never);
     const Kinematics none(Arm{{}}.robot());
     const std::vector<Sphere> one{{{}, 0.1}}, two{{{0.1, 0, 0}, 0.1}};
-    const BallGroup a(Elements{one, {}}), b(Elements{two, {}});
+    const BallGroup a(Elements{one}), b(Elements{two});
     EXPECT_EQ(touching_verdict(none, chain_between(none, 0, 0), a, b, 1, nullptr), Verdict::always);
     const std::vector<Sphere> beside{{{0.25, 0, 0}, 0.125}}, middle{{{}, 0.125}};
-    const BallGroup c(Elements{middle, {}}), d(Elements{beside, {}}); // have one point in common
+    const BallGroup c(Elements{middle}), d(Elements{beside}); // have one point in common
     EXPECT_EQ(touching_verdict(none, chain_between(none, 0, 0), c, d, 9, nullptr), Verdict::always);
 }
 

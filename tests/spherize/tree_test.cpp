@@ -21,9 +21,9 @@ bool reached(const SphereTree& tree, const Vec3& point, double slack) {
     std::vector<char> above{1}; // of the spheres of a level: reached, and the point is inside
     for (std::size_t l = 0; l < tree.levels.size(); ++l) {
         const SphereTree::Level& level = tree.levels[l];
-        std::vector<char> here(level.spheres.size());
-        for (std::size_t i = 0; i < level.spheres.size(); ++i) {
-            here[i] = above[l == 0 ? 0 : level.parents[i]] && holds(level.spheres[i], point, slack);
+        std::vector<char> here(level.elements.spheres().size());
+        for (std::size_t i = 0; i < level.elements.spheres().size(); ++i) {
+            here[i] = above[l == 0 ? 0 : level.parents[i]] && holds(level.elements.spheres()[i], point, slack);
         }
         above = std::move(here);
     }
@@ -52,13 +52,13 @@ TEST_P(Tree, LevelsEncloseCoverAndLeadToEveryPoint) {
         const double size = solid->bounds().diagonal();
         const SphereTree tree = tree_of(solid, 3);
         ASSERT_EQ(tree.levels.size(), 4u);
-        ASSERT_EQ(tree.levels[0].spheres.size(), 1u);
+        ASSERT_EQ(tree.levels[0].elements.spheres().size(), 1u);
         for (const Vec3& vertex : solid->surface().vertices) {
-            EXPECT_TRUE(holds(tree.levels[0].spheres[0], vertex, 1e-9 * size)) << "level 0 does not enclose";
+            EXPECT_TRUE(holds(tree.levels[0].elements.spheres()[0], vertex, 1e-9 * size)) << "level 0 does not enclose";
         }
         for (std::size_t l = 1; l < tree.levels.size(); ++l) {
-            const std::vector<Sphere>& spheres = tree.levels[l].spheres;
-            EXPECT_GE(spheres.size(), tree.levels[l - 1].spheres.size());
+            const std::vector<Sphere>& spheres = tree.levels[l].elements.spheres();
+            EXPECT_GE(elements.elements.spheres().size(), tree.levels[l - 1].spheres.size());
             const std::vector<Sphere> grown = grown_to_cover(*solid, spheres);
             for (std::size_t i = 0; i < spheres.size(); ++i) {
                 EXPECT_LE(grown[i].radius - spheres[i].radius, 0.02 * size) << "level " << l << " does not cover";

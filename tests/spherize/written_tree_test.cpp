@@ -46,16 +46,16 @@ protected:
             SphereTree::Level& level = tree.levels.emplace_back();
             for (const Json& sphere : list) {
                 const Json& c = sphere["center"];
-                level.spheres.push_back({{c[0], c[1], c[2]}, sphere["radius"]});
+                level.elements.spheres().push_back({{c[0], c[1], c[2]}, sphere["radius"]});
                 if (sphere.contains("parent")) {
                     level.parents.push_back(sphere["parent"]);
                 }
             }
             const std::size_t l = tree.levels.size() - 1;
-            EXPECT_EQ(spheres_in("out/" + std::to_string(l) + ".urdf").at("part"), level.spheres) << "level " << l;
-            EXPECT_EQ(level.parents.size(), l == 0 ? 0 : level.spheres.size());
+            EXPECT_EQ(elements.elements.spheres()_in("out/" + std::to_string(l) + ".urdf").at("part"), level.spheres) << "level " << l;
+            EXPECT_EQ(level.parents.size(), l == 0 ? 0 : level.elements.spheres().size());
             for (const std::uint32_t parent : level.parents) {
-                EXPECT_LT(parent, tree.levels[l - 1].spheres.size());
+                EXPECT_LT(parent, tree.levels[l - 1].elements.spheres().size());
             }
         }
         return tree;
@@ -67,12 +67,12 @@ TEST_P(WrittenTree, EveryLevelCovers) {
     EXPECT_TRUE(result.certified);
     const SphereTree tree = read_levels();
     ASSERT_EQ(tree.levels.size(), levels);
-    EXPECT_EQ(tree.levels[0].spheres.size(), 1u);
-    EXPECT_GT(tree.levels[2].spheres.size(), tree.levels[1].spheres.size());
+    EXPECT_EQ(tree.levels[0].elements.spheres().size(), 1u);
+    EXPECT_GT(tree.levels[2].elements.spheres().size(), tree.levels[1].elements.spheres().size());
     QuietContext context;
     const auto part = Solid::make(registry.make<MeshLoader>("load.mesh")->load(folder.path() / "part.obj", context));
     for (const SphereTree::Level& level : tree.levels) {
-        EXPECT_TRUE(certify(*part, level.spheres).holds);
+        EXPECT_TRUE(certify(*part, level.elements.spheres()).holds);
     }
 }
 
@@ -84,8 +84,8 @@ TEST_P(WrittenTree, EveryLevelLiesInside) {
     QuietContext context;
     const auto part = Solid::make(registry.make<MeshLoader>("load.mesh")->load(folder.path() / "part.obj", context));
     for (const SphereTree::Level& level : tree.levels) {
-        EXPECT_FALSE(level.spheres.empty());
-        EXPECT_TRUE(certify_inner(*part, level.spheres).holds);
+        EXPECT_FALSE(level.elements.spheres().empty());
+        EXPECT_TRUE(certify_inner(*part, level.elements.spheres()).holds);
     }
 }
 

@@ -22,7 +22,7 @@ void expect_sound(const Mesh& mesh, std::size_t count) {
     ASSERT_GE(tree.finest().size(), 1u);
     ASSERT_LE(tree.finest().size(), count);
     for (const auto& level : tree.levels) {
-        for (const Sphere& sphere : level.spheres) {
+        for (const Sphere& sphere : level.elements.spheres()) {
             ASSERT_TRUE(is_finite(sphere.center));
             ASSERT_TRUE(std::isfinite(sphere.radius));
             ASSERT_GT(sphere.radius, 0);

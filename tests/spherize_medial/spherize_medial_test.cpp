@@ -25,21 +25,21 @@ std::vector<Named> standard_shapes() {
 
 void expect_valid_tree(const SphereTree& tree, const Shape& shape) {
     ASSERT_GE(tree.levels.size(), 2u);
-    ASSERT_EQ(tree.levels[0].spheres.size(), 1u);
+    ASSERT_EQ(tree.levels[0].elements.spheres().size(), 1u);
     EXPECT_TRUE(tree.levels[0].parents.empty());
     for (std::size_t l = 0; l < tree.levels.size(); ++l) {
         const SphereTree::Level& level = tree.levels[l];
-        for (const Sphere& sphere : level.spheres) {
+        for (const Sphere& sphere : level.elements.spheres()) {
             EXPECT_TRUE(is_finite(sphere.center));
             EXPECT_GT(sphere.radius, 0);
         }
         if (l > 0) {
-            ASSERT_EQ(level.parents.size(), level.spheres.size());
+            ASSERT_EQ(level.parents.size(), level.elements.spheres().size());
             for (const std::uint32_t parent : level.parents) {
-                EXPECT_LT(parent, tree.levels[l - 1].spheres.size());
+                EXPECT_LT(parent, tree.levels[l - 1].elements.spheres().size());
             }
         }
-        EXPECT_LT(largest_gap(shape.original(), level.spheres), 0.01 * shape.original().bounds().diagonal())
+        EXPECT_LT(largest_gap(shape.original(), level.elements.spheres()), 0.01 * shape.original().bounds().diagonal())
             << "level " << l;
     }
 }
@@ -149,11 +149,11 @@ TEST(SpherizeMedial, DeeperLevelsHaveParentsAndCover) {
     QuietContext context;
     const SphereTree tree = medial({{"depth", 2}, {"branch", 4}})->spherize(shape, {}, context);
     ASSERT_EQ(tree.levels.size(), 3u);
-    EXPECT_EQ(tree.levels[1].spheres.size(), 4u);
-    EXPECT_EQ(tree.levels[2].spheres.size(), 16u);
+    EXPECT_EQ(tree.levels[1].elements.spheres().size(), 4u);
+    EXPECT_EQ(tree.levels[2].elements.spheres().size(), 16u);
     expect_valid_tree(tree, shape);
     const auto mesh = shape.original().surface();
-    EXPECT_LT(excess(mesh, tree.levels[2].spheres), excess(mesh, tree.levels[1].spheres));
+    EXPECT_LT(excess(mesh, tree.levels[2].elements.spheres()), excess(mesh, tree.levels[1].elements.spheres()));
 
     const SphereTree limited = medial({{"depth", 3}, {"branch", 4}})->spherize(shape, at_most(20), context);
     ASSERT_EQ(limited.levels.size(), 4u);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "support/temporary_folder.hpp"
+#include "support/read_spheres.hpp"
 
 #include <foam/runtime/run.hpp>
 
@@ -44,7 +45,7 @@ protected:
     }
     /// Of a URDF, by link.
     std::map<std::string, std::vector<Sphere>> spheres_in(const std::string& name) const {
-        return registry.make<Writer>("write.urdf")->read(text_of(name));
+        return read_spheres(*registry.make<Writer>("write.urdf"), text_of(name));
     }
 
     TemporaryFolder folder;

@@ -1,5 +1,6 @@
 // write.gltf and read.gltf.
 #include "plugin_stages.hpp"
+#include "support/read_spheres.hpp"
 
 #include <gmock/gmock.h>
 
@@ -17,7 +18,7 @@ TEST(WriteGltf, NodesHoldTheSpheres) {
     EXPECT_THAT(text, HasSubstr("\"translation\": [0.1, 0.2, 0.3]"));
     EXPECT_THAT(text, HasSubstr("\"scale\": [0.25, 0.25, 0.25]"));
     EXPECT_THAT(text, HasSubstr("\"radius\": 0.25"));
-    EXPECT_EQ(writer("write_gltf", "write.gltf")->read(text), spheres_of(turned_model()));
+    EXPECT_EQ(read_spheres(*writer("write_gltf", "write.gltf"), text), spheres_of(turned_model()));
 }
 
 TEST(WriteGltf, RobotsStandUprightAndLinksAtTheDefaultPose) {

@@ -1,5 +1,6 @@
 // write.gpmp2, and how read.rows gives its files back.
 #include "plugin_stages.hpp"
+#include "support/read_spheres.hpp"
 
 #include <gmock/gmock.h>
 
@@ -41,7 +42,7 @@ TEST(WriteGpmp2, WritesCentersInTheFramesOfTheDhLinks) {
     EXPECT_EQ(text, "% foam 1; part.urdf; proved\n% link_id x y z r, in the frames of the DH links\n"
                     "% foam frame: base 0 0 0 0.5 0 0 0\n0 0.25 0.5 0.625 0.5\n"
                     "% foam frame: tool 3 0 1 0 1.5707963267948966 0 0\n3 0 0.25 0 0.25\n3 1 -3 2 0.5\n");
-    EXPECT_EQ(writer("read_rows", "write.gpmp2")->read(text), spheres_of(arm()));
+    EXPECT_EQ(read_spheres(*writer("read_rows", "write.gpmp2"), text), spheres_of(arm()));
     const SphereFile file = gpmp2.file(text);
     EXPECT_EQ(file.format, "GPMP2 rows");
     EXPECT_EQ(file.links.at(1).link, "tool");
@@ -74,7 +75,7 @@ TEST(WriteGpmp2, SpheresContainThoseOfTheModelWhateverTheRounding) {
             "l", {},
             flat_tree({{{0.1, -0.2, 1.0 / 3}, 0.05}, {{123456.789, 1e3, -7.1}, 1e-3}, {{1e-17, 1234.5, -0.0}, 0.8}}))});
     const auto read =
-        writer("read_rows", "write.gpmp2")->read(gpmp2.text(model, {{"frames", "l 2 0.1 0.2 0.3 0.4 0.5 0.6"}}));
+        read_spheres(*writer("read_rows", "write.gpmp2"), gpmp2.text(model, {{"frames", "l 2 0.1 0.2 0.3 0.4 0.5 0.6"}}));
     const std::vector<Sphere>& before = model.groups[0].tree.finest();
     ASSERT_EQ(read.at("l").size(), before.size());
     for (std::size_t i = 0; i < before.size(); ++i) {

@@ -3,6 +3,7 @@
 
 #include "models.hpp"
 #include "support/shared_folder.hpp"
+#include "support/read_spheres.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -101,7 +102,7 @@ struct Format {
             const SphereModel model = model_of(nullptr, {group_of(name, {}, flat_tree(awkward_spheres()))});
             QuietContext context;
             try {
-                EXPECT_EQ(writes->read(writes->write(model, context)), spheres_of(model));
+                EXPECT_EQ(read_spheres(*writes, writes->write(model, context)), spheres_of(model));
                 all.push_back(model.groups.front());
             } catch (const Error& error) {
                 EXPECT_EQ(error.code(), ErrorCode::output);
@@ -112,7 +113,7 @@ struct Format {
             const SphereModel model = model_of(nullptr, all);
             EXPECT_GT(all.size(), 20U);
             QuietContext context;
-            EXPECT_EQ(writes->read(writes->write(model, context)), spheres_of(model));
+            EXPECT_EQ(read_spheres(*writes, writes->write(model, context)), spheres_of(model));
         }
     }
 

@@ -1,5 +1,6 @@
 // write.moveit_scene, write.markers and their readers.
 #include "plugin_stages.hpp"
+#include "support/read_spheres.hpp"
 
 #include <gmock/gmock.h>
 
@@ -24,7 +25,7 @@ TEST(WriteScene, WritesAnObjectALink) {
 TEST(WriteScene, PlacesLinksAndKeepsTheirFrames) {
     const std::string text = scene.text(turned_model());
     EXPECT_THAT(text, HasSubstr("* tool\n0 0 1\n0.707106781186547"));
-    EXPECT_EQ(writer("write_scene", "write.moveit_scene")->read(text), spheres_of(turned_model()));
+    EXPECT_EQ(read_spheres(*writer("write_scene", "write.moveit_scene"), text), spheres_of(turned_model()));
     EXPECT_THAT(refusal(*writer("write_scene", "write.moveit_scene", {{"version", "old"}}), turned_model()),
                 HasSubstr("remedy: version: new"));
 }
@@ -86,7 +87,7 @@ TEST(WriteMarkers, ScaleIsTheDiameterAndNothingIsInvisible) {
     EXPECT_THAT(text, HasSubstr("header: {frame_id: tool}\n    ns: tool\n    id: 0\n    type: 2\n    action: 0\n"));
     EXPECT_THAT(text, HasSubstr("scale: {x: 0.5, \"y\": 0.5, z: 0.5}"));
     EXPECT_THAT(text, HasSubstr("a: 0.6}\n    frame_locked: true\n"));
-    EXPECT_EQ(writer("write_scene", "write.markers")->read(text), spheres_of(turned_model()));
+    EXPECT_EQ(read_spheres(*writer("write_scene", "write.markers"), text), spheres_of(turned_model()));
 }
 
 TEST(WriteMarkers, RefusesADiameterThatNoDoubleHolds) {

@@ -1,5 +1,6 @@
 // write.usd and read.usd.
 #include "plugin_stages.hpp"
+#include "support/read_spheres.hpp"
 
 #include <gmock/gmock.h>
 
@@ -47,7 +48,7 @@ TEST(WriteUsd, NamesOfPrimsAreIdentifiersAndDiffer) {
     // The link that is an identifier keeps its name.
     EXPECT_THAT(text, HasSubstr("over \"a_b\"\n    {\n        def Scope \"foam_spheres\"\n        {\n"
                                 "            custom string foam:link = \"a_b\"\n"));
-    EXPECT_EQ(writer("write_usd", "write.usd")->read(text), spheres_of(model));
+    EXPECT_EQ(read_spheres(*writer("write_usd", "write.usd"), text), spheres_of(model));
 }
 
 TEST(WriteUsd, PathsFollowThePattern) {
@@ -55,7 +56,7 @@ TEST(WriteUsd, PathsFollowThePattern) {
     EXPECT_THAT(text, HasSubstr("</World/chain/tool/body_tool>"));
     EXPECT_THAT(text, HasSubstr("over \"World\"\n{\n    over \"chain\"\n    {\n        over \"base\"\n        {\n"
                                 "            over \"body_base\" (\n"));
-    EXPECT_EQ(writer("write_usd", "write.usd")->read(text), spheres_of(with_pair()));
+    EXPECT_EQ(read_spheres(*writer("write_usd", "write.usd"), text), spheres_of(with_pair()));
     for (const char* pattern :
          {"", "/", "a/{link}", "/a//{link}", "/{link}/", "/{name}/{link}", "/1/{link}", "/a", "/a b/{link}"}) {
         EXPECT_THAT(refusal(*writer("write_usd", "write.usd", {{"prim", pattern}}), with_pair()), HasSubstr("remedy"))
@@ -69,7 +70,7 @@ TEST(WriteUsd, OneLinkNeedsNoPlaceInThePattern) {
     const SphereModel model = model_of(nullptr, {group_of("a", {}, flat_tree({{{0, 0, 0}, 1}}))});
     const std::string text = usd.text(model, {{"prim", "/ball"}});
     EXPECT_THAT(text, HasSubstr("\nover \"ball\"\n{\n    def Scope"));
-    EXPECT_EQ(writer("write_usd", "write.usd")->read(text), spheres_of(model));
+    EXPECT_EQ(read_spheres(*writer("write_usd", "write.usd"), text), spheres_of(model));
 }
 
 TEST(WriteUsd, HostileNames) {

@@ -2,6 +2,7 @@
 // 0a1eff2513, src/fkcc_gen.cc and src/robot_info.cc).
 #include "models.hpp"
 #include "support/shared_folder.hpp"
+#include "support/read_spheres.hpp"
 
 #include <foam/robot/kinematics.hpp>
 
@@ -226,7 +227,7 @@ TEST_F(WriteVamp, AnnotatesWhereTheUrdfIsFrom) {
 
 TEST_F(WriteVamp, SpheresKeepTheirOrder) { // 6
     QuietContext context;
-    EXPECT_EQ(vamp()->read(vamp()->write(model_, context)), spheres_of(model_));
+    EXPECT_EQ(read_spheres(*vamp(), vamp()->write(model_, context)), spheres_of(model_));
 }
 
 TEST_F(WriteVamp, UrdfdomReadsIt) { // Pinocchio's parser

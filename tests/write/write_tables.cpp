@@ -1,5 +1,6 @@
 // write.csv and write.ply.
 #include "models.hpp"
+#include "support/read_spheres.hpp"
 
 #include <gmock/gmock.h>
 
@@ -19,7 +20,7 @@ TEST(WriteCsv, WritesARowASphere) {
 
 TEST(WriteCsv, ReadsWhatSpreadsheetsWrite) {
     const auto spheres =
-        writer("write_csv", "write.csv")->read("link,x,y,z,radius\r\n\"say \"\"a\"\"\",1,2,3,0.5\r\nb,0,0,0,1");
+        read_spheres(*writer("write_csv", "write.csv"), "link,x,y,z,radius\r\n\"say \"\"a\"\"\",1,2,3,0.5\r\nb,0,0,0,1");
     EXPECT_EQ(spheres,
               (std::map<std::string, std::vector<Sphere>>{{"b", {{{0, 0, 0}, 1}}}, {"say \"a\"", {{{1, 2, 3}, 0.5}}}}));
 }
@@ -28,7 +29,7 @@ TEST(WriteCsv, RefusesOtherTables) {
     const auto csv = writer("write_csv", "write.csv");
     for (const char* text : {"x,y,z\n", "link,x,y,z,radius\na,1,2,3\n", "link,x,y,z,radius\na,1,2,3,big\n",
                              "link,x,y,z,radius\n\"a,1,2,3,1\n", "link,x,y,z,radius\n\"a\"b,1,2,3,1\n"}) {
-        EXPECT_THROW(csv->read(text), Error) << text;
+        EXPECT_THROW(read_spheres(*csv, text), Error) << text;
     }
 }
 
@@ -54,14 +55,14 @@ TEST(WritePly, SurfacesStandInTheRobotsZeroPose) {
         rows >> p.x >> p.y >> p.z;
     }
     EXPECT_NEAR(distance(p, {0, 0, 1.1}), 1, 1e-15);
-    EXPECT_EQ(ply->read(text), spheres_of(two_spheres()));
+    EXPECT_EQ(read_spheres(*ply, text), spheres_of(two_spheres()));
 }
 
 TEST(WritePly, NamesMayHoldAnything) {
     QuietContext context;
     const auto ply = writer("write_ply", "write.ply");
     const SphereModel model = model_of(nullptr, {group_of("a\n100%41 b", {}, flat_tree({{{1, 2, 3}, 1}}))});
-    EXPECT_EQ(ply->read(ply->write(model, context)), spheres_of(model));
+    EXPECT_EQ(read_spheres(*ply, ply->write(model, context)), spheres_of(model));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // What parameters of write.urdf add to the text: <inertial>, Drake's elements; and paths as package://.
 #include "models.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/read_spheres.hpp"
 
 #include <foam/base/file.hpp>
 
@@ -67,7 +68,7 @@ protected:
     std::string written(const std::map<std::string, ParameterValue>& parameters) {
         context_.said.clear();
         const std::string text = registry_.make<Writer>("write.urdf", parameters)->write(model_, context_);
-        EXPECT_EQ(registry_.make<Writer>("write.urdf")->read(text), spheres_of(model_));
+        EXPECT_EQ(read_spheres(*registry_.make<Writer>("write.urdf"), text), spheres_of(model_));
         return text;
     }
 

@@ -1,5 +1,6 @@
 // write.urdf on the robots of others, and its reader on sphere robots of others.
 #include "models.hpp"
+#include "support/read_spheres.hpp"
 
 #include <expat.h>
 #include <nlohmann/json.hpp>
@@ -93,7 +94,7 @@ TEST(WriteUrdfRobots, NothingButCollisionElementsChanges) {
         }
         const std::string written = urdf->write(model, context);
         EXPECT_EQ(without_collisions(written), without_collisions(robot->source));
-        EXPECT_EQ(urdf->read(written), spheres_of(model));
+        EXPECT_EQ(read_spheres(*urdf, written), spheres_of(model));
         const Robot again = loader->load(written, file, ResourceResolver{}, context);
         EXPECT_EQ(again.links.size(), robot->links.size());
         EXPECT_EQ(again.joints.size(), robot->joints.size());
@@ -113,7 +114,7 @@ TEST(WriteUrdfRobots, ReadsPublishedSphereModels) {
             continue; // MorphIt's spheres are links of their own
         }
         const auto expected = nlohmann::json::parse(contents(expected_file)).at("spheres");
-        const auto spheres = urdf->read(contents(file));
+        const auto spheres = read_spheres(*urdf, contents(file));
         for (const auto& [link, list] : expected.items()) {
             std::vector<Sphere> there;
             for (const Sphere& s : spheres.contains(link) ? spheres.at(link) : std::vector<Sphere>{}) {

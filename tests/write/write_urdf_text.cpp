@@ -1,5 +1,6 @@
 // write.urdf changes nothing but collision geometry: oddly formatted texts.
 #include "models.hpp"
+#include "support/read_spheres.hpp"
 
 #include <gmock/gmock.h>
 
@@ -91,7 +92,7 @@ TEST(WriteUrdf, WritesTheLevelThatIsAskedFor) {
 }
 
 TEST(WriteUrdf, ReadsSpheresAsOthersWriteThem) {
-    const auto spheres = writer("write_urdf", "write.urdf")->read(R"(<robot><link name="a">
+    const auto spheres = read_spheres(*writer("write_urdf", "write.urdf"), R"(<robot><link name="a">
         <collision><geometry><sphere radius="1"/></geometry></collision>
         <collision><origin rpy="1 2 3"/><geometry><sphere radius="2"/></geometry></collision>
         <collision><origin xyz="  1   2

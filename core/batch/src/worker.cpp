@@ -84,7 +84,7 @@ std::string portable(std::string text, const std::string& real, const BatchItem&
 Json spheres_of(const SphereModel& model) {
     Json spheres = Json::array();
     for (const LinkSpheres& link : spheres_by_link(model)) {
-        for (const Sphere& s : link.spheres) {
+        for (const Sphere& s : link.elements.spheres()) {
             spheres.push_back({s.center.x, s.center.y, s.center.z, s.radius});
         }
     }
@@ -208,7 +208,7 @@ private:
         try {
             RunResult result = run(scaled, registry_, options());
             const bool same =
-                result.certified && spheres_by_link(result.model).front().spheres == scaled.links.front().keep;
+                result.certified && spheres_by_link(result.model).front().elements.spheres() == scaled.links.front().keep;
             return same ? std::optional(std::move(result)) : std::nullopt;
         } catch (const Error&) { // the rounding of coordinates far from the origin: the kept spheres do not cover
             return {};
@@ -223,7 +223,7 @@ private:
                 return finding.severity >= Severity::warning;
             });
             if (!warned && result.certified) {
-                return {spheres_by_link(result.model).front().spheres, norm(result.input_size.box.size())};
+                return {spheres_by_link(result.model).front().elements.spheres(), norm(result.input_size.box.size())};
             }
         } catch (const Error&) { // the run with the scale tells why
         }

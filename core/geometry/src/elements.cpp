@@ -9,7 +9,7 @@ Element element_of(const Sphere& sphere) {
     return element;
 }
 
-Elements::Elements(const std::vector<Element>& elements) {
+Elements::Elements(std::span<const Element> elements) {
     for (const Element& element : elements) {
         add(element);
     }

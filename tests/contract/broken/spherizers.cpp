@@ -41,7 +41,7 @@ class NotFinite final : public Spherizer {
 public:
     SphereTree spherize(const Shape& shape, const Budget&, Context& context) const override {
         SphereTree tree = one_ball(shape, context);
-        tree.levels.back().spheres.front().center.y = std::numeric_limits<double>::quiet_NaN();
+        tree.levels.back().elements.spheres().front().center.y = std::numeric_limits<double>::quiet_NaN();
         return tree;
     }
 };

@@ -14,8 +14,8 @@ bool sound(const Sphere& sphere) {
 
 bool all_sound(const SphereTree& tree) {
     return !tree.levels.empty() && std::all_of(tree.levels.begin(), tree.levels.end(), [](const auto& level) {
-        return level.size() > 0 && std::all_of(level.spheres.begin(), level.spheres.end(), sound) &&
-               std::all_of(level.others.begin(), level.others.end(), is_valid);
+        return level.elements.size() > 0 && std::all_of(level.elements.spheres().begin(), level.elements.spheres().end(), sound) &&
+               std::all_of(level.elements.shaped().begin(), level.elements.shaped().end(), is_valid);
     });
 }
 

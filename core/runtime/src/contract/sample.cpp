@@ -98,7 +98,7 @@ const std::map<std::string, std::function<std::shared_ptr<const Solid>()>>& soli
         {"TwoBoxes",
          [] {
              Mesh mesh = box({0.1, 0.1, 0.1});
-             mesh.add(box({0.1, 0.05, 0.2}, {0.5, 0, 0}));
+             append(mesh, box({0.1, 0.05, 0.2}, {0.5, 0, 0}));
              return Solid::make(mesh);
          }},
         {"OverlappingParts",

@@ -33,7 +33,7 @@ public:
         char chunk[65536];
         const ssize_t n = read(descriptor, chunk, sizeof chunk);
         if (n > 0) {
-            buffer_.chunk.add(static_cast<std::size_t>(n));
+            buffer_.append(chunk, static_cast<std::size_t>(n));
         }
         return n > 0 || (n < 0 && (errno == EINTR || errno == EAGAIN));
     }

@@ -32,7 +32,8 @@ public:
     Elements(std::initializer_list<Sphere> spheres) : spheres_(spheres) {}
     Elements(std::vector<Sphere> spheres) : spheres_(std::move(spheres)) {}
     Elements(std::span<const Sphere> spheres) : spheres_(spheres.begin(), spheres.end()) {}
-    Elements(const std::vector<Element>& elements);
+    Elements(const std::vector<Element>& elements) : Elements(std::span(elements)) {}
+    Elements(std::span<const Element> elements);
     Elements(std::vector<Sphere> spheres, const std::vector<Element>& elements);
 
     std::size_t size() const { return spheres_.size() + shaped_.size(); }

@@ -172,7 +172,7 @@ public:
     /// program would read them. The runtime proves the guarantee on these. `beside`: the texts of the files that files_beside()
     /// returned, by name. Throws Error(output) if the bytes cannot be read.
     virtual std::map<std::string, Elements> read(const std::string& bytes,
-                                                 const std::map<std::string, std::string>& beside) const = 0;
+                                                 const std::map<std::string, std::string>& beside = {}) const = 0;
     /// Returns the bytes of a file that belongs to that of write(): one for each ending of StageInfo::companions.
     /// Throws Error(internal) unless overridden.
     virtual std::string companion(const std::string& ending, const SphereModel& model, Context& context) const;
