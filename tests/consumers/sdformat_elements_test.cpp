@@ -63,7 +63,7 @@ TEST(SdformatElements, HaveTheSameSizesAndPoses) {
             theirs.push_back(element);
         }
     }
-    EXPECT_EQ(spheres, ours.spheres);
+    EXPECT_EQ(spheres, ours.spheres());
     ASSERT_EQ(theirs.size(), ours.shaped().size());
     for (std::size_t i = 0; i < theirs.size(); ++i) {
         EXPECT_EQ(theirs[i].kind, ours.shaped()[i].kind);

@@ -100,8 +100,8 @@ TEST(SpheresByLink, JoinsGroupsAndTakesTheLevel) {
     ASSERT_EQ(finest[0].elements.spheres().size(), 4u);
     EXPECT_EQ(finest[0].elements.spheres()[1].center.x, 1);
     EXPECT_EQ(finest[0].elements.spheres()[3].center.x, 3);
-    EXPECT_EQ(elements.spheres()_by_link(model, 0)[0].spheres.size(), 2u);
-    EXPECT_EQ(elements.spheres()_by_link(model, 9)[0].spheres.size(), 4u);
+    EXPECT_EQ(spheres_by_link(model, 0)[0].elements.size(), 2u);
+    EXPECT_EQ(spheres_by_link(model, 9)[0].elements.size(), 4u);
     model.groups[2].tree.levels[0].elements.spheres()[0].radius = 0;
     EXPECT_NO_THROW(spheres_by_link(model));
     EXPECT_THROW(require_writable(model), Error);

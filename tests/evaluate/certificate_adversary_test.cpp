@@ -413,7 +413,7 @@ TEST(CertificateAdversary, VerticesThatAreNoNumbersAreRefused) {
 TEST(CertificateAdversary, WhatGrowsToCoverIsProvedAtAllSizes) {
     for (const double size : {1e-150, 1e-100, 1e-9, 1e9, 1e100}) {
         const auto solid = Solid::make(triangle({size, 0, 0}, {0, size, 0}, {0, 0, size}));
-        const std::vector<Sphere> grown = grown_to_cover(*solid, {{{}, 0}, {{size, 0, 0}, size / 2}});
+        const std::vector<Sphere> grown = grown_to_cover(*solid, std::vector<Sphere>{{{}, 0}, {{size, 0, 0}, size / 2}});
         EXPECT_TRUE(certify(*solid, grown).holds) << size;
     }
 }

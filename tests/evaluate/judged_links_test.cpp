@@ -75,7 +75,7 @@ TEST(JudgedLinks, SpheresAndElementsGoToTheLinksOfTheirNames) {
     const MatchedModel model = match(cubes({"a", "b"}), file);
     ASSERT_EQ(model.elements.size(), 2u);
     EXPECT_THAT(model.elements[0], IsEmpty());
-    EXPECT_THAT(model.elements[1], ElementsAre(Sphere{{1, 2, 3}, 0.3}));
+    EXPECT_THAT(model.elements[1].spheres(), ElementsAre(Sphere{{1, 2, 3}, 0.3}));
     EXPECT_THAT(std::vector<Element>(model.elements[0].shaped().begin(), model.elements[0].shaped().end()),
                 ElementsAre(box_element({1, 2, 3})));
     EXPECT_TRUE(model.elements[1].are_spheres());

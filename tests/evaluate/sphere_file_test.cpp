@@ -216,7 +216,7 @@ TEST_F(SphereFiles, XrdfClonesGeometry) {
     EXPECT_THAT(
         read(begin + "  all: {clone: [a, b]}\n  a: {clone: [c]}\n  b: {clone: [c]}\n  c: {spheres: " + lists + "}\n")
             .links.at(0)
-            .spheres,
+            .elements.spheres(),
         ElementsAre(one, two));
 }
 

@@ -32,7 +32,7 @@ void expect_only_grown(const std::vector<Sphere>& before, const std::vector<Sphe
 
 TEST(Growth, OneSphereGrowsToTheFarthestCorner) {
     const auto cube = Solid::make(box({-1, -1, -1}, {1, 1, 1}));
-    const auto grown = grown_to_cover(*cube, {{{0.5, 0, 0}, 0.1}});
+    const auto grown = grown_to_cover(*cube, std::vector<Sphere>{{{0.5, 0, 0}, 0.1}});
     EXPECT_NEAR(grown[0].radius, std::sqrt(2.25 + 2), 1e-9);
     EXPECT_TRUE(certify(*cube, grown).holds);
 }
@@ -77,7 +77,7 @@ TEST(Growth, FarFromCovering) {
 TEST(Growth, TakesTheSphereThatAddsLess) {
     // A corner sticks out between a small sphere, deep in the solid, and a large one outside all of it.
     const auto rod = Solid::make(box({0, 0, 0}, {2, 1, 1}));
-    const auto grown = grown_to_cover(*rod, {{{0.5, 0.5, 0.5}, 0.9}, {{1.5, 0.5, 0.5}, 0.8}});
+    const auto grown = grown_to_cover(*rod, std::vector<Sphere>{{{0.5, 0.5, 0.5}, 0.9}, {{1.5, 0.5, 0.5}, 0.8}});
     EXPECT_TRUE(certify(*rod, grown).holds);
     EXPECT_DOUBLE_EQ(grown[0].radius, 0.9);
     EXPECT_NEAR(grown[1].radius, std::sqrt(0.75), 1e-9);
@@ -105,24 +105,24 @@ TEST(Growth, BallsThatMeetJustAtTheSurface) {
 TEST(Growth, SpheresThatAreNone) {
     const auto cube = Solid::make(box({-1, -1, -1}, {1, 1, 1}));
     const double nan = std::nan("");
-    EXPECT_THROW(grown_to_cover(*cube, {}), Error);
-    EXPECT_THROW(grown_to_cover(*cube, {{{nan, 0, 0}, 1}}), Error);
+    EXPECT_THROW(grown_to_cover(*cube, std::vector<Sphere>{}), Error);
+    EXPECT_THROW(grown_to_cover(*cube, std::vector<Sphere>{{{nan, 0, 0}, 1}}), Error);
     try {
-        grown_to_cover(*cube, {{{}, std::numeric_limits<double>::infinity()}});
+        grown_to_cover(*cube, std::vector<Sphere>{{{}, std::numeric_limits<double>::infinity()}});
         ADD_FAILURE() << "no radius to grow from";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::geometry);
     }
-    const auto grown = grown_to_cover(*cube, {{{nan, 0, 0}, 1}, {{}, 0}, {{}, -1}});
+    const auto grown = grown_to_cover(*cube, std::vector<Sphere>{{{nan, 0, 0}, 1}, {{}, 0}, {{}, -1}});
     EXPECT_TRUE(certify(*cube, grown).holds);
 }
 
 TEST(Growth, RoundPrimitivesInClosedForm) {
     const auto ball = primitive_solid({Primitive::Kind::sphere, {}, 0.25, 0});
-    EXPECT_DOUBLE_EQ(grown_to_cover(*ball, {{{}, 0.2499}})[0].radius, 0.25);
+    EXPECT_DOUBLE_EQ(grown_to_cover(*ball, std::vector<Sphere>{{{}, 0.2499}})[0].radius, 0.25);
     const auto capsule = primitive_solid({Primitive::Kind::capsule, {}, 0.25, 1});
-    EXPECT_NEAR(grown_to_cover(*capsule, {{{}, 0.7499}})[0].radius, 0.75, 1e-9);
-    const auto in_pieces = grown_to_cover(*capsule, {{{0, 0, 0.4}, 0.3}, {{0, 0, -0.4}, 0.3}, {{}, 0.3}});
+    EXPECT_NEAR(grown_to_cover(*capsule, std::vector<Sphere>{{{}, 0.7499}})[0].radius, 0.75, 1e-9);
+    const auto in_pieces = grown_to_cover(*capsule, std::vector<Sphere>{{{0, 0, 0.4}, 0.3}, {{0, 0, -0.4}, 0.3}, {{}, 0.3}});
     EXPECT_TRUE(certify(*capsule, in_pieces).holds);
     for (const Sphere& s : in_pieces) {
         EXPECT_LT(s.radius, 0.5);
@@ -134,13 +134,13 @@ TEST(Growth, FlatAndOpenAndTiny) {
     plane.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     plane.triangles = {{0, 1, 2}, {0, 2, 3}};
     const auto flat = Solid::make(plane);
-    EXPECT_TRUE(certify(*flat, grown_to_cover(*flat, {{{0.2, 0.5, 0}, 0.1}, {{0.8, 0.5, 0}, 0.1}})).holds);
+    EXPECT_TRUE(certify(*flat, grown_to_cover(*flat, std::vector<Sphere>{{{0.2, 0.5, 0}, 0.1}, {{0.8, 0.5, 0}, 0.1}})).holds);
     const auto tiny = Solid::make(transformed(torus(1, 0.3, 12), {}, {1e-7, 1e-7, 1e-7}));
-    EXPECT_TRUE(certify(*tiny, grown_to_cover(*tiny, {{{}, 1e-8}, {{1e-7, 0, 0}, 1e-8}})).holds);
+    EXPECT_TRUE(certify(*tiny, grown_to_cover(*tiny, std::vector<Sphere>{{{}, 1e-8}, {{1e-7, 0, 0}, 1e-8}})).holds);
     Pose far;
     far.translation = {1e4, 0, 0};
     const auto away = Solid::make(transformed(torus(1, 0.3, 12), far));
-    const auto grown = grown_to_cover(*away, {{far.translation, 0.1}, {far.translation + Vec3{1, 0, 0}, 0.5}});
+    const auto grown = grown_to_cover(*away, std::vector<Sphere>{{far.translation, 0.1}, {far.translation + Vec3{1, 0, 0}, 0.5}});
     EXPECT_TRUE(certify(*away, grown).holds);
 }
 

@@ -43,7 +43,7 @@ std::vector<LinkSpheres> links_of(Element::Kind kind) {
     if (kind == Element::Kind::sphere) {
         return {{"a", {{{0, 0, 0}, 0.1}, {{0.3, 0, 0}, 0.2}}}};
     }
-    return {{"a", {}, {element(kind)}}};
+    return {{"a", {{}, {element(kind)}}}};
 }
 
 class EveryKind : public testing::TestWithParam<Element::Kind> {};

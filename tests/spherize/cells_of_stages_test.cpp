@@ -121,7 +121,7 @@ TEST_P(Depth, DepthGivesLevelsWithParentsThatCoverTheirChildrensParts) {
     const SphereTree tree = spherize(solid, {}, {{"depth", std::int64_t{3}}});
     ASSERT_EQ(tree.levels.size(), 4u);
     for (std::size_t l = 1; l < tree.levels.size(); ++l) {
-        EXPECT_GT(tree.levels[l].elements.spheres().size(), tree.levels[l - 1].spheres.size());
+        EXPECT_GT(tree.levels[l].elements.spheres().size(), tree.levels[l - 1].elements.spheres().size());
         for (std::size_t i = 0; i < tree.levels[l].elements.spheres().size(); ++i) {
             // A child's ball holds a part of what its parent's holds: the two meet, and the child is no larger.
             const Sphere& child = tree.levels[l].elements.spheres()[i];

@@ -58,7 +58,7 @@ TEST_P(Tree, LevelsEncloseCoverAndLeadToEveryPoint) {
         }
         for (std::size_t l = 1; l < tree.levels.size(); ++l) {
             const std::vector<Sphere>& spheres = tree.levels[l].elements.spheres();
-            EXPECT_GE(elements.elements.spheres().size(), tree.levels[l - 1].spheres.size());
+            EXPECT_GE(spheres.size(), tree.levels[l - 1].elements.size());
             const std::vector<Sphere> grown = grown_to_cover(*solid, spheres);
             for (std::size_t i = 0; i < spheres.size(); ++i) {
                 EXPECT_LE(grown[i].radius - spheres[i].radius, 0.02 * size) << "level " << l << " does not cover";

@@ -52,7 +52,7 @@ protected:
                 }
             }
             const std::size_t l = tree.levels.size() - 1;
-            EXPECT_EQ(elements.elements.spheres()_in("out/" + std::to_string(l) + ".urdf").at("part"), level.spheres) << "level " << l;
+            EXPECT_EQ(spheres_in("out/" + std::to_string(l) + ".urdf").at("part"), level.elements.spheres()) << "level " << l;
             EXPECT_EQ(level.parents.size(), l == 0 ? 0 : level.elements.spheres().size());
             for (const std::uint32_t parent : level.parents) {
                 EXPECT_LT(parent, tree.levels[l - 1].elements.spheres().size());

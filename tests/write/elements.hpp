@@ -3,6 +3,7 @@
 
 #include "models.hpp"
 
+#include <algorithm>
 #include <foam/base/random.hpp>
 #include <foam/sdk/elements.hpp>
 
@@ -95,17 +96,8 @@ inline std::vector<Vec3> points_of(const Element& element, int count) {
 
 /// Whether the elements hold the point, but for the rounding of a support point of an element of that reach.
 inline bool covered(const Vec3& point, const Elements& elements, double allowed) {
-    for (const Sphere& s : elements.spheres) {
-        if (distance(point, s.center) <= s.radius + allowed) {
-            return true;
-        }
-    }
-    for (const Element& element : elements.shaped()) {
-        if (distance(element, point) <= allowed) {
-            return true;
-        }
-    }
-    return false;
+    return std::any_of(elements.begin(), elements.end(),
+                       [&](const Element& element) { return distance(element, point) <= allowed; });
 }
 
 /// Expects that what comes back contains the element, and is little larger. `larger`: share of its size.
@@ -122,12 +114,7 @@ inline void expect_contained(const Element& element, const Elements& back, doubl
         ASSERT_TRUE(covered(point, back, allowed)) << to_string(element.kind);
     }
     Box all;
-    for (const Sphere& s : back.spheres) {
-        const Vec3 r{s.radius, s.radius, s.radius};
-        all.add(s.center - r);
-        all.add(s.center + r);
-    }
-    for (const Element& other : back.shaped()) {
+    for (const Element& other : back) {
         all.add(bounds(other));
     }
     EXPECT_LE(all.diagonal(), own.diagonal() * (1 + larger) + 1e-8 * norm(element.pose.translation))

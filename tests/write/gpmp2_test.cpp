@@ -64,7 +64,7 @@ TEST(WriteGpmp2, TheCenterOfGpmp2IsThatOfTheUrdf) {
     const SphereModel model = model_of(nullptr, {group_of("link", {}, flat_tree({{{0.25, 0, 0}, 0.1}}))});
     const SphereFile rows = gpmp2.file(gpmp2.text(model, {{"frames", "link 0 -0.4 0 0 0 0 0"}}));
     EXPECT_LT(
-        distance(urdf_link * rows.links.at(0).spheres.at(0).center, dh_link * read.links.at(0).spheres.at(0).center),
+        distance(urdf_link * rows.links.at(0).elements.spheres().at(0).center, dh_link * read.links.at(0).elements.spheres().at(0).center),
         1e-15);
 }
 

@@ -130,7 +130,7 @@ TEST(MujocoElements, ReadsGeomsOfOthersAsMujocoDoes) {
     const Loaded mujoco(without);
     ASSERT_TRUE(mujoco.model);
     const std::vector<Element> theirs = elements_of_body(*mujoco.model, "b");
-    const std::vector<Element>& ours = read.links[0].elements.shaped();
+    const std::span<const Element> ours = read.links[0].elements.shaped();
     ASSERT_EQ(ours.size(), 8U);
     for (std::size_t i = 0; i < ours.size(); ++i) {
         SCOPED_TRACE(i);

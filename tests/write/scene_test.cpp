@@ -77,7 +77,7 @@ TEST(ReadScene, ReadsTheScenesOfMoveIt) {
         const SphereFile read = scene.file(text);
         EXPECT_EQ(read.format, format);
         ASSERT_FALSE(read.links.empty());
-        EXPECT_EQ(read.links.at(0).elements.shaped().at(0).kind, Element::Kind::box);
+        EXPECT_EQ(read.links.at(0).elements.shaped()[0].kind, Element::Kind::box);
     }
 }
 

@@ -17,7 +17,7 @@ public:
         std::string text = header;
         text += '\n';
         for (const LinkSpheres& link : spheres_by_link(model)) { // refuses spheres that nobody could read
-            for (const Sphere& s : link.spheres) {
+            for (const Sphere& s : link.elements.spheres()) {
                 for (const double value : {s.center.x, s.center.y, s.center.z, s.radius}) {
                     text += number_text(value) + ' '; // all digits, whatever the locale
                 }
