@@ -416,6 +416,29 @@ TEST(ElementGrown, APlateThatIsThinnerThanItsRoundingHasRoomToo) {
     }
 }
 
+/// Its sides have larger triangles than its top, and are farther from the corners opposite.
+TEST(ElementGrown, TheBoxLiesAlongTheDirectionInWhichThePolytopeIsThinnest) {
+    Random random(22);
+    constexpr double height = 0.01, length = 0.03;
+    for (int k = 0; k < 20; ++k) {
+        std::vector<Vec3> points;
+        for (int i = 0; i < 3; ++i) {
+            const double angle = 2 * std::numbers::pi * i / 3, x = std::cos(angle), y = std::sin(angle);
+            points.insert(points.end(), {{x, y, 0}, {0.4 * x, 0.4 * y, height}, {0.4 * x, 0.4 * y, -height}});
+        }
+        std::rotate(points.begin(), points.begin() + k % 9, points.end());
+        const Pose pose = test::random_pose(random, 1);
+        for (Vec3& p : points) {
+            p = pose * p;
+        }
+        const auto result = with_room(*hull_of(points), length);
+        expect_room(*result, points, length);
+        EXPECT_EQ(result->surface.vertices.size(), 8u);
+        const double box = (std::sqrt(3.0) + 2 * length) * (1.5 + 2 * length) * (2 * height + 2 * length);
+        EXPECT_NEAR(signed_volume(result->surface), box, 0.01 * box);
+    }
+}
+
 TEST(ElementGrown, ScalesWithAll) {
     // By powers of two, which round nothing: a step that knows a length would do otherwise.
     Random random(9);
