@@ -68,6 +68,21 @@ TEST(Separation, OfBoxesIsTheirGap) {
     EXPECT_GT(separation(a, box({1.5, 0, 0}, {1, 1, 1})).depth, 0.4);
 }
 
+TEST(Separation, OfBoxesThatAreExactlyOneApartIsAsAccurate) {
+    Random random(11);
+    for (int round = 0; round < 400; ++round) {
+        const auto size = [&] { return static_cast<double>(1 + random.below(40)) / 8; };
+        const Vec3 half{size(), size(), size()}, other{size(), size(), size()};
+        Vec3 at{size() - 3, size() - 3, size() - 3};
+        for (int axis = 0; axis < 3; ++axis) {
+            at[axis] = axis == round % 3 ? half[axis] + other[axis] + 1 : std::clamp(at[axis], -half[axis], half[axis]);
+        }
+        const double low = separation(box({}, half), box(at, other)).low;
+        EXPECT_LE(low, 1);
+        EXPECT_GE(low, 1 - 2e-6);
+    }
+}
+
 TEST(Separation, TakesThePosesOfLinks) {
     const Pose away = Pose::from_xyz_rpy({0, 0, 5}, {std::numbers::pi / 2, 0, 0});
     EXPECT_NEAR(separation(box({}, {1, 1, 2}), box({}, {1, 2, 1}), {}, away).low, 5 - 2 - 2, 1e-5);
