@@ -288,6 +288,15 @@ TEST(BodyCuts, OfAProofThatFailedNothingIsLeft) {
     EXPECT_TRUE(c.cover({{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}}));
 }
 
+TEST(BodyCuts, ATriangleWithACornerInNoBodyIsNotCut) {
+    const std::array<Vec3, 3> corner{triangle.a, triangle.b, triangle.c};
+    for (std::size_t turn = 0; turn < 3; ++turn) {
+        Cuts c({ball_of(triangle.b, 3.5), ball_of(triangle.c, 3.5)});
+        EXPECT_FALSE(c.cover({corner[turn], corner[(turn + 1) % 3], corner[(turn + 2) % 3]}));
+        EXPECT_EQ(c.cuts.pieces(), 0u);
+    }
+}
+
 TEST(BodyCuts, OneRoundBodyCoversWithoutACut) {
     Cuts c({ball_of({1, 1, 0}, 9), ball_of({1, 1, 0}, 0.1)});
     EXPECT_TRUE(c.cover(triangle));
