@@ -344,6 +344,60 @@ TEST(ConvexHull, WhereAFacetPassesACornerTwiceOrHasAHoleTheTrianglesAreTheFacets
     }
 }
 
+TEST(ConvexHull, APointFarOutsideOfTheNextTriangleButOneIsACorner) {
+    // Points nearly on a line, and one beside it: new triangles are so thin that their planes do not tell.
+    const std::vector<std::vector<Vec3>> all{{{-0x1.0e1c50379173fp-5, -0x1.9d0d62fa506d6p-2, -0x1.bf22e5d7957f7p-2},
+                                              {-0x1.30976ca19679cp-6, -0x1.d2ef921fa6f0ap-3, -0x1.f9ce1109a5d3bp-3},
+                                              {-0x1.b202d3eb7c21fp-5, -0x1.4bf8bc7ea3dep-1, -0x1.67670706e2e1fp-1},
+                                              {-0x1.035363321d9f2p-6, -0x1.8e0871a2b33d3p-3, -0x1.af4f3aa65123cp-3},
+                                              {-0x1.b828b0ea4c616p-6, -0x1.5132196c2b41p-2, -0x1.6d3607d35c61bp-2},
+                                              {0.3, 0.3, 1}},
+                                             {{0x1.b9a7e16470546p-4, -0x1.9bcbe906be0cfp-4, -0x1.5e09e7c566947p-5},
+                                              {0x1.2b4f8254fd391p-2, -0x1.1730485fda1d8p-2, -0x1.da7a86f8abaf1p-4},
+                                              {0x1.1aefa42015b69p-1, -0x1.07f14eb262056p-1, -0x1.c087a04b62118p-3},
+                                              {0x1.453ba6625f67ap-1, -0x1.2f647b886e792p-1, -0x1.01ca2965b6039p-2},
+                                              {0x1.4877dfdd910d1p-1, -0x1.32649ea4d2367p-1, -0x1.0459f0e874283p-2},
+                                              {0.3, 0.3, 1}},
+                                             {{0x1.bf814f83c921ep-2, 0x1.3381794413b1cp-4, -0x1.2de47bf9710f5p-1},
+                                              {0x1.69e7d1b1d0618p-3, 0x1.f15f85cdc6755p-6, -0x1.e84ad3bf8dbebp-3},
+                                              {0x1.2ab970d77d857p-1, 0x1.9a8af5f85ae4dp-4, -0x1.930bf73843943p-1},
+                                              {0x1.c22d0b588a859p-6, 0x1.355e6ebeced65p-8, -0x1.2fb2def031f2ep-5},
+                                              {0x1.2987670fabe1bp-1, 0x1.98e5e435ad8f9p-4, -0x1.916ef9bde6d44p-1},
+                                              {0.3, 0.3, 1}},
+                                             {{-0x1.8c500fab2d9aep-52, -0x1.046eed66eeaf8p-55, -0x1.32720dbb96fc4p-54},
+                                              {-0x1.22e1fa550361ap-5, -0x1.57cf4f9ea3d4bp-5, -0x1.f377b454859bp-3},
+                                              {-0x1.22ea700a16bd8p-3, -0x1.57c1a083bd92p-3, -0x1.f377fc2bc8761p-1},
+                                              {-0x1.999865c24a1bp-55, -0x1.367b019bb0ccp-52, 0x1.5ba0a2445f17bp-52},
+                                              {0x1.4d2f8cd3a579p-20, -0x1.0d783918d4656p-19, 0x1.61ad97eb2b0c9p-23},
+                                              {-0x1.22ec63d169facp-5, -0x1.57be781b1249p-5, -0x1.f3780cbfeb94cp-3}},
+                                             {{0x1.5fb1a5e5e5bdap-2, -0x1.7e301379bc17p-4, 0x1.f15f978950485p-4},
+                                              {0x1.759fb2b69601ap-1, -0x1.961c7c570fee1p-3, 0x1.083cb5a54c566p-2},
+                                              {0x1.036d773991223p-2, -0x1.19e8d150127d6p-4, 0x1.6ee07f6373214p-4},
+                                              {0x1.e0f8b7dbbfa7cp-3, -0x1.05549eb59854bp-4, 0x1.5418104a781abp-4},
+                                              {0x1.83e578ebe083ep-2, -0x1.a585740ce4d3dp-4, 0x1.124838f65349dp-3},
+                                              {0x1.3e95f907183b9p-2, -0x1.5a66e10b01ed9p-4, 0x1.c2bbcc34ae67ap-4},
+                                              {0x1.02ba41bf22ecp-5, -0x1.1bbd59d153822p-7, 0x1.70566d424007fp-7},
+                                              {0.3, 0.3, 1}}};
+    for (const std::vector<Vec3>& points : all) {
+        expect_hull_of(points);
+    }
+}
+
+TEST(ConvexHull, PlanesOfFewCornersAreAboveThemByRoundingAlone) {
+    Random random(19);
+    for (int run = 0; run < 50; ++run) {
+        const std::vector<Vec3> cube = moved(test::box({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}).vertices, test::random_pose(random, 0));
+        const auto hull = convex_hull(cube);
+        for (const Polytope::Face& face : hull->faces) {
+            double highest = -std::numeric_limits<double>::infinity();
+            for (const Vec3& p : cube) {
+                highest = std::max(highest, dot(face.normal, p));
+            }
+            EXPECT_LE(face.offset - highest, 16 * 0x1p-53 * (1.5 + 3.01) + 4 * 0x1p-53); // lengths along the axes, a box's diagonal
+        }
+    }
+}
+
 TEST(ConvexHull, RefusesWhatHasNoHull) {
     const auto message = [](std::vector<Vec3> points) -> std::string {
         try {
