@@ -269,8 +269,8 @@ TEST(ConvexHull, PointsJustOutsideOfAFaceAreContained) {
 }
 
 TEST(ConvexHull, APointBesideAFaceIsACornerAboveTheTolerance) {
-    // 16 roundings of the size, and 4 of the largest coordinate: 31.7 for a cube.
-    for (const double roundings : {31.0, 32.0}) {
+    // 16 roundings of the size, which is a thousandth more than the diagonal, and 4 of the largest coordinate: 31.74.
+    for (const double roundings : {31.0, 31.71, 31.76, 32.0}) {
         const double beside = roundings * 0x1p-53;
         for (int run = 0; run < 8; ++run) {
             std::vector<Vec3> points;
@@ -279,7 +279,7 @@ TEST(ConvexHull, APointBesideAFaceIsACornerAboveTheTolerance) {
             }
             std::rotate(points.begin(), points.begin() + run, points.end());
             points.push_back({0.4, 0.3, -beside});
-            EXPECT_EQ(convex_hull(points)->surface.vertices.size(), roundings > 31.5 ? 9u : 8u) << run;
+            EXPECT_EQ(convex_hull(points)->surface.vertices.size(), roundings > 31.74 ? 9u : 8u) << run;
             EXPECT_LE(most_outside(*convex_hull(points), points), 0);
         }
     }

@@ -133,6 +133,17 @@ TEST(Separation, DepthIsWhatHasToBeMovedAtLeast) {
     EXPECT_NEAR(separation(capsule, ball({0.4, 0, -0.9}, 0.2)).depth, 0.1, 1e-6);
 }
 
+TEST(Separation, WhatMeetsAtItsEndsIsAsDeepThere) {
+    // Two long boxes with a corner in common, which is far from the middle of each and from the origin.
+    Random random(12);
+    for (int round = 0; round < 20; ++round) {
+        const Pose pose = Pose::from_xyz_rpy({random.uniform(20, 30), 20, 20}, {random.uniform(-3, 3), random.uniform(-1, 1), 1});
+        const double depth = separation(box({5, 0.5, 0}, {5, 0.5, 1}), box({0.5, 5, 0}, {0.5, 5, 1}), pose, pose).depth;
+        EXPECT_LE(depth, 1);
+        EXPECT_GT(depth, 0.5) << round;
+    }
+}
+
 TEST(Separation, IsConservativeForAllKinds) {
     Random random(7);
     int apart = 0, touching = 0;
