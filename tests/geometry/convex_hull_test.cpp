@@ -313,28 +313,27 @@ TEST(ConvexHull, WhatIsNearlyFlatOrALine) {
 
 TEST(ConvexHull, WhereAFacetPassesACornerTwiceOrHasAHoleTheTrianglesAreTheFacets) {
     // Nearly on a line; found by trying a hundred thousand.
-    const std::vector<std::vector<Vec3>> all{
-        {{-0x1.1476bf5fe77fcp-1, -0x1.e4b8fc20d4437p-1, -0x1.3bdaecb59a63cp+0},
-         {-0x1.2df3f3ba778cbp+0, -0x1.02e2725e01bcp+0, -0x1.692078fc587d5p+0},
-         {-0x1.c2f8ad7f6e32ap-3, -0x1.d43307bd063bap-1, -0x1.253826835b57dp+0},
-         {-0x1.c2f8ad7f6e312p-3, -0x1.d43307bd0639bp-1, -0x1.253826835b56fp+0},
-         {-0x1.b82f536423628p-1, -0x1.f53ef07bbfbb8p-1, -0x1.527db2e1e63fp+0},
-         {-0x1.2df3f3bc8f85ep+0, -0x1.02e272599072ep+0, -0x1.692078f6654a8p+0},
-         {-0x1.2df3f3bc8f86cp+0, -0x1.02e2725990714p+0, -0x1.692078f6654b8p+0},
-         {-0x1.2df3f3bc8f858p+0, -0x1.02e2725990736p+0, -0x1.692078f6654b2p+0},
-         {-0x1.c2f8ad4d2ef23p-3, -0x1.d43307d7adf1fp-1, -0x1.2538269534f0cp+0},
-         {-0x1.2df3f3b85f94ap+0, -0x1.02e2726273055p+0, -0x1.692079024bb0cp+0}},
-        {{0x1.9a667796a5348p-2, 0x1.f9644ba96b2ep-4, -0x1.91ca94bc6c902p-1},
-         {0x1.544b27c9889b1p-2, 0x1.28ac47f987308p-3, 0x1.b38e52d640698p-3},
-         {0x1.544b27c987278p-2, 0x1.28ac47f986f82p-3, 0x1.b38e52d64037bp-3},
-         {0x1.88dfa3a35f062p-2, 0x1.07b0ae5dea1c9p-3, -0x1.121f0a5fed5d2p-1},
-         {0x1.544b27c9889b4p-2, 0x1.28ac47f9872bap-3, 0x1.b38e52d64069ep-3},
-         {0x1.9a667796a7248p-2, 0x1.f9644ba96bb26p-4, -0x1.91ca94bc6c7f4p-1},
-         {0x1.9a667796a5347p-2, 0x1.f9644ba96b3aep-4, -0x1.91ca94bc6c904p-1},
-         {0x1.88dfa3a35f821p-2, 0x1.07b0ae5dea2d2p-3, -0x1.121f0a5fed59p-1},
-         {0x1.88dfa3a35d924p-2, 0x1.07b0ae5de9eafp-3, -0x1.121f0a5fed69ap-1},
-         {0x1.544b27c9881f8p-2, 0x1.28ac47f987194p-3, 0x1.b38e52d640593p-3},
-         {0x1.544b27c986ab6p-2, 0x1.28ac47f986e7bp-3, 0x1.b38e52d64026fp-3}}};
+    const std::vector<std::vector<Vec3>> all{{{-0x1.1476bf5fe77fcp-1, -0x1.e4b8fc20d4437p-1, -0x1.3bdaecb59a63cp+0},
+                                              {-0x1.2df3f3ba778cbp+0, -0x1.02e2725e01bcp+0, -0x1.692078fc587d5p+0},
+                                              {-0x1.c2f8ad7f6e32ap-3, -0x1.d43307bd063bap-1, -0x1.253826835b57dp+0},
+                                              {-0x1.c2f8ad7f6e312p-3, -0x1.d43307bd0639bp-1, -0x1.253826835b56fp+0},
+                                              {-0x1.b82f536423628p-1, -0x1.f53ef07bbfbb8p-1, -0x1.527db2e1e63fp+0},
+                                              {-0x1.2df3f3bc8f85ep+0, -0x1.02e272599072ep+0, -0x1.692078f6654a8p+0},
+                                              {-0x1.2df3f3bc8f86cp+0, -0x1.02e2725990714p+0, -0x1.692078f6654b8p+0},
+                                              {-0x1.2df3f3bc8f858p+0, -0x1.02e2725990736p+0, -0x1.692078f6654b2p+0},
+                                              {-0x1.c2f8ad4d2ef23p-3, -0x1.d43307d7adf1fp-1, -0x1.2538269534f0cp+0},
+                                              {-0x1.2df3f3b85f94ap+0, -0x1.02e2726273055p+0, -0x1.692079024bb0cp+0}},
+                                             {{0x1.9a667796a5348p-2, 0x1.f9644ba96b2ep-4, -0x1.91ca94bc6c902p-1},
+                                              {0x1.544b27c9889b1p-2, 0x1.28ac47f987308p-3, 0x1.b38e52d640698p-3},
+                                              {0x1.544b27c987278p-2, 0x1.28ac47f986f82p-3, 0x1.b38e52d64037bp-3},
+                                              {0x1.88dfa3a35f062p-2, 0x1.07b0ae5dea1c9p-3, -0x1.121f0a5fed5d2p-1},
+                                              {0x1.544b27c9889b4p-2, 0x1.28ac47f9872bap-3, 0x1.b38e52d64069ep-3},
+                                              {0x1.9a667796a7248p-2, 0x1.f9644ba96bb26p-4, -0x1.91ca94bc6c7f4p-1},
+                                              {0x1.9a667796a5347p-2, 0x1.f9644ba96b3aep-4, -0x1.91ca94bc6c904p-1},
+                                              {0x1.88dfa3a35f821p-2, 0x1.07b0ae5dea2d2p-3, -0x1.121f0a5fed59p-1},
+                                              {0x1.88dfa3a35d924p-2, 0x1.07b0ae5de9eafp-3, -0x1.121f0a5fed69ap-1},
+                                              {0x1.544b27c9881f8p-2, 0x1.28ac47f987194p-3, 0x1.b38e52d640593p-3},
+                                              {0x1.544b27c986ab6p-2, 0x1.28ac47f986e7bp-3, 0x1.b38e52d64026fp-3}}};
     for (const std::vector<Vec3>& points : all) {
         const auto hull = convex_hull(points);
         EXPECT_LE(most_outside(*hull, points), 0);
@@ -386,14 +385,16 @@ TEST(ConvexHull, APointFarOutsideOfTheNextTriangleButOneIsACorner) {
 TEST(ConvexHull, PlanesOfFewCornersAreAboveThemByRoundingAlone) {
     Random random(19);
     for (int run = 0; run < 50; ++run) {
-        const std::vector<Vec3> cube = moved(test::box({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}).vertices, test::random_pose(random, 0));
+        const std::vector<Vec3> cube =
+            moved(test::box({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}).vertices, test::random_pose(random, 0));
         const auto hull = convex_hull(cube);
         for (const Polytope::Face& face : hull->faces) {
             double highest = -std::numeric_limits<double>::infinity();
             for (const Vec3& p : cube) {
                 highest = std::max(highest, dot(face.normal, p));
             }
-            EXPECT_LE(face.offset - highest, 16 * 0x1p-53 * (1.5 + 3.01) + 4 * 0x1p-53); // lengths along the axes, a box's diagonal
+            EXPECT_LE(face.offset - highest,
+                      16 * 0x1p-53 * (1.5 + 3.01) + 4 * 0x1p-53); // lengths along the axes, a box's diagonal
         }
     }
 }

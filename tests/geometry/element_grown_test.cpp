@@ -190,7 +190,7 @@ TEST(ElementGrown, FacesThatMeetWithinEightLengthsMove) {
             expect_room(*result, points, length);
             const double smaller = signed_volume(moved->surface) - signed_volume(result->surface);
             EXPECT_EQ(smaller > 0, reach > 8) << reach; // else a box would be smaller, and would not be taken
-            for (Vec3& p : points) { // the same in small
+            for (Vec3& p : points) {                    // the same in small
                 p = p / 4;
             }
             length /= 4;

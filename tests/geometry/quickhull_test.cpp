@@ -148,7 +148,8 @@ TEST(Quickhull, WhatIsOutsideByLessThanTheToleranceIsNoCorner) {
 
 TEST(Quickhull, WhatIsOutsideByJustTheToleranceIsNoCorner) {
     constexpr double tolerance = 0x1p-20;
-    const std::vector<Vec3> cube{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
+    const std::vector<Vec3> cube{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
+                                 {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
     for (int axis = 0; axis < 3; ++axis) {
         for (const double side : {0.0, 1.0}) {
             for (const double beside : {tolerance, tolerance + 0x1p-50}) {

@@ -137,7 +137,8 @@ TEST(Separation, WhatMeetsAtItsEndsIsAsDeepThere) {
     // Two long boxes with a corner in common, which is far from the middle of each and from the origin.
     Random random(12);
     for (int round = 0; round < 20; ++round) {
-        const Pose pose = Pose::from_xyz_rpy({random.uniform(20, 30), 20, 20}, {random.uniform(-3, 3), random.uniform(-1, 1), 1});
+        const Pose pose =
+            Pose::from_xyz_rpy({random.uniform(20, 30), 20, 20}, {random.uniform(-3, 3), random.uniform(-1, 1), 1});
         const double depth = separation(box({5, 0.5, 0}, {5, 0.5, 1}), box({0.5, 5, 0}, {0.5, 5, 1}), pose, pose).depth;
         EXPECT_LE(depth, 1);
         EXPECT_GT(depth, 0.5) << round;
