@@ -130,6 +130,19 @@ TEST(ProvedLeast, OfAPointIsTheThicknessOfElements) {
     }
 }
 
+TEST(ProvedLeast, OnePointThatIsNotFiniteIsRefused) {
+    for (std::size_t k = 0; k < 4; ++k) {
+        std::vector<Vec3> points = points_by_chance(4, 1, {1, 1, 1});
+        points[k].y = k % 2 ? std::nan("") : INFINITY;
+        try {
+            proved_least(Kind::box, points, 0.1);
+            FAIL();
+        } catch (const Error& error) {
+            EXPECT_THAT(error.what(), HasSubstr("an element needs one or more points with finite coordinates"));
+        }
+    }
+}
+
 TEST(ProvedLeast, AMillionCellsAreTheMost) {
     try {
         proved_least(Kind::box, points_by_chance(4, 1, {1, 0.6, 0.3}), 1e-15);

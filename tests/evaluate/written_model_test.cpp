@@ -346,6 +346,17 @@ TEST(WrittenModel, FilesHaveTheirNames) {
     EXPECT_EQ(refused([&] { written_files(writer, info, model, "x/out.told", context); }).first, ErrorCode::plugin);
 }
 
+TEST(WrittenModel, ElementsThatTheFormatCannotHoldAreRefused) {
+    StageInfo info = told_info();
+    const SphereModel model = sphere_model_of(given_file({{"a", {}, {box_of(0.1)}}}), cubes_of_links({"a"}).robot);
+    const Told writer({});
+    QuietContext context;
+    EXPECT_EQ(written_files(writer, info, model, "x/out.told", context).size(), 1u);
+    info.kinds = {Element::Kind::sphere};
+    EXPECT_THAT(refused([&] { written_files(writer, info, model, "x/out.told", context); }).second, HasSubstr("box"));
+    EXPECT_EQ(writer.written.size(), 1u);
+}
+
 TEST(WrittenModel, AnEditedFileHasTheNewLineOnly) {
     SphereModel model = sphere_model_of(given_file({ball_of("a", 1)}), cubes_of_links({"a"}).robot);
     model.provenance = "# foam 1: it was proved";

@@ -288,6 +288,30 @@ TEST(BodyCuts, OfAProofThatFailedNothingIsLeft) {
     EXPECT_TRUE(c.cover({{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}}));
 }
 
+TEST(BodyCuts, EightPairsThatHoldAllCornersAreTried) {
+    Element left{.kind = Kind::capsule, .half = {0, 0, 9}, .radius = 2};
+    left.pose = Pose::from_axis_angle({1, 0, 0}, std::numbers::pi / 2);
+    Element right = left;
+    right.pose.translation = {3.9, 0, 0};
+    for (const std::size_t others : {7u, 8u}) { // balls at the corner that the first capsule does not hold
+        std::vector<Element> elements(1 + others, ball_of({4, 0, 0}, 0.1));
+        elements.front() = left;
+        elements.push_back(right);
+        Cuts c(elements);
+        EXPECT_EQ(c.cover(triangle, 6), others < 8) << "it is too small to be halved";
+        EXPECT_TRUE(others == 8 || c.cuts.pieces() == 2);
+    }
+}
+
+TEST(BodyCuts, ATriangleWithACornerInNoBodyIsNotCut) {
+    const std::array<Vec3, 3> corner{triangle.a, triangle.b, triangle.c};
+    for (std::size_t turn = 0; turn < 3; ++turn) {
+        Cuts c({ball_of(triangle.b, 3.5), ball_of(triangle.c, 3.5)});
+        EXPECT_FALSE(c.cover({corner[turn], corner[(turn + 1) % 3], corner[(turn + 2) % 3]}));
+        EXPECT_EQ(c.cuts.pieces(), 0u);
+    }
+}
+
 TEST(BodyCuts, OneRoundBodyCoversWithoutACut) {
     Cuts c({ball_of({1, 1, 0}, 9), ball_of({1, 1, 0}, 0.1)});
     EXPECT_TRUE(c.cover(triangle));

@@ -268,6 +268,23 @@ TEST(ConvexHull, PointsJustOutsideOfAFaceAreContained) {
     }
 }
 
+TEST(ConvexHull, APointBesideAFaceIsACornerAboveTheTolerance) {
+    // 16 roundings of the size, which is a thousandth more than the diagonal, and 4 of the largest coordinate: 31.74.
+    for (const double roundings : {31.0, 31.71, 31.76, 32.0}) {
+        const double beside = roundings * 0x1p-53;
+        for (int run = 0; run < 8; ++run) {
+            std::vector<Vec3> points;
+            for (int k = 0; k < 8; ++k) {
+                points.push_back({k & 1 ? 1.0 : 0.0, k & 2 ? 1.0 : 0.0, k & 4 ? 1.0 : 0.0});
+            }
+            std::rotate(points.begin(), points.begin() + run, points.end());
+            points.push_back({0.4, 0.3, -beside});
+            EXPECT_EQ(convex_hull(points)->surface.vertices.size(), roundings > 31.74 ? 9u : 8u) << run;
+            EXPECT_LE(most_outside(*convex_hull(points), points), 0);
+        }
+    }
+}
+
 TEST(ConvexHull, WhatIsNearlyFlatOrALine) {
     // Merging gives polygons of two corners, or fewer than four faces.
     Random random(18);
@@ -290,6 +307,94 @@ TEST(ConvexHull, WhatIsNearlyFlatOrALine) {
             EXPECT_LE(hull->faces.size(), hull->surface.triangles.size()) << "each face has a triangle";
         } catch (const Error& error) {
             EXPECT_EQ(error.code(), ErrorCode::geometry);
+        }
+    }
+}
+
+TEST(ConvexHull, WhereAFacetPassesACornerTwiceOrHasAHoleTheTrianglesAreTheFacets) {
+    // Nearly on a line; found by trying a hundred thousand.
+    const std::vector<std::vector<Vec3>> all{{{-0x1.1476bf5fe77fcp-1, -0x1.e4b8fc20d4437p-1, -0x1.3bdaecb59a63cp+0},
+                                              {-0x1.2df3f3ba778cbp+0, -0x1.02e2725e01bcp+0, -0x1.692078fc587d5p+0},
+                                              {-0x1.c2f8ad7f6e32ap-3, -0x1.d43307bd063bap-1, -0x1.253826835b57dp+0},
+                                              {-0x1.c2f8ad7f6e312p-3, -0x1.d43307bd0639bp-1, -0x1.253826835b56fp+0},
+                                              {-0x1.b82f536423628p-1, -0x1.f53ef07bbfbb8p-1, -0x1.527db2e1e63fp+0},
+                                              {-0x1.2df3f3bc8f85ep+0, -0x1.02e272599072ep+0, -0x1.692078f6654a8p+0},
+                                              {-0x1.2df3f3bc8f86cp+0, -0x1.02e2725990714p+0, -0x1.692078f6654b8p+0},
+                                              {-0x1.2df3f3bc8f858p+0, -0x1.02e2725990736p+0, -0x1.692078f6654b2p+0},
+                                              {-0x1.c2f8ad4d2ef23p-3, -0x1.d43307d7adf1fp-1, -0x1.2538269534f0cp+0},
+                                              {-0x1.2df3f3b85f94ap+0, -0x1.02e2726273055p+0, -0x1.692079024bb0cp+0}},
+                                             {{0x1.9a667796a5348p-2, 0x1.f9644ba96b2ep-4, -0x1.91ca94bc6c902p-1},
+                                              {0x1.544b27c9889b1p-2, 0x1.28ac47f987308p-3, 0x1.b38e52d640698p-3},
+                                              {0x1.544b27c987278p-2, 0x1.28ac47f986f82p-3, 0x1.b38e52d64037bp-3},
+                                              {0x1.88dfa3a35f062p-2, 0x1.07b0ae5dea1c9p-3, -0x1.121f0a5fed5d2p-1},
+                                              {0x1.544b27c9889b4p-2, 0x1.28ac47f9872bap-3, 0x1.b38e52d64069ep-3},
+                                              {0x1.9a667796a7248p-2, 0x1.f9644ba96bb26p-4, -0x1.91ca94bc6c7f4p-1},
+                                              {0x1.9a667796a5347p-2, 0x1.f9644ba96b3aep-4, -0x1.91ca94bc6c904p-1},
+                                              {0x1.88dfa3a35f821p-2, 0x1.07b0ae5dea2d2p-3, -0x1.121f0a5fed59p-1},
+                                              {0x1.88dfa3a35d924p-2, 0x1.07b0ae5de9eafp-3, -0x1.121f0a5fed69ap-1},
+                                              {0x1.544b27c9881f8p-2, 0x1.28ac47f987194p-3, 0x1.b38e52d640593p-3},
+                                              {0x1.544b27c986ab6p-2, 0x1.28ac47f986e7bp-3, 0x1.b38e52d64026fp-3}}};
+    for (const std::vector<Vec3>& points : all) {
+        const auto hull = convex_hull(points);
+        EXPECT_LE(most_outside(*hull, points), 0);
+        const Topology t = topology(hull->surface);
+        EXPECT_TRUE(t.closed_manifold()) << describe(t);
+        EXPECT_EQ(hull->faces.size(), hull->surface.triangles.size());
+    }
+}
+
+TEST(ConvexHull, APointFarOutsideOfTheNextTriangleButOneIsACorner) {
+    // Points nearly on a line, and one beside it: new triangles are so thin that their planes do not tell.
+    const std::vector<std::vector<Vec3>> all{{{-0x1.0e1c50379173fp-5, -0x1.9d0d62fa506d6p-2, -0x1.bf22e5d7957f7p-2},
+                                              {-0x1.30976ca19679cp-6, -0x1.d2ef921fa6f0ap-3, -0x1.f9ce1109a5d3bp-3},
+                                              {-0x1.b202d3eb7c21fp-5, -0x1.4bf8bc7ea3dep-1, -0x1.67670706e2e1fp-1},
+                                              {-0x1.035363321d9f2p-6, -0x1.8e0871a2b33d3p-3, -0x1.af4f3aa65123cp-3},
+                                              {-0x1.b828b0ea4c616p-6, -0x1.5132196c2b41p-2, -0x1.6d3607d35c61bp-2},
+                                              {0.3, 0.3, 1}},
+                                             {{0x1.b9a7e16470546p-4, -0x1.9bcbe906be0cfp-4, -0x1.5e09e7c566947p-5},
+                                              {0x1.2b4f8254fd391p-2, -0x1.1730485fda1d8p-2, -0x1.da7a86f8abaf1p-4},
+                                              {0x1.1aefa42015b69p-1, -0x1.07f14eb262056p-1, -0x1.c087a04b62118p-3},
+                                              {0x1.453ba6625f67ap-1, -0x1.2f647b886e792p-1, -0x1.01ca2965b6039p-2},
+                                              {0x1.4877dfdd910d1p-1, -0x1.32649ea4d2367p-1, -0x1.0459f0e874283p-2},
+                                              {0.3, 0.3, 1}},
+                                             {{0x1.bf814f83c921ep-2, 0x1.3381794413b1cp-4, -0x1.2de47bf9710f5p-1},
+                                              {0x1.69e7d1b1d0618p-3, 0x1.f15f85cdc6755p-6, -0x1.e84ad3bf8dbebp-3},
+                                              {0x1.2ab970d77d857p-1, 0x1.9a8af5f85ae4dp-4, -0x1.930bf73843943p-1},
+                                              {0x1.c22d0b588a859p-6, 0x1.355e6ebeced65p-8, -0x1.2fb2def031f2ep-5},
+                                              {0x1.2987670fabe1bp-1, 0x1.98e5e435ad8f9p-4, -0x1.916ef9bde6d44p-1},
+                                              {0.3, 0.3, 1}},
+                                             {{-0x1.8c500fab2d9aep-52, -0x1.046eed66eeaf8p-55, -0x1.32720dbb96fc4p-54},
+                                              {-0x1.22e1fa550361ap-5, -0x1.57cf4f9ea3d4bp-5, -0x1.f377b454859bp-3},
+                                              {-0x1.22ea700a16bd8p-3, -0x1.57c1a083bd92p-3, -0x1.f377fc2bc8761p-1},
+                                              {-0x1.999865c24a1bp-55, -0x1.367b019bb0ccp-52, 0x1.5ba0a2445f17bp-52},
+                                              {0x1.4d2f8cd3a579p-20, -0x1.0d783918d4656p-19, 0x1.61ad97eb2b0c9p-23},
+                                              {-0x1.22ec63d169facp-5, -0x1.57be781b1249p-5, -0x1.f3780cbfeb94cp-3}},
+                                             {{0x1.5fb1a5e5e5bdap-2, -0x1.7e301379bc17p-4, 0x1.f15f978950485p-4},
+                                              {0x1.759fb2b69601ap-1, -0x1.961c7c570fee1p-3, 0x1.083cb5a54c566p-2},
+                                              {0x1.036d773991223p-2, -0x1.19e8d150127d6p-4, 0x1.6ee07f6373214p-4},
+                                              {0x1.e0f8b7dbbfa7cp-3, -0x1.05549eb59854bp-4, 0x1.5418104a781abp-4},
+                                              {0x1.83e578ebe083ep-2, -0x1.a585740ce4d3dp-4, 0x1.124838f65349dp-3},
+                                              {0x1.3e95f907183b9p-2, -0x1.5a66e10b01ed9p-4, 0x1.c2bbcc34ae67ap-4},
+                                              {0x1.02ba41bf22ecp-5, -0x1.1bbd59d153822p-7, 0x1.70566d424007fp-7},
+                                              {0.3, 0.3, 1}}};
+    for (const std::vector<Vec3>& points : all) {
+        expect_hull_of(points);
+    }
+}
+
+TEST(ConvexHull, PlanesOfFewCornersAreAboveThemByRoundingAlone) {
+    Random random(19);
+    for (int run = 0; run < 50; ++run) {
+        const std::vector<Vec3> cube =
+            moved(test::box({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}).vertices, test::random_pose(random, 0));
+        const auto hull = convex_hull(cube);
+        for (const Polytope::Face& face : hull->faces) {
+            double highest = -std::numeric_limits<double>::infinity();
+            for (const Vec3& p : cube) {
+                highest = std::max(highest, dot(face.normal, p));
+            }
+            EXPECT_LE(face.offset - highest,
+                      16 * 0x1p-53 * (1.5 + 3.01) + 4 * 0x1p-53); // lengths along the axes, a box's diagonal
         }
     }
 }

@@ -180,15 +180,20 @@ TEST(ElementGrown, FacesThatMeetWithinEightLengthsMove) {
     for (const double reach : {3.0, 6.0, 7.5, 8.5, 15.0}) {
         const double slope = 1 / std::sqrt(reach * reach - 1); // of the faces: their edges go out by so many lengths
         std::vector<Vec3> points = lens(40, slope);
+        double length = 0.5;
         for (std::size_t k = 0; k < points.size(); k += 7) {
             std::rotate(points.begin(), points.begin() + 7, points.end());
             const auto hull = hull_of(points);
-            const auto moved = with_faces_moved(*hull, std::vector<double>(hull->faces.size(), 0.5), {}, 0.5);
+            const auto moved = with_faces_moved(*hull, std::vector<double>(hull->faces.size(), length), {}, length);
             ASSERT_TRUE(moved);
-            const auto result = with_room(*hull, 0.5);
-            expect_room(*result, points, 0.5);
+            const auto result = with_room(*hull, length);
+            expect_room(*result, points, length);
             const double smaller = signed_volume(moved->surface) - signed_volume(result->surface);
             EXPECT_EQ(smaller > 0, reach > 8) << reach; // else a box would be smaller, and would not be taken
+            for (Vec3& p : points) {                    // the same in small
+                p = p / 4;
+            }
+            length /= 4;
         }
     }
 }
@@ -413,6 +418,29 @@ TEST(ElementGrown, APlateThatIsThinnerThanItsRoundingHasRoomToo) {
         expect_room(*result, corners, length);
         EXPECT_LE(result->surface.vertices.size(), 8u);
         EXPECT_LE(signed_volume(result->surface), 2.1 * 4 * (5e-10 + 2 * length) * (1 + 2 * length) * (1 + 2 * length));
+    }
+}
+
+/// Its sides have larger triangles than its top, and are farther from the corners opposite.
+TEST(ElementGrown, TheBoxLiesAlongTheDirectionInWhichThePolytopeIsThinnest) {
+    Random random(22);
+    constexpr double height = 0.01, length = 0.03;
+    for (int k = 0; k < 20; ++k) {
+        std::vector<Vec3> points;
+        for (int i = 0; i < 3; ++i) {
+            const double angle = 2 * std::numbers::pi * i / 3, x = std::cos(angle), y = std::sin(angle);
+            points.insert(points.end(), {{x, y, 0}, {0.4 * x, 0.4 * y, height}, {0.4 * x, 0.4 * y, -height}});
+        }
+        std::rotate(points.begin(), points.begin() + k % 9, points.end());
+        const Pose pose = test::random_pose(random, 1);
+        for (Vec3& p : points) {
+            p = pose * p;
+        }
+        const auto result = with_room(*hull_of(points), length);
+        expect_room(*result, points, length);
+        EXPECT_EQ(result->surface.vertices.size(), 8u);
+        const double box = (std::sqrt(3.0) + 2 * length) * (1.5 + 2 * length) * (2 * height + 2 * length);
+        EXPECT_NEAR(signed_volume(result->surface), box, 0.01 * box);
     }
 }
 

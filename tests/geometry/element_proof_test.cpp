@@ -75,6 +75,8 @@ TEST(ContainsByLengths, OthersAreNotCompared) {
         EXPECT_FALSE(contains(hull, p));
         EXPECT_FALSE(contains(element_with(Kind::box, {-9, 9, 9}, 0), p));
     }
+    hull.hull = convex_hull(test::box({1, 1, 1}, {2, 2, 2}).vertices);
+    EXPECT_FALSE(contains(hull, {Primitive::Kind::sphere, {}, 0, 0})) << "the middle is beside it";
     EXPECT_FALSE(contains(element_with(Kind::box, {9, 9, 9}, 0), capsule));
     EXPECT_FALSE(contains(element_with(Kind::cylinder, {0, 0, 9}, 9), capsule));
     EXPECT_FALSE(contains(element_with(Kind::sphere, {}, 9), capsule));

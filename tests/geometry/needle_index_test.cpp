@@ -113,7 +113,7 @@ int looked_at(const geometry::NeedleIndex& index, const std::vector<geometry::Co
 
 TEST(NeedleIndex, LooksAtFewNeedles) {
     std::vector<geometry::Corners> triangles = corners_of(rod());
-    for (int corner = 0; corner < 3; ++corner) { // the longest edge begins at any corner
+    for (int corner = 0; corner < 6; ++corner) { // the longest edge begins at any corner, and goes either way
         const geometry::NeedleIndex index(triangles, middle);
         int near = 0, crossed = 0;
         for (int k = 0; k < 100; ++k) {
@@ -126,7 +126,7 @@ TEST(NeedleIndex, LooksAtFewNeedles) {
         EXPECT_GE(crossed, 100 * 2);
         EXPECT_LE(crossed, 100 * 10);
         for (geometry::Corners& t : triangles) {
-            t = {t.b, t.c, t.a};
+            t = corner == 2 ? geometry::Corners{t.a, t.c, t.b} : geometry::Corners{t.b, t.c, t.a};
         }
     }
 }

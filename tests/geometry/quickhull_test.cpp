@@ -146,4 +146,30 @@ TEST(Quickhull, WhatIsOutsideByLessThanTheToleranceIsNoCorner) {
     EXPECT_TRUE(Quickhull(plate, 2, 1e-7).run());
 }
 
+TEST(Quickhull, WhatIsOutsideByJustTheToleranceIsNoCorner) {
+    constexpr double tolerance = 0x1p-20;
+    const std::vector<Vec3> cube{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
+                                 {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double side : {0.0, 1.0}) {
+            for (const double beside : {tolerance, tolerance + 0x1p-50}) {
+                std::vector<Vec3> points = cube;
+                points.push_back({0.375, 0.375, 0.375});
+                points.back()[axis] = side > 0 ? 1 + beside : -beside;
+                points[8][(axis + 1) % 3] = 0.25;
+                Quickhull hull(points, 2, tolerance);
+                ASSERT_TRUE(hull.run());
+                std::set<std::uint32_t> corners;
+                for (const HullTriangle& t : hull.triangles()) {
+                    corners.insert(t.corners.begin(), t.corners.end());
+                }
+                EXPECT_EQ(corners.size(), beside > tolerance ? 9u : 8u);
+            }
+        }
+    }
+    const std::vector<Vec3> plate{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.25, 0.25, tolerance}};
+    EXPECT_FALSE(Quickhull(plate, 2, tolerance).run());
+    EXPECT_TRUE(Quickhull(plate, 2, std::nextafter(tolerance, 0)).run());
+}
+
 } // namespace

@@ -225,6 +225,15 @@ TEST(SelfCollision, NeverIsSaidOfTheGeometryWhereElementsMayLeaveItOut) {
     EXPECT_EQ(with_geometry(0.99, Source::cover, -1, 1).reason, PairReason::never);
 }
 
+TEST(SelfCollision, LinksThatAreJoinedStaySoWhateverTheirGeometryDoes) {
+    for (const double share : {0.5, 8.0}) {
+        const CollisionModel model = model_with_geometry(arm(-1, 1), share, CollisionModel::Source::given);
+        const LinkPair joined = pair(matrix_of(model, {.samples = 1000}), 0, 1);
+        EXPECT_EQ(joined.reason, PairReason::adjacent);
+        EXPECT_EQ(joined.geometry_samples, 0u);
+    }
+}
+
 TEST(SelfCollision, AlwaysIsSaidOfLimitsToo) {
     // Apart in less of the range than samples meet: at one limit, or at zero.
     const auto reason = [](double lower, double upper) {

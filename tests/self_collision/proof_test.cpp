@@ -348,6 +348,13 @@ TEST(TouchingProof, EndsEarlyWhereNothingIsDecided) {
     EXPECT_EQ(passing.verdict_within(2 * passing.boxes()), Verdict::never);
 }
 
+TEST(TouchingProof, EndsEarlyWhereLittleIsDecided) {
+    // They just touch in every position, and a little more at one end of the range: boxes of a ten-thousandth of it.
+    const Vec3 end{1.5 * std::cos(-3), 1.5 * std::sin(-3), 0};
+    EXPECT_EQ(verdict({{{turns, {}, {0, 0, 1}, -3, 3}}}, {{{}, 0.5}, {end, 1e-7}}, {{{1, 0, 0}, 0.5}}, 100'000'000),
+              Verdict::unknown);
+}
+
 TEST(TouchingProof, EndsWhenItIsTold) {
     const std::atomic<bool> yes = true, no = false;
     const Arm arm{{{slides, {}, {0, 1, 0}, -0.3, 0.3}}};

@@ -68,6 +68,21 @@ TEST(Separation, OfBoxesIsTheirGap) {
     EXPECT_GT(separation(a, box({1.5, 0, 0}, {1, 1, 1})).depth, 0.4);
 }
 
+TEST(Separation, OfBoxesThatAreExactlyOneApartIsAsAccurate) {
+    Random random(11);
+    for (int round = 0; round < 400; ++round) {
+        const auto size = [&] { return static_cast<double>(1 + random.below(40)) / 8; };
+        const Vec3 half{size(), size(), size()}, other{size(), size(), size()};
+        Vec3 at{size() - 3, size() - 3, size() - 3};
+        for (int axis = 0; axis < 3; ++axis) {
+            at[axis] = axis == round % 3 ? half[axis] + other[axis] + 1 : std::clamp(at[axis], -half[axis], half[axis]);
+        }
+        const double low = separation(box({}, half), box(at, other)).low;
+        EXPECT_LE(low, 1);
+        EXPECT_GE(low, 1 - 2e-6);
+    }
+}
+
 TEST(Separation, TakesThePosesOfLinks) {
     const Pose away = Pose::from_xyz_rpy({0, 0, 5}, {std::numbers::pi / 2, 0, 0});
     EXPECT_NEAR(separation(box({}, {1, 1, 2}), box({}, {1, 2, 1}), {}, away).low, 5 - 2 - 2, 1e-5);
@@ -116,6 +131,18 @@ TEST(Separation, DepthIsWhatHasToBeMovedAtLeast) {
     EXPECT_NEAR(separation(capsule, shifted(capsule, {0.5, 0, 0})).depth, 0.1, 1e-6);
     EXPECT_NEAR(separation(capsule, shifted(capsule, {0, 0.7, 2.5})).low, std::hypot(0.7, 0.5) - 0.6, 1e-6);
     EXPECT_NEAR(separation(capsule, ball({0.4, 0, -0.9}, 0.2)).depth, 0.1, 1e-6);
+}
+
+TEST(Separation, WhatMeetsAtItsEndsIsAsDeepThere) {
+    // Two long boxes with a corner in common, which is far from the middle of each and from the origin.
+    Random random(12);
+    for (int round = 0; round < 20; ++round) {
+        const Pose pose =
+            Pose::from_xyz_rpy({random.uniform(20, 30), 20, 20}, {random.uniform(-3, 3), random.uniform(-1, 1), 1});
+        const double depth = separation(box({5, 0.5, 0}, {5, 0.5, 1}), box({0.5, 5, 0}, {0.5, 5, 1}), pose, pose).depth;
+        EXPECT_LE(depth, 1);
+        EXPECT_GT(depth, 0.5) << round;
+    }
 }
 
 TEST(Separation, IsConservativeForAllKinds) {
