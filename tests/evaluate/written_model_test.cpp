@@ -348,7 +348,7 @@ TEST(WrittenModel, FilesHaveTheirNames) {
 
 TEST(WrittenModel, ElementsThatTheFormatCannotHoldAreRefused) {
     StageInfo info = told_info();
-    const SphereModel model = sphere_model_of(given_file({{"a", {}, {box_of(0.1)}}}), cubes_of_links({"a"}).robot);
+    const SphereModel model = sphere_model_of(given_file({{"a", {{}, {box_of(0.1)}}}}), cubes_of_links({"a"}).robot);
     const Told writer({});
     QuietContext context;
     EXPECT_EQ(written_files(writer, info, model, "x/out.told", context).size(), 1u);
