@@ -18,8 +18,8 @@ std::string number(double value, int digits) {
     return std::isfinite(value) ? fmt::format("{:.{}f}", value, digits) : "∞";
 }
 
-std::string certified(bool yes) {
-    return yes ? "<td class=\"yes\">yes</td>" : "<td class=\"no\">no</td>";
+std::string certified(const ProvedLinks& verdict) {
+    return fmt::format("<td class=\"{}\">{}</td>", verdict.all() ? "yes" : "no", certified_cell(verdict));
 }
 
 std::string total_table(const Comparison& comparison) {
@@ -36,7 +36,8 @@ std::string total_table(const Comparison& comparison) {
             "<td>{}</td><td>{}</td>{}</tr>\n",
             judged.label, markup_escaped(judged.model.file.file.string()), markup_escaped(judged.model.file.format),
             m.spheres, number(100 * m.covered, 2), number(1000 * m.gap, 2), number(m.excess, 3), number(m.missing, 3),
-            number(1000 * m.protrusion_max, 1), number(1000 * m.protrusion_mean, 1), certified(m.certified));
+            number(1000 * m.protrusion_max, 1), number(1000 * m.protrusion_mean, 1),
+            certified(proved_links(comparison.original, judged.model, judged.evaluation)));
     }
     return html + "</tbody></table></div>\n";
 }

@@ -98,8 +98,9 @@ TEST_F(CliStatement, LinksThatWereNotAskedForAreNamed) {
     const Outcome evaluated = foam("evaluate three.urdf runs/three/out.urdf --link tip");
     EXPECT_THAT(evaluated.out, HasSubstr("in part\nProved in part: the collision geometry of 1 of 2 links lies inside "
                                          "their spheres.\nNot part of the proof: base (excluded by --link).\n"));
-    const Outcome compared = foam("compare three.urdf runs/three/out.urdf --link tip");
+    const Outcome compared = foam("compare three.urdf runs/three/out.urdf --link tip --html page.html");
     EXPECT_THAT(compared.out, HasSubstr("\nA   Proved in part: the collision geometry of 1 of 2 links lies inside"));
+    EXPECT_THAT(contents(path() / "page.html"), HasSubstr("<td class=\"no\">in part</td>"));
 }
 
 /// Nothing is proved, and the sentence says so; a link without elements does not fail a proof.

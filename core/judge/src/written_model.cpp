@@ -245,7 +245,7 @@ void require_written(const SphereModel& model, const Writer& writer, const Stage
         }
         if (found.are_spheres() != elements.are_spheres()) {
             throw Error(ErrorCode::internal,
-                        fmt::format("link '{}': the written file gives {}, the model has {}", link,
+                        fmt::format("link '{}': the written file gives {}, the model has {}", shown(link),
                                     counts_text(kinds_of(found)), counts_text(kinds_of(elements))));
         }
         if (elements.are_spheres() && are_smaller(found.spheres(), elements.spheres())) {
@@ -256,7 +256,7 @@ void require_written(const SphereModel& model, const Writer& writer, const Stage
         }
         if (elements.are_spheres() && !are_same_up_to_buffer(found.spheres(), elements.spheres())) {
             throw Error(ErrorCode::internal,
-                        fmt::format("link '{}': the written file gives other spheres than the model", link));
+                        fmt::format("link '{}': the written file gives other spheres than the model", shown(link)));
         }
     }
 }
