@@ -1,6 +1,6 @@
 // Points and pieces of a surface that balls leave open.
-#include "search/src/cover/crease_points.hpp"
-#include "search/src/cover/open_pieces.hpp"
+#include "search/src/cover/starts/crease_points.hpp"
+#include "search/src/cover/moves/open_pieces.hpp"
 
 #include <foam/base/random.hpp>
 #include <foam/runtime/contract.hpp>

@@ -1,7 +1,7 @@
 // Fewer balls out of many.
 #include "cover/expect_contained.hpp"
-#include "search/src/cover/added_volume.hpp"
-#include "search/src/cover/merging.hpp"
+#include "search/src/cover/moves/added_volume.hpp"
+#include "search/src/cover/moves/merging.hpp"
 
 #include <foam/base/random.hpp>
 #include <foam/geometry/union_volume.hpp>

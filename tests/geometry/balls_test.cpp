@@ -1,7 +1,7 @@
 // What the proof of cover is made of: slack, halves, prisms beneath curved facets, and the balls that are asked. Each
 // against a formula of docs/dev/certificate.md or against looking at everything.
 #include "geometry/shapes.hpp"
-#include "geometry/src/cover.hpp"
+#include "geometry/src/proof/cover.hpp"
 
 #include <gtest/gtest.h>
 

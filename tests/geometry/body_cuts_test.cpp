@@ -1,5 +1,5 @@
 // Triangles cut along bodies and between them: the parts tile the triangle, and each is where it is said to be.
-#include "geometry/src/body_cuts.hpp"
+#include "geometry/src/proof/body_cuts.hpp"
 #include "plain_shapes.hpp"
 
 #include <foam/geometry/measure.hpp>

@@ -1,7 +1,7 @@
 // Triangles and prisms cut where balls meet: nothing of them may be left out, and no more rounding than was allowed
 // for.
 #include "geometry/shapes.hpp"
-#include "geometry/src/crease_cuts.hpp"
+#include "geometry/src/proof/crease_cuts.hpp"
 
 #include <foam/geometry/measure.hpp>
 

@@ -1,6 +1,6 @@
 // Elements that are enlarged for points: what they grow by, in closed form.
-#include "geometry/src/element_grown.hpp"
-#include "geometry/src/element_growth.hpp"
+#include "geometry/src/proof/element_grown.hpp"
+#include "geometry/src/proof/element_growth.hpp"
 #include "plain_shapes.hpp"
 
 #include <foam/geometry/measure.hpp>

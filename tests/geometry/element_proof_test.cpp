@@ -1,5 +1,5 @@
 // Parts of the proof for elements: what is contained by its lengths, which triangles are open, and where the gap is.
-#include "geometry/src/element_proof.hpp"
+#include "geometry/src/proof/element_proof.hpp"
 #include "plain_shapes.hpp"
 
 #include <foam/geometry/measure.hpp>

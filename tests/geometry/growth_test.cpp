@@ -1,6 +1,6 @@
 // Growth until the proof holds: never less than that, and not much more.
 #include "geometry/shapes.hpp"
-#include "geometry/src/growth.hpp"
+#include "geometry/src/proof/growth.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/geometry/measure.hpp>

@@ -1,6 +1,6 @@
 // The proof that spheres lie in a solid: it must hold where it can, and never where a point of a sphere is outside.
 #include "geometry/shapes.hpp"
-#include "geometry/src/rim.hpp"
+#include "geometry/src/proof/rim.hpp"
 
 #include <foam/geometry/inner.hpp>
 

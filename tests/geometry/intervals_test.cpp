@@ -1,5 +1,5 @@
 // Intervals of lines against looking at every point of a grid of whole numbers.
-#include "geometry/src/intervals.hpp"
+#include "geometry/src/solid/intervals.hpp"
 
 #include <foam/base/random.hpp>
 

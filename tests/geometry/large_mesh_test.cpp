@@ -1,8 +1,8 @@
 // Meshes of so many triangles that they are shared instead of copied, with hierarchies that are quick to build.
 #include "geometry/shapes.hpp"
-#include "geometry/src/line_grid.hpp"
-#include "geometry/src/mesh_part.hpp"
-#include "geometry/src/orientation.hpp"
+#include "geometry/src/mesh/line_grid.hpp"
+#include "geometry/src/mesh/mesh_part.hpp"
+#include "geometry/src/mesh/orientation.hpp"
 
 #include <foam/geometry/internal/surface_runs.hpp>
 

@@ -1,7 +1,7 @@
 // Where a grid's lines cross meshes: triangle by triangle as line by line.
 #include "geometry/shapes.hpp"
-#include "geometry/src/line_grid.hpp"
-#include "geometry/src/mesh_part.hpp"
+#include "geometry/src/mesh/line_grid.hpp"
+#include "geometry/src/mesh/mesh_part.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Queries on a rod of needles at an angle to the axes.
-#include "geometry/src/needle_index.hpp"
+#include "geometry/src/mesh/needle_index.hpp"
 
 #include <foam/base/random.hpp>
 #include <foam/geometry/solid.hpp>

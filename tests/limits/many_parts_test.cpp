@@ -1,5 +1,5 @@
 // A solid of very many parts answers as its parts do, and a link of ten thousand elements is a matter of a second.
-#include "geometry/src/part_index.hpp"
+#include "geometry/src/solid/part_index.hpp"
 #include "support/runs.hpp"
 #include "support/sanitizers.hpp"
 

@@ -30,29 +30,29 @@ ELEMENTS = ["evaluate/element_adversary_test", "geometry/element_certificate_tes
 
 # Which tests belong to which file, the ones that are likely to notice first. `core` names the files of core that tests link besides.
 BELONG = {
-    "geometry/src/certificate.cpp": SURFACE + GROWN,
-    "geometry/src/cover.cpp": SURFACE + GROWN,
-    "geometry/src/crease_cuts.cpp": SURFACE + GROWN,
-    "geometry/src/growth.cpp": GROWN + SURFACE,
-    "geometry/src/shrinking.cpp": GROWN,
-    "geometry/src/inner.cpp": INNER,
-    "geometry/src/rim.cpp": INNER,
-    "geometry/src/measure.cpp": MEASURED,
-    "geometry/src/measure_surface.cpp": MEASURED,
-    "geometry/src/measure_volume.cpp": MEASURED,
-    "geometry/src/exact_union_volume.cpp": MEASURED,
-    "geometry/src/intervals.cpp": ["geometry/intervals_test"],
-    "geometry/src/element_proof.cpp": ["geometry/element_proof_test"] + ELEMENTS,
-    "geometry/src/bodies.cpp": ["geometry/bodies_test"] + ELEMENTS,
-    "geometry/src/body_cuts.cpp": ["geometry/body_cuts_test"] + ELEMENTS,
-    "geometry/src/element_growth.cpp": ["geometry/element_growth_test"] + ELEMENTS,
-    "geometry/src/element_grown.cpp": ["geometry/element_grown_test", "geometry/element_test"] + ELEMENTS,
-    "geometry/src/element_enlarged.cpp": ["geometry/element_enlarged_test"] + ELEMENTS,
-    "geometry/src/surface_runs.cpp": ["geometry/surface_runs_test", "geometry/balls_test"],
-    "geometry/src/needle_index.cpp": ["geometry/needle_index_test"],
-    "geometry/src/convex_hull.cpp": ["geometry/convex_hull_test", "geometry/element_test"],
-    "geometry/src/quickhull.cpp": ["geometry/quickhull_test", "geometry/convex_hull_test"],
-    "geometry/src/farthest.cpp": ["geometry/convex_hull_test"],
+    "geometry/src/proof/certificate.cpp": SURFACE + GROWN,
+    "geometry/src/proof/cover.cpp": SURFACE + GROWN,
+    "geometry/src/proof/crease_cuts.cpp": SURFACE + GROWN,
+    "geometry/src/proof/growth.cpp": GROWN + SURFACE,
+    "geometry/src/proof/shrinking.cpp": GROWN,
+    "geometry/src/proof/inner.cpp": INNER,
+    "geometry/src/proof/rim.cpp": INNER,
+    "geometry/src/measure/measure.cpp": MEASURED,
+    "geometry/src/measure/measure_surface.cpp": MEASURED,
+    "geometry/src/measure/measure_volume.cpp": MEASURED,
+    "geometry/src/measure/exact_union_volume.cpp": MEASURED,
+    "geometry/src/solid/intervals.cpp": ["geometry/intervals_test"],
+    "geometry/src/proof/element_proof.cpp": ["geometry/element_proof_test"] + ELEMENTS,
+    "geometry/src/proof/bodies.cpp": ["geometry/bodies_test"] + ELEMENTS,
+    "geometry/src/proof/body_cuts.cpp": ["geometry/body_cuts_test"] + ELEMENTS,
+    "geometry/src/proof/element_growth.cpp": ["geometry/element_growth_test"] + ELEMENTS,
+    "geometry/src/proof/element_grown.cpp": ["geometry/element_grown_test", "geometry/element_test"] + ELEMENTS,
+    "geometry/src/proof/element_enlarged.cpp": ["geometry/element_enlarged_test"] + ELEMENTS,
+    "geometry/src/mesh/surface_runs.cpp": ["geometry/surface_runs_test", "geometry/balls_test"],
+    "geometry/src/mesh/needle_index.cpp": ["geometry/needle_index_test"],
+    "geometry/src/hull/convex_hull.cpp": ["geometry/convex_hull_test", "geometry/element_test"],
+    "geometry/src/hull/quickhull.cpp": ["geometry/quickhull_test", "geometry/convex_hull_test"],
+    "geometry/src/hull/farthest.cpp": ["geometry/convex_hull_test"],
     "robot/src/chain.cpp": ["kinematics/chain_test", "self_collision/proof_test", "self_collision/matrix_test"],
     "robot/src/proved_links.cpp": ["evaluate/statement_test"],
     "collision/src/proof.cpp": ["self_collision/proof_test", "self_collision/matrix_test"],
@@ -66,19 +66,19 @@ BELONG = {
     "judge/src/evaluate/match.cpp": ["evaluate/judged_links_test"],
     "judge/src/evaluate/proved_links.cpp": ["evaluate/judged_links_test"],
     "judge/src/written_model.cpp": ["evaluate/written_model_test"],
-    "runtime/src/written_numbers.cpp": ["run/written_numbers_test"],
-    "runtime/src/cover.cpp": ["run/finished_tree_test"],
-    "runtime/src/written_proof.cpp": ["run/written_proof_test"],
+    "runtime/src/finish/written_numbers.cpp": ["run/written_numbers_test"],
+    "runtime/src/finish/cover.cpp": ["run/finished_tree_test"],
+    "runtime/src/finish/written_proof.cpp": ["run/written_proof_test"],
     "base/src/number_text.cpp": ["data/text_test", "run/finished_tree_test"],
 }
 WHOLE = {"base", "geometry", "xml", "robot", "sdk", "collision"}  # libraries that tests link
 # And these files of others, or those whose paths begin so.
-LINKED = ("runtime/src/contract/sample.cpp", "runtime/src/cover.cpp", "runtime/src/elements.cpp", "runtime/src/written_", "judge/src/evaluate/",
+LINKED = ("runtime/src/contract/sample.cpp", "runtime/src/finish/cover.cpp", "runtime/src/finish/elements.cpp", "runtime/src/finish/written_", "judge/src/evaluate/",
           "judge/src/written_model.cpp", "search/src/convex/", "search/src/cover/")
 FLAGS = ("-std=c++20 -O1 -fPIC -DNDEBUG -D_GLIBCXX_ASSERTIONS -ffp-contract=off -w -DFMT_SHARED -DFOAM_VERSION=\"mutation\" "
          "-DFOAM_YAML_CPP_VERSION=\"\" -DFOAM_PLUGIN_SUBDIRECTORY=\"foam/plugins\" -isystem /usr/include/eigen3").split()
 LIBRARIES_OF_CORE = ["base", "geometry", "xml", "robot", "collision", "search", "sdk", "yaml", "recipe", "report", "runtime", "judge"]
-INCLUDES = [f"-I{BUILD}/include", f"-I{CORE}", f"-I{CORE}/search/src", f"-I{TESTS}"] + [f"-I{CORE}/{name}/include" for name in LIBRARIES_OF_CORE]
+INCLUDES = [f"-I{BUILD}/include", f"-I{CORE}", f"-I{CORE}/geometry/src", f"-I{CORE}/runtime/src", f"-I{CORE}/search/src", f"-I{TESTS}"] + [f"-I{CORE}/{name}/include" for name in LIBRARIES_OF_CORE]
 LIBRARIES = "-lgmock -lgtest -lgtest_main -ltbb -lfmt -lyaml-cpp -lexpat -lxxhash -lpthread -ldl".split()
 HEADERS = {"core": "algorithm array cmath cstdint filesystem functional map memory optional set span string string_view variant vector "
                    "fmt/format.h".split(),

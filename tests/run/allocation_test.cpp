@@ -1,4 +1,4 @@
-#include "runtime/src/allocation.hpp"
+#include "runtime/src/allocate/allocation.hpp"
 
 #include <foam/base/random.hpp>
 

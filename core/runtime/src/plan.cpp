@@ -1,9 +1,9 @@
 #include <foam/runtime/plan.hpp>
 
-#include "budget.hpp"
-#include "kept.hpp"
-#include "names.hpp"
-#include "trees.hpp"
+#include "allocate/budget.hpp"
+#include "finish/kept.hpp"
+#include "input/names.hpp"
+#include "allocate/trees.hpp"
 
 #include <foam/runtime/internal/input.hpp>
 

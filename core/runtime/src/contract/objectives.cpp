@@ -1,4 +1,4 @@
-#include "objective.hpp"
+#include "allocate/objective.hpp"
 #include "promises.hpp"
 
 namespace foam::inline runtime {

@@ -1,7 +1,7 @@
 #include <foam/runtime/internal/child.hpp>
 #include <foam/runtime/internal/child_process.hpp>
 
-#include "signals.hpp"
+#include "process/signals.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/runtime/crash.hpp>

@@ -1,7 +1,7 @@
 #include "isolated.hpp"
 
-#include "call.hpp"
-#include "own_frame.hpp"
+#include "process/call.hpp"
+#include "input/own_frame.hpp"
 
 #include <foam/runtime/internal/bytes.hpp>
 #include <foam/runtime/internal/child.hpp>

@@ -1,5 +1,5 @@
 // The child's side of an isolated call.
-#include "call.hpp"
+#include "process/call.hpp"
 
 #include <foam/base/parallel.hpp>
 #include <foam/runtime/internal/bytes.hpp>

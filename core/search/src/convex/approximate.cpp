@@ -1,4 +1,4 @@
-#include "../cover/unless_stopped.hpp"
+#include "cover/portfolio/unless_stopped.hpp"
 #include "body_of.hpp"
 #include "finish.hpp"
 #include "joint_descent.hpp"

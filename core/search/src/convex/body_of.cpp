@@ -1,6 +1,6 @@
 #include "body_of.hpp"
 
-#include "../cover/occupancy.hpp"
+#include "cover/measured/occupancy.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/edges.hpp>

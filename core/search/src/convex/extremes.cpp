@@ -1,4 +1,4 @@
-#include "../cover/wide_vectors.hpp"
+#include "cover/measured/wide_vectors.hpp"
 #include "cloud.hpp"
 
 #include <foam/geometry/directions.hpp>

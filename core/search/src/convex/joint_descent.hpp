@@ -1,7 +1,7 @@
 // Elements that share a surface: less volume of their union outside the solid.
 #pragma once
 
-#include "../cover/occupancy.hpp"
+#include "cover/measured/occupancy.hpp"
 #include "cells.hpp"
 #include "cloud.hpp"
 

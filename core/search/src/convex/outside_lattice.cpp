@@ -1,6 +1,6 @@
 #include "outside_lattice.hpp"
 
-#include "../cover/wide_vectors.hpp"
+#include "cover/measured/wide_vectors.hpp"
 
 #include <algorithm>
 #include <cmath>

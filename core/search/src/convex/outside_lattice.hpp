@@ -1,7 +1,7 @@
 // The volume of one or two elements outside others and outside a solid.
 #pragma once
 
-#include "../cover/occupancy.hpp"
+#include "cover/measured/occupancy.hpp"
 #include "cloud.hpp"
 
 #include <span>

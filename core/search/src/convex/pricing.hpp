@@ -1,7 +1,7 @@
 // What pieces of a body cost.
 #pragma once
 
-#include "../cover/occupancy.hpp"
+#include "cover/measured/occupancy.hpp"
 #include "cut_search.hpp"
 #include "pieces.hpp"
 

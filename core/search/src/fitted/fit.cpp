@@ -1,6 +1,6 @@
 #include <foam/search/fit.hpp>
 
-#include "cover/starts.hpp"
+#include "cover/starts/starts.hpp"
 #include "symmetric_difference.hpp"
 
 #include <foam/base/random.hpp>

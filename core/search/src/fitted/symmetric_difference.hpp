@@ -1,9 +1,9 @@
 // The symmetric difference of balls and a solid.
 #pragma once
 
-#include "cover/directions.hpp"
-#include "cover/exposed.hpp"
-#include "cover/occupancy.hpp"
+#include "cover/measured/directions.hpp"
+#include "cover/moves/exposed.hpp"
+#include "cover/measured/occupancy.hpp"
 
 namespace foam::inline search::fitted {
 

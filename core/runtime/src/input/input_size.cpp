@@ -1,0 +1,145 @@
+#include "input/input_size.hpp"
+
+#include <foam/base/text.hpp>
+#include <foam/geometry/length.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace foam::inline runtime {
+namespace {
+
+/// The usual range of sizes of objects and robot parts, m.
+constexpr double smallest = 0.001, largest = 20;
+
+double longest_edge(const Box& box) {
+    const Vec3 size = box.size();
+    return std::max({size.x, size.y, size.z});
+}
+
+/// Returns the half extent of a primitive along an axis of the frame. `cosines`: of the angles between that axis and
+/// the primitive's own axes.
+double half_extent(const Primitive& primitive, const Vec3& cosines) {
+    const double along = std::abs(cosines.z) * primitive.length / 2;
+    switch (primitive.kind) {
+    case Primitive::Kind::box:
+        return (std::abs(cosines.x) * primitive.size.x + std::abs(cosines.y) * primitive.size.y +
+                std::abs(cosines.z) * primitive.size.z) /
+               2;
+    case Primitive::Kind::sphere:
+        return primitive.radius;
+    case Primitive::Kind::capsule:
+        return along + primitive.radius;
+    case Primitive::Kind::cylinder:
+        return along + primitive.radius * std::hypot(cosines.x, cosines.y);
+    }
+    return 0;
+}
+
+Box box_of(const Primitive& primitive, const Pose& pose) {
+    const Vec3 half{half_extent(primitive, pose.rotation[0]), half_extent(primitive, pose.rotation[1]),
+                    half_extent(primitive, pose.rotation[2])};
+    Box box;
+    box.add(pose.translation - half);
+    box.add(pose.translation + half);
+    return box;
+}
+
+void add(InputSize& size, const CollisionElement& element, const Pose& link) {
+    const Pose pose = link * element.source->origin;
+    if (const Primitive* primitive = element.primitive()) {
+        size.box.add(box_of(*primitive, pose));
+    } else if (element.raw) {
+        size.triangles += element.raw->triangles.size();
+        for (const Vec3& vertex : element.raw->vertices) {
+            size.box.add(pose * vertex);
+        }
+    }
+}
+
+std::string text_of(const Input& input, const InputSize& size, bool robot) {
+    std::string text = input.file.filename().string() + ": ";
+    if (robot) {
+        text += fmt::format("{}, {} in the reference pose", counted(size.links, "link"), size_text(size.box));
+    } else {
+        text += size_text(size.box);
+    }
+    return size.triangles == 0 ? text : text + fmt::format(", {} triangle{}", count_text(size.triangles), size.triangles == 1 ? "" : "s");
+}
+
+/// Returns the unit in which a mesh would have a usual size; empty if there is none.
+std::string likely_unit(const MeshUnit& given, double edge) {
+    const double raw = edge / given.factor();
+    for (const std::string& unit : length_units()) {
+        const double would_be = raw * MeshUnit{unit, given.scale}.factor();
+        if (unit != given.unit.value_or("m") && would_be >= smallest && would_be <= largest) {
+            return unit;
+        }
+    }
+    return "";
+}
+
+std::string unit_name(const std::string& unit) {
+    return unit == "mm" ? "millimetres" : unit == "cm" ? "centimetres" : unit == "in" ? "inches" : "metres";
+}
+
+void warn_of_mesh_size(const Workspace& workspace, const Input& input, const InputSize& size) {
+    const double edge = longest_edge(size.box);
+    if (size.box.empty() || (edge >= smallest && edge <= largest)) {
+        return;
+    }
+    const MeshUnit& given = workspace.recipe.mesh_unit;
+    const MeshUnit metres{std::string("m"), 1};
+    const bool own_unit = !why_refused(metres, input.file, InputKind::mesh, workspace.registry).empty();
+    const std::string unit = own_unit ? "" : likely_unit(given, edge);
+    const std::string remedy =
+        unit.empty() ? fmt::format("if that is wrong: --scale {0}, or 'scale: {0}' in the recipe",
+                                   number_text(given.scale * (edge > largest ? 0.001 : 1000)))
+                     : fmt::format("if it is in {0}: --unit {1}, or 'unit: {1}' in the recipe", unit_name(unit), unit);
+    workspace.journal.finding({Severity::warning, "", "",
+                               fmt::format("{}: {} is {} for an object; {}", input.file.filename().string(),
+                                           size_text(size.box), edge > largest ? "large" : "small", remedy)});
+}
+
+void warn_of_protrusion(const Workspace& workspace, const std::vector<LinkWork>& links, const InputSize& size) {
+    double limit = 0;
+    for (const LinkWork& link : links) {
+        limit = std::max(limit, link.recipe.max_protrusion.value_or(0));
+    }
+    const double edge = longest_edge(size.box);
+    if (!size.box.empty() && limit > edge) {
+        workspace.journal.finding({Severity::warning, "", "",
+                                   fmt::format("max_protrusion is {}, larger than the whole input ({}): it has no "
+                                               "effect; if it is in millimetres: {}mm",
+                                               length_text(limit), length_text(edge), number_text(limit))});
+    }
+}
+
+} // namespace
+
+InputSize input_size(const Robot& robot, const std::vector<LinkWork>& links) {
+    const std::map<std::string, Pose> poses = link_poses(robot);
+    InputSize size;
+    for (const LinkWork& link : links) {
+        const auto pose = poses.find(link.link->name);
+        for (const CollisionElement& element : link.elements) {
+            add(size, element, pose == poses.end() ? Pose{} : pose->second);
+        }
+    }
+    size.links = links.size();
+    return size;
+}
+
+void tell_input_size(const Workspace& workspace, const Input& input, const std::vector<LinkWork>& links,
+                     const InputSize& size) {
+    const bool robot = !workspace.recipe.urdf.empty();
+    workspace.journal.emit(Event::Kind::input_loaded, text_of(input, size, robot));
+    if (!robot) {
+        warn_of_mesh_size(workspace, input, size);
+    }
+    warn_of_protrusion(workspace, links, size);
+}
+
+} // namespace foam::runtime

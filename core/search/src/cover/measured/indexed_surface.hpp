@@ -1,0 +1,45 @@
+// The surface as Exchange uses it.
+#pragma once
+
+#include "cover/measured/points.hpp"
+
+#include <foam/geometry/mesh.hpp>
+
+#include <array>
+#include <cstdint>
+#include <utility>
+
+namespace foam::inline search::cover {
+
+using Line = std::pair<std::uint32_t, std::uint32_t>; ///< indices of its ends
+
+/// Triangles in the unit frame. Corners at one place, and edges between them, have one index, regardless of the mesh.
+struct IndexedSurface {
+    struct Face {
+        std::array<std::uint32_t, 3> corners, edges; ///< edge k goes from corner k to the next one
+        Ball bounds;
+    };
+    Points points;
+    std::vector<Line> edges;
+    std::vector<Face> faces;
+    bool is_coarse = false; ///< balls that cover the surface may not quite cover it
+
+    IndexedSurface(const Mesh& surface, const Frame& frame);
+    /// Makes the coarse skin at once if there are more than `most` points.
+    IndexedSurface(const Mesh& surface, const Frame& frame, std::size_t most, int resolution);
+    /// Returns a coarse skin: of the points in each cell of a lattice, cells of about 1/`resolution` of the longest
+    /// extent, one represents all (Rossignac and Borrel 1993). It lies on the surface, but the surface may extend
+    /// beyond it between points.
+    IndexedSurface coarse(int resolution) const;
+
+private:
+    IndexedSurface() = default;
+    void add_faces(const Mesh& surface, const Frame& frame);
+    void add_edges();
+    /// Returns the coarse skin; without faces if it has none.
+    IndexedSurface clustered(int resolution) const;
+    /// Returns the point at the place of each vertex in use.
+    std::vector<std::uint32_t> name_places(const Mesh& surface, const Frame& frame);
+};
+
+} // namespace foam::inline search::cover
