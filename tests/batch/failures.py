@@ -1,5 +1,6 @@
 """Meshes that crash, hang or eat memory are failures with a name, and the others have their spheres."""
 import json
+import os
 import pathlib
 import sys
 import tempfile
@@ -19,7 +20,9 @@ def main():
             (folder / f"{wish}.ill").write_text(wish + "\n")
         limits = ("--time-limit", 6, "--memory-limit", 300)
         if "sanitizer" in foam.start("set", "-n", 1, "--run-dir", "none", *limits).communicate()[1]:
-            limits = limits[:2]  # it cannot enforce a limit of memory
+            limits = ("--time-limit", 30)  # it takes longer, and cannot enforce a limit of memory
+            for name in ("ASAN_OPTIONS", "TSAN_OPTIONS"):  # else it reports a crash itself, in more time than the limit leaves
+                os.environ[name] = f"{os.environ.get(name, '')}:handle_segv=0:handle_abort=0"
             (folder / "eat.ill").unlink()
             del WISHES["eat"]
         for _ in range(2):  # the second time from what was written
