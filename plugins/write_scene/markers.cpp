@@ -234,7 +234,12 @@ std::string markers_text(const SphereModel& model, double alpha) {
         }
         const Value colour = colour_value(number++, alpha);
         CancellationCounter asking(1024);
-        for (std::int64_t id = 0; const Element& element : link.elements) {
+        std::int64_t id = 0;
+        for (const Sphere& sphere : link.elements.spheres()) {
+            asking.check();
+            markers.items.push_back(marker_value(link.link, id++, sphere, colour));
+        }
+        for (const Element& element : link.elements.shaped()) {
             asking.check();
             markers.items.push_back(marker_value(link.link, id++, element, colour));
         }

@@ -242,7 +242,7 @@ def check(compiler, headers):
 
 # What the record must notice: file, text, replacement, and what the message says then.
 CHANGES = [
-    ("geometry/sphere.hpp", "double radius = 0;", "float weight = 0;\n    double radius = 0;", "+       24 weight: float"),
+    ("geometry/elements.hpp", "double radius = 0;", "float weight = 0;\n    double radius = 0;", "+       24 weight: float"),
     ("geometry/sphere.hpp", "    outer,  ///<", "    none,\n    outer,  ///<", "+     outer = 1"),
     ("sdk/context.hpp", "    virtual bool cancelled() const = 0;\n", "", "-     virtual 3: bool cancelled() const"),
     ("base/text.hpp", "namespace foam {\n", "namespace foam {\nstruct Novelty {\n    int x;\n};",

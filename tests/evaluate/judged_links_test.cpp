@@ -74,7 +74,7 @@ TEST(JudgedLinks, SpheresAndElementsGoToTheLinksOfTheirNames) {
     file.notes = {"of the reader"};
     const MatchedModel model = match(cubes({"a", "b"}), file);
     ASSERT_EQ(model.elements.size(), 2u);
-    EXPECT_THAT(model.elements[0], IsEmpty());
+    EXPECT_THAT(model.elements[0].spheres(), IsEmpty());
     EXPECT_THAT(model.elements[1].spheres(), ElementsAre(Sphere{{1, 2, 3}, 0.3}));
     EXPECT_THAT(std::vector<Element>(model.elements[0].shaped().begin(), model.elements[0].shaped().end()),
                 ElementsAre(box_element({1, 2, 3})));
@@ -101,7 +101,7 @@ TEST(JudgedLinks, WhatALinkIsFixedToTakesItsElementsInItsFrame) {
     file.links.push_back(one_ball("palm"));
     EXPECT_THAT(match(cubes({"a"}), file).notes,
                 ElementsAre("2 links that the robot lacks are taken with the link that they are fixed to"));
-    EXPECT_EQ(match(cubes({"z"}), file, {{"a", "z"}}).elements[0].size(), 3u) << "by the new name of that link";
+    EXPECT_EQ(match(cubes({"z"}), file, {{"a", "z"}}).elements[0].size(), 4u) << "by the new name of that link";
 
     file.fixed_joints["palm"].parent = "finger"; // in a circle
     EXPECT_THAT(match(cubes({"a"}), file).notes,

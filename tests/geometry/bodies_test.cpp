@@ -84,6 +84,9 @@ TEST_P(EachBody, TheSlackIsThatOfTheArgument) {
 }
 
 TEST_P(EachBody, AnInexactRotationAddsToTheSlack) {
+    if (GetParam() == Kind::sphere) {
+        return; // it has no rotation
+    }
     for (int k = 0; k < 20; ++k) {
         Element e = some_element(GetParam(), random);
         const double before = Bodies(Elements(std::span(&e, 1)), {}, 1, most_halvings).slack(0);
@@ -495,7 +498,7 @@ TEST_P(EachBody, WhatIsTooLargeOrTooFarHoldsNothing) {
     e = some_element(GetParam(), random);
     e.pose = {};
     e.pose.rotation[2].z = -1; // a reflection
-    EXPECT_FALSE(is_left(e, {}));
+    EXPECT_EQ(is_left(e, {}), GetParam() == Kind::sphere);
     if (e.hull) {
         return;
     }
@@ -512,7 +515,7 @@ TEST(Bodies, WhatIsNotValidHoldsNothing) {
     EXPECT_TRUE(is_held(box));
     EXPECT_TRUE(is_held(ball));
     box.radius = 0.1; // of another kind
-    ball.half.z = 1;
+    ball.radius = -1;
     EXPECT_FALSE(is_held(box));
     EXPECT_FALSE(is_held(ball));
     EXPECT_FALSE(is_held({.kind = Kind::hull, .radius = 1})); // without a hull
@@ -525,7 +528,7 @@ TEST(Bodies, WhatIsNotValidHoldsNothing) {
 
 TEST(Bodies, ARotationCountsAsExactUpToSixteenUnits) {
     // Three times the error of its square is 6 units for each unit of an entry.
-    const Element before{.kind = Kind::sphere, .radius = 1};
+    const Element before{.kind = Kind::capsule, .radius = 1}; // a point, widened
     const double exact = Bodies(Elements(std::span(&before, 1)), {}, 1, most_halvings).slack(0);
     for (int units = 0; units < 7; ++units) {
         for (int axis = 0; axis < 3; ++axis) {

@@ -243,7 +243,7 @@ TEST(WrittenNumbers, WhatFilesLoseIsAddedWhereTheyLoseIt) {
     };
     const Pose turned = Pose::from_axis_angle({0, 0, 1}, 0.3);
     const double next = grid.up(0.5 + 0.5 * grid.step());
-    for (const Kind kind : {Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box, Kind::sphere}) {
+    for (const Kind kind : {Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box}) {
         Element e{.kind = kind};
         e.radius = kind == Kind::box ? 0 : 0.5;
         e.half = kind == Kind::capsule || kind == Kind::cylinder ? Vec3{0, 0, 0.5} : Vec3{};
@@ -275,7 +275,7 @@ TEST(WrittenNumbers, WithoutAGridElementsGrowByWhatFilesLose) {
     const DecimalGrid none(1e30);
     for (const Vec3& place : {Vec3{-3, 1, 2}, Vec3{3, -1.5, -2}, Vec3{0.5, 2, -4}}) {
         const auto solid = Solid::make(test::box(place - Vec3{0.1, 0.1, 0.1}, place + Vec3{0.1, 0.1, 0.1}));
-        for (const Kind kind : {Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box}) {
+        for (const Kind kind : {Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box}) {
             for (const bool turned : {false, true}) {
                 Element e = odd(kind, 1);
                 e.pose = turned ? Pose::from_axis_angle({0, 0, 1}, 0.3) : Pose{};

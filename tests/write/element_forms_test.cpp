@@ -123,6 +123,22 @@ TEST(Float32Hull, ContainsTheHullAndIsExactInSinglePrecision) {
     }
 }
 
+/// Each number of vertices: a compiler that rounds several of them at once treats the last ones apart.
+TEST(Float32Hull, EachVertexIsExactInSinglePrecision) {
+    Random random(11);
+    for (int count = 4; count < 24; ++count) {
+        std::vector<Vec3> points;
+        for (int i = 0; i < count; ++i) {
+            points.push_back(normalized({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}) * 0.3);
+        }
+        const Element after = float32_hull(hull({}, points));
+        for (const Vec3& p : after.hull->surface.vertices) {
+            const volatile float x = static_cast<float>(p.x), y = static_cast<float>(p.y), z = static_cast<float>(p.z);
+            EXPECT_EQ(p, (Vec3{x, y, z})) << count;
+        }
+    }
+}
+
 TEST(HullIfConvex, TakesConvexMeshesOnly) {
     Mesh cube = enclosing_mesh(box(awkward_pose(), {0.1, 0.2, 0.3}));
     ASSERT_TRUE(hull_if_convex(cube));

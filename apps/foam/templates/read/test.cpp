@@ -12,7 +12,7 @@ int main() {
     foam::QuietContext context;
 
     const foam::SphereFile model = reader->read("spheres @method@\n0.5 -2 0 0.25 tool\n", "a.@method@", context);
-    if (model.links.size() != 1 || model.links[0].spheres != std::vector<foam::Sphere>{{{0.5, -2, 0}, 0.25}}) {
+    if (model.links.size() != 1 || model.links[0].elements != foam::Elements{{{0.5, -2, 0}, 0.25}}) {
         std::printf("another model was expected\n");
         return 1;
     }

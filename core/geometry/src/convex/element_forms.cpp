@@ -2,6 +2,7 @@
 #include <foam/geometry/element_forms.hpp>
 #include <foam/geometry/rotation.hpp>
 #include <foam/geometry/sphere.hpp>
+#include <foam/geometry/internal/single_precision.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -58,13 +59,8 @@ double farthest_coordinate(const std::vector<Vec3>& points) {
     return largest;
 }
 
-Vec3 to_single_precision(const Vec3& p) {
-    return {static_cast<double>(static_cast<float>(p.x)), static_cast<double>(static_cast<float>(p.y)),
-            static_cast<double>(static_cast<float>(p.z))};
-}
-
 bool all_single_precision(const std::vector<Vec3>& points) {
-    return std::all_of(points.begin(), points.end(), [](const Vec3& p) { return to_single_precision(p) == p; });
+    return std::all_of(points.begin(), points.end(), [](const Vec3& p) { return in_single_precision(p) == p; });
 }
 
 /// Returns the place that vertices are relative to: the link's origin, or their middle if that is farther than eight
@@ -200,7 +196,9 @@ Element float32_hull(const Element& hull) {
             safety * (std::numeric_limits<float>::epsilon() * farthest_coordinate(points) +
                       16 * std::numeric_limits<double>::epsilon() * far + std::numeric_limits<float>::denorm_min());
         std::vector<Vec3> rounded = pushed_out(*polytope, moved);
-        std::transform(rounded.begin(), rounded.end(), rounded.begin(), to_single_precision);
+        for (Vec3& p : rounded) {
+            p = in_single_precision(p);
+        }
         const Element result = hull_with_origin(place, convex_hull(rounded));
         if (std::all_of(points.begin(), points.end(), [&](const Vec3& p) { return holds(result, place + p); })) {
             return result;

@@ -1,5 +1,7 @@
 #include <foam/geometry/internal/left_uncovered.hpp>
 
+#include "proof/element_proof.hpp"
+
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/internal/triangle.hpp>
 #include <foam/geometry/measure.hpp>
@@ -60,7 +62,8 @@ private:
                 return false;
             }
         }
-        return certify(*Solid::make(Mesh{{t.a, t.b, t.c}, {{0, 1, 2}}}), spheres_).holds;
+        constexpr int depth = 40;
+        return prove_cover_by_spheres(*Solid::make(Mesh{{t.a, t.b, t.c}, {{0, 1, 2}}}), spheres_, depth).certificate.holds;
     }
 
     double smallest_;

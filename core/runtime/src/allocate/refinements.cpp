@@ -137,7 +137,7 @@ void check_tree(const SphereTree& tree, const Budget& budget, const std::vector<
     if (tree.levels.empty() || tree.elements().empty()) {
         broken(stage_kind, "it returned no spheres");
     }
-    const Elements finest = tree.elements();
+    const Elements& finest = tree.elements();
     const char* noun = finest.are_spheres() ? "spheres" : "elements";
     if (budget.max_spheres && finest.size() > *budget.max_spheres) {
         broken(stage_kind, fmt::format("it returned {} {} where at most {} were requested", finest.size(), noun,

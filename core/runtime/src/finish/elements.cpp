@@ -1,5 +1,7 @@
 #include <foam/runtime/internal/elements.hpp>
 
+#include <foam/geometry/internal/single_precision.hpp>
+
 #include <algorithm>
 #include <limits>
 #include <memory>
@@ -7,18 +9,10 @@
 namespace foam::inline runtime {
 namespace {
 
-double single(double value) {
-    return static_cast<double>(static_cast<float>(value));
-}
-
-Vec3 single(const Vec3& v) {
-    return {single(v.x), single(v.y), single(v.z)};
-}
-
 /// Returns the rotation with numbers in single precision, orthonormal to double precision again.
-std::array<Vec3, 3> single(const std::array<Vec3, 3>& rotation) {
-    const Vec3 x = normalized(single(rotation[0]));
-    const Vec3 y = single(rotation[1]);
+std::array<Vec3, 3> rounded(const std::array<Vec3, 3>& rotation) {
+    const Vec3 x = normalized(geometry::in_single_precision(rotation[0]));
+    const Vec3 y = geometry::in_single_precision(rotation[1]);
     const Vec3 across = normalized(y - x * dot(x, y));
     return {x, across, cross(x, across)};
 }
@@ -43,17 +37,17 @@ void add_elements(Panel& panel, const Elements& elements, const Pose& pose) {
 
 Elements in_single_precision(Elements elements) {
     for (Sphere& s : elements.spheres()) {
-        s = {single(s.center), single(s.radius)};
+        s = {geometry::in_single_precision(s.center), geometry::in_single_precision(s.radius)};
     }
     for (Element& e : elements.shaped()) {
-        e.pose.translation = single(e.pose.translation);
-        e.pose.rotation = e.pose.rotation == Pose{}.rotation ? e.pose.rotation : single(e.pose.rotation);
-        e.half = single(e.half);
-        e.radius = single(e.radius);
+        e.pose.translation = geometry::in_single_precision(e.pose.translation);
+        e.pose.rotation = e.pose.rotation == Pose{}.rotation ? e.pose.rotation : rounded(e.pose.rotation);
+        e.half = geometry::in_single_precision(e.half);
+        e.radius = geometry::in_single_precision(e.radius);
         if (e.hull) {
             std::vector<Vec3> vertices;
             for (const Vec3& vertex : e.hull->surface.vertices) {
-                vertices.push_back(single(vertex));
+                vertices.push_back(geometry::in_single_precision(vertex));
             }
             e.hull = convex_hull(vertices);
         }

@@ -37,7 +37,7 @@ struct ApproximateOptions {
     bool axis_aligned = false;     ///< boxes have the axes of the solid's frame
 };
 
-/// Convex elements that cover a solid, with the proof. Figures beside the volume: foam/geometry/element_measure.hpp.
+/// Convex elements that cover a solid, with the proof. Figures beside the volume: foam/geometry/measure.hpp.
 struct ConvexCover {
     Elements elements; ///< m, in the solid's frame; at least one
     Certificate certificate;       ///< proof that solid.surface() lies in their union; it always holds

@@ -3,6 +3,7 @@
 #include "cover/portfolio/limited_search.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace foam::inline search {
 namespace {
@@ -45,8 +46,15 @@ std::vector<Sphere> shrunk_within(const Solid& solid, std::vector<Sphere> sphere
                                   const std::vector<ClipPlane>& planes) {
     constexpr int rounds = 8; // a sphere moved off one plane comes nearer to another that faces it
     const double spare = room * cover::Frame(solid.bounds()).unit;
+    const auto largest_violation = [&](const Sphere& sphere) {
+        double most = -std::numeric_limits<double>::infinity();
+        for (const ClipPlane& plane : planes) {
+            most = std::max(most, reach_beyond(plane, sphere) - plane.reach);
+        }
+        return most;
+    };
     for (Sphere& sphere : spheres) {
-        for (int round = 0; round < rounds && violation_of(planes, {sphere}) > -spare; ++round) {
+        for (int round = 0; round < rounds && largest_violation(sphere) > -spare; ++round) {
             for (const ClipPlane& plane : planes) {
                 const double over = reach_beyond(plane, sphere) - plane.reach + spare;
                 if (over > 0) {
