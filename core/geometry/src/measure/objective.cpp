@@ -1,5 +1,7 @@
 #include <foam/geometry/objective.hpp>
 
+#include <algorithm>
+
 namespace foam::inline geometry {
 
 std::optional<Objective> objective_named(std::string_view name) {
