@@ -39,9 +39,7 @@ EngineShape shape_of(const Element& given) {
 std::vector<Element> all_elements(const std::vector<LinkSpheres>& links) {
     std::vector<Element> all;
     for (const LinkSpheres& link : links) {
-        std::transform(link.elements.spheres().begin(), link.elements.spheres().end(), std::back_inserter(all),
-                       [](const Sphere& sphere) { return as_checked(element_of(sphere)); });
-        std::transform(link.elements.shaped().begin(), link.elements.shaped().end(), std::back_inserter(all), as_checked);
+        std::transform(link.elements.begin(), link.elements.end(), std::back_inserter(all), as_checked);
     }
     return all;
 }
