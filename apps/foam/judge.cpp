@@ -3,7 +3,7 @@
 #include "table.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/base/replace_file.hpp>
+#include <foam/base/file.hpp>
 #include <foam/base/text.hpp>
 
 #include <fmt/format.h>

@@ -9,7 +9,7 @@
 #include "cli/run_directory.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/base/replace_file.hpp>
+#include <foam/base/file.hpp>
 #include <foam/base/text.hpp>
 #include <foam/recipe/quick_recipe.hpp>
 #include <foam/runtime/run_json.hpp>

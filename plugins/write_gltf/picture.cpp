@@ -2,7 +2,6 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
-#include <foam/base/markup.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/inscribed_mesh.hpp>
 #include <foam/sdk/elements.hpp>

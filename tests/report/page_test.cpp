@@ -3,7 +3,7 @@
 #include "report/src/embedded_resources.hpp"
 #include "report/src/page.hpp"
 
-#include <foam/base/markup.hpp>
+#include <foam/base/text.hpp>
 #include <foam/report/html_page.hpp>
 
 namespace foam::test {

@@ -9,7 +9,6 @@
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>
 #include <foam/base/internal/files.hpp>
-#include <foam/base/replace_file.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

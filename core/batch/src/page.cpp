@@ -5,7 +5,7 @@
 #include "thumbnail.hpp"
 
 #include <foam/base/internal/files.hpp>
-#include <foam/base/markup.hpp>
+#include <foam/base/text.hpp>
 #include <foam/report/html_page.hpp>
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
-#include <foam/base/internal/scheduler.hpp>
+#include <foam/base/internal/activity.hpp>
 #include <foam/search/spherize.hpp>
 
 #include <fmt/format.h>

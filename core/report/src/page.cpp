@@ -2,7 +2,7 @@
 #include "embedded_resources.hpp"
 #include "text.hpp"
 
-#include <foam/base/markup.hpp>
+#include <foam/base/text.hpp>
 #include <foam/report/html_page.hpp>
 #include <foam/report/internal/policy.hpp>
 

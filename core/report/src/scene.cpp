@@ -1,6 +1,5 @@
 #include <foam/report/internal/scene.hpp>
 
-#include <foam/base/markup.hpp>
 #include <foam/base/text.hpp>
 
 #include <nlohmann/json.hpp>

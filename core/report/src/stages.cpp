@@ -2,7 +2,7 @@
 #include "sections.hpp"
 #include "text.hpp"
 
-#include <foam/base/markup.hpp>
+#include <foam/base/text.hpp>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,5 @@
 #include "text.hpp"
 
-#include <foam/base/markup.hpp>
 #include <foam/base/text.hpp>
 
 #include <fmt/format.h>

@@ -3,7 +3,6 @@
 #include "embedded_resources.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/base/markup.hpp>
 #include <foam/base/text.hpp>
 #include <foam/report/internal/policy.hpp>
 

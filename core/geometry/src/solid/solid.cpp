@@ -3,7 +3,7 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
-#include <foam/base/internal/scheduler.hpp>
+#include <foam/base/internal/activity.hpp>
 #include <foam/geometry/internal/own_frame.hpp>
 #include <foam/geometry/internal/quick_solid.hpp>
 

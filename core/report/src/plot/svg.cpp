@@ -1,6 +1,6 @@
 #include "scale.hpp"
 
-#include <foam/base/markup.hpp>
+#include <foam/base/text.hpp>
 
 #include <fmt/format.h>
 

@@ -2,7 +2,6 @@
 
 #include <foam/base/file.hpp>
 #include <foam/base/internal/files.hpp>
-#include <foam/base/markup.hpp>
 #include <foam/base/text.hpp>
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include <foam/base/internal/scheduler.hpp>
+#include <foam/base/internal/activity.hpp>
 #include <foam/runtime/version.hpp>
 
 #include <Eigen/Core>
