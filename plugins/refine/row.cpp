@@ -1,8 +1,8 @@
 #include "refiners.hpp"
 
-#include <foam/geometry/joint_volume.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/geometry/row_cover.hpp>
+#include <foam/geometry/volumes.hpp>
 
 namespace foam::refine {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "watertight_filter.hpp"
 
-#include <foam/geometry/self_intersection.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 #include <foam/sdk/plugin.hpp>
 
 #include <memory>

@@ -3,7 +3,7 @@
 #include "triangle.hpp"
 
 #include <foam/base/cancellation.hpp>
-#include <foam/geometry/edges.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 #include <foam/geometry/solid.hpp>
 
 #include <algorithm>

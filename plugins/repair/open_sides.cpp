@@ -1,6 +1,6 @@
 #include "open_sides.hpp"
 
-#include <foam/geometry/edges.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "collapse.hpp"
 
-#include <foam/geometry/edges.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 
 namespace foam::simplify {
 namespace {

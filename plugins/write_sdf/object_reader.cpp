@@ -2,7 +2,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
-#include <foam/geometry/rotation.hpp>
+#include <foam/geometry/vector.hpp>
 #include <foam/xml/document.hpp>
 
 #include <fmt/format.h>

@@ -8,9 +8,8 @@
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/element_forms.hpp>
-#include <foam/geometry/mass.hpp>
-#include <foam/geometry/rotation.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/vector.hpp>
+#include <foam/geometry/volumes.hpp>
 #include <foam/robot/kinematics.hpp>
 #include <foam/sdk/planning.hpp>
 #include <foam/sdk/uncovered.hpp>

@@ -5,7 +5,7 @@
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>
 #include <foam/base/text.hpp>
-#include <foam/geometry/rotation.hpp>
+#include <foam/geometry/vector.hpp>
 #include <foam/sdk/elements.hpp>
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 #include <foam/base/error.hpp>
 #include <foam/geometry/element_forms.hpp>
 #include <foam/geometry/mesh.hpp>
-#include <foam/geometry/rotation.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <array>
 

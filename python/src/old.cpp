@@ -3,8 +3,8 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/parallel.hpp>
-#include <foam/geometry/directions.hpp>
 #include <foam/geometry/measure.hpp>
+#include <foam/geometry/vector.hpp>
 #include <foam/sdk/resource.hpp>
 #include <foam/sdk/stage.hpp>
 

@@ -2,8 +2,8 @@
 #include "cover/expect_cover.hpp"
 #include "geometry/shapes.hpp"
 
-#include <foam/geometry/internal/coarse_solid.hpp>
-#include <foam/geometry/joint_volume.hpp>
+#include <foam/geometry/internal/solids.hpp>
+#include <foam/geometry/volumes.hpp>
 #include <foam/search/splitting.hpp>
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include "search/src/cover/moves/merging.hpp"
 
 #include <foam/base/random.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 #include <foam/runtime/contract.hpp>
 
 #include <gtest/gtest.h>

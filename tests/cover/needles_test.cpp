@@ -2,7 +2,7 @@
 #include "geometry/shapes.hpp"
 
 #include <foam/geometry/measure.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 #include <foam/search/spherize.hpp>
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "search/src/cover/descent/surface_descent.hpp"
 
 #include <foam/base/random.hpp>
-#include <foam/geometry/directions.hpp>
+#include <foam/geometry/vector.hpp>
 #include <foam/runtime/contract.hpp>
 
 #include <gtest/gtest.h>

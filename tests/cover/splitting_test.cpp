@@ -1,7 +1,6 @@
 // Covers that grow by a sphere at a time.
-#include <foam/geometry/joint_volume.hpp>
 #include <foam/geometry/measure.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 #include <foam/runtime/contract.hpp>
 #include <foam/search/splitting.hpp>
 

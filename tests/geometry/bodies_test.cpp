@@ -4,7 +4,7 @@
 #include "geometry/src/proof/element_grown.hpp"
 #include "plain_shapes.hpp"
 
-#include <foam/geometry/internal/triangle.hpp>
+#include <foam/geometry/internal/triangles.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/geometry/element.hpp>
-#include <foam/geometry/internal/farthest.hpp>
+#include <foam/geometry/internal/quickhull.hpp>
 
 #include <gtest/gtest.h>
 

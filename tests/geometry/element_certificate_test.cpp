@@ -4,8 +4,8 @@
 #include "plain_shapes.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/geometry/internal/triangles.hpp>
 #include <foam/geometry/measure.hpp>
-#include <foam/geometry/internal/triangle.hpp>
 
 #include <gtest/gtest.h>
 

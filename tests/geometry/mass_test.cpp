@@ -1,7 +1,7 @@
 // Volume, centre and inertia of solids against formulas.
 #include "plain_shapes.hpp"
 
-#include <foam/geometry/mass.hpp>
+#include <foam/geometry/volumes.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Runs of triangles that are close together, with a ball around each.
 #include "geometry/shapes.hpp"
 
-#include <foam/geometry/internal/quick_solid.hpp>
+#include <foam/geometry/internal/solids.hpp>
 #include <foam/geometry/internal/surface_runs.hpp>
 
 #include <gtest/gtest.h>

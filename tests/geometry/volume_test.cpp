@@ -2,9 +2,9 @@
 #include "geometry/shapes.hpp"
 
 #include <foam/base/random.hpp>
-#include <foam/geometry/internal/union_parts.hpp>
+#include <foam/geometry/internal/measure_parts.hpp>
 #include <foam/geometry/measure.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 
 #include <gtest/gtest.h>
 

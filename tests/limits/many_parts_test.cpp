@@ -4,7 +4,7 @@
 #include "support/sanitizers.hpp"
 
 #include <foam/base/random.hpp>
-#include <foam/geometry/internal/cavities.hpp>
+#include <foam/geometry/internal/solids.hpp>
 #include <foam/geometry/solid.hpp>
 
 #include <fmt/format.h>

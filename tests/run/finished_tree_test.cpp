@@ -5,8 +5,8 @@
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/inner.hpp>
-#include <foam/geometry/joint_volume.hpp>
 #include <foam/geometry/measure.hpp>
+#include <foam/geometry/volumes.hpp>
 #include <foam/runtime/internal/cover.hpp>
 
 #include <gtest/gtest.h>

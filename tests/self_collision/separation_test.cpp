@@ -1,7 +1,7 @@
 // The distance of two convex elements, against what is known of them.
 #include <foam/base/random.hpp>
 #include <foam/collision/separation.hpp>
-#include <foam/geometry/directions.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include "support/runs.hpp"
 
 #include <foam/geometry/clip_plane.hpp>
-#include <foam/geometry/joint_volume.hpp>
 #include <foam/geometry/measure.hpp>
+#include <foam/geometry/volumes.hpp>
 #include <foam/runtime/contract.hpp>
 
 #include <gmock/gmock.h>

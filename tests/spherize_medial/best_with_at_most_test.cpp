@@ -1,7 +1,7 @@
 // Which of several numbers of spheres is taken.
 #include "spherize_medial/best_with_at_most.hpp"
 
-#include <foam/geometry/directions.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <gtest/gtest.h>
 

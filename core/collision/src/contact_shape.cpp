@@ -2,8 +2,8 @@
 
 #include <foam/geometry/element_forms.hpp>
 #include <foam/geometry/inscribed_mesh.hpp>
-#include <foam/geometry/internal/posed_box.hpp>
-#include <foam/geometry/internal/welding.hpp>
+#include <foam/geometry/internal/own_frame.hpp>
+#include <foam/geometry/internal/triangles.hpp>
 
 #include <algorithm>
 

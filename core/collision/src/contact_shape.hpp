@@ -2,7 +2,7 @@
 #pragma once
 
 #include <foam/geometry/internal/bvh.hpp>
-#include <foam/geometry/internal/crossing.hpp>
+#include <foam/geometry/internal/triangles.hpp>
 #include <foam/geometry/solid.hpp>
 #include <foam/geometry/sphere.hpp>
 

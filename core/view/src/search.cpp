@@ -5,7 +5,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/internal/ladder.hpp>
-#include <foam/geometry/internal/left_uncovered.hpp>
+#include <foam/geometry/internal/proof.hpp>
 #include <foam/recipe/internal/glob.hpp>
 #include <foam/recipe/quick_recipe.hpp>
 #include <foam/runtime/internal/cover.hpp>

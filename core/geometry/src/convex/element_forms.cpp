@@ -1,8 +1,8 @@
 #include <foam/base/error.hpp>
 #include <foam/geometry/element_forms.hpp>
-#include <foam/geometry/rotation.hpp>
-#include <foam/geometry/sphere.hpp>
 #include <foam/geometry/internal/single_precision.hpp>
+#include <foam/geometry/sphere.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <algorithm>
 #include <cmath>

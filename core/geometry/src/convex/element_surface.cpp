@@ -1,6 +1,6 @@
 #include "convex/element_surface.hpp"
 
-#include <foam/geometry/directions.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <functional>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include <foam/geometry/mass.hpp>
+#include <foam/geometry/volumes.hpp>
 
 #include "mesh/line_grid.hpp"
 

@@ -7,7 +7,7 @@
 #include <foam/base/parallel.hpp>
 #include <foam/geometry/inner.hpp>
 #include <foam/geometry/internal/bvh.hpp>
-#include <foam/geometry/internal/triangle.hpp>
+#include <foam/geometry/internal/triangles.hpp>
 
 #include <memory>
 #include <optional>

@@ -5,7 +5,7 @@
 #include <foam/base/error.hpp>
 #include <foam/base/internal/activity.hpp>
 #include <foam/geometry/internal/own_frame.hpp>
-#include <foam/geometry/internal/quick_solid.hpp>
+#include <foam/geometry/internal/solids.hpp>
 
 #include <algorithm>
 #include <limits>

@@ -6,7 +6,7 @@
 
 #include <foam/base/internal/ladder.hpp>
 #include <foam/base/parallel.hpp>
-#include <foam/geometry/joint_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 #include <foam/runtime/internal/cover.hpp>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include <foam/base/parallel.hpp>
 #include <foam/collision/separation.hpp>
-#include <foam/geometry/self_intersection.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 #include <foam/robot/internal/chain.hpp>
 #include <foam/robot/kinematics.hpp>
 #include <foam/runtime/internal/elements.hpp>

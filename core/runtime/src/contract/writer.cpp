@@ -1,7 +1,7 @@
 #include "promises.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/geometry/directions.hpp>
+#include <foam/geometry/vector.hpp>
 #include <foam/sdk/kinds.hpp>
 
 #include <algorithm>

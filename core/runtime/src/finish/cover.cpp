@@ -4,9 +4,8 @@
 
 #include <foam/base/error.hpp>
 #include <foam/geometry/inner.hpp>
-#include <foam/geometry/joint_volume.hpp>
 #include <foam/geometry/measure.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 #include <foam/runtime/internal/elements.hpp>
 
 #include <algorithm>

@@ -6,8 +6,7 @@
 
 #include <foam/base/text.hpp>
 #include <foam/geometry/inner.hpp>
-#include <foam/geometry/internal/filled.hpp>
-#include <foam/geometry/internal/quick_solid.hpp>
+#include <foam/geometry/internal/solids.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/internal/cover.hpp>
 #include <foam/runtime/internal/elements.hpp>

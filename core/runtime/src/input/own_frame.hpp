@@ -2,7 +2,6 @@
 #pragma once
 
 #include <foam/geometry/internal/own_frame.hpp>
-#include <foam/geometry/internal/posed_box.hpp>
 #include <foam/runtime/internal/prepare.hpp>
 #include <foam/sdk/context.hpp>
 #include <foam/sdk/registry.hpp>

@@ -3,7 +3,7 @@
 #include "input/own_frame.hpp"
 #include "process/isolated.hpp"
 
-#include <foam/geometry/internal/compared_mesh.hpp>
+#include <foam/geometry/internal/triangles.hpp>
 #include <foam/runtime/internal/input.hpp>
 
 #include <fmt/format.h>

@@ -3,9 +3,8 @@
 #include "input/own_frame.hpp"
 #include "allocate/refinements.hpp"
 
-#include <foam/geometry/internal/cavities.hpp>
-#include <foam/geometry/internal/filled.hpp>
-#include <foam/geometry/internal/left_uncovered.hpp>
+#include <foam/geometry/internal/proof.hpp>
+#include <foam/geometry/internal/solids.hpp>
 
 #include <foam/sdk/kinds.hpp>
 

@@ -3,7 +3,7 @@
 #include "record/settings.hpp"
 
 #include <foam/base/internal/files.hpp>
-#include <foam/geometry/measure_names.hpp>
+#include <foam/geometry/measure.hpp>
 #include <foam/runtime/version.hpp>
 
 #include <nlohmann/json.hpp>

@@ -3,7 +3,7 @@
 #include "cover/measured/occupancy.hpp"
 
 #include <foam/base/cancellation.hpp>
-#include <foam/geometry/edges.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "fit_programme.hpp"
 
-#include <foam/geometry/directions.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "hull_of_points.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/geometry/directions.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <algorithm>
 #include <limits>

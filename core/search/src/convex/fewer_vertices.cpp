@@ -3,7 +3,7 @@
 #include "collapsing_hull.hpp"
 #include "hull_of_points.hpp"
 
-#include <foam/geometry/internal/farthest.hpp>
+#include <foam/geometry/internal/quickhull.hpp>
 
 #include <Eigen/Eigenvalues>
 

@@ -3,7 +3,7 @@
 #include "rectangle.hpp"
 
 #include <foam/base/cancellation.hpp>
-#include <foam/geometry/directions.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <Eigen/Eigenvalues>
 

@@ -3,7 +3,7 @@
 #include "least_fit.hpp"
 
 #include <foam/base/cancellation.hpp>
-#include <foam/geometry/directions.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/cell.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <foam/geometry/clip_plane.hpp>
-#include <foam/geometry/mesh_change.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 #include <foam/recipe/recipe.hpp>
 #include <foam/robot/proved_links.hpp>
 #include <foam/sdk/context.hpp>

@@ -1,7 +1,7 @@
 #include "cover/measured/directions.hpp"
 
 #include <foam/base/random.hpp>
-#include <foam/geometry/directions.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <numbers>
 

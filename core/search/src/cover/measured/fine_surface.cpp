@@ -1,7 +1,7 @@
 #include "cover/measured/fine_surface.hpp"
 
 #include <foam/base/cancellation.hpp>
-#include <foam/geometry/internal/welding.hpp>
+#include <foam/geometry/internal/triangles.hpp>
 
 #include <algorithm>
 #include <cmath>

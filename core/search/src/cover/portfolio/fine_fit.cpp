@@ -6,7 +6,7 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/internal/surface_runs.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 
 #include <algorithm>
 #include <limits>

@@ -2,7 +2,7 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/inner.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 #include <foam/search/spherize.hpp>
 
 #include <algorithm>

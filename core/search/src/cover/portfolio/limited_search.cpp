@@ -6,7 +6,7 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/random.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "cover/portfolio/proved.hpp"
 
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 
 namespace foam::inline search::cover {
 

@@ -11,8 +11,7 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/parallel.hpp>
-#include <foam/geometry/joint_volume.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,7 @@
 #include "cover/portfolio/unless_stopped.hpp"
 
 #include <foam/base/parallel.hpp>
-#include <foam/geometry/joint_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -5,10 +5,9 @@
 #include "cover/portfolio/search.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/geometry/internal/coarse_solid.hpp>
 #include <foam/geometry/internal/own_frame.hpp>
-#include <foam/geometry/joint_volume.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/internal/solids.hpp>
+#include <foam/geometry/volumes.hpp>
 
 #include <fmt/format.h>
 

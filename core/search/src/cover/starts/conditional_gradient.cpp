@@ -4,7 +4,7 @@
 #include "cover/measured/missing_volume.hpp"
 
 #include <foam/base/cancellation.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/internal/surface_runs.hpp>
-#include <foam/geometry/internal/triangle.hpp>
+#include <foam/geometry/internal/triangles.hpp>
 
 #include <algorithm>
 #include <iterator>

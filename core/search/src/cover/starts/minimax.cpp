@@ -3,7 +3,7 @@
 #include "cover/starts/plane_splits.hpp"
 
 #include <foam/base/cancellation.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 
 #include <algorithm>
 

@@ -4,9 +4,8 @@
 #include "cover/moves/improvement.hpp"
 
 #include <foam/base/cancellation.hpp>
-#include <foam/geometry/internal/coarse_solid.hpp>
-#include <foam/geometry/internal/missing_parts.hpp>
-#include <foam/geometry/internal/union_parts.hpp>
+#include <foam/geometry/internal/measure_parts.hpp>
+#include <foam/geometry/internal/solids.hpp>
 
 #include <algorithm>
 #include <limits>

@@ -1,8 +1,8 @@
 #include "cover/starts/two_balls.hpp"
 
 #include <foam/base/cancellation.hpp>
-#include <foam/geometry/directions.hpp>
 #include <foam/geometry/downhill.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <algorithm>
 #include <cmath>
