@@ -6,7 +6,6 @@
 #include <foam/base/error.hpp>
 #include <foam/sdk/resource.hpp>
 #include <foam/xml/document.hpp>
-#include <foam/xml/editor.hpp>
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include "shapes.hpp"
 
 #include <foam/sdk/stage.hpp>
-#include <foam/xml/editor.hpp>
+#include <foam/xml/document.hpp>
 
 #include <map>
 #include <memory>

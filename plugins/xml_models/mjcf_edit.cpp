@@ -6,7 +6,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
-#include <foam/xml/editor.hpp>
+#include <foam/xml/document.hpp>
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <foam/base/error.hpp>
 #include <foam/sdk/elements.hpp>
 #include <foam/sdk/kinds.hpp>
-#include <foam/xml/editor.hpp>
+#include <foam/xml/document.hpp>
 
 #include <fmt/format.h>
 
