@@ -6,7 +6,7 @@
 
 #include <foam/sdk/pairs.hpp>
 #include <foam/sdk/stage.hpp>
-#include <foam/yaml/splice.hpp>
+#include <foam/yaml/write.hpp>
 
 namespace foam::tree {
 
