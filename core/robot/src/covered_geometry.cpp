@@ -1,4 +1,4 @@
-#include <foam/robot/covered_geometry.hpp>
+#include <foam/robot/robot.hpp>
 
 #include <algorithm>
 

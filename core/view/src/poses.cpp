@@ -1,7 +1,7 @@
 #include "poses.hpp"
 
 #include <foam/base/internal/files.hpp>
-#include <foam/robot/group_states.hpp>
+#include <foam/robot/robot.hpp>
 
 namespace foam::inline view {
 std::vector<NamedPose> named_poses(const Kinematics& kinematics, const std::filesystem::path& srdf) {

@@ -5,7 +5,6 @@
 #include <foam/geometry/solid.hpp>
 #include <foam/judge/sphere_file.hpp>
 #include <foam/recipe/mesh_unit.hpp>
-#include <foam/robot/covered_geometry.hpp>
 #include <foam/robot/proved_links.hpp>
 #include <foam/robot/robot.hpp>
 

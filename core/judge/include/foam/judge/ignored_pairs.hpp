@@ -1,7 +1,7 @@
 // Pairs of links that other tools' files leave out of self-collision checks.
 #pragma once
 
-#include <foam/robot/facts.hpp>
+#include <foam/robot/robot.hpp>
 
 #include <filesystem>
 #include <string>

@@ -1,7 +1,7 @@
 // Pairs of links that need no check, in a file of the user.
 #pragma once
 
-#include <foam/robot/facts.hpp>
+#include <foam/robot/robot.hpp>
 #include <foam/sdk/parameter.hpp>
 
 #include <functional>
