@@ -1,4 +1,4 @@
-#include "contact_shape.hpp"
+#include "link_shapes.hpp"
 
 #include <foam/geometry/element_forms.hpp>
 #include <foam/geometry/inscribed_mesh.hpp>

@@ -1,20 +1,54 @@
-// The frequency of contact of pairs of links in random configurations.
+// What tells of a pair of links whether it can touch: proofs, approaches, samples.
 #pragma once
 
-#include "ball_group.hpp"
+#include "link_shapes.hpp"
 
 #include <foam/base/parallel.hpp>
 #include <foam/base/random.hpp>
 #include <foam/collision/self_collision.hpp>
+#include <foam/robot/internal/chain.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace foam::inline collision::self_collision {
+
+using namespace joint_chain;
+
+/// Returns the freedoms that move the chain, sorted. Precondition: its joints move.
+std::vector<std::size_t> freedoms_of(const Chain& chain);
+
+enum class Verdict {
+    never,   ///< proved
+    always,  ///< proved
+    some,    ///< observed both touching and apart
+    unknown, ///< not decided within the allowed number of boxes
+};
+
+/// Decides by branch and bound over boxes of the values of the joints between the links. In the middle of a box it
+/// computes the distance between the links' spheres. Within the box no centre moves farther than a bound from the
+/// joints' half ranges and the centre's distances from their axes (displacement bound as in Schwarzer, Saha, Latombe:
+/// Adaptive dynamic collision checking for single and multiple articulated robots, IEEE T-RO 2005). If the distance
+/// exceeds the displacements of both, the links are apart in the whole box. If an overlap is deeper than that, they
+/// touch in the whole box. Any other box is halved. The search ends early where the share of the joint positions that is
+/// decided after some hundred boxes shows that a proof would take more than `boxes`.
+Verdict touching_verdict(const Kinematics& kinematics, const Chain& chain, const BallGroup& first,
+                         const BallGroup& second, std::size_t boxes, const std::atomic<bool>* cancel);
+
+/// Returns whether a configuration was found in which the elements of the two links touch. From the nearest of some random
+/// configurations, the search moves one joint at a time as long as the links come nearer, by smaller and smaller steps
+/// (Hooke, Jeeves: "Direct search" solution of numerical and statistical problems, JACM 8, 1961). It finds contacts in
+/// far smaller parts of the joints' ranges than random samples do; that it finds none is no proof. Precondition: the
+/// chain is bounded.
+bool touch_somewhere(const Kinematics& kinematics, const joint_chain::Chain& chain, const BallGroup& first,
+                     const BallGroup& second, std::uint64_t seed);
 
 /// One entry per link of the robot; empty: it has no elements.
 using Groups = std::vector<std::optional<BallGroup>>;
@@ -84,4 +118,4 @@ private:
     const std::atomic<bool>* cancel_;
 };
 
-} // namespace foam::collision::self_collision
+} // namespace foam::inline collision::self_collision
