@@ -1,7 +1,7 @@
 #include "refiners.hpp"
 
 #include <foam/geometry/measure.hpp>
-#include <foam/search/clip.hpp>
+#include <foam/search/refine.hpp>
 
 namespace foam::refine {
 namespace {

@@ -1,7 +1,7 @@
 #include "refiners.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/search/fit.hpp>
+#include <foam/search/refine.hpp>
 
 namespace foam::refine {
 namespace {

@@ -3,7 +3,7 @@
 #include <foam/base/error.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/geometry/volumes.hpp>
-#include <foam/search/splitting.hpp>
+#include <foam/search/refine.hpp>
 
 #include <mutex>
 #include <optional>

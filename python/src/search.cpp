@@ -8,7 +8,6 @@
 #include <foam/geometry/measure.hpp>
 #include <foam/sdk/kinds.hpp>
 #include <foam/search/approximate.hpp>
-#include <foam/search/least_element.hpp>
 #include <foam/search/spherize.hpp>
 
 #include <pybind11/stl.h>

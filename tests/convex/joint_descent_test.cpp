@@ -1,8 +1,7 @@
 // Elements that descend together, and the lattice that tells what they add outside a solid.
-#include "search/src/convex/body_of.hpp"
+#include "search/src/convex/cells.hpp"
 #include "search/src/convex/fit_programme.hpp"
-#include "search/src/convex/joint_descent.hpp"
-#include "search/src/convex/outside_lattice.hpp"
+#include "search/src/convex/least_fit.hpp"
 
 #include <foam/base/random.hpp>
 #include <foam/geometry/primitive.hpp>

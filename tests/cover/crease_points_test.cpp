@@ -1,6 +1,6 @@
 // Points and pieces of a surface that balls leave open.
-#include "search/src/cover/starts/crease_points.hpp"
-#include "search/src/cover/moves/open_pieces.hpp"
+#include "search/src/cover/moves/remainder.hpp"
+#include "search/src/cover/starts/starts.hpp"
 
 #include <foam/base/random.hpp>
 #include <foam/runtime/contract.hpp>

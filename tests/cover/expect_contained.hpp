@@ -1,7 +1,7 @@
 // Balls that contain a skin.
 #pragma once
 
-#include "search/src/cover/measured/fine_surface.hpp"
+#include "search/src/cover/measured/surface.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The counts along which covering spheres build on one another.
-#include "search/src/cover/portfolio/ladder.hpp"
+#include "search/src/cover/portfolio/problem.hpp"
 
 #include <gtest/gtest.h>
 

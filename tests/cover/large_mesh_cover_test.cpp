@@ -4,7 +4,7 @@
 
 #include <foam/geometry/internal/solids.hpp>
 #include <foam/geometry/volumes.hpp>
-#include <foam/search/splitting.hpp>
+#include <foam/search/refine.hpp>
 
 #include <gtest/gtest.h>
 

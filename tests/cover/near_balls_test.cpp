@@ -1,6 +1,5 @@
 // The neighbours of balls that move, and the exposed directions that follow from them.
-#include "search/src/cover/measured/directions.hpp"
-#include "search/src/cover/moves/exposed.hpp"
+#include "search/src/cover/measured/points.hpp"
 #include "search/src/cover/moves/near_balls.hpp"
 
 #include <foam/base/random.hpp>

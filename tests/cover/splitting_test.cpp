@@ -2,7 +2,7 @@
 #include <foam/geometry/measure.hpp>
 #include <foam/geometry/volumes.hpp>
 #include <foam/runtime/contract.hpp>
-#include <foam/search/splitting.hpp>
+#include <foam/search/refine.hpp>
 
 #include <gtest/gtest.h>
 

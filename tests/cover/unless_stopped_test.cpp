@@ -1,5 +1,5 @@
 // Work that ends in the middle once the caller of a search asks for it.
-#include "search/src/cover/portfolio/unless_stopped.hpp"
+#include "search/src/cover/portfolio/problem.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>

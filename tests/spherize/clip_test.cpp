@@ -6,7 +6,7 @@
 #include <foam/base/error.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/contract.hpp>
-#include <foam/search/clip.hpp>
+#include <foam/search/refine.hpp>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>

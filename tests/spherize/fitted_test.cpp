@@ -4,7 +4,7 @@
 
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/contract.hpp>
-#include <foam/search/fit.hpp>
+#include <foam/search/refine.hpp>
 
 #include <gtest/gtest.h>
 

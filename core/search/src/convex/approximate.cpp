@@ -1,18 +1,13 @@
-#include "cover/portfolio/unless_stopped.hpp"
-#include "body_of.hpp"
-#include "finish.hpp"
-#include "joint_descent.hpp"
+#include "cells.hpp"
+#include "cover/portfolio/problem.hpp"
 #include "least_fit.hpp"
-#include "least_protrusion.hpp"
-#include "partitions.hpp"
-#include "pricing.hpp"
+#include "pieces.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/parallel.hpp>
-#include <foam/geometry/measure.hpp>
 #include <foam/geometry/internal/own_frame.hpp>
+#include <foam/geometry/measure.hpp>
 #include <foam/search/approximate.hpp>
-#include <foam/search/least_element.hpp>
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "body_of.hpp"
+#include "cells.hpp"
 
 #include "cover/measured/occupancy.hpp"
 

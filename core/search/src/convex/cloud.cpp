@@ -1,7 +1,5 @@
 #include "cloud.hpp"
 
-#include "hull_of_points.hpp"
-
 #include <foam/base/error.hpp>
 #include <foam/geometry/vector.hpp>
 

@@ -1,4 +1,4 @@
-#include "cut_search.hpp"
+#include "cells.hpp"
 
 #include <foam/geometry/vector.hpp>
 

@@ -1,5 +1,5 @@
-#include "cover/measured/wide_vectors.hpp"
 #include "cloud.hpp"
+#include "cover/measured/points.hpp"
 
 #include <foam/geometry/vector.hpp>
 

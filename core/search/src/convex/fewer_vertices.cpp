@@ -1,7 +1,6 @@
-#include "fewer_vertices.hpp"
-
 #include "collapsing_hull.hpp"
-#include "hull_of_points.hpp"
+
+#include "cloud.hpp"
 
 #include <foam/geometry/internal/quickhull.hpp>
 

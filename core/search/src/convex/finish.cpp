@@ -1,7 +1,7 @@
-#include "finish.hpp"
+#include "least_fit.hpp"
 
 #include "cloud.hpp"
-#include "fewer_vertices.hpp"
+#include "collapsing_hull.hpp"
 
 #include <foam/geometry/measure.hpp>
 #include <foam/geometry/internal/proof.hpp>

@@ -1,11 +1,9 @@
-#include "joint_descent.hpp"
-
-#include "boundary.hpp"
-#include "fit_descent.hpp"
-#include "hull_in_plane.hpp"
-#include "hull_of_points.hpp"
 #include "least_fit.hpp"
-#include "outside_lattice.hpp"
+
+#include "cells.hpp"
+#include "cloud.hpp"
+#include "fit_programme.hpp"
+#include "plane.hpp"
 
 #include <foam/base/cancellation.hpp>
 

@@ -1,6 +1,6 @@
 #include "fit_programme.hpp"
 #include "least_fit.hpp"
-#include "rectangle.hpp"
+#include "plane.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/vector.hpp>

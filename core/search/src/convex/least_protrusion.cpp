@@ -1,8 +1,6 @@
-#include "least_protrusion.hpp"
-
-#include "boundary.hpp"
-#include "fit_descent.hpp"
 #include "least_fit.hpp"
+
+#include "fit_programme.hpp"
 
 #include <cmath>
 #include <optional>

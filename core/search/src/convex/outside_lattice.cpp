@@ -1,6 +1,6 @@
-#include "outside_lattice.hpp"
+#include "cells.hpp"
 
-#include "cover/measured/wide_vectors.hpp"
+#include "cover/measured/points.hpp"
 
 #include <algorithm>
 #include <cmath>

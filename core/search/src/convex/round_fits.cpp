@@ -1,6 +1,6 @@
-#include "circle.hpp"
-#include "fit_descent.hpp"
+#include "fit_programme.hpp"
 #include "least_fit.hpp"
+#include "plane.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/vector.hpp>

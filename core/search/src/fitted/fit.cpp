@@ -1,4 +1,4 @@
-#include <foam/search/fit.hpp>
+#include <foam/search/refine.hpp>
 
 #include "cover/starts/starts.hpp"
 #include "symmetric_difference.hpp"

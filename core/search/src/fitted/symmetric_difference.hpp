@@ -1,9 +1,9 @@
 // The symmetric difference of balls and a solid.
 #pragma once
 
-#include "cover/measured/directions.hpp"
-#include "cover/moves/exposed.hpp"
 #include "cover/measured/occupancy.hpp"
+#include "cover/measured/points.hpp"
+#include "cover/moves/near_balls.hpp"
 
 namespace foam::inline search::fitted {
 

@@ -1,7 +1,5 @@
 #include "cover/descent/descent.hpp"
 
-#include "cover/descent/step_lengths.hpp"
-
 #include <foam/base/cancellation.hpp>
 
 #include <algorithm>

@@ -1,17 +1,35 @@
-// Refinement of balls by descent: their union gets less excess volume and still covers the surface.
+// Descents of all balls of a cover at once.
 #pragma once
 
-#include "cover/portfolio/claim.hpp"
-#include "cover/measured/directions.hpp"
-#include "cover/moves/exposed.hpp"
-#include "cover/moves/held_points.hpp"
+#include "cover/measured/occupancy.hpp"
+#include "cover/measured/points.hpp"
+#include "cover/measured/surface.hpp"
 #include "cover/moves/near_balls.hpp"
-#include "cover/starts/power_cells.hpp"
 #include "cover/portfolio/problem.hpp"
+#include "cover/starts/power_cells.hpp"
 
+#include <cmath>
 #include <functional>
 
 namespace foam::inline search::cover {
+
+/// Step lengths in units of the balls' mean radius at the start, falling geometrically from first to last.
+class StepLengths {
+public:
+    StepLengths(const Balls& balls, int steps, float first, float last)
+        : ratio_(steps > 1 ? std::pow(last / first, 1 / static_cast<float>(steps - 1)) : 1) {
+        float size = 0;
+        for (const Ball& ball : balls) {
+            size += ball.r / static_cast<float>(balls.size());
+        }
+        length_ = first * size;
+    }
+    float now() const { return length_; }
+    void advance() { length_ *= ratio_; }
+
+private:
+    float length_ = 0, ratio_;
+};
 
 /// The steps of a descent. Their lengths are in units of the balls' mean radius, falling geometrically from first to
 /// last.
@@ -74,4 +92,67 @@ private:
     Deepest deepest_;
 };
 
-} // namespace foam::search::cover
+/// The steps of a descent. Their lengths are in units of the balls' mean radius, falling geometrically from first to
+/// last.
+struct QuickDescentPlan {
+    int steps;
+    float first_step, last_step;
+    int refresh; ///< steps between two updates of the points that matter
+};
+
+/// Descent along the shape derivative of vol(U): by r_i it is the area of ball i outside the others, by c_i the
+/// integral of the normal over it. For balls that cover a solid vol(U) - vol(S) is the excess volume, so the solid
+/// itself need not be queried; for many balls, which may leave a cavity in it, only the area outside the solid counts.
+/// Steps have momentum and one scale for all balls (Kingma and Ba 2015 have one for each number). Where two balls meet,
+/// the one with the greater excess volume for containing a point shrinks more, and the other takes over the point.
+/// After each step the least change restores the points left outside: the projection onto linearised constraints by
+/// Hildreth's method, force by force. Deterministic.
+class QuickDescent {
+public:
+    /// `directions`: sets that steps use in turn. `occupancy`: of the solid; null: the solid is not used.
+    QuickDescent(const std::vector<Points>& directions, const Occupancy* occupancy)
+        : directions_(directions), occupancy_(occupancy) {}
+
+    /// Callback before every few steps, which sets the points that matter. refresh(balls, points, reach): points deeper
+    /// inside than `reach` do not matter until the next call.
+    using Refresh = std::function<void(const Balls& balls, Points& points, float reach)>;
+    void run(Balls& balls, const QuickDescentPlan& plan, const Refresh& refresh);
+
+private:
+    void find_slopes(const Balls& balls, const Points& directions);
+    /// Computes, for each direction of a ball's last look, the exposed share.
+    void find_shows(const Ball& ball, const Points& directions);
+    void step(Balls& balls, float length);
+    void hold(const Points& points, Balls& balls, float slack);
+
+    const std::vector<Points>& directions_;
+    const Occupancy* occupancy_;
+    Exposed exposed_;
+    Owners owners_;
+    std::vector<float> shows_;
+    std::vector<Slope> slopes_, mean_;
+    float square_ = 0, mean_scale_ = 1, square_scale_ = 1;
+    std::vector<char> pressed_;
+    std::vector<Held> held_;
+};
+
+/// A surface in small triangles, and points that represent it.
+struct DescentSurface {
+    FineSurface skin;
+    Points some, most; ///< subsets of its points: for the first estimate, for a descent
+
+    /// Makes a surface fine enough for `balls` balls.
+    DescentSurface(const Solid& solid, const Frame& frame, std::size_t balls);
+    static std::size_t pieces_for(std::size_t balls);
+};
+
+/// Directions in which descents compute the exposed surface of a ball; they are turned from step to step, so that none
+/// is preferred.
+const std::vector<Points>& directions_of_steps();
+
+/// Returns the balls after a descent that uses the points that may come to lie outside, and those where balls meet.
+/// Splits first add missing balls up to `count`. The result contains those points, not yet the surface.
+Balls descended(const DescentSurface& surface, const Occupancy* occupancy, Balls balls, std::size_t count,
+                const QuickDescentPlan& plan);
+
+} // namespace foam::inline search::cover

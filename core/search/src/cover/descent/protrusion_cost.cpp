@@ -1,6 +1,6 @@
-#include "cover/descent/protrusion_cost.hpp"
+#include "cover/descent/ball_cost.hpp"
 
-#include "cover/measured/directions.hpp"
+#include "cover/measured/points.hpp"
 
 #include <foam/base/cancellation.hpp>
 

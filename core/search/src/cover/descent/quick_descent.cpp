@@ -1,6 +1,4 @@
-#include "cover/descent/quick_descent.hpp"
-
-#include "cover/descent/step_lengths.hpp"
+#include "cover/descent/descent.hpp"
 
 #include <foam/base/cancellation.hpp>
 

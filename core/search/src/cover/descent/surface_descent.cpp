@@ -1,7 +1,7 @@
-#include "cover/descent/surface_descent.hpp"
+#include "cover/descent/descent.hpp"
 
-#include "cover/measured/directions.hpp"
-#include "cover/starts/plane_splits.hpp"
+#include "cover/measured/points.hpp"
+#include "cover/starts/starts.hpp"
 
 #include <algorithm>
 

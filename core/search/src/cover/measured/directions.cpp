@@ -1,4 +1,4 @@
-#include "cover/measured/directions.hpp"
+#include "cover/measured/points.hpp"
 
 #include <foam/base/random.hpp>
 #include <foam/geometry/vector.hpp>

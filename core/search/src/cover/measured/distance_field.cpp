@@ -1,4 +1,4 @@
-#include "cover/measured/distance_field.hpp"
+#include "cover/measured/occupancy.hpp"
 
 #include <foam/base/parallel.hpp>
 

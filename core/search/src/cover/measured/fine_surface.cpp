@@ -1,4 +1,4 @@
-#include "cover/measured/fine_surface.hpp"
+#include "cover/measured/surface.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/internal/triangles.hpp>

@@ -1,4 +1,4 @@
-#include "cover/measured/indexed_surface.hpp"
+#include "cover/measured/surface.hpp"
 
 #include <algorithm>
 #include <cmath>

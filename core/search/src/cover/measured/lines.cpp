@@ -1,4 +1,4 @@
-#include "cover/measured/lines.hpp"
+#include "cover/measured/occupancy.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,5 @@
 #include "cover/measured/occupancy.hpp"
 
-#include "cover/measured/lines.hpp"
-
 #include <foam/base/parallel.hpp>
 
 #include <algorithm>

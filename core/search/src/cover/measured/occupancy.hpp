@@ -1,4 +1,4 @@
-// The share of each lattice cell inside the solid.
+// The inside of a solid on a grid, on lines, and its distances.
 #pragma once
 
 #include "cover/measured/points.hpp"
@@ -54,4 +54,47 @@ private:
     std::vector<float> depth_;
 };
 
-} // namespace foam::search::cover
+/// A lattice of lines along one axis.
+struct LineLattice {
+    int axis = 0;              ///< axis of the lines; the others are axis + 1 and axis + 2, cyclic
+    double low[2]{}, step = 1; ///< position of the first line across, distance between lines
+    int count[2]{};
+};
+
+/// The pieces of each line inside the solid, [enter, leave] pairs. A line whose winding number does not return to zero
+/// runs through a hole: then `sound` is 0 and its pieces are meaningless.
+struct LinePieces {
+    std::vector<std::size_t> first; ///< start of each line in `pieces`, and the end: lines + 1 values
+    std::vector<std::pair<double, double>> pieces;
+    std::vector<char> sound;
+};
+
+LinePieces pieces_along(const Mesh& surface, const Frame& frame, const LineLattice& lattice);
+
+/// Distances to the surface, negative inside, on a cubic lattice over the solid's bounds and slightly beyond, in the
+/// unit frame. They are interpolated between the nodes, and exact near flat faces.
+class DistanceField {
+public:
+    /// `resolution`: cells along the longest extent of the bounds. O(resolution³ log triangles).
+    DistanceField(const Solid& solid, const Frame& frame, int resolution);
+
+    /// Returns the distance. Beyond the lattice it is an upper bound, from the nearest place on it.
+    float at(float x, float y, float z) const;
+    /// About `most` nodes within the solid's bounds, and their distances.
+    struct Nodes {
+        Points places;
+        std::vector<float> distance;
+    };
+    Nodes nodes_within_bounds(std::size_t most) const;
+
+private:
+    Vec3 place(std::size_t node) const;
+
+    Vec3 half_{};    ///< of the bounds, which are centred at the origin
+    float low_[3]{}; ///< first node
+    float cell_ = 1; ///< distance of nodes
+    int count_[3]{}; ///< number of nodes
+    std::vector<float> distance_;
+};
+
+} // namespace foam::inline search::cover

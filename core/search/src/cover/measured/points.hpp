@@ -1,14 +1,27 @@
-// Points and balls in the layout of the descent: coordinates apart and in single precision, so that compilers vectorise
-// plain loops.
+// Points and balls in single precision, and directions over a sphere.
 #pragma once
 
 #include <foam/geometry/solid.hpp>
 #include <foam/geometry/sphere.hpp>
 
+#include <cstdlib>
 #include <span>
 #include <vector>
 
+/// Compiles the following function once more for processors with AVX2; the loader picks the version. The results are
+/// equal to the bit, as no operations are fused and none reordered. It is not used where sanitizers instrument what the
+/// loader calls.
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) &&                           \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define FOAM_FOR_WIDE_VECTORS __attribute__((target_clones("avx2", "default")))
+#else
+#define FOAM_FOR_WIDE_VECTORS
+#endif
+
 namespace foam::inline search::cover {
+
+// Points and balls in the layout of the descent: coordinates apart and in single precision, so that compilers vectorise
+// plain loops.
 
 /// The unit frame. Lengths are in units of half the diagonal of the solid's bounds, about their middle, so that single
 /// precision suffices for parts of a tenth of a micrometre and for parts a kilometre from the origin.
@@ -97,4 +110,8 @@ inline bool meet(const Ball& a, const Ball& b) {
     return squared_distance(a, b) < sum * sum;
 }
 
-} // namespace foam::search::cover
+/// Returns `count` unit vectors on the Fibonacci lattice, rotated by `turn`, so that different sets see different
+/// directions.
+Points spread_directions(std::size_t count, std::uint64_t turn);
+
+} // namespace foam::inline search::cover

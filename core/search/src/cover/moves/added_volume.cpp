@@ -1,6 +1,6 @@
-#include "cover/moves/added_volume.hpp"
+#include "cover/moves/moves.hpp"
 
-#include "cover/measured/wide_vectors.hpp"
+#include "cover/measured/points.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
-#include <foam/search/clip.hpp>
+#include <foam/search/refine.hpp>
 
-#include "cover/portfolio/limited_search.hpp"
+#include "cover/portfolio/searches.hpp"
 
 #include <algorithm>
 #include <limits>

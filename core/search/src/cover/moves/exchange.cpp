@@ -1,4 +1,4 @@
-#include "cover/moves/exchange.hpp"
+#include "cover/moves/moves.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/sphere.hpp>

@@ -1,6 +1,6 @@
-#include "cover/moves/exposed.hpp"
+#include "cover/moves/near_balls.hpp"
 
-#include "cover/measured/wide_vectors.hpp"
+#include "cover/measured/points.hpp"
 
 #include <algorithm>
 #include <cstring>

@@ -1,12 +1,9 @@
-#include "cover/moves/improvement.hpp"
+#include "cover/moves/moves.hpp"
 
-#include "cover/portfolio/claim.hpp"
-#include "cover/starts/crease_points.hpp"
-#include "cover/moves/exposed.hpp"
 #include "cover/moves/near_balls.hpp"
+#include "cover/portfolio/problem.hpp"
 #include "cover/starts/power_cells.hpp"
 #include "cover/starts/starts.hpp"
-#include "cover/starts/waiting_points.hpp"
 
 #include <foam/base/cancellation.hpp>
 

@@ -1,6 +1,4 @@
-#include "cover/moves/merging.hpp"
-
-#include "cover/moves/added_volume.hpp"
+#include "cover/moves/moves.hpp"
 
 #include <foam/base/cancellation.hpp>
 

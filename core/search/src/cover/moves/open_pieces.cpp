@@ -1,6 +1,6 @@
-#include "cover/moves/open_pieces.hpp"
+#include "cover/moves/remainder.hpp"
 
-#include "cover/measured/wide_vectors.hpp"
+#include "cover/measured/points.hpp"
 
 #include <algorithm>
 #include <cmath>

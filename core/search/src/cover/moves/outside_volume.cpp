@@ -1,7 +1,7 @@
-#include "cover/moves/outside_volume.hpp"
+#include "cover/moves/remainder.hpp"
 
+#include "cover/measured/points.hpp"
 #include "cover/starts/enclosing_ball.hpp"
-#include "cover/measured/wide_vectors.hpp"
 
 #include <foam/base/cancellation.hpp>
 

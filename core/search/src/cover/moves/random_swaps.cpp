@@ -1,6 +1,6 @@
-#include "cover/moves/random_swaps.hpp"
+#include "cover/moves/moves.hpp"
 
-#include "cover/starts/conditional_gradient.hpp"
+#include "cover/starts/starts.hpp"
 
 #include <foam/base/parallel.hpp>
 

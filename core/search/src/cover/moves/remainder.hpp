@@ -1,7 +1,15 @@
-// The part of a surface outside some balls.
+// What balls leave of a surface and of the space outside.
 #pragma once
 
-#include "cover/measured/indexed_surface.hpp"
+#include "cover/measured/occupancy.hpp"
+#include "cover/measured/points.hpp"
+#include "cover/measured/surface.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
 
 namespace foam::inline search::cover {
 
@@ -56,5 +64,49 @@ private:
     Balls near_;
     std::vector<std::uint32_t> found_; ///< of the face's, in the content
 };
+
+/// Sums over a lattice of a region. The surfaces of balls are blurred over the width of a cell, so that sums vary
+/// smoothly with the balls and are right to second order in the cell.
+class OutsideVolume {
+public:
+    /// `cells`: of the lattice, across the region. The occupancy must outlive this.
+    OutsideVolume(const Occupancy& occupancy, int cells) : occupancy_(occupancy), cells_(cells) {}
+
+    /// Prepares the balls around a region, slightly larger than `region`.
+    void look(const Balls& others, const Ball& region);
+    /// Returns the volume of the union of one or two balls, without the others and the solid, units³. Parts beyond the
+    /// region count fully and with a surcharge.
+    double of(std::span<const Ball> balls) const;
+    /// Returns, for ball `i` of these, the integral of the normal over the exposed surface, divided by its area. It is
+    /// at most a half long, as it is valid for small steps only.
+    Vec3 tilt(std::span<const Ball> balls, std::size_t i) const;
+
+private:
+    void look_along_row(float x, float y, float z, const Balls& others);
+
+    const Occupancy& occupancy_;
+    int cells_;
+    Ball region_{}; ///< region of the lattice
+    float cell_ = 1;
+    std::vector<float> row_;
+    Points points_; ///< places not entirely inside others or the solid
+    std::vector<float> weight_;
+};
+
+struct PieceCorner {
+    float x, y, z;
+};
+
+/// A triangle, or a piece of it.
+struct SurfacePiece {
+    std::uint32_t triangle; ///< index in the surface
+    std::array<PieceCorner, 3> corners;
+};
+
+/// Divides triangles that no ball contains until each piece is in one ball or its edges are no longer than `finest`.
+/// Returns the pieces that are in none, in the order of the triangles; nothing if they are more than `most`. Balls that
+/// lie behind others everywhere near a piece are not looked at: a few pieces may be in one of these.
+std::optional<std::vector<SurfacePiece>> open_pieces(std::span<const SurfacePiece> triangles, const Balls& balls,
+                                                     float finest, std::size_t most);
 
 } // namespace foam::inline search::cover

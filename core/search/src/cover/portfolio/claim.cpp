@@ -1,6 +1,6 @@
-#include "cover/portfolio/claim.hpp"
+#include "cover/portfolio/problem.hpp"
 
-#include "cover/measured/wide_vectors.hpp"
+#include "cover/measured/points.hpp"
 
 #include <foam/base/cancellation.hpp>
 

@@ -1,8 +1,8 @@
-#include "cover/portfolio/fine_fit.hpp"
+#include "cover/portfolio/searches.hpp"
 
-#include "cover/starts/conditional_gradient.hpp"
-#include "cover/portfolio/proved.hpp"
-#include "cover/descent/surface_descent.hpp"
+#include "cover/descent/descent.hpp"
+#include "cover/portfolio/problem.hpp"
+#include "cover/starts/starts.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/internal/surface_runs.hpp>

@@ -1,7 +1,6 @@
-#include "cover/portfolio/limited_search.hpp"
+#include "cover/portfolio/searches.hpp"
 
-#include "cover/measured/directions.hpp"
-#include "cover/starts/plane_splits.hpp"
+#include "cover/measured/points.hpp"
 #include "cover/starts/starts.hpp"
 
 #include <foam/base/cancellation.hpp>

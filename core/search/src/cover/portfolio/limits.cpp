@@ -1,4 +1,4 @@
-#include "cover/portfolio/limits.hpp"
+#include "cover/portfolio/problem.hpp"
 
 #include <foam/base/cancellation.hpp>
 

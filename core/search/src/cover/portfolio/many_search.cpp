@@ -1,9 +1,7 @@
 #include "cover/portfolio/many_search.hpp"
 
-#include "cover/starts/conditional_gradient.hpp"
-#include "cover/starts/plane_splits.hpp"
+#include "cover/portfolio/problem.hpp"
 #include "cover/starts/starts.hpp"
-#include "cover/portfolio/unless_stopped.hpp"
 
 #include <foam/base/parallel.hpp>
 #include <foam/base/random.hpp>

@@ -1,9 +1,9 @@
 // Searches for many covering balls: more than a search can place one by one.
 #pragma once
 
-#include "cover/portfolio/cover_candidate.hpp"
-#include "cover/moves/improvement.hpp"
-#include "cover/descent/surface_descent.hpp"
+#include "cover/descent/descent.hpp"
+#include "cover/moves/moves.hpp"
+#include "cover/portfolio/problem.hpp"
 
 #include <foam/search/spherize.hpp>
 

@@ -1,11 +1,8 @@
-#include "cover/portfolio/objective_search.hpp"
+#include "cover/portfolio/searches.hpp"
 
-#include "cover/measured/directions.hpp"
-#include "cover/portfolio/ladder.hpp"
-#include "cover/starts/plane_splits.hpp"
-#include "cover/descent/protrusion_cost.hpp"
-#include "cover/portfolio/proved.hpp"
-#include "cover/starts/set_cover.hpp"
+#include "cover/descent/ball_cost.hpp"
+#include "cover/measured/points.hpp"
+#include "cover/portfolio/problem.hpp"
 #include "cover/starts/starts.hpp"
 
 #include <foam/base/parallel.hpp>

@@ -1,13 +1,10 @@
 #include "cover/portfolio/quick_search.hpp"
 
-#include "cover/measured/directions.hpp"
-#include "cover/portfolio/ladder.hpp"
-#include "cover/portfolio/many_search.hpp"
 #include "cover/measured/missing_volume.hpp"
-#include "cover/starts/plane_splits.hpp"
-#include "cover/portfolio/proved.hpp"
+#include "cover/measured/points.hpp"
+#include "cover/portfolio/many_search.hpp"
+#include "cover/portfolio/problem.hpp"
 #include "cover/starts/starts.hpp"
-#include "cover/portfolio/unless_stopped.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/parallel.hpp>

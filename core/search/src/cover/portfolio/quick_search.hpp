@@ -1,10 +1,9 @@
 // Searches for covering balls in milliseconds.
 #pragma once
 
-#include "cover/portfolio/cover_candidate.hpp"
-#include "cover/starts/power_cells.hpp"
+#include "cover/descent/descent.hpp"
 #include "cover/portfolio/problem.hpp"
-#include "cover/descent/surface_descent.hpp"
+#include "cover/starts/power_cells.hpp"
 
 #include <foam/search/spherize.hpp>
 

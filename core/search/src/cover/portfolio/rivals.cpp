@@ -1,6 +1,6 @@
-#include "cover/portfolio/rivals.hpp"
+#include "cover/portfolio/problem.hpp"
 
-#include "cover/measured/wide_vectors.hpp"
+#include "cover/measured/points.hpp"
 
 #include <algorithm>
 #include <cmath>

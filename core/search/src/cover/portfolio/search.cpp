@@ -1,12 +1,10 @@
 #include "cover/portfolio/search.hpp"
 
-#include "cover/starts/conditional_gradient.hpp"
-#include "cover/portfolio/many_search.hpp"
-#include "cover/moves/merging.hpp"
 #include "cover/measured/missing_volume.hpp"
-#include "cover/portfolio/proved.hpp"
+#include "cover/moves/moves.hpp"
+#include "cover/portfolio/many_search.hpp"
+#include "cover/portfolio/problem.hpp"
 #include "cover/starts/starts.hpp"
-#include "cover/portfolio/unless_stopped.hpp"
 
 #include <foam/base/parallel.hpp>
 #include <foam/geometry/volumes.hpp>

@@ -1,15 +1,13 @@
 // Searches for covering balls of one solid, 1, 2, 3, …, each from the smaller counts.
 #pragma once
 
-#include "cover/moves/exchange.hpp"
-#include "cover/moves/improvement.hpp"
-#include "cover/portfolio/ladder.hpp"
+#include "cover/moves/moves.hpp"
+#include "cover/portfolio/problem.hpp"
 #include "cover/portfolio/quick_search.hpp"
-#include "cover/moves/random_swaps.hpp"
 
 #include <foam/base/random.hpp>
+#include <foam/search/refine.hpp>
 #include <foam/search/spherize.hpp>
-#include <foam/search/splitting.hpp>
 
 #include <map>
 #include <optional>

@@ -1,8 +1,7 @@
-#include "cover/portfolio/fine_fit.hpp"
-#include "cover/portfolio/ladder.hpp"
-#include "cover/portfolio/objective_search.hpp"
+#include "cover/portfolio/problem.hpp"
 #include "cover/portfolio/quick_search.hpp"
 #include "cover/portfolio/search.hpp"
+#include "cover/portfolio/searches.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/geometry/internal/own_frame.hpp>

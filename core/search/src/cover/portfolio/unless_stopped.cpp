@@ -1,4 +1,4 @@
-#include "cover/portfolio/unless_stopped.hpp"
+#include "cover/portfolio/problem.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/internal/activity.hpp>

@@ -1,7 +1,7 @@
-#include "cover/starts/conditional_gradient.hpp"
+#include "cover/starts/starts.hpp"
 
-#include "cover/measured/directions.hpp"
 #include "cover/measured/missing_volume.hpp"
+#include "cover/measured/points.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/volumes.hpp>

@@ -1,6 +1,6 @@
 #include "cover/starts/enclosing_ball.hpp"
 
-#include "cover/measured/wide_vectors.hpp"
+#include "cover/measured/points.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,4 @@
-#include "cover/starts/minimax.hpp"
-
-#include "cover/starts/plane_splits.hpp"
+#include "cover/starts/starts.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/volumes.hpp>

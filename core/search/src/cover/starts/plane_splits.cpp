@@ -1,7 +1,6 @@
-#include "cover/starts/plane_splits.hpp"
+#include "cover/starts/starts.hpp"
 
 #include "cover/starts/power_cells.hpp"
-#include "cover/starts/starts.hpp"
 
 #include <foam/base/cancellation.hpp>
 

@@ -1,7 +1,7 @@
 #include "cover/starts/power_cells.hpp"
 
-#include "cover/portfolio/rivals.hpp"
-#include "cover/measured/wide_vectors.hpp"
+#include "cover/measured/points.hpp"
+#include "cover/portfolio/problem.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // The division of a surface among balls: the restricted power diagram.
 #pragma once
 
-#include "cover/moves/exposed.hpp"
-#include "cover/measured/fine_surface.hpp"
-#include "cover/portfolio/limits.hpp"
+#include "cover/measured/surface.hpp"
+#include "cover/moves/near_balls.hpp"
+#include "cover/portfolio/problem.hpp"
 
 namespace foam::inline search::cover {
 

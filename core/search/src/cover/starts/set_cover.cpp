@@ -1,4 +1,4 @@
-#include "cover/starts/set_cover.hpp"
+#include "cover/starts/starts.hpp"
 
 #include <foam/base/cancellation.hpp>
 

@@ -1,7 +1,6 @@
-#include <foam/search/splitting.hpp>
+#include <foam/search/refine.hpp>
 
-#include "cover/moves/exchange.hpp"
-#include "cover/moves/improvement.hpp"
+#include "cover/moves/moves.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/internal/measure_parts.hpp>

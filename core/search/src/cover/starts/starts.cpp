@@ -1,7 +1,7 @@
 #include "cover/starts/starts.hpp"
 
-#include "cover/portfolio/claim.hpp"
-#include "cover/measured/wide_vectors.hpp"
+#include "cover/measured/points.hpp"
+#include "cover/portfolio/problem.hpp"
 
 #include <foam/base/cancellation.hpp>
 

@@ -1,9 +1,8 @@
 // Two balls about a content that a plane cuts in two.
 #pragma once
 
-#include "cover/starts/enclosing_ball.hpp"
-#include "cover/moves/outside_volume.hpp"
 #include "cover/moves/remainder.hpp"
+#include "cover/starts/enclosing_ball.hpp"
 
 #include <climits>
 

@@ -1,13 +1,36 @@
-// The convex hull of points of a plane.
+// Points of a plane: their smallest circle, the least rectangle, their hull.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace foam::inline search::convex {
+
+struct Vec2 {
+    double x = 0, y = 0;
+};
+struct Circle {
+    Vec2 center;
+    double radius = 0;
+};
+
+/// Returns the smallest circle that contains the points, at least one, to rounding. The farthest point outside enters
+/// the basis until there is none (the pivot rule of Gärtner 1999).
+Circle smallest_circle(std::span<const Vec2> points);
+
+struct Rectangle {
+    Vec2 along{1, 0}; ///< unit direction of one side
+    double area = 0;
+};
+
+/// Returns the rectangle of least area among those with a side along an edge of the points' hull, which has the least
+/// one (Freeman and Shapira 1975). Sides count as at least `least` long. The points are sorted, and some dropped.
+/// O(n log n); where corners of the hull coincide but for rounding, O(n log n + h²) for h of them.
+Rectangle least_rectangle(std::vector<Vec2>& points, double least);
 
 /// A point with two coordinates, and whatever else it carries.
 template <class Point>

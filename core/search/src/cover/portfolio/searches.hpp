@@ -1,15 +1,83 @@
-// Searches for covering spheres by objectives other than excess.
+// The searches for a solid of many faces, under limits, and for other objectives.
 #pragma once
 
-#include "cover/measured/distance_field.hpp"
-#include "cover/starts/minimax.hpp"
+#include "cover/measured/occupancy.hpp"
+#include "cover/measured/surface.hpp"
+#include "cover/starts/power_cells.hpp"
+#include "cover/starts/starts.hpp"
 
+#include <foam/geometry/solid.hpp>
 #include <foam/search/spherize.hpp>
 
+#include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace foam::inline search::cover {
+
+/// Fits spheres to a solid of many triangles, after a search on its coarse solid. Only triangles near the spheres'
+/// surface decide how large the spheres must be: runs of triangles well inside one sphere are left out, and the
+/// vertices of the coarse solid stand for them. The proof is about all triangles.
+class FineFit {
+public:
+    struct Plan {
+        int steps;      ///< of conditional gradients
+        int resolution; ///< cells of the occupancy along the longest extent
+    };
+    /// `coarse`: the coarse_solid(). Both must outlive this.
+    FineFit(const Solid& solid, const Solid& coarse, Effort effort);
+
+    /// Returns spheres that cover the solid, with the proof: at most as many, each near the given one.
+    Cover fitted(const std::vector<Sphere>& spheres);
+
+private:
+    /// Returns the surface outside all balls that are a little smaller, in small triangles, and the coarse vertices.
+    FineSurface skin_around(const std::vector<Sphere>& spheres) const;
+    const Occupancy& occupancy();
+
+    const Solid& solid_;
+    const Solid& coarse_;
+    Frame frame_;
+    Plan plan_;
+    std::optional<Occupancy> occupancy_; ///< of the coarse solid; made on first use
+};
+
+/// Searches for covering balls of a solid that satisfy limits. The union shrinks step by step, and after every step
+/// each ball is fitted again to its part of the surface, within the limits. So the balls always cover, and steps can
+/// ignore points and limits: a ball that has become expensive shrinks, and the parts of its neighbours, and so the
+/// neighbours, grow into its former part. (Lloyd's method 1982 with enclosing balls instead of means, in the power
+/// diagram.)
+class LimitedSearch {
+public:
+    /// `count`: the most balls. The solid must outlive this.
+    LimitedSearch(const Solid& solid, const Frame& frame, Limits limits, std::size_t count, std::uint64_t seed);
+
+    /// Returns the best balls from these, which need neither cover the solid nor satisfy the limits, and from other
+    /// starts: the one that looks best is refined. Where no ball can satisfy a limit, as between two planes with too
+    /// few balls, some violate it.
+    Balls cover(const Balls& start);
+
+private:
+    struct Found {
+        Balls balls;
+        double cost = 0; ///< volume of the union, and a penalty for the protrusion beyond limits; units³
+    };
+    Found fitted(const Balls& balls);
+    Found descended(Found start, int steps, double first_step);
+    Balls stepped(const Balls& balls, double length, const Points& directions);
+
+    Limits limits_;
+    std::size_t count_;
+    std::uint64_t seed_;
+    FineSurface skin_;
+    Points some_; ///< a subset of its points
+    PowerCells cells_;
+    std::vector<Points> directions_;
+    Points fine_directions_;
+    Exposed exposed_;
+};
 
 /// The parameters of an effort.
 struct ObjectivePlan {
@@ -80,4 +148,4 @@ private:
     bool stopped_ = false;
 };
 
-} // namespace foam::search::cover
+} // namespace foam::inline search::cover
