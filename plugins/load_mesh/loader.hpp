@@ -9,7 +9,7 @@
 
 #include "builder.hpp"
 
-#include <foam/sdk/mesh_colours.hpp>
+#include <foam/sdk/context.hpp>
 #include <foam/sdk/stage.hpp>
 
 namespace foam::load_mesh {

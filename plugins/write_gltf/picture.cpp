@@ -5,7 +5,7 @@
 #include <foam/base/text.hpp>
 #include <foam/geometry/inscribed_mesh.hpp>
 #include <foam/sdk/elements.hpp>
-#include <foam/sdk/planning.hpp>
+#include <foam/sdk/writing.hpp>
 #include <foam/yaml/write.hpp>
 
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #include <foam/base/error.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/sdk/elements.hpp>
-#include <foam/sdk/uncovered.hpp>
+#include <foam/sdk/writing.hpp>
 
 #include <algorithm>
 

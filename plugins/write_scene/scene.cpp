@@ -8,7 +8,7 @@
 #include <foam/geometry/element_forms.hpp>
 #include <foam/geometry/vector.hpp>
 #include <foam/sdk/elements.hpp>
-#include <foam/sdk/planning.hpp>
+#include <foam/sdk/writing.hpp>
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
-#include <foam/sdk/pairs.hpp>
+#include <foam/sdk/writing.hpp>
 
 #include <fmt/format.h>
 

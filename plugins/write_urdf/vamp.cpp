@@ -5,7 +5,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
-#include <foam/sdk/planning.hpp>
+#include <foam/sdk/writing.hpp>
 #include <foam/yaml/write.hpp>
 
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #include <foam/base/text.hpp>
 #include <foam/geometry/vector.hpp>
 #include <foam/robot/kinematics.hpp>
-#include <foam/sdk/planning.hpp>
+#include <foam/sdk/writing.hpp>
 
 #include <fmt/format.h>
 

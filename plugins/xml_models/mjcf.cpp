@@ -11,8 +11,7 @@
 #include <foam/geometry/vector.hpp>
 #include <foam/geometry/volumes.hpp>
 #include <foam/robot/kinematics.hpp>
-#include <foam/sdk/planning.hpp>
-#include <foam/sdk/uncovered.hpp>
+#include <foam/sdk/writing.hpp>
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <foam/sdk/elements.hpp>
-#include <foam/sdk/pairs.hpp>
 #include <foam/sdk/stage.hpp>
+#include <foam/sdk/writing.hpp>
 
 namespace foam::xml_models {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <foam/sdk/model.hpp>
-#include <foam/sdk/pairs.hpp>
 #include <foam/sdk/stage.hpp>
+#include <foam/sdk/writing.hpp>
 
 #include <optional>
 #include <string>

@@ -1,8 +1,8 @@
 // SRDF: pairs of links, and spheres of links as a side-car (srdfdom's link_sphere_approximation).
 #pragma once
 
-#include <foam/sdk/pairs.hpp>
 #include <foam/sdk/stage.hpp>
+#include <foam/sdk/writing.hpp>
 
 namespace foam::xml_models {
 

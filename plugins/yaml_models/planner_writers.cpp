@@ -2,7 +2,7 @@
 #include "planner_writers.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/sdk/pairs.hpp>
+#include <foam/sdk/writing.hpp>
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <foam/sdk/context.hpp>
-#include <foam/sdk/planning.hpp>
+#include <foam/sdk/writing.hpp>
 #include <foam/yaml/write.hpp>
 
 namespace foam::tree {

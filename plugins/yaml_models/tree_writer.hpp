@@ -4,8 +4,8 @@
 #include "formats.hpp"
 #include "robot_values.hpp"
 
-#include <foam/sdk/pairs.hpp>
 #include <foam/sdk/stage.hpp>
+#include <foam/sdk/writing.hpp>
 #include <foam/yaml/write.hpp>
 
 namespace foam::tree {

@@ -8,7 +8,7 @@
 #include <foam/judge/written_model.hpp>
 #include <foam/runtime/internal/input.hpp>
 #include <foam/runtime/internal/prepare.hpp>
-#include <foam/sdk/mesh_colours.hpp>
+#include <foam/sdk/context.hpp>
 
 #include <fmt/format.h>
 
