@@ -3,7 +3,7 @@
 #include "commands.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/recipe/findings_json.hpp>
+#include <foam/recipe/json.hpp>
 #include <foam/runtime/plan.hpp>
 
 #include <fmt/format.h>

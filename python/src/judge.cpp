@@ -4,8 +4,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/judge/judge_json.hpp>
-#include <foam/recipe/findings_json.hpp>
-#include <foam/recipe/stage_json.hpp>
+#include <foam/recipe/json.hpp>
 #include <foam/runtime/plan.hpp>
 
 #include <nlohmann/json.hpp>

@@ -6,7 +6,7 @@
 #include "bench.hpp"
 #include "kinds.hpp"
 
-#include <foam/recipe/internal/extend.hpp>
+#include <foam/recipe/internal/yaml.hpp>
 
 #include <fmt/format.h>
 

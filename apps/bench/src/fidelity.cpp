@@ -3,7 +3,7 @@
 #include "kinds.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/recipe/internal/extend.hpp>
+#include <foam/recipe/internal/yaml.hpp>
 #include <foam/runtime/internal/debug.hpp>
 #include <foam/runtime/internal/input.hpp>
 

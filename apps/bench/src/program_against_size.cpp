@@ -10,7 +10,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/internal/files.hpp>
-#include <foam/recipe/internal/extend.hpp>
+#include <foam/recipe/internal/yaml.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

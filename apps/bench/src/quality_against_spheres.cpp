@@ -3,7 +3,7 @@
 #include "bench.hpp"
 #include "kinds.hpp"
 
-#include <foam/recipe/internal/extend.hpp>
+#include <foam/recipe/internal/yaml.hpp>
 #include <foam/runtime/internal/cover.hpp>
 #include <foam/runtime/internal/input.hpp>
 #include <foam/runtime/internal/links.hpp>

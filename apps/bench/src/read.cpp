@@ -1,7 +1,6 @@
 #include "kinds.hpp"
 
-#include <foam/recipe/internal/extend.hpp>
-#include <foam/recipe/internal/source.hpp>
+#include <foam/recipe/internal/yaml.hpp>
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <foam/base/error.hpp>
 #include <foam/base/internal/files.hpp>
 #include <foam/base/text.hpp>
-#include <foam/recipe/internal/extend.hpp>
+#include <foam/recipe/internal/yaml.hpp>
 
 #include <fmt/format.h>
 

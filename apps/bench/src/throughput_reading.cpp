@@ -1,7 +1,7 @@
 #include "kinds.hpp"
 #include "throughput.hpp"
 
-#include <foam/recipe/internal/extend.hpp>
+#include <foam/recipe/internal/yaml.hpp>
 
 #include <fmt/format.h>
 

@@ -9,7 +9,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/internal/files.hpp>
-#include <foam/recipe/internal/extend.hpp>
+#include <foam/recipe/internal/yaml.hpp>
 #include <foam/runtime/internal/cover.hpp>
 
 #include <fmt/format.h>
