@@ -2,7 +2,6 @@
 #include "comparison.hpp"
 
 #include <foam/base/text.hpp>
-#include <foam/report/bar_scale.hpp>
 #include <foam/report/html_page.hpp>
 #include <foam/runtime/version.hpp>
 

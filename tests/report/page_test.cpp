@@ -1,7 +1,7 @@
 // Pages that need no other file.
 #include "fixture.hpp"
 #include "report/src/embedded_resources.hpp"
-#include "report/src/page.hpp"
+#include "report/src/sections.hpp"
 
 #include <foam/base/text.hpp>
 #include <foam/report/html_page.hpp>

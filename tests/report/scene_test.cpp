@@ -1,7 +1,7 @@
 // What the viewer draws: meshes on a grid, spheres as floats.
 #include "fixture.hpp"
 
-#include <foam/report/internal/scene.hpp>
+#include <foam/report/internal/report.hpp>
 
 namespace foam::test {
 namespace {

@@ -1,7 +1,6 @@
 // The histogram of radii.
 #include "plot/scale.hpp"
 #include "sections.hpp"
-#include "text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include <foam/report/internal/scene.hpp>
+#include <foam/report/internal/report.hpp>
 
 #include <foam/base/text.hpp>
 

@@ -1,6 +1,5 @@
 // The viewer, and each link after each stage: the elements for the script's drawings.
 #include "sections.hpp"
-#include "text.hpp"
 
 #include <foam/base/text.hpp>
 

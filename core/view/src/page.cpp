@@ -4,7 +4,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
-#include <foam/report/internal/policy.hpp>
+#include <foam/report/internal/report.hpp>
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 
 #include <foam/base/parallel.hpp>
 #include <foam/base/text.hpp>
-#include <foam/report/internal/scene.hpp>
+#include <foam/report/internal/report.hpp>
 #include <foam/runtime/version.hpp>
 
 #include <fmt/format.h>
