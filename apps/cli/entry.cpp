@@ -7,8 +7,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
-#include <foam/runtime/crash.hpp>
-#include <foam/runtime/isolation.hpp>
+#include <foam/runtime/process.hpp>
 
 #include <fmt/format.h>
 

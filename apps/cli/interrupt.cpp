@@ -4,7 +4,7 @@
 #include "program_end.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/runtime/crash.hpp>
+#include <foam/runtime/process.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

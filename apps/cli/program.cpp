@@ -8,7 +8,7 @@
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/length.hpp>
-#include <foam/runtime/isolation.hpp>
+#include <foam/runtime/process.hpp>
 #include <foam/runtime/version.hpp>
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/recipe/recipe.hpp>
-#include <foam/runtime/schemas.hpp>
+#include <foam/runtime/version.hpp>
 
 #include <fmt/format.h>
 

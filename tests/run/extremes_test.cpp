@@ -1,5 +1,5 @@
 // Geometry of extreme size, place and form through whole runs: a proof or a clear error, in bounded time.
-#include "runtime/src/input/own_frame.hpp"
+#include "runtime/src/input/inputs.hpp"
 #include "support/runs.hpp"
 
 #include <foam/base/error.hpp>

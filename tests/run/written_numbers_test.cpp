@@ -1,6 +1,6 @@
 // Elements on a decimal grid: their numbers print short, and they hold what they held.
 #include "geometry/plain_shapes.hpp"
-#include "runtime/src/finish/written_numbers.hpp"
+#include "runtime/src/finish/finish.hpp"
 
 #include <foam/geometry/measure.hpp>
 

@@ -4,8 +4,8 @@
 
 #include <foam/base/error.hpp>
 #include <foam/recipe/internal/yaml.hpp>
-#include <foam/runtime/internal/debug.hpp>
 #include <foam/runtime/internal/input.hpp>
+#include <foam/runtime/internal/output.hpp>
 
 #include <fmt/format.h>
 

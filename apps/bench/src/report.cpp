@@ -1,6 +1,6 @@
 #include "report.hpp"
 
-#include <foam/runtime/internal/digest.hpp>
+#include <foam/runtime/internal/cache.hpp>
 #include <foam/runtime/version.hpp>
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "report.hpp"
 
 #include <foam/base/parallel.hpp>
-#include <foam/runtime/internal/run_directory.hpp>
+#include <foam/runtime/internal/output.hpp>
 #include <foam/runtime/scratch_folder.hpp>
 
 #include <optional>

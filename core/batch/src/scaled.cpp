@@ -1,6 +1,6 @@
 #include "scaled.hpp"
 
-#include <foam/runtime/internal/decimal_grid.hpp>
+#include <foam/runtime/internal/cover.hpp>
 
 #include <algorithm>
 

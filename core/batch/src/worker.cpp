@@ -8,8 +8,8 @@
 #include <foam/base/internal/files.hpp>
 #include <foam/base/text.hpp>
 #include <foam/recipe/recipe.hpp>
-#include <foam/runtime/crash.hpp>
-#include <foam/runtime/internal/child_process.hpp>
+#include <foam/runtime/internal/child.hpp>
+#include <foam/runtime/process.hpp>
 #include <foam/runtime/run.hpp>
 #include <foam/runtime/scratch_folder.hpp>
 #include <foam/runtime/version.hpp>

@@ -7,7 +7,6 @@
 #include <foam/base/text.hpp>
 #include <foam/judge/written_model.hpp>
 #include <foam/runtime/internal/input.hpp>
-#include <foam/runtime/internal/prepare.hpp>
 #include <foam/sdk/context.hpp>
 
 #include <fmt/format.h>

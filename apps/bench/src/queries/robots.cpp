@@ -6,7 +6,6 @@
 #include <foam/judge/evaluate.hpp>
 #include <foam/runtime/internal/input.hpp>
 #include <foam/runtime/internal/links.hpp>
-#include <foam/runtime/internal/prepare.hpp>
 
 #include <fmt/format.h>
 

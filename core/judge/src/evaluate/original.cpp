@@ -4,7 +4,6 @@
 #include <foam/recipe/internal/glob.hpp>
 #include <foam/runtime/internal/input.hpp>
 #include <foam/runtime/internal/links.hpp>
-#include <foam/runtime/internal/prepare.hpp>
 
 #include <fmt/format.h>
 

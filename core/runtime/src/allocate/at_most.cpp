@@ -1,8 +1,6 @@
-#include "allocate/at_most.hpp"
+#include "allocate/budget.hpp"
 
 #include "allocate/exploration.hpp"
-#include "allocate/refinements.hpp"
-#include "allocate/trees.hpp"
 
 #include <foam/base/internal/ladder.hpp>
 #include <foam/base/parallel.hpp>

@@ -1,6 +1,4 @@
-#include "allocate/trees.hpp"
-
-#include "allocate/refinements.hpp"
+#include "allocate/exploration.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/runtime/internal/cover.hpp>

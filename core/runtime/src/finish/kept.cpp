@@ -1,4 +1,4 @@
-#include "finish/kept.hpp"
+#include "finish/finish.hpp"
 
 #include <foam/geometry/internal/proof.hpp>
 #include <foam/geometry/measure.hpp>

@@ -1,15 +1,14 @@
 #include <foam/runtime/internal/links.hpp>
 
-#include "finish/kept.hpp"
-#include "allocate/objective.hpp"
-#include "input/own_frame.hpp"
+#include "allocate/allocation.hpp"
+#include "finish/finish.hpp"
+#include "input/inputs.hpp"
 
 #include <foam/base/text.hpp>
 #include <foam/geometry/inner.hpp>
 #include <foam/geometry/internal/solids.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/internal/cover.hpp>
-#include <foam/runtime/internal/elements.hpp>
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "input/input_size.hpp"
+#include "input/inputs.hpp"
 
 #include <foam/base/text.hpp>
 #include <foam/geometry/length.hpp>

@@ -1,4 +1,4 @@
-#include "input/own_frame.hpp"
+#include "input/inputs.hpp"
 
 #include <foam/base/text.hpp>
 

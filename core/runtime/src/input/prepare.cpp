@@ -1,10 +1,9 @@
-#include <foam/runtime/internal/prepare.hpp>
+#include <foam/runtime/internal/input.hpp>
 
-#include "input/own_frame.hpp"
-#include "process/isolated.hpp"
+#include "input/inputs.hpp"
+#include "process/process.hpp"
 
 #include <foam/geometry/internal/triangles.hpp>
-#include <foam/runtime/internal/input.hpp>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "input/shapes.hpp"
 
-#include "input/own_frame.hpp"
-#include "allocate/refinements.hpp"
+#include "allocate/exploration.hpp"
+#include "input/inputs.hpp"
 
 #include <foam/geometry/internal/proof.hpp>
 #include <foam/geometry/internal/solids.hpp>

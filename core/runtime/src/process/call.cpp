@@ -1,4 +1,4 @@
-#include "process/call.hpp"
+#include "process/process.hpp"
 
 #include <foam/runtime/internal/bytes.hpp>
 

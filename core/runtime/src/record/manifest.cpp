@@ -1,6 +1,4 @@
-#include "record/manifest.hpp"
-
-#include "record/settings.hpp"
+#include "record/record.hpp"
 
 #include <foam/base/internal/files.hpp>
 #include <foam/geometry/measure.hpp>

@@ -1,4 +1,4 @@
-#include "record/settings.hpp"
+#include "record/record.hpp"
 
 #include <foam/recipe/internal/keys.hpp>
 

@@ -1,4 +1,4 @@
-#include <foam/runtime/internal/debug.hpp>
+#include <foam/runtime/internal/output.hpp>
 
 #include <fmt/format.h>
 

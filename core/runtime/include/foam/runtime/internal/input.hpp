@@ -1,4 +1,4 @@
-// The input: from the recipe's candidates to a robot.
+// Input: what a recipe names, and the geometry that is prepared of it.
 #pragma once
 
 #include <foam/base/internal/files.hpp>
@@ -6,7 +6,9 @@
 #include <foam/runtime/internal/workspace.hpp>
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace foam {
 inline namespace [[gnu::visibility("default")]] runtime {
@@ -33,5 +35,69 @@ Input load_input(const Workspace& workspace);
 /// Returns whether a candidate resolves.
 bool input_resolves(const Recipe& recipe);
 
-} // namespace runtime
+/// A collision element and its meshes after each filter, in the element's own frame, scaled, in metres.
+struct CollisionElement {
+    const GeometryElement* source = nullptr;
+    std::string geometry;                              ///< mesh reference as written, or the kind of primitive
+    std::shared_ptr<const Mesh> raw;                   ///< null for a primitive
+    Digest read;                                       ///< of `raw` as it was loaded
+    std::vector<std::shared_ptr<const Mesh>> filtered; ///< after each filter; empty for a primitive
+    Digest digest;                                     ///< of raw geometry and filters, without the pose
+
+    const std::shared_ptr<const Mesh>& processed() const { return filtered.empty() ? raw : filtered.back(); }
+    const Primitive* primitive() const { return std::get_if<Primitive>(&source->geometry); }
+};
+
+struct InputFile {
+    std::string reference; ///< as written in the robot
+    std::filesystem::path file;
+    Digest digest;
+    std::size_t bytes = 0;
+};
+
+/// A link that is to be spherized.
+struct LinkWork {
+    const Link* link = nullptr;
+    Recipe::LinkRecipe recipe;
+    std::vector<CollisionElement> elements;
+    LinkReport report;
+    std::optional<Error> error;
+    bool bounds_only = false; ///< the figures of the report are bounds: there was no time to measure
+};
+
+/// The destination of a task's result: element `element` of link `link`.
+struct Target {
+    std::size_t link, element;
+};
+
+/// A chain of filters on a mesh, run once for all elements that share it.
+struct FilterTask {
+    std::shared_ptr<const Mesh> mesh;
+    std::vector<StageCall> filters;
+    Digest digest;
+    std::vector<Target> targets;
+    std::vector<std::shared_ptr<const Mesh>> results;
+    std::vector<StageReport> reports;
+    std::optional<Error> error;
+};
+
+/// Returns the links with their meshes loaded. Errors as in prepare_links().
+std::vector<LinkWork> load_links(const Workspace& workspace, const Robot& robot, std::vector<InputFile>& files);
+/// Returns the distinct chains of filters that loaded links need. Sets the digests of the elements.
+std::vector<FilterTask> filter_tasks(const Workspace& workspace, std::vector<LinkWork>& links);
+/// Returns the cache key of a filter's result on a mesh. `content`: the mesh's digest.
+Digest filter_key(const Workspace& workspace, const StageCall& filter, const Mesh& mesh, const Digest& content);
+
+/// Runs the chains of filters on loaded links. Keeps errors with the links.
+void filter_links(const Workspace& workspace, std::vector<LinkWork>& links);
+
+/// Runs load_links() and filter_links(). Returns one entry for every link with collision geometry, in the robot's
+/// order. Errors are kept in the entry, except cancellation, which is thrown. `files`: the mesh files that were read.
+std::vector<LinkWork> prepare_links(const Workspace& workspace, const Robot& robot, std::vector<InputFile>& files);
+
+/// Returns the mesh files that prepare_links() would read, without loading them; leaves out those that cannot be read.
+std::vector<InputFile> mesh_files(const Workspace& workspace, const Robot& robot);
+
+} // namespace gnu::visibility("default")]]runtime
+
 } // namespace foam

@@ -1,12 +1,48 @@
-// The geometry that stages get: within bounds, in a frame in which its numbers are near 1.
+// The input of a run: names, places, sizes, frames.
 #pragma once
 
+#include "record/record.hpp"
+
 #include <foam/geometry/internal/own_frame.hpp>
-#include <foam/runtime/internal/prepare.hpp>
+#include <foam/recipe/recipe.hpp>
+#include <foam/runtime/internal/input.hpp>
 #include <foam/sdk/context.hpp>
 #include <foam/sdk/registry.hpp>
 
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace foam::inline runtime {
+
+/// Returns a finding for each name of the recipe that the robot does not have: an error, but for globs a warning unless
+/// the recipe is strict.
+std::vector<Diagnostic> unknown_names(const Recipe& recipe, const Robot& robot);
+/// Throws Error(recipe) with the errors among the findings, if there are any.
+void require_names(const std::vector<Diagnostic>& findings);
+
+/// Returns the size of the loaded geometry, without links that are skipped or could not be read.
+InputSize input_size(const Robot& robot, const std::vector<LinkWork>& links);
+
+/// Reports the size, and warns of one that suggests another unit: a mesh below 1 mm or above 20 m, a max_protrusion
+/// above the size of the input.
+void tell_input_size(const Workspace& workspace, const Input& input, const std::vector<LinkWork>& links,
+                     const InputSize& size);
+
+struct InputsHere {
+    std::vector<Checkpoint> digests; ///< as in Record::inputs
+    std::map<std::string, std::filesystem::path> files;
+};
+
+/// Returns the robot or mesh file and the mesh files of its links, without those that cannot be read. Throws Error for
+/// a robot that is not found or cannot be loaded.
+InputsHere inputs_here(const Recipe& recipe, const Registry& registry);
+
+/// Returns a sentence for the input, and one for each package folder, that resolves to another place here than in the
+/// run, with the setting that corrects it. `here`: absent if the inputs were not found.
+std::vector<std::string> inputs_elsewhere(const Record& record, const std::optional<InputsHere>& here);
 
 /// Returns the bounds of a loaded element, in its own frame.
 Box bounds_of(const CollisionElement& element);
@@ -38,4 +74,4 @@ private:
     double scale_;
 };
 
-} // namespace foam::runtime
+} // namespace foam::inline runtime

@@ -1,5 +1,8 @@
-// Crash reports: which stage, link and input the program worked on.
+// Processes: what a program does first so that stages may run in others, and what a crash leaves behind.
 #pragma once
+
+#include <filesystem>
+#include <string>
 
 namespace foam {
 inline namespace [[gnu::visibility("default")]] runtime {
@@ -16,6 +19,15 @@ void remove_unfinished_runs();
 
 /// Kills the processes in which isolated stages run. Only for a process that is about to end; safe in a signal handler.
 void end_children();
+
+/// Runs one call of an isolated stage and never returns, if the command line says that this process was started for
+/// that; otherwise does nothing. It must be the first statement of main() of a program that runs recipes.
+void serve_isolated_call(int count, char** arguments);
+
+/// Loads a plugin in a child process of `program`. Returns an empty text if the process survives, else what happened
+/// and what to do: a crash, or no end within `seconds`. It ignores whether the loader accepts the plugin.
+std::string why_loading_ends_badly(const std::filesystem::path& program, const std::filesystem::path& plugin,
+                                   double seconds = 60);
 
 } // namespace runtime
 } // namespace foam
