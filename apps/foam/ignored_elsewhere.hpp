@@ -2,7 +2,7 @@
 #pragma once
 
 #include <foam/collision/self_collision.hpp>
-#include <foam/judge/ignored_pairs.hpp>
+#include <foam/judge/collision_model.hpp>
 
 #include <nlohmann/json.hpp>
 

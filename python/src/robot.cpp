@@ -3,7 +3,7 @@
 #include "elements.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/judge/sphere_file.hpp>
+#include <foam/judge/evaluate.hpp>
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>

@@ -7,7 +7,7 @@
 #include <foam/base/file.hpp>
 #include <foam/base/internal/files.hpp>
 #include <foam/base/text.hpp>
-#include <foam/judge/sphere_file.hpp>
+#include <foam/judge/evaluate.hpp>
 #include <foam/judge/written_model.hpp>
 #include <foam/xml/document.hpp>
 

@@ -4,7 +4,6 @@
 #include <foam/geometry/measure.hpp>
 #include <foam/judge/collision_model.hpp>
 #include <foam/judge/evaluate.hpp>
-#include <foam/judge/poses.hpp>
 #include <foam/sdk/kinds.hpp>
 
 #include <cmath>
