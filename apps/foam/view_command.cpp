@@ -10,7 +10,7 @@
 #include <foam/base/error.hpp>
 #include <foam/base/parallel.hpp>
 #include <foam/base/text.hpp>
-#include <foam/view/page.hpp>
+#include <foam/view/scene.hpp>
 #include <foam/view/server.hpp>
 
 #include <fmt/format.h>

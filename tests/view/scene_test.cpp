@@ -4,7 +4,7 @@
 #include "coarse_mesh.hpp"
 #include "drawn_mesh.hpp"
 
-#include <foam/view/page.hpp>
+#include <foam/view/scene.hpp>
 
 #include <nlohmann/json.hpp>
 

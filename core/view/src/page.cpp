@@ -1,4 +1,4 @@
-#include <foam/view/page.hpp>
+#include <foam/view/scene.hpp>
 
 #include "embedded_resources.hpp"
 

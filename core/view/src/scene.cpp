@@ -1,8 +1,7 @@
 #include <foam/view/scene.hpp>
 
-#include "coarse_mesh.hpp"
 #include "drawn_mesh.hpp"
-#include "link_index.hpp"
+#include "session_work.hpp"
 
 #include <foam/base/parallel.hpp>
 #include <foam/base/text.hpp>

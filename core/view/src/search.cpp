@@ -1,7 +1,4 @@
-#include "search.hpp"
-
-#include "link_index.hpp"
-#include "load_robot.hpp"
+#include "session_work.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/internal/ladder.hpp>

@@ -1,7 +1,6 @@
 #include <foam/view/subject.hpp>
 
-#include "link_index.hpp"
-#include "load_robot.hpp"
+#include "session_work.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>
