@@ -1,9 +1,7 @@
 #include <foam/batch/batch.hpp>
 
-#include "arrays.hpp"
-#include "lines.hpp"
+#include "messages.hpp"
 #include "plan.hpp"
-#include "result_line.hpp"
 #include "shard.hpp"
 
 #include <foam/base/error.hpp>
