@@ -1,4 +1,4 @@
-#include "geometry.hpp"
+#include "reader.hpp"
 
 #include <foam/base/text.hpp>
 

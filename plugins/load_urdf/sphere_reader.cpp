@@ -1,4 +1,4 @@
-#include "sphere_reader.hpp"
+#include "reader.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

@@ -1,6 +1,4 @@
-#include "facing.hpp"
-
-#include "triangle.hpp"
+#include "soup.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/mesh_checks.hpp>

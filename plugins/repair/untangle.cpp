@@ -1,4 +1,4 @@
-#include "untangle.hpp"
+#include "octree.hpp"
 
 #include <foam/geometry/mesh_checks.hpp>
 

@@ -1,4 +1,4 @@
-#include "cover_points.hpp"
+#include "stock.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/vector.hpp>

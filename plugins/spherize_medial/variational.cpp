@@ -1,5 +1,4 @@
 #include "optimise.hpp"
-#include "reduction.hpp"
 
 #include <foam/geometry/vector.hpp>
 

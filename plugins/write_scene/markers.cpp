@@ -1,6 +1,4 @@
-#include "markers.hpp"
-
-#include "placement.hpp"
+#include "scene.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>

@@ -1,7 +1,5 @@
 // Spheres as objects of MoveIt's world (.scene) and as markers of ROS: write.* and read.*.
-#include "markers.hpp"
 #include "scene.hpp"
-#include "worlds.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/sdk/elements.hpp>

@@ -1,6 +1,4 @@
-#include "worlds.hpp"
-
-#include "placement.hpp"
+#include "scene.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

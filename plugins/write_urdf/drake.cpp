@@ -1,4 +1,4 @@
-#include "drake.hpp"
+#include "sphere_urdf.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

@@ -1,4 +1,4 @@
-#include "inertial.hpp"
+#include "sphere_urdf.hpp"
 
 #include <foam/base/text.hpp>
 #include <foam/geometry/volumes.hpp>

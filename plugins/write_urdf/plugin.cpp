@@ -5,10 +5,7 @@
 // exceptions: paths of the remaining meshes and textures (visuals, links without spheres), and what parameters add.
 //
 // write.vamp: the same for VAMP, whose planner takes every joint that is not fixed as its own.
-#include "drake.hpp"
-#include "inertial.hpp"
 #include "sphere_urdf.hpp"
-#include "vamp.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/sdk/plugin.hpp>

@@ -1,7 +1,5 @@
 #include "sphere_urdf.hpp"
 
-#include "references.hpp"
-
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 

@@ -1,7 +1,4 @@
-#include "vamp.hpp"
-
 #include "sphere_urdf.hpp"
-#include "vamp_joints.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

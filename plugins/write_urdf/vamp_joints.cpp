@@ -1,4 +1,4 @@
-#include "vamp_joints.hpp"
+#include "sphere_urdf.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

@@ -1,7 +1,5 @@
 #include "layer.hpp"
 
-#include "prim_names.hpp"
-
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

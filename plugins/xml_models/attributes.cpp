@@ -1,4 +1,4 @@
-#include "attributes.hpp"
+#include "mjcf.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

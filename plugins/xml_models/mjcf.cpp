@@ -1,10 +1,6 @@
 // The traps of MuJoCo's parser are named where they are met; docs: doc/XMLreference.rst (a7255075b0).
 #include "mjcf.hpp"
 
-#include "attributes.hpp"
-#include "mjcf_edit.hpp"
-#include "mjcf_shapes.hpp"
-
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/element_forms.hpp>

@@ -1,8 +1,4 @@
-#include "mjcf_edit.hpp"
-
-#include "attributes.hpp"
-#include "mjcf_geoms.hpp"
-#include "mjcf_shapes.hpp"
+#include "mjcf.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

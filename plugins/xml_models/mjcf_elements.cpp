@@ -1,6 +1,5 @@
 // Sizes and places of geoms as MuJoCo's compiler computes them (src/user/user_objects.cc: mjCGeom, mjCOrientation).
-#include "attributes.hpp"
-#include "mjcf_geoms.hpp"
+#include "mjcf.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>

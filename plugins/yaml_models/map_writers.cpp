@@ -1,4 +1,4 @@
-#include "map_writers.hpp"
+#include "writers.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/sdk/writing.hpp>

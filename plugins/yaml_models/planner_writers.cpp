@@ -1,5 +1,5 @@
 // Robot files of planners: cuRobo, XRDF, Lula.
-#include "planner_writers.hpp"
+#include "writers.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/sdk/writing.hpp>

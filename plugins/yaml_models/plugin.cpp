@@ -1,8 +1,6 @@
 // Sphere models in YAML and JSON: read.* and write.*.
-#include "formats.hpp"
-#include "map_writers.hpp"
-#include "outline.hpp"
-#include "planner_writers.hpp"
+#include "tree_writer.hpp"
+#include "writers.hpp"
 
 #include <foam/sdk/plugin.hpp>
 

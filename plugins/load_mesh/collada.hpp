@@ -1,12 +1,16 @@
-// A COLLADA text as elements, found by id, and their lists of numbers.
+// COLLADA: the document, its geometry, nodes and colours.
 #pragma once
 
+#include "part.hpp"
 #include "text.hpp"
 
 #include <foam/xml/document.hpp>
 
+#include <cstdint>
 #include <memory>
+#include <string>
 #include <unordered_map>
+#include <vector>
 
 namespace foam::load_mesh {
 
@@ -51,5 +55,24 @@ private:
     const xml::Element& element_;
     Words words_;
 };
+
+/// Returns the diffuse colours, 0xRRGGBBAA, of materials that an <instance_geometry> or <instance_controller> binds to
+/// names; 0 for one that is not bound, or has only a texture.
+std::vector<std::uint32_t> colours_of(const ColladaDocument& document, const xml::Element& instance,
+                                      const std::vector<std::string>& names);
+
+/// A <geometry>: its part, and the names by which its materials are bound where it is shown.
+struct ColladaGeometry {
+    Part part;
+    std::vector<std::string> materials; ///< Part::materials are indices into them
+};
+
+/// Returns the triangles, polygons, strips and fans of a <geometry>, in its frame and unit, without lines. Logs
+/// surfaces that are left out (splines, holes) and suspicious contents.
+ColladaGeometry read_geometry(const ColladaDocument& document, const xml::Element& geometry, Context& context);
+
+/// Returns the product of the node's matrix, translate, rotate, scale, lookat and skew elements, in their order: from
+/// the node's frame to its parent's, in the file's unit.
+Affine transform_of(const ColladaDocument& document, const xml::Element& node);
 
 } // namespace foam::load_mesh
