@@ -1,9 +1,7 @@
 // The command `foam bench`: a program of its own, which foam starts.
-#include "cli/entry.hpp"
-#include "cli/interrupt.hpp"
-#include "cli/numbers.hpp"
-#include "cli/overwriting.hpp"
-#include "cli/run_directory.hpp"
+#include "cli/files.hpp"
+#include "cli/messages.hpp"
+#include "cli/program.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/bench/experiment.hpp>

@@ -1,9 +1,6 @@
-#include "entry.hpp"
+#include "program.hpp"
 
-#include "interrupt.hpp"
 #include "messages.hpp"
-#include "program_end.hpp"
-#include "suggestion.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

@@ -1,7 +1,6 @@
-#include "interrupt.hpp"
+#include "messages.hpp"
 
 #include "program.hpp"
-#include "program_end.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/runtime/process.hpp>

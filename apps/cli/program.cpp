@@ -1,9 +1,7 @@
 #include "program.hpp"
 
-#include "build_text.hpp"
 #include "help.hpp"
 #include "messages.hpp"
-#include "numbers.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

@@ -1,4 +1,4 @@
-#include "program_end.hpp"
+#include "program.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/runtime/process.hpp>

@@ -3,9 +3,8 @@
 #include "commands.hpp"
 #include "execute.hpp"
 
-#include "cli/interrupt.hpp"
-#include "cli/numbers.hpp"
-#include "cli/run_directory.hpp"
+#include "cli/files.hpp"
+#include "cli/messages.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

@@ -1,5 +1,5 @@
+#include "cli/files.hpp"
 #include "cli/program.hpp"
-#include "cli/recipe_file.hpp"
 #include "commands.hpp"
 
 #include <foam/base/error.hpp>

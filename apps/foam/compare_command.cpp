@@ -1,7 +1,6 @@
 // foam compare: several sphere models of one robot.
+#include "cli/files.hpp"
 #include "cli/messages.hpp"
-#include "cli/numbers.hpp"
-#include "cli/overwriting.hpp"
 #include "commands.hpp"
 #include "comparison.hpp"
 

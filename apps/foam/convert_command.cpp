@@ -4,8 +4,8 @@
 #include "telling.hpp"
 #include "written_files.hpp"
 
-#include "cli/interrupt.hpp"
-#include "cli/overwriting.hpp"
+#include "cli/files.hpp"
+#include "cli/messages.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>

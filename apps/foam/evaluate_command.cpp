@@ -4,7 +4,7 @@
 #include "poses_text.hpp"
 #include "table.hpp"
 
-#include "cli/numbers.hpp"
+#include "cli/messages.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/parallel.hpp>

@@ -4,9 +4,8 @@
 #include "judge.hpp"
 #include "telling.hpp"
 
-#include "cli/interrupt.hpp"
-#include "cli/numbers.hpp"
-#include "cli/overwriting.hpp"
+#include "cli/files.hpp"
+#include "cli/messages.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/parallel.hpp>

@@ -1,7 +1,6 @@
 // foam help, foam completion and foam manual: the declared commands and options as texts.
-#include "cli/completion.hpp"
-#include "cli/manual.hpp"
-#include "cli/suggestion.hpp"
+#include "cli/help.hpp"
+#include "cli/messages.hpp"
 #include "commands.hpp"
 
 #include <foam/base/error.hpp>

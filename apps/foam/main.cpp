@@ -1,4 +1,4 @@
-#include "cli/entry.hpp"
+#include "cli/program.hpp"
 #include "commands.hpp"
 
 #include <foam/batch/batch.hpp>

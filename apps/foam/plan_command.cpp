@@ -1,5 +1,5 @@
 // foam plan: what would run.
-#include "cli/recipe_file.hpp"
+#include "cli/files.hpp"
 #include "commands.hpp"
 #include "execute.hpp"
 #include "table.hpp"

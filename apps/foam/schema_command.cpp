@@ -1,5 +1,5 @@
 // foam schema: what recipes may hold, and what foam writes and prints.
-#include "cli/suggestion.hpp"
+#include "cli/messages.hpp"
 #include "commands.hpp"
 
 #include <foam/base/error.hpp>

@@ -1,7 +1,6 @@
 // foam self-collision: which pairs of links never need a check.
-#include "cli/interrupt.hpp"
-#include "cli/numbers.hpp"
-#include "cli/overwriting.hpp"
+#include "cli/files.hpp"
+#include "cli/messages.hpp"
 #include "cli/program.hpp"
 #include "commands.hpp"
 #include "ignored_elsewhere.hpp"

@@ -5,8 +5,8 @@
 #include "telling.hpp"
 #include "written_files.hpp"
 
-#include "cli/numbers.hpp"
-#include "cli/run_directory.hpp"
+#include "cli/files.hpp"
+#include "cli/messages.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>

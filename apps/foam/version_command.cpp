@@ -1,5 +1,4 @@
 // foam version: what foam is made of.
-#include "cli/build_text.hpp"
 #include "cli/program.hpp"
 #include "commands.hpp"
 

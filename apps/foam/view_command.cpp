@@ -2,10 +2,8 @@
 #include "commands.hpp"
 #include "judge.hpp"
 
-#include "cli/interrupt.hpp"
+#include "cli/files.hpp"
 #include "cli/messages.hpp"
-#include "cli/numbers.hpp"
-#include "cli/overwriting.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/parallel.hpp>
