@@ -2,7 +2,7 @@
 #include "cli/files.hpp"
 #include "cli/messages.hpp"
 #include "commands.hpp"
-#include "comparison.hpp"
+#include "judge.hpp"
 
 #include <foam/base/parallel.hpp>
 #include <foam/sdk/stage.hpp>

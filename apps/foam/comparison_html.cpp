@@ -1,5 +1,5 @@
 // A comparison as one HTML file: no other file, no network.
-#include "comparison.hpp"
+#include "judge.hpp"
 
 #include <foam/base/text.hpp>
 #include <foam/report/html_page.hpp>

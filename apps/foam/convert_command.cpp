@@ -1,8 +1,7 @@
 // foam convert: a sphere model from any format that is read to any that is written.
 #include "commands.hpp"
+#include "execute.hpp"
 #include "judge.hpp"
-#include "telling.hpp"
-#include "written_files.hpp"
 
 #include "cli/files.hpp"
 #include "cli/messages.hpp"

@@ -2,7 +2,6 @@
 
 #include "cli/files.hpp"
 #include "cli/messages.hpp"
-#include "progress.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

@@ -1,13 +1,24 @@
-// foam help, foam completion and foam manual: the declared commands and options as texts.
+// Commands about the program itself: help, its version, schemas, the SDK, foam-bench.
 #include "cli/help.hpp"
 #include "cli/messages.hpp"
+#include "cli/program.hpp"
 #include "commands.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
+#include <foam/recipe/recipe.hpp>
 #include <foam/runtime/version.hpp>
+#include <foam/sdk/abi.hpp>
+#include <foam/sdk/registry.hpp>
+#include <foam/sdk/sdk.hpp>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
 
 namespace foam::cli {
 namespace {
@@ -69,6 +80,128 @@ void add_manual(Program& program) {
             return 0;
         };
     });
+}
+
+namespace {
+
+nlohmann::ordered_json about() {
+    auto libraries = library_versions();
+    libraries["cli11"] = CLI11_VERSION;
+    return {{"foam_version", version()},  {"foam_build", build_of_libraries()},
+            {"built_from", build_text()}, {"abi", FOAM_ABI_FINGERPRINT},
+            {"compiler", __VERSION__},    {"libraries", libraries}};
+}
+
+std::string text_of(const nlohmann::ordered_json& about) {
+    std::string text;
+    const auto add = [&text](const std::string& name, const nlohmann::ordered_json& value) {
+        text += fmt::format("{:<14} {}\n", name, value.get<std::string>());
+    };
+    add("foam", about["foam_version"]);
+    add("build", about["built_from"]);
+    add("abi", about["abi"]);
+    add("compiler", about["compiler"]);
+    for (const auto& [name, value] : about["libraries"].items()) {
+        add(name, value);
+    }
+    return text;
+}
+
+} // namespace
+
+void add_version(Program& program) {
+    CLI::App* command = add_command(program, "version", "Print versions and the plugin ABI", "  foam version --json");
+    auto json = std::make_shared<bool>(false);
+    command->add_flag("--json", *json, "Print the versions as JSON");
+    command->callback([&program, json] {
+        program.action = [json] {
+            const auto all = about();
+            if (*json) {
+                print_json(all);
+            } else {
+                print(text_of(all));
+            }
+            return 0;
+        };
+    });
+}
+
+namespace {
+
+constexpr const char* of_recipes = "recipe";
+
+std::vector<std::string> all_names() {
+    std::vector<std::string> names = schema_names();
+    names.insert(names.begin(), of_recipes);
+    return names;
+}
+
+int print_schema(Program& program, const std::string& name) {
+    const std::string text = name == of_recipes ? recipe_schema(program.registry()) : schema_named(name);
+    if (text.empty()) {
+        throw Error(ErrorCode::usage, fmt::format("there is no schema '{}'; there are: {}{}", shown(name),
+                                                  fmt::join(all_names(), ", "), did_you_mean(name, all_names())));
+    }
+    print_data(text);
+    return 0;
+}
+
+} // namespace
+
+void add_schema(Program& program) {
+    CLI::App* command =
+        add_command(program, "schema", "Print the JSON Schema of recipes, result files or a command's JSON",
+                    "  foam schema > recipe.schema.json\n"
+                    "  foam schema manifest > manifest.schema.json\n"
+                    "  foam schema evaluate                     of what foam evaluate --json prints\n"
+                    "\n"
+                    "For completion in an editor, begin the recipe with this line:\n"
+                    "  # yaml-language-server: $schema=recipe.schema.json");
+    auto name = std::make_shared<std::string>(of_recipes);
+    command->add_option("what", *name, "The schema")
+        ->default_str(of_recipes)
+        ->type_name(fmt::format("{}", fmt::join(all_names(), "|")));
+    command->add_flag("--json")->description("Accepted for uniformity: the schema is always JSON");
+    command->callback([&program, name] { program.action = [&program, name] { return print_schema(program, *name); }; });
+}
+
+void add_sdk(Program& program) {
+    CLI::App* command = add_command(program, "sdk", "Print the folder of the SDK for CMake",
+                                    "  cmake -S mine -B mine/build -DCMAKE_PREFIX_PATH=\"$(foam sdk)\"");
+    command->callback([&program] {
+        program.action = [] {
+            print_data(sdk_prefix().string() + "\n");
+            return 0;
+        };
+    });
+}
+
+namespace {
+
+constexpr const char* bench_program = "foam-bench";
+
+/// Replaces this program by foam-bench of the same folder, with the same command line.
+int start_bench(const Program& program) {
+    const auto file = std::filesystem::canonical(own_program).parent_path() / bench_program;
+    ::execv(file.c_str(), program.arguments);
+    if (errno != ENOENT) {
+        throw Error(ErrorCode::usage, fmt::format("{}: cannot be started: {}", file.string(), std::strerror(errno)));
+    }
+    throw Error(ErrorCode::usage,
+                fmt::format("{} is not there: the experiments are a program of their own; remedy: in a clone, run "
+                            "`./foam bench` once, which builds it, or `ninja -C BUILD_FOLDER bench`; for an "
+                            "installed foam, install the package foam-bench",
+                            file.string()));
+}
+
+} // namespace
+
+void add_bench(Program& program) {
+    CLI::App* command = program.app.add_subcommand("bench", "Measure stages, write tables and plots");
+    command->set_help_flag(); // all that follows is for foam-bench
+    command->fallthrough(false);
+    command->prefix_command();
+    command->callback([&program] { program.action = [&program] { return start_bench(program); }; });
 }
 
 } // namespace foam::cli

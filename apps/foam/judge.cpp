@@ -1,6 +1,6 @@
 #include "judge.hpp"
 
-#include "table.hpp"
+#include "commands.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>

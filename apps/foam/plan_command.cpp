@@ -2,7 +2,6 @@
 #include "cli/files.hpp"
 #include "commands.hpp"
 #include "execute.hpp"
-#include "table.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

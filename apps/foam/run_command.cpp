@@ -1,7 +1,6 @@
 #include "cli/files.hpp"
 #include "commands.hpp"
 #include "execute.hpp"
-#include "summary.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

@@ -3,10 +3,8 @@
 #include "cli/messages.hpp"
 #include "cli/program.hpp"
 #include "commands.hpp"
-#include "ignored_elsewhere.hpp"
+#include "execute.hpp"
 #include "judge.hpp"
-#include "progress.hpp"
-#include "table.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>

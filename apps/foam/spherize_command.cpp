@@ -1,9 +1,6 @@
 #include "commands.hpp"
 #include "execute.hpp"
 #include "judge.hpp"
-#include "summary.hpp"
-#include "telling.hpp"
-#include "written_files.hpp"
 
 #include "cli/files.hpp"
 #include "cli/messages.hpp"

@@ -2,7 +2,6 @@
 #include "cli/messages.hpp"
 #include "commands.hpp"
 #include "execute.hpp"
-#include "progress.hpp"
 
 #include <foam/runtime/verify.hpp>
 

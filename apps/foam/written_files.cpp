@@ -1,4 +1,4 @@
-#include "written_files.hpp"
+#include "execute.hpp"
 
 #include "cli/files.hpp"
 #include "cli/program.hpp"
