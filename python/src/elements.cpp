@@ -1,4 +1,4 @@
-#include "elements.hpp"
+#include "robot.hpp"
 
 #include <foam/base/error.hpp>
 

@@ -1,6 +1,6 @@
 // Figures, proofs and pairs of links, as JSON text.
-#include "aside.hpp"
 #include "robot.hpp"
+#include "work.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/judge/judge_json.hpp>

@@ -1,7 +1,5 @@
 #include "robot.hpp"
 
-#include "elements.hpp"
-
 #include <foam/base/error.hpp>
 #include <foam/judge/evaluate.hpp>
 

@@ -1,7 +1,6 @@
-#include "search.hpp"
+#include "module.hpp"
 
-#include "elements.hpp"
-#include "mesh.hpp"
+#include "robot.hpp"
 #include "work.hpp"
 
 #include <foam/base/error.hpp>

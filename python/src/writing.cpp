@@ -1,6 +1,6 @@
 // From spheres to the files of writers.
-#include "aside.hpp"
 #include "robot.hpp"
+#include "work.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/judge/written_model.hpp>

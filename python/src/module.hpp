@@ -1,4 +1,4 @@
-// Stages that are functions of Python.
+// The parts of the module.
 #pragma once
 
 #include <foam/sdk/plugin.hpp>
@@ -16,5 +16,11 @@ bool has_own_stages();
 /// Adds them to a registry.
 void enrol_own_stages(Enrolment& enrol);
 void add_own_stages(pybind11::module_& module);
+
+void add_stages(pybind11::module_& module);
+
+void add_search(pybind11::module_& module);
+
+void add_errors(pybind11::module_& module);
 
 } // namespace foam::python
