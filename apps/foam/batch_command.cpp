@@ -20,9 +20,6 @@
 
 namespace foam::cli {
 
-/// Returns a time span for people: "12 s", "3 min", "2.5 h", "4.1 days".
-std::string span_text(double seconds);
-
 /// A line on stderr, on a terminal only: meshes, failures, rate, time left.
 class BatchProgressBar {
 public:
@@ -34,12 +31,17 @@ private:
     bool terminal_, drawn_ = false;
 };
 
+namespace {
+
+/// Returns a time span for people: "12 s", "3 min", "2.5 h", "4.1 days".
 std::string span_text(double seconds) {
     return seconds < 100       ? fmt::format("{:.0f} s", seconds)
            : seconds < 6000    ? fmt::format("{:.0f} min", seconds / 60)
            : seconds < 172'800 ? fmt::format("{:.1f} h", seconds / 3600)
                                : fmt::format("{:.1f} days", seconds / 86'400);
 }
+
+} // namespace
 
 BatchProgressBar::BatchProgressBar() : terminal_(isatty(STDERR_FILENO) != 0) {}
 

@@ -19,9 +19,6 @@
 
 namespace foam::cli {
 
-/// Returns the counts of poses, and the pairs and elements with most false or missed contacts.
-std::string poses_text(const Robot& robot, const Consequences& found);
-
 namespace {
 
 constexpr std::size_t most_rows = 10;
@@ -74,8 +71,7 @@ std::string elements_text(const Robot& robot, const Consequences& found) {
     return text + more(found.elements.size(), "elements");
 }
 
-} // namespace
-
+/// Returns the counts of poses, and the pairs and elements with most false or missed contacts.
 std::string poses_text(const Robot& robot, const Consequences& found) {
     std::string text = fmt::format("{}, {} of links\n", counted(found.poses, "pose"), counted(found.pairs.size(), "pair"));
     text += fmt::format("in contact       {}  the geometry of a pair touches\n", share(found.in_contact, found.poses));
@@ -85,8 +81,6 @@ std::string poses_text(const Robot& robot, const Consequences& found) {
     text += fmt::format("missed           {}  geometry touches, no model does\n", share(found.missed, found.poses));
     return text + pairs_text(robot, found) + elements_text(robot, found);
 }
-
-namespace {
 
 struct EvaluateArguments {
     JudgeOptions judge;

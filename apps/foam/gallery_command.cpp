@@ -31,10 +31,6 @@
 
 namespace foam::cli {
 
-/// Returns an animated WebP that repeats for ever. `frames`: PNG files of one size, at least one; each is shown for
-/// `each`. Equal frames give equal bytes. Throws Error(internal) for frames that are no such files.
-std::string animated_webp(const std::vector<std::string>& frames, std::chrono::milliseconds each);
-
 namespace {
 
 struct Pixels {
@@ -97,8 +93,8 @@ Encoder encoder_for(const Pixels& first) {
     return encoder;
 }
 
-} // namespace
-
+/// Returns an animated WebP that repeats for ever. `frames`: PNG files of one size, at least one; each is shown for
+/// `each`. Equal frames give equal bytes. Throws Error(internal) for frames that are no such files.
 std::string animated_webp(const std::vector<std::string>& frames, std::chrono::milliseconds each) {
     constexpr float quality = 85; // of 100; edges stay sharp
     WebPConfig config;
@@ -120,8 +116,6 @@ std::string animated_webp(const std::vector<std::string>& frames, std::chrono::m
     WebPDataClear(&data);
     return bytes;
 }
-
-namespace {
 
 constexpr const char* renderer_stage = "snapshot.osmesa";
 

@@ -23,6 +23,7 @@
 #include <new>
 
 namespace foam::load_assimp {
+namespace {
 
 /// Sets the C locale for the calling thread during its lifetime.
 class ScopedCLocale {
@@ -48,8 +49,6 @@ private:
     std::size_t max_triangles_;
     std::uintmax_t max_bytes_;
 };
-
-namespace {
 
 /// Configures the importer to read only geometry, with the axes of the file.
 void configure(Assimp::Importer& importer) {
@@ -93,8 +92,6 @@ const aiScene& read_scene(Assimp::Importer& importer, const std::string& file, s
     return polygons ? require(importer.ApplyPostProcessing(aiProcess_Triangulate)) : scene;
 }
 
-} // namespace
-
 Loader::Loader(const Parameters& parameters)
     : max_triangles_(static_cast<std::size_t>(parameters.integer("max_triangles"))),
       max_bytes_(static_cast<std::uintmax_t>(parameters.integer("max_bytes"))) {}
@@ -132,6 +129,7 @@ Mesh Loader::load(const std::filesystem::path& file, Context& context) const {
     }
 }
 
+} // namespace
 } // namespace foam::load_assimp
 
 namespace {

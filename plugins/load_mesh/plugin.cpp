@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 
 namespace foam::load_mesh {
+namespace {
 
 class Loader final : public MeshLoader, public MeshColours {
 public:
@@ -30,8 +31,6 @@ private:
     Limits limits_;
 };
 
-namespace {
-
 std::size_t count_without_area(const Mesh& mesh) {
     std::size_t count = 0;
     for (const auto& [a, b, c] : mesh.triangles) {
@@ -40,8 +39,6 @@ std::size_t count_without_area(const Mesh& mesh) {
     }
     return count;
 }
-
-} // namespace
 
 Loader::Loader(const Parameters& parameters)
     : limits_{static_cast<std::size_t>(parameters.integer("max_triangles")),
@@ -104,6 +101,7 @@ Mesh Loader::load(const std::filesystem::path& file, Context& context) const {
     return mesh;
 }
 
+} // namespace
 } // namespace foam::load_mesh
 
 FOAM_PLUGIN("load_mesh", "1.0", "Apache-2.0") {

@@ -12,34 +12,9 @@
 #include <optional>
 
 namespace foam::refine {
-
-/// Adds spheres one by one, each by splitting one with a plane, while the excess volume falls.
-class Split final : public Refiner {
-public:
-    std::unique_ptr<Refinement> begin(const Shape& shape, const RefinementGoal& goal) const override;
-};
-
-/// Replaces the spheres of a cylinder or capsule by a row of equal ones along the axis, in closed form, if that has
-/// less excess volume.
-class Row final : public Refiner {
-public:
-    std::unique_ptr<Refinement> begin(const Shape& shape, const RefinementGoal& goal) const override;
-};
-
-/// Guarantee fitted: moves and sizes spheres so that the symmetric difference to the shape becomes small.
-class Fit final : public Refiner {
-public:
-    std::unique_ptr<Refinement> begin(const Shape& shape, const RefinementGoal& goal) const override;
-};
-
-/// Replaces spheres that violate half-space constraints by such as keep them.
-class Clip final : public Refiner {
-public:
-    std::unique_ptr<Refinement> begin(const Shape& shape, const RefinementGoal& goal) const override;
-};
-
 namespace {
 
+/// Replaces spheres that violate half-space constraints by such as keep them.
 class Constraints final : public Refinement {
 public:
     Constraints(const Solid& solid, const RefinementGoal& goal) : solid_(solid), goal_(goal) {}
@@ -65,18 +40,10 @@ private:
     const RefinementGoal goal_;
 };
 
-} // namespace
-
-std::unique_ptr<Refinement> Clip::begin(const Shape& shape, const RefinementGoal& goal) const {
-    return std::make_unique<Constraints>(shape.original(), goal);
-}
-
-namespace {
-
+/// Guarantee fitted: moves and sizes spheres so that the symmetric difference to the shape becomes small.
 class Fits final : public Refinement {
 public:
-    Fits(const Solid& solid, const RefinementGoal& goal)
-        : solid_(solid), idle_(goal.guarantee != Guarantee::fitted) {}
+    Fits(const Solid& solid, const RefinementGoal& goal) : solid_(solid), idle_(goal.guarantee != Guarantee::fitted) {}
 
     /// Fits the finest level. Coarser levels remain bounds of it. In deep trees spheres stay near their parents.
     SphereTree refine(SphereTree tree, std::size_t most, Context&) override {
@@ -86,7 +53,8 @@ public:
         SphereTree::Level& finest = tree.levels.back();
         const bool flat = tree.levels.size() <= 2;
         try {
-            finest.elements.spheres() = fitted::fit(solid_, finest.elements.spheres(), most, flat ? fitted::Reach::far : fitted::Reach::near);
+            finest.elements.spheres() =
+                fitted::fit(solid_, finest.elements.spheres(), most, flat ? fitted::Reach::far : fitted::Reach::near);
         } catch (const Error& error) {
             if (error.code() != ErrorCode::cancelled) {
                 throw;
@@ -104,14 +72,8 @@ private:
     const bool idle_;
 };
 
-} // namespace
-
-std::unique_ptr<Refinement> Fit::begin(const Shape& shape, const RefinementGoal& goal) const {
-    return std::make_unique<Fits>(shape.original(), goal);
-}
-
-namespace {
-
+/// Replaces the spheres of a cylinder or capsule by a row of equal ones along the axis, in closed form, if that has
+/// less excess volume.
 class Rows final : public Refinement {
 public:
     Rows(const Solid& solid, const RefinementGoal& goal)
@@ -138,14 +100,6 @@ private:
     const bool idle_;
 };
 
-} // namespace
-
-std::unique_ptr<Refinement> Row::begin(const Shape& shape, const RefinementGoal& goal) const {
-    return std::make_unique<Rows>(shape.original(), goal);
-}
-
-namespace {
-
 /// Spheres that were split from others keep the root of those.
 SphereTree with_finest(const SphereTree& tree, std::vector<Sphere> spheres) {
     SphereTree result = flat_tree(std::move(spheres));
@@ -155,6 +109,7 @@ SphereTree with_finest(const SphereTree& tree, std::vector<Sphere> spheres) {
     return result;
 }
 
+/// Adds spheres one by one, each by splitting one with a plane, while the excess volume falls.
 class Splits final : public Refinement {
 public:
     Splits(const Solid& solid, const RefinementGoal& goal)
@@ -219,29 +174,35 @@ private:
     std::optional<cover::Splitting> splitting_; ///< made before the first split
 };
 
+/// Begins refinements of one kind.
+template <class Begun> class Begins final : public Refiner {
+public:
+    std::unique_ptr<Refinement> begin(const Shape& shape, const RefinementGoal& goal) const override {
+        return std::make_unique<Begun>(shape.original(), goal);
+    }
+};
+
 } // namespace
-
-std::unique_ptr<Refinement> Split::begin(const Shape& shape, const RefinementGoal& goal) const {
-    return std::make_unique<Splits>(shape.original(), goal);
-}
-
 } // namespace foam::refine
 
 FOAM_PLUGIN("refine", "1.0", "Apache-2.0") {
     using namespace foam::refine;
-    enrol.add<Fit>({.name = "refine.fit",
-                    .summary = "Guarantee fitted: moves and sizes spheres so that they differ least from the shape.",
-                    .reference = "Wang et al. 2006, Variational sphere set approximation for solid objects",
-                    .revision = 3});
-    enrol.add<Clip>({.name = "refine.clip",
-                     .summary = "Replaces spheres that violate the half-space constraints of a link (clip).",
-                     .reference = ""});
-    enrol.add<Row>({.name = "refine.row",
-                    .summary = "Covers a cylinder or capsule by a row of equal spheres, if that has less excess volume.",
-                    .reference = ""});
-    enrol.add<Split>({.name = "refine.split",
-                      .summary = "Splits spheres while that reduces the excess volume, up to the budget.",
-                      .reference = "Wang et al. 2006, Variational sphere set approximation for solid objects",
-                      .revision = 2,
-                      .adds_spheres = true});
+    enrol.add<Begins<Fits>>(
+        {.name = "refine.fit",
+         .summary = "Guarantee fitted: moves and sizes spheres so that they differ least from the shape.",
+         .reference = "Wang et al. 2006, Variational sphere set approximation for solid objects",
+         .revision = 3});
+    enrol.add<Begins<Constraints>>(
+        {.name = "refine.clip",
+         .summary = "Replaces spheres that violate the half-space constraints of a link (clip).",
+         .reference = ""});
+    enrol.add<Begins<Rows>>(
+        {.name = "refine.row",
+         .summary = "Covers a cylinder or capsule by a row of equal spheres, if that has less excess volume.",
+         .reference = ""});
+    enrol.add<Begins<Splits>>({.name = "refine.split",
+                               .summary = "Splits spheres while that reduces the excess volume, up to the budget.",
+                               .reference = "Wang et al. 2006, Variational sphere set approximation for solid objects",
+                               .revision = 2,
+                               .adds_spheres = true});
 }

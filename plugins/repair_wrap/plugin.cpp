@@ -14,11 +14,6 @@
 
 namespace foam::repair {
 
-/// Returns the closed surface that shrink-wraps the triangles at distance `offset`, entering openings wider than
-/// `alpha`. Portaneri, Rouxel-Labbé, Hemmer, Cohen-Steiner, Alliez: Alpha Wrapping with an Offset, SIGGRAPH 2022;
-/// encloses the input. Preconditions: finite vertices, indices in range, alpha and offset above 0, in the mesh's unit.
-Mesh alpha_wrap(const Mesh& mesh, double alpha, double offset);
-
 namespace {
 
 /// Ends the wrapping on request, and where it makes no progress. CGAL 5.5 inserts one point again and again where needles
@@ -41,8 +36,9 @@ struct WatchingVisitor : CGAL::Alpha_wraps_3::internal::Wrapping_default_visitor
     int repeated = 0;
 };
 
-} // namespace
-
+/// Returns the closed surface that shrink-wraps the triangles at distance `offset`, entering openings wider than
+/// `alpha`. Portaneri, Rouxel-Labbé, Hemmer, Cohen-Steiner, Alliez: Alpha Wrapping with an Offset, SIGGRAPH 2022;
+/// encloses the input. Preconditions: finite vertices, indices in range, alpha and offset above 0, in the mesh's unit.
 Mesh alpha_wrap(const Mesh& mesh, double alpha, double offset) {
     using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
     std::vector<Kernel::Point_3> points;
@@ -81,6 +77,8 @@ Mesh alpha_wrap(const Mesh& mesh, double alpha, double offset) {
     }
     return result;
 }
+
+} // namespace
 
 } // namespace foam::repair
 

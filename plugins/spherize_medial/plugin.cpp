@@ -14,6 +14,7 @@
 #include <numeric>
 
 namespace foam::medial {
+namespace {
 
 class MedialSpherizer final : public Spherizer {
 public:
@@ -26,8 +27,6 @@ public:
 private:
     Settings settings_;
 };
-
-namespace {
 
 /// Improves covering balls of the whole surface, ball by ball: all a little, then the one of least cost as far as
 /// possible.
@@ -298,8 +297,6 @@ private:
     std::map<std::pair<Guarantee, std::optional<std::size_t>>, SphereTree> known_;
 };
 
-} // namespace
-
 MedialSpherizer::MedialSpherizer(const Settings& settings) : settings_(settings) {}
 MedialSpherizer::~MedialSpherizer() = default;
 
@@ -311,6 +308,7 @@ std::unique_ptr<SphereSearch> MedialSpherizer::search(const Shape& shape) const 
     return std::make_unique<MedialSearch>(shape, settings_);
 }
 
+} // namespace
 } // namespace foam::medial
 
 using foam::medial::MedialSpherizer;

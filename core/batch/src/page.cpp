@@ -21,13 +21,6 @@
 
 namespace foam::inline batch {
 
-/// Returns an SVG element that shows the spheres from an oblique direction, the z axis up: shaded discs, the nearest
-/// last. "" without spheres. The sizes of pictures cannot be compared: each fills its frame.
-std::string thumbnail_svg(std::span<const Sphere> spheres);
-
-/// Returns the SVG element with the shading that all thumbnails of a page use.
-std::string thumbnail_shading();
-
 namespace {
 
 /// A sphere in the picture's frame: right, down, towards the eye.
@@ -74,14 +67,15 @@ void remove_hidden(std::vector<Disc>& discs) {
     discs.assign(seen.rbegin(), seen.rend());
 }
 
-} // namespace
-
+/// Returns the SVG element with the shading that all thumbnails of a page use.
 std::string thumbnail_shading() {
     return "<svg width=\"0\" height=\"0\" aria-hidden=\"true\"><defs><radialGradient id=\"ball\" cx=\".35\" cy=\".3\" "
            "r=\".8\"><stop offset=\"0\" stop-color=\"#cfe3ff\"/><stop offset=\".6\" stop-color=\"#5b8def\"/><stop "
            "offset=\"1\" stop-color=\"#27408b\"/></radialGradient></defs></svg>\n";
 }
 
+/// Returns an SVG element that shows the spheres from an oblique direction, the z axis up: shaded discs, the nearest
+/// last. "" without spheres. The sizes of pictures cannot be compared: each fills its frame.
 std::string thumbnail_svg(std::span<const Sphere> spheres) {
     std::vector<Disc> discs = discs_of(spheres);
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -108,8 +102,6 @@ std::string thumbnail_svg(std::span<const Sphere> spheres) {
     }
     return svg + "</svg>";
 }
-
-namespace {
 
 using Json = nlohmann::ordered_json;
 

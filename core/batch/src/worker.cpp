@@ -31,15 +31,6 @@
 
 namespace foam::inline batch {
 
-/// Returns whether the spheres of a scaled mesh are the scaled spheres, as far as the recipe says: it has no length in
-/// metres, overrides no link, and its guarantee is outer. Some stages have parameters in metres.
-bool scales_freely(const Recipe& recipe, const Registry& registry);
-
-/// Returns the recipe of a scaled mesh that keeps the scaled spheres, if they cover it. `spheres`: of the mesh without
-/// that scale. `size`: diagonal of the scaled mesh's box, m. Centres move to a decimal grid of about a millionth of the
-/// size, and radii grow by as much, so that rounding leaves the proof as it is.
-Recipe with_scaled_spheres(Recipe recipe, const std::vector<Sphere>& spheres, double scale, double size);
-
 namespace {
 
 /// Whether a stage has a parameter in metres that is not zero.
@@ -54,8 +45,8 @@ bool has_length(const StageCall& call, const Registry& registry) {
     });
 }
 
-} // namespace
-
+/// Returns whether the spheres of a scaled mesh are the scaled spheres, as far as the recipe says: it has no length in
+/// metres, overrides no link, and its guarantee is outer. Some stages have parameters in metres.
 bool scales_freely(const Recipe& recipe, const Registry& registry) {
     const std::vector<const StageCall*> stages = recipe.stages();
     return recipe.guarantee == Guarantee::outer && recipe.links.empty() && recipe.pad.value_or(0) == 0 &&
@@ -64,6 +55,9 @@ bool scales_freely(const Recipe& recipe, const Registry& registry) {
                         [&](const StageCall* call) { return has_length(*call, registry); });
 }
 
+/// Returns the recipe of a scaled mesh that keeps the scaled spheres, if they cover it. `spheres`: of the mesh without
+/// that scale. `size`: diagonal of the scaled mesh's box, m. Centres move to a decimal grid of about a millionth of the
+/// size, and radii grow by as much, so that rounding leaves the proof as it is.
 Recipe with_scaled_spheres(Recipe recipe, const std::vector<Sphere>& spheres, double scale, double size) {
     const DecimalGrid grid(size);
     constexpr double rounding = 1e-12; // of the size: far above that of doubles
@@ -77,8 +71,6 @@ Recipe with_scaled_spheres(Recipe recipe, const std::vector<Sphere>& spheres, do
     recipe.links.push_back(std::move(link));
     return recipe;
 }
-
-namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;

@@ -23,12 +23,10 @@
 
 namespace foam::inline view {
 
+namespace {
+
 /// Returns 32 hexadecimal digits from the random numbers of the operating system. Throws Error(internal) if it has
 /// none.
-std::string random_token();
-/// Compares in a time that does not depend on where the texts differ.
-bool same_secret(std::string_view a, std::string_view b);
-
 std::string random_token() {
     std::array<unsigned char, 16> bytes{};
     if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
@@ -37,6 +35,7 @@ std::string random_token() {
     return fmt::format("{:02x}", fmt::join(bytes, ""));
 }
 
+/// Compares in a time that does not depend on where the texts differ.
 bool same_secret(std::string_view a, std::string_view b) {
     unsigned difference = a.size() == b.size() ? 0 : 1;
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
@@ -44,8 +43,6 @@ bool same_secret(std::string_view a, std::string_view b) {
     }
     return difference == 0;
 }
-
-namespace {
 
 constexpr const char* loopback = "127.0.0.1";
 

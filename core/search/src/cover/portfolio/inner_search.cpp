@@ -13,6 +13,7 @@
 #include <span>
 
 namespace foam::inline search::cover {
+namespace {
 
 /// Searches for at most `count` balls in the solid whose union has the greatest volume. Centres are chosen greedily
 /// among the cells of a lattice, each ball as large as the solid allows, always the one that adds most (within 1 - 1/e
@@ -52,8 +53,6 @@ private:
     std::vector<std::uint32_t> candidates_; ///< cells, the deepest first
 };
 
-namespace {
-
 constexpr std::size_t most_candidates = 3000;
 
 /// Returns the cells along the longest extent so that the solid's box has about the same number of cells, whatever its
@@ -64,8 +63,6 @@ int resolution(const Vec3& size, std::size_t count) {
     const double slenderness = volume > 0 ? std::min(longest / std::cbrt(volume), 4.0) : 4;
     return static_cast<int>(of_a_cube * slenderness);
 }
-
-} // namespace
 
 InnerSearch::InnerSearch(const Solid& solid, std::size_t count, std::function<bool()> stop)
     : solid_(solid), count_(count), stop_(std::move(stop)), frame_(solid.bounds()),
@@ -237,6 +234,7 @@ std::vector<Sphere> InnerSearch::balls(std::span<const Sphere> start) const {
     return spheres;
 }
 
+} // namespace
 } // namespace foam::inline search::cover
 
 namespace foam::inline search {
