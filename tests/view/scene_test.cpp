@@ -1,7 +1,6 @@
 // The scene and the page that is one file.
 #include "arm.hpp"
 
-#include "coarse_mesh.hpp"
 #include "drawn_mesh.hpp"
 
 #include <foam/view/scene.hpp>
