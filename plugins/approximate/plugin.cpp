@@ -147,6 +147,11 @@ public:
     explicit SweptBoxes(const foam::Parameters& p) : Approximator(settings_of(p, {Kind::swept_box})) {}
 };
 
+class Ellipsoids final : public Approximator {
+public:
+    explicit Ellipsoids(const foam::Parameters& p) : Approximator(settings_of(p, {Kind::ellipsoid})) {}
+};
+
 class Hulls final : public Approximator {
 public:
     explicit Hulls(const foam::Parameters& p) : Approximator(settings_of(p, {Kind::hull})) {
@@ -224,6 +229,12 @@ FOAM_PLUGIN("approximate", "1.0", "Apache-2.0") {
              "Larsen, Gottschalk, Lin, Manocha: Fast proximity queries with swept sphere volumes. ICRA "
              "2000",
              with_common({}, "excess"), {Kind::swept_box}));
+    enrol.add<Ellipsoids>(info("approximate.ellipsoids",
+                               "Covering ellipsoids with the least excess volume: parts between planes, the least "
+                               "ellipsoid around each; proved.",
+                               "Todd and Yıldırım: On Khachiyan's algorithm for the computation of minimum-volume "
+                               "enclosing ellipsoids. Discrete Applied Mathematics 155, 2007",
+                               with_common({}, "excess"), {Kind::ellipsoid}));
     enrol.add<Cylinders>(info("approximate.cylinders",
                               "Covering cylinders with the least excess volume: parts between planes, the least "
                               "cylinder around each; proved.",
@@ -246,7 +257,7 @@ FOAM_PLUGIN("approximate", "1.0", "Apache-2.0") {
                           "Thiery, Guy, Boubekeur: Sphere-Meshes. ACM Transactions on Graphics 32, 2013",
                           with_common({foam::Parameter::text("kinds", "sphere, capsule, cylinder, box")
                                            .doc("The kinds of elements to choose from: sphere, capsule, cylinder, box, "
-                                                "swept_box, hull.")},
+                                                "swept_box, hull, ellipsoid.")},
                                       "mean_protrusion"),
-                          {Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box, Kind::hull}));
+                          foam::every_kind()));
 }

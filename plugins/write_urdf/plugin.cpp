@@ -25,6 +25,7 @@ public:
           drake_(parameters.boolean("drake")),
           proximity_(proximity_properties(parameters.number("mu_static"), parameters.number("mesh_resolution_hint"))) {
         known_.capsules = parameters.text("capsules") == "element";
+        known_.ellipsoids = drake_;
         known_.segments = segments_of(parameters, "write.urdf");
     }
 

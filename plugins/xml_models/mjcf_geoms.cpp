@@ -140,8 +140,9 @@ std::string MjcfShapes::attributes(const Element& element) {
     }
     const std::array<double, 4> quat = quaternion(element.pose); // w x y z, as MuJoCo's
     const Element stated = stated_at(element, from_quaternion(element.pose.translation, quat));
-    const std::string size = stated.kind == Kind::box ? vector_text(stated.half) // half the edges
-                                                      : numbers_text(std::array{stated.radius, stated.half.z});
+    const bool by_half = stated.kind == Kind::box || stated.kind == Kind::ellipsoid; // half the edges, or the half axes
+    const std::string size =
+        by_half ? vector_text(stated.half) : numbers_text(std::array{stated.radius, stated.half.z});
     return attribute_text("type", to_string(stated.kind)) + attribute_text("size", size) +
            pose_attributes(element.pose, quat);
 }

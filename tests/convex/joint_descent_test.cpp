@@ -4,7 +4,7 @@
 #include "search/src/convex/least_fit.hpp"
 
 #include <foam/base/random.hpp>
-#include <foam/geometry/primitive.hpp>
+#include <foam/geometry/element.hpp>
 #include <foam/geometry/solid.hpp>
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ std::shared_ptr<const Solid> boxes(const std::vector<Box>& all) {
     std::vector<Solid::Part> parts;
     for (const Box& box : all) {
         Solid::Part part;
-        part.primitive = Primitive{.kind = Primitive::Kind::box, .size = box.size()};
+        part.primitive = Element::box(box.size());
         part.pose.translation = box.center();
         parts.push_back(part);
     }

@@ -89,10 +89,7 @@ TEST(Spherize, LongBoxByARow) {
 }
 
 TEST(Spherize, Capsule) {
-    Primitive capsule;
-    capsule.kind = Primitive::Kind::capsule;
-    capsule.radius = 0.1;
-    capsule.length = 0.2;
+    const Element capsule = Element::capsule(0.1, 0.2);
     const auto solid = Solid::make(std::vector<Solid::Part>{{nullptr, capsule, Pose{}}});
     expect_as_good(spherize(*solid, 1), {{{0, 0, 0}, 0.2}});
     // Those at the ends hold their caps and meet the one in the middle on the cylinder.
@@ -117,10 +114,7 @@ TEST(Spherize, MoreBallsNeverClaimMore) {
 
 // Few balls are left where more are of no use; those cannot give way to each other.
 TEST(Spherize, BestEffortOnAFlatCylinder) {
-    Primitive cylinder;
-    cylinder.kind = Primitive::Kind::cylinder;
-    cylinder.radius = 0.04;
-    cylinder.length = 0.0464;
+    const Element cylinder = Element::cylinder(0.04, 0.0464);
     const auto solid = Solid::make(std::vector<Solid::Part>{{nullptr, cylinder, Pose{}}});
     const std::vector<std::size_t> counts{1, 2, 3, 4, 5, 6};
     double before = std::numeric_limits<double>::infinity();

@@ -50,14 +50,14 @@ TEST(LargeMeshCover, HasACoarseSolidOfAFewVerticesOfItsOwn) {
 }
 
 TEST(LargeMeshCover, KeepsPrimitivesAndPartsOfItsCoarseSolid) {
-    const Primitive box{Primitive::Kind::box, {0.1, 0.2, 0.3}, 0, 0};
+    const Element box = Element::box({0.1, 0.2, 0.3});
     const auto solid =
         Solid::make(std::vector<Solid::Part>{{std::make_shared<const Mesh>(fine_torus()), {}, {}}, {nullptr, box, {}}});
     const auto coarse = geometry::coarse_solid(*solid);
     ASSERT_TRUE(coarse);
     ASSERT_EQ(coarse->parts().size(), 2u);
     ASSERT_TRUE(coarse->parts()[1].primitive);
-    EXPECT_EQ(coarse->parts()[1].primitive->size, box.size);
+    EXPECT_EQ(coarse->parts()[1].primitive->half, box.half);
     test::expect_cover(*solid, spherize(*solid, 6, fast), 6);
 }
 

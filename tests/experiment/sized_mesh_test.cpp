@@ -10,11 +10,7 @@ namespace foam::experiment {
 namespace {
 
 Mesh cylinder() {
-    Primitive primitive;
-    primitive.kind = Primitive::Kind::cylinder;
-    primitive.radius = 0.1;
-    primitive.length = 0.3;
-    return enclosing_mesh(primitive);
+    return enclosing_mesh(Element::cylinder(0.1, 0.3));
 }
 
 TEST(Refined, KeepsTheSurfaceClosedAndWhereItIs) {

@@ -86,7 +86,7 @@ TEST_F(ThroughputTest, TheSceneHasWhatTheRobotHas) {
                              .upper = 1});
     const Kinematics kinematics(robot);
     const Solid::Part box{
-        .mesh = nullptr, .primitive = Primitive{.kind = Primitive::Kind::box, .size = {0.2, 0.2, 0.1}}, .pose = {}};
+        .mesh = nullptr, .primitive = Element::box({0.2, 0.2, 0.1}), .pose = {}};
     const std::vector<GraspLink> links{{nullptr, {}}, {Solid::make({box}), {}}};
     const GraspScene scene = grasp_scene(kinematics, links, {.excluded = {{0, 1}}, .object_ignores = {1}});
     EXPECT_THAT(scene.joints, ElementsAre(0));

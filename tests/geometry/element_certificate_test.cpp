@@ -550,13 +550,13 @@ TEST(ElementCertificate, PrimitivesInElementsOfTheirKind) {
     Random random(7);
     for (int run = 0; run < 20; ++run) {
         const Pose pose = test::random_pose(random, run % 2 ? 1 : 0);
-        const std::vector<std::pair<Primitive, Element>> cases{
-            {{Primitive::Kind::sphere, {}, 0.3, 0}, {.kind = Kind::sphere, .pose = pose, .radius = 0.3}},
-            {{Primitive::Kind::capsule, {}, 0.3, 1},
+        const std::vector<std::pair<Element, Element>> cases{
+            {Element::sphere(0.3), {.kind = Kind::sphere, .pose = pose, .radius = 0.3}},
+            {Element::capsule(0.3, 1),
              {.kind = Kind::capsule, .pose = pose, .half = {0, 0, 0.5}, .radius = 0.3}},
-            {{Primitive::Kind::cylinder, {}, 0.3, 1},
+            {Element::cylinder(0.3, 1),
              {.kind = Kind::cylinder, .pose = pose, .half = {0, 0, 0.5}, .radius = 0.3}},
-            {{Primitive::Kind::box, {1, 2, 3}, 0, 0}, {.kind = Kind::box, .pose = pose, .half = {0.5, 1, 1.5}}}};
+            {Element::box({1, 2, 3}), {.kind = Kind::box, .pose = pose, .half = {0.5, 1, 1.5}}}};
         for (const auto& [primitive, element] : cases) {
             const auto solid = test::primitive_solid(primitive, pose);
             EXPECT_TRUE(certify(*solid, Elements(std::vector<Element>{element})).holds) << to_string(primitive.kind);
@@ -567,7 +567,7 @@ TEST(ElementCertificate, PrimitivesInElementsOfTheirKind) {
             EXPECT_TRUE(certify(*solid, level).holds) << to_string(primitive.kind);
         }
         // around others, in closed form: no larger than by rounding
-        const auto ball = test::primitive_solid({Primitive::Kind::sphere, {}, 0.3, 0}, pose);
+        const auto ball = test::primitive_solid(Element::sphere(0.3), pose);
         Element box{.kind = Kind::box, .pose = pose, .half = Vec3{1, 1, 1} * (0.3 * (1 + 1e-12))};
         box.pose.rotation = test::random_pose(random, 0).rotation;
         EXPECT_TRUE(certify(*ball, Elements(std::vector<Element>{box})).holds);

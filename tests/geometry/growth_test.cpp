@@ -94,7 +94,7 @@ TEST(Growth, SameResultEveryTime) {
 
 TEST(Growth, BallsThatMeetJustAtTheSurface) {
     // Found by the pipeline fuzzer (seed 1009619): a capsule 18 km long and 1.7 m thick.
-    const Primitive capsule{.kind = Primitive::Kind::capsule, .radius = 0.8576176610868728, .length = 18374.68279787327};
+    const Element capsule = Element::capsule(0.8576176610868728, 18374.68279787327);
     const auto solid = Solid::make(std::vector<Solid::Part>{{nullptr, capsule, {}}});
     const std::vector<Sphere> spheres{{{-3.8518515875030901, -2.4044942660744644, 323.02592617279447}, 3265.868687165816},
                                       {{0.51763487780607897, -3.670154495439224, 6424.3895125577264}, 2763.8120654918007},
@@ -118,9 +118,9 @@ TEST(Growth, SpheresThatAreNone) {
 }
 
 TEST(Growth, RoundPrimitivesInClosedForm) {
-    const auto ball = primitive_solid({Primitive::Kind::sphere, {}, 0.25, 0});
+    const auto ball = primitive_solid(Element::sphere(0.25));
     EXPECT_DOUBLE_EQ(grown_to_cover(*ball, std::vector<Sphere>{{{}, 0.2499}})[0].radius, 0.25);
-    const auto capsule = primitive_solid({Primitive::Kind::capsule, {}, 0.25, 1});
+    const auto capsule = primitive_solid(Element::capsule(0.25, 1));
     EXPECT_NEAR(grown_to_cover(*capsule, std::vector<Sphere>{{{}, 0.7499}})[0].radius, 0.75, 1e-9);
     const auto in_pieces = grown_to_cover(*capsule, std::vector<Sphere>{{{0, 0, 0.4}, 0.3}, {{0, 0, -0.4}, 0.3}, {{}, 0.3}});
     EXPECT_TRUE(certify(*capsule, in_pieces).holds);
@@ -182,8 +182,8 @@ std::vector<Sphere> twenty_over_slab() {
 
 std::shared_ptr<const Solid> round_parts() {
     return Solid::make(
-        {{nullptr, Primitive{Primitive::Kind::capsule, {}, 0.1, 0.4}, Pose{}},
-         {nullptr, Primitive{Primitive::Kind::cylinder, {}, 0.15, 0.3}, Pose::from_xyz_rpy({0.2, 0, 0}, {0, 1, 0})}});
+        {{nullptr, Element::capsule(0.1, 0.4), Pose{}},
+         {nullptr, Element::cylinder(0.15, 0.3), Pose::from_xyz_rpy({0.2, 0, 0}, {0, 1, 0})}});
 }
 
 const std::vector<Sphere> four_in_round_parts{
@@ -257,7 +257,7 @@ TEST(GrowthStays, ShrunkCovers) {
 }
 
 TEST(Growth, ARoundPartIsClosedByTheBallThatNeedsLeast) {
-    const auto ball = primitive_solid({Primitive::Kind::sphere, {}, 0.25, 0});
+    const auto ball = primitive_solid(Element::sphere(0.25));
     std::vector<Sphere> spheres{{{}, 0.2499}};
     geometry::grow(*ball, spheres, 1000);
     EXPECT_EQ(spheres[0].radius, 0.25) << "exact, not by pieces of its tessellation";
@@ -291,7 +291,7 @@ TEST(Growth, ARoundPartIsClosedByTheBallThatNeedsLeast) {
 }
 
 TEST(Growth, ARoundPartIsClosedWithinAShareOfItsRadius) {
-    const auto ball = primitive_solid({Primitive::Kind::sphere, {}, 4, 0});
+    const auto ball = primitive_solid(Element::sphere(4));
     for (const auto& [radius, closed] : {std::pair(3.985, true), std::pair(3.97, false)}) {
         std::vector<Sphere> spheres{{{}, radius}};
         geometry::grow(*ball, spheres, 100'000);
@@ -341,8 +341,8 @@ namespace {
 /// Two balls as primitives: one of radius 1/4 about the origin, the other beside it.
 std::shared_ptr<const Solid> two_balls(double away, double radius) {
     return Solid::make(
-        {{nullptr, Primitive{Primitive::Kind::sphere, {}, 0.25, 0}, Pose{}},
-         {nullptr, Primitive{Primitive::Kind::sphere, {}, radius, 0}, Pose::from_xyz_rpy({away, 0, 0}, {0, 0, 0})}});
+        {{nullptr, Element::sphere(0.25), Pose{}},
+         {nullptr, Element::sphere(radius), Pose::from_xyz_rpy({away, 0, 0}, {0, 0, 0})}});
 }
 
 /// What the first sphere needs.
@@ -376,16 +376,16 @@ TEST(Shrinking, WhatOthersCoverNeedsNothing) {
 }
 
 TEST(Shrinking, ARoundPartNeedsItsRadiusExactly) {
-    EXPECT_EQ(needed(*primitive_solid({Primitive::Kind::sphere, {}, 0.25, 0}), {{{}, 0.3}}), 0.25);
-    EXPECT_EQ(needed(*primitive_solid({Primitive::Kind::sphere, {}, 0.25, 0}), {{{}, 0.25}}), 0.25);
-    EXPECT_EQ(needed(*primitive_solid({Primitive::Kind::sphere, {}, 3, 0}), {{{}, 5}}), 3);
+    EXPECT_EQ(needed(*primitive_solid(Element::sphere(0.25)), {{{}, 0.3}}), 0.25);
+    EXPECT_EQ(needed(*primitive_solid(Element::sphere(0.25)), {{{}, 0.25}}), 0.25);
+    EXPECT_EQ(needed(*primitive_solid(Element::sphere(3)), {{{}, 5}}), 3);
     EXPECT_EQ(needed(*two_balls(0.3, 0.1), {{{}, 1}, {{0.3, 0, 0}, 0.1}}), 0.25) << "another holds the second";
     EXPECT_EQ(needed(*two_balls(0.3, 0.1), {{{0.3, 0, 0}, 1}, {{}, 0.25}}), 0.1) << "another holds the first";
     const std::vector<Sphere> shared{{{}, 0.9}, {{1.1, 0, 0}, 0.3}, {{0.9, 0, 0}, 0.3}};
     EXPECT_EQ(needed(*two_balls(1, 0.25), shared), 0.25) << "others share the second";
     EXPECT_NEAR(needed(*two_balls(0.3, 0.25), {{{}, 0.6}}), 0.55, 1e-9) << "it alone holds both";
     EXPECT_NEAR(needed(*two_balls(0.3, 0.25), {{{0.3, 0, 0}, 0.6}}), 0.55, 1e-9);
-    const auto with_box = Solid::make({{nullptr, Primitive{Primitive::Kind::sphere, {}, 0.25, 0}, Pose{}},
+    const auto with_box = Solid::make({{nullptr, Element::sphere(0.25), Pose{}},
                                        {std::make_shared<const Mesh>(box({0.3, 0, 0}, {0.4, 0.1, 0.1})), {}, {}}});
     EXPECT_NEAR(needed(*with_box, {{{}, 1}}), std::sqrt(0.18), 1e-9) << "what is not round counts, too";
     // Of the second it holds what another leaves over.

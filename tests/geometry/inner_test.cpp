@@ -68,10 +68,10 @@ TEST(Inner, WhatIsProvedOnceIsProvedAgain) {
 
 TEST(Inner, PrimitivesAreExact) {
     Random random(3);
-    for (const auto kind :
-         {Primitive::Kind::sphere, Primitive::Kind::box, Primitive::Kind::cylinder, Primitive::Kind::capsule}) {
-        const auto solid = primitive_solid({kind, {0.4, 0.4, 0.4}, 0.2, 0.4}, random_pose(random, 3));
-        EXPECT_NEAR(inner_radius(*solid, solid->bounds().center()), 0.2, 1e-9) << static_cast<int>(kind);
+    for (const Element& primitive : {Element::sphere(0.2), Element::box({0.4, 0.4, 0.4}), Element::cylinder(0.2, 0.4),
+                                     Element::capsule(0.2, 0.4), Element::ellipsoid({0.4, 0.2, 0.3})}) {
+        const auto solid = primitive_solid(primitive, random_pose(random, 3));
+        EXPECT_NEAR(inner_radius(*solid, solid->bounds().center()), 0.2, 1e-9) << to_string(primitive.kind);
     }
 }
 
@@ -148,7 +148,7 @@ TEST(Inner, SpheresShrinkMoveInOrGo) {
 TEST(Inner, PartsProveOnTheirOwn) {
     const auto solid = Solid::make(
         {Solid::Part{std::make_shared<const Mesh>(box({0, 0, 0}, {1, 1, 1})), {}, {}},
-         Solid::Part{{}, Primitive{Primitive::Kind::sphere, {}, 0.4, 0}, Pose::from_xyz_rpy({3, 0, 0}, {})}});
+         Solid::Part{{}, Element::sphere(0.4), Pose::from_xyz_rpy({3, 0, 0}, {})}});
     EXPECT_NEAR(inner_radius(*solid, {0.5, 0.5, 0.5}), 0.5, 1e-9);
     EXPECT_NEAR(inner_radius(*solid, {3, 0, 0}), 0.4, 1e-9);
     EXPECT_EQ(inner_radius(*solid, {2, 0, 0}), 0);
@@ -224,7 +224,7 @@ TEST(Inner, BallsTooSmallToTellAreNotProved) {
     EXPECT_EQ(inner_radius(*cube, {}, 0.999 * least), 0);
     EXPECT_GT(inner_radius(*cube, {1 - 1.01 * least, 0, 0}), 0);
     EXPECT_EQ(inner_radius(*cube, {1 - 0.99 * least, 0, 0}), 0);
-    const auto round = primitive_solid({Primitive::Kind::sphere, {}, 1, 0});
+    const auto round = primitive_solid(Element::sphere(1));
     EXPECT_EQ(inner_radius(*round, {}, 1.01 * least), 1.01 * least);
     EXPECT_EQ(inner_radius(*round, {}, 0.99 * least), 0);
     EXPECT_EQ(inner_radius(*round, {}, 0), 0);
@@ -246,8 +246,8 @@ TEST(Inner, TheBestOfThePartsCounts) {
         return std::make_shared<const Mesh>(box({-half, -half, -half}, {half, half, half}));
     };
     const Solid::Part small{mesh(0.5), {}, {}}, large{mesh(0.8), {}, {}},
-        round{{}, Primitive{Primitive::Kind::sphere, {}, 0.6, 0}, {}},
-        rounder{{}, Primitive{Primitive::Kind::sphere, {}, 0.9, 0}, {}};
+        round{{}, Element::sphere(0.6), {}},
+        rounder{{}, Element::sphere(0.9), {}};
     using Parts = std::vector<Solid::Part>;
     for (const auto& [parts, best] :
          {std::pair(Parts{small, large}, 0.8), std::pair(Parts{large, small}, 0.8), std::pair(Parts{small, round}, 0.6),
@@ -396,9 +396,9 @@ TEST(Inner, NeedlesHoldBackToo) {
 TEST(Inner, SpheresThatAreNoneHaveNoRadius) {
     const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
     for (const auto& solid :
-         {Solid::make(box({-1, -1, -1}, {1, 1, 1})), primitive_solid({Primitive::Kind::sphere, {}, 1, 0}),
-          primitive_solid({Primitive::Kind::box, {1, 1, 1}, 0, 0}),
-          primitive_solid({Primitive::Kind::cylinder, {}, 1, 1})}) {
+         {Solid::make(box({-1, -1, -1}, {1, 1, 1})), primitive_solid(Element::sphere(1)),
+          primitive_solid(Element::box({1, 1, 1})),
+          primitive_solid(Element::cylinder(1, 1))}) {
         for (const Sphere& none :
              {Sphere{{nan, 0, 0}, 0.1}, Sphere{{0, infinity, 0}, 0.1}, Sphere{{0, 0, -infinity}, 0.1}, Sphere{{}, nan},
               Sphere{{}, infinity}, Sphere{{}, -infinity}, Sphere{{nan, nan, nan}, nan}}) {

@@ -331,7 +331,7 @@ TEST_F(Extremes, ElementsThatOnlyJustOverlapAreProved) {
 /// Boxes whose rounded numbers were not proved, before they were grown until they are.
 TEST(ExtremesOfNumbers, BoxesThatOverlapByAMillionthAreProved) {
     const auto solid = Solid::make(std::vector<Solid::Part>{
-        {nullptr, Primitive{.kind = Primitive::Kind::capsule, .radius = 0.1, .length = 0.3}, Pose{}}});
+        {nullptr, Element::capsule(0.1, 0.3), Pose{}}});
     const Element::Kind kinds[] = {Element::Kind::box};
     ApproximationSearch search(*solid, kinds, {});
     for (const std::size_t count : {2, 3, 4, 5, 6, 7, 8}) {

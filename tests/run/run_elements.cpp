@@ -44,7 +44,7 @@ std::shared_ptr<const Solid> base() {
     Pose pose;
     pose.translation = {0, 0, 0.1};
     return Solid::make(
-        std::vector<Solid::Part>{{nullptr, Primitive{.kind = Primitive::Kind::box, .size = {0.4, 0.2, 0.2}}, pose}});
+        std::vector<Solid::Part>{{nullptr, Element::box({0.4, 0.2, 0.2}), pose}});
 }
 
 TEST_F(RunElements, OfEveryKindAreProvedOnTheNumbersReadBack) {

@@ -38,10 +38,11 @@ Element any(Random& random, Element::Kind kind) {
         return element;
     }
     const bool long_kind = kind == Element::Kind::capsule || kind == Element::Kind::cylinder;
-    const bool edges = kind == Element::Kind::box || kind == Element::Kind::swept_box;
+    const bool edges =
+        kind == Element::Kind::box || kind == Element::Kind::swept_box || kind == Element::Kind::ellipsoid;
     element.half = edges ? Vec3{number(0.1, 0.6), number(0.1, 0.6), number(0.1, 0.6)}
                          : Vec3{0, 0, long_kind ? number(0.1, 0.8) : 0};
-    element.radius = kind == Element::Kind::box ? 0 : number(0.1, 0.4);
+    element.radius = kind == Element::Kind::box || kind == Element::Kind::ellipsoid ? 0 : number(0.1, 0.4);
     return element;
 }
 

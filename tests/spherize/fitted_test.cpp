@@ -24,7 +24,7 @@ double misfit(const Solid& solid, std::span<const Sphere> spheres) {
 }
 
 std::shared_ptr<const Solid> capsule(double radius, double straight) {
-    return Solid::make({Solid::Part{nullptr, Primitive{Primitive::Kind::capsule, {}, radius, straight}, {}}});
+    return Solid::make({Solid::Part{nullptr, Element::capsule(radius, straight), {}}});
 }
 
 class Fitted : public testing::TestWithParam<std::string> {};

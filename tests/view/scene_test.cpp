@@ -136,11 +136,11 @@ TEST_F(Scene, HasCoarseMeshesFirstWhereThereAreManyTriangles) {
 }
 
 TEST(DrawnMesh, KeepsEdgesSharpAndRoundsSmoothSurfaces) {
-    const auto count = [](const Primitive& primitive) {
+    const auto count = [](const Element& primitive) {
         return drawn({std::make_shared<const Mesh>(enclosing_mesh(primitive)), {}}).vertices.size();
     };
-    EXPECT_EQ(count({.kind = Primitive::Kind::box, .size = {1, 2, 3}}), 24u); // each corner with three normals
-    const Primitive ball{.kind = Primitive::Kind::sphere, .radius = 1};
+    EXPECT_EQ(count(Element::box({1, 2, 3})), 24u); // each corner with three normals
+    const Element ball = Element::sphere(1);
     EXPECT_EQ(count(ball), enclosing_mesh(ball).vertices.size());
 }
 

@@ -61,7 +61,7 @@ protected:
         for (const Link& link : model_.robot->links) {
             if (!link.collisions.empty()) {
                 model_.geometry[link.name] =
-                    Solid::make({{nullptr, std::get<Primitive>(link.collisions[0].geometry), Pose{}}});
+                    Solid::make({{nullptr, std::get<Element>(link.collisions[0].geometry), Pose{}}});
             }
         }
     }
@@ -102,7 +102,7 @@ TEST_F(WriteUrdfExtras, AllLinksWithGeometryGetItForGazebo) {
 }
 
 TEST_F(WriteUrdfExtras, AMeshThatIsNotClosedIsTold) {
-    Mesh open = enclosing_mesh({.kind = Primitive::Kind::box, .size = {1, 1, 1}});
+    Mesh open = enclosing_mesh(Element::box({1, 1, 1}));
     open.triangles.pop_back();
     model_.geometry["upper"] = Solid::make(open);
     EXPECT_THAT(written({{"inertial", "moving"}}), HasSubstr("<inertial><!-- foam"));

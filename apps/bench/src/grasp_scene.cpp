@@ -98,15 +98,15 @@ private:
     }
 
     void solid_part(const Solid::Part& part) {
-        if (part.primitive && part.primitive->kind == Primitive::Kind::sphere) {
+        if (part.primitive && part.primitive->kind == Element::Kind::sphere) {
             bodies +=
                 fmt::format("<geom type=\"sphere\" size=\"{}\" {}/>", part.primitive->radius, numbers_of(part.pose));
-        } else if (part.primitive && part.primitive->kind == Primitive::Kind::box) {
-            bodies += fmt::format("<geom type=\"box\" size=\"{}\" {}/>", numbers_of(part.primitive->size / 2),
+        } else if (part.primitive && part.primitive->kind == Element::Kind::box) {
+            bodies += fmt::format("<geom type=\"box\" size=\"{}\" {}/>", numbers_of(part.primitive->half),
                                   numbers_of(part.pose));
         } else if (part.primitive) {
             bodies += fmt::format("<geom type=\"{}\" size=\"{} {}\" {}/>", to_string(part.primitive->kind),
-                                  part.primitive->radius, part.primitive->length / 2, numbers_of(part.pose));
+                                  part.primitive->radius, part.primitive->half.z, numbers_of(part.pose));
         } else {
             std::string vertices;
             for (const Vec3& v : part.mesh->vertices) {

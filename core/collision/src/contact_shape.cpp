@@ -14,7 +14,7 @@ Mesh mesh_within(const Solid& solid) {
     constexpr int segments = 96; // a radius is off by 0.05 %
     Mesh mesh;
     for (const Solid::Part& part : solid.parts()) {
-        append(mesh, part.primitive ? inscribed_mesh(element_of(*part.primitive, part.pose), segments) : *part.mesh);
+        append(mesh, part.primitive ? inscribed_mesh(moved(*part.primitive, part.pose), segments) : *part.mesh);
     }
     return mesh;
 }

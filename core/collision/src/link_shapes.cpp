@@ -17,7 +17,7 @@ std::optional<self_collision::BallGroup> primitives_of(const Solid& solid) {
         if (!part.primitive) {
             return std::nullopt;
         }
-        elements.add(element_of(*part.primitive, part.pose));
+        elements.add(moved(*part.primitive, part.pose));
     }
     return self_collision::BallGroup(elements);
 }

@@ -71,7 +71,7 @@ public:
     std::shared_ptr<const ViewedMesh> of(const CollisionElement& element, const FileColours* colours) {
         const auto* reference = std::get_if<MeshReference>(&element.source->geometry);
         const std::vector<Colour>* own = nullptr;
-        if (const Primitive* primitive = element.primitive()) {
+        if (const Element* primitive = element.primitive()) {
             return std::make_shared<const ViewedMesh>(
                 ViewedMesh{std::make_shared<const Mesh>(enclosing_mesh(*primitive)), {}});
         }
@@ -136,8 +136,8 @@ void judge_links(ViewedRobot& robot, CoveredGeometry geometry) {
 } // namespace
 
 bool is_sphere(const GeometryElement& element) {
-    const auto* primitive = std::get_if<Primitive>(&element.geometry);
-    return primitive && primitive->kind == Primitive::Kind::sphere;
+    const auto* primitive = std::get_if<Element>(&element.geometry);
+    return primitive && primitive->kind == Element::Kind::sphere;
 }
 
 bool is_sphere_model(const Robot& robot) {

@@ -15,7 +15,7 @@ CollisionModel collision_model(const TwoModels& models) {
     for (std::size_t b = 0; b < models.links.size(); ++b) {
         for (const EngineShape& shape : models.spheres.bodies[b]) {
             result.elements[models.links[b]].add(
-                Sphere{shape.pose.translation, std::get<Primitive>(shape.geometry).radius});
+                Sphere{shape.pose.translation, std::get<Element>(shape.geometry).radius});
         }
         result.sources[models.links[b]] = CollisionModel::Source::given;
     }

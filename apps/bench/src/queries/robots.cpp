@@ -22,7 +22,7 @@ EngineBody body_of(const std::vector<Sphere>& spheres) {
     for (const Sphere& sphere : spheres) {
         Pose pose;
         pose.translation = sphere.center;
-        body.push_back({pose, Primitive{Primitive::Kind::sphere, {}, sphere.radius, 0}});
+        body.push_back({pose, Element::sphere(sphere.radius)});
     }
     return body;
 }
@@ -31,7 +31,7 @@ EngineBody body_of(const std::vector<Sphere>& spheres) {
 EngineBody body_of(const LinkWork& link) {
     EngineBody body;
     for (const CollisionElement& element : link.elements) {
-        if (const Primitive* primitive = element.primitive()) {
+        if (const Element* primitive = element.primitive()) {
             body.push_back({element.source->origin, *primitive});
         } else {
             body.push_back({element.source->origin, element.raw});

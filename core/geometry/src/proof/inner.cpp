@@ -1,6 +1,6 @@
 // Proof that balls lie in a solid, and shrinking of spheres until it succeeds.
 #include "mesh/orientation.hpp"
-#include "convex/primitive.hpp"
+#include "convex/kind.hpp"
 #include "proof/rim.hpp"
 
 #include <foam/base/cancellation.hpp>

@@ -15,7 +15,7 @@ namespace {
 /// Returns the sphere if the shape is one: no spherizer can do better.
 std::optional<Sphere> as_sphere(const Solid& solid) {
     const Solid::Part& part = solid.parts().front();
-    if (solid.parts().size() > 1 || !part.primitive || part.primitive->kind != Primitive::Kind::sphere) {
+    if (solid.parts().size() > 1 || !part.primitive || part.primitive->kind != Element::Kind::sphere) {
         return {};
     }
     return Sphere{part.pose.translation, part.primitive->radius};

@@ -5,9 +5,8 @@
 namespace foam::inline runtime::sample {
 namespace {
 
-std::shared_ptr<const Solid> primitive_solid(Primitive::Kind kind, const Vec3& size, double radius, double length,
-                                             const Pose& pose = {}) {
-    return Solid::make(std::vector<Solid::Part>{{nullptr, Primitive{kind, size, radius, length}, pose}});
+std::shared_ptr<const Solid> primitive_solid(const Element& primitive, const Pose& pose = {}) {
+    return Solid::make(std::vector<Solid::Part>{{nullptr, primitive, pose}});
 }
 
 } // namespace
@@ -61,7 +60,6 @@ Mesh bracket() {
 }
 
 const std::map<std::string, std::function<std::shared_ptr<const Solid>()>>& solids() {
-    using Kind = Primitive::Kind;
     static const std::map<std::string, std::function<std::shared_ptr<const Solid>()>> makers{
         {"Box",
          [] {
@@ -69,14 +67,18 @@ const std::map<std::string, std::function<std::shared_ptr<const Solid>()>>& soli
          }},
         {"BoxPrimitive",
          [] {
-             return primitive_solid(Kind::box, {0.1, 0.2, 0.3}, 0, 0);
+             return primitive_solid(Element::box({0.1, 0.2, 0.3}));
          }},
-        {"BallPrimitive", [] { return primitive_solid(Kind::sphere, {}, 0.1, 0); }},
+        {"BallPrimitive", [] { return primitive_solid(Element::sphere(0.1)); }},
         {"CylinderPrimitive",
          [] {
-             return primitive_solid(Kind::cylinder, {}, 0.05, 0.3, Pose::from_xyz_rpy({0.1, 0, 0}, {0.3, 0.2, 0.1}));
+             return primitive_solid(Element::cylinder(0.05, 0.3), Pose::from_xyz_rpy({0.1, 0, 0}, {0.3, 0.2, 0.1}));
          }},
-        {"CapsulePrimitive", [] { return primitive_solid(Kind::capsule, {}, 0.05, 0.3); }},
+        {"CapsulePrimitive", [] { return primitive_solid(Element::capsule(0.05, 0.3)); }},
+        {"EllipsoidPrimitive",
+         [] {
+             return primitive_solid(Element::ellipsoid({0.05, 0.1, 0.15}), Pose::from_xyz_rpy({0, 0.1, 0}, {0.3, 0.2, 0.1}));
+         }},
         {"Torus", [] { return Solid::make(torus(0.1, 0.03)); }},
         {"Bracket", [] { return Solid::make(bracket()); }},
         {"MirroredBracket",
@@ -105,7 +107,7 @@ const std::map<std::string, std::function<std::shared_ptr<const Solid>()>>& soli
          [] {
              return Solid::make(std::vector<Solid::Part>{
                  {std::make_shared<const Mesh>(box({0.1, 0.1, 0.1})), {}, {}},
-                 {nullptr, Primitive{Kind::cylinder, {}, 0.03, 0.3}, Pose::from_xyz_rpy({0.02, 0, 0}, {0, 1, 0})}});
+                 {nullptr, Element::cylinder(0.03, 0.3), Pose::from_xyz_rpy({0.02, 0, 0}, {0, 1, 0})}});
          }},
         {"OpenCup",
          [] {

@@ -19,7 +19,7 @@ SphereModel model() {
     robot->source = "<robot name=\"pair\">\n";
     for (const char* name : {"base", "tool"}) {
         GeometryElement box;
-        box.geometry = Primitive{.kind = Primitive::Kind::box, .size = {1, 1, 1}};
+        box.geometry = Element::box({1, 1, 1});
         robot->links.push_back({.name = name, .collisions = {box}, .visuals = {}});
         robot->source += fmt::format(
             "  <link name=\"{}\"><collision><geometry><box size=\"1 1 1\"/></geometry></collision></link>\n", name);
@@ -90,6 +90,9 @@ Element element_of_kind(Element::Kind kind) {
         element.half.z = 0.25;
         break;
     case Element::Kind::box:
+    case Element::Kind::ellipsoid:
+        element.half = {0.3, 0.2, 0.1};
+        return element;
     case Element::Kind::swept_box:
         element.half = {0.3, 0.2, 0.1};
         break;
@@ -98,7 +101,7 @@ Element element_of_kind(Element::Kind kind) {
             convex_hull(std::vector<Vec3>{{0, 0, 0}, {0.5, 0, 0}, {0, 0.25, 0}, {0, 0, 0.125}, {0.5, 0.25, 0.5}});
         return element;
     }
-    element.radius = kind == Element::Kind::box ? 0 : 0.05;
+    element.radius = 0.05;
     return element;
 }
 

@@ -22,7 +22,7 @@ static std::vector<Solid::Part> parts_of(const LinkWork& link, const std::vector
     for (const std::size_t e : elements) {
         const CollisionElement& element = link.elements[e];
         Solid::Part part;
-        if (const Primitive* primitive = element.primitive()) {
+        if (const Element* primitive = element.primitive()) {
             part.primitive = *primitive;
             part.pose = element.source->origin;
         } else {
@@ -128,7 +128,7 @@ std::vector<Vec3> vertices_of(const LinkWork& link) {
         return points;
     }
     for (const CollisionElement& element : link.elements) {
-        const Primitive* primitive = element.primitive();
+        const Element* primitive = element.primitive();
         if (!primitive && !element.raw) {
             return {};
         }

@@ -78,7 +78,7 @@ std::vector<LinkWork> links_to_do(const Workspace& workspace, const Robot& robot
                 CollisionElement element;
                 element.source = &source;
                 const auto* mesh = std::get_if<MeshReference>(&source.geometry);
-                element.geometry = mesh ? mesh->uri : to_string(std::get<Primitive>(source.geometry).kind);
+                element.geometry = mesh ? mesh->uri : to_string(std::get<Element>(source.geometry).kind);
                 work.elements.push_back(std::move(element));
             }
         }
@@ -199,8 +199,10 @@ std::vector<FilterTask> filter_tasks(const Workspace& workspace, std::vector<Lin
         for (std::size_t e = 0; e < links[l].elements.size(); ++e) {
             CollisionElement& element = links[l].elements[e];
             if (!element.raw) {
-                if (const Primitive* primitive = element.primitive()) {
-                    element.digest = Hasher().add(*primitive).finish();
+                if (const Element* primitive = element.primitive()) {
+                    Hasher hasher;
+                    add_primitive(hasher, *primitive);
+                    element.digest = hasher.finish();
                 }
                 continue;
             }

@@ -39,7 +39,7 @@ const char* plural_of(const std::vector<ShapeWork>& shapes) {
 
 static Solid::Part part_of(const CollisionElement& element, const Pose& pose, bool processed) {
     Solid::Part part;
-    if (const Primitive* primitive = element.primitive()) {
+    if (const Element* primitive = element.primitive()) {
         part.primitive = *primitive;
         part.pose = pose;
     } else {
@@ -107,8 +107,8 @@ static Digest content_of(const Workspace& workspace, const Group& group, const L
     Hasher hasher;
     for (const std::size_t e : group.elements) {
         const CollisionElement& element = link.elements[e];
-        if (const Primitive* primitive = element.primitive()) {
-            hasher.add(*primitive);
+        if (const Element* primitive = element.primitive()) {
+            add_primitive(hasher, *primitive);
         } else {
             hasher.add(*element.raw);
         }

@@ -150,7 +150,7 @@ void add_to(Hasher& hasher, const Robot& robot) {
             if (const auto* mesh = std::get_if<MeshReference>(&element.geometry)) {
                 hasher.add("mesh").add(mesh->uri).add(mesh->scale);
             } else {
-                hasher.add("primitive").add(std::get<Primitive>(element.geometry));
+                add_primitive(hasher.add("primitive"), std::get<Element>(element.geometry));
             }
         }
     }

@@ -238,7 +238,7 @@ struct ApproximationSearch::Data {
     }
     bool has_round_parts() const {
         return std::any_of(solid.parts().begin(), solid.parts().end(), [](const Solid::Part& part) {
-            return part.primitive && part.primitive->kind != Primitive::Kind::box;
+            return part.primitive && part.primitive->kind != Element::Kind::box;
         });
     }
     /// Returns the cover by elements of pieces that meet in planes.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cloud.hpp"
+#include "ellipsoid_fit.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/vector.hpp>
@@ -98,6 +99,9 @@ inline double boundary_area(const Fit& fit) {
     constexpr double pi = std::numbers::pi;
     const Vec3& h = fit.half;
     const double r = fit.radius;
+    if (fit.kind == Kind::ellipsoid) {
+        return area_of_ellipsoid(fit);
+    }
     return fit.kind == Kind::cylinder ? 2 * pi * r * (2 * h.z + r)
                                       : 8 * (h.x * h.y + h.y * h.z + h.z * h.x) + 4 * pi * r * (h.x + h.y + h.z + r);
 }
@@ -108,6 +112,15 @@ template <class Visit> void over_boundary(const Fit& fit, double area_each, Visi
     constexpr double pi = std::numbers::pi;
     const Vec3& h = fit.half;
     const double r = fit.radius;
+    if (fit.kind == Kind::ellipsoid) {
+        const auto count = std::max<std::size_t>(32, static_cast<std::size_t>(area_of_ellipsoid(fit) / area_each));
+        const double share = 4 * pi * h.x * h.y * h.z / static_cast<double>(count);
+        for (const Vec3& n : fibonacci_directions(count)) {
+            const Vec3 gradient{n.x / h.x, n.y / h.y, n.z / h.z}; // its length times the volume is the area of the image
+            visit(Vec3{n.x * h.x, n.y * h.y, n.z * h.z}, normalized(gradient), share * norm(gradient));
+        }
+        return;
+    }
     const auto parts = [](double length, double step) {
         return std::max(1, static_cast<int>(std::ceil(length / step)));
     };
@@ -167,6 +180,7 @@ template <class Visit> void over_boundary(const Fit& fit, double area_each, Visi
 /// the cloud.
 template <class Weight> Variables boundary_slopes(const Fit& fit, bool keep_axes, Weight weight) {
     constexpr double places = 400;
+    const bool ellipsoid = fit.kind == Element::Kind::ellipsoid;
     Variables g = Variables::Zero();
     over_boundary(fit, boundary_area(fit) / places, [&](const Vec3& q, const Vec3& n, double area) {
         const Vec3 normal = fit.axes[0] * n.x + fit.axes[1] * n.y + fit.axes[2] * n.z;
@@ -178,9 +192,10 @@ template <class Weight> Variables boundary_slopes(const Fit& fit, bool keep_axes
         for (int k = 0; k < 3; ++k) {
             g(k) += keep_axes ? 0 : share * turn[k];
             g(3 + k) += share * n[k];
-            g(6 + k) += uses_half(fit.kind, k) ? share * std::abs(n[k]) : 0;
+            const double outwards = ellipsoid ? n[k] * q[k] / fit.half[k] : std::abs(n[k]);
+            g(6 + k) += uses_half(fit.kind, k) ? share * outwards : 0;
         }
-        if (fit.kind != Element::Kind::box) {
+        if (fit.kind != Element::Kind::box && !ellipsoid) {
             g(9) += fit.kind == Element::Kind::cylinder ? share * std::hypot(n.x, n.y) : share;
         }
     });

@@ -2,6 +2,7 @@
 
 #include "cells.hpp"
 #include "cloud.hpp"
+#include "ellipsoid_fit.hpp"
 #include "fit_programme.hpp"
 #include "plane.hpp"
 
@@ -20,6 +21,9 @@ double distance_to(const Fit& fit, const Vec3& p) {
     const Vec3 q = fit.local(p);
     if (fit.kind == Kind::cylinder) {
         return std::max(std::hypot(q.x, q.y) - fit.radius, std::abs(q.z) - fit.half.z);
+    }
+    if (fit.kind == Kind::ellipsoid) { // outside, by a factor of the least half axis
+        return (reach_of_ellipsoid(fit, q) - 1) * std::min({fit.half.x, fit.half.y, fit.half.z});
     }
     return norm(from_core(fit, q)) - fit.radius;
 }

@@ -1,7 +1,7 @@
 // The robot in words of no format: links, joints, geometry, and what writers ask for. A loader fills all of it.
 #pragma once
 
-#include <foam/geometry/primitive.hpp>
+#include <foam/geometry/element.hpp>
 #include <foam/geometry/vector.hpp>
 
 #include <array>
@@ -23,7 +23,7 @@ struct MeshReference {
     Vec3 scale{1, 1, 1};        ///< applied to the mesh before the origin
 };
 
-using Geometry = std::variant<Primitive, MeshReference>;
+using Geometry = std::variant<Element, MeshReference>;
 
 /// What a surface looks like. A name that the file explains elsewhere is resolved.
 struct Material {

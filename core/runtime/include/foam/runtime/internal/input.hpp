@@ -45,7 +45,7 @@ struct CollisionElement {
     Digest digest;                                     ///< of raw geometry and filters, without the pose
 
     const std::shared_ptr<const Mesh>& processed() const { return filtered.empty() ? raw : filtered.back(); }
-    const Primitive* primitive() const { return std::get_if<Primitive>(&source->geometry); }
+    const Element* primitive() const { return std::get_if<Element>(&source->geometry); }
 };
 
 struct InputFile {

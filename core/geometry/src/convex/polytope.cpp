@@ -1,5 +1,4 @@
-// Elements grown by a length.
-#include "proof/element_grown.hpp"
+#include "convex/polytope.hpp"
 
 #include <foam/base/error.hpp>
 
@@ -233,29 +232,4 @@ std::shared_ptr<const Polytope> with_room(const Polytope& hull, double length) {
     return box;
 }
 
-Element grown(const Element& element, double length) {
-    Element result = element;
-    if (!(length > 0)) {
-        return result;
-    }
-    switch (element.kind) {
-    case Element::Kind::cylinder:
-        result.half.z += length;
-        result.radius += length;
-        break;
-    case Element::Kind::sphere:
-    case Element::Kind::capsule:
-    case Element::Kind::swept_box:
-        result.radius += length;
-        break;
-    case Element::Kind::box:
-        result.half += {length, length, length};
-        break;
-    case Element::Kind::hull:
-        result.hull = with_room(*element.hull, length);
-        break;
-    }
-    return result;
-}
-
-} // namespace foam::geometry
+} // namespace foam::inline geometry
