@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json_fwd.hpp>
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -33,6 +34,13 @@ public:
     bool is(const std::string& argument) const { return !file_.empty() && argument == file_; }
     /// Returns the temporary file; empty if no argument was `-`.
     const std::string& file() const { return file_; }
+    /// Returns the name that the content goes by: a file in the current folder, from which relative references lead. It
+    /// does not exist. Empty if no argument was `-`.
+    const std::filesystem::path& name() const { return name_; }
+    /// Returns name() for the argument that was `-`; empty for another.
+    std::filesystem::path name_of(const std::string& argument) const {
+        return is(argument) ? name_ : std::filesystem::path();
+    }
 
 private:
     struct Single {
@@ -48,6 +56,7 @@ private:
     std::vector<Single> single_;
     std::vector<Several> several_;
     std::string format_, file_;
+    std::filesystem::path name_;
     std::optional<ScratchFolder> folder_;
 };
 

@@ -26,6 +26,12 @@ struct UrdfWords {
     std::string properties{};        ///< elements that each <collision> gets besides
 };
 
+/// Returns the numbers with blanks between them, each with all its digits.
+std::string three_numbers(const Vec3& v);
+
+/// Returns the shape of an element that is centred at its origin: a sphere, box, cylinder or capsule.
+std::string shape_text(const Element& element, const UrdfWords& words);
+
 /// Returns the <collision> elements of a link's elements. `uri_of_hull`: the reference to the mesh of the next hull, as
 /// text for an attribute.
 std::vector<std::string> collision_elements(const LinkSpheres& link, const UrdfWords& words,
@@ -67,7 +73,7 @@ std::string attribute_text(std::string_view value, std::string_view text);
 /// A URDF text that is being changed.
 class SphereUrdf {
 public:
-    /// Throws Error(output) if the robot has no URDF text. `writer`: its name, for messages. The model must outlive it.
+    /// A robot without URDF text gets one. Throws Error(output) if only the names of its links are known. `writer`: its name, for messages. The model must outlive it.
     SphereUrdf(const SphereModel& model, std::string writer);
 
     const std::string& writer() const { return writer_; }
@@ -78,6 +84,8 @@ public:
     const xml::Element& link(const std::string& name) const;
     /// Returns the <joint>. Throws Error(output) if there is none.
     const xml::Element& joint(const std::string& name) const;
+    /// Returns the file and line of an element, for messages; the robot's name if it is of no file.
+    std::string place_of(const xml::Element& element) const;
     /// Returns whether the link's collision geometry is replaced: by spheres, or by none.
     bool is_replaced(const std::string& name) const { return replaced_.contains(name); }
     /// Returns a text for an attribute, in any quotes and in the encoding of the text.
@@ -95,7 +103,7 @@ private:
     const xml::Element& element(const char* kind, const std::string& name) const;
 
     const SphereModel& model_;
-    std::string writer_;
+    std::string writer_, text_;
     std::unique_ptr<const xml::Element> root_;
     std::map<std::pair<std::string, std::string>, const xml::Element*> elements_; ///< by kind and name
     std::set<std::string> replaced_;

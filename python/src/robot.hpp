@@ -74,12 +74,10 @@ py::list elements_of(const SphereFile& file);
 /// Returns the elements of a model by link, in the order of their first groups.
 SphereFile file_of_model(const SphereModel& model);
 
-/// A robot or a mesh that was read, with the stages that read it.
+/// A robot or a mesh that was read, with its meshes and the stages that read it.
 struct HeldRobot {
     std::shared_ptr<Registry> registry;
     Original original;
-    MeshUnit unit;
-    std::vector<std::filesystem::path> package_path;
 };
 
 /// A model as a writer takes it: that of a run, or of spheres from elsewhere.

@@ -6,6 +6,7 @@
 #include <foam/recipe/mesh_unit.hpp>
 #include <foam/robot/proved_links.hpp>
 #include <foam/robot/robot.hpp>
+#include <foam/runtime/run.hpp>
 #include <foam/sdk/model.hpp>
 #include <foam/sdk/registry.hpp>
 
@@ -28,9 +29,10 @@ enum class Radii {
 /// Reads a sphere model with the model reader that recognises it, or with `reader` ("read.curobo") if that is not
 /// empty. Spheres whose radius is not above 0 are switched off (cuMotion): they are left out, with a note. Throws
 /// Error(input) naming file, line and remedy: also if no reader recognises the file, or several do; Error(usage) for an
-/// unknown reader.
+/// unknown reader. `name`: that its content goes by, as in parse_sphere_file(); empty: the file's own.
 SphereFile read_sphere_file(const std::filesystem::path& file, const Registry& registry,
-                            const std::string& reader = "", Radii radii = Radii::as_used);
+                            const std::string& reader = "", Radii radii = Radii::as_used,
+                            const std::filesystem::path& name = {});
 
 /// Reads a sphere model from memory; `file`: its name in messages, and the base of relative references.
 SphereFile parse_sphere_file(const std::string& text, const std::filesystem::path& file, const Registry& registry,
@@ -51,16 +53,30 @@ struct Original {
     std::vector<std::string> collision_only; ///< links that lose their collision geometry thereby
     std::vector<OriginalLink> links;         ///< those with such geometry, in the robot's order
     std::vector<std::string> notes;  ///< warnings of its loaders
+    /// What was read, for runs on the same robot: RunOptions::input. With the meshes, if they are to be kept.
+    std::shared_ptr<const LoadedInput> loaded{};
 };
 
-/// Reads a URDF, or a mesh if a mesh loader reads the file's ending. `links`: globs of the links to read; none: all.
-/// Throws Error(input) if the file or a mesh of it cannot be read, if no link remains to evaluate, or if a glob matches
-/// no link; Error(usage) for a unit of a file that states its own. `package_path`: folders with packages, searched
-/// before those of the environment.
+struct OriginalOptions {
+    std::vector<std::string> links{}; ///< globs of the links to read; none: all
+    MeshUnit unit{};                  ///< of a mesh whose file does not state it
+    CoveredGeometry geometry = CoveredGeometry::collision;
+    std::vector<std::filesystem::path> package_path{}; ///< folders with packages, before those of the environment
+    /// The name that the content of a URDF goes by: messages have it, and relative references lead from its folder. It
+    /// need not exist; empty: the file's own.
+    std::filesystem::path name{};
+    bool keep_meshes = false; ///< in Original::loaded: nothing is read again
+};
+
+/// Reads a URDF, or a mesh if a mesh loader reads the file's ending. Throws Error(input) if the file or a mesh of it
+/// cannot be read, if no link remains to evaluate, or if a glob matches no link; Error(usage) for a unit of a file that
+/// states its own.
 Original load_original(const std::filesystem::path& file, const Registry& registry,
-                       const std::vector<std::string>& links = {}, const MeshUnit& unit = {},
-                       CoveredGeometry geometry = CoveredGeometry::collision,
-                       const std::vector<std::filesystem::path>& package_path = {});
+                       const OriginalOptions& options = {});
+/// Returns the original geometry of a robot that was read; meshes that were not kept are read. Of the options, links,
+/// geometry and keep_meshes count. Errors as load_original().
+Original original_of(std::shared_ptr<const LoadedInput> loaded, const Registry& registry,
+                     const OriginalOptions& options = {});
 
 /// Old and new beginning of link names: a link called `first` is renamed to `second`; of the others, those that begin
 /// with `first` begin with `second` instead. "" is the link of a format without link names.

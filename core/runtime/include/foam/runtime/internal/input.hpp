@@ -1,9 +1,7 @@
 // Input: what a recipe names, and the geometry that is prepared of it.
 #pragma once
 
-#include <foam/base/internal/files.hpp>
-#include <foam/robot/robot.hpp>
-#include <foam/runtime/internal/workspace.hpp>
+#include <foam/runtime/internal/reading.hpp>
 
 #include <memory>
 #include <optional>
@@ -24,44 +22,18 @@ struct Input {
     StageReport report;                 ///< of the loader; its stage is empty for a single mesh
 };
 
-/// Returns the loader for a mesh file by its extension; null if there is none.
-const RegisteredStage* mesh_loader_of(const Workspace& workspace, const std::filesystem::path& file);
-/// Returns the digest of a mesh file of at most as many bytes as its loader's parameter max_bytes allows. Throws
-/// Error(input).
-DigestedFile digest_of_mesh_file(const Workspace& workspace, const std::filesystem::path& file);
+/// Returns how the recipe's input is read. The recipe must outlive it.
+Reading reading_of(const Workspace& workspace);
 
-/// Loads the first candidate that resolves. Throws Error(input) with every place tried, or with the error in the file.
+/// Returns RunOptions::input, or loads the first candidate that resolves. Throws Error(input) with every place tried, or with the error in the file.
 Input load_input(const Workspace& workspace);
 /// Returns whether a candidate resolves.
 bool input_resolves(const Recipe& recipe);
 
-/// A collision element and its meshes after each filter, in the element's own frame, scaled, in metres.
-struct CollisionElement {
-    const GeometryElement* source = nullptr;
-    std::string geometry;                              ///< mesh reference as written, or the kind of primitive
-    std::shared_ptr<const Mesh> raw;                   ///< null for a primitive
-    Digest read;                                       ///< of `raw` as it was loaded
-    std::vector<std::shared_ptr<const Mesh>> filtered; ///< after each filter; empty for a primitive
-    Digest digest;                                     ///< of raw geometry and filters, without the pose
-
-    const std::shared_ptr<const Mesh>& processed() const { return filtered.empty() ? raw : filtered.back(); }
-    const Element* primitive() const { return std::get_if<Element>(&source->geometry); }
-};
-
-struct InputFile {
-    std::string reference; ///< as written in the robot
-    std::filesystem::path file;
-    Digest digest;
-    std::size_t bytes = 0;
-};
-
 /// A link that is to be spherized.
-struct LinkWork {
-    const Link* link = nullptr;
+struct LinkWork : LoadedLink {
     Recipe::LinkRecipe recipe;
-    std::vector<CollisionElement> elements;
     LinkReport report;
-    std::optional<Error> error;
     bool bounds_only = false; ///< the figures of the report are bounds: there was no time to measure
 };
 
@@ -81,7 +53,7 @@ struct FilterTask {
     std::optional<Error> error;
 };
 
-/// Returns the links with their meshes loaded. Errors as in prepare_links().
+/// Returns the links with their meshes loaded, but for those that the recipe skips. Errors as in prepare_links().
 std::vector<LinkWork> load_links(const Workspace& workspace, const Robot& robot, std::vector<InputFile>& files);
 /// Returns the distinct chains of filters that loaded links need. Sets the digests of the elements.
 std::vector<FilterTask> filter_tasks(const Workspace& workspace, std::vector<LinkWork>& links);
