@@ -142,7 +142,7 @@ private:
             if (!splitting_) {
                 splitting_.emplace(solid_);
             }
-            cover::Claim more = splitting_->one_more(next, volume);
+            by_spheres::Claim more = splitting_->one_more(next, volume);
             if (more.spheres.size() == next.size()) {
                 return;
             }
@@ -158,11 +158,11 @@ private:
 
     /// Returns spheres that cover, with their volume. The result of the last call is continued as it is: it covers up
     /// to what the final growth closes, and growth at each step would add up.
-    cover::Claim begin_with(const std::vector<Sphere>& spheres) const {
+    by_spheres::Claim begin_with(const std::vector<Sphere>& spheres) const {
         if (spheres == last_.spheres) {
             return last_;
         }
-        cover::Claim begin{grown_to_cover(solid_, spheres), 0};
+        by_spheres::Claim begin{grown_to_cover(solid_, spheres), 0};
         begin.volume = geometry::joint_volume(solid_, begin.spheres);
         return begin;
     }
@@ -170,8 +170,8 @@ private:
     const Solid& solid_;
     const bool idle_;
     std::mutex mutex_;
-    cover::Claim last_{{}, 0};                  ///< the result of the last call that added spheres
-    std::optional<cover::Splitting> splitting_; ///< made before the first split
+    by_spheres::Claim last_{{}, 0};                  ///< the result of the last call that added spheres
+    std::optional<by_spheres::Splitting> splitting_; ///< made before the first split
 };
 
 /// Begins refinements of one kind.

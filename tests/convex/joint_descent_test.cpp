@@ -36,11 +36,11 @@ Box box_of(const Vec3& low, const Vec3& high) {
 
 struct Scene {
     explicit Scene(std::shared_ptr<const Solid> given)
-        : solid(std::move(given)), body(body_of(*solid)), occupancy(*solid, cover::Frame(solid->bounds()), 48) {}
+        : solid(std::move(given)), body(body_of(*solid)), occupancy(*solid, by_spheres::Frame(solid->bounds()), 48) {}
 
     std::shared_ptr<const Solid> solid;
     BodyOfSolid body;
-    cover::Occupancy occupancy;
+    by_spheres::Occupancy occupancy;
 
     /// Returns a fit in the body's frame from one in metres.
     Fit in_units(Fit fit) const {

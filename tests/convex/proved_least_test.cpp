@@ -3,7 +3,7 @@
 #include "search/src/convex/least_fit.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/search/approximate.hpp>
+#include <foam/search/cover.hpp>
 
 #include <gmock/gmock.h>
 

@@ -11,7 +11,7 @@ using namespace foam;
 
 constexpr double tolerance = 0.02;
 
-double largest_radius(const Cover& cover) {
+double largest_radius(const SphereCover& cover) {
     double largest = 0;
     for (const Sphere& sphere : cover.spheres) {
         largest = std::max(largest, sphere.radius);
@@ -34,7 +34,7 @@ Element box(const Vec3& size) {
 }
 
 void expect_radius(const Solid& solid, std::size_t count, double radius, Objective objective) {
-    const Cover cover = spherize(solid, count, {.objective = objective});
+    const SphereCover cover = spherize(solid, count, {.objective = objective});
     EXPECT_LE(cover.spheres.size(), count);
     EXPECT_TRUE(cover.certificate.holds);
     EXPECT_TRUE(certify(solid, cover.spheres).holds);
@@ -91,7 +91,7 @@ TEST(KnownCovers, CapsuleByARow) {
             const double known = radius_of_row(0.1, 0.4, count);
             expect_radius(*solid, count, known, Objective::radius);
             expect_radius(*solid, count, known, Objective::protrusion);
-            const Cover cover = spherize(*solid, count, {.objective = Objective::protrusion});
+            const SphereCover cover = spherize(*solid, count, {.objective = Objective::protrusion});
             const Measures measures = measure(*solid, cover.spheres, {.surface_points = 100, .volume_rays = 100});
             EXPECT_NEAR(measures.protrusion_max, known - 0.1, tolerance * known);
         }

@@ -14,7 +14,7 @@ namespace {
 
 using namespace foam;
 
-const SpherizeOptions fast{.effort = Effort::fast};
+const CoverOptions fast{.effort = Effort::fast};
 
 /// 2 n² triangles.
 Mesh fine_torus(std::uint32_t n = 250) {
@@ -98,7 +98,7 @@ TEST(LargeMeshCover, IsNoWorseThanThatOfAFewTriangles) {
 TEST(LargeMeshCover, MoreSpheresAreNeverWorse) {
     const auto solid = Solid::make(with_thorns(fine_torus()));
     const std::vector<std::size_t> counts{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 16};
-    const std::vector<Cover> covers = spherize_each(*solid, counts, fast);
+    const std::vector<SphereCover> covers = spherize_each(*solid, counts, fast);
     for (std::size_t i = 1; i < covers.size(); ++i) {
         EXPECT_LE(geometry::joint_volume(*solid, covers[i].spheres),
                   geometry::joint_volume(*solid, covers[i - 1].spheres))
@@ -112,7 +112,7 @@ TEST(LargeMeshCover, StoppedAtAnyTimeItIsCertified) {
     const auto solid = Solid::make(fine_torus());
     for (int polls = 0; polls < 3; ++polls) {
         int asked = 0;
-        const SpherizeOptions stopped{.stop = [&] { return asked++ >= polls; }};
+        const CoverOptions stopped{.stop = [&] { return asked++ >= polls; }};
         EXPECT_TRUE(certify(*solid, spherize(*solid, 8, stopped).spheres).holds) << polls;
         asked = 0;
         CoverSearch search(*solid, stopped);
@@ -123,10 +123,10 @@ TEST(LargeMeshCover, StoppedAtAnyTimeItIsCertified) {
 TEST(LargeMeshCover, OtherObjectivesSearchOnTheSolidItself) {
     const auto solid = Solid::make(sample::torus(0.1, 0.04, 225, 225));
     ASSERT_TRUE(geometry::coarse_solid(*solid));
-    const Cover cover = spherize(*solid, 4, {.effort = Effort::fast, .objective = Objective::radius});
+    const SphereCover cover = spherize(*solid, 4, {.effort = Effort::fast, .objective = Objective::radius});
     test::expect_cover(*solid, cover, 4);
-    const Cover excess = spherize(*solid, 4, fast);
-    const auto largest = [](const Cover& c) {
+    const SphereCover excess = spherize(*solid, 4, fast);
+    const auto largest = [](const SphereCover& c) {
         return std::max_element(c.spheres.begin(), c.spheres.end(),
                                 [](const Sphere& a, const Sphere& b) { return a.radius < b.radius; })
             ->radius;
@@ -136,9 +136,9 @@ TEST(LargeMeshCover, OtherObjectivesSearchOnTheSolidItself) {
 
 TEST(LargeMeshCover, SplitsLookAtTheCoarseSolidAndGrowToCover) {
     const auto solid = Solid::make(fine_torus());
-    const Cover five = spherize(*solid, 5, fast);
-    cover::Splitting splitting(*solid);
-    const cover::Claim six = splitting.one_more(five.spheres, geometry::joint_volume(*solid, five.spheres));
+    const SphereCover five = spherize(*solid, 5, fast);
+    by_spheres::Splitting splitting(*solid);
+    const by_spheres::Claim six = splitting.one_more(five.spheres, geometry::joint_volume(*solid, five.spheres));
     ASSERT_EQ(six.spheres.size(), 6u);
     const std::vector<Sphere> grown = grown_to_cover(*solid, six.spheres);
     EXPECT_TRUE(certify(*solid, grown).holds);

@@ -1,5 +1,5 @@
 // The smallest ball about points that keeps to half-spaces.
-#include "search/src/cover/portfolio/problem.hpp"
+#include "search/src/by_spheres/portfolio/problem.hpp"
 
 #include <foam/base/random.hpp>
 

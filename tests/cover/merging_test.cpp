@@ -1,6 +1,6 @@
 // Fewer balls out of many.
 #include "cover/expect_contained.hpp"
-#include "search/src/cover/moves/moves.hpp"
+#include "search/src/by_spheres/moves/moves.hpp"
 
 #include <foam/base/random.hpp>
 #include <foam/geometry/volumes.hpp>

@@ -85,10 +85,10 @@ TEST_F(ObjectiveRuns, ANumberForTheRobotGoesWhereTheWorstIs) {
     for (const std::string objective : {"protrusion", "radius"}) {
         SCOPED_TRACE(objective);
         const auto figure = objective == "radius" ? largest_radius : protrusion_of;
-        const SpherizeOptions options{.effort = Effort::fast,
+        const CoverOptions options{.effort = Effort::fast,
                                       .objective = objective == "radius" ? Objective::radius : Objective::protrusion};
-        const std::vector<Cover> of_plate = spherize_each(*plate, counts, options);
-        const std::vector<Cover> of_block = spherize_each(*block, counts, options);
+        const std::vector<SphereCover> of_plate = spherize_each(*plate, counts, options);
+        const std::vector<SphereCover> of_block = spherize_each(*block, counts, options);
         double best = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < counts.size(); ++i) {
             best = std::min(best, std::max(figure(*plate, of_plate[i].spheres),

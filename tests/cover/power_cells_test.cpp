@@ -1,6 +1,6 @@
 // The parts of a surface that belong to balls.
-#include "search/src/cover/descent/descent.hpp"
-#include "search/src/cover/starts/power_cells.hpp"
+#include "search/src/by_spheres/descent/descent.hpp"
+#include "search/src/by_spheres/starts/power_cells.hpp"
 
 #include <foam/base/random.hpp>
 #include <foam/geometry/vector.hpp>

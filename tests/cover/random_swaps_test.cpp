@@ -1,7 +1,7 @@
 // Single balls that move to where they are worth more.
 #include "cover/expect_contained.hpp"
-#include "search/src/cover/moves/moves.hpp"
-#include "search/src/cover/starts/starts.hpp"
+#include "search/src/by_spheres/moves/moves.hpp"
+#include "search/src/by_spheres/starts/starts.hpp"
 
 #include <foam/runtime/contract.hpp>
 

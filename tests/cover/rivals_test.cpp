@@ -1,5 +1,5 @@
 // Balls that may have the least power at points close together.
-#include "search/src/cover/portfolio/problem.hpp"
+#include "search/src/by_spheres/portfolio/problem.hpp"
 
 #include <foam/base/random.hpp>
 

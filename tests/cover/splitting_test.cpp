@@ -15,7 +15,7 @@ class EverySolid : public testing::TestWithParam<std::string> {};
 /// Their faces are larger than the later spheres: what lies far from a sphere is held by others that do not meet it.
 TEST_P(EverySolid, IsHeldByEverMoreSpheresThatClaimEverLess) {
     const auto solid = sample::solids().at(GetParam())();
-    cover::Splitting splitting(*solid);
+    by_spheres::Splitting splitting(*solid);
     std::vector<Sphere> cover{minimum_enclosing_sphere(solid->surface().vertices)};
     cover = grown_to_cover(*solid, cover);
     const double alone = exact_union_volume(cover);

@@ -74,7 +74,7 @@ BELONG = {
 WHOLE = {"base", "geometry", "xml", "robot", "sdk", "collision"}  # libraries that tests link
 # And these files of others, or those whose paths begin so.
 LINKED = ("runtime/src/contract/sample.cpp", "runtime/src/finish/cover.cpp", "runtime/src/finish/written_", "judge/src/evaluate/",
-          "judge/src/written_model.cpp", "search/src/convex/", "search/src/cover/")
+          "judge/src/written_model.cpp", "search/src/convex/", "search/src/by_spheres/")
 FLAGS = ("-std=c++20 -O1 -fPIC -DNDEBUG -D_GLIBCXX_ASSERTIONS -ffp-contract=off -w -DFMT_SHARED -DFOAM_VERSION=\"mutation\" "
          "-DFOAM_YAML_CPP_VERSION=\"\" -DFOAM_PLUGIN_SUBDIRECTORY=\"foam/plugins\" -isystem /usr/include/eigen3").split()
 LIBRARIES_OF_CORE = ["base", "geometry", "xml", "robot", "collision", "search", "sdk", "yaml", "recipe", "report", "runtime", "judge"]

@@ -203,7 +203,7 @@ def test_convex_elements_cover_the_mesh():
     (element,) = cover.elements
     assert element["kind"] == "box" and sorted(element["size"]) == pytest.approx([1, 2, 3], rel=1e-6)
     assert cover.certified is True and cover.excess < 1e-3 and cover.volume == pytest.approx(6, rel=1e-3)
-    assert repr(cover) == "<foam.ConvexCover: 1 box, surface certified>"
+    assert repr(cover) == "<foam.Cover: 1 box, surface certified>"
     assert cover.missing == 0
 
 
@@ -215,7 +215,7 @@ def test_boxes_on_the_walls_of_a_cylinder_leave_volume_out():
     assert (again.missing, again.excess) == (cover.missing, cover.excess)
 
 
-@pytest.mark.parametrize("kind", ["sphere", "capsule", "cylinder", "box", "swept_box", "hull"])
+@pytest.mark.parametrize("kind", ["sphere", "capsule", "cylinder", "box", "swept_box", "hull", "ellipsoid"])
 def test_elements_of_each_kind(kind):
     mesh = wavy(600)
     cover = foam.approximate(mesh, 3, kind, effort="fast")

@@ -161,7 +161,10 @@ std::vector<NamedFigure> named_figures(const Measures& m) {
 
 std::optional<Objective> objective_named(std::string_view name) {
     static constexpr std::pair<std::string_view, Objective> objectives[] = {
-        {"excess", Objective::excess}, {"protrusion", Objective::protrusion}, {"radius", Objective::radius}};
+        {"excess", Objective::excess},
+        {"protrusion", Objective::protrusion},
+        {"radius", Objective::radius},
+        {"mean_protrusion", Objective::mean_protrusion}};
     const auto it = std::find_if(std::begin(objectives), std::end(objectives),
                                  [&](const auto& objective) { return objective.first == name; });
     return it == std::end(objectives) ? std::nullopt : std::optional(it->second);

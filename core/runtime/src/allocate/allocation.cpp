@@ -139,7 +139,9 @@ std::optional<Objective> objective_of(const StageCall& spherizer, const Registry
     if (!stage || stage->info.objective_parameter.empty()) {
         return Objective::excess;
     }
-    return objective_named(Parameters(stage->info.parameters, spherizer.given).text(stage->info.objective_parameter));
+    const auto objective =
+        objective_named(Parameters(stage->info.parameters, spherizer.given).text(stage->info.objective_parameter));
+    return objective == Objective::mean_protrusion ? std::nullopt : objective; // no figure here compares that
 }
 
 double figure_of(const Solid& solid, const std::vector<Sphere>& spheres, Objective objective) {
@@ -149,6 +151,7 @@ double figure_of(const Solid& solid, const std::vector<Sphere>& spheres, Objecti
     case Objective::protrusion:
         return covered_protrusion(solid, spheres, Guarantee::outer);
     case Objective::radius:
+    case Objective::mean_protrusion: // objective_of() gives none
         break;
     }
     double largest = 0;
@@ -168,6 +171,7 @@ double figure_of(const Solid& solid, const Elements& elements, Objective objecti
     case Objective::protrusion:
         return protrusion_of_elements(solid, elements, Guarantee::outer);
     case Objective::radius:
+    case Objective::mean_protrusion: // objective_of() gives none
         break;
     }
     const Elements grown = grown_to_cover(solid, elements);

@@ -240,7 +240,7 @@ std::map<std::string, Objective> known_objectives(const StageInfo& info) {
     std::map<std::string, Objective> known;
     for (const Parameter& p : info.parameters) {
         for (const std::string& choice : p.name == info.objective_parameter ? p.choices : std::vector<std::string>()) {
-            if (const auto objective = objective_named(choice)) {
+            if (const auto objective = objective_named(choice); objective && objective != Objective::mean_protrusion) {
                 known.emplace(choice, *objective);
             }
         }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cloud.hpp"
-#include "cover/measured/occupancy.hpp"
+#include "by_spheres/measured/occupancy.hpp"
 
 #include <foam/geometry/element.hpp>
 #include <foam/geometry/solid.hpp>
@@ -138,7 +138,7 @@ private:
 class OutsideLattice {
 public:
     /// The occupancy must outlive this.
-    explicit OutsideLattice(const cover::Occupancy& occupancy) : occupancy_(occupancy) {}
+    explicit OutsideLattice(const by_spheres::Occupancy& occupancy) : occupancy_(occupancy) {}
 
     /// Prepares a lattice of about so many cells over a region, beside the others. O(cells · others).
     void look(std::span<const Fit> others, const Box& region, std::size_t cells);
@@ -152,7 +152,7 @@ private:
     /// Makes the share that is held at each place at least that of the fit.
     void hold(const Fit& fit);
 
-    const cover::Occupancy& occupancy_;
+    const by_spheres::Occupancy& occupancy_;
     Box region_;
     double cell_ = 1;
     int longest_ = 0;                       ///< axis of the region: places ascend along it

@@ -1,5 +1,5 @@
 #include "cloud.hpp"
-#include "cover/measured/points.hpp"
+#include "by_spheres/measured/points.hpp"
 
 #include <foam/geometry/vector.hpp>
 

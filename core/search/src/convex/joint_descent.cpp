@@ -43,7 +43,7 @@ Fit least_around(Kind kind, const std::vector<Vec3>& points) {
 
 class Descent {
 public:
-    Descent(const Body& body, const cover::Occupancy& occupancy, std::vector<Fit> fits, bool keep_axes)
+    Descent(const Body& body, const by_spheres::Occupancy& occupancy, std::vector<Fit> fits, bool keep_axes)
         : body_(body), lattice_(occupancy), fits_(std::move(fits)), keep_axes_(keep_axes),
           taken_(body.surface.corners.size(), 0) {}
 
@@ -276,7 +276,7 @@ private:
 
 } // namespace
 
-std::vector<Fit> descended_together(const Body& body, const cover::Occupancy& occupancy, std::vector<Fit> fits,
+std::vector<Fit> descended_together(const Body& body, const by_spheres::Occupancy& occupancy, std::vector<Fit> fits,
                                     Effort effort, bool keep_axes) {
     const int sweeps = effort == Effort::fast ? 1 : effort == Effort::normal ? 4 : 20;
     const int steps = effort == Effort::fast ? 4 : 10;

@@ -3,10 +3,10 @@
 
 #include "cells.hpp"
 #include "cloud.hpp"
-#include "cover/measured/occupancy.hpp"
+#include "by_spheres/measured/occupancy.hpp"
 
 #include <foam/geometry/solid.hpp>
-#include <foam/search/approximate.hpp>
+#include <foam/search/cover.hpp>
 #include <foam/search/spherize.hpp>
 
 #include <array>
@@ -76,7 +76,7 @@ double bound_of_capsule(double here, double angle);
 /// Returns the element of the kind around the cloud that protrudes least, in the mean or at most, of those found by
 /// descents from elements of little volume. All of the solid's surface must be in the hull of the cloud. Precondition:
 /// the kind is neither hull nor sphere.
-Fit least_protrusion(Element::Kind kind, const Cloud& cloud, const Solid& solid, ApproximationObjective objective,
+Fit least_protrusion(Element::Kind kind, const Cloud& cloud, const Solid& solid, Objective objective,
                      Effort effort, bool axis_aligned);
 
 /// Makes the volume of the union outside the solid less, while the union goes on to hold the surface. In turn each
@@ -85,7 +85,7 @@ Fit least_protrusion(Element::Kind kind, const Cloud& cloud, const Solid& solid,
 /// over the part of the element's boundary that lies outside the solid and the others, and the steps those of a
 /// sequence of quadratic programmes. Elements that hold nothing alone are dropped. Precondition: no hulls; the fits in
 /// the frame of the body hold its surface.
-std::vector<Fit> descended_together(const Body& body, const cover::Occupancy& occupancy, std::vector<Fit> fits,
+std::vector<Fit> descended_together(const Body& body, const by_spheres::Occupancy& occupancy, std::vector<Fit> fits,
                                     Effort effort, bool keep_axes);
 
 /// Returns a hull around points that need not span space, larger by a billionth of their size and, where it would be
@@ -93,9 +93,9 @@ std::vector<Fit> descended_together(const Body& body, const cover::Occupancy& oc
 Element hull_around(std::vector<Vec3> points, double unit, std::size_t most_vertices);
 
 /// Returns the elements, grown where the proof asks for it, with their proof; their volume is left to the caller.
-ConvexCover proved(const Solid& solid, Elements elements);
+Cover proved(const Solid& solid, Elements elements);
 
 /// Returns the figure that the objective compares: m³ of excess volume, or m of protrusion.
-double figure_of(const Solid& solid, const ConvexCover& cover, ApproximationObjective objective);
+double figure_of(const Solid& solid, const Cover& cover, Objective objective);
 
 } // namespace foam::inline search::convex

@@ -1,6 +1,6 @@
 #include "cells.hpp"
 
-#include "cover/measured/points.hpp"
+#include "by_spheres/measured/points.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "cells.hpp"
 #include "cloud.hpp"
-#include "cover/measured/occupancy.hpp"
+#include "by_spheres/measured/occupancy.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -98,14 +98,14 @@ class VolumeOutside : public Pricing {
 public:
     /// Returns the element of a piece from the points that it is to hold.
     using FitAround = std::function<Fit(std::span<const Vec3>)>;
-    VolumeOutside(const cover::Occupancy& occupancy, FitAround fit_around)
+    VolumeOutside(const by_spheres::Occupancy& occupancy, FitAround fit_around)
         : occupancy_(occupancy), fit_around_(std::move(fit_around)) {}
 
     void appraise(Piece& piece) const override;
     Beside beside(const std::vector<Piece>& pieces, std::span<const std::size_t> replaced) const override;
 
 private:
-    const cover::Occupancy& occupancy_;
+    const by_spheres::Occupancy& occupancy_;
     FitAround fit_around_;
 };
 

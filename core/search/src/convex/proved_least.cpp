@@ -3,7 +3,7 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
-#include <foam/search/approximate.hpp>
+#include <foam/search/cover.hpp>
 
 #include <fmt/format.h>
 

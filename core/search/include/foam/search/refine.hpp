@@ -45,7 +45,7 @@ std::vector<Sphere> fit(const Solid& solid, std::span<const Sphere> start, std::
 
 } // namespace fitted
 
-namespace cover {
+namespace by_spheres {
 
 /// Spheres and the joint volume of them and a solid, m³.
 struct Claim {
@@ -72,6 +72,6 @@ private:
     std::unique_ptr<Data> data_;
 };
 
-} // namespace cover
+} // namespace by_spheres
 } // namespace search
 } // namespace foam

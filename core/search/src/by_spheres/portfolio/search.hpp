@@ -1,0 +1,124 @@
+// Searches for covering balls of one solid, 1, 2, 3, …, each from the smaller counts.
+#pragma once
+
+#include "by_spheres/moves/moves.hpp"
+#include "by_spheres/portfolio/problem.hpp"
+#include "by_spheres/portfolio/quick_search.hpp"
+
+#include <foam/base/random.hpp>
+#include <foam/search/refine.hpp>
+#include <foam/search/spherize.hpp>
+
+#include <map>
+#include <optional>
+
+namespace foam::inline search::by_spheres {
+
+/// How much the search does for one count.
+struct CountPlan {
+    bool quick = false;       ///< starts from those of the quick search
+    bool merged = false;      ///< starts from balls merged from more
+    bool grown = false;       ///< starts from the balls for a smaller count, split one by one
+    std::size_t restarts = 0; ///< random starts
+    std::size_t kept = 1;     ///< refined starts
+    int swaps = 0;            ///< random swaps that are tried
+    int first_gradient_steps = 0, last_gradient_steps = 0; ///< of each start, and of those that are kept
+    ExchangePlan exchange{};                               ///< for counts up to most_some
+};
+
+/// The parameters of the efforts normal and best; fast is QuickSearch.
+struct Plan {
+    int resolution;           ///< cells of the occupancy along the longest extent
+    std::size_t points;       ///< number on the surface
+    std::size_t first_points; ///< points that every descent uses
+    std::size_t directions;   ///< per ball
+    int coarse_steps, fine_steps;
+    int most_moves;          ///< rounds of moves, each of every ball
+    std::size_t most_moved;  ///< counts up to this have them
+    double most_behind;      ///< excess, relative to the best, up to which starts are worth exchanges
+    int skin_resolution;     ///< of a finely meshed surface, for the search
+    CountPlan few, some;     ///< for counts up to 4, and up to most_some
+    CountPlan between;       ///< for every second candidate count above, 20, 28, 40 and 56
+    CountPlan several, many; ///< for the others, up to 32 and above
+
+    static constexpr std::size_t most_few = 4, most_some = 16, most_several = 32;
+    const CountPlan& of(std::size_t count) const {
+        return count <= most_few       ? few
+               : count <= most_some    ? some
+               : is_between(count)     ? between
+               : count <= most_several ? several
+                                       : many;
+    }
+};
+Plan plan_for(Effort effort);
+/// Returns the plan for a coarse solid, on which a search takes little of the time of a run: fast searches as normal
+/// does, and normal moves balls of few as best does.
+Plan plan_for_coarse(Effort effort);
+
+class Search {
+public:
+    /// The solid must outlive this.
+    Search(const Solid& solid, const CoverOptions& options) : Search(solid, options, plan_for(options.effort)) {}
+    Search(const Solid& solid, const CoverOptions& options, const Plan& plan);
+    Search(const Search&) = delete; ///< its parts refer to each other
+    Search& operator=(const Search&) = delete;
+
+    /// Returns the covering spheres for a count. The result of a stopped search is not kept.
+    SphereCover cover(std::size_t count) {
+        stopped_ = false;
+        return model(count).cover;
+    }
+    /// Returns whether the last search was stopped.
+    bool was_stopped() const { return stopped_; }
+
+private:
+    struct Model {
+        Balls balls;
+        SphereCover cover;
+        double joint; ///< volume of the spheres and the solid together, m³
+    };
+    Model model(std::size_t count);
+    /// Returns one ball more: a plane splits one of those with most excess volume.
+    Balls one_more(const Balls& cover) const;
+    /// Returns sets of balls for a count above most_growing.
+    std::vector<Balls> found_of_many(std::size_t count);
+    /// Returns sets of as many balls: for each ball in turn, the ball is removed, and one with most excess volume is
+    /// split.
+    std::vector<Balls> moved(const Balls& cover);
+    /// Returns balls split in two one after another, those where it helps, until there are `count`.
+    Balls grown(const Model& cover, std::size_t count);
+    /// Returns `count` balls merged from more; none if there are no such.
+    Balls merged(const DescentSurface& surface, std::size_t count);
+    /// Returns sets of balls, larger than `before`, that cover the surface or nearly do. `joint`: of the best model so
+    /// far.
+    std::vector<Balls> found(std::size_t count, const Model& before, double joint);
+    std::vector<CoverCandidate> starts_of_some(std::size_t count, const Balls& before);
+    std::vector<CoverCandidate> starts_of_many(std::size_t count);
+    /// Removes candidates that are too far behind the best model for exchanges to make up for it.
+    void drop_hopeless(std::vector<CoverCandidate>& candidates, double joint) const;
+    /// Adds candidates from many random starts.
+    void add_restarts(std::size_t count, std::vector<CoverCandidate>& rated);
+    Balls exchanged(const Balls& balls) const;
+    Balls exchanged_finely(const Balls& balls) const;
+    /// Returns the balls after long steps, which move lost ones to better places.
+    Balls moved_far(const Balls& balls) const;
+    Balls refined(const Balls& balls) const;
+    CoverCandidate settled(const DescentSurface& surface, const Balls& balls, int steps) const;
+    Model finished(const Balls& balls) const;
+    bool stopped() { return stopped_ = stopped_ || (options_.stop && options_.stop()); }
+
+    const Solid& solid_;
+    CoverOptions options_;
+    Plan plan_;
+    Problem problem_;
+    IndexedSurface skin_, coarse_skin_; ///< the same where there are few points
+    Points body_; ///< more than six a ball: fewer would make clusters of one point, balls without size
+    Improvement improvement_;
+    std::optional<Splitting> splitting_; ///< made on first use
+    QuickSearch quick_;
+    std::map<std::size_t, std::vector<Balls>> merged_; ///< by the number of balls before merging
+    std::map<std::size_t, Model> models_;
+    bool stopped_ = false;
+};
+
+} // namespace foam::inline search::by_spheres
