@@ -55,7 +55,7 @@ private:
                                                          .seed = context.seed(),
                                                          .stop = [this] { return context_->cancelled(); }});
         }
-        return foam::flat_tree(covers_->cover(count).spheres);
+        return foam::flat_tree(covers_->cover(count).elements);
     }
 
     const foam::Shape& shape_;

@@ -116,8 +116,7 @@ TEST(Approximate, LegsGetAnElementEach) {
 TEST(Approximate, MoreElementsHaveNoMoreExcess) {
     const auto solid = Solid::make(torus());
     for (const Kind kind : {Kind::capsule, Kind::box, Kind::hull}) {
-        const Kind kinds[] = {kind};
-        CoverSearch search(*solid, kinds, fast);
+        CoverSearch search(*solid, {.kinds = {kind}, .effort = Effort::fast});
         double before = INFINITY;
         for (const std::size_t count : {1, 2, 3, 4, 8, 16}) {
             const Cover cover = search.cover(count);

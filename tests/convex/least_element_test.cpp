@@ -1,7 +1,7 @@
 // foam::least_element(): it holds the points, is the least where that is known, and near the proved bound elsewhere.
 #include <foam/base/error.hpp>
 #include <foam/base/random.hpp>
-#include <foam/search/cover.hpp>
+#include <foam/search/least_element.hpp>
 
 #include <gtest/gtest.h>
 

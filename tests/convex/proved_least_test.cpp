@@ -3,7 +3,7 @@
 #include "search/src/convex/least_fit.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/search/cover.hpp>
+#include <foam/search/least_element.hpp>
 
 #include <gmock/gmock.h>
 

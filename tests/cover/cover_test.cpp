@@ -2,6 +2,8 @@
 #include "geometry/shapes.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/base/random.hpp>
+#include <foam/geometry/vector.hpp>
 #include <foam/runtime/contract.hpp>
 #include <foam/search/spherize.hpp>
 
@@ -134,12 +136,53 @@ TEST(Spherize, TheSameAloneAndBesideOtherCounts) {
     }
 }
 
+TEST(Cover, OfSpheresIsThatOfSpherize) {
+    const auto solid = sample::solids().at("Bracket")();
+    const CoverOptions options{.effort = Effort::fast};
+    const Cover found = cover(*solid, 7, options);
+    EXPECT_EQ(found.elements.spheres(), spherize(*solid, 7, options).spheres);
+    EXPECT_TRUE(found.elements.are_spheres());
+}
+
+TEST(Cover, OfPointsHoldsAllOfTheirBalls) {
+    Random random(4);
+    std::vector<Sphere> balls;
+    for (int i = 0; i < 60; ++i) {
+        balls.push_back({{random.uniform(-1, 1), random.uniform(-0.3, 0.3), random.uniform(0, 0.1)},
+                         i % 3 == 0 ? 0 : random.uniform(0.001, 0.1)});
+    }
+    balls.push_back(balls.front()); // twice
+    for (const Element::Kind kind : every_kind()) {
+        SCOPED_TRACE(to_string(kind));
+        const Cover found = cover(balls, 3, {.kinds = {kind}, .effort = Effort::fast});
+        EXPECT_TRUE(found.certificate.holds);
+        EXPECT_LE(found.elements.size(), 3u);
+        for (const Sphere& ball : balls) {
+            for (const Vec3& direction : fibonacci_directions(50)) {
+                const Vec3 p = ball.center + direction * ball.radius;
+                EXPECT_TRUE(std::any_of(found.elements.begin(), found.elements.end(),
+                                        [&](const Element& e) { return distance(e, p) < 1e-12; }));
+            }
+        }
+    }
+}
+
+TEST(Cover, OfNoPointsAndOfNumbersThatAreNone) {
+    EXPECT_THROW(cover(std::vector<Sphere>{}, 1), Error);
+    EXPECT_THROW(cover(std::vector<Sphere>{{{0, 0, 0}, -1}}, 1), Error);
+    EXPECT_THROW(cover(std::vector<Sphere>{{{0, std::nan(""), 0}, 1}}, 1), Error);
+    EXPECT_TRUE(cover(std::vector<Sphere>{{{3, 4, 5}, 0}}, 1).certificate.holds) << "one point";
+    EXPECT_EQ(cover(std::vector<Sphere>{{{3, 4, 5}, 2}, {{3, 4, 5.5}, 1}}, 4).elements,
+              Elements(std::vector<Sphere>{{{3, 4, 5}, 2}}))
+        << "one ball holds the other";
+}
+
 TEST(Spherize, ASearchGivesTheSameWhateverWasAskedBefore) {
     const auto solid = sample::solids().at("Bracket")();
     const CoverOptions options{.effort = Effort::fast};
     CoverSearch search(*solid, options);
     for (const std::size_t count : {7, 3, 9, 7}) {
-        EXPECT_EQ(search.cover(count).spheres, spherize_each(*solid, {&count, 1}, options)[0].spheres) << count;
+        EXPECT_EQ(search.cover(count).elements.spheres(), spherize_each(*solid, {&count, 1}, options)[0].spheres) << count;
     }
 }
 
@@ -154,7 +197,7 @@ TEST(Spherize, ASearchThatWasBrokenOffGoesOn) {
     };
     CoverSearch search(*solid, {.effort = Effort::fast, .stop = stop});
     EXPECT_THROW(search.cover(7), Error);
-    EXPECT_EQ(search.cover(7).spheres, CoverSearch(*solid, {.effort = Effort::fast}).cover(7).spheres);
+    EXPECT_EQ(search.cover(7).elements.spheres(), CoverSearch(*solid, {.effort = Effort::fast}).cover(7).elements.spheres());
 }
 
 TEST(Spherize, StoppedItIsCertifiedAllTheSame) {
@@ -187,13 +230,13 @@ TEST(Spherize, ASearchThatWasStoppedOnceKeepsNoHalfResult) {
         asked = 0;
         return std::make_unique<CoverSearch>(*solid, CoverOptions{.stop = [&] { return asked++ == stopped_at; }});
     };
-    const std::vector<Sphere> whole = search()->cover(count).spheres;
+    const std::vector<Sphere> whole = search()->cover(count).elements.spheres();
     constexpr int last_questions = 5;
     const int questions = asked;
     for (stopped_at = questions - last_questions; stopped_at < questions; ++stopped_at) {
         const auto stopped = search();
         stopped->cover(count);
-        EXPECT_EQ(stopped->cover(count).spheres, whole) << "stopped at question " << stopped_at << " of " << questions;
+        EXPECT_EQ(stopped->cover(count).elements.spheres(), whole) << "stopped at question " << stopped_at << " of " << questions;
     }
 }
 

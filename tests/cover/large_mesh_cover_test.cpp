@@ -105,7 +105,7 @@ TEST(LargeMeshCover, MoreSpheresAreNeverWorse) {
             << counts[i];
     }
     CoverSearch alone(*solid, fast);
-    EXPECT_EQ(alone.cover(16).spheres, covers.back().spheres) << "whatever was requested before";
+    EXPECT_EQ(alone.cover(16).elements.spheres(), covers.back().spheres) << "whatever was requested before";
 }
 
 TEST(LargeMeshCover, StoppedAtAnyTimeItIsCertified) {
@@ -116,7 +116,7 @@ TEST(LargeMeshCover, StoppedAtAnyTimeItIsCertified) {
         EXPECT_TRUE(certify(*solid, spherize(*solid, 8, stopped).spheres).holds) << polls;
         asked = 0;
         CoverSearch search(*solid, stopped);
-        EXPECT_TRUE(certify(*solid, search.cover(5).spheres).holds) << polls;
+        EXPECT_TRUE(certify(*solid, search.cover(5).elements).holds) << polls;
     }
 }
 

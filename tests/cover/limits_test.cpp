@@ -11,7 +11,7 @@
 namespace {
 
 using namespace foam;
-using namespace foam::cover;
+using namespace foam::by_spheres;
 
 Points circle(double radius) {
     Points points;

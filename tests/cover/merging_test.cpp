@@ -13,7 +13,7 @@
 namespace {
 
 using namespace foam;
-using namespace foam::cover;
+using namespace foam::by_spheres;
 
 constexpr std::size_t pieces = 2000, many = 24, fewest = 2;
 constexpr int resolution = 32;

@@ -97,7 +97,7 @@ TEST_P(ByObjective, ASearchGivesTheSameWhateverWasAskedBefore) {
     const auto solid = sample::solids().at("Bracket")();
     CoverSearch search(*solid, fast);
     for (const std::size_t count : {7, 3, 13, 7}) {
-        EXPECT_EQ(search.cover(count).spheres, spherize_each(*solid, {&count, 1}, fast)[0].spheres) << count;
+        EXPECT_EQ(search.cover(count).elements.spheres(), spherize_each(*solid, {&count, 1}, fast)[0].spheres) << count;
     }
 }
 

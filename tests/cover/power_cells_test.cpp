@@ -14,7 +14,7 @@
 namespace {
 
 using namespace foam;
-using namespace foam::cover;
+using namespace foam::by_spheres;
 
 Balls balls_at_random(std::size_t count, Random& random) {
     const auto between = [&](double low, double high) {

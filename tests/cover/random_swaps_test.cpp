@@ -10,7 +10,7 @@
 namespace {
 
 using namespace foam;
-using namespace foam::cover;
+using namespace foam::by_spheres;
 
 constexpr std::size_t pieces = 2000, points = 1500, first_points = 300, directions = 64;
 constexpr int resolution = 32;

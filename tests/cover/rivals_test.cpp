@@ -11,7 +11,7 @@
 namespace {
 
 using namespace foam;
-using namespace foam::cover;
+using namespace foam::by_spheres;
 
 float between(Random& random, double low, double high) {
     return static_cast<float>(low + (high - low) * random.uniform());

@@ -215,6 +215,25 @@ def test_boxes_on_the_walls_of_a_cylinder_leave_volume_out():
     assert (again.missing, again.excess) == (cover.missing, cover.excess)
 
 
+def test_points_with_radii():
+    points = np.random.default_rng(1).uniform(-1, 1, (50, 3))
+    cover = foam.cover(points, 4, "capsule", radii=0.05, effort="fast")
+    assert cover.certified and 1 <= len(cover) <= 4 and cover.missing == 0
+    same = foam.cover(points, 4, ["capsule"], radii=np.full(50, 0.05), effort="fast")
+    assert same == cover
+    assert foam.cover(points, 8, radii=0, effort="fast").certified
+    with pytest.raises(foam.GeometryError, match="radii that are not negative"):
+        foam.cover(points, 4, radii=-1.0)
+    with pytest.raises(foam.InputError):
+        foam.cover(points[:, :2], 4, radii=0.1)
+    with pytest.raises(foam.UsageError, match="spheres alone"):
+        foam.cover(points, 4, "box", radii=0.1, objective="radius")
+
+
+def test_cover_of_spheres_is_that_of_spherize():
+    assert foam.cover(wavy(100), 5, effort="fast") == foam.spherize(wavy(100), 5, effort="fast")
+
+
 @pytest.mark.parametrize("kind", ["sphere", "capsule", "cylinder", "box", "swept_box", "hull", "ellipsoid"])
 def test_elements_of_each_kind(kind):
     mesh = wavy(600)

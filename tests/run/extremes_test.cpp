@@ -332,8 +332,7 @@ TEST_F(Extremes, ElementsThatOnlyJustOverlapAreProved) {
 TEST(ExtremesOfNumbers, BoxesThatOverlapByAMillionthAreProved) {
     const auto solid = Solid::make(std::vector<Solid::Part>{
         {nullptr, Element::capsule(0.1, 0.3), Pose{}}});
-    const Element::Kind kinds[] = {Element::Kind::box};
-    CoverSearch search(*solid, kinds, {});
+    CoverSearch search(*solid, {.kinds = {Element::Kind::box}});
     for (const std::size_t count : {2, 3, 4, 5, 6, 7, 8}) {
         SphereTree tree;
         tree.levels.push_back({search.cover(count).elements});

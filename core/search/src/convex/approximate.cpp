@@ -9,6 +9,7 @@
 #include <foam/geometry/internal/own_frame.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/search/cover.hpp>
+#include <foam/search/least_element.hpp>
 
 #include <fmt/format.h>
 
@@ -333,11 +334,11 @@ Element least_element(Element::Kind kind, std::span<const Vec3> points, Effort e
     if (!std::all_of(points.begin(), points.end(), [](const Vec3& p) { return is_finite(p); })) {
         throw Error(ErrorCode::geometry, "an element needs points with finite coordinates");
     }
-    const Cloud cloud = cloud_of(points);
+    const convex::Cloud cloud = convex::cloud_of(points);
     if (kind == Element::Kind::hull) {
-        return hull_around({points.begin(), points.end()}, cloud.unit, points.size());
+        return convex::hull_around({points.begin(), points.end()}, cloud.unit, points.size());
     }
-    return element_of(least_fit(kind, cloud, effort, axis_aligned), cloud);
+    return convex::element_of(convex::least_fit(kind, cloud, effort, axis_aligned), cloud);
 }
 
 } // namespace foam::search

@@ -4,6 +4,7 @@
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
 #include <foam/search/cover.hpp>
+#include <foam/search/least_element.hpp>
 
 #include <fmt/format.h>
 

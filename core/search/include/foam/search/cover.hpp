@@ -3,6 +3,7 @@
 
 #include <foam/geometry/elements.hpp>
 #include <foam/geometry/measure.hpp>
+#include <foam/geometry/objective.hpp>
 #include <foam/geometry/solid.hpp>
 
 #include <cstddef>

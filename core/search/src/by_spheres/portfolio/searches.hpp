@@ -153,7 +153,7 @@ private:
     CoverOptions options_;
     ObjectivePlan plan_;
     Frame frame_;
-    CoverSearch least_excess_;
+    SolidSearch least_excess_;
     std::size_t pieces_ = 0; ///< of the current surface
     std::unique_ptr<Surface> surface_;
     int resolution_ = 0; ///< of the current field
