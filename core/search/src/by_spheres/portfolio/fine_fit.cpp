@@ -20,18 +20,6 @@ constexpr double deep = 0.03;
 constexpr int most_fits = 3;
 constexpr double least_share_of_pieces = 0.05;
 
-FineFit::Plan plan_of_fit(Effort effort) {
-    switch (effort) {
-    case Effort::fast:
-        return {.steps = 8, .resolution = 32};
-    case Effort::normal:
-        return {.steps = 20, .resolution = 48};
-    case Effort::best:
-        break;
-    }
-    return {.steps = 40, .resolution = 96};
-}
-
 bool holds_deeply(const Sphere& ball, const geometry::SurfaceRuns::Run& run) {
     return distance(ball.center, run.center) + run.radius <= (1 - deep) * ball.radius;
 }
@@ -83,7 +71,7 @@ Mesh mesh_of(const Mesh& surface, const geometry::SurfaceRuns& runs, std::span<c
 } // namespace
 
 FineFit::FineFit(const Solid& solid, const Solid& coarse, Effort effort)
-    : solid_(solid), coarse_(coarse), frame_(solid.bounds()), plan_(plan_of_fit(effort)) {}
+    : solid_(solid), coarse_(coarse), frame_(solid.bounds()), plan_(portfolio_of(effort).fit) {}
 
 const Occupancy& FineFit::occupancy() {
     if (!occupancy_) {

@@ -28,20 +28,8 @@ std::size_t points_for(std::size_t count) {
 
 } // namespace
 
-ManyPlan many_plan_for(Effort effort) {
-    switch (effort) {
-    case Effort::fast:
-        return {.starts = {2, 128}, .kept = {1, 1}, .rounds = {2, 512}};
-    case Effort::normal:
-        return {.starts = {3, 512}, .kept = {1, 1}, .rounds = {2, SIZE_MAX}};
-    case Effort::best:
-        break;
-    }
-    return {.starts = {32, 4096}, .kept = {8, 1024}, .rounds = {5, 4096}};
-}
-
 ManySearch::ManySearch(const Problem& problem, std::size_t count, const CoverOptions& options)
-    : count_(count), seed_(derive_seed(options.seed, "many") + count), plan_(many_plan_for(options.effort)),
+    : count_(count), seed_(derive_seed(options.seed, "many") + count), plan_(portfolio_of(options.effort).many),
       problem_(problem), improvement_(problem, directions_a_ball, first_points) {}
 
 Problem ManySearch::problem_for(const Solid& solid, std::size_t count, std::uint64_t seed) {

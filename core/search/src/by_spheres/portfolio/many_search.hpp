@@ -3,6 +3,7 @@
 
 #include "by_spheres/descent/descent.hpp"
 #include "by_spheres/moves/moves.hpp"
+#include "by_spheres/portfolio/portfolio.hpp"
 #include "by_spheres/portfolio/problem.hpp"
 
 #include <foam/search/spherize.hpp>
@@ -11,19 +12,6 @@
 #include <functional>
 
 namespace foam::inline search::by_spheres {
-
-/// The parameters of an effort. The more balls, the fewer repetitions.
-struct ManyPlan {
-    /// At most `most`, and not more than `balls` balls in all of them; at least one.
-    struct Repetitions {
-        std::size_t most, balls;
-        std::size_t of(std::size_t count) const { return std::clamp<std::size_t>(balls / count, 1, most); }
-    };
-    Repetitions starts; ///< sets of clusters to begin with
-    Repetitions kept;   ///< the best of them, which are refined
-    Repetitions rounds; ///< of refinement
-};
-ManyPlan many_plan_for(Effort effort);
 
 /// Begins with clusters of points of the solid. A descent with long steps moves balls that hold nothing alone to where
 /// others have much excess volume. Then, round by round with ever shorter steps: planes split balls until there are

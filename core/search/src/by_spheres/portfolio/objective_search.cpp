@@ -30,43 +30,11 @@ bool cheaper(const Minimax& a, const Minimax& b) {
 
 } // namespace
 
-ObjectivePlan plan_of(Effort effort) {
-    switch (effort) {
-    case Effort::fast:
-        return {.field = 16,
-                .directions = 64,
-                .evaluations = 24,
-                .random_starts = 1,
-                .kept = 1,
-                .first_rounds = 3,
-                .last_rounds = 12,
-                .moves = 2};
-    case Effort::best:
-        return {.field = 40,
-                .directions = 128,
-                .evaluations = 64,
-                .random_starts = 24,
-                .kept = 6,
-                .first_rounds = 10,
-                .last_rounds = 80,
-                .moves = 40};
-    default:
-        return {.field = 24,
-                .directions = 96,
-                .evaluations = 40,
-                .random_starts = 4,
-                .kept = 2,
-                .first_rounds = 6,
-                .last_rounds = 40,
-                .moves = 8};
-    }
-}
-
 ObjectiveSearch::Surface::Surface(const Solid& solid, const Frame& frame, std::size_t pieces, std::size_t few)
     : skin(solid.surface(), frame, pieces), some(skin.sample(few)) {}
 
 ObjectiveSearch::ObjectiveSearch(const Solid& solid, const CoverOptions& options)
-    : solid_(solid), options_(options), plan_(plan_of(options.effort)), frame_(solid.bounds()),
+    : solid_(solid), options_(options), plan_(portfolio_of(options.effort).objective), frame_(solid.bounds()),
       least_excess_(solid, {.effort = options.effort, .seed = options.seed, .stop = [this] { return stopped(); }}) {}
 
 SphereCover ObjectiveSearch::alone(std::size_t count) {

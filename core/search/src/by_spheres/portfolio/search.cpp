@@ -21,63 +21,6 @@ constexpr std::size_t few_points = 500;
 
 } // namespace
 
-Plan plan_for(Effort effort) {
-    Plan plan{.resolution = 48,
-              .points = 3000,
-              .first_points = 500,
-              .directions = 96,
-              .coarse_steps = 120,
-              .fine_steps = 120,
-              .most_moves = 0,
-              .most_moved = 8,
-              .most_behind = 1.06,
-              .skin_resolution = 16};
-    if (effort == Effort::best) {
-        constexpr ExchangePlan exchange{{24, 7, 4, 80}, 80, 12, 20};
-        plan.coarse_steps = 200;
-        plan.fine_steps = 160;
-        plan.most_moves = 3;
-        plan.most_moved = 12;
-        plan.most_behind = 1.5;
-        plan.skin_resolution = 32;
-        plan.few = plan.some = {.quick = true,
-                                .restarts = 12,
-                                .kept = 2,
-                                .first_gradient_steps = 4,
-                                .last_gradient_steps = 40,
-                                .exchange = exchange};
-        plan.some.merged = true;
-        plan.some.swaps = 48;
-        plan.between = plan.several = plan.many = {.merged = true,
-                                                   .grown = true,
-                                                   .restarts = 3,
-                                                   .first_gradient_steps = 4,
-                                                   .last_gradient_steps = 40,
-                                                   .exchange = exchange};
-        plan.several.swaps = 64;
-        plan.many.swaps = 32;
-        return plan;
-    }
-    constexpr TwoBallSearch::Plan split{16, 5, 2, 40};
-    constexpr ExchangePlan thorough{split, 20, 4, 12}, exchange{split, 12, 1, 12};
-    plan.few = {
-        .quick = true, .restarts = 1, .first_gradient_steps = 2, .last_gradient_steps = 10, .exchange = thorough};
-    plan.some = {.merged = true, .first_gradient_steps = 4, .last_gradient_steps = 20, .exchange = exchange};
-    plan.between = {.grown = true, .first_gradient_steps = 4, .last_gradient_steps = 20};
-    plan.several = {.merged = true, .grown = true, .first_gradient_steps = 4, .last_gradient_steps = 20};
-    plan.many = plan.several;
-    plan.many.swaps = 2;
-    return plan;
-}
-
-Plan plan_for_coarse(Effort effort) {
-    Plan plan = plan_for(effort);
-    if (effort == Effort::normal) {
-        plan.most_moves = plan_for(Effort::best).most_moves;
-    }
-    return plan;
-}
-
 Search::Search(const Solid& solid, const CoverOptions& options, const Plan& plan)
     : solid_(solid), options_(options), plan_(plan), problem_(solid, plan_.resolution, plan_.points, options.seed),
       skin_(solid.surface(), problem_.frame),

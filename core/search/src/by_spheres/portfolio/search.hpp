@@ -2,6 +2,7 @@
 #pragma once
 
 #include "by_spheres/moves/moves.hpp"
+#include "by_spheres/portfolio/portfolio.hpp"
 #include "by_spheres/portfolio/problem.hpp"
 #include "by_spheres/portfolio/quick_search.hpp"
 
@@ -14,51 +15,10 @@
 
 namespace foam::inline search::by_spheres {
 
-/// How much the search does for one count.
-struct CountPlan {
-    bool quick = false;       ///< starts from those of the quick search
-    bool merged = false;      ///< starts from balls merged from more
-    bool grown = false;       ///< starts from the balls for a smaller count, split one by one
-    std::size_t restarts = 0; ///< random starts
-    std::size_t kept = 1;     ///< refined starts
-    int swaps = 0;            ///< random swaps that are tried
-    int first_gradient_steps = 0, last_gradient_steps = 0; ///< of each start, and of those that are kept
-    ExchangePlan exchange{};                               ///< for counts up to most_some
-};
-
-/// The parameters of the efforts normal and best; fast is QuickSearch.
-struct Plan {
-    int resolution;           ///< cells of the occupancy along the longest extent
-    std::size_t points;       ///< number on the surface
-    std::size_t first_points; ///< points that every descent uses
-    std::size_t directions;   ///< per ball
-    int coarse_steps, fine_steps;
-    int most_moves;          ///< rounds of moves, each of every ball
-    std::size_t most_moved;  ///< counts up to this have them
-    double most_behind;      ///< excess, relative to the best, up to which starts are worth exchanges
-    int skin_resolution;     ///< of a finely meshed surface, for the search
-    CountPlan few, some;     ///< for counts up to 4, and up to most_some
-    CountPlan between;       ///< for every second candidate count above, 20, 28, 40 and 56
-    CountPlan several, many; ///< for the others, up to 32 and above
-
-    static constexpr std::size_t most_few = 4, most_some = 16, most_several = 32;
-    const CountPlan& of(std::size_t count) const {
-        return count <= most_few       ? few
-               : count <= most_some    ? some
-               : is_between(count)     ? between
-               : count <= most_several ? several
-                                       : many;
-    }
-};
-Plan plan_for(Effort effort);
-/// Returns the plan for a coarse solid, on which a search takes little of the time of a run: fast searches as normal
-/// does, and normal moves balls of few as best does.
-Plan plan_for_coarse(Effort effort);
-
 class Search {
 public:
     /// The solid must outlive this.
-    Search(const Solid& solid, const CoverOptions& options) : Search(solid, options, plan_for(options.effort)) {}
+    Search(const Solid& solid, const CoverOptions& options) : Search(solid, options, portfolio_of(options.effort).search) {}
     Search(const Solid& solid, const CoverOptions& options, const Plan& plan);
     Search(const Search&) = delete; ///< its parts refer to each other
     Search& operator=(const Search&) = delete;

@@ -3,6 +3,7 @@
 
 #include "by_spheres/measured/occupancy.hpp"
 #include "by_spheres/measured/surface.hpp"
+#include "by_spheres/portfolio/portfolio.hpp"
 #include "by_spheres/starts/power_cells.hpp"
 #include "by_spheres/starts/starts.hpp"
 
@@ -36,10 +37,6 @@ private:
 /// vertices of the coarse solid stand for them. The proof is about all triangles.
 class FineFit {
 public:
-    struct Plan {
-        int steps;      ///< of conditional gradients
-        int resolution; ///< cells of the occupancy along the longest extent
-    };
     /// `coarse`: the coarse_solid(). Both must outlive this.
     FineFit(const Solid& solid, const Solid& coarse, Effort effort);
 
@@ -54,7 +51,7 @@ private:
     const Solid& solid_;
     const Solid& coarse_;
     Frame frame_;
-    Plan plan_;
+    FitPlan plan_;
     std::optional<Occupancy> occupancy_; ///< of the coarse solid; made on first use
 };
 
@@ -92,18 +89,6 @@ private:
     Points fine_directions_;
     Exposed exposed_;
 };
-
-/// The parameters of an effort.
-struct ObjectivePlan {
-    int field;                 ///< cells of the distance field along the longest extent; twice as many for many balls
-    std::size_t directions;    ///< directions in which a ball's protrusion is evaluated
-    int evaluations;           ///< evaluations of the cost, for the best centre of a ball
-    std::size_t random_starts; ///< in addition to the rule-based starts
-    std::size_t kept;          ///< starts that are refined
-    int first_rounds, last_rounds;
-    int moves; ///< most moves of balls from the lowest cost to the highest
-};
-ObjectivePlan plan_of(Effort effort);
 
 /// Refines the covering balls of least excess, and others, from many starts until their most expensive ball is as cheap
 /// as possible: by its radius, or by its protrusion. It takes the best, so the result is never worse by the objective

@@ -97,7 +97,7 @@ class CoarseToFine {
 public:
     CoarseToFine(const Solid& solid, std::shared_ptr<const Solid> coarse, const CoverOptions& options)
         : solid_(solid), stop_(options.stop), coarse_(std::move(coarse)), fit_(solid, *coarse_, options.effort),
-          search_(*coarse_, options, by_spheres::plan_for_coarse(options.effort)) {
+          search_(*coarse_, options, by_spheres::portfolio_of(options.effort).coarse) {
         if (options.effort == Effort::fast) {
             quick_.emplace(*coarse_, options);
         }
