@@ -142,6 +142,7 @@ Element small_element(Kind kind, const Vec3& at, double size, Random& random) {
         break;
     case Kind::box:
     case Kind::swept_box:
+    case Kind::ellipsoid:
         e.half = {h, size * random.uniform(0.2, 1), size * random.uniform(0.2, 1)};
         e.radius = kind == Kind::swept_box ? size * random.uniform(0.1, 0.5) : 0;
         break;
@@ -203,7 +204,7 @@ class EachKind : public ::testing::TestWithParam<Kind> {};
 
 INSTANTIATE_TEST_SUITE_P(Kinds, EachKind,
                          ::testing::Values(Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box,
-                                           Kind::hull),
+                                           Kind::hull, Kind::ellipsoid),
                          [](const auto& kind) { return to_string(kind.param); });
 
 #ifdef FOAM_TEST_FEW
@@ -328,7 +329,7 @@ TEST_P(EachKind, WhatIsNotValidHoldsNothing) {
         EXPECT_FALSE(certify(*solid, Elements(std::vector<Element>{e})).holds);
     }
     // A box with a radius is no swept box: a proof that took it for one would prove points that no box holds.
-    const bool box = GetParam() == Kind::box || GetParam() == Kind::swept_box;
+    const bool box = GetParam() == Kind::box || GetParam() == Kind::swept_box || GetParam() == Kind::ellipsoid;
     const bool along = box || GetParam() == Kind::capsule || GetParam() == Kind::cylinder;
     const auto with_size = [&](auto set) {
         Element e = good;
@@ -338,7 +339,8 @@ TEST_P(EachKind, WhatIsNotValidHoldsNothing) {
     EXPECT_EQ(with_size([](Element& e) { e.half.x = 0.01; }), box);
     EXPECT_EQ(with_size([](Element& e) { e.half.y = 0.01; }), box);
     EXPECT_EQ(with_size([](Element& e) { e.half.z = 0.01; }), along);
-    EXPECT_EQ(with_size([](Element& e) { e.radius = 0.01; }), GetParam() != Kind::box && GetParam() != Kind::hull);
+    EXPECT_EQ(with_size([](Element& e) { e.radius = 0.01; }),
+              GetParam() != Kind::box && GetParam() != Kind::hull && GetParam() != Kind::ellipsoid);
     Element mirrored = good;
     mirrored.pose.rotation[0] = -mirrored.pose.rotation[0];
     EXPECT_FALSE(is_valid(mirrored));

@@ -48,7 +48,7 @@ std::shared_ptr<const Solid> base() {
 }
 
 TEST_F(RunElements, OfEveryKindAreProvedOnTheNumbersReadBack) {
-    for (const char* kind : {"capsule", "cylinder", "box", "swept_box", "hull", "each"}) {
+    for (const char* kind : {"capsule", "cylinder", "box", "swept_box", "hull", "ellipsoid", "each"}) {
         for (const char* turned : {"false", "true"}) {
             const std::string parameters = std::string("kind: ") + kind + ", turned: " + turned;
             SCOPED_TRACE(parameters);
@@ -67,7 +67,7 @@ TEST_F(RunElements, OfEveryKindAreProvedOnTheNumbersReadBack) {
 }
 
 TEST_F(RunElements, ThatFallShortGrow) {
-    for (const char* kind : {"capsule", "cylinder", "box", "swept_box", "hull", "each"}) {
+    for (const char* kind : {"capsule", "cylinder", "box", "swept_box", "hull", "ellipsoid", "each"}) {
         SCOPED_TRACE(kind);
         const RunResult result = made(std::string("kind: ") + kind + ", short_by: 0.05");
         EXPECT_TRUE(result.certified);
