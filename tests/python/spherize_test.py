@@ -146,7 +146,7 @@ def test_objects_with_vertices_and_faces_are_meshes():
     (lambda: foam.spherize(box(), 10**9), foam.UsageError, "1 to 1000000"),
     (lambda: foam.spherize(box(), 1.5), TypeError, "integer"),
     (lambda: foam.spherize(box(), 1, effort="fsat"), foam.UsageError, "fast, normal, best"),
-    (lambda: foam.spherize(box(), 1, objective="beauty"), foam.UsageError, "excess, protrusion, radius"),
+    (lambda: foam.spherize(box(), 1, objective="beauty"), foam.UsageError, "excess, mean_protrusion, protrusion, radius"),
     (lambda: foam.spherize(box(), 1, seed=-1), foam.UsageError, "seed"),
     (lambda: foam.spherize(box(), 1, time_limit=float("nan")), foam.UsageError, "time_limit"),
     (lambda: foam.spherize((box()[0], np.zeros((0, 3), int)), 1), foam.GeometryError, "no triangle"),

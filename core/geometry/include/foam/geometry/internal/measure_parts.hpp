@@ -39,7 +39,7 @@ std::vector<double> protrusions(const Solid& solid, std::span<const Sphere> ball
 /// Measures the exposed surface of the balls and its distance to the solid.
 Protrusion protrusion(const Solid& solid, std::span<const Sphere> balls, std::size_t directions);
 
-class InsideLines;
+class [[gnu::visibility("hidden")]] InsideLines; // of the library alone
 
 /// The solid's lines outside a union of balls, each with its length. All balls are finite and have a radius. volume()
 /// is bitwise equal to Solid::missing_volume() of the balls.
